@@ -1,0 +1,43 @@
+# A thin front: each target sets up whatever it lacks (packages, BLAS, configure, build) and then does its one thing.
+# CMakeLists.txt is the real build; `cmake -B build && cmake --build build` works without this file.
+.PHONY: help run build test bench format tidy clean setup
+.DEFAULT_GOAL := help
+
+CXX_FILES = $(shell find lib tools tests -name '*.cpp' -o -name '*.hpp')
+
+help:
+	@echo 'make run     mesh-gen | solve | postprocess on DESIGN (designs/bellows.yaml); curve, plot and result in results/'
+	@echo 'make test    build and run the tests; LABEL=unit, verification, pipeline or slow runs only those'
+	@echo 'make build   everything, into build/ (binaries in build/bin)'
+	@echo 'make bench   timings of the standard cases'
+	@echo 'make format  clang-format over lib, tools and tests'
+	@echo 'make tidy    clang-tidy over lib and tools (needs a build)'
+	@echo 'make clean   remove build/ and results/'
+
+setup:
+	@scripts/setup
+
+run: setup
+	@scripts/build mesh-gen solve postprocess
+	@scripts/run-example $(DESIGN)
+
+build: setup
+	@scripts/build
+
+test: build
+	@scripts/test $(LABEL)
+
+bench: build
+	@test -x scripts/benchmark || { echo 'bench: there is no scripts/benchmark yet' >&2; exit 1; }
+	@scripts/benchmark
+
+format:
+	@command -v clang-format >/dev/null || { echo 'format: needs clang-format (apt-get install clang-format)' >&2; exit 1; }
+	@clang-format -i $(CXX_FILES)
+
+tidy: build
+	@command -v clang-tidy >/dev/null || { echo 'tidy: needs clang-tidy (apt-get install clang-tidy)' >&2; exit 1; }
+	@find lib tools -name '*.cpp' -print0 | xargs -0 -n 1 -P 2 clang-tidy -p build --quiet
+
+clean:
+	@rm -rf build build-asan results

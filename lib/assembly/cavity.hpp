@@ -1,0 +1,72 @@
+#pragma once
+/// Pressure loads and enclosed volumes on the assembled unknowns. The sign of pressure: positive inflates.
+///
+/// Force of a load per unit pressure: f = wall part (follower, element/pressure_kernel.hpp) + plug part. A plug closes
+/// an opening of a sealed cavity; its thrust, pressure x undeformed area of the opening, is spread evenly over the
+/// undeformed face around it: a constant vector, its work the pressure times area times the face's mean displacement.
+///
+/// Enclosed volume [m^3] of the WHOLE actuator: wall and inner faces, openings closed by flat plugs (a cone to the rim's
+/// centre in solids; nothing to add in a section, where a flat plug sweeps no r^2 dx). The planes of symmetry pass
+/// through the origin, so they add nothing to 1/3 int x.n da.
+/// Held by assembly/cavity_test.
+#include <vector>
+
+#include "assembly/dof_map.hpp"
+#include "element/pressure_kernel.hpp"
+#include "model/case.hpp"
+
+namespace soft::assembly {
+
+/// A facet with its nodes, or a rim edge of an opening, ready for the kernels.
+struct SurfaceCell {
+    int reference = 0;                       ///< index into SurfaceTables
+    std::vector<mesh::Index> nodes;
+    std::vector<PetscInt> dofs;              ///< component-major, -1 where held
+    std::vector<int> local;                  ///< where System keeps their values; set by System
+};
+
+struct Rim {
+    std::vector<SurfaceCell> edges;          ///< oriented with the normal out of the cavity
+    std::vector<mesh::Index> nodes;          ///< every node once; their mean, on the symmetry planes, is the apex
+};
+
+/// Reference tables of the facet types present.
+class SurfaceTables {
+public:
+    [[nodiscard]] int index_of(mesh::CellType type);
+    [[nodiscard]] const element::ReferenceFacet& operator[](int index) const { return tables_[index]; }
+
+private:
+    std::vector<element::ReferenceFacet> tables_;
+};
+
+struct SparseVector {
+    std::vector<PetscInt> dofs;
+    std::vector<double> values;
+};
+
+/// One pressure load with everything its force needs. Facets are those this rank assembles.
+struct LoadSurface {
+    double pressure_Pa = 0;                  ///< at load factor 1
+    std::vector<SurfaceCell> facets;
+    SparseVector plug_force;                 ///< per unit pressure, whole mesh, the same on every rank
+};
+
+struct EnclosedVolume {
+    std::vector<SurfaceCell> facets;         ///< this rank's
+    std::vector<Rim> rims;                   ///< evaluated by rank 0 alone: rims are short
+    std::array<bool, 3> symmetry_planes{};
+    double model_fraction = 1;
+};
+
+/// Weights w with sum w_i x_i = area mean over the undeformed face of the displacement along `direction`.
+[[nodiscard]] SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
+                                             const std::array<double, 3>& direction);
+
+[[nodiscard]] LoadSurface make_load_surface(const model::Case& input, const DofMap& map,
+                                            const model::PressureLoad& load, int rank, SurfaceTables& tables);
+
+[[nodiscard]] EnclosedVolume make_enclosed_volume(const model::Case& input, const DofMap& map,
+                                                  const model::Cavity& cavity, int rank, SurfaceTables& tables);
+
+}  // namespace soft::assembly

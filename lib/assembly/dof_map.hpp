@@ -1,0 +1,43 @@
+#pragma once
+/// Numbers of the unknowns: free displacement components of all nodes and the pressures of mixed cells. Held
+/// components have number -1, which PETSc's insertion skips. Every rank builds the same map from the whole mesh (it is
+/// cheap), owns a contiguous range of unknowns and assembles its own cells.
+/// A pressure unknown is p / pressure_scale, with pressure_scale = shear modulus / cell size, so that the rows of
+/// force and of volume have entries of like size and one norm serves both.
+/// Held by assembly/dof_map_test.
+#include <span>
+#include <vector>
+
+#include "element/reference_cell.hpp"
+#include "linalg/petsc.hpp"
+#include "model/case.hpp"
+
+namespace soft::assembly {
+
+struct DofMap {
+    int dimension = 3;
+    PetscInt total = 0;                        ///< unknowns on all ranks
+    PetscInt begin = 0, end = 0;               ///< this rank's range
+    PetscInt pressures = 0;                    ///< pressure unknowns on all ranks
+    double pressure_scale_Pa = 1;
+    std::vector<PetscInt> displacement;        ///< [node x dimension + component], -1 where held
+    std::vector<PetscInt> vertex_pressure;     ///< [node], -1 where the node carries none
+    std::vector<PetscInt> cell_pressure;       ///< [cell] first of its discontinuous pressures, -1 without
+    std::vector<int> cell_rank;                ///< [cell] the rank that assembles it
+
+    /// The unknowns of a cell, component by component, then pressures: the order of element/solid_kernel.hpp.
+    void cell_dofs(const mesh::Mesh& mesh, mesh::Index cell, const element::ReferenceCell& reference,
+                   std::vector<PetscInt>& out) const;
+    /// The displacement unknowns of a list of nodes, component by component.
+    void node_dofs(std::span<const mesh::Index> nodes, std::vector<PetscInt>& out) const;
+};
+
+/// `references` gives the element of each cell type present (index: mesh::CellType's value).
+[[nodiscard]] DofMap make_dof_map(const model::Case& input, std::span<const element::ReferenceCell> references,
+                                  double pressure_scale_Pa, MPI_Comm comm);
+
+/// The element of a cell type. Throws std::logic_error if it is not among them.
+[[nodiscard]] const element::ReferenceCell& reference_of(std::span<const element::ReferenceCell> references,
+                                                         mesh::CellType type);
+
+}  // namespace soft::assembly

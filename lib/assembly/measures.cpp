@@ -1,0 +1,191 @@
+/// What System reports of a state: volume, energy, stretches, fields.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "assembly/system.hpp"
+#include "core/tensor.hpp"
+#include "material/response.hpp"
+
+namespace soft::assembly {
+
+std::optional<double> System::enclosed_volume(Vec x, Vec gradient) {
+    if (gradient != nullptr) SOFT_PETSC(VecZeroEntries(gradient));
+    if (!volume_) return std::nullopt;
+    read_state(x);
+    double sum = 0;
+    std::vector<double> position, slope;
+    for (const auto& facet : volume_->facets) {
+        const auto& reference = tables_[facet.reference];
+        gather_surface(facet, position);
+        slope.assign(reference.dofs(), 0.0);
+        sum += element::swept_volume(reference, input_.kinematics, position, slope);
+        if (gradient == nullptr) continue;
+        for (double& s : slope) s /= volume_->model_fraction;
+        SOFT_PETSC(VecSetValues(gradient, reference.dofs(), facet.dofs.data(), slope.data(), ADD_VALUES));
+    }
+    add_rims(*volume_, gradient, sum);
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    if (gradient != nullptr) {
+        SOFT_PETSC(VecAssemblyBegin(gradient));
+        SOFT_PETSC(VecAssemblyEnd(gradient));
+    }
+    return sum / volume_->model_fraction;
+}
+
+void System::add_rims(const EnclosedVolume& volume, Vec gradient, double& sum) const {
+    std::vector<double> y, slope;
+    for (const auto& rim : volume.rims) {
+        Vector3 apex{};
+        std::vector<std::pair<PetscInt, int>> rim_dofs;   // unknown and component, each node once
+        std::vector<mesh::Index> seen;
+        for (const auto& edge : rim.edges) {
+            gather_surface(edge, y);
+            const std::size_t n = edge.nodes.size();
+            for (std::size_t a = 0; a < n; ++a) {
+                if (std::ranges::find(seen, edge.nodes[a]) != seen.end()) continue;
+                seen.push_back(edge.nodes[a]);
+                for (int i = 0; i < 3; ++i) {
+                    if (volume.symmetry_planes[i]) continue;
+                    apex[i] += y[i * n + a] / static_cast<double>(rim.nodes.size());
+                    rim_dofs.emplace_back(edge.dofs[i * n + a], i);
+                }
+            }
+        }
+        Vector3 apex_slope{};
+        for (const auto& edge : rim.edges) {
+            gather_surface(edge, y);
+            slope.assign(y.size(), 0.0);
+            sum += element::cap_volume(tables_[edge.reference], y, apex, slope, apex_slope);
+            if (gradient == nullptr) continue;
+            for (double& s : slope) s /= volume.model_fraction;
+            SOFT_PETSC(VecSetValues(gradient, static_cast<PetscInt>(slope.size()), edge.dofs.data(), slope.data(),
+                                    ADD_VALUES));
+        }
+        if (gradient == nullptr) continue;
+        const double share = 1.0 / (static_cast<double>(rim.nodes.size()) * volume.model_fraction);
+        for (const auto& [dof, component] : rim_dofs)
+            SOFT_PETSC(VecSetValue(gradient, dof, share * apex_slope[component], ADD_VALUES));
+    }
+}
+
+template <class Visit>
+void System::for_each_point(Visit&& visit) const {
+    std::vector<element::PointState> points;
+    for (const auto& group : groups_) {
+        LocalCell local(*group.reference);
+        for (std::size_t c = 0; c < group.cells.size(); ++c) {
+            gather_cell(group, c, local);
+            points.clear();
+            element::sample_cell(*group.reference, input_.kinematics, local.input(map_.pressure_scale_Pa), points);
+            for (const auto& point : points) visit(point, *group.rubber);
+        }
+    }
+}
+
+double System::stored_energy(Vec x) {
+    read_state(x);
+    double energy = 0;
+    const bool mixed = input_.formulation == model::Formulation::mixed;
+    for_each_point([&](const element::PointState& point, const AnyRubber& any) {
+        std::visit(
+            [&](const auto& rubber) {
+                const auto [I1, I2] = material::principal_invariants(point.F);
+                const double J = determinant(point.F);
+                // p Theta - p^2/(2 kappa) at p = kappa Theta (weakly) is the volumetric energy of the mixed state.
+                energy += point.weight_m3 *
+                          (mixed ? material::mixed_energy(rubber, point.p_Pa, I1, I2, J)
+                                 : material::displacement_energy(rubber, I1, I2, J));
+            },
+            any);
+    });
+    MPI_Allreduce(MPI_IN_PLACE, &energy, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    return energy;
+}
+
+StretchSummary System::stretches(Vec x) {
+    read_state(x);
+    struct Sample {
+        double stretch, volume;
+    };
+    std::vector<Sample> mine;
+    StretchSummary summary;
+    summary.min_jacobian = 1e300;
+    for_each_point([&](const element::PointState& point, const AnyRubber&) {
+        const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
+        mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
+        summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
+    });
+    MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, comm_);
+
+    int size = 1;
+    MPI_Comm_size(comm_, &size);
+    std::vector<int> counts(size), starts(size, 0);
+    const int count = static_cast<int>(2 * mine.size());
+    MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+    std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
+    std::vector<Sample> all((starts.back() + counts.back()) / 2);
+    MPI_Allgatherv(mine.data(), count, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm_);
+
+    std::ranges::sort(all, [](const Sample& a, const Sample& b) {
+        return a.stretch != b.stretch ? a.stretch > b.stretch : a.volume > b.volume;
+    });
+    double total = 0;
+    for (const auto& sample : all) total += sample.volume;
+    summary.largest = all.front().stretch;
+    summary.p99 = all.front().stretch;
+    double above = 0;
+    for (const auto& sample : all) {
+        above += sample.volume;
+        summary.p99 = sample.stretch;
+        if (above >= 0.01 * total) break;
+    }
+    return summary;
+}
+
+System::Fields System::gather_fields(Vec x) {
+    linalg::Scatter to_zero;
+    linalg::Vector all;
+    SOFT_PETSC(VecScatterCreateToZero(x, to_zero.out(), all.out()));
+    SOFT_PETSC(VecScatterBegin(to_zero, x, all, INSERT_VALUES, SCATTER_FORWARD));
+    SOFT_PETSC(VecScatterEnd(to_zero, x, all, INSERT_VALUES, SCATTER_FORWARD));
+    Fields fields;
+    if (rank_ != 0) return fields;
+    const PetscScalar* value = nullptr;
+    SOFT_PETSC(VecGetArrayRead(all, &value));
+    const std::size_t points = input_.mesh.points.size();
+    fields.displacement_m.assign(3 * points, 0.0);
+    for (std::size_t node = 0; node < points; ++node)
+        for (int i = 0; i < map_.dimension; ++i)
+            if (const auto dof = map_.displacement[node * map_.dimension + i]; dof >= 0)
+                fields.displacement_m[3 * node + i] = value[dof];
+    if (map_.pressures > 0) {
+        fields.pressure_Pa.assign(points, 0.0);
+        std::vector<int> shares(points, 0);
+        for (mesh::Index cell = 0; cell < input_.mesh.cell_count(); ++cell)
+            add_nodal_pressures(cell, value, fields.pressure_Pa, shares);
+        for (std::size_t node = 0; node < points; ++node)
+            if (shares[node] > 0) fields.pressure_Pa[node] /= shares[node];
+    }
+    SOFT_PETSC(VecRestoreArrayRead(all, &value));
+    return fields;
+}
+
+void System::add_nodal_pressures(mesh::Index cell, const double* value, std::vector<double>& pressure_Pa,
+                                 std::vector<int>& shares) const {
+    const auto& reference = reference_of(references_, input_.mesh.cell_type(cell));
+    const auto nodes = input_.mesh.cell_nodes(cell);
+    std::vector<PetscInt> dofs;
+    map_.cell_dofs(input_.mesh, cell, reference, dofs);
+    std::vector<double> X(reference.displacement_dofs()), unknowns;
+    for (int i = 0; i < map_.dimension; ++i)
+        for (int a = 0; a < reference.nodes; ++a) X[i * reference.nodes + a] = input_.mesh.point(nodes[a])[i];
+    for (int s = reference.displacement_dofs(); s < reference.dofs(); ++s) unknowns.push_back(value[dofs[s]]);
+    const auto nodal = element::nodal_pressures(reference, X, unknowns, map_.pressure_scale_Pa);
+    for (int a = 0; a < reference.nodes; ++a) {
+        pressure_Pa[nodes[a]] += nodal[a];
+        ++shares[nodes[a]];
+    }
+}
+
+}  // namespace soft::assembly

@@ -1,0 +1,123 @@
+#include "core/files.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace soft::core {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+/// Closes on the way out; a failed close of something only read tells nothing.
+class Descriptor {
+public:
+    explicit Descriptor(int value) noexcept : value_(value) {}
+    ~Descriptor() { if (value_ >= 0) ::close(value_); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    [[nodiscard]] int get() const noexcept { return value_; }
+
+private:
+    int value_;
+};
+
+/// Size of a regular file, 0 for everything whose length is not known beforehand.
+std::size_t expected_size(int descriptor) noexcept {
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
+    return static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
+}
+
+mode_t mode_for_new_file() noexcept {
+    const mode_t mask = ::umask(0);   // reading the mask means setting it
+    ::umask(mask);
+    return static_cast<mode_t>(0666 & ~mask);
+}
+
+}  // namespace
+
+Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit) {
+    constexpr std::size_t chunk = std::size_t{1} << 16;
+    Bytes bytes;
+    // One byte more than expected, so that a file of known size is read without growing the buffer at its end.
+    bytes.resize(std::max(chunk, std::min(expected_size(descriptor), limit) + 1));
+    std::size_t filled = 0;
+    while (true) {
+        if (filled == bytes.size()) bytes.resize(bytes.size() * 2);
+        const ssize_t got = ::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0 && errno == EISDIR) throw Error(ExitCode::cannot_open, name, "is a folder", "name a file");
+        if (got < 0) throw Error(ExitCode::io_error, name, "cannot be read: " + reason(errno));
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+        if (filled > limit) throw Error(ExitCode::bad_input, name, "longer than " + std::to_string(limit) + " bytes");
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+Bytes read_file(const fs::path& path, std::size_t limit) {
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    if (file.get() < 0) throw Error(ExitCode::cannot_open, path.string(), "cannot be opened: " + reason(errno));
+    return read_descriptor(file.get(), path.string(), limit);
+}
+
+Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string_view name) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0 && errno == EPIPE) return Delivery::reader_left;
+        if (put < 0) throw Error(ExitCode::io_error, name, "cannot be written: " + reason(errno));
+        bytes = bytes.subspan(static_cast<std::size_t>(put));
+    }
+    return Delivery::whole;
+}
+
+AtomicFile::AtomicFile(const fs::path& path) : name_(path.string()), target_(path) {
+    std::error_code ignored;
+    if (fs::is_symlink(path, ignored)) target_ = fs::weakly_canonical(path, ignored);
+    struct stat status {};
+    const bool exists = ::stat(target_.c_str(), &status) == 0;
+    if (exists && S_ISDIR(status.st_mode)) throw Error(ExitCode::cannot_create, name_, "is a folder", "name a file");
+    renames_ = !exists || S_ISREG(status.st_mode);
+    if (!renames_) {
+        written_ = target_;
+        descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    } else {
+        std::string pattern = target_.string() + ".XXXXXX";
+        descriptor_ = ::mkostemp(pattern.data(), O_CLOEXEC);
+        written_ = pattern;
+    }
+    if (descriptor_ < 0) throw Error(ExitCode::cannot_create, name_, "cannot be created: " + reason(errno));
+    // A temporary is private to its owner; the file that replaces another takes over who may read it.
+    if (renames_) static_cast<void>(::fchmod(descriptor_, exists ? status.st_mode & 07777 : mode_for_new_file()));
+}
+
+AtomicFile::~AtomicFile() { discard(); }
+
+Delivery AtomicFile::write(std::span<const std::byte> bytes) { return write_all(descriptor_, bytes, name_); }
+
+void AtomicFile::commit() {
+    const int descriptor = std::exchange(descriptor_, -1);
+    int error = ::close(descriptor) == 0 ? 0 : errno;
+    if (error == 0 && renames_ && ::rename(written_.c_str(), target_.c_str()) != 0) error = errno;
+    if (error == 0) return;
+    if (renames_) ::unlink(written_.c_str());
+    throw Error(ExitCode::io_error, name_, "cannot be written: " + reason(error));
+}
+
+void AtomicFile::discard() noexcept {
+    if (descriptor_ < 0) return;
+    ::close(std::exchange(descriptor_, -1));
+    if (renames_) ::unlink(written_.c_str());
+}
+
+}  // namespace soft::core

@@ -1,0 +1,60 @@
+#pragma once
+/// Bytes in and out: whole files, pipes, and files that appear under their name only when they are whole.
+/// Held by core/files_test.
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace soft::core {
+
+using Bytes = std::vector<std::byte>;
+inline constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+
+/// Everything up to the end of the stream. `name` stands in errors: io_error for a failed read, cannot_open for a
+/// folder, bad_input beyond `limit` bytes.
+[[nodiscard]] Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit = no_limit);
+
+/// The whole file; Error(cannot_open) with the reason.
+[[nodiscard]] Bytes read_file(const std::filesystem::path& path, std::size_t limit = no_limit);
+
+/// A reader that closes its end of the pipe is no failure of the writer: the caller just stops.
+enum class Delivery { whole, reader_left };
+
+/// Writes all bytes, going on after short writes and interrupts. Error(io_error) if the disk is full or the like.
+/// SIGPIPE must be ignored by the process (cli::run_guarded does).
+[[nodiscard]] Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string_view name);
+
+/// A file that is written beside its place and renamed by commit(): a reader sees the old file or the whole new one,
+/// and without commit() nothing is left behind. Symbolic links are followed and stay; a target that is no regular file
+/// (/dev/null, a named pipe) is written directly.
+class AtomicFile {
+public:
+    explicit AtomicFile(const std::filesystem::path& path);   ///< Error(cannot_create) with the reason
+    ~AtomicFile();
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+
+    [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
+    /// Where the bytes go until commit(); for libraries that open a file by its name.
+    [[nodiscard]] const std::filesystem::path& written_path() const noexcept { return written_; }
+    [[nodiscard]] Delivery write(std::span<const std::byte> bytes);
+    /// Closes and renames; Error(io_error) if either fails, and then nothing is left behind.
+    void commit();
+
+private:
+    void discard() noexcept;
+
+    std::string name_;                 ///< as the user wrote it, for errors
+    std::filesystem::path target_;
+    std::filesystem::path written_;
+    int descriptor_ = -1;
+    bool renames_ = true;
+};
+
+}  // namespace soft::core

@@ -1,0 +1,129 @@
+#include "core/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+namespace soft::core {
+namespace {
+
+char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+/// Optimal string alignment: edit distance with neighbouring letters swapped counted once.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const bool same = lower(a[i - 1]) == lower(b[j - 1]);
+            row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0u : 1u)});
+            const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+            if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+        }
+        std::swap(before, above);
+        std::swap(above, row);
+    }
+    return above[b.size()];
+}
+
+/// Length of the UTF-8 sequence that a lead byte announces and the range of its second byte; 0 for a wrong lead.
+struct Sequence { std::size_t length; unsigned char low, high; };
+Sequence announced(unsigned char lead) noexcept {
+    if (lead < 0x80) return {1, 0, 0};
+    if (lead >= 0xC2 && lead <= 0xDF) return {2, 0x80, 0xBF};
+    if (lead == 0xE0) return {3, 0xA0, 0xBF};
+    if (lead == 0xED) return {3, 0x80, 0x9F};   // 0xA0 and up would be surrogates
+    if (lead >= 0xE1 && lead <= 0xEF) return {3, 0x80, 0xBF};
+    if (lead == 0xF0) return {4, 0x90, 0xBF};
+    if (lead >= 0xF1 && lead <= 0xF3) return {4, 0x80, 0xBF};
+    if (lead == 0xF4) return {4, 0x80, 0x8F};
+    return {0, 0, 0};
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+    return {buffer.data(), end};
+}
+
+std::string rounded_text(double value, int digits) {
+    std::array<char, 64> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr;
+    return {buffer.data(), end};
+}
+
+std::string join(std::span<const std::string> words, std::string_view separator) {
+    std::string text;
+    for (const std::string& word : words) {
+        if (!text.empty()) text += separator;
+        text += word;
+    }
+    return text;
+}
+
+std::string one_line(std::string_view text, std::size_t longest) {
+    std::string line;
+    for (const char c : text.substr(0, longest)) {
+        const auto byte = static_cast<unsigned char>(c);
+        line += byte < 0x20 || byte == 0x7F ? '?' : c;
+    }
+    if (text.size() <= longest) return line;
+    if (const auto broken = first_invalid_utf8(line)) line.resize(*broken);   // do not cut a letter in two
+    return line + "...";
+}
+
+std::string quoted(std::string_view text) {
+    std::string line{"'"};
+    line += one_line(text);
+    line += '\'';
+    return line;
+}
+
+std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
+    constexpr std::size_t longest_key = 64;   // keeps the cost of a hostile key bounded
+    if (word.size() > longest_key) return std::nullopt;
+    const std::string* best = nullptr;
+    std::size_t least = 0;
+    for (const std::string& candidate : candidates) {
+        const std::size_t distance = edit_distance(word, candidate);
+        const std::size_t near = std::max<std::size_t>(1, std::max(word.size(), candidate.size()) / 3);
+        if (distance > near || (best != nullptr && distance >= least)) continue;
+        best = &candidate;
+        least = distance;
+    }
+    return best == nullptr ? std::nullopt : std::optional{*best};
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
+    if (candidates.empty()) return {};
+    if (const auto near = nearest(word, candidates)) return "did you mean " + quoted(*near) + "?";
+    return "known: " + join(candidates);
+}
+
+std::string_view trimmed(std::string_view text) noexcept {
+    constexpr std::string_view blanks = " \t\r\n";
+    const auto first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<std::size_t> first_invalid_utf8(std::string_view text) noexcept {
+    std::size_t i = 0;
+    while (i < text.size()) {
+        const Sequence sequence = announced(static_cast<unsigned char>(text[i]));
+        if (sequence.length == 0 || i + sequence.length > text.size()) return i;
+        for (std::size_t k = 1; k < sequence.length; ++k) {
+            const auto byte = static_cast<unsigned char>(text[i + k]);
+            const unsigned char low = k == 1 ? sequence.low : 0x80, high = k == 1 ? sequence.high : 0xBF;
+            if (byte < low || byte > high) return i;
+        }
+        i += sequence.length;
+    }
+    return std::nullopt;
+}
+
+}  // namespace soft::core

@@ -1,0 +1,97 @@
+#pragma once
+/// A design read from YAML: checked against the schema, defaults filled in, overrides applied, everything SI.
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/error.hpp"
+#include "design/schema.hpp"
+#include "model/case.hpp"
+
+namespace soft::design {
+
+/// Checked values by key path. Getters throw std::logic_error for a path that the schema does not have (a bug).
+class Values {
+public:
+    struct Entry {
+        double number = 0;              ///< SI; counts and flags as numbers
+        std::string text;               ///< as written (choice, text), unit included for quantities
+        std::string place;              ///< "designs/tube.yaml:7:9", "--set", or "default"
+        bool given = false;             ///< written by the user rather than a default
+    };
+    [[nodiscard]] double number(std::string_view path) const;
+    [[nodiscard]] int count(std::string_view path) const;
+    [[nodiscard]] const std::string& text(std::string_view path) const;
+    [[nodiscard]] bool given(std::string_view path) const;
+    [[nodiscard]] bool has(std::string_view path) const;
+    /// Error (bad_input) "file:line:col: path: problem; remedy" for a check across keys, for the families to throw.
+    [[nodiscard]] Error refuse(std::string_view path, std::string_view problem, std::string_view remedy = {}) const;
+    void set(std::string path, Entry entry);
+
+private:
+    std::map<std::string, Entry, std::less<>> entries_;
+};
+
+/// What the parser must know of a family; the geometry room supplies one for each (geometry::catalogue()).
+struct FamilyKeys {
+    std::string name;
+    std::string summary;                        ///< one line for --list
+    std::vector<Key> geometry;                  ///< keys under "geometry."
+    std::vector<std::string> models;            ///< allowed values of `model`, default first
+    std::vector<std::string> faces;             ///< named faces supports, loads and outputs may refer to
+    std::map<std::string, std::string> aliases; ///< other names of faces, e.g. end_disc -> fixed
+    std::string defaults;                       ///< YAML of supports, loads, outputs where the design is silent
+    std::vector<Key> mesh = {};                 ///< family's own defaults for keys under "mesh." (override the common ones)
+};
+
+struct Override {
+    std::string path;                           ///< "geometry.wall"
+    std::string value;                          ///< "2.5mm"
+};
+
+struct Design {
+    std::string family;
+    std::string name;
+    Values values;                              ///< geometry.*, mesh.*, model, ... (scalars)
+    model::Material material;                   ///< region name "rubber"
+    std::vector<model::Support> supports;       ///< by face name (aliases resolved); symmetry planes not included
+    std::vector<model::PressureLoad> loads;
+    struct OutputRequest { std::string name; std::string face; std::string along; };   ///< along: axis | x | y | z | r | normal
+    std::vector<OutputRequest> outputs;
+    model::PathSettings path;
+    model::SolverSettings solver;
+    std::string effective_yaml;                 ///< canonical text with defaults and overrides in place; reads back to the same design
+    std::vector<std::string> warnings;          ///< plausibility, one line each
+};
+
+/// Reads `text`; `source` names it in errors ("designs/tube.yaml" or "<stdin>").
+/// Throws Error(bad_input) with "file:line:col: key: problem; remedy".
+[[nodiscard]] Design read_design(std::string_view text, std::string_view source,
+                                 std::span<const FamilyKeys> families, std::span<const Override> overrides);
+
+/// Applies overrides to the keys solve may still change (material, loads, path, solver) of a case's effective design
+/// and returns the changed parts; geometry, mesh, model, supports, outputs and family are refused with the reason.
+struct SolveChanges {
+    model::Material material;
+    std::vector<model::PressureLoad> loads;
+    model::PathSettings path;
+    model::SolverSettings solver;
+    std::string effective_yaml;
+};
+[[nodiscard]] SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Override> overrides);
+
+/// "a.b=value" -> Override; Error(usage) otherwise. `load.` is short for `loads.cavity.`.
+[[nodiscard]] Override parse_override(std::string_view argument);
+
+/// A commented, runnable design of the family: every key with its default, range and meaning.
+[[nodiscard]] std::string template_yaml(const FamilyKeys& family);
+
+/// The effective design, each key with a comment: where it was given or that it is a default, and what it means.
+/// A design itself. Errors as read_design.
+[[nodiscard]] std::string explain_design(std::string_view text, std::string_view source,
+                                         std::span<const FamilyKeys> families, std::span<const Override> overrides);
+
+}  // namespace soft::design

@@ -1,0 +1,81 @@
+#include <algorithm>
+
+#include "core/text.hpp"
+#include "design/common_keys.hpp"
+#include "design/materials.hpp"
+#include "design/read_parts.hpp"
+
+namespace soft::design {
+namespace {
+
+constexpr std::size_t note_column = 36;
+
+/// Canonical YAML with a note on every key and every section.
+std::string annotated(std::span<const Item> items, auto&& note_of) {
+    Node root = tree_of(items);
+    for (const Item& item : items) find_path(root, item.key.path)->note = note_of(item);
+    for (const SectionNote& section : section_notes())
+        if (!section.note.empty()) find_path(root, section.name)->note = section.note;
+    std::vector<std::string> ends = until_quantities();
+    for (const Item& item : items)
+        if (item.key.path.starts_with("outputs.") && item.key.path.ends_with(".face"))
+            ends.insert(ends.begin(), item.key.path.substr(8, item.key.path.size() - 8 - 5));
+    find_path(root, "path.until")->note = "the path also ends at the first of these: " + core::join(ends);
+    return write_yaml(root, note_column);
+}
+
+std::string face_list(const FamilyKeys& family) {
+    std::string text = core::join(family.faces);
+    for (const auto& [alias, face] : family.aliases) text += ", " + alias + " (= " + face + ")";
+    return text;
+}
+
+/// What a template says of the default. Supports and outputs have none of their own but the family's.
+std::string default_text(const Item& item) {
+    if (!item.key.fallback.empty()) return "default " + item.key.fallback;
+    return item.entry.given ? "required" : "the family's default";
+}
+
+}  // namespace
+
+std::string example_design(const FamilyKeys& family) {
+    const Law& law = laws().front();
+    const Node defaults = parse_fragment(family.defaults, place_default);
+    Node root;
+    put(root, "family", scalar_node(family.name, place_default));
+    put(root, "material.law", scalar_node(law.name, place_default));
+    for (const Constant& constant : law.constants) put(root, "material." + constant.key.path, scalar_node(constant.example, place_default));
+    const bool cavity = std::find(family.faces.begin(), family.faces.end(), cavity_name) != family.faces.end();
+    const Node* loads = find(defaults, "loads");
+    const bool usual = loads != nullptr && !loads->members.empty();
+    const std::string target = usual ? loads->members.front().key : cavity || family.faces.empty() ? std::string{cavity_name} : family.faces.back();
+    const Node* pressure = usual ? find(loads->members.front().value, "pressure") : nullptr;
+    put(root, "loads." + target + ".pressure", scalar_node(pressure == nullptr ? "30 kPa" : pressure->text, place_default));
+    return write_yaml(root);
+}
+
+std::string template_yaml(const FamilyKeys& family) {
+    const std::string source = "template of " + family.name;
+    const Checked checked = check_design(parse_yaml(example_design(family), source), source, family);
+    std::string text = "# " + family.name + ": " + family.summary + "\n";
+    text += "# Run:   mesh-gen FILE | solve | postprocess > curve.csv      Check: mesh-gen --check FILE\n";
+    text += "# Quantities carry units (3 mm, 40 kPa). A key at its default may be left out.\n";
+    text += "# Faces: " + face_list(family) + "\n";
+    return text + annotated(checked.items, [](const Item& item) {
+        return item.key.meaning + "; " + range_text(item.key) + "; " + default_text(item);
+    });
+}
+
+std::string explain_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
+                           std::span<const Override> overrides) {
+    static_cast<void>(read_design(text, source, families, overrides));   // for the checks across keys
+    Node root = parse_yaml(text, source);
+    override_tree(root, overrides);
+    const FamilyKeys& family = family_of(root, source, families);
+    const Checked checked = check_design(std::move(root), source, family);
+    return annotated(checked.items, [](const Item& item) {
+        return (item.entry.given ? "given at " + item.entry.place : std::string{"default"}) + "; " + item.key.meaning;
+    });
+}
+
+}  // namespace soft::design

@@ -1,0 +1,25 @@
+#pragma once
+/// Keys of a design, declared once: the table feeds the parser, the errors, --template, --explain and the README.
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soft::design {
+
+/// What a value is. Quantities carry a unit in the text and are SI once read; a bare number for them is refused.
+enum class Kind { length, area, volume, pressure, angle, density, ratio, count, flag, text, choice, faces, list };
+
+struct Key {
+    std::string path;             ///< "geometry.wall"
+    Kind kind = Kind::length;
+    std::string fallback = {};    ///< default as it would stand in the YAML; empty: the key is required
+    std::string meaning = {};     ///< one sentence, no full stop
+    double min = -std::numeric_limits<double>::infinity();   ///< SI, inclusive unless min_open
+    double max = std::numeric_limits<double>::infinity();
+    bool min_open = false;        ///< the value must be greater than min
+    std::vector<std::string> choices = {};                   ///< for Kind::choice; for a number or quantity: words
+                                                             ///< allowed in its place ("auto", "incompressible"), read as 0
+};
+
+}  // namespace soft::design

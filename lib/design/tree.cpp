@@ -1,0 +1,244 @@
+#include "design/tree.hpp"
+
+#include <yaml-cpp/yaml.h>
+#include <yaml-cpp/eventhandler.h>
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace soft::design {
+namespace {
+
+constexpr std::size_t longest_document = std::size_t{1} << 20;
+constexpr int most_nodes = 20000;
+constexpr std::size_t deepest = 16;
+
+/// Where marks of yaml-cpp (from 0) stand for the user.
+struct Places {
+    std::string source;
+    bool numbered;   // false: a fragment, which has one place
+    [[nodiscard]] std::string at(int line, int column) const {
+        if (!numbered) return source;
+        return source + ":" + std::to_string(std::max(line, 0) + 1) + ":" + std::to_string(std::max(column, 0) + 1);
+    }
+    [[nodiscard]] std::string at(const YAML::Mark& mark) const { return at(mark.line, mark.column); }
+};
+
+/// Builds the tree from parser events. yaml-cpp's own nodes would hide duplicate keys and expand aliases.
+class TreeBuilder final : public YAML::EventHandler {
+public:
+    explicit TreeBuilder(const Places& places) : places_(places) {}
+
+    Node take() { return std::move(root_); }
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (++documents_ > 1) refuse(places_.at(mark), "", "a second document starts here", "keep one design a file");
+    }
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        check(mark, "", anchor);
+        add(Node{}, mark);
+    }
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { refuse_anchor(mark); }
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+        check(mark, tag, anchor);
+        Node node;
+        node.kind = Node::Kind::scalar;
+        node.text = value;
+        add(std::move(node), mark);
+    }
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+        open(Node::Kind::list, mark, tag, anchor);
+    }
+    void OnSequenceEnd() override { close(); }
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+        open(Node::Kind::map, mark, tag, anchor);
+    }
+    void OnMapEnd() override { close(); }
+
+private:
+    struct Frame {
+        Node node;
+        std::optional<Member> waiting;   // a key that has no value yet
+    };
+
+    [[noreturn]] void refuse_anchor(const YAML::Mark& mark) const {
+        refuse(places_.at(mark), "", "anchors and aliases are not part of a design", "write the value out");
+    }
+
+    void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+        if (anchor != 0) refuse_anchor(mark);
+        const bool ordinary = tag.empty() || tag == "?" || tag == "!";   // plain and quoted scalars
+        if (!ordinary) refuse(places_.at(mark), "", "tags are not part of a design", "leave out " + core::quoted(tag));
+        if (++nodes_ > most_nodes) refuse(places_.at(mark), "", "more than " + std::to_string(most_nodes) + " values", "a design is a page of text");
+    }
+
+    void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
+        check(mark, tag, anchor);
+        if (stack_.size() >= deepest) refuse(places_.at(mark), "", "nested more than " + std::to_string(deepest) + " levels deep");
+        if (expects_key()) refuse(places_.at(mark), "", "a group cannot be a key", "write key: value");
+        Frame frame;
+        frame.node.kind = kind;
+        frame.node.place = places_.at(mark);
+        stack_.push_back(std::move(frame));
+    }
+
+    void close() {
+        Node node = std::move(stack_.back().node);
+        stack_.pop_back();
+        attach(std::move(node));
+    }
+
+    [[nodiscard]] bool expects_key() const {
+        return !stack_.empty() && stack_.back().node.kind == Node::Kind::map && !stack_.back().waiting;
+    }
+
+    void add(Node node, const YAML::Mark& mark) {
+        node.place = places_.at(mark);
+        if (!expects_key()) return attach(std::move(node));
+        if (node.kind != Node::Kind::scalar || node.text.empty()) refuse(node.place, "", "a key is missing before ':'", "write key: value");
+        const Frame& frame = stack_.back();
+        if (const Member* first = find_member(frame.node, node.text))
+            refuse(node.place, "", "key " + core::quoted(node.text) + " is written twice", "the first is at " + first->place);
+        stack_.back().waiting = Member{node.text, node.place, {}};
+    }
+
+    void attach(Node node) {
+        if (stack_.empty()) {
+            root_ = std::move(node);
+            return;
+        }
+        Frame& frame = stack_.back();
+        if (frame.node.kind == Node::Kind::list) {
+            frame.node.items.push_back(std::move(node));
+            return;
+        }
+        frame.waiting->value = std::move(node);
+        frame.node.members.push_back(std::move(*frame.waiting));
+        frame.waiting.reset();
+    }
+
+    const Places& places_;
+    Node root_;
+    std::vector<Frame> stack_;
+    int nodes_ = 0;
+    int documents_ = 0;
+};
+
+/// Line and column of a byte, for what is refused before yaml-cpp sees it.
+std::string place_of_byte(std::string_view text, std::size_t offset, const Places& places) {
+    const std::string_view before = text.substr(0, offset);
+    const auto line = std::count(before.begin(), before.end(), '\n');
+    const auto start = before.rfind('\n');
+    const std::size_t column = start == std::string_view::npos ? offset : offset - start - 1;
+    return places.at(static_cast<int>(line), static_cast<int>(column));
+}
+
+void check_characters(std::string_view text, const Places& places) {
+    if (text.size() > longest_document)
+        refuse(places.source, "", "the design is longer than 1 MiB", "a design is a page of text; is this the right file?");
+    const auto is_control = [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
+    };
+    const auto control = std::find_if(text.begin(), text.end(), is_control);
+    const auto invalid = core::first_invalid_utf8(text);
+    const auto offset = std::min(static_cast<std::size_t>(control - text.begin()), invalid.value_or(text.size()));
+    if (offset == text.size()) return;
+    const bool is_utf8 = !invalid || offset < *invalid;
+    refuse(place_of_byte(text, offset, places), "", is_utf8 ? "a control character" : "not UTF-8 text",
+           "a design is a YAML text; is this the right file?");
+}
+
+Node parse(std::string_view text, const Places& places) {
+    check_characters(text, places);
+    // yaml-cpp 0.7 takes a quote that is never closed for closed at the end of the file; a document end within it is
+    // refused.
+    std::istringstream stream{std::string{text} + "\n...\n"};
+    TreeBuilder builder{places};
+    try {
+        YAML::Parser parser{stream};
+        while (parser.HandleNextDocument(builder)) {}
+    } catch (const YAML::Exception& error) {
+        const std::string place = error.mark.is_null() ? places.source : places.at(error.mark);
+        refuse(place, "", "not YAML: " + core::one_line(error.msg), "see `mesh-gen --template` for a design");
+    }
+    return builder.take();
+}
+
+}  // namespace
+
+Node parse_yaml(std::string_view text, std::string_view source) { return parse(text, {std::string{source}, true}); }
+
+Node parse_fragment(std::string_view text, std::string_view place) { return parse(text, {std::string{place}, false}); }
+
+const Member* find_member(const Node& map, std::string_view key) {
+    const auto member = std::find_if(map.members.begin(), map.members.end(), [&](const Member& m) { return m.key == key; });
+    return member == map.members.end() ? nullptr : &*member;
+}
+
+const Node* find(const Node& map, std::string_view key) {
+    const Member* member = find_member(map, key);
+    return member == nullptr ? nullptr : &member->value;
+}
+
+const Node* find_path(const Node& root, std::string_view path) {
+    const Node* node = &root;
+    while (node != nullptr) {
+        const auto dot = path.find('.');
+        node = find(*node, path.substr(0, dot));
+        if (dot == std::string_view::npos) return node;
+        path.remove_prefix(dot + 1);
+    }
+    return nullptr;
+}
+
+Node* find_path(Node& root, std::string_view path) { return const_cast<Node*>(find_path(std::as_const(root), path)); }
+
+void put(Node& root, std::string_view path, Node value) {
+    Node* node = &root;
+    const std::string place = value.place;
+    std::string_view rest = path;
+    while (true) {
+        if (node->kind == Node::Kind::empty) node->kind = Node::Kind::map;
+        if (node->kind != Node::Kind::map) {
+            const auto done = path.substr(0, path.size() - rest.size() - 1);
+            refuse(place, path, core::quoted(done) + " is a single value", "give all of it: " + std::string{done} + "={...}");
+        }
+        const auto dot = rest.find('.');
+        const std::string key{rest.substr(0, dot)};
+        if (find_member(*node, key) == nullptr) {
+            node->members.push_back({key, place, {}});
+            node->members.back().value.place = place;
+        }
+        const auto member = std::find_if(node->members.begin(), node->members.end(), [&](const Member& m) { return m.key == key; });
+        if (dot == std::string_view::npos) {
+            member->value = std::move(value);
+            return;
+        }
+        node = &member->value;
+        rest.remove_prefix(dot + 1);
+    }
+}
+
+Node scalar_node(std::string text, std::string_view place) {
+    Node node;
+    node.kind = Node::Kind::scalar;
+    node.text = std::move(text);
+    node.place = place;
+    return node;
+}
+
+void refuse(std::string_view place, std::string_view path, std::string_view problem, std::string_view remedy) {
+    std::string where{place};
+    const bool named = path.empty() || place == "--set " + std::string{path};
+    if (!named) where.append(where.empty() ? "" : ": ").append(core::one_line(path));
+    throw Error(ExitCode::bad_input, where, problem, remedy);
+}
+
+}  // namespace soft::design

@@ -1,0 +1,72 @@
+#include <algorithm>
+
+#include "design/tree.hpp"
+
+namespace soft::design {
+namespace {
+
+bool is_plain_character(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view{"_ .+-/^%()"}.find(c) != std::string_view::npos;
+}
+
+/// Words that YAML readers take for something other than text stay plain: all values of a design are read as text.
+bool may_stay_plain(std::string_view text) {
+    if (text.empty() || text == "~" || text == "null" || text == "Null" || text == "NULL") return false;
+    const char first = text.front();
+    const bool safe_start = is_plain_character(first) && first != ' ' && first != '%' && (first != '-' || (text.size() > 1 && text[1] != ' ' && text[1] != '-'));
+    return safe_start && text.back() != ' ' && text != "..." && std::all_of(text.begin(), text.end(), is_plain_character);
+}
+
+std::string scalar_text(std::string_view text) {
+    if (may_stay_plain(text)) return std::string{text};
+    std::string quoted{"\""};
+    for (const char c : text) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        if (c == '\n') quoted += "\\n";
+        else if (c == '\t') quoted += "\\t";
+        else quoted += c;
+    }
+    quoted += '"';
+    return quoted;
+}
+
+std::string list_text(const Node& list) {
+    std::string text{"["};
+    for (const Node& item : list.items) {
+        if (text.size() > 1) text += ", ";
+        text += item.kind == Node::Kind::list ? list_text(item) : scalar_text(item.text);
+    }
+    text += ']';
+    return text;
+}
+
+void finish_line(std::string& line, const std::string& note, std::size_t note_column, std::string& text) {
+    if (!note.empty()) {
+        line.resize(std::max(line.size() + 2, note_column), ' ');
+        line.append("# ").append(note);
+    }
+    text.append(line).append("\n");
+}
+
+void write_map(const Node& map, std::size_t indent, std::size_t note_column, std::string& text) {
+    for (const Member& member : map.members) {
+        const Node& value = member.value;
+        std::string line(indent, ' ');
+        line.append(scalar_text(member.key)).append(":");
+        if (value.kind == Node::Kind::scalar) line.append(" ").append(scalar_text(value.text));
+        if (value.kind == Node::Kind::list) line.append(" ").append(list_text(value));
+        if (value.kind == Node::Kind::map && value.members.empty()) line.append(" {}");
+        finish_line(line, value.note, note_column, text);
+        if (value.kind == Node::Kind::map) write_map(value, indent + 2, note_column, text);
+    }
+}
+
+}  // namespace
+
+std::string write_yaml(const Node& root, std::size_t note_column) {
+    std::string text;
+    write_map(root, 0, note_column, text);
+    return text;
+}
+
+}  // namespace soft::design

@@ -1,0 +1,40 @@
+#include <cmath>
+#include <stdexcept>
+
+#include "core/text.hpp"
+#include "design/design.hpp"
+
+namespace soft::design {
+namespace {
+
+const Values::Entry& entry_at(const std::map<std::string, Values::Entry, std::less<>>& entries, std::string_view path) {
+    const auto entry = entries.find(path);
+    if (entry == entries.end()) throw std::logic_error("no key '" + std::string{path} + "' in the schema");
+    return entry->second;
+}
+
+}  // namespace
+
+double Values::number(std::string_view path) const { return entry_at(entries_, path).number; }
+
+int Values::count(std::string_view path) const { return static_cast<int>(std::lround(entry_at(entries_, path).number)); }
+
+const std::string& Values::text(std::string_view path) const { return entry_at(entries_, path).text; }
+
+bool Values::given(std::string_view path) const {
+    const auto entry = entries_.find(path);
+    return entry != entries_.end() && entry->second.given;
+}
+
+bool Values::has(std::string_view path) const { return entries_.contains(path); }
+
+Error Values::refuse(std::string_view path, std::string_view problem, std::string_view remedy) const {
+    const auto entry = entries_.find(path);
+    std::string place = entry == entries_.end() ? std::string{} : entry->second.place;
+    if (place != "--set " + std::string{path}) place.append(place.empty() ? "" : ": ").append(path);
+    return Error(ExitCode::bad_input, place, problem, remedy);
+}
+
+void Values::set(std::string path, Entry entry) { entries_.insert_or_assign(std::move(path), std::move(entry)); }
+
+}  // namespace soft::design

@@ -1,0 +1,22 @@
+#pragma once
+/// Quadrature on the reference cells. Weights sum to the cell's reference volume.
+/// Held by element/quadrature_test (monomials up to the stated degree against their exact integrals).
+#include <array>
+#include <vector>
+
+#include "mesh/cell_type.hpp"
+
+namespace soft::element {
+
+struct QuadraturePoint {
+    std::array<double, 3> xi;
+    double weight;
+};
+
+/// Rule exact for polynomials of total degree `degree` (tensor cells: of that degree in each direction).
+/// Simplices and wedges have rules up to degree 5, tensor cells up to 7.
+/// Sources: Gauss-Legendre; triangles Radon (1948, degree 5, 7 points); tetrahedra Walkington (2000, degree 5, 14
+/// points), both with positive weights. Throws std::logic_error beyond.
+[[nodiscard]] std::vector<QuadraturePoint> quadrature(mesh::Shape shape, int degree);
+
+}  // namespace soft::element

@@ -1,0 +1,225 @@
+/// The bellows: convolutions between two discs, the inlet's with a bore through it. First trough at x = -pitch, last at
+/// x = (convolutions - 1) pitch; the end disc behind it is held, the inlet moves towards -x.
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/bellows_shape.hpp"
+#include "geometry/family.hpp"
+#include "geometry/keys.hpp"
+
+namespace soft::geometry {
+namespace {
+
+using Names = std::vector<std::string>;
+
+struct Counts {
+    int through, bend, straight, below_neck, above_neck, neck, disc, disc_radial, core;
+};
+
+Counts counts_of(const BellowsShape& shape, const design::Values& values) {
+    const double size_m = values.number("mesh.size");
+    constexpr int least_bend = 2;   // a half bend turns by about 84 degrees
+    const auto cells = [&](double length_m, int least = 1) { return divisions(length_m, size_m, least); };
+    // Between the bends the state changes slowly along the wall: longer cells cost no accuracy there (measured).
+    constexpr double straight_stretch = 1.2;
+    constexpr int least_through = 3;   // two leave the bends 0.6 % too soft, whatever their grading (measured)
+    return {.through = cells_through_wall(values, shape.wall_m, least_through),
+            .bend = cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, least_bend),
+            .straight = cells(shape.straight_m / straight_stretch),
+            .below_neck = cells(shape.neck_at_m),
+            .above_neck = cells((shape.straight_m - shape.neck_at_m) / straight_stretch),
+            .neck = cells(shape.neck_length_m),
+            .disc = cells(shape.disc_length_m + shape.disc_corner[0]),
+            .disc_radial = cells(shape.disc_radius_m - shape.neck_radius_m),
+            .core = cells(shape.bore_m)};
+}
+
+/// A cut through the wall: the points on its cavity side and on its outer side, joined by a line.
+struct Cut {
+    int inside, outside;
+};
+
+/// Local x to global: origin at a trough, +1 for a wall that rises with x, -1 for one that falls.
+struct Frame {
+    double origin_m;
+    int sign;
+    [[nodiscard]] PlanePoint place(PlanePoint local) const { return {origin_m + sign * local[0], local[1]}; }
+};
+
+class Drawing {
+public:
+    Drawing(const BellowsShape& shape, const Counts& counts) : shape_(shape), n_(counts) {}
+
+    Section draw() {
+        Cut trough{};
+        for (int i = 0; i < shape_.convolutions; ++i) {
+            const Frame rising{(i - 1) * shape_.pitch_m, 1}, falling{i * shape_.pitch_m, -1};
+            const Cut crest = crest_middle(rising);
+            if (i == 0) wall(rising, add_end(rising, "inlet", {"cavity"}), n_.above_neck, crest);
+            else convolution_half(rising, trough, crest);
+            if (i == shape_.convolutions - 1) {
+                wall(falling, add_end(falling, "fixed", {}), n_.above_neck, crest);
+                add_core(falling);
+            } else {
+                trough = trough_middle(falling);
+                convolution_half(falling, trough, crest);
+            }
+        }
+        return std::move(section_);
+    }
+
+private:
+    int point(const Frame& frame, PlanePoint local) { return add_point(section_, frame.place(local)); }
+
+    /// Cells through a bend are graded towards its small radius, where the strain changes fastest: on the cavity's side
+    /// at a crest (height 1 along the wall), on the outer side at a trough (height 0), evenly half way between.
+    Cut add_cut(const Frame& frame, PlanePoint inside, PlanePoint outside, double height) {
+        const Cut cut{point(frame, inside), point(frame, outside)};
+        add_graded_line(section_, {cut.inside, cut.outside}, n_.through,
+                        std::pow(shape_.bend_grading(), 2 * height - 1));
+        return cut;
+    }
+    Cut wall_cut(const Frame& frame, double distance_m) {
+        return add_cut(frame, shape_.on_wall(shape_.cavity_offset_m(), distance_m),
+                       shape_.on_wall(shape_.outer_offset_m(), distance_m), distance_m / shape_.straight_m);
+    }
+    Cut trough_middle(const Frame& frame) {
+        return add_cut(frame, {0, shape_.bore_m}, {0, shape_.bore_m + shape_.wall_m}, 0);
+    }
+    Cut crest_middle(const Frame& frame) {
+        const double half_m = 0.5 * shape_.pitch_m;
+        return add_cut(frame, {half_m, shape_.crest_m - shape_.wall_m}, {half_m, shape_.crest_m}, 1);
+    }
+
+    /// The block between two cuts, its sides straight or arcs about a centre.
+    void strip(Cut from, Cut to, int centre, int cells) {
+        add_arc(section_, {from.inside, to.inside}, centre, cells, {"cavity"});
+        add_arc(section_, {from.outside, to.outside}, centre, cells, {"outer"});
+        add_block(section_, {{{from.inside, to.inside}, {to.inside, to.outside}, {to.outside, from.outside},
+                              {from.outside, from.inside}}});
+    }
+
+    void convolution_half(const Frame& frame, Cut trough, Cut crest) {
+        const Cut foot = wall_cut(frame, 0);
+        strip(trough, foot, point(frame, {0, shape_.trough_centre_m}), n_.bend);
+        wall(frame, foot, n_.straight, crest);
+    }
+
+    /// The straight wall from a cut on, and the half bend at the crest.
+    void wall(const Frame& frame, Cut start, int cells, Cut crest) {
+        const Cut top = wall_cut(frame, shape_.straight_m);
+        strip(start, top, Curve::straight, cells);
+        strip(top, crest, point(frame, {0.5 * shape_.pitch_m, shape_.crest_centre_m}), n_.bend);
+    }
+
+    Cut add_end(const Frame& frame, const std::string& end_face, const Names& bore_faces);
+    void add_core(const Frame& frame);
+
+    const BellowsShape& shape_;
+    const Counts n_;
+    Section section_;
+    int bore_inner_ = 0, bore_outer_ = 0;   ///< of the end drawn last: the line where disc and bore (or core) meet
+};
+
+/// Disc, neck and the wall up to where its outer face leaves the neck; returns the cut there.
+/// Blocks: root (the wall's cells led round below the neck), neck, and three of the disc (below, beside, above the neck).
+Cut Drawing::add_end(const Frame& frame, const std::string& end_face, const Names& bore_faces) {
+    const double end_m = -shape_.disc_length_m;
+    const int root_cells = n_.bend + n_.below_neck;
+    const Cut cut = wall_cut(frame, shape_.neck_at_m);
+    const int foot = point(frame, shape_.on_wall(shape_.cavity_offset_m(), 0));
+    const int bore = point(frame, {0, shape_.bore_m}), bore_end = point(frame, {end_m, shape_.bore_m});
+    const int fork = point(frame, shape_.fork), below = point(frame, shape_.below_corner);
+    const int side = point(frame, {end_m, shape_.below_corner[1]}), neck_end = point(frame, {end_m, shape_.neck_radius_m});
+    const int corner = point(frame, shape_.disc_corner);
+    const int rim = point(frame, {shape_.disc_corner[0], shape_.disc_radius_m});
+    const int rim_end = point(frame, {end_m, shape_.disc_radius_m});
+
+    Section& s = section_;
+    add_arc(s, {bore, foot}, point(frame, {0, shape_.trough_centre_m}), n_.bend, {"cavity"});
+    add_line(s, {foot, cut.inside}, n_.below_neck, {"cavity"});
+    add_line(s, {cut.outside, fork}, root_cells);
+    add_line(s, {fork, bore}, n_.through);
+    add_block(s, {{{bore, foot, cut.inside}, {cut.inside, cut.outside}, {cut.outside, fork}, {fork, bore}}});
+
+    add_line(s, {below, fork}, n_.neck);
+    add_line(s, {cut.outside, corner}, n_.neck, {"outer"});
+    add_line(s, {corner, below}, root_cells);
+    add_block(s, {{{below, fork}, {fork, cut.outside}, {cut.outside, corner}, {corner, below}}});
+
+    add_line(s, {bore_end, bore}, n_.disc + n_.neck, bore_faces);
+    add_line(s, {side, below}, n_.disc);
+    add_line(s, {bore_end, side}, n_.through, {end_face});
+    add_block(s, {{{bore_end, bore}, {bore, fork}, {fork, below, side}, {side, bore_end}}});
+
+    add_line(s, {neck_end, corner}, n_.disc);
+    add_line(s, {side, neck_end}, root_cells, {end_face});
+    add_block(s, {{{side, below}, {below, corner}, {corner, neck_end}, {neck_end, side}}});
+
+    add_line(s, {corner, rim}, n_.disc_radial, {"outer"});
+    add_line(s, {rim, rim_end}, n_.disc, {"outer"});
+    add_line(s, {rim_end, neck_end}, n_.disc_radial, {end_face});
+    add_block(s, {{{neck_end, corner}, {corner, rim}, {rim, rim_end}, {rim_end, neck_end}}});
+    bore_inner_ = bore;
+    bore_outer_ = bore_end;
+    return cut;
+}
+
+/// The held disc has no bore: its core closes the cavity.
+void Drawing::add_core(const Frame& frame) {
+    const int inner = point(frame, {0, 0}), outer = point(frame, {-shape_.disc_length_m, 0});
+    Section& s = section_;
+    add_line(s, {inner, outer}, n_.disc + n_.neck, {axis_face});
+    add_line(s, {outer, bore_outer_}, n_.core, {"fixed"});
+    add_line(s, {bore_inner_, inner}, n_.core, {"cavity_end"});
+    add_block(s, {{{inner, outer}, {outer, bore_outer_}, {bore_outer_, bore_inner_}, {bore_inner_, inner}}});
+}
+
+Body build(const design::Values& values) {
+    const BellowsShape shape = shape_of(values);
+    Body body;
+    body.section = Drawing{shape, counts_of(shape, values)}.draw();
+    body.sweep = Revolution{values.count("mesh.sectors")};
+    body.axis = {-1, 0, 0};   // the inlet lies at the lower x
+    const model::Opening bore{"inlet", std::numbers::pi * shape.bore_m * shape.bore_m, {-1, 0, 0}};
+    body.cavities = {{"cavity", "cavity", {"cavity_end"}, {bore}}};
+    return body;
+}
+
+}  // namespace
+
+Family bellows() {
+    design::FamilyKeys keys;
+    keys.name = "bellows";
+    keys.summary = "the paper's bellows: convolutions between an inlet disc and a held end disc";
+    design::Key convolutions;
+    convolutions.path = "geometry.convolutions";
+    convolutions.kind = design::Kind::count;
+    convolutions.fallback = "10";
+    convolutions.meaning = "number of crests";
+    convolutions.min = 1;
+    convolutions.max = 1000;
+    keys.geometry = {std::move(convolutions),
+                     length_key("pitch", "9.25 mm", "length of a convolution, trough to trough"),
+                     length_key("crest_radius", "19 mm", "outermost radius of the rubber"),
+                     length_key("bore_radius", "2.5 mm", "innermost radius of the rubber: of the bore and of the troughs"),
+                     length_key("wall", "3 mm", "thickness of the wall"),
+                     length_key("fillet", "0.25 mm", "inner radius of every bend; its outer radius is fillet + wall"),
+                     length_key("end_disc.length", "6 mm", "from the plane of the last trough to the outer face, at both ends"),
+                     length_key("end_disc.radius", "14.5 mm", "radius of both discs"),
+                     length_key("neck.length", "1 mm", "between disc and outer wall"),
+                     length_key("neck.radius", "7 mm", "radius of the neck; must meet the straight part of the outer wall")};
+    keys.models = {"axisymmetric", "solid", "half", "quarter"};
+    keys.faces = {"fixed", "inlet", "cavity", "cavity_end", "outer"};
+    keys.aliases = {{"end_disc", "fixed"}};
+    keys.defaults = "supports: {fixed: end_disc}\n"
+                    "loads:\n"
+                    "  cavity: {pressure: 30 kPa, sealed: true}   # sealed: also on the bore's plug and the end disc\n"
+                    "outputs:\n"
+                    "  elongation: {face: inlet, along: axis}     # area mean of the displacement\n";
+    keys.mesh = {size_key("1.5 mm"), through_wall_key(), sectors_key()};
+    return {std::move(keys), build};
+}
+
+}  // namespace soft::geometry

@@ -1,0 +1,100 @@
+#include "geometry/bellows_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.hpp"
+#include "geometry/keys.hpp"
+
+namespace soft::geometry {
+namespace {
+
+std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
+
+BellowsShape read(const design::Values& values) {
+    const auto length = [&](std::string_view key) { return values.number("geometry." + std::string{key}); };
+    BellowsShape s{};
+    s.convolutions = values.count("geometry.convolutions");
+    s.pitch_m = length("pitch");
+    s.crest_m = length("crest_radius");
+    s.bore_m = length("bore_radius");
+    s.wall_m = length("wall");
+    s.fillet_m = length("fillet");
+    s.disc_length_m = length("end_disc.length");
+    s.disc_radius_m = length("end_disc.radius");
+    s.neck_length_m = length("neck.length");
+    s.neck_radius_m = length("neck.radius");
+    return s;
+}
+
+/// The straight wall is an inner common tangent of the trough's and the crest's arcs: seen along its normal the two
+/// centres are 2 fillet + wall apart.
+void derive_wall(BellowsShape& s, const design::Values& values) {
+    const double bend_m = s.fillet_m + s.wall_m, apart_m = 2 * s.fillet_m + s.wall_m, half_m = 0.5 * s.pitch_m;
+    if (!(s.pitch_m > 2 * bend_m))
+        throw values.refuse("geometry.pitch", length_text(s.pitch_m) + " lets neighbouring convolutions overlap",
+                            larger_than(2 * bend_m) + " = 2 (fillet + wall)");
+    const double least_rise_m = std::sqrt(std::max(0.0, apart_m * apart_m - half_m * half_m));
+    const double least_crest_m = s.bore_m + 2 * bend_m + least_rise_m;
+    if (!(s.crest_m > least_crest_m))
+        throw values.refuse("geometry.crest_radius",
+                            length_text(s.crest_m) + " leaves no straight wall between trough and crest",
+                            larger_than(least_crest_m));
+    s.trough_centre_m = s.bore_m + bend_m;
+    s.crest_centre_m = s.crest_m - bend_m;
+    const double rise_m = s.crest_centre_m - s.trough_centre_m;
+    const double square_m2 = half_m * half_m + rise_m * rise_m;
+    s.straight_m = std::sqrt(square_m2 - apart_m * apart_m);
+    s.along = {(s.straight_m * half_m - apart_m * rise_m) / square_m2,
+               (s.straight_m * rise_m + apart_m * half_m) / square_m2};
+    s.outward = {-s.along[1], s.along[0]};
+    s.bend_rad = std::atan2(s.along[1], s.along[0]);
+}
+
+void derive_neck(BellowsShape& s, const design::Values& values) {
+    const double lowest_m = s.on_wall(s.outer_offset_m(), 0)[1], highest_m = s.on_wall(s.outer_offset_m(), s.straight_m)[1];
+    if (!(s.neck_radius_m > lowest_m && s.neck_radius_m < highest_m))
+        throw values.refuse("geometry.neck.radius",
+                            length_text(s.neck_radius_m) + " does not meet the straight part of the outer wall",
+                            "between " + length_text(lowest_m) + " and " + length_text(highest_m));
+    if (!(s.disc_radius_m > s.neck_radius_m))
+        throw values.refuse("geometry.end_disc.radius",
+                            length_text(s.disc_radius_m) + " is not larger than the neck's " + length_text(s.neck_radius_m),
+                            larger_than(s.neck_radius_m));
+    s.neck_at_m = (s.neck_radius_m - lowest_m) / s.along[1];
+    s.neck_corner = s.on_wall(s.outer_offset_m(), s.neck_at_m);
+    s.neck_corner[1] = s.neck_radius_m;
+    s.disc_corner = {s.neck_corner[0] - s.neck_length_m, s.neck_radius_m};
+    // The wall may lean over the neck: the disc must stay clear of the first crest.
+    const double crest_edge_m = 0.5 * s.pitch_m - s.fillet_m - s.wall_m;
+    if (!(s.disc_corner[0] < crest_edge_m))
+        throw values.refuse("geometry.neck.length", length_text(s.neck_length_m) + " lets the first crest touch the disc",
+                            larger_than(s.neck_corner[0] - crest_edge_m));
+}
+
+/// Cells of the wall, of the neck and of the disc meet inside the rubber. The place is chosen so that no corner of the
+/// blocks there is flatter than about 130 degrees with the paper's proportions.
+void derive_fork(BellowsShape& s, const design::Values& values) {
+    const double height_m = s.neck_radius_m - s.bore_m;
+    const double back_m = std::min(0.22 * height_m, 0.2 * s.disc_length_m), down_m = 0.27 * height_m;
+    s.fork = {s.neck_corner[0] - back_m, s.neck_radius_m - down_m};
+    s.below_corner = {s.disc_corner[0] - 0.6 * back_m, s.fork[1]};
+    // The disc must reach past both, or its cells have no room.
+    const double least_m = -s.disc_corner[0] + back_m;
+    if (!(s.disc_length_m > least_m))
+        throw values.refuse("geometry.end_disc.length",
+                            length_text(s.disc_length_m) + " is too short for the neck of " + length_text(s.neck_length_m),
+                            larger_than(least_m));
+}
+
+}  // namespace
+
+BellowsShape shape_of(const design::Values& values) {
+    BellowsShape s = read(values);
+    derive_wall(s, values);
+    derive_neck(s, values);
+    derive_fork(s, values);
+    return s;
+}
+
+}  // namespace soft::geometry

@@ -1,0 +1,48 @@
+#pragma once
+/// Dimensions of the bellows' meridian. A wall of constant thickness runs from trough to crest and back; its bends are
+/// concentric arcs of radii fillet and fillet + wall, joined by straight lines tangent to both. Each half convolution is
+/// described in its own frame: trough centre at x = 0, crest centre at x = half_pitch, mirrored for the way down.
+/// Held by geometry/bellows_test (volumes in closed form).
+#include <cmath>
+
+#include "design/design.hpp"
+#include "geometry/section.hpp"
+
+namespace soft::geometry {
+
+struct BellowsShape {
+    int convolutions;
+    double pitch_m, crest_m, bore_m, wall_m, fillet_m;
+    double disc_length_m, disc_radius_m, neck_length_m, neck_radius_m;
+
+    // Derived; see shape_of.
+    double trough_centre_m, crest_centre_m;   ///< radii of the arcs' centres
+    PlanePoint along;                         ///< unit vector of the straight wall, from trough to crest
+    PlanePoint outward;                       ///< its unit normal, from the cavity to the outside
+    double straight_m;                        ///< length of the straight wall
+    double bend_rad;                          ///< angle of a half bend, trough or crest
+    double neck_at_m;                         ///< along the straight wall, where its outer face meets the neck
+
+    /// The point at `offset` from the trough's centre along `outward` and `distance` along the wall.
+    [[nodiscard]] PlanePoint on_wall(double offset, double distance) const {
+        return {offset * outward[0] + distance * along[0],
+                trough_centre_m + offset * outward[1] + distance * along[1]};
+    }
+    [[nodiscard]] double cavity_offset_m() const { return -(fillet_m + wall_m); }
+    [[nodiscard]] double outer_offset_m() const { return -fillet_m; }
+
+    /// Largest cell over smallest through a bend. The cube root of the radii's ratio: even cells leave the inner bend
+    /// too soft, cells in proportion to the radius the rest too stiff (mesh study of the paper's bellows).
+    [[nodiscard]] double bend_grading() const { return std::cbrt((fillet_m + wall_m) / fillet_m); }
+
+    /// Points of an end, in the frame of its half convolution (x < 0 towards the disc).
+    PlanePoint neck_corner;    ///< where the outer wall meets the neck
+    PlanePoint disc_corner;    ///< where the neck meets the disc
+    PlanePoint fork;           ///< inside the rubber: where the wall's cells, the neck's and the disc's meet
+    PlanePoint below_corner;   ///< inside the rubber, beside the fork and below the disc's corner
+};
+
+/// Throws values.refuse(...) with the key and its admissible range where the arcs, walls and ends do not fit together.
+[[nodiscard]] BellowsShape shape_of(const design::Values& values);
+
+}  // namespace soft::geometry

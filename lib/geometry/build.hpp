@@ -1,0 +1,26 @@
+#pragma once
+/// Design -> case: family -> section -> model -> cells -> named faces, supports, cavities, loads and outputs.
+/// Throws Error(bad_input) for values that do not fit together and for faces the chosen model does not have.
+/// Held by geometry/build_test.
+#include "design/design.hpp"
+#include "geometry/family.hpp"
+#include "model/case.hpp"
+
+namespace soft::geometry {
+
+[[nodiscard]] model::Case build_case(const design::Design& design);
+
+/// The mesh alone, with what the sweep made of it; build_case adds the physics.
+struct Solid {
+    mesh::Mesh mesh;
+    model::Kinematics kinematics;
+    std::array<bool, 3> symmetry_planes;   ///< x, y, z = 0
+    double fraction;                       ///< of the actuator in the mesh
+};
+[[nodiscard]] Solid mesh_body(const Body& body, const design::Values& values);
+
+/// Unit vector of `along` (axis | x | y | z | r | normal) for a face; `normal` needs a flat one.
+[[nodiscard]] std::array<double, 3> direction_of(const design::Design::OutputRequest& request, const Body& body,
+                                                 const Solid& solid);
+
+}  // namespace soft::geometry

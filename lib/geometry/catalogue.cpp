@@ -1,0 +1,31 @@
+#include <array>
+#include <vector>
+
+#include "geometry/family.hpp"
+
+namespace soft::geometry {
+
+std::span<const Family> catalogue() {
+    static const std::array<Family, 5> families{bellows(), tube(), sphere(), rod(), plate()};
+    return families;
+}
+
+std::span<const design::FamilyKeys> catalogue_keys() {
+    static const std::vector<design::FamilyKeys> keys = [] {
+        std::vector<design::FamilyKeys> all;
+        for (const Family& family : catalogue()) all.push_back(family.keys);
+        return all;
+    }();
+    return keys;
+}
+
+Model model_of(const design::Values& values) {
+    const std::string& word = values.text("model");
+    if (word == "axisymmetric") return Model::axisymmetric;
+    if (word == "solid") return Model::solid;
+    if (word == "half") return Model::half;
+    if (word == "quarter") return Model::quarter;
+    throw values.refuse("model", "'" + word + "' is not a model", "axisymmetric, solid, half or quarter");
+}
+
+}  // namespace soft::geometry

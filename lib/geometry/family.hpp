@@ -1,0 +1,61 @@
+#pragma once
+/// Actuator families: one file each (rod.cpp ... bellows.cpp) says which keys a design may use and builds the body from
+/// their values. A new family is one file and one line of catalogue.cpp.
+#include <array>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "design/design.hpp"
+#include "geometry/section.hpp"
+#include "geometry/sweep.hpp"
+#include "model/case.hpp"
+
+namespace soft::geometry {
+
+/// What is meshed: the section of a body of revolution, or a solid (of which a half or a quarter may be enough).
+enum class Model { axisymmetric, solid, half, quarter };
+
+/// The design's `model`; values.refuse(...) for an unknown word.
+[[nodiscard]] Model model_of(const design::Values& values);
+
+struct Revolution {
+    int sectors_per_quarter;
+};
+
+/// What keeps the solid from moving as a rigid body where no symmetry plane does.
+enum class Anchoring {
+    supports,        ///< the design's supports
+    middle_planes,   ///< a body nobody holds: nodes on its planes y = 0 and z = 0 stay in these
+};
+
+/// A family's answer to a set of values. SI, whole actuator unless `section` is said to be cut.
+struct Body {
+    Section section;
+    std::variant<Revolution, Extrusion> sweep;
+    std::vector<model::Cavity> cavities;
+    std::array<double, 3> axis{1, 0, 0};       ///< `along: axis`, from the held to the moving face: positive is longer
+    std::array<bool, 3> symmetry_planes{};     ///< cuts the section or the extrusion has already (not those of a revolution)
+    double fraction = 1;                       ///< of the actuator that remains after these cuts
+    Anchoring anchoring = Anchoring::supports;
+};
+
+struct Family {
+    design::FamilyKeys keys;
+    Body (*build)(const design::Values& values);   ///< throws values.refuse(...) for values that do not fit together
+};
+
+[[nodiscard]] Family rod();
+[[nodiscard]] Family plate();
+[[nodiscard]] Family sphere();
+[[nodiscard]] Family tube();
+[[nodiscard]] Family bellows();
+
+/// All families, in the order of --list.
+[[nodiscard]] std::span<const Family> catalogue();
+
+/// Their keys alone, as design::read_design wants them.
+[[nodiscard]] std::span<const design::FamilyKeys> catalogue_keys();
+
+}  // namespace soft::geometry

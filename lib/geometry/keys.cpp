@@ -1,0 +1,63 @@
+#include "geometry/keys.hpp"
+
+#include "core/units.hpp"
+#include "geometry/section.hpp"
+
+namespace soft::geometry {
+namespace {
+
+std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
+
+}  // namespace
+
+design::Key length_key(std::string_view name, std::string_view fallback, std::string_view meaning) {
+    return {.path = "geometry." + std::string{name},
+            .kind = design::Kind::length,
+            .fallback = std::string{fallback},
+            .meaning = std::string{meaning},
+            .min = 0,
+            .min_open = true};
+}
+
+design::Key size_key(std::string_view fallback) {
+    return {.path = "mesh.size",
+            .kind = design::Kind::length,
+            .fallback = std::string{fallback},
+            .meaning = "target edge length of a cell",
+            .min = 0,
+            .min_open = true};
+}
+
+design::Key through_wall_key() {
+    return {.path = "mesh.through_wall",
+            .kind = design::Kind::count,
+            .fallback = "0",
+            .meaning = "cells through the wall; 0 = by mesh.size",
+            .min = 0,
+            .max = 1000};
+}
+
+design::Key sectors_key() {
+    // One curved cell over 90 degrees misses the circle by more than a per cent of its area, hence at least two.
+    return {.path = "mesh.sectors",
+            .kind = design::Kind::count,
+            .fallback = "4",
+            .meaning = "cells around a quarter turn of a solid of revolution",
+            .min = 2,
+            .max = 1000};
+}
+
+int cells_through_wall(const design::Values& values, double wall_m, int least) {
+    const int wished = values.count("mesh.through_wall");
+    return wished > 0 ? wished : divisions(wall_m, values.number("mesh.size"), least);
+}
+
+std::string not_smaller(double value_m, std::string_view other_name, double other_m) {
+    return length_text(value_m) + " is not smaller than " + std::string{other_name} + " " + length_text(other_m);
+}
+
+std::string larger_than(double bound_m) { return "larger than " + length_text(bound_m); }
+
+std::string smaller_than(double bound_m) { return "smaller than " + length_text(bound_m); }
+
+}  // namespace soft::geometry

@@ -1,0 +1,32 @@
+#pragma once
+/// Keys that several families share, and words for their refusals.
+#include <string>
+#include <string_view>
+
+#include "design/design.hpp"
+
+namespace soft::geometry {
+
+/// A positive length under "geometry."
+[[nodiscard]] design::Key length_key(std::string_view name, std::string_view fallback, std::string_view meaning);
+
+/// mesh.size and mesh.through_wall, in every family.
+[[nodiscard]] design::Key size_key(std::string_view fallback);
+[[nodiscard]] design::Key through_wall_key();
+
+/// mesh.sectors, for bodies of revolution.
+[[nodiscard]] design::Key sectors_key();
+
+/// Cells through a wall: mesh.through_wall where it is not 0, else by mesh.size but no fewer than `least`.
+[[nodiscard]] int cells_through_wall(const design::Values& values, double wall_m, int least = 1);
+
+/// "12 mm is not smaller than outer_radius 10 mm"
+[[nodiscard]] std::string not_smaller(double value_m, std::string_view other_name, double other_m);
+
+/// "larger than 3 mm"
+[[nodiscard]] std::string larger_than(double bound_m);
+
+/// "smaller than 3 mm"
+[[nodiscard]] std::string smaller_than(double bound_m);
+
+}  // namespace soft::geometry

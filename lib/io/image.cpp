@@ -1,0 +1,158 @@
+#include "io/image.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/text.hpp"
+
+namespace soft::io {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "records and superblocks are read as they lie");
+
+constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
+constexpr std::string_view record_magic = "SOFTREC1";
+constexpr std::string_view seal_kind = "seal    ";
+constexpr std::string_view step_kind = "step    ";
+constexpr std::size_t hash_size = 64;
+constexpr std::size_t header_size = 24;
+constexpr std::uint64_t no_address = ~std::uint64_t{0};
+
+std::string_view text_of(std::span<const std::byte> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::uint64_t u64_at(std::span<const std::byte> bytes, std::size_t place) {
+    std::uint64_t value = 0;
+    std::memcpy(&value, bytes.data() + place, sizeof value);
+    return value;
+}
+
+Error truncated(std::string_view source, std::size_t present, std::string_view wanted) {
+    return {ExitCode::bad_input, source,
+            "truncated: " + std::to_string(present) + " bytes present, " + std::string{wanted},
+            "was the stage that wrote it killed, or the disk full?"};
+}
+
+Error damaged(std::string_view source, std::string_view problem) {
+    return {ExitCode::bad_input, source, problem, "rebuild the case with mesh-gen or fetch the file again"};
+}
+
+/// Where the fields of a superblock lie (HDF5 File Format Specification 3.0, section II.A).
+struct SuperblockLayout {
+    std::size_t offset_size, base, end, driver, size;   ///< driver: 0 where the version has no such field
+};
+
+std::optional<SuperblockLayout> superblock_layout(unsigned version) {
+    switch (version) {
+        case 0: return SuperblockLayout{13, 24, 40, 48, 96};
+        case 1: return SuperblockLayout{13, 28, 44, 52, 100};
+        case 2:
+        case 3: return SuperblockLayout{9, 12, 28, 0, 48};
+        default: return std::nullopt;
+    }
+}
+
+/// Length of the HDF5 part.
+std::size_t hdf5_size(std::span<const std::byte> image, std::string_view source) {
+    const std::string_view head = text_of(image.first(std::min(image.size(), hdf5_signature.size())));
+    if (head != hdf5_signature.substr(0, head.size()))
+        throw Error(ExitCode::bad_input, source, "not an HDF5 file (it begins with " + core::quoted(head) + ")",
+                    "expected a case from mesh-gen or a result from solve");
+    if (image.size() < 9) throw truncated(source, image.size(), "too few for an HDF5 file");
+    const unsigned version = std::to_integer<unsigned>(image[8]);
+    const auto layout = superblock_layout(version);
+    if (!layout) throw damaged(source, "unknown HDF5 superblock version " + std::to_string(version));
+    if (image.size() < layout->size) throw truncated(source, image.size(), "too few for an HDF5 superblock");
+    if (std::to_integer<int>(image[layout->offset_size]) != 8)
+        throw damaged(source, "HDF5 addresses are not of 8 bytes");
+    if (u64_at(image, layout->base) != 0) throw damaged(source, "the HDF5 base address is not 0");
+    if (layout->driver != 0 && u64_at(image, layout->driver) != no_address)
+        throw damaged(source, "the HDF5 file wants a storage driver of its own");
+    const std::uint64_t end = u64_at(image, layout->end);
+    if (end < layout->size) throw damaged(source, "the HDF5 end-of-file address lies within the superblock");
+    if (end > image.size()) throw truncated(source, image.size(), std::to_string(end) + " expected");
+    return static_cast<std::size_t>(end);
+}
+
+struct Record {
+    RecordKind kind;
+    std::span<const std::byte> payload;
+    std::size_t size;   ///< of the whole record
+};
+
+/// nullopt: a step record that the end of the image cuts short.
+std::optional<Record> record_at(std::span<const std::byte> tail, std::string_view source) {
+    const std::string_view head = text_of(tail.first(std::min<std::size_t>(tail.size(), 16)));
+    const std::string seal_head = std::string{record_magic}.append(seal_kind);
+    const std::string step_head = std::string{record_magic}.append(step_kind);
+    const bool may_be_step = step_head.starts_with(head);
+    if (!may_be_step && !seal_head.starts_with(head))
+        throw damaged(source, std::to_string(tail.size()) + " unknown bytes after the end of the HDF5 data");
+    const auto cut = [&]() -> std::optional<Record> {
+        if (may_be_step) return std::nullopt;
+        throw truncated(source, tail.size(), "too few for the seal after the HDF5 data");
+    };
+    if (tail.size() < header_size + hash_size) return cut();
+    const std::uint64_t length = u64_at(tail, 16);
+    if (length > tail.size() - header_size - hash_size) return cut();
+    const std::size_t hashed = header_size + static_cast<std::size_t>(length);
+    if (core::sha256_hex(tail.first(hashed)) != text_of(tail.subspan(hashed, hash_size)))
+        throw damaged(source, "a record after the HDF5 data does not match its checksum");
+    return Record{may_be_step ? RecordKind::step : RecordKind::seal,
+                  tail.subspan(header_size, static_cast<std::size_t>(length)), hashed + hash_size};
+}
+
+}  // namespace
+
+ImageParts split_image(std::span<const std::byte> image, std::string_view source) {
+    if (image.empty()) throw Error(ExitCode::bad_input, source, "empty input", "did the stage before fail?");
+    const std::size_t end = hdf5_size(image, source);
+    ImageParts parts{image.first(end), {}};
+    std::span<const std::byte> tail = image.subspan(end);
+    bool sealed = false;
+    while (!tail.empty()) {
+        const auto record = record_at(tail, source);
+        if (!sealed && (!record || record->kind != RecordKind::seal))
+            throw damaged(source, "the seal after the HDF5 data is missing");
+        if (!record) break;
+        if (record->kind == RecordKind::step) {
+            parts.steps.push_back(record->payload);
+        } else if (sealed) {
+            throw damaged(source, "two seals after the HDF5 data");
+        } else if (core::sha256_hex(parts.hdf5) != text_of(record->payload)) {
+            throw damaged(source, "the content does not match its SHA-256 seal");
+        }
+        sealed = true;
+        tail = tail.subspan(record->size);
+    }
+    return parts;
+}
+
+std::vector<std::byte> make_record(RecordKind kind, std::span<const std::byte> payload) {
+    std::vector<std::byte> record(header_size + payload.size() + hash_size);
+    auto place = record.begin();
+    const auto put = [&](std::span<const std::byte> bytes) { place = std::copy(bytes.begin(), bytes.end(), place); };
+    const std::uint64_t length = payload.size();
+    put(std::as_bytes(std::span{record_magic}));
+    put(std::as_bytes(std::span{kind == RecordKind::seal ? seal_kind : step_kind}));
+    put(std::as_bytes(std::span{&length, 1}));
+    put(payload);
+    const std::string hash = core::sha256_hex(std::span<const std::byte>{record}.first(header_size + payload.size()));
+    put(std::as_bytes(std::span{hash}));
+    return record;
+}
+
+void seal(std::vector<std::byte>& hdf5) {
+    const std::string hash = core::sha256_hex(std::span<const std::byte>{hdf5});
+    const auto record = make_record(RecordKind::seal, std::as_bytes(std::span{hash}));
+    hdf5.insert(hdf5.end(), record.begin(), record.end());
+}
+
+}  // namespace soft::io

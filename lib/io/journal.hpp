@@ -1,0 +1,24 @@
+#pragma once
+/// A step as the payload of a record behind the HDF5 data (image.hpp): how a running `solve -o` keeps its steps.
+/// Layout: doubles and 64-bit integers, little endian, in the order of solution::Step; lists with their length first.
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "solution/path.hpp"
+
+namespace soft::io {
+
+struct JournalStep {
+    solution::Step step;
+    std::vector<double> displacement_m;   ///< [point, 3], or empty
+    std::vector<double> pressure_Pa;      ///< [point], or empty
+};
+
+[[nodiscard]] std::vector<std::byte> encode_step(const solution::Step& step, std::span<const double> displacement,
+                                                 std::span<const double> pressure);
+/// Throws Error (bad_input) for a payload that is not of this layout.
+[[nodiscard]] JournalStep decode_step(std::span<const std::byte> payload, std::string_view source);
+
+}  // namespace soft::io

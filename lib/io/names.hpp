@@ -1,0 +1,62 @@
+#pragma once
+/// The words that stand for enumerators in the file: one table each, used in both directions.
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "model/case.hpp"
+#include "solution/path.hpp"
+
+namespace soft::io {
+
+template <class Enum>
+struct Named {
+    Enum value;
+    std::string_view name;
+};
+
+inline constexpr std::array kinematics_names{
+    Named{model::Kinematics::axisymmetric, std::string_view{"axisymmetric"}},
+    Named{model::Kinematics::plane_strain, std::string_view{"plane_strain"}},
+    Named{model::Kinematics::solid, std::string_view{"solid"}},
+};
+inline constexpr std::array formulation_names{
+    Named{model::Formulation::displacement, std::string_view{"displacement"}},
+    Named{model::Formulation::mixed, std::string_view{"mixed"}},
+};
+inline constexpr std::array volumetric_names{
+    Named{model::Volumetric::quadratic, std::string_view{"quadratic"}},
+    Named{model::Volumetric::log, std::string_view{"log"}},
+    Named{model::Volumetric::mixed, std::string_view{"mixed"}},
+};
+inline constexpr std::array control_names{
+    Named{model::Control::pressure, std::string_view{"pressure"}},
+    Named{model::Control::volume, std::string_view{"volume"}},
+    Named{model::Control::displacement, std::string_view{"displacement"}},
+    Named{model::Control::arc_length, std::string_view{"arc_length"}},
+};
+inline constexpr std::array stop_reason_names{
+    Named{solution::StopReason::done, name(solution::StopReason::done)},
+    Named{solution::StopReason::limit_point, name(solution::StopReason::limit_point)},
+    Named{solution::StopReason::diverged, name(solution::StopReason::diverged)},
+    Named{solution::StopReason::inverted_element, name(solution::StopReason::inverted_element)},
+    Named{solution::StopReason::self_contact, name(solution::StopReason::self_contact)},
+    Named{solution::StopReason::step_limit, name(solution::StopReason::step_limit)},
+};
+
+template <class Enum, std::size_t count>
+[[nodiscard]] constexpr std::string_view name_of(const std::array<Named<Enum>, count>& table, Enum value) {
+    for (const auto& entry : table)
+        if (entry.value == value) return entry.name;
+    return {};
+}
+
+template <class Enum, std::size_t count>
+[[nodiscard]] constexpr std::optional<Enum> value_of(const std::array<Named<Enum>, count>& table,
+                                                     std::string_view word) {
+    for (const auto& entry : table)
+        if (entry.name == word) return entry.value;
+    return std::nullopt;
+}
+
+}  // namespace soft::io

@@ -1,0 +1,14 @@
+#pragma once
+/// Provenance records in the file. Internal to the room.
+#include <vector>
+
+#include "io/hdf5_read.hpp"
+#include "io/provenance.hpp"
+
+namespace soft::io {
+
+/// Adds the record to the group /provenance.
+void write_provenance(hid_t provenance_group, const Provenance& provenance);
+[[nodiscard]] std::vector<Provenance> read_provenance(const GroupReader& root);
+
+}  // namespace soft::io

@@ -1,0 +1,110 @@
+#pragma once
+/// The result file: the case as it was given plus /path, /fields and /provenance/<solver> (schema: lib/io/README.md).
+/// Held by io/result_file_test, io/damage_test.
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/case_file.hpp"
+#include "io/provenance.hpp"
+#include "model/case.hpp"
+#include "solution/path.hpp"
+
+namespace soft::io {
+
+/// Which steps keep their fields. every: rows 0, N, 2N ... and the last one.
+struct FieldsPolicy {
+    enum class Keep { all, last, none, every };
+    Keep keep = Keep::all;
+    int interval = 1;   ///< N of every=N
+
+    friend bool operator==(const FieldsPolicy&, const FieldsPolicy&) = default;
+};
+
+/// "all", "last", "none", "every=N"; Error (usage) otherwise.
+[[nodiscard]] FieldsPolicy parse_fields_policy(std::string_view text);
+[[nodiscard]] std::string to_text(const FieldsPolicy& policy);
+
+struct ResultOptions {
+    FieldsPolicy fields;
+    std::optional<DesignText> changed_design;   ///< where solve was given overrides of its own
+};
+
+/// Takes converged steps one by one. The bytes of the result are the same whether it is kept in memory or on disk.
+///
+/// On disk: FILE is the whole case (with an empty path) from the first moment on, and each append() adds one
+/// checksummed record behind the HDF5 data, with a single write. Nothing that is already in the file is touched, so
+/// after a kill at any time FILE opens (in every HDF5 tool: as the case) and read_result() finds all whole steps in it.
+/// finish() replaces FILE by the plain result, by renaming. Not promised: that steps survive a crash of the machine.
+/// A target that is no regular file (/dev/null, a named pipe) is written at finish() only.
+/// Memory: the fields that are kept, compressed. With policy last or every=N the records on disk still hold the fields
+/// of every step until finish(); with none they hold no fields.
+class ResultWriter {
+public:
+    /// `case_image`: as read, seal included. Throws Error (bad_input) as read_case does, or if it already has a path.
+    ResultWriter(std::span<const std::byte> case_image, std::string_view source, const Provenance& provenance,
+                 const ResultOptions& options);
+    /// The same on disk. Throws Error (cannot_create) as well.
+    ResultWriter(const std::filesystem::path& file, std::span<const std::byte> case_image, std::string_view source,
+                 const Provenance& provenance, const ResultOptions& options);
+    ResultWriter(ResultWriter&&) noexcept;
+    ResultWriter& operator=(ResultWriter&&) noexcept;
+    ~ResultWriter();
+
+    /// `displacement` [point, 3] in m, `pressure` [point] in Pa or empty (then for every step). The first step decides
+    /// whether there are volumes and pressures. Throws Error (internal) for a step that does not fit the case or the
+    /// steps before or is not finite, Error (io_error) for a full disk.
+    void append(const solution::Step& step, std::span<const double> displacement, std::span<const double> pressure);
+
+    /// Writes path and end. Returns the whole result; on disk it is also FILE. Call it once, nothing after it.
+    std::vector<std::byte> finish(const solution::PathEnd& end);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// The stored fields; reads one step at a time.
+class FieldReader {
+public:
+    struct Values {
+        std::vector<double> displacement_m;   ///< [point, 3]
+        std::vector<double> pressure_Pa;      ///< [point]; empty if the formulation has none
+    };
+    struct State;
+    explicit FieldReader(std::unique_ptr<State> state);
+    FieldReader(FieldReader&&) noexcept;
+    FieldReader& operator=(FieldReader&&) noexcept;
+    ~FieldReader();
+
+    /// Rows of the path whose fields are stored, ascending.
+    [[nodiscard]] const std::vector<std::int64_t>& steps() const noexcept;
+    /// nullopt for a step without fields. Throws Error (bad_input) for damaged data.
+    [[nodiscard]] std::optional<Values> read(std::int64_t step) const;
+
+private:
+    std::unique_ptr<State> state_;
+};
+
+struct Result {
+    model::Case model;
+    DesignText design;                            ///< of the case
+    std::optional<DesignText> changed_design;     ///< solve's own overrides applied, where there were any
+    FieldsPolicy fields_policy;
+    std::vector<Provenance> provenance;           ///< in alphabetical order of the tools
+    std::vector<solution::Step> steps;
+    std::optional<solution::PathEnd> end;         ///< empty: solve was killed or is still at work
+    FieldReader fields;
+};
+
+/// Reads a finished result, or what a running or killed `solve -o` has left. Checks as read_case does.
+/// The image is kept for reading fields later. A case without solution is refused with the remedy "run solve on it".
+[[nodiscard]] Result read_result(std::vector<std::byte> image, std::string_view source);
+
+}  // namespace soft::io

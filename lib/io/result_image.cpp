@@ -1,0 +1,161 @@
+#include "io/result_image.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/hash.hpp"
+#include "core/text.hpp"
+#include "io/hdf5_read.hpp"
+#include "io/hdf5_write.hpp"
+#include "io/path_table.hpp"
+#include "io/provenance_io.hpp"
+
+namespace soft::io {
+namespace {
+
+GroupHandle open_group(hid_t parent, const char* name) {
+    GroupHandle group{H5Gopen2(parent, name, H5P_DEFAULT)};
+    if (!group) throw Error(ExitCode::internal, name, "the group is not there");
+    return group;
+}
+
+void require_finite(std::span<const double> values, std::string_view place) {
+    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+        throw Error(ExitCode::internal, place, "a converged step has a value that is not finite");
+}
+
+void write_changed_design(hid_t root, const DesignText& design) {
+    const GroupHandle group = create_group(root, "solve_design", "the design with solve's own overrides in place");
+    write_text(group.get(), {"effective_yaml", "1", "what was solved"}, design.effective_yaml);
+    write_text(group.get(), {"sha256", "1", "SHA-256 of effective_yaml, hexadecimal"},
+               core::sha256_hex(design.effective_yaml));
+    write_texts(group.get(), {"overrides", "1", "key.path=value, as given to --set"}, design.overrides);
+}
+
+}  // namespace
+
+FieldsPolicy parse_fields_policy(std::string_view text) {
+    using Keep = FieldsPolicy::Keep;
+    if (text == "all") return {Keep::all};
+    if (text == "last") return {Keep::last};
+    if (text == "none") return {Keep::none};
+    constexpr std::string_view every = "every=";
+    int interval = 0;
+    if (text.starts_with(every)) {
+        const auto [end, error] = std::from_chars(text.data() + every.size(), text.data() + text.size(), interval);
+        if (error == std::errc{} && end == text.data() + text.size() && interval >= 1) return {Keep::every, interval};
+    }
+    throw Error(ExitCode::usage, "--fields", core::quoted(text) + " is not a choice", "all, last, none or every=N");
+}
+
+std::string to_text(const FieldsPolicy& policy) {
+    switch (policy.keep) {
+        case FieldsPolicy::Keep::all: return "all";
+        case FieldsPolicy::Keep::last: return "last";
+        case FieldsPolicy::Keep::none: return "none";
+        case FieldsPolicy::Keep::every: return "every=" + std::to_string(policy.interval);
+    }
+    return "all";
+}
+
+ResultImage ResultImage::open(std::span<const std::byte> hdf5, std::string_view source) {
+    ResultImage image;
+    const Origin origin{std::string{source}, hdf5.size()};
+    image.file_ = open_memory_copy(hdf5);
+    if (!image.file_) throw Error(ExitCode::bad_input, source, "HDF5 cannot open it: " + hdf5_reason(), origin.remedy);
+    const GroupReader root{image.file_.get(), origin};
+    const GroupReader mesh = root.group("VTKHDF");
+    const std::int64_t points = mesh.array<std::int64_t>("NumberOfPoints", {1})[0];
+    static_cast<void>(mesh.checked_rows("Points", {points, 3}));
+    image.points_ = static_cast<std::size_t>(points);
+    image.outputs_ = root.group("outputs").texts("name");
+    return image;
+}
+
+ResultImage ResultImage::begin(std::span<const std::byte> hdf5, std::string_view source, const Provenance& provenance,
+                               const ResultOptions& options) {
+    ResultImage image = open(hdf5, source);
+    const GroupHandle root = open_group(image.file_.get(), "/");
+    if (H5Lexists(root.get(), "path", H5P_DEFAULT) > 0)
+        throw Error(ExitCode::bad_input, source, "already holds a solution", "give solve the case from mesh-gen");
+    image.policy_ = options.fields;
+    const GroupHandle path = create_group(root.get(), "path", "the equilibrium path, one row a step");
+    const GroupHandle fields = create_group(root.get(), "fields", "nodal fields of the stored steps");
+    write_attribute(fields.get(), "policy", to_text(options.fields));
+    if (options.changed_design) write_changed_design(root.get(), *options.changed_design);
+    write_provenance(open_group(root.get(), "provenance").get(), provenance);
+    return image;
+}
+
+ResultImage ResultImage::resume(std::span<const std::byte> hdf5, std::string_view source) {
+    ResultImage image = open(hdf5, source);
+    const Origin origin{std::string{source}, hdf5.size(), "run solve again"};
+    const GroupReader root{image.file_.get(), origin};
+    const GroupReader path = root.group("path");
+    if (!path.names().empty()) throw path.refuse("", "has rows already, and more come after the HDF5 data");
+    image.policy_ = parse_fields_policy(root.group("fields").text_attribute("policy"));
+    return image;
+}
+
+std::vector<std::byte> ResultImage::bytes() const { return memory_image(file_.get()); }
+
+void ResultImage::require_fitting(const solution::Step& step, std::span<const double> displacement,
+                                  std::span<const double> pressure) const {
+    require_sound(step, outputs_.size());
+    if (!steps_.empty() && step.volume_m3.has_value() != steps_[0].volume_m3.has_value())
+        throw Error(ExitCode::internal, "/path/cavity_volume", "some steps have a volume, some have none");
+    if (displacement.size() != 3 * points_)
+        throw Error(ExitCode::internal, "/fields/displacement", "a step does not have three values a point");
+    if (!pressure.empty() && pressure.size() != points_)
+        throw Error(ExitCode::internal, "/fields/pressure", "a step does not have one value a point");
+    if (!steps_.empty() && has_pressure_ == pressure.empty())
+        throw Error(ExitCode::internal, "/fields/pressure", "some steps have pressures, some have none");
+    require_finite(displacement, "/fields/displacement");
+    require_finite(pressure, "/fields/pressure");
+}
+
+void ResultImage::append(const solution::Step& step, std::span<const double> displacement,
+                         std::span<const double> pressure) {
+    using Keep = FieldsPolicy::Keep;
+    if (policy_.keep == Keep::none) {
+        require_sound(step, outputs_.size());
+    } else {
+        require_fitting(step, displacement, pressure);
+        if (steps_.empty()) has_pressure_ = !pressure.empty();
+    }
+    const auto row = static_cast<std::int64_t>(steps_.size());
+    steps_.push_back(step);
+    if (policy_.keep == Keep::all || (policy_.keep == Keep::every && row % policy_.interval == 0)) {
+        write_fields(row, displacement, pressure);
+        last_displacement_.clear();
+    } else if (policy_.keep != Keep::none) {
+        last_displacement_.assign(displacement.begin(), displacement.end());
+        last_pressure_.assign(pressure.begin(), pressure.end());
+    }
+}
+
+void ResultImage::write_fields(std::int64_t row, std::span<const double> displacement,
+                               std::span<const double> pressure) {
+    const GroupHandle fields = open_group(file_.get(), "/fields");
+    if (!displacement_) {
+        displacement_ = create_rows(fields.get(), {"displacement", "m", "stored step, point, component"}, {points_, 3});
+        if (has_pressure_) pressure_ = create_rows(fields.get(), {"pressure", "Pa", "stored step, point"}, {points_});
+    }
+    append_row(displacement_.get(), displacement);
+    if (has_pressure_) append_row(pressure_.get(), pressure);
+    stored_rows_.push_back(row);
+}
+
+void ResultImage::finish(const std::optional<solution::PathEnd>& end) {
+    if (!last_displacement_.empty())
+        write_fields(static_cast<std::int64_t>(steps_.size()) - 1, last_displacement_, last_pressure_);
+    const GroupHandle fields = open_group(file_.get(), "/fields");
+    write_array<std::int64_t>(fields.get(), {"steps", "1", "row of /path of each stored step"}, stored_rows_,
+                              {stored_rows_.size()}, Growth::rows);
+    const GroupHandle path = open_group(file_.get(), "/path");
+    write_steps(path.get(), steps_, outputs_);
+    if (end) write_end(path.get(), *end, outputs_, steps_.size());
+}
+
+}  // namespace soft::io

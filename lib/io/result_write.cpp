@@ -1,0 +1,111 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "core/files.hpp"
+#include "io/image.hpp"
+#include "io/journal.hpp"
+#include "io/result_file.hpp"
+#include "io/result_image.hpp"
+
+namespace soft::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_whole(const fs::path& file, std::span<const std::byte> bytes) {
+    core::AtomicFile whole{file};
+    // A named pipe whose reader has left wants no more: nothing to report.
+    static_cast<void>(whole.write(bytes));
+    whole.commit();
+}
+
+std::vector<std::byte> sealed_bytes(const ResultImage& image) {
+    std::vector<std::byte> bytes = image.bytes();
+    seal(bytes);
+    return bytes;
+}
+
+bool is_replaceable(const fs::path& file) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file, ignored);
+    return !fs::exists(status) || fs::is_regular_file(status);
+}
+
+/// A file opened for appending.
+class Tail {
+public:
+    explicit Tail(const fs::path& file)
+        : name_(file.string()), descriptor_(::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
+        if (descriptor_ < 0)
+            throw Error(ExitCode::cannot_create, name_,
+                        "cannot be opened for writing: " + std::generic_category().message(errno));
+    }
+    Tail(const Tail&) = delete;
+    Tail& operator=(const Tail&) = delete;
+    ~Tail() { ::close(descriptor_); }
+    void append(std::span<const std::byte> bytes) const {
+        static_cast<void>(core::write_all(descriptor_, bytes, name_));
+    }
+
+private:
+    std::string name_;
+    int descriptor_;
+};
+
+}  // namespace
+
+struct ResultWriter::State {
+    explicit State(ResultImage begun) : image(std::move(begun)) {}
+
+    ResultImage image;
+    fs::path file;                 ///< empty: in memory only
+    std::optional<Tail> journal;   ///< open until finish(), where the file can be appended to
+};
+
+ResultWriter::ResultWriter(std::span<const std::byte> case_image, std::string_view source,
+                           const Provenance& provenance, const ResultOptions& options) {
+    const ImageParts parts = split_image(case_image, source);
+    const QuietErrors quiet;
+    state_ = std::make_unique<State>(ResultImage::begin(parts.hdf5, source, provenance, options));
+}
+
+ResultWriter::ResultWriter(const fs::path& file, std::span<const std::byte> case_image, std::string_view source,
+                           const Provenance& provenance, const ResultOptions& options)
+    : ResultWriter(case_image, source, provenance, options) {
+    state_->file = file;
+    if (!is_replaceable(file)) return;
+    const QuietErrors quiet;
+    write_whole(file, sealed_bytes(state_->image));
+    state_->journal.emplace(file);
+}
+
+ResultWriter::ResultWriter(ResultWriter&&) noexcept = default;
+ResultWriter& ResultWriter::operator=(ResultWriter&&) noexcept = default;
+ResultWriter::~ResultWriter() {
+    const QuietErrors quiet;
+    state_.reset();
+}
+
+void ResultWriter::append(const solution::Step& step, std::span<const double> displacement,
+                          std::span<const double> pressure) {
+    const QuietErrors quiet;
+    state_->image.append(step, displacement, pressure);
+    if (!state_->journal) return;
+    const bool with_fields = state_->image.policy().keep != FieldsPolicy::Keep::none;
+    const auto payload = with_fields ? encode_step(step, displacement, pressure) : encode_step(step, {}, {});
+    state_->journal->append(make_record(RecordKind::step, payload));
+}
+
+std::vector<std::byte> ResultWriter::finish(const solution::PathEnd& end) {
+    const QuietErrors quiet;
+    state_->image.finish(end);
+    std::vector<std::byte> bytes = sealed_bytes(state_->image);
+    if (!state_->file.empty()) write_whole(state_->file, bytes);
+    state_->journal.reset();
+    return bytes;
+}
+
+}  // namespace soft::io

@@ -1,0 +1,83 @@
+#include "linalg/linear_solver.hpp"
+
+#include <cmath>
+#include <string_view>
+
+namespace soft::linalg {
+
+namespace {
+
+/// Relative residual of a linear solve. Newton's own tolerance is 1e-9 of the forces; a correction solved to 1e-8
+/// of the present residual keeps its quadratic convergence.
+constexpr double linear_tolerance = 1e-8;
+/// A good factor needs 1 to 5 iterations, a stale one more; beyond this a new factorisation is cheaper.
+constexpr int linear_iteration_limit = 40;
+
+bool is_mumps(PC pc) {
+    MatSolverType type = nullptr;
+    PetscBool factor = PETSC_FALSE;
+    PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(pc), &factor, PCCHOLESKY, PCLU, "");
+    if (!factor) return false;
+    PCFactorGetMatSolverType(pc, &type);
+    return type != nullptr && std::string_view(type) == MATSOLVERMUMPS;
+}
+
+}  // namespace
+
+LinearSolver::LinearSolver(Mat K) : K_(K) {
+    SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
+    SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
+    SOFT_PETSC(KSPGMRESSetRestart(ksp_, linear_iteration_limit));
+    SOFT_PETSC(KSPSetTolerances(ksp_, linear_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, linear_iteration_limit));
+    PC pc = nullptr;
+    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    SOFT_PETSC(PCSetType(pc, PCCHOLESKY));
+    SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+    // ICNTL(14): work space beyond the estimate [%], small by default and pivoting of the saddle point needs more.
+    // ICNTL(13) = 1: the root front is factorised on one rank, without which the count of negative pivots is partial.
+    for (const auto& [option, value] : {std::pair{"-mat_mumps_icntl_14", "80"}, std::pair{"-mat_mumps_icntl_13", "1"}}) {
+        PetscBool given = PETSC_FALSE;
+        SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, option, &given));
+        if (!given) SOFT_PETSC(PetscOptionsSetValue(nullptr, option, value));
+    }
+    SOFT_PETSC(KSPSetFromOptions(ksp_));
+    SOFT_PETSC(KSPSetOperators(ksp_, K_, K_));
+}
+
+Factorization LinearSolver::factorize() {
+    ++factorizations_;
+    SOFT_PETSC(KSPSetOperators(ksp_, K_, K_));
+    SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_FALSE));
+    SOFT_PETSC(KSPSetUp(ksp_));
+    SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_TRUE));
+    PC pc = nullptr;
+    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    PCFailedReason failed = PC_NOERROR;
+    SOFT_PETSC(PCGetFailedReason(pc, &failed));
+    Factorization result{failed == PC_NOERROR, std::nullopt};
+    if (!is_mumps(pc)) return result;
+    Mat factor = nullptr;
+    SOFT_PETSC(PCFactorGetMatrix(pc, &factor));
+    PetscInt status = 0;
+    SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));   // a failed MUMPS factorisation returns no PETSc error
+    if (status < 0) return {false, std::nullopt};
+    PetscBool symmetric = PETSC_FALSE;
+    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &symmetric));
+    if (symmetric) {
+        PetscInt negative = 0;
+        SOFT_PETSC(MatMumpsGetInfog(factor, 12, &negative));
+        result.negative_pivots = negative;
+    }
+    return result;
+}
+
+LinearSolve LinearSolver::solve(Vec b, Vec x) {
+    SOFT_PETSC(KSPSolve(ksp_, b, x));
+    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+    PetscInt iterations = 0;
+    SOFT_PETSC(KSPGetConvergedReason(ksp_, &reason));
+    SOFT_PETSC(KSPGetIterationNumber(ksp_, &iterations));
+    return {reason > 0 && std::isfinite(norm(x)), static_cast<int>(iterations)};
+}
+
+}  // namespace soft::linalg

@@ -1,0 +1,42 @@
+#pragma once
+/// Solves K x = b for a sequence of slowly changing tangents K: a direct factorisation (MUMPS LDL^T unless PETSc
+/// options say otherwise) of one of them preconditions flexible GMRES for the others. With a fresh factor of a
+/// symmetric K this is one application; the same loop corrects the part of K that is not symmetric (open pressure
+/// surfaces), which LDL^T does not see. Held by linalg/linear_solver_test.
+#include <optional>
+
+#include "linalg/petsc.hpp"
+
+namespace soft::linalg {
+
+struct Factorization {
+    bool succeeded = false;
+    std::optional<PetscInt> negative_pivots;   ///< empty where the preconditioner is no symmetric direct factor
+};
+
+struct LinearSolve {
+    bool converged = false;
+    int iterations = 0;
+};
+
+class LinearSolver {
+public:
+    /// Default options can be changed by any PETSc option (-ksp_*, -pc_*, -mat_mumps_*).
+    explicit LinearSolver(Mat K);
+
+    /// Factorises K as it stands now. A failed factorisation (singular, out of memory) is a value, not an exception.
+    [[nodiscard]] Factorization factorize();
+
+    /// Solves with K as it stands now and the last factor. `x` is overwritten.
+    [[nodiscard]] LinearSolve solve(Vec b, Vec x);
+
+    [[nodiscard]] int factorizations() const noexcept { return factorizations_; }
+    [[nodiscard]] KSP ksp() const noexcept { return ksp_; }
+
+private:
+    Mat K_;
+    KrylovSolver ksp_;
+    int factorizations_ = 0;
+};
+
+}  // namespace soft::linalg

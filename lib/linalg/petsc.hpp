@@ -1,0 +1,49 @@
+#pragma once
+/// Thin owners of PETSc handles. The raw handle is always reachable; every PETSc call goes through `check`.
+/// PETSc here is the C build, so a failed call returns a code; `check` turns it into an Error (internal).
+#include <petscksp.h>
+
+#include <utility>
+
+namespace soft::linalg {
+
+/// Throws Error(internal) naming the call where `code` is not zero; PETSc's message is kept.
+void check(PetscErrorCode code, const char* call);
+#define SOFT_PETSC(call) ::soft::linalg::check((call), #call)
+
+template <class Handle, PetscErrorCode (*Destroy)(Handle*)>
+class Owned {
+public:
+    Owned() = default;
+    explicit Owned(Handle handle) : handle_(handle) {}
+    Owned(Owned&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+    Owned& operator=(Owned&& other) noexcept {
+        std::swap(handle_, other.handle_);
+        return *this;
+    }
+    Owned(const Owned&) = delete;
+    Owned& operator=(const Owned&) = delete;
+    ~Owned() {
+        if (handle_ != nullptr) (void)Destroy(&handle_);
+    }
+    [[nodiscard]] Handle get() const noexcept { return handle_; }
+    operator Handle() const noexcept { return handle_; }
+    [[nodiscard]] Handle* out() noexcept { return &handle_; }   ///< for PETSc's create functions
+
+private:
+    Handle handle_ = nullptr;
+};
+
+using Vector = Owned<Vec, VecDestroy>;
+using Matrix = Owned<Mat, MatDestroy>;
+using KrylovSolver = Owned<KSP, KSPDestroy>;
+using Scatter = Owned<VecScatter, VecScatterDestroy>;
+using IndexSet = Owned<IS, ISDestroy>;
+
+[[nodiscard]] Vector duplicate(Vec like);   ///< same layout, zero
+[[nodiscard]] double dot(Vec a, Vec b);
+[[nodiscard]] double norm(Vec a);
+void copy(Vec from, Vec to);
+void add(Vec y, double factor, Vec x);      ///< y += factor x
+
+}  // namespace soft::linalg

@@ -1,0 +1,100 @@
+#include "linalg/session.hpp"
+
+#include <dlfcn.h>
+#include <petscksp.h>
+
+#include <cstdlib>
+#include <string_view>
+
+#include "linalg/petsc.hpp"
+
+namespace soft::linalg {
+
+Session::Session(const std::vector<std::string>& options) {
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) {
+        // Values the user has set stay: overwrite = 0.
+        setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+        setenv("OMPI_MCA_pml", "ob1", 0);
+        setenv("OMPI_MCA_btl", "self,vader", 0);
+    }
+    std::vector<std::string> words{"solve", "-no_signal_handler"};
+    words.insert(words.end(), options.begin(), options.end());
+    std::vector<char*> pointers;
+    for (auto& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    int argc = static_cast<int>(words.size());
+    char** argv = pointers.data();
+    SOFT_PETSC(PetscInitialize(&argc, &argv, nullptr, nullptr));
+    SOFT_PETSC(PetscPopErrorHandler());
+    SOFT_PETSC(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+    MPI_Comm_rank(PETSC_COMM_WORLD, &rank_);
+    MPI_Comm_size(PETSC_COMM_WORLD, &size_);
+}
+
+Session::~Session() {
+    (void)PetscOptionsSetValue(nullptr, "-options_left", "no");
+    (void)PetscFinalize();
+}
+
+std::vector<std::string> Session::unused_options() const {
+    PetscInt count = 0;
+    char** names = nullptr;
+    char** values = nullptr;
+    SOFT_PETSC(PetscOptionsLeftGet(nullptr, &count, &names, &values));
+    std::vector<std::string> left;
+    for (PetscInt i = 0; i < count; ++i)
+        if (std::string_view(names[i]) != "no_signal_handler") left.emplace_back(names[i]);
+    SOFT_PETSC(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
+    return left;
+}
+
+std::string petsc_version() {
+    return std::to_string(PETSC_VERSION_MAJOR) + "." + std::to_string(PETSC_VERSION_MINOR) + "." +
+           std::to_string(PETSC_VERSION_SUBMINOR);
+}
+
+namespace {
+
+/// OpenBLAS is found at run time: any BLAS may stand behind libblas.so.3.
+const char* openblas_text(const char* function) {
+    using TextFunction = char* (*)();
+    void* symbol = dlsym(RTLD_DEFAULT, function);
+    return symbol != nullptr ? reinterpret_cast<TextFunction>(symbol)() : nullptr;
+}
+
+}  // namespace
+
+std::string blas_name() {
+    if (const char* core = openblas_text("openblas_get_corename")) {
+        const char* config = openblas_text("openblas_get_config");
+        std::string text{config != nullptr ? config : "OpenBLAS"};
+        const auto second_space = text.find(' ', text.find(' ') + 1);
+        return text.substr(0, second_space) + " " + core;
+    }
+    if (dlsym(RTLD_DEFAULT, "bli_info_get_version_str") != nullptr)
+        return "BLIS " + std::string(openblas_text("bli_info_get_version_str"));
+    if (dlsym(RTLD_DEFAULT, "MKL_Get_Version_String") != nullptr) return "MKL";
+    return "reference BLAS (slow: install libopenblas0-serial or another optimised BLAS)";
+}
+
+bool blas_kernel_is_poor(std::string& better) {
+    const char* core = openblas_text("openblas_get_corename");
+    if (core == nullptr) return false;
+    const std::string_view kernel{core};
+    const bool old_kernel = kernel == "Prescott" || kernel == "Core2" || kernel == "Nehalem" || kernel == "Generic" ||
+                            kernel == "generic";
+#if defined(__x86_64__)
+    if (old_kernel && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl")) {
+        better = "SkylakeX";
+        return true;
+    }
+    if (old_kernel && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        better = "Haswell";
+        return true;
+    }
+#endif
+    (void)old_kernel;
+    return false;
+}
+
+}  // namespace soft::linalg

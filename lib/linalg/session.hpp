@@ -1,0 +1,39 @@
+#pragma once
+/// MPI and PETSc for the life of one object, made once in a tool's main (or a test's).
+#include <string>
+#include <vector>
+
+namespace soft::linalg {
+
+class Session {
+public:
+    /// Starts MPI and PETSc; `options` are PETSc's own, as after `--` on the command line. A single process started
+    /// without mpirun skips the launcher's daemons, which cost 0.3 s. PETSc's signal handler stays off: with a closed
+    /// pipe it can hang.
+    explicit Session(const std::vector<std::string>& options);
+    ~Session();
+    Session(const Session&) = delete;
+    Session& operator=(const Session&) = delete;
+
+    [[nodiscard]] int rank() const noexcept { return rank_; }
+    [[nodiscard]] int size() const noexcept { return size_; }
+
+    /// Options that nothing has asked for by now (a misspelt PETSc option), for a warning.
+    [[nodiscard]] std::vector<std::string> unused_options() const;
+
+private:
+    int rank_ = 0;
+    int size_ = 1;
+};
+
+[[nodiscard]] std::string petsc_version();
+
+/// Name of the BLAS that the process runs with, kernel included where it tells: "OpenBLAS 0.3.21 SkylakeX".
+[[nodiscard]] std::string blas_name();
+
+/// True where OpenBLAS has picked kernels far below what the processor can do (an unknown newer processor falls back
+/// to SSE3 kernels, 2.5 times slower); `better` then names the value for OPENBLAS_CORETYPE, which is read when the
+/// library loads, so the process must be started again with it.
+[[nodiscard]] bool blas_kernel_is_poor(std::string& better);
+
+}  // namespace soft::linalg

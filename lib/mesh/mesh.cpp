@@ -1,0 +1,67 @@
+#include "mesh/mesh.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace soft::mesh {
+namespace {
+
+/// The corners of a facet in ascending order: equal for the two cells that share it, however they are turned.
+using Key = std::array<Index, 4>;
+
+Key corner_key(std::span<const Index> cell, const FacetTopology& facet) {
+    Key key;
+    key.fill(std::numeric_limits<Index>::max());
+    const int corners = topology(facet.type).vertex_count;
+    for (int i = 0; i < corners; ++i) key[i] = cell[facet.nodes[i]];
+    std::sort(key.begin(), key.end());   // the unused places stay last
+    return key;
+}
+
+const FacetTopology& facet_topology(const Mesh& mesh, const Facet& facet) {
+    return topology(mesh.cell_type(facet.cell)).facets[static_cast<std::size_t>(facet.local)];
+}
+
+}  // namespace
+
+std::vector<Index> facet_nodes(const Mesh& mesh, const Facet& facet) {
+    const FacetTopology& side = facet_topology(mesh, facet);
+    const auto cell = mesh.cell_nodes(facet.cell);
+    std::vector<Index> nodes(static_cast<std::size_t>(node_count(side.type)));
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = cell[side.nodes[i]];
+    return nodes;
+}
+
+CellType facet_type(const Mesh& mesh, const Facet& facet) { return facet_topology(mesh, facet).type; }
+
+std::vector<Facet> boundary_facets(const Mesh& mesh) {
+    struct Side {
+        Key key;
+        Facet facet;
+    };
+    std::vector<Side> sides;
+    for (Index c = 0; c < mesh.cell_count(); ++c) {
+        int local = 0;
+        for (const FacetTopology& facet : topology(mesh.cell_type(c)).facets)
+            sides.push_back({corner_key(mesh.cell_nodes(c), facet), {c, local++}});
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.key < b.key; });
+    std::vector<Facet> boundary;
+    for (std::size_t i = 0; i < sides.size();) {
+        std::size_t end = i + 1;
+        while (end < sides.size() && sides[end].key == sides[i].key) ++end;
+        if (end == i + 1) boundary.push_back(sides[i].facet);
+        i = end;
+    }
+    std::sort(boundary.begin(), boundary.end());
+    return boundary;
+}
+
+void add_cell(Mesh& mesh, CellType type, std::span<const Index> nodes, std::int32_t region) {
+    mesh.cell_types.push_back(type);
+    mesh.connectivity.insert(mesh.connectivity.end(), nodes.begin(), nodes.end());
+    mesh.offsets.push_back(static_cast<Index>(mesh.connectivity.size()));
+    mesh.cell_regions.push_back(region);
+}
+
+}  // namespace soft::mesh

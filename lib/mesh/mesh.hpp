@@ -1,0 +1,54 @@
+#pragma once
+/// An unstructured mesh in the reference configuration with named regions, facets and points. Plain data.
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/cell_type.hpp"
+
+namespace soft::mesh {
+
+using Index = std::int64_t;
+using Point = std::array<double, 3>;   ///< reference position [m]: (x, y, z); a section holds (x, r, 0)
+
+/// A side of a cell: cell number and the cell's local facet number (topology(type).facets).
+struct Facet {
+    Index cell;
+    int local;
+    friend auto operator<=>(const Facet&, const Facet&) = default;
+};
+
+struct Mesh {
+    int dimension = 3;                                     ///< of the cells: 2 (section) or 3 (solid)
+    std::vector<Point> points;
+    std::vector<CellType> cell_types;                      ///< one a cell
+    std::vector<Index> offsets{0};                         ///< cell c has nodes connectivity[offsets[c] .. offsets[c+1])
+    std::vector<Index> connectivity;
+    std::vector<std::int32_t> cell_regions;                ///< index into region_names, one a cell
+    std::vector<std::string> region_names;
+    std::map<std::string, std::vector<Facet>> facet_sets;  ///< named faces; sets may overlap
+    std::map<std::string, std::vector<Index>> point_sets;
+
+    [[nodiscard]] Index cell_count() const noexcept { return static_cast<Index>(cell_types.size()); }
+    [[nodiscard]] std::span<const Index> cell_nodes(Index cell) const {
+        const auto c = static_cast<std::size_t>(cell);
+        return {connectivity.data() + offsets[c], static_cast<std::size_t>(offsets[c + 1] - offsets[c])};
+    }
+    [[nodiscard]] CellType cell_type(Index cell) const { return cell_types[static_cast<std::size_t>(cell)]; }
+    [[nodiscard]] const Point& point(Index node) const { return points[static_cast<std::size_t>(node)]; }
+};
+
+/// Node numbers of a facet in the node order of its own type (outward orientation, see FacetTopology).
+[[nodiscard]] std::vector<Index> facet_nodes(const Mesh& mesh, const Facet& facet);
+[[nodiscard]] CellType facet_type(const Mesh& mesh, const Facet& facet);
+
+/// All facets that belong to one cell only, in cell order.
+[[nodiscard]] std::vector<Facet> boundary_facets(const Mesh& mesh);
+
+/// Appends a cell; nodes in VTK order.
+void add_cell(Mesh& mesh, CellType type, std::span<const Index> nodes, std::int32_t region);
+
+}  // namespace soft::mesh

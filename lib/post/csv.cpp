@@ -1,0 +1,34 @@
+#include "post/csv.hpp"
+
+#include <string_view>
+
+#include "core/text.hpp"
+
+namespace soft::post {
+namespace {
+
+std::string comment_lines(std::string_view comment) {
+    std::string text = "# ";
+    for (const char c : comment) {
+        text += c;
+        if (c == '\n') text += "# ";
+    }
+    return text + '\n';
+}
+
+}  // namespace
+
+std::string csv_text(const Curve& curve, std::span<const std::string> comments) {
+    std::string text, header;
+    for (const std::string& comment : comments) text += comment_lines(comment);
+    for (const Column& column : curve.columns) header.append(header.empty() ? "" : ",").append(column.name);
+    text += header + '\n';
+    for (std::size_t row = 0; row < curve.row_count(); ++row) {
+        for (std::size_t i = 0; i < curve.columns.size(); ++i)
+            text.append(i == 0 ? "" : ",").append(core::number_text(curve.columns[i].values[row]));
+        text += '\n';
+    }
+    return text;
+}
+
+}  // namespace soft::post

@@ -1,0 +1,207 @@
+#include "post/interpolate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace soft::post {
+namespace {
+
+/// Coordinates in units of their own range; a coordinate that never moves does not count.
+struct Metric {
+    std::vector<const Column*> columns;
+    std::vector<double> inverse_range;
+
+    explicit Metric(const Curve& curve) {
+        for (const Column& column : curve.columns) {
+            if (column.role != Role::coordinate || column.values.empty()) continue;
+            const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+            if (!(*high > *low)) continue;
+            columns.push_back(&column);
+            inverse_range.push_back(1 / (*high - *low));
+        }
+    }
+    [[nodiscard]] double distance(std::size_t row_a, std::size_t row_b) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            sum += std::pow((columns[i]->values[row_b] - columns[i]->values[row_a]) * inverse_range[i], 2);
+        return std::sqrt(sum);
+    }
+    /// Scalar product of the recorded directions of two rows.
+    [[nodiscard]] double product(std::size_t row_a, std::size_t row_b) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            sum += columns[i]->slopes[row_a] * columns[i]->slopes[row_b] * inverse_range[i] * inverse_range[i];
+        return sum;
+    }
+    /// Norm of the recorded direction; 0 where none is recorded.
+    [[nodiscard]] double norm(std::size_t row) const { return std::sqrt(product(row, row)); }
+    /// Scalar product of the direction recorded at `row` with the chord between two rows.
+    [[nodiscard]] double along(std::size_t row, std::size_t row_a, std::size_t row_b) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            sum += columns[i]->slopes[row] * (columns[i]->values[row_b] - columns[i]->values[row_a]) *
+                   inverse_range[i] * inverse_range[i];
+        return sum;
+    }
+};
+
+struct Speeds {
+    double start, end;
+};
+
+/// Speeds at both ends of the interval between two rows, see the header.
+Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) {
+    constexpr double largest_ratio = 2;  // of a speed to the chord; beyond, the two directions do not enclose it
+    const double chord = metric.distance(row_a, row_b);
+    const double norm_a = metric.norm(row_a), norm_b = metric.norm(row_b);
+    if (!(chord > 0 && norm_a > 0 && norm_b > 0)) return {chord, chord};
+    const double cosine = metric.product(row_a, row_b) / (norm_a * norm_b);
+    const double a = 2 * metric.along(row_a, row_a, row_b) / norm_a, b = 2 * metric.along(row_b, row_a, row_b) / norm_b;
+    const double determinant = 1 - cosine * cosine;
+    const Speeds speeds{(a - b * cosine) / determinant, (b - a * cosine) / determinant};
+    const auto sound = [&](double v) { return v * largest_ratio > chord && v < chord * largest_ratio; };  // not for nan
+    return sound(speeds.start) && sound(speeds.end) ? speeds : Speeds{chord, chord};
+}
+
+/// Root of a monotone piece by bisection: as sharp as doubles allow, and nothing can go wrong.
+double bisect(const Hermite& cubic, double value, double left, double right) {
+    const bool rising = cubic(right) > cubic(left);
+    while (true) {
+        const double middle = left + (right - left) / 2;
+        if (!(middle > left && middle < right)) return left;
+        ((cubic(middle) <= value) == rising ? left : right) = middle;
+    }
+}
+
+}  // namespace
+
+double Hermite::operator()(double t) const noexcept {
+    if (t >= 1) return q1;  // exact at the ends: neighbouring pieces must agree there to the last bit
+    const double d = q1 - q0;
+    return q0 + t * (m0 + t * (3 * d - 2 * m0 - m1 + t * (m0 + m1 - 2 * d)));
+}
+
+std::vector<double> Hermite::monotone_pieces() const {
+    // dq/dt = a t^2 + 2 b t + c; roots by the form that does not cancel
+    const double d = q1 - q0, a = 3 * (m0 + m1 - 2 * d), b = 3 * d - 2 * m0 - m1, c = m0;
+    std::vector<double> ends{0};
+    if (const double discriminant = b * b - a * c; discriminant > 0) {
+        const double w = -(b + std::copysign(std::sqrt(discriminant), b));
+        std::array<double, 2> roots{a != 0 ? w / a : -1, w != 0 ? c / w : -1};
+        std::sort(roots.begin(), roots.end());
+        for (const double root : roots)
+            if (root > 0 && root < 1) ends.push_back(root);
+    }
+    ends.push_back(1);
+    return ends;
+}
+
+std::vector<double> monotone_slopes(std::span<const double> s, std::span<const double> q) {
+    const std::size_t n = s.size();
+    std::vector<double> slopes(n, 0.0);
+    if (n < 2) return slopes;
+    const auto secant = [&](std::size_t i) { return (q[i + 1] - q[i]) / (s[i + 1] - s[i]); };
+    if (n == 2) return {secant(0), secant(0)};
+    for (std::size_t i = 1; i + 1 < n; ++i) {
+        const double left = secant(i - 1), right = secant(i);
+        if (!(left * right > 0)) continue;  // an extremum: flat
+        const double h_left = s[i] - s[i - 1], h_right = s[i + 1] - s[i];
+        const double w_left = 2 * h_right + h_left, w_right = h_right + 2 * h_left;
+        slopes[i] = (w_left + w_right) / (w_left / left + w_right / right);
+    }
+    // ends: the parabola through three points, limited to keep the sign and three times the secant
+    const auto end_slope = [](double h0, double h1, double d0, double d1) {
+        const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
+        if (slope * d0 <= 0) return 0.0;
+        return std::abs(slope) > 3 * std::abs(d0) ? 3 * d0 : slope;
+    };
+    slopes.front() = end_slope(s[1] - s[0], s[2] - s[1], secant(0), secant(1));
+    slopes.back() = end_slope(s[n - 1] - s[n - 2], s[n - 2] - s[n - 3], secant(n - 2), secant(n - 3));
+    return slopes;
+}
+
+Path::Path(const Curve& curve) : curve_(&curve) {
+    if (curve.row_count() == 0) throw Error(ExitCode::bad_input, "path", "the result holds no step");
+    const Metric metric(curve);
+    std::vector<Speeds> speeds;
+    rows_.push_back(0);
+    s_.push_back(0);
+    for (std::size_t row = 1; row < curve.row_count(); ++row) {
+        const Speeds next = interval_speeds(metric, rows_.back(), row);
+        if (!(next.start + next.end > 0)) continue;
+        rows_.push_back(row);
+        speeds.push_back(next);
+        s_.push_back(s_.back() + (next.start + next.end) / 2);
+    }
+    for (const Column& column : curve.columns) {
+        std::vector<double> q;
+        for (const std::size_t row : rows_) q.push_back(column.values[row]);
+        const std::vector<double> flat = monotone_slopes(s_, q);
+        const auto slope = [&](std::size_t i, double speed, double ds) {
+            const double norm = column.role == Role::coordinate ? metric.norm(rows_[i]) : 0;
+            return norm > 0 ? column.slopes[rows_[i]] / norm * speed : flat[i] * ds;
+        };
+        std::vector<Hermite>& pieces = pieces_.emplace_back();
+        for (std::size_t i = 0; i < speeds.size(); ++i) {
+            const double ds = s_[i + 1] - s_[i];
+            pieces.push_back({q[i], q[i + 1], slope(i, speeds[i].start, ds), slope(i + 1, speeds[i].end, ds)});
+        }
+    }
+}
+
+double Path::in_interval(std::size_t column, std::size_t interval, double t) const {
+    const double left = curve_->columns[column].values[rows_[interval]];
+    const double right = curve_->columns[column].values[rows_[interval + 1]];
+    switch (curve_->columns[column].role) {
+        case Role::counter: return left + t * (right - left);
+        case Role::flag: return t <= 0 ? left : t >= 1 ? right : std::min(left, right);
+        case Role::coordinate:
+        case Role::follower: break;
+    }
+    return pieces_[column][interval](t);
+}
+
+std::vector<double> Path::at(double s) const {
+    std::vector<double> row;
+    std::size_t interval = 0;
+    double t = 0;
+    if (s_.size() > 1) {
+        const auto above = std::upper_bound(s_.begin() + 1, s_.end() - 1, s);
+        interval = static_cast<std::size_t>(above - s_.begin()) - 1;
+        t = std::clamp((s - s_[interval]) / (s_[interval + 1] - s_[interval]), 0.0, 1.0);
+    }
+    for (std::size_t column = 0; column < curve_->columns.size(); ++column)
+        row.push_back(s_.size() > 1 ? in_interval(column, interval, t) : curve_->columns[column].values.front());
+    return row;
+}
+
+std::vector<double> Path::crossings(std::size_t column, double value) const {
+    std::vector<double> found;
+    for (std::size_t interval = 0; interval + 1 < s_.size(); ++interval) {
+        const Hermite& cubic = pieces_[column][interval];
+        const std::vector<double> ends = cubic.monotone_pieces();
+        const double ds = s_[interval + 1] - s_[interval];
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {  // each piece owns its left end only
+            const double left = cubic(ends[i]) - value, right = cubic(ends[i + 1]) - value;
+            if (left == 0)
+                found.push_back(s_[interval] + ds * ends[i]);
+            else if ((left < 0) != (right < 0) && right != 0)
+                found.push_back(s_[interval] + ds * bisect(cubic, value, ends[i], ends[i + 1]));
+        }
+    }
+    if (curve_->columns[column].values[rows_.back()] == value) found.push_back(s_.back());
+    return found;
+}
+
+Path::Range Path::range(std::size_t column) const {
+    Range range{curve_->columns[column].values.front(), curve_->columns[column].values.front()};
+    const auto include = [&](double value) { range = {std::min(range.lowest, value), std::max(range.highest, value)}; };
+    for (const Hermite& cubic : pieces_[column])
+        for (const double t : cubic.monotone_pieces()) include(cubic(t));
+    return range;
+}
+
+}  // namespace soft::post

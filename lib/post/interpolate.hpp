@@ -1,0 +1,59 @@
+#pragma once
+/// The path between its rows: one smooth curve through all of them, and where it crosses a value.
+///
+/// Between two rows every column is a cubic Hermite polynomial of one parameter t. The coordinates (pressure, outputs,
+/// volume), each divided by its range, make the path a curve in the plane or in space. The solver gives its unit
+/// directions u0, u1 at the rows; the speeds v0, v1 that belong to them solve, in the sense of least squares,
+///     (v0 u0 + v1 u1) / 2 = q1 - q0,
+/// so that a piece of any parabola is met exactly and any smooth path to fourth order (derived here). Where that has no
+/// sound answer (a straight piece, a point of inflection) both speeds are the length of the chord. Rows without
+/// slopes, and columns that have none, take slopes that keep each interval monotone (Fritsch and Butland 1984, as in
+/// PCHIP). Held by post/interpolate_test.
+#include <span>
+#include <vector>
+
+#include "post/curve.hpp"
+
+namespace soft::post {
+
+/// Cubic on t in [0, 1] with values q0, q1 and slopes m0, m1 = dq/dt at the ends.
+struct Hermite {
+    double q0, q1, m0, m1;
+
+    [[nodiscard]] double operator()(double t) const noexcept;
+    /// Ends of the monotone pieces: 0, the interior extrema in order, 1.
+    [[nodiscard]] std::vector<double> monotone_pieces() const;
+};
+
+/// Slopes dq/ds at strictly increasing `s` that keep the interpolant of `q` monotone between neighbours.
+[[nodiscard]] std::vector<double> monotone_slopes(std::span<const double> s, std::span<const double> q);
+
+/// A curve made continuous. The curve must outlive it.
+class Path {
+public:
+    explicit Path(const Curve& curve);
+
+    [[nodiscard]] double length() const noexcept { return s_.back(); }
+    /// Parameters of the rows that move the path (a row equal to the one before it is left out).
+    [[nodiscard]] std::span<const double> row_parameters() const noexcept { return s_; }
+    [[nodiscard]] std::span<const std::size_t> rows() const noexcept { return rows_; }
+    /// All columns at path parameter s in [0, length()], in the order of the curve.
+    [[nodiscard]] std::vector<double> at(double s) const;
+    /// All s at which the column has `value` (column's unit), in the order of the path.
+    [[nodiscard]] std::vector<double> crossings(std::size_t column, double value) const;
+    struct Range {
+        double lowest, highest;
+    };
+    /// Of the smooth curve, extrema between the rows included.
+    [[nodiscard]] Range range(std::size_t column) const;
+
+private:
+    [[nodiscard]] double in_interval(std::size_t column, std::size_t interval, double t) const;
+
+    const Curve* curve_;
+    std::vector<std::size_t> rows_;             ///< distinct rows of the path
+    std::vector<double> s_;                     ///< their parameters: mean speeds of the intervals, added up
+    std::vector<std::vector<Hermite>> pieces_;  ///< [column][interval]
+};
+
+}  // namespace soft::post

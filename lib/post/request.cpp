@@ -1,0 +1,75 @@
+#include "post/request.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "post/interpolate.hpp"
+
+namespace soft::post {
+namespace {
+
+const Column& coordinate(const Curve& curve, std::string_view quantity) {
+    const Column* column = curve.find(quantity);
+    if (column == nullptr || column->role != Role::coordinate)
+        throw Error(ExitCode::usage, "--at", "the curve has no " + core::quoted(quantity),
+                    "it has " + curve.coordinate_names());
+    return *column;
+}
+
+/// A path that was to end at 130 mm ends at 129.9999999 mm: the solver meets its targets to its tolerance.
+double within_reach(const Path::Range& range, double value) {
+    constexpr double end_tolerance = 1e-6;  // of the range
+    const double margin = end_tolerance * (range.highest - range.lowest);
+    const double nearest = std::clamp(value, range.lowest, range.highest);
+    return std::abs(value - nearest) <= margin ? nearest : value;
+}
+
+}  // namespace
+
+std::vector<Request> parse_requests(std::string_view text, const Curve& curve) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos)
+        throw Error(ExitCode::usage, "--at", core::quoted(text) + " names no value", "write e.g. pressure=10kPa,20kPa");
+    const std::string quantity{core::trimmed(text.substr(0, equals))};
+    const Column& column = coordinate(curve, quantity);
+    std::vector<Request> requests;
+    for (std::string_view rest = text.substr(equals + 1);;) {
+        const std::size_t comma = rest.find(',');
+        requests.push_back({quantity, core::quantity_or_throw(rest.substr(0, comma), column.dimension, ExitCode::usage,
+                                                              "--at " + quantity)});
+        if (comma == std::string_view::npos) return requests;
+        rest.remove_prefix(comma + 1);
+    }
+}
+
+Curve rows_at(const Curve& curve, std::span<const Request> requests) {
+    const Path path(curve);
+    Curve table = curve;
+    for (Column& column : table.columns) {
+        column.values.clear();
+        column.slopes.clear();
+    }
+    for (const Request& request : requests) {
+        const Column& column = coordinate(curve, request.quantity);
+        const auto index = static_cast<std::size_t>(&column - curve.columns.data());
+        const Path::Range range = path.range(index);
+        const double asked = in_column_unit(column, request.value_SI), value = within_reach(range, asked);
+        const std::vector<double> found = path.crossings(index, value);
+        if (found.empty())
+            throw Error(ExitCode::bad_input,
+                        "--at " + request.quantity + "=" + core::rounded_text(asked, 6) + column.unit,
+                        "the path does not reach it",
+                        "it goes from " + core::rounded_text(range.lowest, 6) + " to " +
+                            core::rounded_text(range.highest, 6) + " " + column.unit);
+        for (const double s : found) {
+            std::vector<double> row = path.at(s);
+            row[index] = value;  // not its last-bit neighbour
+            for (std::size_t i = 0; i < row.size(); ++i) table.columns[i].values.push_back(row[i]);
+        }
+    }
+    return table;
+}
+
+}  // namespace soft::post

@@ -1,0 +1,37 @@
+#pragma once
+/// Where a path is to end: the full load, and whatever `path.until` asks for.
+#include <optional>
+#include <vector>
+
+#include "solver/history.hpp"
+
+namespace soft::solver {
+
+/// A value that one quantity of the path has to reach.
+struct Goal {
+    Constraint constraint;      ///< holds the quantity at `target`: load_factor, volume or output
+    double target = 0;
+    std::string text;           ///< "elongation of 130 mm", for the message
+};
+
+/// Throws Error (bad_input) for an `until` that the case cannot measure.
+[[nodiscard]] std::vector<Goal> make_goals(const model::Case& input, std::optional<double> undeformed_volume_m3);
+
+/// Value and slope (per unit q) of a goal's quantity at a point.
+[[nodiscard]] double goal_value(const Goal& goal, const PathPoint& point);
+[[nodiscard]] double goal_slope(const Goal& goal, const PathPoint& point);
+
+struct Crossing {
+    const Goal* goal = nullptr;
+    double q = 0;               ///< where the cubic through the two points (or the tangent) meets the target
+};
+
+/// The first goal met for last.q < q <= q_end by the predictor from (`before`, `last`); nothing if none is met.
+[[nodiscard]] std::optional<Crossing> first_predicted(const std::vector<Goal>& goals, const PathPoint* before,
+                                                      const PathPoint& last, double q_end);
+
+/// The first goal met between two converged points.
+[[nodiscard]] std::optional<Crossing> first_between(const std::vector<Goal>& goals, const PathPoint& from,
+                                                    const PathPoint& to);
+
+}  // namespace soft::solver

@@ -1,0 +1,33 @@
+#include "solver/history.hpp"
+
+namespace soft::solver {
+
+HermiteWeights hermite_weights(double q0, double q1, double q) {
+    const double h = q1 - q0, s = (q - q0) / h;
+    const double s2 = s * s, s3 = s2 * s;
+    return {2.0 * s3 - 3.0 * s2 + 1.0, h * (s3 - 2.0 * s2 + s), 3.0 * s2 - 2.0 * s3, h * (s3 - s2)};
+}
+
+double hermite(const HermiteWeights& weights, double y0, double slope0, double y1, double slope1) {
+    return weights.y0 * y0 + weights.slope0 * slope0 + weights.y1 * y1 + weights.slope1 * slope1;
+}
+
+State predict(const PathPoint* before, const PathPoint& last, double q) {
+    State state{linalg::duplicate(last.state.x), 0.0};
+    if (before == nullptr) {
+        linalg::copy(last.state.x, state.x);
+        linalg::add(state.x, q - last.q, last.tangent.x);
+        state.load_factor = last.state.load_factor + (q - last.q) * last.tangent.load_factor;
+        return state;
+    }
+    const auto w = hermite_weights(before->q, last.q, q);
+    linalg::add(state.x, w.y0, before->state.x);
+    linalg::add(state.x, w.slope0, before->tangent.x);
+    linalg::add(state.x, w.y1, last.state.x);
+    linalg::add(state.x, w.slope1, last.tangent.x);
+    state.load_factor = hermite(w, before->state.load_factor, before->tangent.load_factor, last.state.load_factor,
+                                last.tangent.load_factor);
+    return state;
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,35 @@
+#pragma once
+/// The last two converged states with their tangents, and the cubic through them: predictor of the next state and
+/// interpolant between the two.
+///   y(q) = h00 y0 + h10 h y0' + h01 y1 + h11 h y1',  h = q1 - q0, evaluated at s = (q - q0)/h (s > 1 extrapolates).
+/// q is the controlled quantity. With one state only, the tangent line. Held by solver/history_test.
+#include <optional>
+
+#include "solver/newton.hpp"
+
+namespace soft::solver {
+
+/// A converged state with everything the path needs to know of it.
+struct PathPoint {
+    State state;
+    PathTangent tangent;                ///< per unit q
+    double q = 0;                       ///< value of the controlled quantity
+    std::optional<double> volume_m3;
+    std::vector<double> outputs_m;
+    double volume_slope = 0;            ///< per unit q
+    std::vector<double> output_slopes;
+};
+
+/// Cubic Hermite weights of (y0, y0', y1, y1') at q.
+struct HermiteWeights {
+    double y0, slope0, y1, slope1;
+};
+[[nodiscard]] HermiteWeights hermite_weights(double q0, double q1, double q);
+
+/// Value of a scalar that changes along the path, between or beyond two points.
+[[nodiscard]] double hermite(const HermiteWeights& weights, double y0, double slope0, double y1, double slope1);
+
+/// State at q on the cubic through `before` and `last`, or on the tangent of `last` where there is no `before`.
+[[nodiscard]] State predict(const PathPoint* before, const PathPoint& last, double q);
+
+}  // namespace soft::solver

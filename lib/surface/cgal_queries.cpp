@@ -1,0 +1,139 @@
+#include "surface/cgal_queries.hpp"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace soft::surface {
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+Kernel::Point_3 cgal_point(const mesh::Point& p) { return {p[0], p[1], p[2]}; }
+
+/// Middle of the first edge that is not run through exactly once each way; CGAL tells that there is one, not where.
+std::optional<mesh::Point> first_bad_edge(const Triangles& surface) {
+    using Edge = std::pair<int, int>;
+    std::vector<Edge> edges;
+    for (const auto& t : surface.triangles)
+        for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(t[i], t[(i + 1) % 3]);
+    std::sort(edges.begin(), edges.end());
+    const auto uses = [&](const Edge& edge) {
+        const auto [first, last] = std::equal_range(edges.begin(), edges.end(), edge);
+        return last - first;
+    };
+    for (const Edge& edge : edges) {
+        if (uses(edge) == 1 && uses({edge.second, edge.first}) == 1) continue;
+        const mesh::Point& a = surface.places[static_cast<std::size_t>(edge.first)];
+        const mesh::Point& b = surface.places[static_cast<std::size_t>(edge.second)];
+        return mesh::Point{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+    }
+    return std::nullopt;
+}
+
+/// Faces of the mesh are numbered as the triangles are. The number of the first triangle that makes an edge or a point
+/// with more than one sheet, where there is one.
+std::variant<SurfaceMesh, std::size_t> to_mesh(const Triangles& surface) {
+    SurfaceMesh mesh;
+    std::vector<SurfaceMesh::Vertex_index> vertices;
+    for (const mesh::Point& point : surface.points) vertices.push_back(mesh.add_vertex(cgal_point(point)));
+    const auto vertex = [&](int number) { return vertices[static_cast<std::size_t>(number)]; };
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const auto& [a, b, c] = surface.triangles[t];
+        if (mesh.add_face(vertex(a), vertex(b), vertex(c)) == SurfaceMesh::null_face()) return t;
+    }
+    return mesh;
+}
+
+/// The pair with the smallest triangle numbers. All pairs are listed only where there is one: the search for the first
+/// is the fast case and its order is CGAL's.
+std::optional<std::array<int, 2>> first_intersection(const SurfaceMesh& mesh) {
+    if (!PMP::does_self_intersect(mesh)) return std::nullopt;
+    std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
+    PMP::self_intersections(mesh, std::back_inserter(pairs));
+    std::vector<std::array<int, 2>> numbers;
+    for (const auto& [f, g] : pairs) {
+        const int a = static_cast<int>(f.idx()), b = static_cast<int>(g.idx());
+        numbers.push_back({std::min(a, b), std::max(a, b)});
+    }
+    return *std::min_element(numbers.begin(), numbers.end());
+}
+
+}  // namespace
+
+SurfaceChecks check_surface(const Triangles& surface) {
+    SurfaceChecks checks;
+    checks.open_place = first_bad_edge(surface);
+    const auto converted = to_mesh(surface);
+    const SurfaceMesh* mesh = std::get_if<SurfaceMesh>(&converted);
+    if (mesh == nullptr) {
+        const auto& triangle = surface.triangles[std::get<std::size_t>(converted)];
+        if (!checks.open_place) checks.open_place = surface.places[static_cast<std::size_t>(triangle[0])];
+        return checks;
+    }
+    checks.closed = !checks.open_place && CGAL::is_closed(*mesh);
+    checks.intersecting = first_intersection(*mesh);
+    if (!checks.closed) return checks;
+    checks.volume_m3 = CGAL::to_double(PMP::volume(*mesh));
+    // is_outward_oriented shoots a ray and is meaningless where the surface crosses itself
+    checks.outward = checks.intersecting ? checks.volume_m3 > 0 : PMP::is_outward_oriented(*mesh);
+    return checks;
+}
+
+struct RayTree::Tree {
+    using Triangle = Kernel::Triangle_3;
+    using Primitive = CGAL::AABB_triangle_primitive<Kernel, std::vector<Triangle>::const_iterator>;
+    using Aabb = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+    std::vector<Triangle> triangles;
+    std::vector<int> facets;
+    Aabb aabb;
+
+    [[nodiscard]] int facet(const std::vector<Triangle>::const_iterator& at) const {
+        return facets[static_cast<std::size_t>(at - triangles.cbegin())];
+    }
+};
+
+RayTree::RayTree(const Triangles& surface) : tree_(std::make_unique<Tree>()) {
+    for (const auto& t : surface.triangles)
+        tree_->triangles.emplace_back(cgal_point(surface.points[static_cast<std::size_t>(t[0])]),
+                                      cgal_point(surface.points[static_cast<std::size_t>(t[1])]),
+                                      cgal_point(surface.points[static_cast<std::size_t>(t[2])]));
+    tree_->facets = surface.facets;
+    tree_->aabb.insert(tree_->triangles.cbegin(), tree_->triangles.cend());
+    tree_->aabb.build();
+}
+
+RayTree::~RayTree() = default;
+RayTree::RayTree(RayTree&&) noexcept = default;
+RayTree& RayTree::operator=(RayTree&&) noexcept = default;
+
+std::optional<RayTree::Hit> RayTree::first_hit(const mesh::Point& from, const mesh::Point& direction, int skip) const {
+    const Kernel::Point_3 origin = cgal_point(from);
+    const Kernel::Vector_3 along(direction[0], direction[1], direction[2]);
+    const auto passed = [&](const std::vector<Tree::Triangle>::const_iterator& at) { return tree_->facet(at) == skip; };
+    const auto hit = tree_->aabb.first_intersection(Kernel::Ray_3(origin, along), passed);
+    if (!hit) return std::nullopt;
+    const int facet = tree_->facet(hit->second);
+    if (const auto* point = boost::get<Kernel::Point_3>(&hit->first))
+        return Hit{CGAL::to_double((*point - origin) * along), facet};
+    const auto* segment = boost::get<Kernel::Segment_3>(&hit->first);  // the ray lies in the triangle's plane
+    if (segment == nullptr) return std::nullopt;
+    return Hit{std::min(CGAL::to_double((segment->source() - origin) * along),
+                        CGAL::to_double((segment->target() - origin) * along)),
+               facet};
+}
+
+}  // namespace soft::surface

@@ -1,0 +1,51 @@
+#pragma once
+/// A facet's true shape: the Lagrange map of its nodes (mesh/cell_type.hpp has the reference coordinates). An edge of a
+/// section is drawn out along z, so that sections and solids are one case to geometry. Written apart from the elements
+/// of the solver on purpose: the volume measured here checks the solver's. Held by surface/facet_map_test.
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "mesh/mesh.hpp"
+
+namespace soft::surface {
+
+using Vector = std::array<double, 3>;
+
+[[nodiscard]] inline double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+[[nodiscard]] inline double norm(const Vector& a) { return std::sqrt(dot(a, a)); }
+[[nodiscard]] inline Vector cross(const Vector& a, const Vector& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+/// p + t d
+[[nodiscard]] inline Vector along(const Vector& p, double t, const Vector& d) {
+    return {p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2]};
+}
+
+/// Reference coordinates on a facet; a line uses the first, its second runs along z.
+using FacetPoint = std::array<double, 2>;
+
+struct FacetMap {
+    mesh::CellType type;
+    std::array<mesh::Point, 9> nodes{};  ///< the first node_count(type)
+
+    struct Value {
+        mesh::Point x;
+        Vector t1, t2;  ///< dx/dxi; t1 x t2 points out of the cell (of a line: t2 is the unit vector z)
+    };
+    [[nodiscard]] Value operator()(const FacetPoint& xi) const;
+};
+
+/// `positions`: one a mesh point (mesh.points, or points + displacement).
+[[nodiscard]] FacetMap facet_map(const mesh::Mesh& mesh, const mesh::Facet& facet,
+                                 std::span<const mesh::Point> positions);
+
+/// A rule on the reference facet that integrates x.n da and r^2 dx exactly on every second-order facet: Gauss-Legendre
+/// with 3 points a direction, Radon (1948) with 7 points on triangles (both degree 5).
+struct WeightedPoint {
+    FacetPoint xi;
+    double weight;
+};
+[[nodiscard]] std::span<const WeightedPoint> facet_rule(mesh::Shape shape);
+
+}  // namespace soft::surface

@@ -1,0 +1,86 @@
+#include "surface/report.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "surface/cgal_queries.hpp"
+#include "surface/triangles.hpp"
+#include "surface/volume.hpp"
+#include "surface/wall.hpp"
+
+namespace soft::surface {
+namespace {
+
+/// Middle of what the bounding boxes of a pair of triangles have in common, in model coordinates.
+mesh::Point meeting_place(const Triangles& surface, const std::array<int, 2>& pair) {
+    mesh::Point place{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        double from = -std::numeric_limits<double>::infinity(), to = -from;
+        for (const int triangle : pair) {
+            const auto& [a, b, c] = surface.triangles[static_cast<std::size_t>(triangle)];
+            const auto at = [&](int corner) { return surface.places[static_cast<std::size_t>(corner)][d]; };
+            from = std::max(from, std::min({at(a), at(b), at(c)}));
+            to = std::min(to, std::max({at(a), at(b), at(c)}));
+        }
+        place[d] = (from + to) / 2;
+    }
+    return place;
+}
+
+CavityReport inspect(const model::Case& model, const model::Cavity& cavity) {
+    const Triangles surface = cavity_surface(model, cavity);
+    const SurfaceChecks checks = check_surface(surface);
+    CavityReport report;
+    report.name = cavity.name;
+    report.triangles = surface.triangles.size();
+    report.closed = checks.closed;
+    report.oriented = checks.outward;
+    report.open_place = checks.open_place;
+    if (checks.intersecting) report.self_intersection = meeting_place(surface, *checks.intersecting);
+    report.faceted_volume_m3 = checks.volume_m3;
+    report.volume_m3 = enclosed_volume_m3(model, cavity_facets(model, cavity), model.mesh.points);
+    if (const auto wall = smallest_wall(model, cavity)) {
+        report.smallest_wall_m = wall->thickness_m;
+        report.smallest_wall_place = wall->place;
+    }
+    return report;
+}
+
+void refuse_unsound(const model::Case& model, const CavityReport& report) {
+    const auto refuse = [&](const std::string& problem, const char* remedy) {
+        throw Error(ExitCode::bad_input, report.name, problem, remedy);
+    };
+    if (report.self_intersection)
+        refuse("the cavity's surface meets itself near " + place_text(model, *report.self_intersection),
+               "parts of the geometry overlap: check its lengths and radii");
+    if (!report.closed)
+        refuse("the cavity's surface is open near " + place_text(model, report.open_place.value_or(mesh::Point{})),
+               "its faces must enclose the cavity up to its declared openings");
+    if (!report.oriented || !(report.volume_m3 > 0))
+        refuse("the cavity's surface is inside out (it encloses rubber)", "name the inner faces of the body");
+}
+
+}  // namespace
+
+std::vector<CavityReport> inspect_cavities(const model::Case& model) {
+    std::vector<CavityReport> reports;
+    if (model.kinematics == model::Kinematics::plane_strain) return reports;
+    for (const model::Cavity& cavity : model.cavities) reports.push_back(inspect(model, cavity));
+    return reports;
+}
+
+std::vector<CavityReport> check_cavities(const model::Case& model) {
+    std::vector<CavityReport> reports = inspect_cavities(model);
+    for (const CavityReport& report : reports) refuse_unsound(model, report);
+    return reports;
+}
+
+std::string place_text(const model::Case& model, const mesh::Point& place) {
+    const auto millimetres = [&](std::size_t d) { return core::rounded_text(place[d] * 1e3, 4) + " mm"; };
+    if (model.kinematics == model::Kinematics::axisymmetric) return "x = " + millimetres(0) + ", r = " + millimetres(1);
+    return "x = " + millimetres(0) + ", y = " + millimetres(1) + ", z = " + millimetres(2);
+}
+
+}  // namespace soft::surface

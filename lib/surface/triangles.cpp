@@ -1,0 +1,240 @@
+#include "surface/triangles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "surface/facet_map.hpp"
+#include "surface/volume.hpp"
+
+namespace soft::surface {
+namespace {
+
+using mesh::CellType;
+using mesh::Index;
+using mesh::Point;
+
+Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+int add_point(Triangles& surface, const Point& point, const Point& place) {
+    surface.points.push_back(point);
+    surface.places.push_back(place);
+    return static_cast<int>(surface.points.size()) - 1;
+}
+
+/// Corners that coincide (a strip that ends on the axis) leave a triangle out.
+void add_triangle(Triangles& surface, int a, int b, int c, int facet) {
+    if (a == b || b == c || c == a) return;
+    surface.triangles.push_back({a, b, c});
+    surface.facets.push_back(facet);
+}
+
+/// Local node numbers of the triangles a facet is divided into, in the facet's orientation.
+std::vector<std::array<int, 3>> division(CellType type) {
+    switch (type) {
+        case CellType::triangle3: return {{0, 1, 2}};
+        case CellType::triangle6: return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+        case CellType::quad4: return {{0, 1, 2}, {0, 2, 3}};
+        case CellType::quad9: {  // a fan about the centre
+            std::vector<std::array<int, 3>> fan;
+            const std::array<int, 8> around{0, 4, 1, 5, 2, 6, 3, 7};
+            for (std::size_t i = 0; i < around.size(); ++i)
+                fan.push_back({around[i], around[(i + 1) % around.size()], 8});
+            return fan;
+        }
+        default: return {};  // lines are drawn out instead; cells have no surface of their own
+    }
+}
+
+/// Nodes of an edge of a section from its start to its end.
+std::vector<Index> run_through(const std::vector<Index>& line) {
+    return line.size() == 3 ? std::vector<Index>{line[0], line[2], line[1]} : line;
+}
+
+/// About this many triangles, for speed: CGAL takes some 5 us each. A surface of revolution crosses itself exactly where
+/// its outline does, whatever the number of sectors, and its enlarged polygons keep the volume.
+constexpr int wanted_triangles = 4000;
+constexpr int fewest_sectors = 8, most_sectors = 48;
+
+void revolve(const model::Case& model, const std::vector<mesh::Facet>& facets, Triangles& surface) {
+    std::size_t segments = 0;
+    for (const mesh::Facet& facet : facets) segments += facet_nodes(model.mesh, facet).size() - 1;
+    const int sectors =
+        std::clamp(wanted_triangles / std::max(2 * static_cast<int>(segments), 1), fewest_sectors, most_sectors);
+    const double angle = 2 * std::numbers::pi / sectors, enlarged = std::sqrt(angle / std::sin(angle));
+    const double tolerance_m = plane_tolerance * extent_m(model.mesh);
+
+    std::map<Index, std::vector<int>> circles;
+    const auto circle = [&](Index node) -> const std::vector<int>& {
+        std::vector<int>& points = circles[node];
+        if (!points.empty()) return points;
+        const Point& p = model.mesh.point(node);
+        if (std::abs(p[1]) <= tolerance_m)
+            points.assign(static_cast<std::size_t>(sectors), add_point(surface, {p[0], 0, 0}, p));
+        for (int s = static_cast<int>(points.size()); s < sectors; ++s)
+            points.push_back(add_point(
+                surface, {p[0], p[1] * enlarged * std::cos(s * angle), p[1] * enlarged * std::sin(s * angle)}, p));
+        return points;
+    };
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        const std::vector<Index> nodes = run_through(facet_nodes(model.mesh, facets[f]));
+        for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+            const std::vector<int> a = circle(nodes[i]), b = circle(nodes[i + 1]);
+            for (std::size_t s = 0; s < a.size(); ++s) {
+                const std::size_t next = (s + 1) % a.size();
+                add_triangle(surface, a[s], a[next], b[next], static_cast<int>(f));
+                add_triangle(surface, a[s], b[next], b[s], static_cast<int>(f));
+            }
+        }
+    }
+}
+
+/// Points of the mesh as they are needed.
+class UsedPoints {
+public:
+    UsedPoints(const mesh::Mesh& mesh, Triangles& surface) : mesh_(&mesh), surface_(&surface) {}
+    int operator()(Index node) {
+        const auto [found, is_new] = numbers_.emplace(node, 0);
+        if (is_new) found->second = add_point(*surface_, mesh_->point(node), mesh_->point(node));
+        return found->second;
+    }
+
+private:
+    const mesh::Mesh* mesh_;
+    Triangles* surface_;
+    std::map<Index, int> numbers_;
+};
+
+void turn_inside_out(Triangles& surface) {
+    for (auto& triangle : surface.triangles) std::swap(triangle[1], triangle[2]);
+}
+
+/// Adds the mirror image at the plane where coordinate `d` is zero; points on the plane are shared.
+void mirror(Triangles& surface, std::size_t d, double tolerance_m) {
+    std::vector<int> image(surface.points.size());
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        Point point = surface.points[i];
+        if (std::abs(point[d]) <= tolerance_m) {
+            image[i] = static_cast<int>(i);
+            continue;
+        }
+        point[d] = -point[d];
+        const Point place = surface.places[i];
+        image[i] = add_point(surface, point, place);
+    }
+    for (std::size_t t = 0, count = surface.triangles.size(); t < count; ++t) {
+        const auto [a, b, c] = surface.triangles[t];
+        const auto at = [&](int i) { return image[static_cast<std::size_t>(i)]; };
+        add_triangle(surface, at(a), at(c), at(b), surface.facets[t]);
+    }
+}
+
+using DirectedEdge = std::pair<int, int>;
+
+/// Directed edges without their opposite, grouped into connected rims.
+std::vector<std::vector<DirectedEdge>> open_rims(const Triangles& surface) {
+    std::vector<DirectedEdge> edges;
+    for (const auto& t : surface.triangles)
+        for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(t[i], t[(i + 1) % 3]);
+    std::sort(edges.begin(), edges.end());
+    std::multimap<int, DirectedEdge> open;  // by start
+    for (const DirectedEdge& edge : edges)
+        if (!std::binary_search(edges.begin(), edges.end(), DirectedEdge{edge.second, edge.first}))
+            open.emplace(edge.first, edge);
+    std::vector<std::vector<DirectedEdge>> rims;
+    while (!open.empty()) {
+        std::vector<DirectedEdge>& rim = rims.emplace_back();
+        for (auto next = open.begin(); next != open.end(); next = open.find(rim.back().second)) {
+            rim.push_back(next->second);
+            open.erase(next);
+        }
+    }
+    return rims;
+}
+
+/// Area vector of the fan that closes a rim, out of the cavity.
+Point cap_area(const Triangles& surface, const std::vector<DirectedEdge>& rim) {
+    const auto at = [&](int i) { return surface.points[static_cast<std::size_t>(i)]; };
+    const Point origin = at(rim.front().first);
+    Point area{};
+    for (const auto& [a, b] : rim) {
+        const Point part = cross(at(b) - origin, at(a) - origin);  // the cap runs against the wall
+        for (std::size_t d = 0; d < 3; ++d) area[d] += part[d] / 2;
+    }
+    return area;
+}
+
+bool closes(const model::Opening& opening, const Point& area) {
+    constexpr double faceted = 0.1;  // a polygon instead of a circle: 8 corners have 90 % of its area
+    double distance2 = 0;
+    for (std::size_t d = 0; d < 3; ++d) distance2 += std::pow(area[d] - opening.area_m2 * opening.direction[d], 2);
+    return std::sqrt(distance2) <= faceted * opening.area_m2;
+}
+
+void add_fan(Triangles& surface, const std::vector<DirectedEdge>& rim) {
+    Point centre{}, place{};
+    for (const auto& [a, b] : rim)
+        for (std::size_t d = 0; d < 3; ++d) {
+            centre[d] += surface.points[static_cast<std::size_t>(a)][d] / static_cast<double>(rim.size());
+            place[d] += surface.places[static_cast<std::size_t>(a)][d] / static_cast<double>(rim.size());
+        }
+    const int apex = add_point(surface, centre, place);
+    for (const auto& [a, b] : rim) add_triangle(surface, b, a, apex, -1);
+}
+
+}  // namespace
+
+Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) {
+    const std::vector<mesh::Facet> facets = cavity_facets(model, cavity);
+    const bool is_section = model.kinematics == model::Kinematics::axisymmetric;
+    Triangles surface;
+    if (is_section) {
+        revolve(model, facets, surface);
+    } else {
+        surface = facet_triangles(model.mesh, facets);
+        turn_inside_out(surface);
+    }
+    const double tolerance_m = plane_tolerance * extent_m(model.mesh);
+    for (std::size_t d = 0; d < (is_section ? 1u : 3u); ++d)
+        if (model.symmetry_planes[d]) mirror(surface, d, tolerance_m);
+
+    std::vector<model::Opening> openings = cavity.openings;
+    for (const auto& rim : open_rims(surface)) {
+        const Point area = cap_area(surface, rim);
+        const auto match = std::find_if(openings.begin(), openings.end(),
+                                        [&](const model::Opening& opening) { return closes(opening, area); });
+        if (match == openings.end()) continue;
+        openings.erase(match);
+        add_fan(surface, rim);
+    }
+    return surface;
+}
+
+Triangles facet_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets) {
+    Triangles surface;
+    UsedPoints used(mesh, surface);
+    const double half_width_m = extent_m(mesh);  // any width serves: rays stay at z = 0
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        const std::vector<Index> nodes = facet_nodes(mesh, facets[f]);
+        const int number = static_cast<int>(f);
+        for (const auto& [a, b, c] : division(facet_type(mesh, facets[f])))
+            add_triangle(surface, used(nodes[static_cast<std::size_t>(a)]), used(nodes[static_cast<std::size_t>(b)]),
+                         used(nodes[static_cast<std::size_t>(c)]), number);
+        if (mesh.dimension == 3) continue;
+        const std::vector<Index> line = run_through(nodes);
+        for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+            const Point p = mesh.point(line[i]), q = mesh.point(line[i + 1]);
+            const int a = add_point(surface, {p[0], p[1], -half_width_m}, p),
+                      b = add_point(surface, {q[0], q[1], -half_width_m}, q);
+            const int c = add_point(surface, {q[0], q[1], 2 * half_width_m}, q),
+                      d = add_point(surface, {p[0], p[1], 2 * half_width_m}, p);
+            add_triangle(surface, a, b, c, number);  // 2: the diagonal crosses z = 0 away from the edge's middle
+            add_triangle(surface, a, c, d, number);
+        }
+    }
+    return surface;
+}
+
+}  // namespace soft::surface

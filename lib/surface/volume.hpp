@@ -1,0 +1,39 @@
+#pragma once
+/// Volume enclosed by cavity facets on their true second-order shape, in any configuration.
+///     axisymmetric   V = pi int r^2 dx along the wall; flat plugs across an opening add nothing
+///     plane strain   V = -1/2 int x.n ds a unit depth; the wall must be closed
+///     solid          V = -1/3 int x.n da + caps; n out of the rubber, so into the cavity
+/// In a solid each rim (free edges of the facet set that do not lie on a symmetry plane) is closed by a cone with its
+/// apex c at the mean of the rim's nodes, projected onto the symmetry planes: cap = 1/6 int c.(y x dy), exact for a flat
+/// opening of any outline. The sum is divided by the model's fraction: the whole actuator's volume.
+/// Source: divergence theorem. Held by surface/volume_test.
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+#include "model/case.hpp"
+
+namespace soft::surface {
+
+/// Edge of a facet set that no other facet of the set shares: its nodes in the order of a line cell, run through as the
+/// facet runs through it.
+using RimEdge = std::vector<mesh::Index>;
+
+/// Rims of a facet set of a solid, one a connected chain; those on symmetry planes are left out. Judged in the
+/// reference configuration.
+[[nodiscard]] std::vector<std::vector<RimEdge>> rims(const model::Case& model, std::span<const mesh::Facet> facets);
+
+/// [m^3], positive for a sound cavity. `positions`: one a mesh point (mesh.points, or points + displacement).
+[[nodiscard]] double enclosed_volume_m3(const model::Case& model, std::span<const mesh::Facet> facets,
+                                        std::span<const mesh::Point> positions);
+
+/// The cavity's wall together with its closed inner faces, each facet once.
+/// Error(bad_input) where the mesh has no face of that name.
+[[nodiscard]] std::vector<mesh::Facet> cavity_facets(const model::Case& model, const model::Cavity& cavity);
+
+/// Nodes this near to a symmetry plane or the axis lie on it: a fraction of the mesh's extent, far above rounding and
+/// far below any cell.
+inline constexpr double plane_tolerance = 1e-9;
+[[nodiscard]] double extent_m(const mesh::Mesh& mesh);
+
+}  // namespace soft::surface

@@ -1,0 +1,178 @@
+#include "surface/wall.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "surface/cgal_queries.hpp"
+#include "surface/facet_map.hpp"
+#include "surface/triangles.hpp"
+#include "surface/volume.hpp"
+
+namespace soft::surface {
+namespace {
+
+using mesh::Point;
+/// Where rays start: inside the facet, since at a sharp corner the normal of the edge runs along the neighbouring face.
+std::vector<FacetPoint> samples(mesh::Shape shape) {
+    switch (shape) {
+        case mesh::Shape::line: return {{-0.8, 0}, {0, 0}, {0.8, 0}};
+        case mesh::Shape::triangle: return {{1 / 6.0, 1 / 6.0}, {2 / 3.0, 1 / 6.0}, {1 / 6.0, 2 / 3.0}};
+        case mesh::Shape::quadrilateral: return {{-0.6, -0.6}, {0.6, -0.6}, {-0.6, 0.6}, {0.6, 0.6}};
+        default: return {};  // cells are no facets
+    }
+}
+
+/// Inside by the same margin as the samples keep, in which the search moves.
+bool inside(mesh::Shape shape, const FacetPoint& xi) {
+    constexpr double margin = 0.02;
+    if (shape == mesh::Shape::line) return std::abs(xi[0]) <= 1 - margin && xi[1] == 0;
+    if (shape == mesh::Shape::triangle) return xi[0] >= margin && xi[1] >= margin && xi[0] + xi[1] <= 1 - margin;
+    return std::max(std::abs(xi[0]), std::abs(xi[1])) <= 1 - margin;
+}
+
+/// Distance along the ray to the curved facet, by Newton's method from the triangle's hit; the triangle's distance where
+/// the ray passes the curved facet by.
+double on_curved_facet(const FacetMap& map, const Point& from, const Vector& direction, double first_guess_m) {
+    const bool is_triangle = mesh::topology(map.type).shape == mesh::Shape::triangle;
+    FacetPoint xi{is_triangle ? 1 / 3.0 : 0, is_triangle ? 1 / 3.0 : 0};
+    double t = first_guess_m;
+    double size = 0;
+    for (int iteration = 0; iteration < 12; ++iteration) {
+        const FacetMap::Value at = map(xi);
+        size = std::max({size, norm(at.t1), mesh::dimension(map.type) == 1 ? 0 : norm(at.t2)});
+        // t1 du + t2 dv - d dt = p + t d - x, by Cramer's rule
+        const Vector gap = along(along(from, t, direction), -1, at.x);
+        const double determinant = -dot(direction, cross(at.t1, at.t2));
+        if (determinant == 0) return first_guess_m;
+        const double du = -dot(direction, cross(gap, at.t2)) / determinant;
+        const double dv = -dot(direction, cross(at.t1, gap)) / determinant;
+        const double dt = dot(gap, cross(at.t1, at.t2)) / determinant;
+        xi = {xi[0] + du, xi[1] + dv};
+        t += dt;
+        if (std::abs(dt) <= 1e-12 * size) break;
+    }
+    constexpr double sagitta = 0.25;  // of the facet's half length: no sound second-order facet bulges further
+    return std::abs(t - first_guess_m) <= sagitta * size ? t : first_guess_m;
+}
+
+class WallProbe {
+public:
+    WallProbe(const model::Case& model, const model::Cavity& cavity)
+        : model_(&model), cavity_(cavity_facets(model, cavity)), tolerance_m_(plane_tolerance * extent_m(model.mesh)) {
+        mirrors_ = model.symmetry_planes;
+        if (model.kinematics == model::Kinematics::axisymmetric) mirrors_[1] = true;  // the axis, r = 0
+        for (const mesh::Facet& facet : mesh::boundary_facets(model.mesh))
+            if (!on_mirror(facet)) boundary_.push_back(facet);
+        tree_.emplace(facet_triangles(model.mesh, boundary_));
+    }
+
+    [[nodiscard]] std::size_t facet_count() const { return cavity_.size(); }
+    [[nodiscard]] FacetMap map(std::size_t facet) const {
+        return facet_map(model_->mesh, cavity_[facet], model_->mesh.points);
+    }
+
+    /// Thickness behind a point of a cavity facet.
+    [[nodiscard]] std::optional<WallThickness> at(std::size_t facet, const FacetMap& map, const FacetPoint& xi) const {
+        const FacetMap::Value start = map(xi);
+        Vector d = cross(start.t2, start.t1);  // into the rubber
+        const double length_of_d = norm(d);
+        if (!(length_of_d > 0)) return std::nullopt;
+        for (double& component : d) component /= length_of_d;
+        const auto length = trace(start.x, d, boundary_number(facet));
+        if (!length) return std::nullopt;
+        return WallThickness{*length, start.x};
+    }
+
+private:
+    [[nodiscard]] FacetMap boundary_map(int number) const {
+        return facet_map(model_->mesh, boundary_[static_cast<std::size_t>(number)], model_->mesh.points);
+    }
+
+    [[nodiscard]] bool on_mirror(const mesh::Facet& facet) const {
+        const std::vector<mesh::Index> nodes = facet_nodes(model_->mesh, facet);
+        for (std::size_t d = 0; d < 3; ++d)
+            if (mirrors_[d] && std::all_of(nodes.begin(), nodes.end(), [&](mesh::Index node) {
+                    return std::abs(model_->mesh.point(node)[d]) <= tolerance_m_;
+                }))
+                return true;
+        return false;
+    }
+
+    [[nodiscard]] int boundary_number(std::size_t facet) const {  // boundary facets are sorted
+        const auto found = std::lower_bound(boundary_.begin(), boundary_.end(), cavity_[facet]);
+        return found != boundary_.end() && *found == cavity_[facet] ? static_cast<int>(found - boundary_.begin()) : -1;
+    }
+
+    [[nodiscard]] std::optional<double> trace(Point from, Vector d, int skip) const {
+        constexpr int most_reflections = 8;
+        double length = 0;
+        for (int leg = 0; leg <= most_reflections; ++leg) {
+            std::optional<RayTree::Hit> hit = tree_->first_hit(from, d, skip);
+            if (hit) hit->distance_m = on_curved_facet(boundary_map(hit->facet), from, d, hit->distance_m);
+            std::size_t plane = 3;
+            double to_plane = hit ? hit->distance_m : std::numeric_limits<double>::infinity();
+            for (std::size_t k = 0; k < 3; ++k)
+                if (mirrors_[k] && from[k] * d[k] < 0 && -from[k] / d[k] < to_plane) {
+                    to_plane = -from[k] / d[k];
+                    plane = k;
+                }
+            if (plane == 3) return hit ? std::optional(length + hit->distance_m) : std::nullopt;
+            from = along(from, to_plane, d);
+            from[plane] = 0;
+            d[plane] = -d[plane];
+            length += to_plane;
+            skip = -1;
+        }
+        return std::nullopt;
+    }
+
+    const model::Case* model_;
+    std::vector<mesh::Facet> cavity_, boundary_;
+    double tolerance_m_;
+    std::array<bool, 3> mirrors_{};
+    std::optional<RayTree> tree_;
+};
+
+/// Shrinking steps along the reference coordinates from the best sample of the best facet.
+WallThickness search(const WallProbe& probe, std::size_t facet, FacetPoint xi, WallThickness best) {
+    constexpr int halvings = 8;  // 0.4 / 2^8 of a facet: far below what a mesh resolves
+    const FacetMap map = probe.map(facet);
+    const mesh::Shape shape = mesh::topology(map.type).shape;
+    double step = 0.4;
+    for (int round = 0; round < halvings; step /= 2, ++round)
+        for (const FacetPoint& move :
+             {FacetPoint{step, 0}, FacetPoint{-step, 0}, FacetPoint{0, step}, FacetPoint{0, -step}}) {
+            const FacetPoint next{xi[0] + move[0], xi[1] + move[1]};
+            if (!inside(shape, next)) continue;
+            const auto wall = probe.at(facet, map, next);
+            if (!wall || !(wall->thickness_m < best.thickness_m)) continue;
+            best = *wall;
+            xi = next;
+        }
+    return best;
+}
+
+}  // namespace
+
+std::optional<WallThickness> smallest_wall(const model::Case& model, const model::Cavity& cavity) {
+    const WallProbe probe(model, cavity);
+    std::optional<WallThickness> best;
+    std::size_t best_facet = 0;
+    FacetPoint best_sample{};
+    for (std::size_t facet = 0; facet < probe.facet_count(); ++facet) {
+        const FacetMap map = probe.map(facet);
+        for (const FacetPoint& xi : samples(mesh::topology(map.type).shape)) {
+            const auto wall = probe.at(facet, map, xi);
+            if (!wall || (best && !(wall->thickness_m < best->thickness_m))) continue;
+            best = wall;
+            best_facet = facet;
+            best_sample = xi;
+        }
+    }
+    if (best) best = search(probe, best_facet, best_sample, *best);
+    return best;
+}
+
+}  // namespace soft::surface

@@ -1,0 +1,30 @@
+# Every outside library is found here, once, and becomes one target. Minimum versions are those of Debian 12.
+find_package(PkgConfig REQUIRED)
+find_package(MPI REQUIRED COMPONENTS C)
+find_package(yaml-cpp REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
+
+# PETSc: its pkg-config flags carry the distribution's hardening flags, so only includes and libraries are taken.
+pkg_check_modules(PETSC_PC REQUIRED PETSc>=3.18)
+add_library(soft_petsc INTERFACE)
+target_include_directories(soft_petsc SYSTEM INTERFACE ${PETSC_PC_INCLUDE_DIRS})
+target_link_libraries(soft_petsc INTERFACE ${PETSC_PC_LINK_LIBRARIES} MPI::MPI_C)
+target_compile_definitions(soft_petsc INTERFACE OMPI_SKIP_MPICXX)
+
+# HDF5: the flavour PETSc was built with; two flavours in one process do not share identifiers.
+pkg_search_module(HDF5_PC REQUIRED hdf5-openmpi hdf5)
+find_library(HDF5_HL_LIBRARY NAMES hdf5_openmpi_hl hdf5_hl HINTS ${HDF5_PC_LIBRARY_DIRS} REQUIRED)
+add_library(soft_hdf5 INTERFACE)
+target_include_directories(soft_hdf5 SYSTEM INTERFACE ${HDF5_PC_INCLUDE_DIRS})
+target_link_libraries(soft_hdf5 INTERFACE ${HDF5_HL_LIBRARY} ${HDF5_PC_LINK_LIBRARIES} MPI::MPI_C)
+target_compile_definitions(soft_hdf5 INTERFACE H5_USE_110_API OMPI_SKIP_MPICXX)
+
+find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
+find_library(GMSH_LIBRARY gmsh REQUIRED)
+add_library(soft_gmsh INTERFACE)
+target_include_directories(soft_gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
+target_link_libraries(soft_gmsh INTERFACE ${GMSH_LIBRARY})
+
+find_package(CGAL CONFIG REQUIRED)

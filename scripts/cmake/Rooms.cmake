@@ -1,0 +1,27 @@
+# One static library a room, sources listed by hand; `uses` are the rooms it may include (the arrows of the house).
+add_library(soft_flags INTERFACE)
+target_compile_options(soft_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+                                            -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
+if(SOFT_WERROR)
+  target_compile_options(soft_flags INTERFACE -Werror)
+endif()
+if(SOFT_SANITIZE)
+  target_compile_options(soft_flags INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer
+                                              -fno-sanitize-recover=undefined)
+  target_link_options(soft_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# soft_room(name SOURCES a.cpp b.cpp USES core mesh LIBRARIES soft_petsc)
+function(soft_room name)
+  cmake_parse_arguments(ROOM "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
+  list(TRANSFORM ROOM_USES PREPEND soft_)
+  if(ROOM_SOURCES)
+    add_library(soft_${name} STATIC ${ROOM_SOURCES})
+    target_include_directories(soft_${name} PUBLIC ${CMAKE_SOURCE_DIR}/lib)
+    target_link_libraries(soft_${name} PUBLIC ${ROOM_USES} PRIVATE soft_flags ${ROOM_LIBRARIES})
+  else()
+    add_library(soft_${name} INTERFACE)
+    target_include_directories(soft_${name} INTERFACE ${CMAKE_SOURCE_DIR}/lib)
+    target_link_libraries(soft_${name} INTERFACE ${ROOM_USES} ${ROOM_LIBRARIES})
+  endif()
+endfunction()

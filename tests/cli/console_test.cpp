@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cli.hpp"
+#include "process.hpp"
+
+namespace {
+
+using namespace soft;
+using namespace soft::process;
+
+std::string stderr_of(cli::Verbosity verbosity, auto&& action) {
+    testing::internal::CaptureStderr();   // a file, no terminal
+    { cli::Console console{"tool", verbosity}; action(console); }
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST(Console, QuietSaysNothingAndVerboseSaysMore) {
+    const auto action = [](cli::Console& console) {
+        console.say("said");
+        console.detail("detail");
+        console.warn("careful");
+        console.progress(0.5, "half");
+    };
+    EXPECT_EQ(stderr_of(cli::Verbosity::quiet, action), "");
+    EXPECT_EQ(stderr_of(cli::Verbosity::normal, action), "tool: said\ntool: warning: careful\ntool: 50 % half\n");
+    EXPECT_EQ(stderr_of(cli::Verbosity::verbose, action), "tool: said\ntool: detail\ntool: warning: careful\ntool: 50 % half\n");
+}
+
+TEST(Console, ProgressOffATerminalIsALineATenth) {
+    const std::string text = stderr_of(cli::Verbosity::normal, [](cli::Console& console) {
+        for (int i = 0; i <= 1000; ++i) console.progress(i / 1000.0, "steps");
+        console.progress(std::nan(""), "odd");
+    });
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 12) << text;
+    EXPECT_FALSE(holds(text, "\r"));
+    EXPECT_FALSE(holds(text, "\033"));
+}
+
+TEST(Console, ColourIsForTerminalsWithoutNoColor) {
+    Folder folder;
+    ASSERT_EQ(run(folder, "mesh-gen --template tube > tube.yaml").code, 0);
+    const std::string command = "mesh-gen tube.yaml --set mesh.size=9mm -o x.h5";   // coarse: one warning
+    EXPECT_TRUE(holds(run_on_terminal(folder, 2, command).out, "\033[33mwarning"));
+    EXPECT_FALSE(holds(run_on_terminal(folder, 2, "NO_COLOR=1 " + command).out, "\033"));
+    const Outcome plain = run(folder, command);
+    EXPECT_TRUE(holds(plain.err, "mesh-gen: warning: mesh.size")) << plain.err;
+    EXPECT_FALSE(holds(plain.err, "\033"));
+}
+
+}  // namespace

@@ -1,0 +1,138 @@
+#include "core/files.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+
+namespace {
+
+using namespace soft::core;
+namespace fs = std::filesystem;
+
+std::span<const std::byte> bytes(std::string_view text) { return std::as_bytes(std::span{text}); }
+
+std::string text(const Bytes& data) { return {reinterpret_cast<const char*>(data.data()), data.size()}; }
+
+class Files : public testing::Test {
+protected:
+    void SetUp() override {
+        std::string pattern = (fs::temp_directory_path() / "soft-files-XXXXXX").string();
+        folder_ = ::mkdtemp(pattern.data());
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+    [[nodiscard]] fs::path in(std::string_view name) const { return folder_ / name; }
+    [[nodiscard]] long entries() const { return std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{}); }
+
+    fs::path folder_;
+};
+
+soft::ExitCode code_of(auto&& action) {
+    try {
+        action();
+    } catch (const soft::Error& error) {
+        return error.code();
+    }
+    return soft::ExitCode::ok;
+}
+
+TEST_F(Files, ACommittedFileHoldsEveryByteAndNothingElseIsLeft) {
+    const std::string content = std::string(300000, 'x') + '\0' + "end";
+    AtomicFile file{in("a")};
+    EXPECT_EQ(file.write(bytes(content)), Delivery::whole);
+    EXPECT_FALSE(fs::exists(in("a")));
+    file.commit();
+    EXPECT_EQ(text(read_file(in("a"))), content);
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(Files, AnAbandonedFileLeavesTheOldOneAsItWas) {
+    std::ofstream{in("a")} << "old";
+    { AtomicFile file{in("a")}; static_cast<void>(file.write(bytes("new"))); }
+    EXPECT_EQ(text(read_file(in("a"))), "old");
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(Files, ReplacingKeepsPermissionsAndNewFilesFollowTheMask) {
+    std::ofstream{in("a")} << "old";
+    ::chmod(in("a").c_str(), 0640);
+    AtomicFile replaced{in("a")};
+    replaced.commit();
+    struct stat status {};
+    ::stat(in("a").c_str(), &status);
+    EXPECT_EQ(status.st_mode & 0777, 0640u);
+    const mode_t mask = ::umask(022);
+    AtomicFile fresh{in("b")};
+    fresh.commit();
+    ::umask(mask);
+    ::stat(in("b").c_str(), &status);
+    EXPECT_EQ(status.st_mode & 0777, 0644u);
+}
+
+TEST_F(Files, ALinkStaysALink) {
+    std::ofstream{in("real")} << "old";
+    fs::create_symlink(in("real"), in("link"));
+    AtomicFile file{in("link")};
+    static_cast<void>(file.write(bytes("new")));
+    file.commit();
+    EXPECT_TRUE(fs::is_symlink(in("link")));
+    EXPECT_EQ(text(read_file(in("real"))), "new");
+}
+
+TEST_F(Files, ADeviceIsWrittenAndNotReplaced) {
+    AtomicFile file{"/dev/null"};
+    EXPECT_EQ(file.write(bytes("gone")), Delivery::whole);
+    file.commit();
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(Files, WhatCannotBeCreatedOrOpenedHasItsOwnCode) {
+    EXPECT_EQ(code_of([&] { AtomicFile file{in("no/such/folder")}; }), soft::ExitCode::cannot_create);
+    EXPECT_EQ(code_of([&] { AtomicFile file{folder_}; }), soft::ExitCode::cannot_create);
+    EXPECT_EQ(code_of([&] { static_cast<void>(read_file(in("absent"))); }), soft::ExitCode::cannot_open);
+    EXPECT_EQ(code_of([&] { static_cast<void>(read_file(folder_)); }), soft::ExitCode::cannot_open);
+}
+
+TEST_F(Files, AFullDiskIsAnInputOutputError) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP();
+    EXPECT_EQ(code_of([] { AtomicFile file{"/dev/full"}; static_cast<void>(file.write(bytes("x"))); }), soft::ExitCode::io_error);
+}
+
+TEST_F(Files, AnInputBeyondTheLimitIsRefused) {
+    std::ofstream{in("a")} << "12345";
+    EXPECT_EQ(text(read_file(in("a"), 5)), "12345");
+    EXPECT_EQ(code_of([&] { static_cast<void>(read_file(in("a"), 4)); }), soft::ExitCode::bad_input);
+}
+
+TEST_F(Files, AReaderThatLeavesIsNoError) {
+    const auto before = std::signal(SIGPIPE, SIG_IGN);
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    ::close(ends[0]);
+    EXPECT_EQ(write_all(ends[1], bytes("x"), "pipe"), Delivery::reader_left);
+    ::close(ends[1]);
+    std::signal(SIGPIPE, before);
+}
+
+TEST_F(Files, APipeIsReadToItsEndWhateverThePieces) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    std::string content;
+    for (int i = 0; i < 50000; ++i) content += std::to_string(i);
+    std::thread writer{[&] {
+        static_cast<void>(write_all(ends[1], bytes(content), "pipe"));
+        ::close(ends[1]);
+    }};
+    const Bytes got = read_descriptor(ends[0], "pipe");
+    writer.join();
+    ::close(ends[0]);
+    EXPECT_EQ(text(got), content);
+}
+
+}  // namespace

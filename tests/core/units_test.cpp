@@ -1,0 +1,133 @@
+#include "core/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <locale>
+#include <numbers>
+
+namespace {
+
+using namespace soft::core;
+
+double si(std::string_view text, Dimension dimension) {
+    const auto parsed = parse_quantity(text, dimension);
+    const auto* refusal = std::get_if<Refusal>(&parsed);
+    EXPECT_EQ(refusal, nullptr) << text << ": " << (refusal ? refusal->problem : "");
+    return refusal ? 0.0 : std::get<double>(parsed);
+}
+
+Refusal refused(std::string_view text, Dimension dimension) {
+    const auto parsed = parse_quantity(text, dimension);
+    EXPECT_TRUE(std::holds_alternative<Refusal>(parsed)) << text;
+    return std::holds_alternative<Refusal>(parsed) ? std::get<Refusal>(parsed) : Refusal{};
+}
+
+TEST(Units, PrefixesGiveTheDoubleNearestToTheDecimalValue) {
+    EXPECT_EQ(si("3 mm", Dimension::length), 3e-3);
+    EXPECT_EQ(si("9.25 mm", Dimension::length), 9.25e-3);
+    EXPECT_EQ(si("0.1644 MPa", Dimension::pressure), 164400.0);   // 0.1644 * 1e6 is another double
+    EXPECT_EQ(si("16.44 MPa", Dimension::pressure), 16440000.0);
+    EXPECT_EQ(si("0.07 um", Dimension::length), 0.07e-6);
+    EXPECT_EQ(si("1.05 bar", Dimension::pressure), 105000.0);
+    EXPECT_EQ(si("1080 kg/m^3", Dimension::density), 1080.0);
+    EXPECT_EQ(si("1.08 g/cm^3", Dimension::density), 1080.0);
+    EXPECT_EQ(si("10 mL", Dimension::volume), 1e-5);
+    EXPECT_EQ(si("10 mm^2", Dimension::area), 1e-5);
+    EXPECT_EQ(si("150 %", Dimension::ratio), 1.5);
+}
+
+TEST(Units, FactorsThatAreNotPowersOfTenFollowTheirDefinitions) {
+    EXPECT_DOUBLE_EQ(si("30 deg", Dimension::angle), std::numbers::pi / 6);
+    EXPECT_DOUBLE_EQ(si("2 in", Dimension::length), 0.0508);
+    EXPECT_DOUBLE_EQ(si("1 psi", Dimension::pressure), 4.4482216152605 / (0.0254 * 0.0254));
+}
+
+TEST(Units, BlanksSignsAndExponentsAreFree) {
+    EXPECT_EQ(si("40kPa", Dimension::pressure), 40000.0);
+    EXPECT_EQ(si("  +4.0e1   kPa ", Dimension::pressure), 40000.0);
+    EXPECT_EQ(si("-.5E-2 m", Dimension::length), -0.005);
+    EXPECT_EQ(si("5. mm", Dimension::length), 0.005);
+}
+
+TEST(Units, SignsOfTheKeyboardAndOfTheTextbookMeanTheSame) {
+    EXPECT_EQ(si("7 µm", Dimension::length), si("7 um", Dimension::length));
+    EXPECT_EQ(si("7 mm³", Dimension::volume), si("7 mm^3", Dimension::volume));
+    EXPECT_EQ(si("90°", Dimension::angle), si("90 deg", Dimension::angle));
+}
+
+TEST(Units, ABareNumberIsRefusedWithTheSameNumberCompleted) {
+    const Refusal refusal = refused("3", Dimension::length);
+    EXPECT_NE(refusal.problem.find("has no unit"), std::string::npos);
+    EXPECT_NE(refusal.remedy.find("3 mm"), std::string::npos);
+}
+
+TEST(Units, AWrongDimensionNamesBoth) {
+    const Refusal refusal = refused("3 kPa", Dimension::length);
+    EXPECT_NE(refusal.problem.find("a pressure where a length"), std::string::npos) << refusal.problem;
+    EXPECT_NE(refused("3 rad", Dimension::area).problem.find("an angle where an area"), std::string::npos);
+    EXPECT_NE(refused("3 mm", Dimension::ratio).problem.find("a length where a ratio"), std::string::npos);
+}
+
+TEST(Units, AMisspeltUnitNamesTheNearest) {
+    EXPECT_NE(refused("3 KPA", Dimension::pressure).remedy.find("3 kPa"), std::string::npos);
+    EXPECT_NE(refused("3 milimetre", Dimension::length).remedy.find("mm"), std::string::npos);
+    EXPECT_NE(refused("3,5 mm", Dimension::length).remedy.find("3.5 mm"), std::string::npos);
+}
+
+TEST(Units, WhatIsNoFiniteDecimalNumberIsRefused) {
+    for (const char* text : {"nan", "inf mm", "-inf", "0x10 mm", "", "   ", "mm", "- 3 mm", "1e400 m", "1e99999999999 m", "+-3 mm",
+                             "3 mm mm", "..5 mm", "e5 mm", "3 mm\n4 mm"})
+        refused(text, Dimension::length);
+    refused("1e300 GPa", Dimension::pressure);
+}
+
+/// Writes decimal commas wherever a stream of the process formats or reads a number.
+struct DecimalComma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+};
+
+TEST(Units, TheLocaleHasNoSay) {
+    const std::string c_locale = std::setlocale(LC_ALL, nullptr);
+    const std::locale before = std::locale::global(std::locale{std::locale::classic(), new DecimalComma});
+    static_cast<void>(std::setlocale(LC_ALL, "de_DE.UTF-8"));   // has an effect only where it is installed
+    EXPECT_EQ(si("2.5 mm", Dimension::length), 2.5e-3);
+    EXPECT_EQ(quantity_text(2.5e-3, Dimension::length), "2.5 mm");
+    std::locale::global(before);
+    std::setlocale(LC_ALL, c_locale.c_str());
+}
+
+TEST(Units, CountsAreWholeNumbers) {
+    EXPECT_EQ(std::get<long>(parse_count(" 10 ")), 10);
+    for (const char* text : {"10.0", "1e3", "", "ten", "10 mm", "99999999999999999999"})
+        EXPECT_TRUE(std::holds_alternative<Refusal>(parse_count(text))) << text;
+}
+
+TEST(Units, TidyTextIsTheSameQuantityAndStaysAsItIs) {
+    EXPECT_EQ(tidy_quantity("40kPa"), "40 kPa");
+    EXPECT_EQ(tidy_quantity(" +4.0e1   kPa"), "4.0e1 kPa");
+    EXPECT_EQ(tidy_quantity(tidy_quantity("40kPa")), "40 kPa");
+    EXPECT_EQ(tidy_quantity("1.5"), "1.5");
+}
+
+TEST(Units, MessagesUseUnitsThatReadWell) {
+    EXPECT_EQ(quantity_text(0.003, Dimension::length), "3 mm");
+    EXPECT_EQ(quantity_text(1.5, Dimension::length), "1.5 m");
+    EXPECT_EQ(quantity_text(5e-5, Dimension::length), "50 um");
+    EXPECT_EQ(quantity_text(164400, Dimension::pressure), "164.4 kPa");
+    EXPECT_EQ(quantity_text(-500, Dimension::pressure), "-500 Pa");
+    EXPECT_EQ(quantity_text(0, Dimension::length), "0 m");
+    EXPECT_EQ(quantity_text(70285.1e-9, Dimension::volume), "70.2851 mL");
+}
+
+TEST(Units, ThrowingFormCarriesCodeAndPlace) {
+    try {
+        static_cast<void>(quantity_or_throw("3", Dimension::pressure, soft::ExitCode::usage, "--at pressure"));
+        FAIL();
+    } catch (const soft::Error& error) {
+        EXPECT_EQ(error.code(), soft::ExitCode::usage);
+        EXPECT_EQ(std::string{error.what()}.find("--at pressure: '3' has no unit"), 0u) << error.what();
+    }
+}
+
+}  // namespace

@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sample.hpp"
+
+namespace {
+
+using namespace soft::design;
+using namespace soft::design::sample;
+
+/// Exactly one warning, which names the key and holds the words.
+void expect_warning(const std::vector<Override>& changes, std::string_view key, std::string_view words) {
+    const Design design = read(least, changes);
+    ASSERT_EQ(design.warnings.size(), 1u) << (design.warnings.empty() ? std::string{} : design.warnings.back());
+    EXPECT_EQ(design.warnings[0].find(key), 0u) << design.warnings[0];
+    EXPECT_TRUE(holds(design.warnings[0], words)) << design.warnings[0];
+}
+
+TEST(Plausibility, AModulusInTheWrongUnitIsNoticed) {
+    expect_warning({{"material.mu", "2 Pa"}, {"loads.cavity.pressure", "1 Pa"}}, "material:", "unusual for a silicone");
+    expect_warning({{"material.mu", "164.4 MPa"}}, "material:", "unusual for a silicone");
+}
+
+TEST(Plausibility, AWallThinnerThanACellIsNoticed) { expect_warning({{"mesh.size", "4 mm"}}, "mesh.size:", "geometry.wall = 3 mm"); }
+
+TEST(Plausibility, APressureFarAboveTheModulusIsNoticed) { expect_warning({{"loads.cavity.pressure", "30 MPa"}}, "loads.cavity.pressure:", "far above"); }
+
+TEST(Plausibility, AnAbsolutePressureIsNoticed) {
+    expect_warning({{"loads.cavity.pressure", "101.325 kPa"}}, "loads.cavity.pressure:", "gauge");
+    expect_warning({{"loads.cavity.pressure", "1.013 bar"}}, "loads.cavity.pressure:", "gauge");
+    EXPECT_TRUE(read(least, {{"loads.cavity.pressure", "100 kPa"}}).warnings.empty());
+}
+
+TEST(Plausibility, ACompressibleRubberIsNoticed) {
+    expect_warning({{"material.kappa", "1 MPa"}}, "material.kappa:", "6.08 times");
+    EXPECT_TRUE(read(least, {{"material.kappa", "16.44 MPa"}}).warnings.empty());
+}
+
+TEST(Plausibility, AnEndBeyondTheFullLoadIsNoticed) {
+    expect_warning({{"path.until.pressure", "40 kPa"}}, "path.until.pressure:", "never reached");
+    EXPECT_TRUE(read(least, {{"path.until.pressure", "20 kPa"}}).warnings.empty());
+}
+
+}  // namespace

@@ -1,0 +1,76 @@
+#pragma once
+/// A family of two dimensions for the tests of the room: the real ones belong to lib/geometry.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "design/design.hpp"
+
+namespace soft::design::sample {
+
+inline FamilyKeys pipe() {
+    FamilyKeys family;
+    family.name = "pipe";
+    family.summary = "a pipe for tests";
+    family.geometry = {
+        {.path = "geometry.length", .kind = Kind::length, .fallback = "100 mm", .meaning = "outer length", .min = 0, .min_open = true},
+        {.path = "geometry.wall", .kind = Kind::length, .fallback = "3 mm", .meaning = "thickness of the wall", .min = 0, .min_open = true},
+        {.path = "geometry.folds", .kind = Kind::count, .fallback = "4", .meaning = "number of folds", .min = 1, .max = 50},
+        {.path = "geometry.disc.length", .kind = Kind::length, .fallback = "6 mm", .meaning = "length of the disc", .min = 0, .min_open = true},
+        {.path = "geometry.disc.radius", .kind = Kind::length, .fallback = "14.5 mm", .meaning = "radius of the disc", .min = 0, .min_open = true},
+        {.path = "geometry.skew", .kind = Kind::angle, .fallback = "0 deg", .meaning = "angle of the fold"},
+    };
+    family.models = {"axisymmetric", "solid", "quarter"};
+    family.faces = {"fixed", "inlet", "cavity", "outer"};
+    family.aliases = {{"end_disc", "fixed"}};
+    family.defaults = "supports: {fixed: end_disc}\nloads: {cavity: {pressure: 25 kPa}}\noutputs: {elongation: {face: inlet, along: axis}}\n";
+    family.mesh = {{.path = "mesh.size", .kind = Kind::length, .fallback = "1.5 mm", .meaning = "target edge length", .min = 0, .min_open = true}};
+    return family;
+}
+
+inline FamilyKeys bar() {
+    FamilyKeys family;
+    family.name = "bar";
+    family.summary = "a bar for tests";
+    family.geometry = {{.path = "geometry.length", .kind = Kind::length, .fallback = "50 mm", .meaning = "length", .min = 0, .min_open = true}};
+    family.models = {"solid"};
+    family.faces = {"fixed", "end"};
+    family.defaults = "supports: {fixed: fixed}\nloads: {end: {pressure: -50 kPa}}\noutputs: {elongation: {face: end}}\n";
+    family.mesh = {{.path = "mesh.size", .kind = Kind::length, .fallback = "5 mm", .meaning = "target edge length", .min = 0, .min_open = true}};
+    return family;
+}
+
+inline const std::vector<FamilyKeys>& families() {
+    static const std::vector<FamilyKeys> all = {pipe(), bar()};
+    return all;
+}
+
+inline constexpr std::string_view least =
+    "family: pipe\n"
+    "material: {law: neo-hookean, mu: 0.1644 MPa}\n"
+    "loads: {cavity: {pressure: 30 kPa}}\n";
+
+inline Design read(std::string_view text, const std::vector<Override>& overrides = {}) {
+    return read_design(text, "p.yaml", families(), overrides);
+}
+
+/// The one-line error of a refused design; a test failure if it is accepted.
+inline std::string refusal(std::string_view text, const std::vector<Override>& overrides = {}) {
+    try {
+        static_cast<void>(read(text, overrides));
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input) << error.what();
+        const std::string line = error.what();
+        EXPECT_EQ(line.find('\n'), std::string::npos) << line;
+        EXPECT_LT(line.size(), 600u) << line;
+        return line;
+    }
+    ADD_FAILURE() << "accepted: " << text;
+    return {};
+}
+
+inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+
+}  // namespace soft::design::sample

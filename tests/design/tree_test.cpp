@@ -1,0 +1,94 @@
+#include "design/tree.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace {
+
+using namespace soft::design;
+
+std::string refusal(const std::string& text) {
+    try {
+        static_cast<void>(parse_yaml(text, "f"));
+    } catch (const soft::Error& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(Tree, RemembersLineAndColumnFromOne) {
+    const Node root = parse_yaml("a: 1\nb:\n  c: [x, yy]\n", "f");
+    EXPECT_EQ(find_path(root, "a")->place, "f:1:4");
+    EXPECT_EQ(find_member(*find(root, "b"), "c")->place, "f:3:3");
+    EXPECT_EQ(find_path(root, "b.c")->items.at(1).place, "f:3:10");
+    EXPECT_EQ(find_path(root, "b.c.d"), nullptr);
+    EXPECT_EQ(find_path(root, "b.x"), nullptr);
+}
+
+TEST(Tree, RefusesWhatADesignDoesNotNeedAtItsPlace) {
+    EXPECT_EQ(refusal("a: 1\nb: 2\na: 3\n").find("f:3:1: key 'a' is written twice"), 0u);
+    EXPECT_EQ(refusal("a: &x 1\nb: *x\n").find("f:1:4: anchors and aliases"), 0u);
+    EXPECT_EQ(refusal("a: !thing 1\n").find("f:1:4: tags"), 0u);
+    EXPECT_EQ(refusal("a: 1\n---\nb: 1\n").find("f:2:1: a second document"), 0u);
+    EXPECT_NE(refusal("? [a, b]\n: 1\n").find("a group cannot be a key"), std::string::npos);
+    EXPECT_NE(refusal("a: [1, 2\nb: 3\n").find("not YAML"), std::string::npos);
+    EXPECT_NE(refusal("a:\n\t- b\n").find("not YAML"), std::string::npos);
+    EXPECT_NE(refusal("a: \"b\n").find("not YAML"), std::string::npos);   // a quote that is never closed
+    EXPECT_NE(refusal("a: 'b\nc: 1\n").find("not YAML"), std::string::npos);
+    EXPECT_EQ(refusal("a: 1\n...\n"), "accepted");
+    EXPECT_EQ(refusal("---\na: 1"), "accepted");
+}
+
+TEST(Tree, RefusesBytesThatAreNoText) {
+    EXPECT_EQ(refusal(std::string("a: 1\nb: \0x", 10)).find("f:2:4: a control character"), 0u);
+    EXPECT_EQ(refusal("a: \xff\n").find("f:1:4: not UTF-8"), 0u);
+    EXPECT_NE(refusal("\x89HDF\r\n\x1a\n").find("not UTF-8"), std::string::npos);
+}
+
+TEST(Tree, BoundsSizeDepthAndCount) {
+    EXPECT_NE(refusal(std::string((1u << 20) + 1, ' ')).find("longer than 1 MiB"), std::string::npos);
+    EXPECT_NE(refusal("a: " + std::string(40, '[') + std::string(40, ']')).find("levels deep"), std::string::npos);
+    EXPECT_NE(refusal(std::string(100000, '[')), "accepted");
+    EXPECT_NE(refusal(std::string(100000, '{')), "accepted");
+    std::string many = "a: [";
+    for (int i = 0; i < 30000; ++i) many += "1,";
+    EXPECT_NE(refusal(many + "]").find("more than 20000 values"), std::string::npos);
+    // Ten lines that would expand to 10^9 scalars.
+    std::string bomb = "a: &a [x,x,x,x,x,x,x,x,x,x]\n";
+    for (char c = 'b'; c < 'k'; ++c) bomb += std::string{c} + ": &" + c + " [*" + static_cast<char>(c - 1) + "]\n";
+    EXPECT_NE(refusal(bomb).find("anchors and aliases"), std::string::npos);
+}
+
+TEST(Tree, WritesTextThatReadsBackToTheSameText) {
+    for (const char* text : {"3 mm", "plain", "a: b", "a #b", "- x", "", " lead", "trail ", "\"quoted\"", "it's", "{x}", "[x]", "*x", "&x",
+                             "!x", "~", "null", "true", "µ-rubber", "x\\y", "%x", "@x", "100 %", "?", "-", "---", "...", "a\tb", "0x10", "1e5"}) {
+        Node root;
+        put(root, "k.v", scalar_node(text, ""));
+        Node list;
+        list.kind = Node::Kind::list;
+        list.items = {scalar_node(text, ""), scalar_node("end", "")};
+        put(root, "k.l", list);
+        const Node back = parse_yaml(write_yaml(root), "f");
+        ASSERT_NE(find_path(back, "k.v"), nullptr) << text;
+        EXPECT_EQ(find_path(back, "k.v")->text, text);
+        EXPECT_EQ(find_path(back, "k.l")->items.at(0).text, text);
+        EXPECT_EQ(find_path(back, "k.l")->items.size(), 2u);
+    }
+}
+
+TEST(Tree, NotesAreComments) {
+    Node root;
+    put(root, "a.b", scalar_node("1", ""));
+    find_path(root, "a.b")->note = "what: it [is]";
+    EXPECT_EQ(write_yaml(root, 10), "a:\n  b: 1    # what: it [is]\n");
+}
+
+TEST(Tree, PutMakesTheGroupsOnTheWayButDoesNotBreakAValue) {
+    Node root = parse_yaml("material: soft\n", "f");
+    put(root, "loads.cavity.pressure", scalar_node("1 kPa", "--set loads.cavity.pressure"));
+    EXPECT_EQ(find_path(root, "loads.cavity.pressure")->text, "1 kPa");
+    EXPECT_THROW(put(root, "material.mu", scalar_node("1 kPa", "--set material.mu")), soft::Error);
+}
+
+}  // namespace

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "geometry/bellows_shape.hpp"
+#include "mesh/quality.hpp"
+#include "sample.hpp"
+
+namespace soft::geometry {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Closed form of the volume swept by a meridian of lines and arcs: V = pi (integral of r^2 dx). All in mm.
+/// Written from the drawing, not from the code: the tangent is found by angles here, by projections there.
+class Meridian {
+public:
+    double pitch = 9.25, crest = 19, bore = 2.5, wall = 3, fillet = 0.25;
+    double disc_length = 6, disc_radius = 14.5, neck_length = 1, neck_radius = 7;
+    int convolutions = 10;
+
+    /// Enclosed by the wall's inner face from the first to the last trough, and by the bore through the inlet's disc.
+    [[nodiscard]] double cavity() const {
+        return 2 * convolutions * half(fillet + wall, fillet, bend()) + pi * bore * bore * disc_length;
+    }
+
+    /// The outer envelope less the cavity.
+    [[nodiscard]] double rubber() const {
+        const double walls = 2 * convolutions * half(fillet, fillet + wall, bend());
+        // At both ends disc and neck fill what lies outside the wall between its corner and the trough.
+        const double disc = pi * disc_radius * disc_radius * (disc_length - neck_length + neck_corner());
+        const double neck = pi * neck_radius * neck_radius * neck_length;
+        return walls + 2 * (disc + neck - outer_to_neck()) - cavity();
+    }
+
+    /// x of the point where the outer wall meets the neck, from the trough.
+    [[nodiscard]] double neck_corner() const {
+        const double b = bend(), foot_x = fillet * std::sin(b), foot_r = trough() - fillet * std::cos(b);
+        return foot_x + (neck_radius - foot_r) * std::cos(b) / std::sin(b);
+    }
+
+private:
+    [[nodiscard]] double trough() const { return bore + fillet + wall; }
+    [[nodiscard]] double rise() const { return crest - bore - 2 * (fillet + wall); }
+
+    /// Angle of the straight wall against the axis: the line of centres, turned by the cross tangent's angle.
+    [[nodiscard]] double bend() const {
+        return std::atan2(rise(), 0.5 * pitch) + std::asin((2 * fillet + wall) / std::hypot(rise(), 0.5 * pitch));
+    }
+
+    static double line(double x0, double r0, double x1, double r1) { return pi * (x1 - x0) * (r0 * r0 + r0 * r1 + r1 * r1) / 3; }
+
+    /// Along r = centre - s radius cos t, x = radius sin t, t = 0 .. angle: s = 1 below the centre, -1 above.
+    static double arc(double centre, double radius, double s, double angle) {
+        const double c1 = std::sin(angle), c2 = 0.5 * (angle + std::sin(angle) * std::cos(angle));
+        const double c3 = std::sin(angle) - std::pow(std::sin(angle), 3) / 3;
+        return pi * radius * (centre * centre * c1 - 2 * s * centre * radius * c2 + radius * radius * c3);
+    }
+
+    /// Trough arc, straight line and crest arc of half a convolution.
+    [[nodiscard]] double half(double trough_radius, double crest_radius, double angle) const {
+        const double top = trough() + rise();
+        return arc(trough(), trough_radius, 1, angle) +
+               line(trough_radius * std::sin(angle), trough() - trough_radius * std::cos(angle),
+                    0.5 * pitch - crest_radius * std::sin(angle), top + crest_radius * std::cos(angle)) +
+               arc(top, crest_radius, -1, angle);
+    }
+
+    /// Below the outer wall, from the trough to the neck's corner.
+    [[nodiscard]] double outer_to_neck() const {
+        const double b = bend();
+        return arc(trough(), fillet, 1, b) +
+               line(fillet * std::sin(b), trough() - fillet * std::cos(b), neck_corner(), neck_radius);
+    }
+};
+
+TEST(Bellows, ClosedFormGivesThePublishedVolumes) {
+    EXPECT_NEAR(Meridian{}.rubber(), 70285.1, 0.25);    // published with six digits, from an outline of chords
+    EXPECT_NEAR(Meridian{}.cavity(), 14962.7, 0.15);
+}
+
+TEST(Bellows, NeckCornersLieWhereThePaperHasThem) {
+    const BellowsShape shape = shape_of(sample::values("bellows", "axisymmetric"));
+    EXPECT_NEAR(9 * 9.25 - 1e3 * shape.neck_corner[0], 82.8605, 5e-5);   // the last trough is at 83.25
+    EXPECT_NEAR(-9.25 + 1e3 * shape.disc_corner[0], -9.8605, 5e-5);
+}
+
+class BellowsModel : public testing::TestWithParam<const char*> {};
+
+TEST_P(BellowsModel, VolumesMatchTheClosedForm) {
+    // The default mesh has two quadratic edges in a bend of 84 degrees.
+    for (const char* cells : {"auto", "simplices"}) {
+        const Solid solid = sample::solid("bellows", GetParam(), {{"mesh.cells", cells}});
+        EXPECT_NEAR(1e9 * sample::rubber_m3(solid) / Meridian{}.rubber(), 1, 4e-4) << cells;
+        EXPECT_NEAR(1e9 * sample::cavity_m3(solid) / Meridian{}.cavity(), 1, 2e-4) << cells;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bellows, BellowsModel, testing::Values("axisymmetric", "solid", "half", "quarter"),
+                         [](const auto& test) { return std::string{test.param}; });
+
+TEST(Bellows, VolumesConvergeToTheClosedForm) {
+    const Solid fine = sample::solid("bellows", "axisymmetric", {{"mesh.size", "0.2 mm"}});
+    EXPECT_NEAR(1e9 * sample::rubber_m3(fine) / Meridian{}.rubber(), 1, 1e-7);
+    EXPECT_NEAR(1e9 * sample::cavity_m3(fine) / Meridian{}.cavity(), 1, 1e-7);
+}
+
+TEST(Bellows, TheWallIsThreeMillimetresThickEverywhere) {
+    const BellowsShape shape = shape_of(sample::values("bellows", "axisymmetric"));
+    const PlanePoint inner = shape.on_wall(shape.cavity_offset_m(), 0.5 * shape.straight_m);
+    const PlanePoint outer = shape.on_wall(shape.outer_offset_m(), 0.5 * shape.straight_m);
+    EXPECT_NEAR(std::hypot(outer[0] - inner[0], outer[1] - inner[1]), 3e-3, 1e-15);
+    // The straight ends where the crest's arc begins: at its radius from the centre.
+    const PlanePoint top = shape.on_wall(shape.cavity_offset_m(), shape.straight_m);
+    EXPECT_NEAR(std::hypot(top[0] - 0.5 * shape.pitch_m, top[1] - shape.crest_centre_m), 0.25e-3, 1e-15);
+}
+
+TEST(Bellows, FacesHaveTheirAreas) {
+    const Solid solid = sample::solid("bellows", "axisymmetric");
+    EXPECT_NEAR(1e6 * sample::area_m2(solid, "fixed"), pi * 14.5 * 14.5, 1e-9);
+    EXPECT_NEAR(1e6 * sample::area_m2(solid, "inlet"), pi * (14.5 * 14.5 - 2.5 * 2.5), 1e-9);
+    EXPECT_NEAR(1e6 * sample::area_m2(solid, "cavity_end"), pi * 2.5 * 2.5, 1e-9);
+    double lowest = 1, highest = -1;
+    for (const mesh::Point& p : solid.mesh.points) {
+        lowest = std::min(lowest, p[0]);
+        highest = std::max(highest, p[0]);
+    }
+    EXPECT_NEAR(1e3 * lowest, -15.25, 1e-12);
+    EXPECT_NEAR(1e3 * highest, 89.25, 1e-12);
+}
+
+/// Other proportions within the admissible ranges keep sound cells and the right volume.
+TEST(Bellows, OtherShapesAreSoundToo) {
+    struct Other {
+        sample::Changes changes;
+        Meridian meridian;
+    };
+    std::vector<Other> others(6);
+    others[0] = {{{"geometry.convolutions", "1"}}, {}};
+    others[0].meridian.convolutions = 1;
+    others[1] = {{{"geometry.pitch", "14 mm"}, {"geometry.fillet", "1.5 mm"}}, {}};
+    others[1].meridian.pitch = 14;
+    others[1].meridian.fillet = 1.5;
+    others[2] = {{{"geometry.neck.radius", "12 mm"}, {"geometry.neck.length", "2 mm"}}, {}};
+    others[2].meridian.neck_radius = 12;
+    others[2].meridian.neck_length = 2;
+    others[3] = {{{"geometry.neck.radius", "5.8 mm"}, {"geometry.neck.length", "0.5 mm"}}, {}};
+    others[3].meridian.neck_radius = 5.8;
+    others[3].meridian.neck_length = 0.5;
+    others[4] = {{{"geometry.wall", "1 mm"}, {"geometry.bore_radius", "4 mm"}}, {}};   // the wall leans forward
+    others[4].meridian.wall = 1;
+    others[4].meridian.bore = 4;
+    others[5] = {{{"geometry.pitch", "7 mm"}, {"geometry.crest_radius", "12 mm"}}, {}};   // and over the neck
+    others[5].meridian.pitch = 7;
+    others[5].meridian.crest = 12;
+    for (Other& other : others) {
+        const std::string what = other.changes.begin()->first + " " + other.changes.begin()->second;
+        EXPECT_GT(mesh::quality(sample::solid("bellows", "axisymmetric", other.changes).mesh).min_scaled_jacobian, 0.05) << what;
+        EXPECT_GT(mesh::quality(sample::solid("bellows", "quarter", other.changes).mesh).min_scaled_jacobian, 0.05) << what;
+        other.changes["mesh.size"] = "0.3 mm";
+        const Solid fine = sample::solid("bellows", "axisymmetric", other.changes);
+        EXPECT_NEAR(1e9 * sample::rubber_m3(fine) / other.meridian.rubber(), 1, 1e-5) << what;
+        EXPECT_NEAR(1e9 * sample::cavity_m3(fine) / other.meridian.cavity(), 1, 1e-5) << what;
+    }
+}
+
+}  // namespace
+}  // namespace soft::geometry

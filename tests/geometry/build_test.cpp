@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sample.hpp"
+
+namespace soft::geometry {
+namespace {
+
+design::Design design_of(const std::string& family, const std::string& model, const sample::Changes& changes = {}) {
+    design::Design d;
+    d.family = family;
+    d.name = "a " + family;
+    d.values = sample::values(family, model, changes);
+    d.material = {"rubber", "neo-hookean", {{"mu", {0.1644e6}}}, std::nullopt, model::Volumetric::quadratic};
+    return d;
+}
+
+/// Components held on a face, over all supports; {false...} where there is none.
+std::array<bool, 3> held(const model::Case& c, const std::string& face) {
+    std::array<bool, 3> result{};
+    for (const model::Support& support : c.supports)
+        for (std::size_t i = 0; i < 3; ++i) result[i] = result[i] || (support.face == face && support.fixed[i]);
+    return result;
+}
+
+using Held = std::array<bool, 3>;
+
+TEST(BuildCase, CarriesTheDesignsOwnParts) {
+    design::Design d = design_of("bellows", "axisymmetric");
+    d.supports = {{"fixed", {true, true, true}}};
+    d.loads = {{"cavity", 30e3, true}};
+    d.outputs = {{"elongation", "inlet", "axis"}};
+    d.path.until = {{"elongation", 0.13}};
+    const model::Case c = build_case(d);
+    EXPECT_EQ(c.name, "a bellows");
+    EXPECT_EQ(c.kinematics, model::Kinematics::axisymmetric);
+    EXPECT_EQ(c.formulation, model::Formulation::mixed);
+    ASSERT_EQ(c.materials.size(), 1u);
+    EXPECT_EQ(c.mesh.region_names, (std::vector<std::string>{c.materials[0].name}));
+    EXPECT_EQ(held(c, "fixed"), (Held{true, true, true}));
+    EXPECT_EQ(held(c, "axis"), (Held{false, true, false}));
+    ASSERT_EQ(c.loads.size(), 1u);
+    EXPECT_EQ(c.loads[0].target, "cavity");
+    ASSERT_EQ(c.outputs.size(), 1u);
+    EXPECT_EQ(c.outputs[0].direction, (std::array<double, 3>{-1, 0, 0}));   // the inlet moves towards -x
+    EXPECT_EQ(c.path.until.size(), 1u);
+}
+
+TEST(BuildCase, TheBellowsCavityOpensThroughTheBore) {
+    const model::Case c = build_case(design_of("bellows", "quarter"));
+    ASSERT_EQ(c.cavities.size(), 1u);
+    ASSERT_EQ(c.cavities[0].openings.size(), 1u);
+    EXPECT_NEAR(c.cavities[0].openings[0].area_m2, std::numbers::pi * 6.25e-6, 1e-18);   // whole actuator
+    EXPECT_EQ(c.cavities[0].openings[0].direction, (std::array<double, 3>{-1, 0, 0}));
+    for (const std::string& face : c.cavities[0].inner_faces) EXPECT_TRUE(c.mesh.facet_sets.contains(face));
+    EXPECT_TRUE(c.mesh.facet_sets.contains(c.cavities[0].wall));
+    EXPECT_TRUE(c.mesh.facet_sets.contains(c.cavities[0].openings[0].face));
+}
+
+TEST(BuildCase, SymmetryPlanesAreHeldInTheirNormal) {
+    const model::Case quarter = build_case(design_of("tube", "quarter"));
+    EXPECT_EQ(quarter.model_fraction, 0.25);
+    EXPECT_EQ(quarter.symmetry_planes, (Held{false, true, true}));
+    EXPECT_EQ(held(quarter, symmetry_y_face), (Held{false, true, false}));
+    EXPECT_EQ(held(quarter, symmetry_z_face), (Held{false, false, true}));
+    const model::Case half = build_case(design_of("tube", "half"));
+    EXPECT_EQ(half.model_fraction, 0.5);
+    EXPECT_EQ(half.symmetry_planes, (Held{false, true, false}));
+    EXPECT_EQ(held(half, symmetry_y_face), (Held{false, true, false}));
+    const model::Case plate = build_case(design_of("plate", "quarter"));
+    EXPECT_EQ(plate.model_fraction, 0.25);
+    EXPECT_EQ(held(plate, symmetry_x_face), (Held{true, false, false}));
+    EXPECT_EQ(held(plate, symmetry_y_face), (Held{false, true, false}));
+    EXPECT_TRUE(build_case(design_of("tube", "solid")).supports.empty());
+}
+
+/// Three translations and three rotations against what is held: none may be left to a shell that nobody supports.
+TEST(BuildCase, AnUnsupportedShellCannotMoveAsARigidBody) {
+    for (const char* model : {"solid", "half", "quarter"}) {
+        const model::Case c = build_case(design_of("sphere", model));
+        for (int motion = 0; motion < 6; ++motion) {
+            double resisted = 0;
+            for (const model::Support& support : c.supports)
+                for (const mesh::Facet& facet : c.mesh.facet_sets.at(support.face))
+                    for (const mesh::Index n : facet_nodes(c.mesh, facet)) {
+                        const mesh::Point& p = c.mesh.point(n);
+                        std::array<double, 3> u{};
+                        if (motion < 3) u[motion] = 1;
+                        else {
+                            u[(motion + 1) % 3] = -p[(motion + 2) % 3];
+                            u[(motion + 2) % 3] = p[(motion + 1) % 3];
+                        }
+                        for (std::size_t i = 0; i < 3; ++i)
+                            if (support.fixed[i]) resisted = std::max(resisted, std::abs(u[i]));
+                    }
+            EXPECT_GT(resisted, 1e-3) << model << " motion " << motion;
+        }
+    }
+}
+
+TEST(BuildCase, DirectionsFollowTheRequest) {
+    design::Design d = design_of("rod", "solid");
+    d.outputs = {{"a", "end", "axis"}, {"b", "top", "normal"}, {"c", "left", "normal"}, {"d", "end", "y"}};
+    const model::Case c = build_case(d);
+    const std::vector<std::array<double, 3>> expected{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}};
+    for (std::size_t k = 0; k < expected.size(); ++k)
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
+}
+
+std::string refusal(const design::Design& d) {
+    try {
+        (void)build_case(d);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(BuildCase, FacesThatAreCutAwayAreRefused) {
+    design::Design d = design_of("rod", "half");
+    d.supports = {{"left", {false, true, false}}};
+    EXPECT_EQ(refusal(d), "supports: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+    d.supports.clear();
+    d.loads = {{"left", 1e3, true}};
+    EXPECT_EQ(refusal(d), "loads.left: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+    d.loads.clear();
+    d.outputs = {{"shift", "left", "y"}};
+    EXPECT_EQ(refusal(d), "outputs.shift.face: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+}
+
+TEST(BuildCase, DirectionsTheModelDoesNotHaveAreRefused) {
+    design::Design d = design_of("tube", "axisymmetric");
+    d.outputs = {{"shift", "inlet", "z"}};
+    EXPECT_EQ(refusal(d), "outputs.shift.along: 'z' is no direction of this model; axis, x, r or normal");
+    d.outputs = {{"shift", "outer", "normal"}};
+    EXPECT_EQ(refusal(d), "accepted");   // a straight line in the section
+    d = design_of("tube", "quarter");
+    d.outputs = {{"shift", "outer", "normal"}};
+    EXPECT_EQ(refusal(d), "outputs.shift.along: face 'outer' is not flat; axis, x, y or z");
+}
+
+TEST(BuildCase, UnknownWordsAreRefused) {
+    EXPECT_EQ(refusal(design_of("tube", "torus")), "test: model: 'torus' is not a model; axisymmetric, solid, half or quarter");
+    design::Design d = design_of("tube", "solid");
+    d.family = "torus";
+    EXPECT_EQ(refusal(d), "family: no family is called 'torus'");
+}
+
+}  // namespace
+}  // namespace soft::geometry

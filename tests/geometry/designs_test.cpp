@@ -1,0 +1,69 @@
+/// The designs that come with the project, and every family's template, from text to case.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "geometry/build.hpp"
+#include "mesh/quality.hpp"
+
+namespace soft::geometry {
+namespace {
+
+design::Design read(const std::string& text, const std::string& source, std::vector<design::Override> overrides = {}) {
+    return design::read_design(text, source, catalogue_keys(), overrides);
+}
+
+std::string file_text(const std::filesystem::path& path) {
+    std::ifstream file{path};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+class EveryFamily : public testing::TestWithParam<std::string> {
+protected:
+    const std::filesystem::path path = std::filesystem::path{SOFT_SOURCE_DIR} / "designs" / (GetParam() + ".yaml");
+};
+
+TEST_P(EveryFamily, HasADesignThatBecomesACaseInEveryModel) {
+    for (const Family& family : catalogue()) {
+        if (family.keys.name != GetParam()) continue;
+        for (const std::string& model : family.keys.models) {
+            std::vector<design::Override> overrides{{"model", model}};
+            if (model == "axisymmetric" && GetParam() == "plate") overrides.push_back({"geometry.radius", "50mm"});
+            if (GetParam() == "rod") overrides.push_back({"supports.y", "right"});   // y = 0 is cut away in a half
+            if (GetParam() == "rod") overrides.push_back({"supports.z", "top"});
+            const model::Case c = build_case(read(file_text(path), path.string(), overrides));
+            EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << model;
+            EXPECT_FALSE(c.loads.empty());
+            EXPECT_FALSE(c.supports.empty());
+        }
+    }
+}
+
+TEST_P(EveryFamily, HasATemplateThatBecomesACase) {
+    for (const design::FamilyKeys& keys : catalogue_keys()) {
+        if (keys.name != GetParam()) continue;
+        EXPECT_NO_THROW((void)build_case(read(design::template_yaml(keys), "template")));
+    }
+}
+
+TEST_P(EveryFamily, IsRunnableWithFamilyMaterialAndAPressureAlone) {
+    const bool hollow = GetParam() == "sphere" || GetParam() == "tube" || GetParam() == "bellows";
+    const std::string target = hollow ? "cavity" : GetParam() == "rod" ? "end" : "bottom";
+    const model::Case c = build_case(read("family: " + GetParam() + "\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\nloads: {" +
+                                              target + ": {pressure: 5 kPa}}\n",
+                                          "short.yaml"));
+    ASSERT_EQ(c.loads.size(), 1u);
+    EXPECT_EQ(c.cavities.size(), hollow ? 1u : 0u);
+    EXPECT_EQ(c.outputs.size(), GetParam() == "sphere" ? 0u : 1u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily, testing::Values("rod", "plate", "sphere", "tube", "bellows"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace soft::geometry

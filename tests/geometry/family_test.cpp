@@ -1,0 +1,198 @@
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <set>
+
+#include "mesh/quality.hpp"
+#include "sample.hpp"
+
+namespace soft::geometry {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Variant {
+    std::string family, model, cells;
+    sample::Changes changes;
+};
+
+std::vector<Variant> variants() {
+    std::vector<Variant> all;
+    for (const Family& family : catalogue())
+        for (const std::string& model : family.keys.models)
+            for (const char* cells : {"auto", "simplices"}) {
+                Variant v{family.keys.name, model, cells, {{"mesh.cells", cells}}};
+                if (v.family == "plate" && model == "axisymmetric") v.changes["geometry.radius"] = "50 mm";
+                all.push_back(std::move(v));
+            }
+    for (const char* model : {"solid", "half", "quarter"})
+        all.push_back({"plate", model, "round", {{"geometry.radius", "50 mm"}}});
+    return all;
+}
+
+void PrintTo(const Variant& v, std::ostream* out) { *out << v.family << " " << v.model << " " << v.cells; }
+
+class EveryVariant : public testing::TestWithParam<Variant> {
+protected:
+    const Solid solid = sample::solid(GetParam().family, GetParam().model, GetParam().changes);
+};
+
+TEST_P(EveryVariant, HasPositiveJacobiansEverywhere) { EXPECT_GT(mesh::quality(solid.mesh).min_scaled_jacobian, 0.1); }
+
+TEST_P(EveryVariant, HoldsWholeQuadrilateralsOrSimplicesOnly) {
+    for (const mesh::CellType type : solid.mesh.cell_types) {
+        const mesh::Shape shape = mesh::topology(type).shape;
+        const bool simplex = shape == mesh::Shape::triangle || shape == mesh::Shape::tetrahedron;
+        EXPECT_EQ(simplex, GetParam().cells == "simplices");
+    }
+}
+
+/// Whatever is not named can be neither held nor loaded nor seen.
+TEST_P(EveryVariant, NamesEveryPieceOfItsBoundary) {
+    const auto boundary = mesh::boundary_facets(solid.mesh);
+    std::set<mesh::Facet> named;
+    for (const auto& [name, facets] : solid.mesh.facet_sets)
+        if (!name.starts_with("middle_")) named.insert(facets.begin(), facets.end());
+    EXPECT_EQ(named, std::set<mesh::Facet>(boundary.begin(), boundary.end()));
+}
+
+TEST_P(EveryVariant, UsesOnlyNamesThatTheFamilyDeclares) {
+    const auto& faces = sample::family(GetParam().family).keys.faces;
+    std::set<std::string> known(faces.begin(), faces.end());
+    known.insert({axis_face, symmetry_x_face, symmetry_y_face, symmetry_z_face, "middle_y", "middle_z"});
+    for (const auto& [name, facets] : solid.mesh.facet_sets) EXPECT_TRUE(known.contains(name)) << name;
+}
+
+TEST_P(EveryVariant, UsesEveryPoint) {
+    const std::set<mesh::Index> used(solid.mesh.connectivity.begin(), solid.mesh.connectivity.end());
+    EXPECT_EQ(used.size(), solid.mesh.points.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Family, EveryVariant, testing::ValuesIn(variants()),
+                         [](const auto& test) { return test.param.family + "_" + test.param.model + "_" + test.param.cells; });
+
+/// Quadratic edges miss a circle by the fourth power of their angle: 22.5 degrees leave 5e-5 of the area.
+constexpr double curved = 1.5e-4;
+
+struct Volumes {
+    std::string family, model;
+    double rubber_m3, cavity_m3;
+};
+
+void PrintTo(const Volumes& v, std::ostream* out) { *out << v.family << " " << v.model; }
+
+class ClosedForms : public testing::TestWithParam<Volumes> {};
+
+TEST_P(ClosedForms, VolumesMatch) {
+    for (const char* cells : {"auto", "simplices"}) {
+        const Solid solid = sample::solid(GetParam().family, GetParam().model, {{"mesh.cells", cells}});
+        EXPECT_NEAR(sample::rubber_m3(solid) / GetParam().rubber_m3, 1, curved) << cells;
+        if (GetParam().cavity_m3 > 0) {
+            EXPECT_NEAR(sample::cavity_m3(solid) / GetParam().cavity_m3, 1, curved) << cells;
+        }
+    }
+}
+
+std::vector<Volumes> closed_forms() {
+    std::vector<Volumes> all;
+    for (const char* model : {"axisymmetric", "solid", "half", "quarter"}) {
+        all.push_back({"sphere", model, 4 * pi / 3 * (8e-6 - 1e-6), 4 * pi / 3 * 1e-6});
+        all.push_back({"tube", model, pi * (1e-4 * 0.1 - 0.49e-4 * 0.09), pi * 0.49e-4 * 0.09});
+    }
+    for (const char* model : {"solid", "half", "quarter"}) {
+        all.push_back({"rod", model, 1e-5, 0});
+        all.push_back({"plate", model, 2e-5, 0});
+    }
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Family, ClosedForms, testing::ValuesIn(closed_forms()),
+                         [](const auto& test) { return test.param.family + "_" + test.param.model; });
+
+TEST(Sphere, AreasMatch) {
+    const Solid shell = sample::solid("sphere", "quarter");
+    EXPECT_NEAR(sample::area_m2(shell, "cavity") / (4 * pi * 1e-4), 1, curved);
+    EXPECT_NEAR(sample::area_m2(shell, "outer") / (4 * pi * 4e-4), 1, curved);
+    EXPECT_EQ(shell.fraction, 1.0 / 8);
+}
+
+TEST(Tube, AreasOfItsFacesMatch) {
+    for (const char* model : {"axisymmetric", "half"}) {
+        const Solid tube = sample::solid("tube", model);
+        EXPECT_NEAR(sample::area_m2(tube, "fixed") / (pi * 1e-4), 1, curved);
+        EXPECT_NEAR(sample::area_m2(tube, "inlet") / (pi * 1e-4), 1, curved);
+        EXPECT_NEAR(sample::area_m2(tube, "outer") / (2 * pi * 1e-2 * 0.1), 1, curved);
+        EXPECT_NEAR(sample::area_m2(tube, "cavity") / (2 * pi * 7e-3 * 0.09 + 2 * pi * 0.49e-4), 1, curved);
+    }
+}
+
+TEST(Plate, RoundVolumeMatchesInEveryModel) {
+    for (const char* model : {"axisymmetric", "solid", "half", "quarter"}) {
+        const Solid plate = sample::solid("plate", model, {{"geometry.radius", "50 mm"}});
+        EXPECT_NEAR(sample::rubber_m3(plate) / (pi * 2.5e-3 * 2e-3), 1, curved) << model;
+        EXPECT_EQ(plate.mesh.facet_sets.at("rim"), plate.mesh.facet_sets.at("edges"));
+    }
+}
+
+TEST(Boxes, CutPlanesReplaceTheFacesTheyRemove) {
+    const Solid half = sample::solid("rod", "half"), quarter = sample::solid("rod", "quarter");
+    EXPECT_FALSE(half.mesh.facet_sets.contains("left"));
+    EXPECT_TRUE(half.mesh.facet_sets.contains("bottom"));
+    EXPECT_FALSE(quarter.mesh.facet_sets.contains("bottom"));
+    EXPECT_EQ(quarter.symmetry_planes, (std::array<bool, 3>{false, true, true}));
+    const Solid plate = sample::solid("plate", "quarter");
+    EXPECT_EQ(plate.symmetry_planes, (std::array<bool, 3>{true, true, false}));
+    EXPECT_FALSE(plate.mesh.facet_sets.contains("edge_x0"));
+    EXPECT_TRUE(plate.mesh.facet_sets.contains("bottom"));
+}
+
+TEST(Mesh, SectorsAndCellsThroughTheWallAreAsAsked) {
+    const auto cells = [](const sample::Changes& changes) { return sample::solid("sphere", "quarter", changes).mesh.cell_count(); };
+    EXPECT_EQ(cells({{"mesh.sectors", "6"}}), 2 * cells({{"mesh.sectors", "3"}}));
+    EXPECT_EQ(cells({{"mesh.through_wall", "6"}}), 6 * cells({{"mesh.through_wall", "1"}}));
+}
+
+struct Refusal {
+    std::string family, model;
+    sample::Changes changes;
+    std::string message;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.message; }
+
+class Refused : public testing::TestWithParam<Refusal> {};
+
+TEST_P(Refused, NamesTheKeyAndTheRange) {
+    const Refusal& r = GetParam();
+    try {
+        (void)sample::solid(r.family, r.model, r.changes);
+        FAIL() << "accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        EXPECT_EQ(std::string{error.what()}, r.message);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Family, Refused,
+    testing::Values(
+        Refusal{"tube", "axisymmetric", {{"geometry.inner_radius", "12 mm"}},
+                "test: geometry.inner_radius: 12 mm is not smaller than outer_radius 10 mm; smaller than 10 mm"},
+        Refusal{"tube", "quarter", {{"geometry.cap", "50 mm"}},
+                "test: geometry.cap: 50 mm is not smaller than half the length 50 mm; smaller than 50 mm"},
+        Refusal{"sphere", "axisymmetric", {{"geometry.inner_radius", "20 mm"}},
+                "test: geometry.inner_radius: 20 mm is not smaller than outer_radius 20 mm; smaller than 20 mm"},
+        Refusal{"plate", "axisymmetric", {},
+                "test: model: a rectangular plate has no axis of revolution; solid, half or quarter, or a round plate by geometry.radius"},
+        Refusal{"bellows", "axisymmetric", {{"geometry.pitch", "6.5 mm"}},
+                "test: geometry.pitch: 6.5 mm lets neighbouring convolutions overlap; larger than 6.5 mm = 2 (fillet + wall)"},
+        Refusal{"bellows", "axisymmetric", {{"geometry.crest_radius", "9 mm"}},
+                "test: geometry.crest_radius: 9 mm leaves no straight wall between trough and crest; larger than 9 mm"},
+        Refusal{"bellows", "axisymmetric", {{"geometry.neck.radius", "5 mm"}},
+                "test: geometry.neck.radius: 5 mm does not meet the straight part of the outer wall; between 5.72257 mm and 16.1066 mm"},
+        Refusal{"bellows", "axisymmetric", {{"geometry.end_disc.radius", "7 mm"}},
+                "test: geometry.end_disc.radius: 7 mm is not larger than the neck's 7 mm; larger than 7 mm"},
+        Refusal{"bellows", "axisymmetric", {{"mesh.size", "0.001 mm"}}, "test: mesh.size: it would take 1.1e+09 cells; a larger size"}));
+
+}  // namespace
+}  // namespace soft::geometry

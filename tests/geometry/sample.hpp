@@ -1,0 +1,97 @@
+#pragma once
+/// A family's default values, as the parser would give them, with some replaced; and what the tests measure on a mesh.
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "core/units.hpp"
+#include "geometry/build.hpp"
+#include "mesh/cell_map.hpp"
+
+namespace soft::geometry::sample {
+
+inline const Family& family(const std::string& name) {
+    for (const Family& candidate : catalogue())
+        if (candidate.keys.name == name) return candidate;
+    throw std::logic_error("no family " + name);
+}
+
+inline double number_of(const design::Key& key, const std::string& text) {
+    switch (key.kind) {
+        case design::Kind::length: return core::quantity_or_throw(text, core::Dimension::length, ExitCode::bad_input, key.path);
+        case design::Kind::count: return std::stod(text);
+        default: throw std::logic_error("a kind no family uses");
+    }
+}
+
+using Changes = std::map<std::string, std::string>;
+
+inline design::Values values(const std::string& name, const std::string& model, const Changes& changes = {}) {
+    design::Values result;
+    const design::FamilyKeys& keys = family(name).keys;
+    const auto add = [&](const design::Key& key) {
+        const auto change = changes.find(key.path);
+        const std::string text = change == changes.end() ? key.fallback : change->second;
+        result.set(key.path, {number_of(key, text), text, "test", change != changes.end()});
+    };
+    for (const design::Key& key : keys.geometry) add(key);
+    for (const design::Key& key : keys.mesh) add(key);
+    result.set("model", {0, model, "test", true});
+    const auto cells = changes.find("mesh.cells");
+    result.set("mesh.cells", {0, cells == changes.end() ? "auto" : cells->second, "test", true});
+    return result;
+}
+
+inline Solid solid(const std::string& name, const std::string& model, const Changes& changes = {}) {
+    const design::Values v = values(name, model, changes);
+    return mesh_body(family(name).build(v), v);
+}
+
+/// Of the whole actuator.
+inline double rubber_m3(const Solid& s) {
+    const bool section = s.kinematics == model::Kinematics::axisymmetric;
+    return mesh::measure(s.mesh, section ? mesh::Measure::revolved : mesh::Measure::plain) / s.fraction;
+}
+
+/// Flux of (0, y, z)/2, whose divergence is 1, out of the cavity: planes across the axis, plugs among them, add nothing.
+inline double cavity_m3(const Solid& s, const std::string& wall = "cavity") {
+    double sum = 0;
+    for (const mesh::Facet& facet : s.mesh.facet_sets.at(wall)) {
+        const mesh::CellType type = mesh::facet_type(s.mesh, facet);
+        const auto nodes = mesh::facet_nodes(s.mesh, facet);
+        for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
+            const auto shapes = mesh::shape_values(type, point.xi);
+            const auto n = mesh::facet_normal(s.mesh, facet, shapes);
+            double y = 0, z = 0;
+            for (std::size_t a = 0; a < nodes.size(); ++a) {
+                y += shapes[a].value * s.mesh.point(nodes[a])[1];
+                z += shapes[a].value * s.mesh.point(nodes[a])[2];
+            }
+            const double turn = s.mesh.dimension == 2 ? 2 * std::numbers::pi * y : 1.0;
+            sum -= point.weight * 0.5 * (y * n[1] + z * n[2]) * turn;
+        }
+    }
+    return sum / s.fraction;
+}
+
+/// Undeformed area of a named face, whole actuator.
+inline double area_m2(const Solid& s, const std::string& face) {
+    double sum = 0;
+    for (const mesh::Facet& facet : s.mesh.facet_sets.at(face)) {
+        const mesh::CellType type = mesh::facet_type(s.mesh, facet);
+        const auto nodes = mesh::facet_nodes(s.mesh, facet);
+        for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
+            const auto shapes = mesh::shape_values(type, point.xi);
+            const auto n = mesh::facet_normal(s.mesh, facet, shapes);
+            double r = 0;
+            for (std::size_t a = 0; a < nodes.size(); ++a) r += shapes[a].value * s.mesh.point(nodes[a])[1];
+            const double turn = s.mesh.dimension == 2 ? 2 * std::numbers::pi * r : 1.0;
+            sum += point.weight * std::hypot(n[0], n[1], n[2]) * turn;
+        }
+    }
+    return sum / s.fraction;
+}
+
+}  // namespace soft::geometry::sample

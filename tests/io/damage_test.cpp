@@ -1,0 +1,101 @@
+/// Input that is cut, damaged or no HDF5 at all.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "example_case.hpp"
+#include "io/case_file.hpp"
+#include "io/image.hpp"
+
+namespace soft::io {
+namespace {
+
+using namespace test;
+using Image = std::vector<std::byte>;
+
+Image bytes_of(std::string_view text) {
+    const auto bytes = std::as_bytes(std::span{text});
+    return {bytes.begin(), bytes.end()};
+}
+
+Image result_image() {
+    ResultWriter writer{section_image(), "case.h5", example_provenance("solve"), {}};
+    for (int i = 0; i < 4; ++i) writer.append(example_step(i), example_displacement(i), example_pressure(i));
+    return writer.finish(example_end());
+}
+
+TEST(Damage, EmptyInputAsksForTheStageBefore) {
+    EXPECT_EQ(refusal({}, "<stdin>"), "<stdin>: empty input; did the stage before fail?");
+}
+
+TEST(Damage, GarbageIsNamedAsSuch) {
+    for (const char* text : {"x", "family: tube\n", "\x89PNG\r\n\x1a\n and so on", "<html>"})
+        EXPECT_NE(refusal(bytes_of(text)).find("not an HDF5 file"), std::string::npos) << text;
+    EXPECT_EQ(refusal(bytes_of("a\x1b[2J\nb")).find('\x1b'), std::string::npos);
+}
+
+TEST(Damage, EveryTruncationIsRefused) {
+    for (const Image& whole : {section_image(), result_image()})
+        for (std::size_t part = 0; part < 16; ++part) {
+            const Image cut{whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() * part / 16)};
+            const std::string message = refusal(cut);
+            EXPECT_NE(message.find(part == 0 ? "empty input" : "truncated"), std::string::npos) << message;
+        }
+}
+
+TEST(Damage, TruncationInTheSealIsRefused) {
+    const Image whole = section_image();
+    for (std::size_t missing = 1; missing < 100; missing += 7) {
+        const Image cut{whole.begin(), whole.end() - static_cast<std::ptrdiff_t>(missing)};
+        EXPECT_NE(refusal(cut).find("truncated"), std::string::npos) << missing;
+    }
+}
+
+TEST(Damage, TruncatedHdf5WithoutSealIsRefused) {
+    const auto whole = split_image(section_image(), "").hdf5.size();
+    const Image image = section_image();
+    for (std::size_t part = 1; part < 16; ++part) {
+        const Image cut{image.begin(), image.begin() + static_cast<std::ptrdiff_t>(whole * part / 16)};
+        EXPECT_NE(refusal(cut).find("truncated"), std::string::npos);
+    }
+}
+
+TEST(Damage, BytesThatFollowAreRefused) {
+    Image image = section_image();
+    image.push_back(std::byte{0});
+    EXPECT_NE(refusal(image).find("unknown bytes after the end"), std::string::npos);
+}
+
+/// With the seal every flipped byte is found before the HDF5 library sees it.
+TEST(Damage, EveryFlippedByteIsRefused) {
+    const Image whole = result_image();
+    const std::size_t stride = whole.size() / 397;
+    for (std::size_t place = 0; place < whole.size(); place += place < 100 ? 1 : stride) {
+        Image damaged = whole;
+        damaged[place] ^= std::byte{place % 2 == 0 ? std::uint8_t{0x01} : std::uint8_t{0xff}};
+        EXPECT_THROW(static_cast<void>(read_result(damaged, "case.h5")), Error) << place;
+    }
+}
+
+/// Without it a changed value may pass, but nothing other than a result or an Error may come of it.
+TEST(Damage, FlippedByteWithoutSealGivesAResultOrAnError) {
+    const Image image = result_image();
+    const auto hdf5 = split_image(image, "").hdf5;
+    int refused = 0;
+    for (std::size_t place = 0; place < hdf5.size(); place += 263) {
+        Image damaged{hdf5.begin(), hdf5.end()};
+        damaged[place] ^= std::byte{0xff};
+        try {
+            const Result result = read_result(damaged, "case.h5");
+            for (const std::int64_t step : result.fields.steps()) static_cast<void>(result.fields.read(step));
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::bad_input) << place << ": " << error.what();
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 50);
+}
+
+}  // namespace
+}  // namespace soft::io

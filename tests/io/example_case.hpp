@@ -1,0 +1,39 @@
+#pragma once
+/// Two-cell cases by hand, and an HDF5 file opened for tampering.
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "io/case_file.hpp"
+#include "io/handle.hpp"
+#include "io/result_file.hpp"
+
+namespace soft::io::test {
+
+[[nodiscard]] model::Case section_case();   ///< two quad9, axisymmetric; every optional part is used
+[[nodiscard]] model::Case solid_case();     ///< two hex27; no cavity, incompressible
+[[nodiscard]] DesignText example_design();
+[[nodiscard]] Provenance example_provenance(const std::string& tool);
+[[nodiscard]] std::vector<std::byte> section_image();
+
+[[nodiscard]] solution::Step example_step(int number);
+[[nodiscard]] std::vector<double> example_displacement(int number);   ///< of section_case
+[[nodiscard]] std::vector<double> example_pressure(int number);
+[[nodiscard]] solution::PathEnd example_end();
+
+void expect_equal(const model::Case& left, const model::Case& right);
+void expect_equal(const solution::Step& left, const solution::Step& right);
+void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right);
+
+/// The image as another program would leave it after `change`: a valid HDF5 file without seal.
+[[nodiscard]] std::vector<std::byte> tampered(const std::vector<std::byte>& image,
+                                              const std::function<void(hid_t file)>& change);
+/// Replaces elements of a dataset from the flat index `first` on.
+void overwrite(hid_t file, const char* dataset, std::size_t first, const std::vector<double>& values);
+void overwrite(hid_t file, const char* dataset, std::size_t first, const std::vector<std::int64_t>& values);
+
+/// The message of the Error (bad_input) that reading the image as a case throws; "" and a failure if it does not.
+[[nodiscard]] std::string refusal(const std::vector<std::byte>& image, std::string_view source = "case.h5");
+
+}  // namespace soft::io::test

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "blocks.hpp"
+#include "mesh/cell_map.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/split.hpp"
+
+namespace soft::mesh {
+namespace {
+
+/// The same mesh under other node numbers: the diagonals fall otherwise.
+Mesh renumbered(const Mesh& mesh, unsigned seed) {
+    std::vector<Index> numbers(mesh.points.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    std::shuffle(numbers.begin(), numbers.end(), std::mt19937{seed});
+    Mesh result = mesh;
+    for (std::size_t n = 0; n < numbers.size(); ++n) result.points[static_cast<std::size_t>(numbers[n])] = mesh.points[n];
+    for (Index& n : result.connectivity) n = numbers[static_cast<std::size_t>(n)];
+    return result;
+}
+
+/// Cells that share the corners of a side share all its nodes, and no side has three cells.
+void expect_conforming(const Mesh& mesh) {
+    std::map<std::set<Index>, std::vector<std::set<Index>>> sides;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+        for (int local = 0; local < static_cast<int>(topology(mesh.cell_type(cell)).facets.size()); ++local) {
+            const auto nodes = facet_nodes(mesh, {cell, local});
+            const int corners = topology(facet_type(mesh, {cell, local})).vertex_count;
+            sides[{nodes.begin(), nodes.begin() + corners}].push_back({nodes.begin(), nodes.end()});
+        }
+    for (const auto& [corners, found] : sides) {
+        EXPECT_LE(found.size(), 2u);
+        EXPECT_EQ(found.front(), found.back());
+    }
+}
+
+struct Expected {
+    CellType type;
+    Index pieces;                  ///< of one cell
+    std::size_t boundary_of_two;   ///< sides of two cells in a row
+};
+
+class EverySplit : public testing::TestWithParam<Expected> {};
+
+TEST_P(EverySplit, NeighboursMatchUnderEveryNumbering) {
+    const Mesh row = sample::row_of(GetParam().type, 2);
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        const Mesh mesh = renumbered(row, seed);
+        const Mesh split = split_into_simplices(mesh);
+        ASSERT_EQ(split.cell_count(), 2 * GetParam().pieces);
+        expect_conforming(split);
+        EXPECT_EQ(boundary_facets(split).size(), GetParam().boundary_of_two);
+        EXPECT_NEAR(quality(split).min_scaled_jacobian, 1, 1e-12);   // straight, and mid nodes in the middle
+        EXPECT_NEAR(measure(split, Measure::plain), measure(mesh, Measure::plain), 1e-12);
+    }
+}
+
+TEST_P(EverySplit, EveryNodeIsStillUsed) {
+    const Mesh split = split_into_simplices(sample::row_of(GetParam().type, 2));
+    const std::set<Index> used(split.connectivity.begin(), split.connectivity.end());
+    EXPECT_EQ(used.size(), split.points.size());
+}
+
+TEST_P(EverySplit, FacetSetsKeepTheirArea) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Mesh mesh = renumbered(sample::row_of(GetParam().type, 2), seed);
+        for (const Facet& facet : boundary_facets(mesh))
+            mesh.facet_sets[std::to_string(facet.cell) + "/" + std::to_string(facet.local)] = {facet};
+        const Mesh split = split_into_simplices(mesh);
+        const auto vector_area = [](const Mesh& m, const std::vector<Facet>& facets) {
+            std::array<double, 3> sum{};
+            for (const Facet& facet : facets)
+                for (const QuadraturePoint& p : volume_rule(facet_type(m, facet))) {
+                    const auto n = facet_normal(m, facet, shape_values(facet_type(m, facet), p.xi));
+                    for (std::size_t d = 0; d < 3; ++d) sum[d] += p.weight * n[d];
+                }
+            return sum;
+        };
+        for (const auto& [name, facets] : mesh.facet_sets) {
+            const auto before = vector_area(mesh, facets), after = vector_area(split, split.facet_sets.at(name));
+            for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(before[d], after[d], 1e-13) << name;
+        }
+    }
+}
+
+// Two wedges of the row do not touch: 2 x 8 triangles.
+INSTANTIATE_TEST_SUITE_P(Split, EverySplit,
+                         testing::Values(Expected{CellType::hex27, 6, 20}, Expected{CellType::hex8, 6, 20},
+                                         Expected{CellType::wedge18, 3, 16}, Expected{CellType::quad9, 2, 6}),
+                         [](const auto& test) { return std::string{topology(test.param.type).name}; });
+
+TEST(Split, SimplicesStayAsTheyAre) {
+    const Mesh mesh = sample::reference_cell(CellType::tet10);
+    const Mesh split = split_into_simplices(mesh);
+    EXPECT_EQ(split.connectivity, mesh.connectivity);
+}
+
+}  // namespace
+}  // namespace soft::mesh

@@ -1,0 +1,132 @@
+#include "post/interpolate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "path_samples.hpp"
+
+namespace soft::post {
+namespace {
+
+const std::vector<std::string> growth{"growth"};
+
+std::size_t index_of(const Curve& curve, std::string_view quantity) {
+    return static_cast<std::size_t>(curve.find(quantity) - curve.columns.data());
+}
+
+/// A curve in the plane (pressure, growth), both with the range 1 so that the metric is that of the page.
+Curve planar(const std::vector<std::array<double, 4>>& points_and_slopes) {
+    std::vector<solution::Step> steps;
+    for (const auto& [x, y, dx, dy] : points_and_slopes) {
+        solution::Step step;
+        step.outputs_m = {x * 1e-3};
+        step.pressure_Pa = y * 1e3;
+        step.tangent_outputs = {dx * 1e-3};
+        step.tangent_pressure = dy * 1e3;
+        steps.push_back(step);
+    }
+    return make_curve(growth, steps);
+}
+
+TEST(Hermite, ReproducesACubicExactly) {
+    const auto cubic = [](double t) { return 3 - 2 * t + 5 * t * t - 4 * t * t * t; };
+    const auto slope = [](double t) { return -2 + 10 * t - 12 * t * t; };
+    const Hermite piece{cubic(0), cubic(1), slope(0), slope(1)};
+    for (int i = 0; i <= 20; ++i) EXPECT_NEAR(piece(i / 20.0), cubic(i / 20.0), 1e-15);
+}
+
+TEST(Hermite, SplitsWhereTheSlopeVanishes) {
+    const Hermite piece{0, 0, 1, 1};  // t (1 - t)(1 - 2 t)
+    const auto ends = piece.monotone_pieces();
+    ASSERT_EQ(ends.size(), 4u);
+    EXPECT_NEAR(ends[1], (3 - std::sqrt(3.0)) / 6, 1e-15);
+    EXPECT_NEAR(ends[2], (3 + std::sqrt(3.0)) / 6, 1e-15);
+}
+
+TEST(MonotoneSlopes, NeverLeaveTheRangeOfTheNeighbours) {
+    const std::vector<double> s{0, 0.1, 0.5, 0.6, 2, 2.1}, q{1, 1.01, 1.02, 3, 3, 2.5};
+    const auto slopes = monotone_slopes(s, q);
+    for (std::size_t i = 0; i + 1 < s.size(); ++i) {
+        const double ds = s[i + 1] - s[i];
+        const Hermite piece{q[i], q[i + 1], slopes[i] * ds, slopes[i + 1] * ds};
+        for (int k = 1; k < 50; ++k) {
+            EXPECT_GE(piece(k / 50.0), std::min(q[i], q[i + 1]) - 1e-14);
+            EXPECT_LE(piece(k / 50.0), std::max(q[i], q[i + 1]) + 1e-14);
+        }
+    }
+}
+
+TEST(Path, PassesThroughEveryRow) {
+    const Curve curve = make_curve(growth, test::sphere_path(9, 3));
+    const Path path(curve);
+    const auto s = path.row_parameters();
+    ASSERT_EQ(s.size(), 9u);
+    for (std::size_t row = 0; row < 9; ++row) {
+        const auto values = path.at(s[row]);
+        for (std::size_t i = 0; i < curve.columns.size(); ++i) EXPECT_EQ(values[i], curve.columns[i].values[row]);
+    }
+}
+
+TEST(Path, MeetsAParabolaExactlyInAnyPosition) {
+    // (t, t^2) turned by 30 degrees, so that neither coordinate is a graph over the other's square
+    const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
+    const auto x = [&](double u, double v) { return c * u - s * v; };
+    const auto y = [&](double u, double v) { return s * u + c * v; };
+    std::vector<std::array<double, 4>> rows;
+    for (const double t : {0.0, 0.4, 0.7, 1.2}) rows.push_back({x(t, t * t), y(t, t * t), x(1, 2 * t), y(1, 2 * t)});
+    const Curve curve = planar(rows);
+    const Path path(curve);
+    for (int i = 0; i <= 100; ++i) {
+        const auto row = path.at(path.length() * i / 100);
+        const double px = row[index_of(curve, "growth")], py = row[index_of(curve, "pressure")];
+        const double t = c * px + s * py;
+        EXPECT_NEAR(c * py - s * px, t * t, 1e-13);
+    }
+}
+
+TEST(Path, PassesAnInflectionWithoutALoop) {
+    std::vector<std::array<double, 4>> rows;
+    for (const double t : {-1.0, 0.5, 1.0}) rows.push_back({t, t * t * t, 1, 3 * t * t});
+    const Curve curve = planar(rows);
+    const Path path(curve);
+    double last = -2;
+    for (int i = 0; i <= 100; ++i) {
+        const double x = path.at(path.length() * i / 100)[index_of(curve, "growth")];
+        EXPECT_GT(x, last);
+        last = x;
+    }
+}
+
+double worst_pressure_error(int rows) {
+    const Curve curve = make_curve(growth, test::sphere_path(rows, 3));
+    const Path path(curve);
+    const std::size_t g = index_of(curve, "growth"), p = index_of(curve, "pressure");
+    double worst = 0;
+    for (int i = 1; i <= 1000; ++i) {
+        const auto row = path.at(path.length() * i / 1000);
+        worst = std::max(worst, std::abs(row[p] * 1e3 - test::sphere_pressure_Pa(1 + row[g] / 1e3)) / 0.816424);
+    }
+    return worst;
+}
+
+TEST(Path, ConvergesToTheThickSphereWithFourthOrder) {
+    EXPECT_LT(worst_pressure_error(11), 6e-4);  // the first row holds 60 % of the pressure's range
+    EXPECT_LT(worst_pressure_error(41), 4e-6);
+    const double order = std::log2(worst_pressure_error(41) / worst_pressure_error(81));
+    EXPECT_GT(order, 3.7);
+    EXPECT_LT(order, 4.5);
+}
+
+TEST(Path, FindsTheLimitPressureBetweenTheRows) {
+    const Curve curve = make_curve(growth, test::sphere_path(13, 3));
+    const Path path(curve);
+    EXPECT_NEAR(path.range(index_of(curve, "pressure")).highest, 0.816424e-3, 0.816424e-3 * 5e-5);
+    EXPECT_GT(path.range(index_of(curve, "pressure")).highest,
+              *std::max_element(curve.find("pressure")->values.begin(), curve.find("pressure")->values.end()));
+}
+
+}  // namespace
+}  // namespace soft::post

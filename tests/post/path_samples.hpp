@@ -1,0 +1,54 @@
+#pragma once
+/// A path with a closed form: the incompressible neo-Hookean thick sphere, inner radius 1 m, outer 2 m, mu 1 Pa.
+///   p/mu = [2/l + 1/(2 l^4)] at l_b minus at l_a,   l_b^3 = 1 + (l_a^3 - 1)/8,
+/// (verification.md: 0.551869 at l_a = 1.25, 0.755433 at 1.5, 0.806927 at 2; limit point 0.816424 at l_a = 1.8281).
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "solution/path.hpp"
+
+namespace soft::post::test {
+
+inline double sphere_pressure_Pa(double stretch_a) {
+    const auto g = [](double l) { return 2 / l + 1 / (2 * std::pow(l, 4)); };
+    return g(std::cbrt(1 + (std::pow(stretch_a, 3) - 1) / 8)) - g(stretch_a);
+}
+
+/// The derivative by hand: g' = -2/l^2 - 2/l^5 and dl_b/dl_a = l_a^2 / (8 l_b^2).
+inline double sphere_pressure_slope_Pa(double stretch_a) {
+    const auto slope = [](double l) { return -2 / (l * l) - 2 / std::pow(l, 5); };
+    const double stretch_b = std::cbrt(1 + (std::pow(stretch_a, 3) - 1) / 8);
+    return slope(stretch_b) * stretch_a * stretch_a / (8 * stretch_b * stretch_b) - slope(stretch_a);
+}
+
+inline double ball_m3(double radius_m) { return 4 * std::numbers::pi / 3 * std::pow(radius_m, 3); }
+
+enum class Slopes { recorded, missing };
+
+/// Rows evenly spaced in the inner stretch; output 0 is the growth of the inner radius [m].
+inline std::vector<solution::Step> sphere_path(int rows, double last_stretch, Slopes slopes = Slopes::recorded) {
+    constexpr double limit_stretch = 1.8281;
+    std::vector<solution::Step> steps;
+    for (int row = 0; row < rows; ++row) {
+        const double stretch = 1 + (last_stretch - 1) * row / (rows - 1);
+        solution::Step step;
+        step.pressure_Pa = sphere_pressure_Pa(stretch);
+        step.volume_m3 = ball_m3(stretch);
+        step.outputs_m = {stretch - 1};
+        step.tangent_outputs = {0};
+        if (slopes == Slopes::recorded) {
+            const double speed = 1 + 0.7 * row;  // the scale of the slopes is free at each row
+            step.tangent_pressure = speed * sphere_pressure_slope_Pa(stretch);
+            step.tangent_volume = speed * 4 * std::numbers::pi * stretch * stretch;
+            step.tangent_outputs = {speed};
+        }
+        step.stable = stretch < limit_stretch;
+        step.stretch_p99 = stretch;
+        step.max_stretch = stretch;
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+}  // namespace soft::post::test

@@ -1,0 +1,12 @@
+#!/bin/sh
+# README.md names every package that scripts/setup would install or ask for, for each system.   packages.sh TREE
+cd "$1" || exit 1
+missing=0
+for system in debian fedora homebrew; do
+    names=$(scripts/setup --list "$system") || exit 1
+    [ -n "$names" ] || { echo "scripts/setup --list $system names nothing"; missing=1; }
+    for name in $names; do
+        grep -qwF -- "$name" README.md || { echo "README.md does not name $name ($system)"; missing=1; }
+    done
+done
+exit "$missing"

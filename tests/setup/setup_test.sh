@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+# shellcheck disable=SC2016,SC2317  # the stand-ins expand $state; claim calls the little checks
+# scripts/setup on systems that exist only here: a copy of the scripts, and a PATH of the few real tools it needs plus
+# stand-ins for apt-get, dpkg-query, update-alternatives, sudo, id and cmake that keep their state in files.
+#   setup_test.sh TREE
+set -uo pipefail
+tree=$(realpath "$1")
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+bin=$work/bin
+state=$work/state
+export state
+unset BUILD_DIR JOBS   # the suite may run for another build folder; nothing here may touch it
+failures=0
+
+stand_in() {   # stand_in NAME, body from stdin; every call is noted in $state/calls
+    { echo '#!/bin/sh'; echo "echo \"$1 \$*\" >>\"\$state/calls\""; cat; } >"$bin/$1"
+    chmod +x "$bin/$1"
+}
+
+fresh_system() {   # every package there, an optimised BLAS, root, apt, a CMake that finds everything
+    rm -rf "$work/tree" "$bin" "$state"
+    mkdir -p "$work/tree" "$bin" "$state"
+    cp -R "$tree/scripts" "$work/tree/"
+    for tool in bash sh awk sed paste head tail mkdir rm uname env cat dirname mktemp grep; do
+        ln -s "$(type -P "$tool")" "$bin/$tool"
+    done
+    for tool in c++ ninja pkg-config mpirun gnuplot; do ln -s "$(type -P true)" "$bin/$tool"; done
+    (cd "$work/tree" && scripts/setup --list debian) | tr ' ' '\n' >"$state/installed"
+    echo 0 >"$state/uid"
+    echo 'libblas.so.3-x auto /usr/lib/x/openblas-serial/libblas.so.3' >"$state/alternatives"
+    stand_in id <<<'cat "$state/uid"'
+    stand_in dpkg-query <<'E2'
+shift 3   # --show --showformat FORMAT
+status=0
+for name; do
+    if grep -qx "$name" "$state/installed"; then echo "$name installed"; else status=1; fi
+done
+exit $status
+E2
+    stand_in apt-get <<'E2'
+[ -e "$state/apt-fails" ] && { echo "E: Unable to locate package"; exit 100; }
+found=
+for word; do
+    case $word in install) found=1 ;; -*) ;; *) [ -n "$found" ] && echo "$word" >>"$state/installed" ;; esac
+done
+true
+E2
+    stand_in update-alternatives <<'E2'
+case $1 in
+    --get-selections) cat "$state/alternatives" ;;
+    --auto) echo "$2 auto /usr/lib/x/openblas-serial/libblas.so.3" >"$state/alternatives" ;;
+esac
+E2
+    stand_in cmake <<'E2'
+[ -e "$state/cmake-fails" ] && { echo "CMake Error at x: gmsh.h not found"; exit 1; }
+mkdir -p build
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/CMakeCache.txt
+echo >build/build.ninja
+E2
+}
+
+setup() { : >"$state/calls"; output=$(cd "$work/tree" && PATH=$bin bash scripts/setup 2>&1 </dev/null); status=$?; }
+remove() { grep -vx "$1" "$state/installed" >"$state/left"; mv "$state/left" "$state/installed"; }
+called() { grep -qE -- "$1" "$state/calls"; }
+claim() {   # claim TEXT COMMAND...: the command must succeed
+    local text=$1
+    shift
+    if ! "$@"; then
+        printf 'NOT TRUE: %s\n--- exit %s, calls:\n%s\n--- output:\n%s\n' "$text" "$status" "$(cat "$state/calls")" "$output"
+        failures=$((failures + 1))
+    fi
+}
+not() { ! "$@"; }
+says() { [[ $output == *"$1"* ]]; }
+exits() { [[ $status -eq $1 ]]; }
+
+fresh_system; setup
+claim "with everything there nothing is installed" not called '^apt-get'
+claim "a first call configures" called '^cmake -S'
+claim "with the tests, which CGAL's own files would switch off" called '^cmake .*-DBUILD_TESTING=ON'
+setup
+claim "a second call does nothing" not called '^(cmake|apt-get)'
+claim "and says nothing" test -z "$output"
+remove libgmsh-dev; setup
+claim "a package removed since is brought back" called '^apt-get .*install .*--no-install-recommends libgmsh-dev$'
+claim "and CMake looks again" called '^cmake'
+
+fresh_system; remove libcgal-dev; remove nettle-dev; setup
+claim "only the missing packages are installed" called ' --no-install-recommends libcgal-dev nettle-dev$'
+claim "that ends well" exits 0
+
+fresh_system; rm "$bin/ninja"; remove ninja-build; setup
+claim "a missing command brings its package" called ' ninja-build$'
+fresh_system; remove ninja-build; setup
+claim "a command from elsewhere counts" not called '^apt-get'
+
+fresh_system; remove libcgal-dev; echo 1000 >"$state/uid"; touch "$state/cmake-fails"; setup
+claim "without root and sudo it fails" exits 1
+claim "with the exact command" says 'apt-get install --no-install-recommends libcgal-dev'
+claim "and what CMake missed" says 'gmsh.h not found'
+claim "and touches nothing" not called '^apt-get'
+rm "$state/cmake-fails"; setup
+claim "what CMake finds elsewhere is good enough" exits 0
+
+fresh_system; remove libcgal-dev; echo 1000 >"$state/uid"
+stand_in sudo <<'E2'
+[ "$1" = -n ] && shift
+"$@"
+E2
+setup
+claim "sudo is used where root is not" called '^sudo env .*apt-get .* libcgal-dev$'
+
+fresh_system; remove libcgal-dev; touch "$state/apt-fails" "$state/cmake-fails"; setup
+claim "a failed installation ends in an error" exits 1
+claim "that shows apt's own words" says 'E: Unable to locate package'
+
+fresh_system; rm "$bin/apt-get"; setup
+claim "without apt a complete system goes on" exits 0
+fresh_system; rm "$bin/apt-get"; touch "$state/cmake-fails"; setup
+claim "without apt an incomplete one stops" exits 1
+for words in libgmsh-dev gmsh-devel 'Homebrew:' 'PETSc 3.18' 'gmsh 4.8'; do claim "and names $words" says "$words"; done
+
+fresh_system; echo 'libblas.so.3-x manual /usr/lib/x/blas/libblas.so.3' >"$state/alternatives"; setup
+claim "the reference BLAS is switched off" called '^update-alternatives --auto libblas.so.3-x'
+fresh_system; remove libopenblas0-serial; setup
+claim "any optimised BLAS will do" not called '^apt-get'
+echo 'libblas.so.3-x auto /usr/lib/x/blas/libblas.so.3' >"$state/alternatives"; setup
+claim "but the reference one brings OpenBLAS" called '^apt-get .* libopenblas0-serial$'
+
+fresh_system; setup; mv "$work/tree/build/CMakeCache.txt" "$state/"
+echo 'CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere' >"$work/tree/build/CMakeCache.txt"; setup
+claim "a build folder copied from elsewhere is configured afresh" called '^cmake .*--fresh'
+
+((failures == 0)) && echo "every claim holds"
+exit $((failures > 0))

@@ -1,0 +1,194 @@
+#include "cli.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "cli_text.hpp"
+#include "core/text.hpp"
+
+namespace soft::cli {
+namespace {
+
+std::string bare_name(std::string_view program) {
+    const auto slash = program.rfind('/');
+    return std::string{slash == std::string_view::npos ? program : program.substr(slash + 1)};
+}
+
+/// Quoted so that the line can be pasted into a shell.
+std::string command_line_of(int argc, char** argv) {
+    std::string line = argc > 0 ? bare_name(argv[0]) : std::string{};
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word{argv[i]};
+        const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string_view::npos;
+        line += ' ';
+        if (plain) {
+            line += word;
+            continue;
+        }
+        line += '\'';
+        for (const char c : word) line += c == '\'' ? std::string{"'\\''"} : std::string{c};
+        line += '\'';
+    }
+    return line;
+}
+
+/// A file opened later must not take the number of a closed standard stream: data would go into it unasked.
+/// The replacement fails when it is used the wrong way round, as a closed stream would.
+void open_missing_streams() {
+    for (int stream = 0; stream <= 2; ++stream)
+        if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY));
+}
+
+void print_error(std::string_view line) {
+    std::string text{line};
+    text += '\n';
+    static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+    std::fflush(stderr);
+}
+
+int report_bug(int argc, char** argv, std::string_view what) {
+    const std::string tool = argc > 0 ? bare_name(argv[0]) : std::string{"soft"};
+    print_error(tool + ": internal error: " + core::one_line(what, 500) +
+                "; this is a bug, please report it with the input files of: " + core::one_line(command_line_of(argc, argv), 500));
+    return static_cast<int>(ExitCode::internal);
+}
+
+std::vector<std::string> long_options(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+[[noreturn]] void refuse_usage(const CLI::App& app, const About& about, const CLI::ParseError& error) {
+    const std::string help = "see `" + std::string{about.tool} + " --help`";
+    const std::vector<std::string> rest = app.remaining();
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !rest.empty()) {
+        const std::string word = rest.front().substr(0, rest.front().find('='));
+        if (!word.starts_with('-')) throw Error(ExitCode::usage, "", "one argument too many: " + core::quoted(rest.front()), help);
+        const auto near = core::nearest(word, long_options(app));
+        throw Error(ExitCode::usage, "", "unknown option " + core::quoted(word), near ? "did you mean " + core::quoted(*near) + "?" : help);
+    }
+    throw Error(ExitCode::usage, "", core::one_line(error.what(), 300), help);
+}
+
+bool holds_option(int argc, char** argv, std::string_view name) {
+    for (int i = 1; i < argc && std::string_view{argv[i]} != "--"; ++i) {
+        const std::string_view word{argv[i]};
+        if (word == name || word.starts_with(std::string{name} + "=")) return true;
+    }
+    return false;
+}
+
+void print_version(const About& about, bool as_json) {
+    nlohmann::ordered_json json = {{"tool", about.tool}, {"version", version()}, {"revision", revision()}};
+    std::string text = std::string{about.tool} + " " + std::string{version()} + " (" + std::string{revision()} + ")\n";
+    for (const Library& library : about.libraries()) {
+        json["libraries"][library.name] = library.version;
+        text += library.name + " " + library.version + "\n";
+    }
+    if (as_json) write_json("-", json);
+    else write_output("-", text);
+}
+
+}  // namespace
+
+void add_common_options(CLI::App& app, CommonOptions& common, const About& about) {
+    app.name(std::string{about.tool});
+    app.description(std::string{about.tool} + " - " + std::string{about.summary});
+    app.footer(help_footer(about));
+    app.set_help_flag("-h,--help", "Print this help and exit");
+    app.add_option("-o,--output", common.output, "Write to FILE instead of stdout (-)")->type_name("FILE");
+    app.add_option("--json", common.json, "Write a machine-readable summary to FILE; with --version: print the versions as JSON")->type_name("FILE");
+    app.add_flag_callback("-q,--quiet", [&common] { common.verbosity = Verbosity::quiet; }, "No messages but errors");
+    app.add_flag_callback("-v,--verbose", [&common] { common.verbosity = Verbosity::verbose; }, "More messages");
+    app.add_flag("--version")->description("Print version, git revision and versions of the libraries, and exit");
+    app.add_option("--completion")->description("Print a completion script for the shell, and exit")->type_name("SHELL")->check(CLI::IsMember({"bash"}));
+    app.add_flag("--man")->description("Print the man page (roff), and exit");
+}
+
+void add_input(CLI::App& app, std::string& input, const std::string& name, const std::string& help) {
+    app.add_option(name, input, help + "; - or nothing: stdin")->type_name("FILE");
+}
+
+void add_set_option(CLI::App& app, std::vector<std::string>& overrides) {
+    // One value each: CLI11 would let a list swallow the positional input.
+    app.add_option("--set", overrides, "Override a value of the design, e.g. --set geometry.wall=2.5mm (repeatable)")
+        ->type_name("KEY.PATH=VALUE")->allow_extra_args(false)->take_all();
+}
+
+void at_most_one_of(const CLI::App& app, std::span<const std::string> options) {
+    const auto given = std::count_if(options.begin(), options.end(), [&](const std::string& name) { return app.count(name) > 0; });
+    if (given > 1) throw Error(ExitCode::usage, "", core::join(options, " and ") + " exclude each other", "give one of them");
+}
+
+bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, char** argv) {
+    common.command_line = command_line_of(argc, argv);
+    if (holds_option(argc, argv, "--version")) {   // before CLI11: here --json needs no file
+        print_version(about, holds_option(argc, argv, "--json"));
+        return false;
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        write_output("-", app.help());
+        return false;
+    } catch (const CLI::ParseError& error) {
+        refuse_usage(app, about, error);
+    }
+    at_most_one_of(app, std::vector<std::string>{"--quiet", "--verbose"});
+    if (app.count("--completion") > 0) write_output("-", bash_completion(app, about));
+    else if (app.count("--man") > 0) write_output("-", man_page(app, about));
+    else {
+        if (common.json == "-" && common.output == "-")
+            throw Error(ExitCode::usage, "", "data and --json cannot both go to stdout", "use -o FILE or --json FILE");
+        return true;
+    }
+    return false;
+}
+
+std::vector<std::string> take_rest(int& argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        if (std::string_view{argv[i]} != "--") continue;
+        std::vector<std::string> rest(argv + i + 1, argv + argc);
+        argc = i;
+        return rest;
+    }
+    return {};
+}
+
+std::vector<std::string> library_lines(const About& about) {
+    std::vector<std::string> lines;
+    for (const Library& library : about.libraries()) lines.push_back(library.name + " " + library.version);
+    return lines;
+}
+
+int guarded(int argc, char** argv, const std::function<ExitCode()>& body) {
+    open_missing_streams();
+    std::signal(SIGPIPE, SIG_IGN);   // a reader that leaves is seen as EPIPE by core::write_all
+    try {
+        return static_cast<int>(body());
+    } catch (const Error& error) {
+        if (error.code() == ExitCode::internal) return report_bug(argc, argv, error.what());
+        print_error((argc > 0 ? bare_name(argv[0]) : std::string{"soft"}) + ": " + error.what());
+        return static_cast<int>(error.code());
+    } catch (const std::bad_alloc&) {
+        return report_bug(argc, argv, "out of memory");
+    } catch (const std::exception& error) {
+        return report_bug(argc, argv, error.what());
+    } catch (...) {
+        return report_bug(argc, argv, "an exception of no known type");
+    }
+}
+
+}  // namespace soft::cli

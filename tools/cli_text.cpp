@@ -1,0 +1,130 @@
+#include "cli_text.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+
+#include "revision.hpp"   // generated at every build
+
+namespace soft::cli {
+namespace {
+
+struct CodeMeaning { ExitCode code; std::string_view meaning; };
+constexpr std::array exit_codes = {
+    CodeMeaning{ExitCode::ok, "done"},
+    CodeMeaning{ExitCode::check_failed, "a comparison or regression check failed"},
+    CodeMeaning{ExitCode::stopped_early, "the path ended early for a physical or numerical reason; the steps reached are in the file"},
+    CodeMeaning{ExitCode::usage, "usage: unknown option, bad combination"},
+    CodeMeaning{ExitCode::bad_input, "bad input: refused, with its place"},
+    CodeMeaning{ExitCode::cannot_open, "an input cannot be opened"},
+    CodeMeaning{ExitCode::internal, "an internal error (a bug)"},
+    CodeMeaning{ExitCode::cannot_create, "an output cannot be created"},
+    CodeMeaning{ExitCode::io_error, "I/O error (disk full, short read)"},
+};
+
+/// Plain text for roff: no escapes, hyphens that can be copied, no line taken for a request.
+std::string roff(std::string_view text) {
+    std::string escaped;
+    for (const char c : text) {
+        if (c == '\\') escaped += "\\e";
+        else if (c == '-') escaped += "\\-";
+        else if ((c == '.' || c == '\'') && (escaped.empty() || escaped.back() == '\n')) escaped.append("\\&").append(1, c);
+        else escaped += c;
+    }
+    return escaped;
+}
+
+/// "-o, --output"
+std::string names_of(const CLI::Option& option) {
+    std::string names;
+    for (const std::string& name : option.get_snames()) names.append(names.empty() ? "-" : ", -").append(name);
+    for (const std::string& name : option.get_lnames()) names.append(names.empty() ? "--" : ", --").append(name);
+    return names;
+}
+
+/// The words a check of kind CLI::IsMember allows: the type name ends in "{rod,plate}".
+std::string words_of(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    const auto open = type.find('{'), close = type.rfind('}');
+    if (open == std::string::npos || close == std::string::npos || close < open) return {};
+    std::string words = type.substr(open + 1, close - open - 1);
+    for (char& c : words)
+        if (c == ',') c = ' ';
+    return words;
+}
+
+bool takes_value(const CLI::Option& option) { return option.get_expected_max() > 0; }
+
+std::string value_name(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    return type.substr(0, type.find(':'));
+}
+
+}  // namespace
+
+std::string_view version() noexcept { return SOFT_VERSION; }
+std::string_view revision() noexcept { return SOFT_REVISION; }
+
+std::string help_footer(const About& about) {
+    std::string text = "Examples:\n";
+    for (const Example& example : about.examples) text.append("  ").append(example.command).append("\n      ").append(example.meaning).append("\n");
+    text += "\nExit codes:\n";
+    for (const auto& [code, meaning] : exit_codes) {
+        const std::string number = std::to_string(static_cast<int>(code));
+        text.append("  ").append(number).append(4 - number.size(), ' ').append(meaning).append("\n");
+    }
+    text.pop_back();   // CLI11 ends the footer itself
+    return text;
+}
+
+std::string man_page(const CLI::App& app, const About& about) {
+    std::string title{about.tool};
+    for (char& c : title)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    std::string page = ".TH " + roff(title) + " 1 \"\" \"soft\\-actuator " + roff(version()) + "\" \"User Commands\"\n";
+    page += ".SH NAME\n" + roff(about.tool) + " \\- " + roff(about.summary) + "\n";
+    page += ".SH SYNOPSIS\n.B " + roff(about.tool) + "\n[OPTIONS]";
+    for (const CLI::Option* option : app.get_options())
+        if (!option->nonpositional()) page += " [" + roff(option->get_name()) + "]";
+    page += "\n.SH OPTIONS\n";
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string names = option->nonpositional() ? names_of(*option) : option->get_name();
+        page += ".TP\n\\fB" + roff(names) + "\\fR";
+        if (option->nonpositional() && takes_value(*option)) page += " \\fI" + roff(value_name(*option)) + "\\fR";
+        page += "\n" + roff(option->get_description()) + "\n";
+        if (const std::string words = words_of(*option); !words.empty()) page += ".br\nOne of: " + roff(words) + ".\n";
+    }
+    page += ".SH EXIT STATUS\n";
+    for (const auto& [code, meaning] : exit_codes) page += ".TP\n\\fB" + std::to_string(static_cast<int>(code)) + "\\fR\n" + roff(meaning) + "\n";
+    page += ".SH EXAMPLES\n";
+    for (const Example& example : about.examples) page += ".TP\n\\fB" + roff(example.command) + "\\fR\n" + roff(example.meaning) + "\n";
+    page += ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\nNo colour in messages.\n";
+    return page;
+}
+
+std::string bash_completion(const CLI::App& app, const About& about) {
+    std::string function = "_" + std::string{about.tool};
+    for (char& c : function)
+        if (c == '-') c = '_';
+    std::string all, cases;
+    const auto reply = [](const std::string& compgen) { return "COMPREPLY=(" + (compgen.empty() ? "" : "$(compgen " + compgen + " -- \"$word\")") + ")"; };
+    for (const CLI::Option* option : app.get_options()) {
+        if (!option->nonpositional()) continue;
+        std::string pattern;
+        for (const std::string& name : option->get_snames()) pattern.append(pattern.empty() ? "-" : "|-").append(name);
+        for (const std::string& name : option->get_lnames()) {
+            pattern.append(pattern.empty() ? "--" : "|--").append(name);
+            all.append(all.empty() ? "--" : " --").append(name);
+        }
+        if (!takes_value(*option)) continue;
+        const std::string words = words_of(*option);
+        const bool file = words.empty() && value_name(*option) == "FILE";
+        cases += "        " + pattern + ") " + reply(file ? "-f" : words.empty() ? "" : "-W '" + words + "'") + "; return;;\n";
+    }
+    std::string script = "# bash completion of " + std::string{about.tool} + ": source this, or put it into /etc/bash_completion.d\n";
+    script += function + "() {\n    local word=\"${COMP_WORDS[COMP_CWORD]}\"\n    case \"${COMP_WORDS[COMP_CWORD-1]}\" in\n" + cases + "    esac\n";
+    script += "    if [[ $word == -* ]]; then " + reply("-W '" + all + "'") + "; else " + reply("-f") + "; fi\n}\n";
+    return script + "complete -o filenames -F " + function + " " + std::string{about.tool} + "\n";
+}
+
+}  // namespace soft::cli

@@ -1,0 +1,14 @@
+#pragma once
+/// Help footer, man page and shell completion, all from the option tables: an option cannot exist without its text.
+#include <string>
+
+#include "cli.hpp"
+
+namespace soft::cli {
+
+/// The examples and the table of exit codes.
+[[nodiscard]] std::string help_footer(const About& about);
+[[nodiscard]] std::string man_page(const CLI::App& app, const About& about);
+[[nodiscard]] std::string bash_completion(const CLI::App& app, const About& about);
+
+}  // namespace soft::cli

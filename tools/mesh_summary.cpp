@@ -1,0 +1,109 @@
+#include "mesh_summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "mesh/cell_map.hpp"
+
+namespace soft::cli {
+namespace {
+
+std::size_t free_displacements(const model::Case& model) {
+    const auto dimension = static_cast<std::size_t>(model.mesh.dimension);
+    std::vector<std::array<bool, 3>> held(model.mesh.points.size());
+    for (const model::Support& support : model.supports) {
+        const auto face = model.mesh.facet_sets.find(support.face);
+        if (face == model.mesh.facet_sets.end()) continue;
+        for (const mesh::Facet& facet : face->second)
+            for (const mesh::Index node : mesh::facet_nodes(model.mesh, facet))
+                for (std::size_t i = 0; i < dimension; ++i) held[static_cast<std::size_t>(node)][i] |= support.fixed[i];
+    }
+    std::size_t count = 0;
+    for (const auto& node : held) count += dimension - static_cast<std::size_t>(std::count(node.begin(), node.end(), true));
+    return count;
+}
+
+/// Linear and discontinuous on quadrilaterals and hexahedra, shared by the corners of all other cells.
+std::size_t pressures(const model::Case& model) {
+    if (model.formulation == model::Formulation::displacement) return 0;
+    std::size_t count = 0;
+    std::set<mesh::Index> corners;
+    for (mesh::Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+        const mesh::CellTopology& topology = mesh::topology(model.mesh.cell_type(cell));
+        const bool own = topology.shape == mesh::Shape::quadrilateral || topology.shape == mesh::Shape::hexahedron;
+        if (own) count += static_cast<std::size_t>(topology.dimension) + 1;
+        const auto nodes = model.mesh.cell_nodes(cell);
+        if (!own) corners.insert(nodes.begin(), nodes.begin() + topology.vertex_count);
+    }
+    return count + corners.size();
+}
+
+std::string cell_type_names(const mesh::Mesh& mesh) {
+    std::vector<std::string> names;
+    for (const mesh::CellType type : mesh.cell_types) {
+        const std::string name{mesh::topology(type).name};
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return core::join(names);
+}
+
+std::string volume_text(double volume_m3) { return core::quantity_text(volume_m3, core::Dimension::volume); }
+
+}  // namespace
+
+MeshSummary inspect(const model::Case& model) {
+    const bool section = model.kinematics == model::Kinematics::axisymmetric;
+    MeshSummary summary;
+    summary.name = model.name;
+    summary.cell_types = cell_type_names(model.mesh);
+    summary.cells = model.mesh.cell_count();
+    summary.points = model.mesh.points.size();
+    summary.unknowns = free_displacements(model) + pressures(model);
+    summary.quality = mesh::quality(model.mesh);
+    summary.rubber_volume_m3 =
+        mesh::measure(model.mesh, section ? mesh::Measure::revolved : mesh::Measure::plain) / model.model_fraction;
+    summary.cavities = surface::check_cavities(model);
+    return summary;
+}
+
+std::vector<std::string> summary_lines(const MeshSummary& summary) {
+    std::string shape = "rubber " + volume_text(summary.rubber_volume_m3);
+    for (const surface::CavityReport& cavity : summary.cavities) {
+        shape += ", " + cavity.name + " " + volume_text(cavity.volume_m3);
+        if (cavity.smallest_wall_m) shape += ", smallest wall " + core::quantity_text(*cavity.smallest_wall_m, core::Dimension::length);
+    }
+    shape += ", worst scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
+    return {core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" + summary.cell_types + "), " +
+                std::to_string(summary.points) + " points, " + std::to_string(summary.unknowns) + " unknowns",
+            shape};
+}
+
+nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings) {
+    nlohmann::ordered_json cavities = nlohmann::ordered_json::array();
+    for (const surface::CavityReport& cavity : summary.cavities) {
+        nlohmann::ordered_json one = {{"name", cavity.name}, {"volume_m3", cavity.volume_m3}, {"surface_triangles", cavity.triangles}};
+        if (cavity.smallest_wall_m) {
+            one["smallest_wall_m"] = *cavity.smallest_wall_m;
+            one["smallest_wall_place_m"] = cavity.smallest_wall_place;
+        }
+        cavities.push_back(std::move(one));
+    }
+    return {{"name", summary.name},
+            {"cells", summary.cells},
+            {"cell_types", summary.cell_types},
+            {"points", summary.points},
+            {"unknowns", summary.unknowns},
+            {"rubber_volume_m3", summary.rubber_volume_m3},
+            {"cavities", std::move(cavities)},
+            {"min_scaled_jacobian", summary.quality.min_scaled_jacobian},
+            {"mean_scaled_jacobian", summary.quality.mean_scaled_jacobian},
+            {"worst_cell", summary.quality.worst_cell},
+            {"worst_place_m", summary.quality.worst_place_m},
+            {"warnings", warnings}};
+}
+
+}  // namespace soft::cli

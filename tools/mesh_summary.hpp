@@ -1,0 +1,33 @@
+#pragma once
+/// What mesh-gen tells about a case: size, volumes, thinnest wall, quality. The numbers of --json.
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "mesh/quality.hpp"
+#include "model/case.hpp"
+#include "surface/report.hpp"
+
+namespace soft::cli {
+
+struct MeshSummary {
+    std::string name;
+    std::string cell_types;                        ///< "hex27, wedge18"
+    mesh::Index cells = 0;
+    std::size_t points = 0;
+    std::size_t unknowns = 0;                      ///< free displacements and pressures
+    double rubber_volume_m3 = 0;                   ///< whole actuator
+    mesh::Quality quality;
+    std::vector<surface::CavityReport> cavities;
+};
+
+/// Refuses a case that cannot be solved: inverted cells, a cavity that is open or meets itself (Error(bad_input)).
+[[nodiscard]] MeshSummary inspect(const model::Case& model);
+
+/// Two lines for a person.
+[[nodiscard]] std::vector<std::string> summary_lines(const MeshSummary& summary);
+/// SI, units in the names.
+[[nodiscard]] nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings);
+
+}  // namespace soft::cli

@@ -1,0 +1,160 @@
+/// postprocess: a result -> the curve (CSV), the curve at given values, a picture.
+///     postprocess bellows.h5 --at elongation=20mm,40mm,80mm,130mm
+///     mesh-gen designs/bellows.yaml | solve | postprocess --plot curve.svg > curve.csv
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "cli.hpp"
+#include "core/text.hpp"
+#include "io/result_file.hpp"
+#include "library_versions.hpp"
+#include "post/csv.hpp"
+#include "post/curve.hpp"
+#include "post/plot.hpp"
+#include "post/request.hpp"
+
+namespace soft {
+namespace {
+
+struct PostprocessOptions {
+    cli::CommonOptions common;
+    std::string input;
+    std::vector<std::string> at;
+    std::string plot;
+    bool comments = false;
+};
+
+std::vector<cli::Library> libraries() { return {{"HDF5", cli::built_with::hdf5}}; }
+
+const cli::About about{.tool = "postprocess",
+                       .summary = "the pressure curve of a result: table, values, picture",
+                       .examples = {{"solve bellows-case.h5 | postprocess --plot curve.svg > curve.csv",
+                                     "The whole curve as CSV, and a picture of it"},
+                                    {"postprocess bellows.h5 --at pressure=10kPa,20kPa --at elongation=40mm",
+                                     "The state at two pressures and at one elongation"}},
+                       .libraries = libraries};
+
+std::optional<PostprocessOptions> parse_options(int argc, char** argv) {
+    PostprocessOptions options;
+    CLI::App app;
+    cli::add_input(app, options.input, "RESULT", "result written by solve");
+    app.add_option("--at", options.at,
+                   "Only the states at these values, by cubic interpolation along the path (repeatable)")
+        ->type_name("QUANTITY=VALUE[,VALUE...]")
+        ->allow_extra_args(false)
+        ->take_all();
+    app.add_option("--plot", options.plot, "Draw the curve to FILE.svg or FILE.png; needs gnuplot")->type_name("FILE");
+    app.add_flag("--comments", options.comments, "Lines '# ...' before the header: how the result was made");
+    cli::add_common_options(app, options.common, about);
+    app.footer(
+        "Columns (those a case does not measure are left out): step, pressure_kPa, <output>_mm, volume_mL, stretch_p99\n"
+        "(largest principal stretch exceeded in 1 % of the rubber: converges under refinement), max_stretch (at a sharp\n"
+        "corner it does not), min_J (least ratio of volumes), stable (1 or 0).\n"
+        "--at gives one row for each crossing, in the order of the path; a value that the path does not reach is refused with\n"
+        "exit code 65 and the range it does reach.\n"
+        "The exit code is 0 also where the path ended early: solve has reported that.\n\n" +
+        app.get_footer());
+    if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
+    if (!options.plot.empty()) static_cast<void>(post::picture_format(options.plot));  // before any work
+    return options;
+}
+
+std::vector<std::string> output_names(const model::Case& model) {
+    std::vector<std::string> names;
+    for (const model::Output& output : model.outputs) names.push_back(output.name);
+    return names;
+}
+
+post::Curve rows_at(const post::Curve& curve, const std::vector<std::string>& texts) {
+    std::vector<post::Request> requests;
+    for (const std::string& text : texts)
+        for (const post::Request& request : post::parse_requests(text, curve)) requests.push_back(request);
+    return post::rows_at(curve, requests);
+}
+
+std::vector<std::string> comments(const io::Result& result, const cli::CommonOptions& common) {
+    std::vector<std::string> lines;
+    for (const io::Provenance& stage : result.provenance) {
+        lines.push_back(stage.tool + " " + stage.version + " (" + stage.revision + "): " + stage.command_line);
+        lines.push_back("    " + core::join(stage.libraries));
+    }
+    lines.push_back("postprocess " + std::string{cli::version()} + " (" + std::string{cli::revision()} +
+                    "): " + common.command_line);
+    return lines;
+}
+
+/// The limit point's coordinates by the names of the curve's columns.
+nlohmann::ordered_json limit_point_json(const post::Curve& curve, const solution::LimitPoint& limit) {
+    nlohmann::ordered_json json = {{"step", limit.step}};
+    auto output = limit.outputs_m.begin();
+    for (const post::Column& column : curve.columns) {
+        if (column.role != post::Role::coordinate) continue;
+        if (column.quantity == "pressure")
+            json[column.name] = post::in_column_unit(column, limit.pressure_Pa);
+        else if (column.dimension == core::Dimension::volume)
+            json[column.name] = post::in_column_unit(column, limit.volume_m3.value_or(0));
+        else if (output != limit.outputs_m.end())
+            json[column.name] = post::in_column_unit(column, *output++);
+    }
+    return json;
+}
+
+nlohmann::ordered_json summary(const io::Result& result, const post::Curve& curve, std::size_t rows) {
+    nlohmann::ordered_json json = {{"tool", about.tool},
+                                   {"version", cli::version()},
+                                   {"revision", cli::revision()},
+                                   {"case", result.model.name},
+                                   {"rows", rows},
+                                   {"steps", result.steps.size()},
+                                   {"columns", nlohmann::ordered_json::array()},
+                                   {"stop_reason", nullptr},
+                                   {"limit_points", nlohmann::ordered_json::array()}};
+    for (const post::Column& column : curve.columns) json["columns"].push_back(column.name);
+    if (!result.end) return json;
+    json["stop_reason"] = solution::name(result.end->reason);
+    json["detail"] = result.end->detail;
+    json["newton_iterations"] = result.end->newton_iterations;
+    json["factorizations"] = result.end->factorizations;
+    for (const solution::LimitPoint& limit : result.end->limit_points)
+        json["limit_points"].push_back(limit_point_json(curve, limit));
+    return json;
+}
+
+/// One line on the path, one a limit point: "limit point: pressure_kPa 44.34, elongation_mm 13.45, volume_mL 24.9".
+void tell(const nlohmann::ordered_json& json, const cli::CommonOptions& common) {
+    cli::Console console(about.tool, common.verbosity);
+    const std::string reason = json["stop_reason"].is_null() ? "not finished: solve was stopped or is still at work"
+                                                             : json["stop_reason"].get<std::string>();
+    const std::string detail = json.value("detail", "");
+    console.say(std::to_string(json["rows"].get<std::size_t>()) + " rows of " +
+                std::to_string(json["steps"].get<std::size_t>()) + " steps; path: " + reason +
+                (detail.empty() ? "" : " (" + detail + ")"));
+    for (const auto& limit : json["limit_points"]) {
+        std::string line;
+        for (const auto& [name, value] : limit.items())
+            if (name != "step")
+                line += (line.empty() ? "" : ", ") + name + " " + core::rounded_text(value.get<double>(), 6);
+        console.say("limit point: " + line);
+    }
+}
+
+ExitCode postprocess(const PostprocessOptions& options) {
+    cli::Input input = cli::read_input(options.input);
+    const io::Result result = io::read_result(std::move(input.bytes), input.source);
+    const post::Curve curve = post::make_curve(output_names(result.model), result.steps);
+    const post::Curve table = options.at.empty() ? curve : rows_at(curve, options.at);
+    const auto lines = options.comments ? comments(result, options.common) : std::vector<std::string>{};
+    cli::write_output(options.common.output, post::csv_text(table, lines));
+    if (!options.plot.empty())
+        post::draw_plot(curve, result.end ? result.end->limit_points : std::vector<solution::LimitPoint>{},
+                        {result.model.name}, options.plot);
+    const nlohmann::ordered_json json = summary(result, curve, table.row_count());
+    if (!options.common.json.empty()) cli::write_json(options.common.json, json);
+    tell(json, options.common);
+    return ExitCode::ok;
+}
+
+}  // namespace
+}  // namespace soft
+
+int main(int argc, char** argv) { return soft::cli::run_guarded(argc, argv, soft::parse_options, soft::postprocess); }

@@ -1,0 +1,103 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "cli.hpp"
+#include "core/text.hpp"
+
+namespace soft::cli {
+namespace {
+
+void to_stderr(std::string_view text) {
+    static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+    std::fflush(stderr);
+}
+
+bool wants_colour(bool terminal) {
+    const char* no_colour = std::getenv("NO_COLOR");   // https://no-color.org: any text but none
+    return terminal && (no_colour == nullptr || *no_colour == '\0');
+}
+
+}  // namespace
+
+Input read_input(const std::string& name, std::size_t limit) {
+    if (!name.empty() && name != "-") return {core::read_file(name, limit), name};
+    if (name.empty() && ::isatty(STDIN_FILENO) == 1)
+        throw Error(ExitCode::usage, "", "no input is named and stdin is a terminal", "name a file, or pipe one in");
+    return {core::read_descriptor(STDIN_FILENO, "<stdin>", limit), "<stdin>"};
+}
+
+void check_output(const std::string& name, Content content) {
+    if (name == "-" && content == Content::binary && ::isatty(STDOUT_FILENO) == 1)
+        throw Error(ExitCode::usage, "<stdout>", "binary data is not written to a terminal", "use -o FILE, or pipe it on");
+}
+
+void write_output(const std::string& name, std::span<const std::byte> bytes, Content content) {
+    check_output(name, content);
+    if (name == "-") {
+        static_cast<void>(core::write_all(STDOUT_FILENO, bytes, "<stdout>"));
+        return;
+    }
+    core::AtomicFile file{name};
+    static_cast<void>(file.write(bytes));
+    file.commit();
+}
+
+void write_output(const std::string& name, std::string_view text) {
+    write_output(name, std::as_bytes(std::span{text}), Content::text);
+}
+
+void write_json(const std::string& name, const nlohmann::ordered_json& json) {
+    // File names need not be UTF-8; JSON must be.
+    constexpr int indent = 2;
+    write_output(name, json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+Console::Console(std::string_view tool, Verbosity verbosity)
+    : tool_(tool), verbosity_(verbosity), terminal_(::isatty(STDERR_FILENO) == 1), colour_(wants_colour(terminal_)) {}
+
+Console::~Console() { clear_bar(); }
+
+void Console::say(std::string_view line) {
+    if (verbosity_ == Verbosity::quiet) return;
+    clear_bar();
+    to_stderr(tool_ + ": " + std::string{line} + "\n");
+}
+
+void Console::detail(std::string_view line) {
+    if (verbosity_ == Verbosity::verbose) say(line);
+}
+
+void Console::warn(std::string_view line) {
+    const std::string label = colour_ ? "\033[33mwarning\033[0m: " : "warning: ";
+    say(label + std::string{line});
+}
+
+void Console::progress(double share, std::string_view text) {
+    if (verbosity_ == Verbosity::quiet) return;
+    share = std::clamp(std::isfinite(share) ? share : 0.0, 0.0, 1.0);
+    if (terminal_) {
+        constexpr int width = 24;
+        const int done = static_cast<int>(std::lround(share * width));
+        const std::string bar = std::string(static_cast<std::size_t>(done), '#') + std::string(static_cast<std::size_t>(width - done), '.');
+        to_stderr("\r\033[K" + tool_ + ": [" + bar + "] " + core::one_line(text, 80));
+        bar_shown_ = true;
+        return;
+    }
+    const int tenths = static_cast<int>(share * 10);
+    if (tenths == tenths_) return;
+    tenths_ = tenths;
+    say(std::to_string(tenths * 10) + " % " + std::string{text});
+}
+
+void Console::clear_bar() {
+    if (bar_shown_) to_stderr("\r\033[K");
+    bar_shown_ = false;
+}
+
+}  // namespace soft::cli
