@@ -1,8 +1,8 @@
 #include "cli.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <csignal>
@@ -29,7 +29,8 @@ std::string command_line_of(int argc, char** argv) {
     std::string line = argc > 0 ? bare_name(argv[0]) : std::string{};
     for (int i = 1; i < argc; ++i) {
         const std::string_view word{argv[i]};
-        const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string_view::npos;
+        const bool plain =
+            !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string_view::npos;
         line += ' ';
         if (plain) {
             line += word;
@@ -59,7 +60,8 @@ void print_error(std::string_view line) {
 int report_bug(int argc, char** argv, std::string_view what) {
     const std::string tool = argc > 0 ? bare_name(argv[0]) : std::string{"soft"};
     print_error(tool + ": internal error: " + core::one_line(what, 500) +
-                "; this is a bug, please report it with the input files of: " + core::one_line(command_line_of(argc, argv), 500));
+                "; this is a bug, please report it with the input files of: " +
+                core::one_line(command_line_of(argc, argv), 500));
     return static_cast<int>(ExitCode::internal);
 }
 
@@ -75,9 +77,11 @@ std::vector<std::string> long_options(const CLI::App& app) {
     const std::vector<std::string> rest = app.remaining();
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError) && !rest.empty()) {
         const std::string word = rest.front().substr(0, rest.front().find('='));
-        if (!word.starts_with('-')) throw Error(ExitCode::usage, "", "one argument too many: " + core::quoted(rest.front()), help);
+        if (!word.starts_with('-'))
+            throw Error(ExitCode::usage, "", "one argument too many: " + core::quoted(rest.front()), help);
         const auto near = core::nearest(word, long_options(app));
-        throw Error(ExitCode::usage, "", "unknown option " + core::quoted(word), near ? "did you mean " + core::quoted(*near) + "?" : help);
+        throw Error(ExitCode::usage, "", "unknown option " + core::quoted(word),
+                    near ? "did you mean " + core::quoted(*near) + "?" : help);
     }
     throw Error(ExitCode::usage, "", core::one_line(error.what(), 300), help);
 }
@@ -97,8 +101,10 @@ void print_version(const About& about, bool as_json) {
         json["libraries"][library.name] = library.version;
         text += library.name + " " + library.version + "\n";
     }
-    if (as_json) write_json("-", json);
-    else write_output("-", text);
+    if (as_json)
+        write_json("-", json);
+    else
+        write_output("-", text);
 }
 
 }  // namespace
@@ -109,11 +115,18 @@ void add_common_options(CLI::App& app, CommonOptions& common, const About& about
     app.footer(help_footer(about));
     app.set_help_flag("-h,--help", "Print this help and exit");
     app.add_option("-o,--output", common.output, "Write to FILE instead of stdout (-)")->type_name("FILE");
-    app.add_option("--json", common.json, "Write a machine-readable summary to FILE; with --version: print the versions as JSON")->type_name("FILE");
-    app.add_flag_callback("-q,--quiet", [&common] { common.verbosity = Verbosity::quiet; }, "No messages but errors");
-    app.add_flag_callback("-v,--verbose", [&common] { common.verbosity = Verbosity::verbose; }, "More messages");
+    app.add_option("--json", common.json,
+                   "Write a machine-readable summary to FILE; with --version: print the versions as JSON")
+        ->type_name("FILE");
+    app.add_flag_callback(
+        "-q,--quiet", [&common] { common.verbosity = Verbosity::quiet; }, "No messages but errors");
+    app.add_flag_callback(
+        "-v,--verbose", [&common] { common.verbosity = Verbosity::verbose; }, "More messages");
     app.add_flag("--version")->description("Print version, git revision and versions of the libraries, and exit");
-    app.add_option("--completion")->description("Print a completion script for the shell, and exit")->type_name("SHELL")->check(CLI::IsMember({"bash"}));
+    app.add_option("--completion")
+        ->description("Print a completion script for the shell, and exit")
+        ->type_name("SHELL")
+        ->check(CLI::IsMember({"bash"}));
     app.add_flag("--man")->description("Print the man page (roff), and exit");
 }
 
@@ -124,17 +137,21 @@ void add_input(CLI::App& app, std::string& input, const std::string& name, const
 void add_set_option(CLI::App& app, std::vector<std::string>& overrides) {
     // One value each: CLI11 would let a list swallow the positional input.
     app.add_option("--set", overrides, "Override a value of the design, e.g. --set geometry.wall=2.5mm (repeatable)")
-        ->type_name("KEY.PATH=VALUE")->allow_extra_args(false)->take_all();
+        ->type_name("KEY.PATH=VALUE")
+        ->allow_extra_args(false)
+        ->take_all();
 }
 
 void at_most_one_of(const CLI::App& app, std::span<const std::string> options) {
-    const auto given = std::count_if(options.begin(), options.end(), [&](const std::string& name) { return app.count(name) > 0; });
-    if (given > 1) throw Error(ExitCode::usage, "", core::join(options, " and ") + " exclude each other", "give one of them");
+    const auto given =
+        std::count_if(options.begin(), options.end(), [&](const std::string& name) { return app.count(name) > 0; });
+    if (given > 1)
+        throw Error(ExitCode::usage, "", core::join(options, " and ") + " exclude each other", "give one of them");
 }
 
 bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, char** argv) {
     common.command_line = command_line_of(argc, argv);
-    if (holds_option(argc, argv, "--version")) {   // before CLI11: here --json needs no file
+    if (holds_option(argc, argv, "--version")) {  // before CLI11: here --json needs no file
         print_version(about, holds_option(argc, argv, "--json"));
         return false;
     }
@@ -147,8 +164,10 @@ bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, c
         refuse_usage(app, about, error);
     }
     at_most_one_of(app, std::vector<std::string>{"--quiet", "--verbose"});
-    if (app.count("--completion") > 0) write_output("-", bash_completion(app, about));
-    else if (app.count("--man") > 0) write_output("-", man_page(app, about));
+    if (app.count("--completion") > 0)
+        write_output("-", bash_completion(app, about));
+    else if (app.count("--man") > 0)
+        write_output("-", man_page(app, about));
     else {
         if (common.json == "-" && common.output == "-")
             throw Error(ExitCode::usage, "", "data and --json cannot both go to stdout", "use -o FILE or --json FILE");
@@ -175,7 +194,7 @@ std::vector<std::string> library_lines(const About& about) {
 
 int guarded(int argc, char** argv, const std::function<ExitCode()>& body) {
     open_missing_streams();
-    std::signal(SIGPIPE, SIG_IGN);   // a reader that leaves is seen as EPIPE by core::write_all
+    std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is seen as EPIPE by core::write_all
     try {
         return static_cast<int>(body());
     } catch (const Error& error) {

@@ -29,24 +29,28 @@ class App;
 
 namespace soft::cli {
 
-struct Library { std::string name, version; };
-struct Example { std::string_view command, meaning; };
+struct Library {
+    std::string name, version;
+};
+struct Example {
+    std::string_view command, meaning;
+};
 
 /// What a tool says of itself in --help, --version, --man.
 struct About {
-    std::string_view tool;                 ///< "mesh-gen"
-    std::string_view summary;              ///< one line
-    std::vector<Example> examples;         ///< two
-    std::vector<Library> (*libraries)();   ///< with the versions it runs with
+    std::string_view tool;                ///< "mesh-gen"
+    std::string_view summary;             ///< one line
+    std::vector<Example> examples;        ///< two
+    std::vector<Library> (*libraries)();  ///< with the versions it runs with
 };
 
 enum class Verbosity { quiet, normal, verbose };
 
 struct CommonOptions {
-    std::string output = "-";              ///< file, or "-" for stdout
-    std::string json;                      ///< summary goes here; empty: nowhere; "-": stdout
+    std::string output = "-";  ///< file, or "-" for stdout
+    std::string json;          ///< summary goes here; empty: nowhere; "-": stdout
     Verbosity verbosity = Verbosity::normal;
-    std::string command_line;              ///< as typed, program by its bare name: for provenance
+    std::string command_line;  ///< as typed, program by its bare name: for provenance
 };
 
 /// -o/--output, --quiet, --verbose, --json, --version, --completion, --man.
@@ -87,7 +91,7 @@ template <class Parse, class Run>
 
 struct Input {
     core::Bytes bytes;
-    std::string source;                    ///< "designs/tube.yaml" or "<stdin>", for errors
+    std::string source;  ///< "designs/tube.yaml" or "<stdin>", for errors
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 };
 
@@ -113,9 +117,9 @@ public:
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    void say(std::string_view line);       ///< unless --quiet
-    void detail(std::string_view line);    ///< with --verbose
-    void warn(std::string_view line);      ///< "tool: warning: line", unless --quiet
+    void say(std::string_view line);     ///< unless --quiet
+    void detail(std::string_view line);  ///< with --verbose
+    void warn(std::string_view line);    ///< "tool: warning: line", unless --quiet
     /// A bar that is redrawn on a terminal; elsewhere a plain line each tenth of the way. `share` from 0 to 1.
     void progress(double share, std::string_view text);
 

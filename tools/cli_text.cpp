@@ -4,16 +4,20 @@
 
 #include <array>
 
-#include "revision.hpp"   // generated at every build
+#include "revision.hpp"  // generated at every build
 
 namespace soft::cli {
 namespace {
 
-struct CodeMeaning { ExitCode code; std::string_view meaning; };
+struct CodeMeaning {
+    ExitCode code;
+    std::string_view meaning;
+};
 constexpr std::array exit_codes = {
     CodeMeaning{ExitCode::ok, "done"},
     CodeMeaning{ExitCode::check_failed, "a comparison or regression check failed"},
-    CodeMeaning{ExitCode::stopped_early, "the path ended early for a physical or numerical reason; the steps reached are in the file"},
+    CodeMeaning{ExitCode::stopped_early,
+                "the path ended early for a physical or numerical reason; the steps reached are in the file"},
     CodeMeaning{ExitCode::usage, "usage: unknown option, bad combination"},
     CodeMeaning{ExitCode::bad_input, "bad input: refused, with its place"},
     CodeMeaning{ExitCode::cannot_open, "an input cannot be opened"},
@@ -26,10 +30,14 @@ constexpr std::array exit_codes = {
 std::string roff(std::string_view text) {
     std::string escaped;
     for (const char c : text) {
-        if (c == '\\') escaped += "\\e";
-        else if (c == '-') escaped += "\\-";
-        else if ((c == '.' || c == '\'') && (escaped.empty() || escaped.back() == '\n')) escaped.append("\\&").append(1, c);
-        else escaped += c;
+        if (c == '\\')
+            escaped += "\\e";
+        else if (c == '-')
+            escaped += "\\-";
+        else if ((c == '.' || c == '\'') && (escaped.empty() || escaped.back() == '\n'))
+            escaped.append("\\&").append(1, c);
+        else
+            escaped += c;
     }
     return escaped;
 }
@@ -67,13 +75,14 @@ std::string_view revision() noexcept { return SOFT_REVISION; }
 
 std::string help_footer(const About& about) {
     std::string text = "Examples:\n";
-    for (const Example& example : about.examples) text.append("  ").append(example.command).append("\n      ").append(example.meaning).append("\n");
+    for (const Example& example : about.examples)
+        text.append("  ").append(example.command).append("\n      ").append(example.meaning).append("\n");
     text += "\nExit codes:\n";
     for (const auto& [code, meaning] : exit_codes) {
         const std::string number = std::to_string(static_cast<int>(code));
         text.append("  ").append(number).append(4 - number.size(), ' ').append(meaning).append("\n");
     }
-    text.pop_back();   // CLI11 ends the footer itself
+    text.pop_back();  // CLI11 ends the footer itself
     return text;
 }
 
@@ -95,9 +104,11 @@ std::string man_page(const CLI::App& app, const About& about) {
         if (const std::string words = words_of(*option); !words.empty()) page += ".br\nOne of: " + roff(words) + ".\n";
     }
     page += ".SH EXIT STATUS\n";
-    for (const auto& [code, meaning] : exit_codes) page += ".TP\n\\fB" + std::to_string(static_cast<int>(code)) + "\\fR\n" + roff(meaning) + "\n";
+    for (const auto& [code, meaning] : exit_codes)
+        page += ".TP\n\\fB" + std::to_string(static_cast<int>(code)) + "\\fR\n" + roff(meaning) + "\n";
     page += ".SH EXAMPLES\n";
-    for (const Example& example : about.examples) page += ".TP\n\\fB" + roff(example.command) + "\\fR\n" + roff(example.meaning) + "\n";
+    for (const Example& example : about.examples)
+        page += ".TP\n\\fB" + roff(example.command) + "\\fR\n" + roff(example.meaning) + "\n";
     page += ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\nNo colour in messages.\n";
     return page;
 }
@@ -107,7 +118,9 @@ std::string bash_completion(const CLI::App& app, const About& about) {
     for (char& c : function)
         if (c == '-') c = '_';
     std::string all, cases;
-    const auto reply = [](const std::string& compgen) { return "COMPREPLY=(" + (compgen.empty() ? "" : "$(compgen " + compgen + " -- \"$word\")") + ")"; };
+    const auto reply = [](const std::string& compgen) {
+        return "COMPREPLY=(" + (compgen.empty() ? "" : "$(compgen " + compgen + " -- \"$word\")") + ")";
+    };
     for (const CLI::Option* option : app.get_options()) {
         if (!option->nonpositional()) continue;
         std::string pattern;
@@ -119,10 +132,17 @@ std::string bash_completion(const CLI::App& app, const About& about) {
         if (!takes_value(*option)) continue;
         const std::string words = words_of(*option);
         const bool file = words.empty() && value_name(*option) == "FILE";
-        cases += "        " + pattern + ") " + reply(file ? "-f" : words.empty() ? "" : "-W '" + words + "'") + "; return;;\n";
+        cases += "        " + pattern + ") " +
+                 reply(file            ? "-f"
+                       : words.empty() ? ""
+                                       : "-W '" + words + "'") +
+                 "; return;;\n";
     }
-    std::string script = "# bash completion of " + std::string{about.tool} + ": source this, or put it into /etc/bash_completion.d\n";
-    script += function + "() {\n    local word=\"${COMP_WORDS[COMP_CWORD]}\"\n    case \"${COMP_WORDS[COMP_CWORD-1]}\" in\n" + cases + "    esac\n";
+    std::string script =
+        "# bash completion of " + std::string{about.tool} + ": source this, or put it into /etc/bash_completion.d\n";
+    script += function +
+              "() {\n    local word=\"${COMP_WORDS[COMP_CWORD]}\"\n    case \"${COMP_WORDS[COMP_CWORD-1]}\" in\n" +
+              cases + "    esac\n";
     script += "    if [[ $word == -* ]]; then " + reply("-W '" + all + "'") + "; else " + reply("-f") + "; fi\n}\n";
     return script + "complete -o filenames -F " + function + " " + std::string{about.tool} + "\n";
 }

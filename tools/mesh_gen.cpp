@@ -26,8 +26,10 @@ std::vector<cli::Library> libraries() {
 const cli::About about{
     .tool = "mesh-gen",
     .summary = "a parametric soft actuator (YAML) to a case (HDF5): mesh, materials, supports and loads",
-    .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv", "the whole way from design to curve"},
-                 {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5", "a design to start from, changed and meshed"}},
+    .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
+                  "the whole way from design to curve"},
+                 {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
+                  "a design to start from, changed and meshed"}},
     .libraries = libraries};
 
 enum class Task { build, check, explain, list, print_template };
@@ -52,10 +54,12 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     const auto task = [&options](Task chosen) { return [&options, chosen] { options.task = chosen; }; };
     cli::add_input(app, options.input, "DESIGN", "The design (YAML)");
     app.add_flag_callback("--check", task(Task::check), "Validate the design and write nothing");
-    app.add_flag_callback("--explain", task(Task::explain), "Print the effective design: what is given, what is a default, what it means");
+    app.add_flag_callback("--explain", task(Task::explain),
+                          "Print the effective design: what is given, what is a default, what it means");
     app.add_flag_callback("--list", task(Task::list), "Print the actuator families");
     app.add_option("--template", options.family, "Print a commented, runnable design of the family")
-        ->type_name("FAMILY")->check(CLI::IsMember(family_names()));
+        ->type_name("FAMILY")
+        ->check(CLI::IsMember(family_names()));
     cli::add_set_option(app, options.sets);
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
@@ -76,18 +80,21 @@ std::string family_list() {
 
 const design::FamilyKeys& family_named(const std::string& name) {
     const auto families = geometry::catalogue_keys();
-    return *std::find_if(families.begin(), families.end(), [&](const design::FamilyKeys& family) { return family.name == name; });
+    return *std::find_if(families.begin(), families.end(),
+                         [&](const design::FamilyKeys& family) { return family.name == name; });
 }
 
 ExitCode build(const MeshGenOptions& options, const cli::Input& input, const std::vector<design::Override>& overrides) {
     cli::Console console{about.tool, options.common.verbosity};
-    const design::Design design = design::read_design(input.text(), input.source, geometry::catalogue_keys(), overrides);
+    const design::Design design =
+        design::read_design(input.text(), input.source, geometry::catalogue_keys(), overrides);
     for (const std::string& warning : design.warnings) console.warn(warning);
     const model::Case model = geometry::build_case(design);
     const cli::MeshSummary summary = cli::inspect(model);
     if (options.task == Task::build) {
-        const io::Provenance provenance{std::string{about.tool}, std::string{cli::version()}, std::string{cli::revision()},
-                                        cli::library_lines(about), options.common.command_line};
+        const io::Provenance provenance{std::string{about.tool}, std::string{cli::version()},
+                                        std::string{cli::revision()}, cli::library_lines(about),
+                                        options.common.command_line};
         const auto image = io::write_case(model, {design.family, design.effective_yaml, options.sets}, provenance);
         cli::write_output(options.common.output, image, cli::Content::binary);
     }
@@ -98,19 +105,23 @@ ExitCode build(const MeshGenOptions& options, const cli::Input& input, const std
 }
 
 ExitCode mesh_gen(const MeshGenOptions& options) {
-    constexpr std::size_t longest_design = (std::size_t{1} << 20) + 1;   // one more than the reader takes: it says so
+    constexpr std::size_t longest_design = (std::size_t{1} << 20) + 1;  // one more than the reader takes: it says so
     const std::string& output = options.common.output;
     switch (options.task) {
         case Task::list: cli::write_output(output, family_list()); return ExitCode::ok;
-        case Task::print_template: cli::write_output(output, design::template_yaml(family_named(options.family))); return ExitCode::ok;
-        case Task::explain: case Task::check: break;
+        case Task::print_template:
+            cli::write_output(output, design::template_yaml(family_named(options.family)));
+            return ExitCode::ok;
+        case Task::explain:
+        case Task::check: break;
         case Task::build: cli::check_output(output, cli::Content::binary); break;
     }
     const cli::Input input = cli::read_input(options.input, longest_design);
     std::vector<design::Override> overrides;
     for (const std::string& set : options.sets) overrides.push_back(design::parse_override(set));
     if (options.task != Task::explain) return build(options, input, overrides);
-    cli::write_output(output, design::explain_design(input.text(), input.source, geometry::catalogue_keys(), overrides));
+    cli::write_output(output,
+                      design::explain_design(input.text(), input.source, geometry::catalogue_keys(), overrides));
     return ExitCode::ok;
 }
 

@@ -23,7 +23,8 @@ std::size_t free_displacements(const model::Case& model) {
                 for (std::size_t i = 0; i < dimension; ++i) held[static_cast<std::size_t>(node)][i] |= support.fixed[i];
     }
     std::size_t count = 0;
-    for (const auto& node : held) count += dimension - static_cast<std::size_t>(std::count(node.begin(), node.end(), true));
+    for (const auto& node : held)
+        count += dimension - static_cast<std::size_t>(std::count(node.begin(), node.end(), true));
     return count;
 }
 
@@ -74,18 +75,20 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
     std::string shape = "rubber " + volume_text(summary.rubber_volume_m3);
     for (const surface::CavityReport& cavity : summary.cavities) {
         shape += ", " + cavity.name + " " + volume_text(cavity.volume_m3);
-        if (cavity.smallest_wall_m) shape += ", smallest wall " + core::quantity_text(*cavity.smallest_wall_m, core::Dimension::length);
+        if (cavity.smallest_wall_m)
+            shape += ", smallest wall " + core::quantity_text(*cavity.smallest_wall_m, core::Dimension::length);
     }
     shape += ", worst scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
-    return {core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" + summary.cell_types + "), " +
-                std::to_string(summary.points) + " points, " + std::to_string(summary.unknowns) + " unknowns",
+    return {core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" + summary.cell_types +
+                "), " + std::to_string(summary.points) + " points, " + std::to_string(summary.unknowns) + " unknowns",
             shape};
 }
 
 nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings) {
     nlohmann::ordered_json cavities = nlohmann::ordered_json::array();
     for (const surface::CavityReport& cavity : summary.cavities) {
-        nlohmann::ordered_json one = {{"name", cavity.name}, {"volume_m3", cavity.volume_m3}, {"surface_triangles", cavity.triangles}};
+        nlohmann::ordered_json one = {
+            {"name", cavity.name}, {"volume_m3", cavity.volume_m3}, {"surface_triangles", cavity.triangles}};
         if (cavity.smallest_wall_m) {
             one["smallest_wall_m"] = *cavity.smallest_wall_m;
             one["smallest_wall_place_m"] = cavity.smallest_wall_place;

@@ -13,11 +13,11 @@ namespace soft::cli {
 
 struct MeshSummary {
     std::string name;
-    std::string cell_types;                        ///< "hex27, wedge18"
+    std::string cell_types;  ///< "hex27, wedge18"
     mesh::Index cells = 0;
     std::size_t points = 0;
-    std::size_t unknowns = 0;                      ///< free displacements and pressures
-    double rubber_volume_m3 = 0;                   ///< whole actuator
+    std::size_t unknowns = 0;     ///< free displacements and pressures
+    double rubber_volume_m3 = 0;  ///< whole actuator
     mesh::Quality quality;
     std::vector<surface::CavityReport> cavities;
 };

@@ -12,6 +12,7 @@
 #include "post/curve.hpp"
 #include "post/plot.hpp"
 #include "post/request.hpp"
+#include "postprocess_summary.hpp"
 
 namespace soft {
 namespace {
@@ -83,62 +84,8 @@ std::vector<std::string> comments(const io::Result& result, const cli::CommonOpt
     return lines;
 }
 
-/// The limit point's coordinates by the names of the curve's columns.
-nlohmann::ordered_json limit_point_json(const post::Curve& curve, const solution::LimitPoint& limit) {
-    nlohmann::ordered_json json = {{"step", limit.step}};
-    auto output = limit.outputs_m.begin();
-    for (const post::Column& column : curve.columns) {
-        if (column.role != post::Role::coordinate) continue;
-        if (column.quantity == "pressure")
-            json[column.name] = post::in_column_unit(column, limit.pressure_Pa);
-        else if (column.dimension == core::Dimension::volume)
-            json[column.name] = post::in_column_unit(column, limit.volume_m3.value_or(0));
-        else if (output != limit.outputs_m.end())
-            json[column.name] = post::in_column_unit(column, *output++);
-    }
-    return json;
-}
-
-nlohmann::ordered_json summary(const io::Result& result, const post::Curve& curve, std::size_t rows) {
-    nlohmann::ordered_json json = {{"tool", about.tool},
-                                   {"version", cli::version()},
-                                   {"revision", cli::revision()},
-                                   {"case", result.model.name},
-                                   {"rows", rows},
-                                   {"steps", result.steps.size()},
-                                   {"columns", nlohmann::ordered_json::array()},
-                                   {"stop_reason", nullptr},
-                                   {"limit_points", nlohmann::ordered_json::array()}};
-    for (const post::Column& column : curve.columns) json["columns"].push_back(column.name);
-    if (!result.end) return json;
-    json["stop_reason"] = solution::name(result.end->reason);
-    json["detail"] = result.end->detail;
-    json["newton_iterations"] = result.end->newton_iterations;
-    json["factorizations"] = result.end->factorizations;
-    for (const solution::LimitPoint& limit : result.end->limit_points)
-        json["limit_points"].push_back(limit_point_json(curve, limit));
-    return json;
-}
-
-/// One line on the path, one a limit point: "limit point: pressure_kPa 44.34, elongation_mm 13.45, volume_mL 24.9".
-void tell(const nlohmann::ordered_json& json, const cli::CommonOptions& common) {
-    cli::Console console(about.tool, common.verbosity);
-    const std::string reason = json["stop_reason"].is_null() ? "not finished: solve was stopped or is still at work"
-                                                             : json["stop_reason"].get<std::string>();
-    const std::string detail = json.value("detail", "");
-    console.say(std::to_string(json["rows"].get<std::size_t>()) + " rows of " +
-                std::to_string(json["steps"].get<std::size_t>()) + " steps; path: " + reason +
-                (detail.empty() ? "" : " (" + detail + ")"));
-    for (const auto& limit : json["limit_points"]) {
-        std::string line;
-        for (const auto& [name, value] : limit.items())
-            if (name != "step")
-                line += (line.empty() ? "" : ", ") + name + " " + core::rounded_text(value.get<double>(), 6);
-        console.say("limit point: " + line);
-    }
-}
-
 ExitCode postprocess(const PostprocessOptions& options) {
+    cli::Console console(about.tool, options.common.verbosity);
     cli::Input input = cli::read_input(options.input);
     const io::Result result = io::read_result(std::move(input.bytes), input.source);
     const post::Curve curve = post::make_curve(output_names(result.model), result.steps);
@@ -148,9 +95,9 @@ ExitCode postprocess(const PostprocessOptions& options) {
     if (!options.plot.empty())
         post::draw_plot(curve, result.end ? result.end->limit_points : std::vector<solution::LimitPoint>{},
                         {result.model.name}, options.plot);
-    const nlohmann::ordered_json json = summary(result, curve, table.row_count());
+    const nlohmann::ordered_json json = postprocess_summary(result, curve, table.row_count());
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
-    tell(json, options.common);
+    for (const std::string& line : summary_lines(json)) console.say(line);
     return ExitCode::ok;
 }
 

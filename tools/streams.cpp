@@ -19,7 +19,7 @@ void to_stderr(std::string_view text) {
 }
 
 bool wants_colour(bool terminal) {
-    const char* no_colour = std::getenv("NO_COLOR");   // https://no-color.org: any text but none
+    const char* no_colour = std::getenv("NO_COLOR");  // https://no-color.org: any text but none
     return terminal && (no_colour == nullptr || *no_colour == '\0');
 }
 
@@ -34,7 +34,8 @@ Input read_input(const std::string& name, std::size_t limit) {
 
 void check_output(const std::string& name, Content content) {
     if (name == "-" && content == Content::binary && ::isatty(STDOUT_FILENO) == 1)
-        throw Error(ExitCode::usage, "<stdout>", "binary data is not written to a terminal", "use -o FILE, or pipe it on");
+        throw Error(ExitCode::usage, "<stdout>", "binary data is not written to a terminal",
+                    "use -o FILE, or pipe it on");
 }
 
 void write_output(const std::string& name, std::span<const std::byte> bytes, Content content) {
@@ -84,7 +85,8 @@ void Console::progress(double share, std::string_view text) {
     if (terminal_) {
         constexpr int width = 24;
         const int done = static_cast<int>(std::lround(share * width));
-        const std::string bar = std::string(static_cast<std::size_t>(done), '#') + std::string(static_cast<std::size_t>(width - done), '.');
+        const std::string bar =
+            std::string(static_cast<std::size_t>(done), '#') + std::string(static_cast<std::size_t>(width - done), '.');
         to_stderr("\r\033[K" + tool_ + ": [" + bar + "] " + core::one_line(text, 80));
         bar_shown_ = true;
         return;

@@ -20,7 +20,9 @@ std::string reason(int error) { return std::generic_category().message(error); }
 class Descriptor {
 public:
     explicit Descriptor(int value) noexcept : value_(value) {}
-    ~Descriptor() { if (value_ >= 0) ::close(value_); }
+    ~Descriptor() {
+        if (value_ >= 0) ::close(value_);
+    }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
     [[nodiscard]] int get() const noexcept { return value_; }
@@ -37,7 +39,7 @@ std::size_t expected_size(int descriptor) noexcept {
 }
 
 mode_t mode_for_new_file() noexcept {
-    const mode_t mask = ::umask(0);   // reading the mask means setting it
+    const mode_t mask = ::umask(0);  // reading the mask means setting it
     ::umask(mask);
     return static_cast<mode_t>(0666 & ~mask);
 }
@@ -82,12 +84,13 @@ Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string
 }
 
 AtomicFile::AtomicFile(const fs::path& path) : name_(path.string()), target_(path) {
-    std::error_code ignored;
-    if (fs::is_symlink(path, ignored)) target_ = fs::weakly_canonical(path, ignored);
     struct stat status {};
     const bool exists = ::stat(target_.c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) throw Error(ExitCode::cannot_create, name_, "is a folder", "name a file");
     renames_ = !exists || S_ISREG(status.st_mode);
+    std::error_code ignored;
+    // /dev/stdout is a link too, but one whose end need not have a path.
+    if (renames_ && fs::is_symlink(path, ignored)) target_ = fs::weakly_canonical(path, ignored);
     if (!renames_) {
         written_ = target_;
         descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);

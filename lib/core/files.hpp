@@ -35,7 +35,7 @@ enum class Delivery { whole, reader_left };
 /// (/dev/null, a named pipe) is written directly.
 class AtomicFile {
 public:
-    explicit AtomicFile(const std::filesystem::path& path);   ///< Error(cannot_create) with the reason
+    explicit AtomicFile(const std::filesystem::path& path);  ///< Error(cannot_create) with the reason
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -50,7 +50,7 @@ public:
 private:
     void discard() noexcept;
 
-    std::string name_;                 ///< as the user wrote it, for errors
+    std::string name_;  ///< as the user wrote it, for errors
     std::filesystem::path target_;
     std::filesystem::path written_;
     int descriptor_ = -1;

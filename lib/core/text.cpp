@@ -19,7 +19,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = lower(a[i - 1]) == lower(b[j - 1]);
             row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (same ? 0u : 1u)});
-            const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+            const bool swapped =
+                i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
             if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
         }
         std::swap(before, above);
@@ -29,12 +30,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 /// Length of the UTF-8 sequence that a lead byte announces and the range of its second byte; 0 for a wrong lead.
-struct Sequence { std::size_t length; unsigned char low, high; };
+struct Sequence {
+    std::size_t length;
+    unsigned char low, high;
+};
 Sequence announced(unsigned char lead) noexcept {
     if (lead < 0x80) return {1, 0, 0};
     if (lead >= 0xC2 && lead <= 0xDF) return {2, 0x80, 0xBF};
     if (lead == 0xE0) return {3, 0xA0, 0xBF};
-    if (lead == 0xED) return {3, 0x80, 0x9F};   // 0xA0 and up would be surrogates
+    if (lead == 0xED) return {3, 0x80, 0x9F};  // 0xA0 and up would be surrogates
     if (lead >= 0xE1 && lead <= 0xEF) return {3, 0x80, 0xBF};
     if (lead == 0xF0) return {4, 0x90, 0xBF};
     if (lead >= 0xF1 && lead <= 0xF3) return {4, 0x80, 0xBF};
@@ -52,7 +56,8 @@ std::string number_text(double value) {
 
 std::string rounded_text(double value, int digits) {
     std::array<char, 64> buffer;
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr;
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, digits).ptr;
     return {buffer.data(), end};
 }
 
@@ -72,7 +77,7 @@ std::string one_line(std::string_view text, std::size_t longest) {
         line += byte < 0x20 || byte == 0x7F ? '?' : c;
     }
     if (text.size() <= longest) return line;
-    if (const auto broken = first_invalid_utf8(line)) line.resize(*broken);   // do not cut a letter in two
+    if (const auto broken = first_invalid_utf8(line)) line.resize(*broken);  // do not cut a letter in two
     return line + "...";
 }
 
@@ -84,7 +89,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
-    constexpr std::size_t longest_key = 64;   // keeps the cost of a hostile key bounded
+    constexpr std::size_t longest_key = 64;  // keeps the cost of a hostile key bounded
     if (word.size() > longest_key) return std::nullopt;
     const std::string* best = nullptr;
     std::size_t least = 0;

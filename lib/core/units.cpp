@@ -21,29 +21,58 @@ struct Unit {
     double factor = 1.0;
 };
 
-constexpr double psi_Pa = 6894.757293168361;   // lbf / in^2 by definition of pound, g_n and inch
+constexpr double psi_Pa = 6894.757293168361;  // lbf / in^2 by definition of pound, g_n and inch
 constexpr std::array units = {
     Unit{"%", Dimension::ratio, -2},
-    Unit{"m", Dimension::length}, Unit{"cm", Dimension::length, -2}, Unit{"mm", Dimension::length, -3},
-    Unit{"um", Dimension::length, -6}, Unit{"\u00B5m", Dimension::length, -6}, Unit{"\u03BCm", Dimension::length, -6},
+    Unit{"m", Dimension::length},
+    Unit{"cm", Dimension::length, -2},
+    Unit{"mm", Dimension::length, -3},
+    Unit{"um", Dimension::length, -6},
+    Unit{"\u00B5m", Dimension::length, -6},
+    Unit{"\u03BCm", Dimension::length, -6},
     Unit{"in", Dimension::length, -4, 254.0},
-    Unit{"m^2", Dimension::area}, Unit{"cm^2", Dimension::area, -4}, Unit{"mm^2", Dimension::area, -6},
-    Unit{"m\u00B2", Dimension::area}, Unit{"cm\u00B2", Dimension::area, -4}, Unit{"mm\u00B2", Dimension::area, -6},
-    Unit{"m^3", Dimension::volume}, Unit{"cm^3", Dimension::volume, -6}, Unit{"mm^3", Dimension::volume, -9},
-    Unit{"m\u00B3", Dimension::volume}, Unit{"cm\u00B3", Dimension::volume, -6}, Unit{"mm\u00B3", Dimension::volume, -9},
-    Unit{"L", Dimension::volume, -3}, Unit{"l", Dimension::volume, -3},
-    Unit{"mL", Dimension::volume, -6}, Unit{"ml", Dimension::volume, -6}, Unit{"uL", Dimension::volume, -9},
-    Unit{"Pa", Dimension::pressure}, Unit{"hPa", Dimension::pressure, 2}, Unit{"kPa", Dimension::pressure, 3},
-    Unit{"MPa", Dimension::pressure, 6}, Unit{"GPa", Dimension::pressure, 9},
-    Unit{"N/m^2", Dimension::pressure}, Unit{"N/mm^2", Dimension::pressure, 6},
-    Unit{"mbar", Dimension::pressure, 2}, Unit{"bar", Dimension::pressure, 5}, Unit{"psi", Dimension::pressure, 0, psi_Pa},
-    Unit{"rad", Dimension::angle}, Unit{"deg", Dimension::angle, 0, std::numbers::pi / 180.0},
+    Unit{"m^2", Dimension::area},
+    Unit{"cm^2", Dimension::area, -4},
+    Unit{"mm^2", Dimension::area, -6},
+    Unit{"m\u00B2", Dimension::area},
+    Unit{"cm\u00B2", Dimension::area, -4},
+    Unit{"mm\u00B2", Dimension::area, -6},
+    Unit{"m^3", Dimension::volume},
+    Unit{"cm^3", Dimension::volume, -6},
+    Unit{"mm^3", Dimension::volume, -9},
+    Unit{"m\u00B3", Dimension::volume},
+    Unit{"cm\u00B3", Dimension::volume, -6},
+    Unit{"mm\u00B3", Dimension::volume, -9},
+    Unit{"L", Dimension::volume, -3},
+    Unit{"l", Dimension::volume, -3},
+    Unit{"mL", Dimension::volume, -6},
+    Unit{"ml", Dimension::volume, -6},
+    Unit{"uL", Dimension::volume, -9},
+    Unit{"Pa", Dimension::pressure},
+    Unit{"hPa", Dimension::pressure, 2},
+    Unit{"kPa", Dimension::pressure, 3},
+    Unit{"MPa", Dimension::pressure, 6},
+    Unit{"GPa", Dimension::pressure, 9},
+    Unit{"N/m^2", Dimension::pressure},
+    Unit{"N/mm^2", Dimension::pressure, 6},
+    Unit{"mbar", Dimension::pressure, 2},
+    Unit{"bar", Dimension::pressure, 5},
+    Unit{"psi", Dimension::pressure, 0, psi_Pa},
+    Unit{"rad", Dimension::angle},
+    Unit{"deg", Dimension::angle, 0, std::numbers::pi / 180.0},
     Unit{"\u00B0", Dimension::angle, 0, std::numbers::pi / 180.0},
-    Unit{"kg/m^3", Dimension::density}, Unit{"g/cm^3", Dimension::density, 3}, Unit{"g/mL", Dimension::density, 3},
-    Unit{"kg/m\u00B3", Dimension::density}, Unit{"g/cm\u00B3", Dimension::density, 3},
+    Unit{"kg/m^3", Dimension::density},
+    Unit{"g/cm^3", Dimension::density, 3},
+    Unit{"g/mL", Dimension::density, 3},
+    Unit{"kg/m\u00B3", Dimension::density},
+    Unit{"g/cm\u00B3", Dimension::density, 3},
 };
 
-constexpr std::size_t longest_number = 40;   // in a message
+/// Units of messages, coarse to fine within a dimension: the first that leaves a number of 1 or more is used.
+constexpr std::array<std::string_view, 14> message_units = {"m",   "mm", "um", "m^2", "mm^2", "m^3", "mL", "mm^3",
+                                                            "GPa", "MPa", "kPa", "Pa", "deg", "kg/m^3"};
+
+constexpr std::size_t longest_number = 40;  // in a message
 
 /// "-12.5e3 mm" taken apart; `number` is empty if the text does not start with a decimal number.
 struct Parts {
@@ -57,7 +86,7 @@ std::size_t digits_from(std::string_view text, std::size_t at) noexcept {
 
 Parts split(std::string_view text) noexcept {
     text = trimmed(text);
-    const bool plus = text.starts_with('+');   // from_chars takes no plus sign
+    const bool plus = text.starts_with('+');  // from_chars takes no plus sign
     if (plus) text.remove_prefix(1);
     const std::size_t sign = !plus && text.starts_with('-') ? 1 : 0;
     const std::size_t whole = digits_from(text, sign);
@@ -68,7 +97,8 @@ Parts split(std::string_view text) noexcept {
     Parts parts;
     parts.mantissa = text.substr(0, end);
     if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
-        const std::size_t first = end + 1 < text.size() && (text[end + 1] == '+' || text[end + 1] == '-') ? end + 2 : end + 1;
+        const std::size_t first =
+            end + 1 < text.size() && (text[end + 1] == '+' || text[end + 1] == '-') ? end + 2 : end + 1;
         if (const std::size_t last = digits_from(text, first); last > first) {
             parts.exponent = text.substr(end + 1, last - end - 1);
             end = last;
@@ -85,14 +115,16 @@ std::optional<double> value_of(const Parts& parts, int power) {
     std::string_view digits = parts.exponent;
     if (digits.starts_with('+')) digits.remove_prefix(1);
     if (!digits.empty()) {
-        if (std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec != std::errc{}) return std::nullopt;
+        if (std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec != std::errc{})
+            return std::nullopt;
     }
     constexpr int beyond_double = 5000;
     if (std::abs(exponent) > beyond_double) return std::nullopt;
     const std::string shifted = std::string{parts.mantissa} + "e" + std::to_string(exponent + power);
     double value = 0;
     const auto result = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);
-    if (result.ec != std::errc{} || result.ptr != shifted.data() + shifted.size() || !std::isfinite(value)) return std::nullopt;
+    if (result.ec != std::errc{} || result.ptr != shifted.data() + shifted.size() || !std::isfinite(value))
+        return std::nullopt;
     return value;
 }
 
@@ -118,7 +150,8 @@ std::string advice(Dimension dimension) {
 Refusal not_a_number(std::string_view text, Dimension dimension) {
     const std::string_view value = trimmed(text);
     if (value.empty()) return {"the value is empty", advice(dimension)};
-    return {quoted(value) + " is not a number" + (dimension == Dimension::ratio ? "" : " with a unit"), advice(dimension)};
+    return {quoted(value) + " is not a number" + (dimension == Dimension::ratio ? "" : " with a unit"),
+            advice(dimension)};
 }
 
 Refusal unknown_unit(const Parts& parts, Dimension dimension) {
@@ -175,7 +208,8 @@ Parsed<double> parse_quantity(std::string_view text, Dimension dimension) {
     const Unit* unit = find_unit(parts.unit);
     if (!parts.unit.empty() && unit == nullptr) return unknown_unit(parts, dimension);
     if (unit != nullptr && unit->dimension != dimension)
-        return Refusal{shown + " is " + with_article(name(unit->dimension)) + " where " + with_article(name(dimension)) + " is needed",
+        return Refusal{shown + " is " + with_article(name(unit->dimension)) + " where " +
+                           with_article(name(dimension)) + " is needed",
                        advice(dimension)};
     const auto decimal = value_of(parts, unit == nullptr ? 0 : unit->power);
     const double value = decimal.value_or(0.0) * (unit == nullptr ? 1.0 : unit->factor);
@@ -189,13 +223,15 @@ Parsed<long> parse_count(std::string_view text) {
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (digits.empty() || result.ec == std::errc::invalid_argument || result.ptr != digits.data() + digits.size())
         return Refusal{quoted(digits) + " is not a whole number", "write for example 10"};
-    if (result.ec != std::errc{}) return Refusal{quoted(digits) + " is beyond the range of numbers", "write for example 10"};
+    if (result.ec != std::errc{})
+        return Refusal{quoted(digits) + " is beyond the range of numbers", "write for example 10"};
     return value;
 }
 
 double quantity_or_throw(std::string_view text, Dimension dimension, ExitCode code, std::string_view place) {
     const Parsed<double> parsed = parse_quantity(text, dimension);
-    if (const Refusal* refusal = std::get_if<Refusal>(&parsed)) throw Error(code, place, refusal->problem, refusal->remedy);
+    if (const Refusal* refusal = std::get_if<Refusal>(&parsed))
+        throw Error(code, place, refusal->problem, refusal->remedy);
     return std::get<double>(parsed);
 }
 
@@ -210,21 +246,16 @@ std::string tidy_quantity(std::string_view text) {
 std::string quantity_text(double si, Dimension dimension) {
     constexpr int digits = 6;
     if (dimension == Dimension::ratio) return rounded_text(si, digits);
-    // The coarsest decimal unit that keeps the number at 1 or more, millimetres and the like before metres.
-    const Unit* best = nullptr;
-    double best_value = 0;
-    for (const Unit& unit : units) {
-        constexpr std::array<std::string_view, 14> pleasant = {"m", "mm", "um", "m^2", "mm^2", "m^3", "mL", "mm^3",
-                                                               "Pa", "kPa", "MPa", "deg", "kg/m^3", "GPa"};
-        if (unit.dimension != dimension || std::find(pleasant.begin(), pleasant.end(), unit.name) == pleasant.end()) continue;
-        const double value = si / (unit.factor * std::pow(10.0, unit.power));
-        const bool better = best == nullptr || (std::abs(best_value) < 1.0 ? std::abs(value) > std::abs(best_value)
-                                                                           : std::abs(value) >= 1.0 && std::abs(value) < std::abs(best_value));
-        if (!better) continue;
-        best = &unit;
-        best_value = value;
+    const Unit* chosen = nullptr;
+    double value = 0;
+    for (const std::string_view candidate : message_units) {
+        const Unit* unit = find_unit(candidate);
+        if (unit->dimension != dimension) continue;
+        chosen = unit;
+        value = si / (unit->factor * std::pow(10.0, unit->power));
+        if (std::abs(value) >= 1.0 || (si == 0 && unit->power == 0)) break;
     }
-    return rounded_text(best_value, digits) + " " + std::string{best->name};
+    return rounded_text(value, digits) + " " + std::string{chosen->name};
 }
 
 }  // namespace soft::core

@@ -28,7 +28,8 @@ using Parsed = std::variant<T, Refusal>;
 [[nodiscard]] Parsed<long> parse_count(std::string_view text);
 
 /// parse_quantity for callers that have a place: throws Error(code, place, problem, remedy).
-[[nodiscard]] double quantity_or_throw(std::string_view text, Dimension dimension, ExitCode code, std::string_view place);
+[[nodiscard]] double quantity_or_throw(std::string_view text, Dimension dimension, ExitCode code,
+                                       std::string_view place);
 
 /// The same quantity with one blank between number and unit: "40kPa" -> "40 kPa". Text that holds no number is only
 /// trimmed.

@@ -8,7 +8,7 @@
 namespace soft::design {
 namespace {
 
-constexpr std::string_view case_source = "/design";   // the group of the case that holds the text
+constexpr std::string_view case_source = "/design";  // the group of the case that holds the text
 
 /// Sections that solve may still change; the mesh and its named faces depend on none of them.
 constexpr std::array<std::string_view, 4> changeable = {"material", "loads", "path", "solver"};
@@ -17,10 +17,12 @@ void check_changeable(const Override& change) {
     const std::string section = change.path.substr(0, change.path.find('.'));
     if (std::find(changeable.begin(), changeable.end(), section) != changeable.end()) return;
     const auto& known = section_notes();
-    const bool exists = std::any_of(known.begin(), known.end(), [&](const SectionNote& s) { return s.name == section; });
+    const bool exists =
+        std::any_of(known.begin(), known.end(), [&](const SectionNote& s) { return s.name == section; });
     const std::string place = "--set " + change.path;
     if (exists)
-        throw Error(ExitCode::usage, place, core::quoted(section) + " is built into the case and solve cannot change it",
+        throw Error(ExitCode::usage, place,
+                    core::quoted(section) + " is built into the case and solve cannot change it",
                     "give the same --set to mesh-gen; solve changes material, loads, path, solver");
     throw Error(ExitCode::bad_input, place, "unknown key", "solve changes material, loads, path, solver");
 }
@@ -43,7 +45,8 @@ Node only_changeable(const Node& root) {
     Node part;
     part.kind = Node::Kind::map;
     for (const Member& member : root.members)
-        if (std::find(changeable.begin(), changeable.end(), member.key) != changeable.end()) part.members.push_back(member);
+        if (std::find(changeable.begin(), changeable.end(), member.key) != changeable.end())
+            part.members.push_back(member);
     return part;
 }
 
@@ -74,8 +77,10 @@ Override parse_override(std::string_view argument) {
     const std::string place = "--set " + core::one_line(argument);
     const std::string remedy = "write --set key.path=value, for example --set geometry.wall=2.5mm";
     if (equals == std::string_view::npos) throw Error(ExitCode::usage, place, "no '=' in it", remedy);
-    Override change{std::string{core::trimmed(argument.substr(0, equals))}, std::string{core::trimmed(argument.substr(equals + 1))}};
-    const bool hole = change.path.starts_with('.') || change.path.ends_with('.') || change.path.find("..") != std::string::npos;
+    Override change{std::string{core::trimmed(argument.substr(0, equals))},
+                    std::string{core::trimmed(argument.substr(equals + 1))}};
+    const bool hole =
+        change.path.starts_with('.') || change.path.ends_with('.') || change.path.find("..") != std::string::npos;
     if (change.path.empty() || hole) throw Error(ExitCode::usage, place, "no key path before '='", remedy);
     if (change.value.empty()) throw Error(ExitCode::usage, place, "no value after '='", remedy);
     if (change.path.starts_with("load.")) change.path.replace(0, 4, "loads." + std::string{cavity_name});

@@ -19,14 +19,20 @@ std::optional<core::Dimension> dimension_of(Kind kind) {
         case Kind::angle: return core::Dimension::angle;
         case Kind::density: return core::Dimension::density;
         case Kind::ratio: return core::Dimension::ratio;
-        case Kind::count: case Kind::flag: case Kind::text: case Kind::choice: case Kind::faces: case Kind::list: return std::nullopt;
+        case Kind::count:
+        case Kind::flag:
+        case Kind::text:
+        case Kind::choice:
+        case Kind::faces:
+        case Kind::list: return std::nullopt;
     }
     return std::nullopt;
 }
 
 template <class T>
 T value_or_refuse(const core::Parsed<T>& parsed, const Key& key, const Node& node) {
-    if (const auto* refusal = std::get_if<core::Refusal>(&parsed)) refuse(node.place, key.path, refusal->problem, refusal->remedy);
+    if (const auto* refusal = std::get_if<core::Refusal>(&parsed))
+        refuse(node.place, key.path, refusal->problem, refusal->remedy);
     return std::get<T>(parsed);
 }
 
@@ -47,7 +53,8 @@ std::string bounds_text(const Key& key) {
 void check_range(const Key& key, double value, const Node& node) {
     const bool low = key.min_open ? value <= key.min : value < key.min;
     if (low || value > key.max)
-        refuse(node.place, key.path, core::one_line(core::tidy_quantity(node.text)) + " is out of range", "it must be " + bounds_text(key));
+        refuse(node.place, key.path, core::one_line(core::tidy_quantity(node.text)) + " is out of range",
+               "it must be " + bounds_text(key));
 }
 
 bool is_word(const Key& key, std::string_view text) {
@@ -62,34 +69,42 @@ void check_flag(const Key& key, Item& item, const Node& node) {
 
 void check_choice(const Key& key, const Node& node) {
     if (!is_word(key, node.text))
-        refuse(node.place, key.path, core::quoted(node.text) + " is not a choice here", core::did_you_mean(node.text, key.choices));
+        refuse(node.place, key.path, core::quoted(node.text) + " is not a choice here",
+               core::did_you_mean(node.text, key.choices));
 }
 
 void check_text(const Key& key, const Node& node) {
     constexpr std::size_t longest = 200;
-    const bool control = std::any_of(node.text.begin(), node.text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
-    if (core::trimmed(node.text).empty()) refuse(node.place, key.path, "the text is empty", "leave the key out for its default");
+    const bool control = std::any_of(node.text.begin(), node.text.end(),
+                                     [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+    if (core::trimmed(node.text).empty())
+        refuse(node.place, key.path, "the text is empty", "leave the key out for its default");
     if (control) refuse(node.place, key.path, "a line break or control character in a text", "write one line");
     if (node.text.size() > longest) refuse(node.place, key.path, "longer than " + std::to_string(longest) + " bytes");
 }
 
 void check_number(const Key& key, Item& item, const Node& node) {
-    if (is_word(key, core::trimmed(node.text))) {   // "auto", "incompressible"
+    if (is_word(key, core::trimmed(node.text))) {  // "auto", "incompressible"
         item.entry.text = core::trimmed(node.text);
         return;
     }
-    if (key.kind == Kind::count) item.entry.number = static_cast<double>(value_or_refuse(core::parse_count(node.text), key, node));
-    else item.entry.number = value_or_refuse(core::parse_quantity(node.text, *dimension_of(key.kind)), key, node);
+    if (key.kind == Kind::count)
+        item.entry.number = static_cast<double>(value_or_refuse(core::parse_count(node.text), key, node));
+    else
+        item.entry.number = value_or_refuse(core::parse_quantity(node.text, *dimension_of(key.kind)), key, node);
     check_range(key, item.entry.number, node);
     item.entry.text = core::tidy_quantity(node.text);
 }
 
 void add_face(const Key& key, Item& item, const Node& node, const FaceNames& names) {
-    if (node.kind != Node::Kind::scalar) refuse(node.place, key.path, "a face is a single name", "write one name or [name, name]");
+    if (node.kind != Node::Kind::scalar)
+        refuse(node.place, key.path, "a face is a single name", "write one name or [name, name]");
     const std::string face = resolve_face(names, node.text);
     if (face.empty())
-        refuse(node.place, key.path, "no face is called " + core::quoted(node.text), core::did_you_mean(node.text, all_names(names)));
-    const bool twice = std::any_of(item.list.begin(), item.list.end(), [&](const std::string& other) { return resolve_face(names, other) == face; });
+        refuse(node.place, key.path, "no face is called " + core::quoted(node.text),
+               core::did_you_mean(node.text, all_names(names)));
+    const bool twice = std::any_of(item.list.begin(), item.list.end(),
+                                   [&](const std::string& other) { return resolve_face(names, other) == face; });
     if (twice) refuse(node.place, key.path, "face " + core::quoted(face) + " is named twice");
     item.list.push_back(node.text);
 }
@@ -113,20 +128,32 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
     if (key.kind == Kind::faces) {
         if (node.kind == Node::Kind::list)
             for (const Node& face : node.items) add_face(key, item, face, names);
-        else add_face(key, item, node, names);
-        if (item.list.empty()) refuse(node.place, key.path, "the list of faces is empty", "name a face or leave the key out");
+        else
+            add_face(key, item, node, names);
+        if (item.list.empty())
+            refuse(node.place, key.path, "the list of faces is empty", "name a face or leave the key out");
         item.entry.text = core::join(item.list);
         return item;
     }
-    if (node.kind == Node::Kind::empty) refuse(node.place, key.path, "has no value", "write " + range_text(key) + ", or leave the key out for its default");
-    if (node.kind != Node::Kind::scalar) refuse(node.place, key.path, "a single value is needed here", "write " + range_text(key));
+    if (node.kind == Node::Kind::empty)
+        refuse(node.place, key.path, "has no value",
+               "write " + range_text(key) + ", or leave the key out for its default");
+    if (node.kind != Node::Kind::scalar)
+        refuse(node.place, key.path, "a single value is needed here", "write " + range_text(key));
     switch (key.kind) {
         case Kind::flag: check_flag(key, item, node); break;
         case Kind::choice: check_choice(key, node); break;
         case Kind::text: check_text(key, node); break;
-        case Kind::length: case Kind::area: case Kind::volume: case Kind::pressure: case Kind::angle:
-        case Kind::density: case Kind::ratio: case Kind::count: check_number(key, item, node); break;
-        case Kind::list: case Kind::faces: break;
+        case Kind::length:
+        case Kind::area:
+        case Kind::volume:
+        case Kind::pressure:
+        case Kind::angle:
+        case Kind::density:
+        case Kind::ratio:
+        case Kind::count: check_number(key, item, node); break;
+        case Kind::list:
+        case Kind::faces: break;
     }
     return item;
 }

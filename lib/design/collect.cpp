@@ -19,7 +19,9 @@ std::vector<std::string> known_below(const Schema& schema, const std::string& pa
     const auto add = [&](const std::string& name) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     };
-    const auto first_part = [&](const std::string& below) { return below.substr(prefix.size(), below.find('.', prefix.size()) - prefix.size()); };
+    const auto first_part = [&](const std::string& below) {
+        return below.substr(prefix.size(), below.find('.', prefix.size()) - prefix.size());
+    };
     for (const Key& key : schema.keys)
         if (key.path.starts_with(prefix)) add(first_part(key.path));
     for (const auto& [section, members] : schema.names) {
@@ -31,23 +33,29 @@ std::vector<std::string> known_below(const Schema& schema, const std::string& pa
 }
 
 bool is_group(const Schema& schema, const std::string& path) {
-    const bool inside = std::any_of(schema.keys.begin(), schema.keys.end(), [&](const Key& key) { return key.path.starts_with(path + "."); });
+    const bool inside = std::any_of(schema.keys.begin(), schema.keys.end(),
+                                    [&](const Key& key) { return key.path.starts_with(path + "."); });
     return inside || schema.names.contains(path);
 }
 
 void check_group(const Schema& schema, const Node& node, const std::string& path, Checked& checked) {
     const std::vector<std::string> known = known_below(schema, path);
-    if (node.kind == Node::Kind::empty) return;   // "solver:" with nothing below it
+    if (node.kind == Node::Kind::empty) return;  // "solver:" with nothing below it
     if (node.kind != Node::Kind::map)
-        refuse(node.place, path, "a group of keys is needed here", path.empty() ? "write family: ..., material: ..." : "write {key: value}; known: " + core::join(known));
+        refuse(node.place, path, "a group of keys is needed here",
+               path.empty() ? "write family: ..., material: ..." : "write {key: value}; known: " + core::join(known));
     for (const Member& member : node.members) {
         if (member.key.find('.') != std::string::npos)
             refuse(member.place, child(path, member.key), "a dot in a key", "write nested groups; dots are for --set");
         const std::string below = child(path, member.key);
-        const auto key = std::find_if(schema.keys.begin(), schema.keys.end(), [&](const Key& k) { return k.path == below; });
-        if (key != schema.keys.end()) checked.insert_or_assign(below, check_value(*key, member.value, schema.faces));
-        else if (is_group(schema, below)) check_group(schema, member.value, below, checked);
-        else refuse(member.place, below, "unknown key", core::did_you_mean(member.key, known));
+        const auto key =
+            std::find_if(schema.keys.begin(), schema.keys.end(), [&](const Key& k) { return k.path == below; });
+        if (key != schema.keys.end())
+            checked.insert_or_assign(below, check_value(*key, member.value, schema.faces));
+        else if (is_group(schema, below))
+            check_group(schema, member.value, below, checked);
+        else
+            refuse(member.place, below, "unknown key", core::did_you_mean(member.key, known));
     }
 }
 

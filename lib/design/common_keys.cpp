@@ -8,27 +8,53 @@
 namespace soft::design {
 
 std::vector<Key> head_keys(const FamilyKeys& family) {
-    return {{.path = "family", .kind = Kind::choice, .meaning = "kind of actuator, see `mesh-gen --list`", .choices = {family.name}},
-            {.path = "name", .kind = Kind::text, .fallback = family.name, .meaning = "title of the case in files and plots"}};
+    return {{.path = "family",
+             .kind = Kind::choice,
+             .meaning = "kind of actuator, see `mesh-gen --list`",
+             .choices = {family.name}},
+            {.path = "name",
+             .kind = Kind::text,
+             .fallback = family.name,
+             .meaning = "title of the case in files and plots"}};
 }
 
 std::vector<Key> model_keys(const FamilyKeys& family) {
     std::vector<Key> keys = {
-        {.path = "model", .kind = Kind::choice, .fallback = family.models.empty() ? "" : family.models.front(),
-         .meaning = "what is meshed: the section of a body of revolution, or a solid, whole or cut at its planes of symmetry",
+        {.path = "model",
+         .kind = Kind::choice,
+         .fallback = family.models.empty() ? "" : family.models.front(),
+         .meaning =
+             "what is meshed: the section of a body of revolution, or a solid, whole or cut at its planes of symmetry",
          .choices = family.models},
-        {.path = "mesh.size", .kind = Kind::length, .meaning = "target edge length of a cell", .min = 0, .min_open = true},
-        {.path = "mesh.formulation", .kind = Kind::choice, .fallback = "mixed",
+        {.path = "mesh.size",
+         .kind = Kind::length,
+         .meaning = "target edge length of a cell",
+         .min = 0,
+         .min_open = true},
+        {.path = "mesh.formulation",
+         .kind = Kind::choice,
+         .fallback = "mixed",
          .meaning = "mixed has the pressure as an unknown and does not lock; displacement is for compressible rubber",
          .choices = {"mixed", "displacement"}},
-        {.path = "mesh.order", .kind = Kind::count, .fallback = "2", .meaning = "polynomial order of the cells", .min = 2, .max = 2},
-        {.path = "mesh.cells", .kind = Kind::choice, .fallback = "auto",
-         .meaning = "auto: quadrilaterals and hexahedra; simplices: each split into triangles or tetrahedra", .choices = {"auto", "simplices"}},
+        {.path = "mesh.order",
+         .kind = Kind::count,
+         .fallback = "2",
+         .meaning = "polynomial order of the cells",
+         .min = 2,
+         .max = 2},
+        {.path = "mesh.cells",
+         .kind = Kind::choice,
+         .fallback = "auto",
+         .meaning = "auto: quadrilaterals and hexahedra; simplices: each split into triangles or tetrahedra",
+         .choices = {"auto", "simplices"}},
     };
     for (const Key& own : family.mesh) {
-        const auto common = std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.path == own.path; });
-        if (common == keys.end()) keys.push_back(own);
-        else *common = own;
+        const auto common =
+            std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.path == own.path; });
+        if (common == keys.end())
+            keys.push_back(own);
+        else
+            *common = own;
     }
     return keys;
 }
@@ -37,72 +63,131 @@ std::vector<Key> solver_keys() {
     const model::SolverSettings defaults;
     const auto text = core::number_text;
     return {
-        {.path = "solver.residual_tolerance", .kind = Kind::ratio, .fallback = text(defaults.residual_tolerance),
-         .meaning = "equilibrium is reached when the residual is below this share of the nodal forces", .min = 1e-14, .max = 1e-2},
-        {.path = "solver.newton_limit", .kind = Kind::count, .fallback = std::to_string(defaults.newton_limit),
-         .meaning = "Newton iterations before a step is cut", .min = 2, .max = 1000},
-        {.path = "solver.first_step", .kind = Kind::ratio, .fallback = text(defaults.first_step),
-         .meaning = "first step as a share of the full load", .min = 0, .max = 1, .min_open = true},
-        {.path = "solver.largest_step", .kind = Kind::ratio, .fallback = text(defaults.largest_step),
-         .meaning = "longest step as a share of the path so far; 0 leaves it to the solver", .min = 0, .max = 1},
-        {.path = "solver.smallest_step", .kind = Kind::ratio, .fallback = text(defaults.smallest_step),
-         .meaning = "a step cut below this share of the first step ends the path", .min = 0, .max = 1, .min_open = true},
-        {.path = "solver.step_limit", .kind = Kind::count, .fallback = std::to_string(defaults.step_limit),
-         .meaning = "steps after which the path ends with stop reason step_limit", .min = 1, .max = 1e6},
-        {.path = "solver.step_accuracy", .kind = Kind::ratio, .fallback = text(defaults.step_accuracy),
-         .meaning = "wanted relative error of a step's prediction; smaller gives denser steps", .min = 0, .max = 1, .min_open = true},
+        {.path = "solver.residual_tolerance",
+         .kind = Kind::ratio,
+         .fallback = text(defaults.residual_tolerance),
+         .meaning = "equilibrium is reached when the residual is below this share of the nodal forces",
+         .min = 1e-14,
+         .max = 1e-2},
+        {.path = "solver.newton_limit",
+         .kind = Kind::count,
+         .fallback = std::to_string(defaults.newton_limit),
+         .meaning = "Newton iterations before a step is cut",
+         .min = 2,
+         .max = 1000},
+        {.path = "solver.first_step",
+         .kind = Kind::ratio,
+         .fallback = text(defaults.first_step),
+         .meaning = "first step as a share of the full load",
+         .min = 0,
+         .max = 1,
+         .min_open = true},
+        {.path = "solver.largest_step",
+         .kind = Kind::ratio,
+         .fallback = text(defaults.largest_step),
+         .meaning = "longest step as a share of the path so far; 0 leaves it to the solver",
+         .min = 0,
+         .max = 1},
+        {.path = "solver.smallest_step",
+         .kind = Kind::ratio,
+         .fallback = text(defaults.smallest_step),
+         .meaning = "a step cut below this share of the first step ends the path",
+         .min = 0,
+         .max = 1,
+         .min_open = true},
+        {.path = "solver.step_limit",
+         .kind = Kind::count,
+         .fallback = std::to_string(defaults.step_limit),
+         .meaning = "steps after which the path ends with stop reason step_limit",
+         .min = 1,
+         .max = 1e6},
+        {.path = "solver.step_accuracy",
+         .kind = Kind::ratio,
+         .fallback = text(defaults.step_accuracy),
+         .meaning = "wanted relative error of a step's prediction; smaller gives denser steps",
+         .min = 0,
+         .max = 1,
+         .min_open = true},
     };
 }
 
-Key law_key() { return {.path = "material.law", .kind = Kind::choice, .meaning = "law of the rubber", .choices = law_names()}; }
+Key law_key() {
+    return {.path = "material.law", .kind = Kind::choice, .meaning = "law of the rubber", .choices = law_names()};
+}
 
 Key kappa_key() {
-    return {.path = "material.kappa", .kind = Kind::pressure, .fallback = "incompressible", .meaning = "bulk modulus", .min = 0,
-            .min_open = true, .choices = {"incompressible"}};
+    return {.path = "material.kappa",
+            .kind = Kind::pressure,
+            .fallback = "incompressible",
+            .meaning = "bulk modulus",
+            .min = 0,
+            .min_open = true,
+            .choices = {"incompressible"}};
 }
 
 Key volumetric_key() {
-    return {.path = "material.volumetric", .kind = Kind::choice, .fallback = "quadratic",
-            .meaning = "energy of a change of volume J: kappa/2 (J - 1)^2, kappa/2 (ln J)^2 or kappa/4 (J^2 - 1 - 2 ln J)",
-            .choices = {"quadratic", "log", "mixed"}};
+    return {
+        .path = "material.volumetric",
+        .kind = Kind::choice,
+        .fallback = "quadratic",
+        .meaning = "energy of a change of volume J: kappa/2 (J - 1)^2, kappa/2 (ln J)^2 or kappa/4 (J^2 - 1 - 2 ln J)",
+        .choices = {"quadratic", "log", "mixed"}};
 }
 
 Key control_key(std::string fallback) {
-    return {.path = "path.control", .kind = Kind::choice, .fallback = std::move(fallback),
+    return {.path = "path.control",
+            .kind = Kind::choice,
+            .fallback = std::move(fallback),
             .meaning = "what is prescribed along the path; volume and arc-length pass limit points",
             .choices = {"pressure", "volume", "displacement", "arc-length"}};
 }
 
 Key support_key(const std::string& component) {
-    const std::string what = component == "fixed" ? "faces held in all components" : "faces held in component " + component;
+    const std::string what =
+        component == "fixed" ? "faces held in all components" : "faces held in component " + component;
     return {.path = "supports." + component, .kind = Kind::faces, .meaning = what};
 }
 
 Key load_pressure_key(const std::string& target) {
-    return {.path = "loads." + target + ".pressure", .kind = Kind::pressure,
+    return {.path = "loads." + target + ".pressure",
+            .kind = Kind::pressure,
             .meaning = "gauge pressure at full load; positive pushes on the rubber and inflates a cavity"};
 }
 
 Key load_sealed_key(const std::string& target, std::string fallback) {
-    return {.path = "loads." + target + ".sealed", .kind = Kind::flag, .fallback = std::move(fallback),
+    return {.path = "loads." + target + ".sealed",
+            .kind = Kind::flag,
+            .fallback = std::move(fallback),
             .meaning = "the pressure also pushes on the plugs of the openings and on every closed inner face"};
 }
 
 Key output_face_key(const std::string& output) {
-    return {.path = "outputs." + output + ".face", .kind = Kind::faces, .meaning = "face whose mean displacement is measured"};
+    return {.path = "outputs." + output + ".face",
+            .kind = Kind::faces,
+            .meaning = "face whose mean displacement is measured"};
 }
 
 Key output_along_key(const std::string& output, std::string fallback) {
-    return {.path = "outputs." + output + ".along", .kind = Kind::choice, .fallback = std::move(fallback),
-            .meaning = "direction; axis is positive when the actuator gets longer", .choices = {"axis", "x", "y", "z", "r", "normal"}};
+    return {.path = "outputs." + output + ".along",
+            .kind = Kind::choice,
+            .fallback = std::move(fallback),
+            .meaning = "direction; axis is positive when the actuator gets longer",
+            .choices = {"axis", "x", "y", "z", "r", "normal"}};
 }
 
 Key until_key(const std::string& quantity) {
     const std::string path = "path.until." + quantity;
-    if (quantity == "pressure") return {.path = path, .kind = Kind::pressure, .meaning = "the path ends at this pressure"};
+    if (quantity == "pressure")
+        return {.path = path, .kind = Kind::pressure, .meaning = "the path ends at this pressure"};
     if (quantity == "volume_ratio")
-        return {.path = path, .kind = Kind::ratio, .meaning = "the path ends at this cavity volume over its initial value", .min = 0, .min_open = true};
-    if (quantity == "steps") return {.path = path, .kind = Kind::count, .meaning = "the path ends after this many steps", .min = 1, .max = 1e6};
+        return {.path = path,
+                .kind = Kind::ratio,
+                .meaning = "the path ends at this cavity volume over its initial value",
+                .min = 0,
+                .min_open = true};
+    if (quantity == "steps")
+        return {
+            .path = path, .kind = Kind::count, .meaning = "the path ends after this many steps", .min = 1, .max = 1e6};
     return {.path = path, .kind = Kind::length, .meaning = "the path ends when this output is reached"};
 }
 

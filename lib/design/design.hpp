@@ -44,7 +44,7 @@ struct FamilyKeys {
     std::vector<std::string> faces;             ///< named faces supports, loads and outputs may refer to
     std::map<std::string, std::string> aliases; ///< other names of faces, e.g. end_disc -> fixed
     std::string defaults;                       ///< YAML of supports, loads, outputs where the design is silent
-    std::vector<Key> mesh = {};                 ///< family's own defaults for keys under "mesh." (override the common ones)
+    std::vector<Key> mesh = {};                 ///< own defaults for keys under "mesh." (override the common ones)
 };
 
 struct Override {
@@ -59,11 +59,12 @@ struct Design {
     model::Material material;                   ///< region name "rubber"
     std::vector<model::Support> supports;       ///< by face name (aliases resolved); symmetry planes not included
     std::vector<model::PressureLoad> loads;
-    struct OutputRequest { std::string name; std::string face; std::string along; };   ///< along: axis | x | y | z | r | normal
+    /// along: axis | x | y | z | r | normal
+    struct OutputRequest { std::string name; std::string face; std::string along; };
     std::vector<OutputRequest> outputs;
     model::PathSettings path;
     model::SolverSettings solver;
-    std::string effective_yaml;                 ///< canonical text with defaults and overrides in place; reads back to the same design
+    std::string effective_yaml;                 ///< canonical, defaults and overrides in place; reads back the same
     std::vector<std::string> warnings;          ///< plausibility, one line each
 };
 

@@ -44,13 +44,17 @@ std::string example_design(const FamilyKeys& family) {
     Node root;
     put(root, "family", scalar_node(family.name, place_default));
     put(root, "material.law", scalar_node(law.name, place_default));
-    for (const Constant& constant : law.constants) put(root, "material." + constant.key.path, scalar_node(constant.example, place_default));
+    for (const Constant& constant : law.constants)
+        put(root, "material." + constant.key.path, scalar_node(constant.example, place_default));
     const bool cavity = std::find(family.faces.begin(), family.faces.end(), cavity_name) != family.faces.end();
     const Node* loads = find(defaults, "loads");
     const bool usual = loads != nullptr && !loads->members.empty();
-    const std::string target = usual ? loads->members.front().key : cavity || family.faces.empty() ? std::string{cavity_name} : family.faces.back();
+    const std::string target = usual                            ? loads->members.front().key
+                               : cavity || family.faces.empty() ? std::string{cavity_name}
+                                                                : family.faces.back();
     const Node* pressure = usual ? find(loads->members.front().value, "pressure") : nullptr;
-    put(root, "loads." + target + ".pressure", scalar_node(pressure == nullptr ? "30 kPa" : pressure->text, place_default));
+    put(root, "loads." + target + ".pressure",
+        scalar_node(pressure == nullptr ? "30 kPa" : pressure->text, place_default));
     return write_yaml(root);
 }
 
@@ -62,13 +66,13 @@ std::string template_yaml(const FamilyKeys& family) {
     text += "# Quantities carry units (3 mm, 40 kPa). A key at its default may be left out.\n";
     text += "# Faces: " + face_list(family) + "\n";
     return text + annotated(checked.items, [](const Item& item) {
-        return item.key.meaning + "; " + range_text(item.key) + "; " + default_text(item);
-    });
+               return item.key.meaning + "; " + range_text(item.key) + "; " + default_text(item);
+           });
 }
 
 std::string explain_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
                            std::span<const Override> overrides) {
-    static_cast<void>(read_design(text, source, families, overrides));   // for the checks across keys
+    static_cast<void>(read_design(text, source, families, overrides));  // for the checks across keys
     Node root = parse_yaml(text, source);
     override_tree(root, overrides);
     const FamilyKeys& family = family_of(root, source, families);

@@ -9,8 +9,11 @@ std::span<const Law> laws() {
         {.name = "neo-hookean",
          .energy = "mu/2 (I1 - 3)",
          .source = "Treloar, Trans. Faraday Soc. 39 (1943) 241",
-         .constants = {{{.path = "mu", .kind = Kind::pressure, .meaning = "initial shear modulus, a third of Young's modulus of an incompressible rubber",
-                         .min = 0, .min_open = true},
+         .constants = {{{.path = "mu",
+                         .kind = Kind::pressure,
+                         .meaning = "initial shear modulus, a third of Young's modulus of an incompressible rubber",
+                         .min = 0,
+                         .min_open = true},
                         "0.1644 MPa"}},
          .initial_shear_modulus_Pa = [](const Constants& constants) { return constants.at("mu").front(); }},
     };
@@ -24,8 +27,8 @@ std::vector<std::string> law_names() {
 }
 
 std::span<const std::string> reserved_law_names() {
-    static const std::vector<std::string> names = {"linear-elastic", "saint-venant-kirchhoff", "mooney-rivlin", "yeoh",
-                                                   "ogden", "gent", "arruda-boyce", "kraken"};
+    static const std::vector<std::string> names = {
+        "linear-elastic", "saint-venant-kirchhoff", "mooney-rivlin", "yeoh", "ogden", "gent", "arruda-boyce", "kraken"};
     return names;
 }
 

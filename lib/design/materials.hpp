@@ -10,16 +10,16 @@
 
 namespace soft::design {
 
-using Constants = std::map<std::string, std::vector<double>>;   ///< SI, as in model::Material
+using Constants = std::map<std::string, std::vector<double>>;  ///< SI, as in model::Material
 
 struct Constant {
-    Key key;                  ///< path is the bare name ("mu"); an empty fallback makes it required
-    std::string example;      ///< value for a template
+    Key key;              ///< path is the bare name ("mu"); an empty fallback makes it required
+    std::string example;  ///< value for a template
 };
 
 struct Law {
     std::string name;
-    std::string energy;       ///< W per undeformed volume in the isochoric invariants
+    std::string energy;  ///< W per undeformed volume in the isochoric invariants
     std::string source;
     std::vector<Constant> constants;
     double (*initial_shear_modulus_Pa)(const Constants&);

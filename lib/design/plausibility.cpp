@@ -31,7 +31,8 @@ void check_material(const Design& design, double mu_Pa, std::vector<std::string>
     if (!design.material.bulk_modulus_Pa) return;
     const double ratio = *design.material.bulk_modulus_Pa / mu_Pa;
     if (ratio < least_bulk_ratio)
-        warnings.push_back("material.kappa: only " + core::rounded_text(ratio, 3) + " times the shear modulus, the rubber is visibly compressible");
+        warnings.push_back("material.kappa: only " + core::rounded_text(ratio, 3) +
+                           " times the shear modulus, the rubber is visibly compressible");
 }
 
 void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& warnings) {
@@ -39,19 +40,25 @@ void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& w
         const double size_Pa = std::abs(load.pressure_Pa);
         const std::string path = "loads." + load.target + ".pressure: ";
         if (size_Pa > pressure_over_modulus * mu_Pa)
-            warnings.push_back(path + pressure_text(load.pressure_Pa) + " is far above the initial shear modulus " + pressure_text(mu_Pa));
+            warnings.push_back(path + pressure_text(load.pressure_Pa) + " is far above the initial shear modulus " +
+                               pressure_text(mu_Pa));
         if (size_Pa >= atmosphere_low_Pa && size_Pa <= atmosphere_high_Pa)
-            warnings.push_back(path + pressure_text(load.pressure_Pa) + " looks like an absolute pressure; pressures are gauge, above the surroundings");
+            warnings.push_back(path + pressure_text(load.pressure_Pa) +
+                               " looks like an absolute pressure; pressures are gauge, above the surroundings");
     }
     for (const model::Until& until : design.path.until) {
         const double full_Pa = design.loads.front().pressure_Pa;
         if (until.quantity == "pressure" && (until.value * full_Pa < 0 || std::abs(until.value) > std::abs(full_Pa)))
-            warnings.push_back("path.until.pressure: " + pressure_text(until.value) + " is never reached, the path ends at the full load " + pressure_text(full_Pa));
+            warnings.push_back("path.until.pressure: " + pressure_text(until.value) +
+                               " is never reached, the path ends at the full load " + pressure_text(full_Pa));
     }
 }
 
 /// The thinnest part that the family's keys name.
-struct Wall { std::string path; double thickness_m; };
+struct Wall {
+    std::string path;
+    double thickness_m;
+};
 std::optional<Wall> thinnest_wall(const Values& values) {
     std::optional<Wall> thinnest;
     const auto consider = [&](const char* path, double thickness_m) {
@@ -60,7 +67,8 @@ std::optional<Wall> thinnest_wall(const Values& values) {
     for (const char* path : {"geometry.wall", "geometry.thickness", "geometry.cap"})
         if (values.has(path)) consider(path, values.number(path));
     if (values.has("geometry.outer_radius") && values.has("geometry.inner_radius"))
-        consider("geometry.outer_radius - geometry.inner_radius", values.number("geometry.outer_radius") - values.number("geometry.inner_radius"));
+        consider("geometry.outer_radius - geometry.inner_radius",
+                 values.number("geometry.outer_radius") - values.number("geometry.inner_radius"));
     return thinnest;
 }
 
@@ -74,8 +82,8 @@ std::vector<std::string> plausibility(const Design& design) {
     const double size_m = design.values.number("mesh.size");
     const std::optional<Wall> wall = thinnest_wall(design.values);
     if (wall && wall->thickness_m > 0 && size_m > wall->thickness_m)
-        warnings.push_back("mesh.size: " + length_text(size_m) + " is more than the wall, " + wall->path + " = " + length_text(wall->thickness_m) +
-                           "; one cell through it is coarse");
+        warnings.push_back("mesh.size: " + length_text(size_m) + " is more than the wall, " + wall->path + " = " +
+                           length_text(wall->thickness_m) + "; one cell through it is coarse");
     return warnings;
 }
 

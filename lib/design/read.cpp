@@ -29,20 +29,28 @@ void fill_sections(Node& root, const Node& defaults) {
 }  // namespace
 
 void override_tree(Node& root, std::span<const Override> overrides) {
-    for (const Override& change : overrides) put(root, change.path, parse_fragment(change.value, "--set " + change.path));
+    for (const Override& change : overrides)
+        put(root, change.path, parse_fragment(change.value, "--set " + change.path));
 }
 
 const FamilyKeys& family_of(const Node& root, std::string_view source, std::span<const FamilyKeys> families) {
     const std::vector<std::string> names = names_of(families);
     if (root.kind == Node::Kind::empty)
-        refuse(source, "", "the design is empty", "`mesh-gen --template " + (names.empty() ? "FAMILY" : names.front()) + "` prints one to start from");
-    if (root.kind != Node::Kind::map) refuse(root.place, "", "a design is a group of keys", "write family: ..., material: ..., loads: ...");
+        refuse(source, "", "the design is empty",
+               "`mesh-gen --template " + (names.empty() ? "FAMILY" : names.front()) + "` prints one to start from");
+    if (root.kind != Node::Kind::map)
+        refuse(root.place, "", "a design is a group of keys", "write family: ..., material: ..., loads: ...");
     const Node* family = find(root, "family");
-    if (family == nullptr) refuse(std::string{source} + ":1:1", "family", "missing (kind of actuator)", "add family: " + core::join(names, " | "));
-    if (family->kind != Node::Kind::scalar) refuse(family->place, "family", "a single value is needed here", "write " + core::join(names, " | "));
-    const auto found = std::find_if(families.begin(), families.end(), [&](const FamilyKeys& f) { return f.name == family->text; });
+    if (family == nullptr)
+        refuse(std::string{source} + ":1:1", "family", "missing (kind of actuator)",
+               "add family: " + core::join(names, " | "));
+    if (family->kind != Node::Kind::scalar)
+        refuse(family->place, "family", "a single value is needed here", "write " + core::join(names, " | "));
+    const auto found =
+        std::find_if(families.begin(), families.end(), [&](const FamilyKeys& f) { return f.name == family->text; });
     if (found == families.end())
-        refuse(family->place, "family", "no family is called " + core::quoted(family->text), core::did_you_mean(family->text, names));
+        refuse(family->place, "family", "no family is called " + core::quoted(family->text),
+               core::did_you_mean(family->text, names));
     return *found;
 }
 
@@ -61,7 +69,8 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
     add_path_keys(schema, root);
     add_output_keys(schema, root, defaults);
     append(schema.keys, solver_keys());
-    for (const char* section : {"geometry", "supports", "loads", "outputs", "path.until", "solver"}) schema.names[section];
+    for (const char* section : {"geometry", "supports", "loads", "outputs", "path.until", "solver"})
+        schema.names[section];
     std::vector<Item> items = collect(root, schema, source, examples);
     return {std::move(items), std::move(schema.faces)};
 }

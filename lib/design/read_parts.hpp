@@ -13,7 +13,8 @@ namespace soft::design {
 void override_tree(Node& root, std::span<const Override> overrides);
 
 /// The family a design names; Error(bad_input) with the nearest name.
-[[nodiscard]] const FamilyKeys& family_of(const Node& root, std::string_view source, std::span<const FamilyKeys> families);
+[[nodiscard]] const FamilyKeys& family_of(const Node& root, std::string_view source,
+                                          std::span<const FamilyKeys> families);
 
 /// Everything checked, defaults filled in.
 struct Checked {

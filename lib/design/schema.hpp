@@ -19,7 +19,7 @@ struct Key {
     double max = std::numeric_limits<double>::infinity();
     bool min_open = false;        ///< the value must be greater than min
     std::vector<std::string> choices = {};                   ///< for Kind::choice; for a number or quantity: words
-                                                             ///< allowed in its place ("auto", "incompressible"), read as 0
+                                                             ///< allowed in its place ("incompressible"), read as 0
 };
 
 }  // namespace soft::design

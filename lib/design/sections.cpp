@@ -28,19 +28,26 @@ std::string name_between(const std::string& path, std::string_view prefix, std::
     const auto reserved = reserved_law_names();
     const std::string available = core::join(law_names());
     if (std::find(reserved.begin(), reserved.end(), law.text) != reserved.end())
-        refuse(law.place, "material.law", "law " + core::quoted(law.text) + " is not in this version", "available: " + available);
-    refuse(law.place, "material.law", "no law is called " + core::quoted(law.text), core::did_you_mean(law.text, law_names()));
+        refuse(law.place, "material.law", "law " + core::quoted(law.text) + " is not in this version",
+               "available: " + available);
+    refuse(law.place, "material.law", "no law is called " + core::quoted(law.text),
+           core::did_you_mean(law.text, law_names()));
 }
 
 void check_output_name(const Member& output) {
     constexpr std::size_t longest = 40;
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const bool fine = is_letter(output.key.front()) && output.key.size() <= longest &&
-                      std::all_of(output.key.begin(), output.key.end(), [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
-    if (!fine) refuse(output.place, "outputs." + output.key, "not a name of an output", "letters, digits and _, a letter first, at most 40");
+                      std::all_of(output.key.begin(), output.key.end(),
+                                  [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
+    if (!fine)
+        refuse(output.place, "outputs." + output.key, "not a name of an output",
+               "letters, digits and _, a letter first, at most 40");
     const auto& taken = until_quantities();
-    if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || output.key == "volume" || output.key == "step")
-        refuse(output.place, "outputs." + output.key, "the name is that of a quantity every path has", "call the output otherwise");
+    if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || output.key == "volume" ||
+        output.key == "step")
+        refuse(output.place, "outputs." + output.key, "the name is that of a quantity every path has",
+               "call the output otherwise");
 }
 
 /// Components of a support in the model's own coordinates (axisymmetric: x, r).
@@ -62,7 +69,8 @@ void add_material_keys(Schema& schema, const Node& root, std::string_view source
         refuse(material == nullptr ? std::string{source} + ":1:1" : material->place, "material", "missing (the rubber)",
                "add material: {law: neo-hookean, mu: 0.1644 MPa}");
     if (material->kind == Node::Kind::scalar)
-        refuse(material->place, "material", "materials by name are not in this version", "write {law: neo-hookean, mu: 0.1644 MPa}");
+        refuse(material->place, "material", "materials by name are not in this version",
+               "write {law: neo-hookean, mu: 0.1644 MPa}");
     const Key law_key_ = law_key();
     examples[law_key_.path] = core::join(law_names(), " | ");
     schema.keys.push_back(law_key_);
@@ -87,32 +95,36 @@ void add_support_keys(Schema& schema, const Node& root) {
         if (std::find(components.begin(), components.end(), support.key) != components.end()) {
             schema.keys.push_back(support_key(support.key));
         } else if (!resolve_face(schema.faces, support.key).empty()) {
-            refuse(support.place, "supports." + support.key, "a face stands where a component is needed", "write fixed: " + support.key);
+            refuse(support.place, "supports." + support.key, "a face stands where a component is needed",
+                   "write fixed: " + support.key);
         }
     }
 }
 
-void add_load_keys(Schema& schema, const Node& root, const Node& defaults, std::string_view source, Examples& examples) {
+void add_load_keys(Schema& schema, const Node& root, const Node& defaults, std::string_view source,
+                   Examples& examples) {
     for (const Member& load : members_of(defaults, "loads"))
-        if (const Node* pressure = find(load.value, "pressure")) examples["loads." + load.key + ".pressure"] = pressure->text;
+        if (const Node* pressure = find(load.value, "pressure"))
+            examples["loads." + load.key + ".pressure"] = pressure->text;
     const auto& loads = members_of(root, "loads");
     if (loads.empty()) {
         const bool cavity = has_cavity(schema.faces);
         const auto& usual = members_of(defaults, "loads");
         const std::string target = !usual.empty() ? usual.front().key : cavity ? std::string{cavity_name} : "face";
         const Member* section = find_member(root, "loads");
-        refuse(section == nullptr ? std::string{source} + ":1:1" : section->place, "loads", "missing (what drives the actuator)",
-               "add loads: {" + target + ": {pressure: 30 kPa}}");
+        refuse(section == nullptr ? std::string{source} + ":1:1" : section->place, "loads",
+               "missing (what drives the actuator)", "add loads: {" + target + ": {pressure: 30 kPa}}");
     }
     schema.names["loads"] = all_names(schema.faces);
     for (const Member& load : loads) {
         const std::string face = resolve_face(schema.faces, load.key);
-        if (face.empty()) continue;   // collect() refuses it with the nearest name
+        if (face.empty()) continue;  // collect() refuses it with the nearest name
         schema.keys.push_back(load_pressure_key(load.key));
         examples.try_emplace(schema.keys.back().path, "30 kPa");
         if (face != cavity_name) {
             if (const Member* sealed = find_member(load.value, "sealed"))
-                refuse(sealed->place, "loads." + load.key + ".sealed", "a face has no openings to seal", "leave it out");
+                refuse(sealed->place, "loads." + load.key + ".sealed", "a face has no openings to seal",
+                       "leave it out");
             continue;
         }
         const Node* sealed = find_path(defaults, "loads." + load.key + ".sealed");
@@ -131,7 +143,9 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
 
 void add_path_keys(Schema& schema, const Node& root) {
     const auto& loads = members_of(root, "loads");
-    const bool cavity = std::any_of(loads.begin(), loads.end(), [&](const Member& load) { return resolve_face(schema.faces, load.key) == cavity_name; });
+    const bool cavity = std::any_of(loads.begin(), loads.end(), [&](const Member& load) {
+        return resolve_face(schema.faces, load.key) == cavity_name;
+    });
     schema.keys.push_back(control_key(cavity ? "volume" : "pressure"));
     std::vector<std::string> ends = until_quantities();
     for (const Member& output : members_of(root, "outputs")) ends.push_back(output.key);
@@ -148,8 +162,9 @@ model::Material material_of(const Values& values) {
         material.constants[constant.key.path] = {values.number("material." + constant.key.path)};
     if (values.text("material.kappa") != "incompressible") material.bulk_modulus_Pa = values.number("material.kappa");
     const std::string& volumetric = values.text("material.volumetric");
-    material.volumetric = volumetric == "log" ? model::Volumetric::log
-                        : volumetric == "mixed" ? model::Volumetric::mixed : model::Volumetric::quadratic;
+    material.volumetric = volumetric == "log"     ? model::Volumetric::log
+                          : volumetric == "mixed" ? model::Volumetric::mixed
+                                                  : model::Volumetric::quadratic;
     return material;
 }
 
@@ -161,7 +176,8 @@ std::vector<model::Support> supports_of(std::span<const Item> items, const FaceN
         const auto fixed = components_of(component, values, item.key.path);
         for (const std::string& name : item.list) {
             const std::string face = resolve_face(faces, name);
-            auto support = std::find_if(supports.begin(), supports.end(), [&](const model::Support& s) { return s.face == face; });
+            auto support =
+                std::find_if(supports.begin(), supports.end(), [&](const model::Support& s) { return s.face == face; });
             if (support == supports.end()) support = supports.insert(supports.end(), {.face = face});
             for (std::size_t i = 0; i < fixed.size(); ++i) support->fixed[i] = support->fixed[i] || fixed[i];
         }
@@ -175,9 +191,14 @@ std::vector<model::PressureLoad> loads_of(std::span<const Item> items, const Fac
         const std::string name = name_between(item.key.path, "loads.", ".pressure");
         if (name.empty()) continue;
         model::PressureLoad load{.target = resolve_face(faces, name), .pressure_Pa = item.entry.number};
-        if (load.pressure_Pa == 0) throw values.refuse(item.key.path, "a load of 0 gives no path", "write the pressure at full load, for example 30 kPa");
-        const bool twice = std::any_of(loads.begin(), loads.end(), [&](const model::PressureLoad& other) { return other.target == load.target; });
-        if (twice) throw values.refuse(item.key.path, "face " + core::quoted(load.target) + " is loaded twice", "keep one of its names");
+        if (load.pressure_Pa == 0)
+            throw values.refuse(item.key.path, "a load of 0 gives no path",
+                                "write the pressure at full load, for example 30 kPa");
+        const bool twice = std::any_of(loads.begin(), loads.end(),
+                                       [&](const model::PressureLoad& other) { return other.target == load.target; });
+        if (twice)
+            throw values.refuse(item.key.path, "face " + core::quoted(load.target) + " is loaded twice",
+                                "keep one of its names");
         const std::string sealed = "loads." + name + ".sealed";
         if (values.has(sealed)) load.sealed = values.text(sealed) == "true";
         loads.push_back(std::move(load));
@@ -185,15 +206,18 @@ std::vector<model::PressureLoad> loads_of(std::span<const Item> items, const Fac
     return loads;
 }
 
-std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const FaceNames& faces, const Values& values) {
+std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const FaceNames& faces,
+                                              const Values& values) {
     std::vector<Design::OutputRequest> outputs;
     for (const Item& item : items) {
         const std::string name = name_between(item.key.path, "outputs.", ".face");
         if (name.empty()) continue;
-        if (item.list.size() != 1) throw values.refuse(item.key.path, "an output is measured on one face", "make one output a face");
+        if (item.list.size() != 1)
+            throw values.refuse(item.key.path, "an output is measured on one face", "make one output a face");
         const std::string& along = values.text("outputs." + name + ".along");
         if (values.text("model") == "axisymmetric" && (along == "y" || along == "z"))
-            throw values.refuse("outputs." + name + ".along", "an axisymmetric model has the directions x and r", "use axis, x or r");
+            throw values.refuse("outputs." + name + ".along", "an axisymmetric model has the directions x and r",
+                                "use axis, x or r");
         outputs.push_back({name, resolve_face(faces, item.list.front()), along});
     }
     return outputs;
@@ -212,8 +236,10 @@ model::PathSettings path_of(std::span<const Item> items, const Values& values) {
     for (const Item& item : items) {
         const std::string quantity = name_between(item.key.path, "path.until.", "");
         if (quantity.empty()) continue;
-        if (item.entry.number == 0) throw values.refuse(item.key.path, "0 is where the path starts", "write where it shall end");
-        if (quantity == "volume_ratio" && !cavity) throw values.refuse(item.key.path, "no cavity is loaded, so there is no volume", "use pressure or steps");
+        if (item.entry.number == 0)
+            throw values.refuse(item.key.path, "0 is where the path starts", "write where it shall end");
+        if (quantity == "volume_ratio" && !cavity)
+            throw values.refuse(item.key.path, "no cavity is loaded, so there is no volume", "use pressure or steps");
         path.until.push_back({quantity, item.entry.number});
     }
     return path;

@@ -25,12 +25,15 @@ void add_path_keys(Schema& schema, const Node& root);
 void add_output_keys(Schema& schema, const Node& root, const Node& defaults);
 
 [[nodiscard]] model::Material material_of(const Values& values);
-[[nodiscard]] std::vector<model::Support> supports_of(std::span<const Item> items, const FaceNames& faces, const Values& values);
-[[nodiscard]] std::vector<model::PressureLoad> loads_of(std::span<const Item> items, const FaceNames& faces, const Values& values);
-[[nodiscard]] std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const FaceNames& faces, const Values& values);
+[[nodiscard]] std::vector<model::Support> supports_of(std::span<const Item> items, const FaceNames& faces,
+                                                      const Values& values);
+[[nodiscard]] std::vector<model::PressureLoad> loads_of(std::span<const Item> items, const FaceNames& faces,
+                                                        const Values& values);
+[[nodiscard]] std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const FaceNames& faces,
+                                                            const Values& values);
 [[nodiscard]] model::PathSettings path_of(std::span<const Item> items, const Values& values);
 [[nodiscard]] model::SolverSettings solver_of(const Values& values);
 
-inline constexpr std::string_view cavity_name = "cavity";   ///< the load target that encloses a volume
+inline constexpr std::string_view cavity_name = "cavity";  ///< the load target that encloses a volume
 
 }  // namespace soft::design

@@ -1,7 +1,7 @@
 #include "design/tree.hpp"
 
-#include <yaml-cpp/yaml.h>
 #include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <optional>
@@ -21,7 +21,7 @@ constexpr std::size_t deepest = 16;
 /// Where marks of yaml-cpp (from 0) stand for the user.
 struct Places {
     std::string source;
-    bool numbered;   // false: a fragment, which has one place
+    bool numbered;  // false: a fragment, which has one place
     [[nodiscard]] std::string at(int line, int column) const {
         if (!numbered) return source;
         return source + ":" + std::to_string(std::max(line, 0) + 1) + ":" + std::to_string(std::max(column, 0) + 1);
@@ -45,18 +45,21 @@ public:
         add(Node{}, mark);
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override { refuse_anchor(mark); }
-    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& value) override {
         check(mark, tag, anchor);
         Node node;
         node.kind = Node::Kind::scalar;
         node.text = value;
         add(std::move(node), mark);
     }
-    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                         YAML::EmitterStyle::value) override {
         open(Node::Kind::list, mark, tag, anchor);
     }
     void OnSequenceEnd() override { close(); }
-    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                    YAML::EmitterStyle::value) override {
         open(Node::Kind::map, mark, tag, anchor);
     }
     void OnMapEnd() override { close(); }
@@ -64,7 +67,7 @@ public:
 private:
     struct Frame {
         Node node;
-        std::optional<Member> waiting;   // a key that has no value yet
+        std::optional<Member> waiting;  // a key that has no value yet
     };
 
     [[noreturn]] void refuse_anchor(const YAML::Mark& mark) const {
@@ -73,14 +76,17 @@ private:
 
     void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         if (anchor != 0) refuse_anchor(mark);
-        const bool ordinary = tag.empty() || tag == "?" || tag == "!";   // plain and quoted scalars
+        const bool ordinary = tag.empty() || tag == "?" || tag == "!";  // plain and quoted scalars
         if (!ordinary) refuse(places_.at(mark), "", "tags are not part of a design", "leave out " + core::quoted(tag));
-        if (++nodes_ > most_nodes) refuse(places_.at(mark), "", "more than " + std::to_string(most_nodes) + " values", "a design is a page of text");
+        if (++nodes_ > most_nodes)
+            refuse(places_.at(mark), "", "more than " + std::to_string(most_nodes) + " values",
+                   "a design is a page of text");
     }
 
     void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         check(mark, tag, anchor);
-        if (stack_.size() >= deepest) refuse(places_.at(mark), "", "nested more than " + std::to_string(deepest) + " levels deep");
+        if (stack_.size() >= deepest)
+            refuse(places_.at(mark), "", "nested more than " + std::to_string(deepest) + " levels deep");
         if (expects_key()) refuse(places_.at(mark), "", "a group cannot be a key", "write key: value");
         Frame frame;
         frame.node.kind = kind;
@@ -101,10 +107,12 @@ private:
     void add(Node node, const YAML::Mark& mark) {
         node.place = places_.at(mark);
         if (!expects_key()) return attach(std::move(node));
-        if (node.kind != Node::Kind::scalar || node.text.empty()) refuse(node.place, "", "a key is missing before ':'", "write key: value");
+        if (node.kind != Node::Kind::scalar || node.text.empty())
+            refuse(node.place, "", "a key is missing before ':'", "write key: value");
         const Frame& frame = stack_.back();
         if (const Member* first = find_member(frame.node, node.text))
-            refuse(node.place, "", "key " + core::quoted(node.text) + " is written twice", "the first is at " + first->place);
+            refuse(node.place, "", "key " + core::quoted(node.text) + " is written twice",
+                   "the first is at " + first->place);
         stack_.back().waiting = Member{node.text, node.place, {}};
     }
 
@@ -141,7 +149,8 @@ std::string place_of_byte(std::string_view text, std::size_t offset, const Place
 
 void check_characters(std::string_view text, const Places& places) {
     if (text.size() > longest_document)
-        refuse(places.source, "", "the design is longer than 1 MiB", "a design is a page of text; is this the right file?");
+        refuse(places.source, "", "the design is longer than 1 MiB",
+               "a design is a page of text; is this the right file?");
     const auto is_control = [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
@@ -178,7 +187,8 @@ Node parse_yaml(std::string_view text, std::string_view source) { return parse(t
 Node parse_fragment(std::string_view text, std::string_view place) { return parse(text, {std::string{place}, false}); }
 
 const Member* find_member(const Node& map, std::string_view key) {
-    const auto member = std::find_if(map.members.begin(), map.members.end(), [&](const Member& m) { return m.key == key; });
+    const auto member =
+        std::find_if(map.members.begin(), map.members.end(), [&](const Member& m) { return m.key == key; });
     return member == map.members.end() ? nullptr : &*member;
 }
 
@@ -208,7 +218,8 @@ void put(Node& root, std::string_view path, Node value) {
         if (node->kind == Node::Kind::empty) node->kind = Node::Kind::map;
         if (node->kind != Node::Kind::map) {
             const auto done = path.substr(0, path.size() - rest.size() - 1);
-            refuse(place, path, core::quoted(done) + " is a single value", "give all of it: " + std::string{done} + "={...}");
+            refuse(place, path, core::quoted(done) + " is a single value",
+                   "give all of it: " + std::string{done} + "={...}");
         }
         const auto dot = rest.find('.');
         const std::string key{rest.substr(0, dot)};
@@ -216,7 +227,8 @@ void put(Node& root, std::string_view path, Node value) {
             node->members.push_back({key, place, {}});
             node->members.back().value.place = place;
         }
-        const auto member = std::find_if(node->members.begin(), node->members.end(), [&](const Member& m) { return m.key == key; });
+        const auto member =
+            std::find_if(node->members.begin(), node->members.end(), [&](const Member& m) { return m.key == key; });
         if (dot == std::string_view::npos) {
             member->value = std::move(value);
             return;

@@ -13,20 +13,20 @@ struct Member;
 struct Node {
     enum class Kind { empty, scalar, list, map };
     Kind kind = Kind::empty;
-    std::string text;              ///< of a scalar
-    std::string place;             ///< "designs/tube.yaml:7:9" (line and column from 1), "--set geometry.wall" or "default"
-    std::string note;              ///< comment that write_yaml puts behind it; never read
-    std::vector<Node> items;       ///< of a list
-    std::vector<Member> members;   ///< of a map, in document order, keys unique
+    std::string text;         ///< of a scalar
+    std::string place;        ///< "designs/tube.yaml:7:9" (line and column from 1), "--set geometry.wall" or "default"
+    std::string note;         ///< comment that write_yaml puts behind it; never read
+    std::vector<Node> items;  ///< of a list
+    std::vector<Member> members;  ///< of a map, in document order, keys unique
 };
 
 struct Member {
     std::string key;
-    std::string place;             ///< of the key
+    std::string place;  ///< of the key
     Node value;
 };
 
-inline constexpr std::string_view place_default = "default";   ///< place of what the user did not write
+inline constexpr std::string_view place_default = "default";  ///< place of what the user did not write
 
 /// Throws Error(bad_input) "source:line:column: problem; remedy". At most 1 MiB, 20000 nodes, 16 levels.
 [[nodiscard]] Node parse_yaml(std::string_view text, std::string_view source);
@@ -50,6 +50,7 @@ void put(Node& root, std::string_view path, Node value);
 [[nodiscard]] std::string write_yaml(const Node& root, std::size_t note_column = 0);
 
 /// Error(bad_input) "place: path: problem; remedy"; the path is left out where the place ends with it already.
-[[noreturn]] void refuse(std::string_view place, std::string_view path, std::string_view problem, std::string_view remedy = {});
+[[noreturn]] void refuse(std::string_view place, std::string_view path, std::string_view problem,
+                         std::string_view remedy = {});
 
 }  // namespace soft::design

@@ -6,15 +6,18 @@ namespace soft::design {
 namespace {
 
 bool is_plain_character(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || std::string_view{"_ .+-/^%()"}.find(c) != std::string_view::npos;
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view{"_ .+-/^%()"}.find(c) != std::string_view::npos;
 }
 
 /// Words that YAML readers take for something other than text stay plain: all values of a design are read as text.
 bool may_stay_plain(std::string_view text) {
     if (text.empty() || text == "~" || text == "null" || text == "Null" || text == "NULL") return false;
     const char first = text.front();
-    const bool safe_start = is_plain_character(first) && first != ' ' && first != '%' && (first != '-' || (text.size() > 1 && text[1] != ' ' && text[1] != '-'));
-    return safe_start && text.back() != ' ' && text != "..." && std::all_of(text.begin(), text.end(), is_plain_character);
+    const bool safe_start = is_plain_character(first) && first != ' ' && first != '%' &&
+                            (first != '-' || (text.size() > 1 && text[1] != ' ' && text[1] != '-'));
+    return safe_start && text.back() != ' ' && text != "..." &&
+           std::all_of(text.begin(), text.end(), is_plain_character);
 }
 
 std::string scalar_text(std::string_view text) {
@@ -22,9 +25,12 @@ std::string scalar_text(std::string_view text) {
     std::string quoted{"\""};
     for (const char c : text) {
         if (c == '"' || c == '\\') quoted += '\\';
-        if (c == '\n') quoted += "\\n";
-        else if (c == '\t') quoted += "\\t";
-        else quoted += c;
+        if (c == '\n')
+            quoted += "\\n";
+        else if (c == '\t')
+            quoted += "\\t";
+        else
+            quoted += c;
     }
     quoted += '"';
     return quoted;

@@ -17,7 +17,9 @@ const Values::Entry& entry_at(const std::map<std::string, Values::Entry, std::le
 
 double Values::number(std::string_view path) const { return entry_at(entries_, path).number; }
 
-int Values::count(std::string_view path) const { return static_cast<int>(std::lround(entry_at(entries_, path).number)); }
+int Values::count(std::string_view path) const {
+    return static_cast<int>(std::lround(entry_at(entries_, path).number));
+}
 
 const std::string& Values::text(std::string_view path) const { return entry_at(entries_, path).text; }
 

@@ -81,7 +81,7 @@ struct SolverSettings {
     double largest_step = 0.0;          ///< 0: chosen by the solver; else a bound on the step as a fraction of the path so far
     double smallest_step = 1e-4;        ///< a step cut below this fraction of the first step ends the path
     int step_limit = 1000;              ///< stop_reason step_limit beyond
-    double step_accuracy = 2e-2;        ///< wanted relative error of the predictor; smaller = denser steps
+    double step_accuracy = 2e-3;        ///< wanted relative error of the predictor; smaller = denser steps
 };
 
 struct Case {

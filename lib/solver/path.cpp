@@ -264,10 +264,11 @@ void PathFollower::handle_failure() {
         log_("row " + std::to_string(rows_) + ": step of " + number(step_) + " failed, residual " +
              number(newton_result_.residual) + ", least det F " + number(newton_result_.min_jacobian));
     step_ *= cut_after_failure;
-    if (control_.kind == ConstraintKind::load_factor && failures_ >= failures_before_arc)
+    const bool too_short = std::abs(step_) < settings_.smallest_step * std::abs(first_step_);
+    if (control_.kind == ConstraintKind::load_factor && (failures_ >= failures_before_arc || too_short))
         return switch_to_arc_length();
     if (failures_ > 1) before_.reset();   // a bad extrapolation: go back to the tangent
-    if (std::abs(step_) >= settings_.smallest_step * std::abs(first_step_)) return;
+    if (!too_short) return;
     if (newton_result_.end == NewtonEnd::inverted)
         return finish(StopReason::inverted_element,
                       "a cell turns inside out (det F = " + number(newton_result_.min_jacobian) + ") " +

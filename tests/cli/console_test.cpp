@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli.hpp"
 #include "process.hpp"
@@ -11,8 +12,11 @@ using namespace soft;
 using namespace soft::process;
 
 std::string stderr_of(cli::Verbosity verbosity, auto&& action) {
-    testing::internal::CaptureStderr();   // a file, no terminal
-    { cli::Console console{"tool", verbosity}; action(console); }
+    testing::internal::CaptureStderr();  // a file, no terminal
+    {
+        cli::Console console{"tool", verbosity};
+        action(console);
+    }
     return testing::internal::GetCapturedStderr();
 }
 
@@ -25,7 +29,8 @@ TEST(Console, QuietSaysNothingAndVerboseSaysMore) {
     };
     EXPECT_EQ(stderr_of(cli::Verbosity::quiet, action), "");
     EXPECT_EQ(stderr_of(cli::Verbosity::normal, action), "tool: said\ntool: warning: careful\ntool: 50 % half\n");
-    EXPECT_EQ(stderr_of(cli::Verbosity::verbose, action), "tool: said\ntool: detail\ntool: warning: careful\ntool: 50 % half\n");
+    EXPECT_EQ(stderr_of(cli::Verbosity::verbose, action),
+              "tool: said\ntool: detail\ntool: warning: careful\ntool: 50 % half\n");
 }
 
 TEST(Console, ProgressOffATerminalIsALineATenth) {
@@ -41,7 +46,7 @@ TEST(Console, ProgressOffATerminalIsALineATenth) {
 TEST(Console, ColourIsForTerminalsWithoutNoColor) {
     Folder folder;
     ASSERT_EQ(run(folder, "mesh-gen --template tube > tube.yaml").code, 0);
-    const std::string command = "mesh-gen tube.yaml --set mesh.size=9mm -o x.h5";   // coarse: one warning
+    const std::string command = "mesh-gen tube.yaml --set mesh.size=9mm -o x.h5";  // coarse: one warning
     EXPECT_TRUE(holds(run_on_terminal(folder, 2, command).out, "\033[33mwarning"));
     EXPECT_FALSE(holds(run_on_terminal(folder, 2, "NO_COLOR=1 " + command).out, "\033"));
     const Outcome plain = run(folder, command);

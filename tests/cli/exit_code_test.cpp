@@ -24,7 +24,9 @@ void expect_refusal(const Folder& folder, const std::string& command, int code, 
 class ExitCodes : public testing::Test {
 protected:
     void SetUp() override { ASSERT_EQ(run(folder_, "mesh-gen --template tube > tube.yaml").code, 0); }
-    [[nodiscard]] std::ptrdiff_t entries() const { return std::distance(fs::directory_iterator{folder_.path()}, fs::directory_iterator{}); }
+    [[nodiscard]] std::ptrdiff_t entries() const {
+        return std::distance(fs::directory_iterator{folder_.path()}, fs::directory_iterator{});
+    }
     Folder folder_;
 };
 
@@ -41,11 +43,13 @@ TEST_F(ExitCodes, UsageIs64) {
 
 TEST_F(ExitCodes, BadInputIs65) {
     expect_refusal(folder_, "sed 's/cap: 5 mm/cap: 5/' tube.yaml | mesh-gen", 65, "<stdin>:");
-    expect_refusal(folder_, "sed 's/cap: 5 mm/cpa: 5/' tube.yaml > x.yaml; mesh-gen x.yaml", 65, "geometry.cpa: unknown key; did you mean 'cap'?");
+    expect_refusal(folder_, "sed 's/cap: 5 mm/cpa: 5/' tube.yaml > x.yaml; mesh-gen x.yaml", 65,
+                   "geometry.cpa: unknown key; did you mean 'cap'?");
     expect_refusal(folder_, "mesh-gen < /dev/null", 65, "the design is empty");
     expect_refusal(folder_, "head -c 3000 /dev/urandom | mesh-gen", 65, "<stdin>:");
-    expect_refusal(folder_, "yes | mesh-gen", 65, "");   // an endless design
-    expect_refusal(folder_, "mesh-gen --set geometry.inner_radius=12mm tube.yaml -o x.h5", 65, "--set geometry.inner_radius: 12 mm is not smaller than");
+    expect_refusal(folder_, "yes | mesh-gen", 65, "");  // an endless design
+    expect_refusal(folder_, "mesh-gen --set geometry.inner_radius=12mm tube.yaml -o x.h5", 65,
+                   "--set geometry.inner_radius: 12 mm is not smaller than");
     EXPECT_FALSE(fs::exists(folder_ / "x.h5"));
 }
 
@@ -71,7 +75,7 @@ TEST_F(ExitCodes, AClosedStreamIsAnErrorAndNotTheNextFile) {
     expect_refusal(folder_, "mesh-gen tube.yaml >&-", 74, "<stdout>");
     expect_refusal(folder_, "mesh-gen - <&-", 74, "<stdin>");
     EXPECT_EQ(run(folder_, "mesh-gen tube.yaml -o x.h5 2>&-").code, 0);
-    EXPECT_EQ(slurp(folder_ / "x.h5").substr(1, 3), "HDF");   // messages did not go into the file
+    EXPECT_EQ(slurp(folder_ / "x.h5").substr(1, 3), "HDF");  // messages did not go into the file
 }
 
 TEST_F(ExitCodes, AReaderThatLeavesEndsTheWriterQuietly) {
@@ -98,7 +102,8 @@ TEST(Guarded, TurnsEveryExceptionIntoItsCode) {
     char* argv[] = {name, nullptr};
     testing::internal::CaptureStderr();
     EXPECT_EQ(cli::guarded(1, argv, [] { return ExitCode::stopped_early; }), 2);
-    EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw Error(ExitCode::bad_input, "f:1:2", "wrong", "right"); }), 65);
+    EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw Error(ExitCode::bad_input, "f:1:2", "wrong", "right"); }),
+              65);
     EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw Error(ExitCode::internal, "", "odd"); }), 70);
     EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw std::bad_alloc{}; }), 70);
     EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw std::logic_error{"a\nb"}; }), 70);
@@ -111,7 +116,8 @@ TEST(Guarded, TurnsEveryExceptionIntoItsCode) {
 
 TEST(TakeRest, CutsAtTheFirstDoubleDash) {
     std::string words[] = {"solve", "case.h5", "--", "-ksp_view", "--", "x"};
-    char* argv[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(), words[4].data(), words[5].data(), nullptr};
+    char* argv[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(),
+                    words[4].data(), words[5].data(), nullptr};
     int argc = 6;
     EXPECT_EQ(cli::take_rest(argc, argv), (std::vector<std::string>{"-ksp_view", "--", "x"}));
     EXPECT_EQ(argc, 2);

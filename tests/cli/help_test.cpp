@@ -15,7 +15,8 @@ using namespace soft::process;
 std::set<std::string> matches(const std::string& text, const std::string& pattern) {
     const std::regex expression{pattern};
     std::set<std::string> found;
-    for (std::sregex_iterator match{text.begin(), text.end(), expression}, end; match != end; ++match) found.insert((*match)[1].str());
+    for (std::sregex_iterator match{text.begin(), text.end(), expression}, end; match != end; ++match)
+        found.insert((*match)[1].str());
     return found;
 }
 
@@ -38,7 +39,8 @@ TEST(Help, ShowsTwoExamplesAndEveryExitCode) {
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
     EXPECT_EQ(matches(help.out, "\n  (mesh-gen .*)\n").size(), 2u);
-    EXPECT_EQ(matches(help.out, "\n  ([0-9]+) +[a-zI]"), (std::set<std::string>{"0", "1", "2", "64", "65", "66", "70", "73", "74"}));
+    EXPECT_EQ(matches(help.out, "\n  ([0-9]+) +[a-zI]"),
+              (std::set<std::string>{"0", "1", "2", "64", "65", "66", "70", "73", "74"}));
 }
 
 TEST(Help, ItsExamplesRun) {
@@ -52,7 +54,9 @@ TEST(Completion, CompletesOptionsFamiliesAndFiles) {
     Folder folder;
     folder.write("some-design.yaml", "");
     const auto complete = [&](const std::string& words, int at) {
-        return run(folder, "source <(mesh-gen --completion bash); COMP_WORDS=(" + words + "); COMP_CWORD=" + std::to_string(at) + "; _mesh_gen; echo \"${COMPREPLY[*]}\"").out;
+        return run(folder, "source <(mesh-gen --completion bash); COMP_WORDS=(" + words +
+                               "); COMP_CWORD=" + std::to_string(at) + "; _mesh_gen; echo \"${COMPREPLY[*]}\"")
+            .out;
     };
     EXPECT_EQ(complete("mesh-gen --expl", 1), "--explain\n");
     EXPECT_EQ(complete("mesh-gen --template tu", 2), "tube\n");

@@ -32,15 +32,19 @@ TEST(MeshGen, EveryTemplateRunsWithoutAChange) {
 
 TEST(MeshGen, PipeAndFileGiveTheSameBytesTwice) {
     Folder folder;
-    const Outcome outcome = run(folder, "mesh-gen --template tube > t.yaml && mesh-gen -q t.yaml -o a.h5 && mesh-gen -q t.yaml -o a2.h5 && "
-                                        "mesh-gen -q - < t.yaml > b.h5 && mv a2.h5 a.copy && mesh-gen -q - < t.yaml | cmp - b.h5");
+    const Outcome outcome =
+        run(folder,
+            "mesh-gen --template tube > t.yaml && mesh-gen -q t.yaml -o a.h5 && mesh-gen -q t.yaml -o a2.h5 && "
+            "mesh-gen -q - < t.yaml > b.h5 && mv a2.h5 a.copy && mesh-gen -q - < t.yaml | cmp - b.h5");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
 TEST(MeshGen, TheSummaryHoldsTheVolumesOfTheClosedForm) {
     Folder folder;
-    const Outcome outcome = run(folder, "mesh-gen --template tube | mesh-gen -o t.h5 --json - --set geometry.length=100mm --set geometry.cap=5mm "
-                                        "--set geometry.outer_radius=10mm --set geometry.inner_radius=7mm");
+    const Outcome outcome =
+        run(folder,
+            "mesh-gen --template tube | mesh-gen -o t.h5 --json - --set geometry.length=100mm --set geometry.cap=5mm "
+            "--set geometry.outer_radius=10mm --set geometry.inner_radius=7mm");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     const double outside = std::numbers::pi * 0.01 * 0.01 * 0.1, inside = std::numbers::pi * 0.007 * 0.007 * 0.09;
@@ -53,22 +57,25 @@ TEST(MeshGen, TheSummaryHoldsTheVolumesOfTheClosedForm) {
 
 TEST(MeshGen, AQuarterSolidReportsTheWholeActuator) {
     Folder folder;
-    const Outcome outcome = run(folder, "mesh-gen --template tube | mesh-gen -o t.h5 --json - --set model=quarter --set mesh.size=5mm");
+    const Outcome outcome =
+        run(folder, "mesh-gen --template tube | mesh-gen -o t.h5 --json - --set model=quarter --set mesh.size=5mm");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const double inside = std::numbers::pi * 0.007 * 0.007 * 0.09;
     const double cavity = nlohmann::json::parse(outcome.out).at("cavities").at(0).at("volume_m3").get<double>();
-    EXPECT_NEAR(cavity, inside, 1e-3 * inside);   // second-order arcs, four around the quarter
+    EXPECT_NEAR(cavity, inside, 1e-3 * inside);  // second-order arcs, four around the quarter
 }
 
 TEST(MeshGen, TheUnknownsOfABarCanBeCounted) {
     Folder folder;
-    const Outcome outcome = run(folder, "mesh-gen --template rod | mesh-gen -o t.h5 --json - --set geometry.length=20mm --set geometry.width=10mm "
-                                        "--set geometry.height=10mm --set mesh.size=10mm --set mesh.through_wall=1");
+    const Outcome outcome =
+        run(folder,
+            "mesh-gen --template rod | mesh-gen -o t.h5 --json - --set geometry.length=20mm --set geometry.width=10mm "
+            "--set geometry.height=10mm --set mesh.size=10mm --set mesh.through_wall=1");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto json = nlohmann::json::parse(outcome.out);
     ASSERT_EQ(json.at("cells"), 2);
     ASSERT_EQ(json.at("points"), 5 * 3 * 3);
-    EXPECT_EQ(json.at("unknowns"), 3 * (5 * 3 * 3 - 9) + 2 * 4);   // one face held; four pressures a hexahedron
+    EXPECT_EQ(json.at("unknowns"), 3 * (5 * 3 * 3 - 9) + 2 * 4);  // one face held; four pressures a hexahedron
 }
 
 TEST(MeshGen, CheckAndExplainWriteNoCase) {
@@ -78,16 +85,26 @@ TEST(MeshGen, CheckAndExplainWriteNoCase) {
     EXPECT_EQ(check.code, 0);
     EXPECT_EQ(check.out, "");
     EXPECT_TRUE(holds(check.err, "b.yaml: nothing wrong"));
-    const Outcome explain = run(folder, "mesh-gen --explain b.yaml --set geometry.wall=2.5mm > e.yaml; cat e.yaml; mesh-gen --check e.yaml");
+    const Outcome explain = run(
+        folder, "mesh-gen --explain b.yaml --set geometry.wall=2.5mm > e.yaml; cat e.yaml; mesh-gen --check e.yaml");
     EXPECT_EQ(explain.code, 0) << explain.err;
     EXPECT_TRUE(holds(explain.out, "2.5 mm"));
     EXPECT_TRUE(holds(explain.out, "given at --set geometry.wall"));
 }
 
+TEST(MeshGen, StdoutByItsNameIsStdout) {
+    Folder folder;
+    const Outcome outcome = run(folder, "mesh-gen --template rod | mesh-gen --check --json /dev/stdout | cat");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(nlohmann::json::parse(outcome.out).at("name"), "rod");
+}
+
 TEST(MeshGen, ShortAndLongPathsOfAnOverrideMeanTheSame) {
     Folder folder;
-    const Outcome outcome = run(folder, "mesh-gen --template tube > t.yaml; mesh-gen --explain t.yaml --set load.pressure=60kPa > a; "
-                                        "mesh-gen --explain t.yaml --set loads.cavity.pressure=60kPa > b; cmp a b && grep -c '60 kPa' a");
+    const Outcome outcome =
+        run(folder,
+            "mesh-gen --template tube > t.yaml; mesh-gen --explain t.yaml --set load.pressure=60kPa > a; "
+            "mesh-gen --explain t.yaml --set loads.cavity.pressure=60kPa > b; cmp a b && grep -c '60 kPa' a");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 

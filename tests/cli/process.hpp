@@ -15,7 +15,7 @@ namespace soft::process {
 namespace fs = std::filesystem;
 
 struct Outcome {
-    int code = -1;          ///< 128 + signal if it was killed
+    int code = -1;  ///< 128 + signal if it was killed
     std::string out, err;
 };
 
@@ -37,7 +37,9 @@ public:
     Folder& operator=(const Folder&) = delete;
     [[nodiscard]] fs::path operator/(const std::string& name) const { return path_ / name; }
     [[nodiscard]] const fs::path& path() const { return path_; }
-    void write(const std::string& name, const std::string& text) const { std::ofstream{path_ / name, std::ios::binary} << text; }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream{path_ / name, std::ios::binary} << text;
+    }
 
 private:
     fs::path path_;
@@ -75,7 +77,8 @@ inline Outcome run_on_terminal(const Folder& folder, int stream, const std::stri
     Outcome outcome = run(folder, "exec " + std::to_string(stream) + (stream == 0 ? "<" : ">") + name + "; " + command);
     ::fcntl(terminal, F_SETFL, O_NONBLOCK);
     char buffer[4096];
-    for (ssize_t got = 0; (got = ::read(terminal, buffer, sizeof buffer)) > 0;) outcome.out.append(buffer, static_cast<std::size_t>(got));
+    for (ssize_t got = 0; (got = ::read(terminal, buffer, sizeof buffer)) > 0;)
+        outcome.out.append(buffer, static_cast<std::size_t>(got));
     ::close(keep);
     ::close(terminal);
     return outcome;

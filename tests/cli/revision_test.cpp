@@ -13,7 +13,8 @@ protected:
     }
     std::string revision() {
         const std::string script = std::string{SOFT_SOURCE_DIR} + "/tools/revision.cmake";
-        const Outcome outcome = run(folder_, std::string{CMAKE_PROGRAM} + " -D SOURCE=$PWD/source -D OUTPUT=$PWD/revision.hpp -P " + script);
+        const Outcome outcome = run(
+            folder_, std::string{CMAKE_PROGRAM} + " -D SOURCE=$PWD/source -D OUTPUT=$PWD/revision.hpp -P " + script);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         const std::string header = slurp(folder_ / "revision.hpp");
         const auto quote = header.find('"');
@@ -28,15 +29,16 @@ TEST_F(Revision, IsUnknownOutsideAClone) {
 }
 
 TEST_F(Revision, NamesTheCommitAndMarksChanges) {
-    const std::string setup = "export HOME=$PWD; git init -q source && cd source && echo a > file && git add file && "
-                              "git -c user.name=n -c user.email=e@x commit -q -m m && git rev-parse --short=12 HEAD";
+    const std::string setup =
+        "export HOME=$PWD; git init -q source && cd source && echo a > file && git add file && "
+        "git -c user.name=n -c user.email=e@x commit -q -m m && git rev-parse --short=12 HEAD";
     const Outcome made = run(folder_, setup);
     ASSERT_EQ(made.code, 0) << made.err;
     const std::string commit = made.out.substr(0, made.out.size() - 1);
     EXPECT_EQ(revision(), commit);
     const auto written = fs::last_write_time(folder_ / "revision.hpp");
     EXPECT_EQ(revision(), commit);
-    EXPECT_EQ(fs::last_write_time(folder_ / "revision.hpp"), written);   // unchanged: nothing is built again
+    EXPECT_EQ(fs::last_write_time(folder_ / "revision.hpp"), written);  // unchanged: nothing is built again
     folder_.write("source/file", "b");
     EXPECT_EQ(revision(), commit + "-dirty");
 }

@@ -28,7 +28,9 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder_); }
     [[nodiscard]] fs::path in(std::string_view name) const { return folder_ / name; }
-    [[nodiscard]] long entries() const { return std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{}); }
+    [[nodiscard]] long entries() const {
+        return std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{});
+    }
 
     fs::path folder_;
 };
@@ -54,7 +56,10 @@ TEST_F(Files, ACommittedFileHoldsEveryByteAndNothingElseIsLeft) {
 
 TEST_F(Files, AnAbandonedFileLeavesTheOldOneAsItWas) {
     std::ofstream{in("a")} << "old";
-    { AtomicFile file{in("a")}; static_cast<void>(file.write(bytes("new"))); }
+    {
+        AtomicFile file{in("a")};
+        static_cast<void>(file.write(bytes("new")));
+    }
     EXPECT_EQ(text(read_file(in("a"))), "old");
     EXPECT_EQ(entries(), 1);
 }
@@ -85,6 +90,18 @@ TEST_F(Files, ALinkStaysALink) {
     EXPECT_EQ(text(read_file(in("real"))), "new");
 }
 
+TEST_F(Files, ALinkToAPipeIsWrittenIntoThePipe) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    fs::create_symlink("/proc/self/fd/" + std::to_string(ends[1]), in("link"));
+    AtomicFile file{in("link")};
+    static_cast<void>(file.write(bytes("through")));
+    file.commit();
+    ::close(ends[1]);
+    EXPECT_EQ(text(read_descriptor(ends[0], "pipe")), "through");
+    ::close(ends[0]);
+}
+
 TEST_F(Files, ADeviceIsWrittenAndNotReplaced) {
     AtomicFile file{"/dev/null"};
     EXPECT_EQ(file.write(bytes("gone")), Delivery::whole);
@@ -101,7 +118,11 @@ TEST_F(Files, WhatCannotBeCreatedOrOpenedHasItsOwnCode) {
 
 TEST_F(Files, AFullDiskIsAnInputOutputError) {
     if (!fs::exists("/dev/full")) GTEST_SKIP();
-    EXPECT_EQ(code_of([] { AtomicFile file{"/dev/full"}; static_cast<void>(file.write(bytes("x"))); }), soft::ExitCode::io_error);
+    EXPECT_EQ(code_of([] {
+                  AtomicFile file{"/dev/full"};
+                  static_cast<void>(file.write(bytes("x")));
+              }),
+              soft::ExitCode::io_error);
 }
 
 TEST_F(Files, AnInputBeyondTheLimitIsRefused) {

@@ -26,7 +26,7 @@ TEST(Nearest, FindsTheKeyThatASlipOfTheKeyboardMeant) {
     const std::vector<std::string> keys = {"wall", "pitch", "crest_radius", "bore_radius"};
     EXPECT_EQ(nearest("wal", keys), "wall");
     EXPECT_EQ(nearest("WALL", keys), "wall");
-    EXPECT_EQ(nearest("ptich", keys), "pitch");          // a swap counts once
+    EXPECT_EQ(nearest("ptich", keys), "pitch");  // a swap counts once
     EXPECT_EQ(nearest("crest-radus", keys), "crest_radius");
     EXPECT_EQ(nearest("temperature", keys), std::nullopt);
     EXPECT_EQ(nearest(std::string(100000, 'w'), keys), std::nullopt);
@@ -41,17 +41,17 @@ TEST(DidYouMean, ListsWhatIsKnownWhenNothingIsNear) {
 
 TEST(OneLine, HoldsNoControlCharacterAndNoHalfLetter) {
     EXPECT_EQ(one_line("a\nb\x1b[31m"), "a?b?[31m");
-    const std::string cut = one_line("aaaµ", 4);   // the limit falls into the letter
+    const std::string cut = one_line("aaaµ", 4);  // the limit falls into the letter
     EXPECT_EQ(cut, "aaa...");
 }
 
 TEST(Utf8, AcceptsLettersOfEveryLengthAndRefusesWhatTheStandardForbids) {
     EXPECT_EQ(first_invalid_utf8("plain µ € 😀"), std::nullopt);
     EXPECT_EQ(first_invalid_utf8("ab\xff"), 2u);
-    EXPECT_EQ(first_invalid_utf8("\xC0\xAF"), 0u);            // overlong '/'
-    EXPECT_EQ(first_invalid_utf8("\xED\xA0\x80"), 0u);        // a surrogate
-    EXPECT_EQ(first_invalid_utf8("\xF4\x90\x80\x80"), 0u);    // beyond U+10FFFF
-    EXPECT_EQ(first_invalid_utf8("a\xE2\x82"), 1u);           // cut short
+    EXPECT_EQ(first_invalid_utf8("\xC0\xAF"), 0u);          // overlong '/'
+    EXPECT_EQ(first_invalid_utf8("\xED\xA0\x80"), 0u);      // a surrogate
+    EXPECT_EQ(first_invalid_utf8("\xF4\x90\x80\x80"), 0u);  // beyond U+10FFFF
+    EXPECT_EQ(first_invalid_utf8("a\xE2\x82"), 1u);         // cut short
 }
 
 TEST(Trimmed, TakesBlanksOffBothEndsOnly) {

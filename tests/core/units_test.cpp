@@ -26,7 +26,7 @@ Refusal refused(std::string_view text, Dimension dimension) {
 TEST(Units, PrefixesGiveTheDoubleNearestToTheDecimalValue) {
     EXPECT_EQ(si("3 mm", Dimension::length), 3e-3);
     EXPECT_EQ(si("9.25 mm", Dimension::length), 9.25e-3);
-    EXPECT_EQ(si("0.1644 MPa", Dimension::pressure), 164400.0);   // 0.1644 * 1e6 is another double
+    EXPECT_EQ(si("0.1644 MPa", Dimension::pressure), 164400.0);  // 0.1644 * 1e6 is another double
     EXPECT_EQ(si("16.44 MPa", Dimension::pressure), 16440000.0);
     EXPECT_EQ(si("0.07 um", Dimension::length), 0.07e-6);
     EXPECT_EQ(si("1.05 bar", Dimension::pressure), 105000.0);
@@ -76,8 +76,8 @@ TEST(Units, AMisspeltUnitNamesTheNearest) {
 }
 
 TEST(Units, WhatIsNoFiniteDecimalNumberIsRefused) {
-    for (const char* text : {"nan", "inf mm", "-inf", "0x10 mm", "", "   ", "mm", "- 3 mm", "1e400 m", "1e99999999999 m", "+-3 mm",
-                             "3 mm mm", "..5 mm", "e5 mm", "3 mm\n4 mm"})
+    for (const char* text : {"nan", "inf mm", "-inf", "0x10 mm", "", "   ", "mm", "- 3 mm", "1e400 m",
+                             "1e99999999999 m", "+-3 mm", "3 mm mm", "..5 mm", "e5 mm", "3 mm\n4 mm"})
         refused(text, Dimension::length);
     refused("1e300 GPa", Dimension::pressure);
 }
@@ -90,7 +90,7 @@ struct DecimalComma : std::numpunct<char> {
 TEST(Units, TheLocaleHasNoSay) {
     const std::string c_locale = std::setlocale(LC_ALL, nullptr);
     const std::locale before = std::locale::global(std::locale{std::locale::classic(), new DecimalComma});
-    static_cast<void>(std::setlocale(LC_ALL, "de_DE.UTF-8"));   // has an effect only where it is installed
+    static_cast<void>(std::setlocale(LC_ALL, "de_DE.UTF-8"));  // has an effect only where it is installed
     EXPECT_EQ(si("2.5 mm", Dimension::length), 2.5e-3);
     EXPECT_EQ(quantity_text(2.5e-3, Dimension::length), "2.5 mm");
     std::locale::global(before);
@@ -117,6 +117,8 @@ TEST(Units, MessagesUseUnitsThatReadWell) {
     EXPECT_EQ(quantity_text(164400, Dimension::pressure), "164.4 kPa");
     EXPECT_EQ(quantity_text(-500, Dimension::pressure), "-500 Pa");
     EXPECT_EQ(quantity_text(0, Dimension::length), "0 m");
+    EXPECT_EQ(quantity_text(0, Dimension::pressure), "0 Pa");
+    EXPECT_EQ(quantity_text(1e-12, Dimension::length), "1e-06 um");
     EXPECT_EQ(quantity_text(70285.1e-9, Dimension::volume), "70.2851 mL");
 }
 

@@ -10,10 +10,11 @@ using namespace soft::design;
 using namespace soft::design::sample;
 
 TEST(EffectiveYaml, ReadsBackToItselfByteForByte) {
-    const std::string rich = std::string{least} +
-                             "name: \"odd: name # really\"\ngeometry: {skew: 12.5deg, wall: 2.50mm}\nmodel: solid\n"
-                             "supports: {x: [inlet, end_disc], fixed: fixed}\npath: {until: {steps: 7, elongation: 1e1 mm}}\n"
-                             "outputs: {b: {face: inlet, along: y}, a: {face: outer}, elongation: {face: inlet}}\n";
+    const std::string rich =
+        std::string{least} +
+        "name: \"odd: name # really\"\ngeometry: {skew: 12.5deg, wall: 2.50mm}\nmodel: solid\n"
+        "supports: {x: [inlet, end_disc], fixed: fixed}\npath: {until: {steps: 7, elongation: 1e1 mm}}\n"
+        "outputs: {b: {face: inlet, along: y}, a: {face: outer}, elongation: {face: inlet}}\n";
     for (const std::string& text : {std::string{least}, rich, std::string{least} + "supports: {}\noutputs: {}\n"}) {
         const Design first = read(text);
         const Design second = read(first.effective_yaml);
@@ -21,19 +22,24 @@ TEST(EffectiveYaml, ReadsBackToItselfByteForByte) {
         EXPECT_EQ(first.name, second.name);
         EXPECT_EQ(first.supports.size(), second.supports.size());
         EXPECT_EQ(first.outputs.size(), second.outputs.size());
-        for (const Key& key : pipe().geometry) EXPECT_EQ(first.values.number(key.path), second.values.number(key.path)) << key.path;
+        for (const Key& key : pipe().geometry)
+            EXPECT_EQ(first.values.number(key.path), second.values.number(key.path)) << key.path;
     }
 }
 
 TEST(EffectiveYaml, StatesEveryDefaultAndKeepsUnits) {
     const std::string yaml = read(std::string{least} + "geometry: {wall: 0.25cm}\n").effective_yaml;
-    for (const char* line : {"  wall: 0.25 cm\n", "  length: 100 mm\n", "  kappa: incompressible\n", "  volumetric: quadratic\n", "  size: 1.5 mm\n",
-                             "  formulation: mixed\n", "  sealed: true\n", "  control: volume\n", "  newton_limit: 16\n", "model: axisymmetric\n"})
+    for (const char* line :
+         {"  wall: 0.25 cm\n", "  length: 100 mm\n", "  kappa: incompressible\n", "  volumetric: quadratic\n",
+          "  size: 1.5 mm\n", "  formulation: mixed\n", "  sealed: true\n", "  control: volume\n",
+          "  newton_limit: 16\n", "model: axisymmetric\n"})
         EXPECT_TRUE(holds("\n" + yaml, line)) << line << yaml;
 }
 
 TEST(EffectiveYaml, DoesNotDependOnTheOrderOrStyleOfTheDesign) {
-    const std::string other = "loads:\n  cavity:\n    pressure:   30kPa\nmaterial:\n  mu: 0.1644MPa\n  law: neo-hookean\nfamily: 'pipe'   # the same\n";
+    const std::string other =
+        "loads:\n  cavity:\n    pressure:   30kPa\nmaterial:\n  mu: 0.1644MPa\n"
+        "  law: neo-hookean\nfamily: 'pipe'   # the same\n";
     EXPECT_EQ(read(other).effective_yaml, read(least).effective_yaml);
 }
 
@@ -49,13 +55,14 @@ TEST(Template, IsADesignOfTheFamilysDefaults) {
         EXPECT_TRUE(design.warnings.empty());
     }
     const Design pipe_design = read(template_yaml(pipe()));
-    EXPECT_EQ(pipe_design.loads.at(0).pressure_Pa, 25000.0);   // the family's own example
+    EXPECT_EQ(pipe_design.loads.at(0).pressure_Pa, 25000.0);  // the family's own example
     EXPECT_EQ(read(template_yaml(bar())).loads.at(0).pressure_Pa, -50000.0);
 }
 
 TEST(Template, SaysDefaultRangeAndMeaningOfEveryKey) {
     const std::string text = template_yaml(pipe());
-    const std::string folds = text.substr(text.find("folds:"), text.find('\n', text.find("folds:")) - text.find("folds:"));
+    const std::string folds =
+        text.substr(text.find("folds:"), text.find('\n', text.find("folds:")) - text.find("folds:"));
     EXPECT_TRUE(holds(folds, "number of folds; whole number at least 1, at most 50; default 4")) << folds;
     EXPECT_TRUE(holds(text, "incompressible rubber; pressure more than 0; required")) << text;
     // Every line with a value is explained.
@@ -70,13 +77,16 @@ TEST(Template, SaysDefaultRangeAndMeaningOfEveryKey) {
 }
 
 TEST(Explain, RefusesWhatReadingRefuses) {
-    const std::string contradiction = "family: bar\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {end: {pressure: -1 kPa}}\npath: {control: volume}\n";
+    const std::string contradiction =
+        "family: bar\nmaterial: {law: neo-hookean, mu: 1 kPa}\n"
+        "loads: {end: {pressure: -1 kPa}}\npath: {control: volume}\n";
     EXPECT_THROW(static_cast<void>(explain_design(contradiction, "p.yaml", families(), {})), soft::Error);
 }
 
 TEST(Explain, TellsWhatWasGivenFromWhatIsDefault) {
     const std::vector<Override> changes = {{"geometry.folds", "7"}};
-    const std::string text = explain_design(std::string{least} + "geometry: {wall: 2 mm}\n", "p.yaml", families(), changes);
+    const std::string text =
+        explain_design(std::string{least} + "geometry: {wall: 2 mm}\n", "p.yaml", families(), changes);
     const auto line_of = [&](const std::string& key) {
         const auto start = text.find(key);
         return text.substr(start, text.find('\n', start) - start);
@@ -85,7 +95,8 @@ TEST(Explain, TellsWhatWasGivenFromWhatIsDefault) {
     EXPECT_TRUE(holds(line_of("  wall:"), "given at p.yaml:4:18; thickness of the wall")) << text;
     EXPECT_TRUE(holds(line_of("  folds:"), "given at --set geometry.folds"));
     EXPECT_TRUE(holds(line_of("  length:"), "default; outer length"));
-    EXPECT_EQ(read(text).effective_yaml, read(std::string{least} + "geometry: {wall: 2 mm, folds: 7}\n").effective_yaml);
+    EXPECT_EQ(read(text).effective_yaml,
+              read(std::string{least} + "geometry: {wall: 2 mm, folds: 7}\n").effective_yaml);
 }
 
 }  // namespace

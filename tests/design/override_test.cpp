@@ -15,10 +15,13 @@ TEST(ParseOverride, SplitsAtTheFirstEqualsSign) {
     EXPECT_EQ(parse_override(" name = a=b ").value, "a=b");
 }
 
-TEST(ParseOverride, LoadIsShortForTheCavitysLoad) { EXPECT_EQ(parse_override("load.pressure=60kPa").path, "loads.cavity.pressure"); }
+TEST(ParseOverride, LoadIsShortForTheCavitysLoad) {
+    EXPECT_EQ(parse_override("load.pressure=60kPa").path, "loads.cavity.pressure");
+}
 
 TEST(ParseOverride, WhatIsNoAssignmentIsAUsageError) {
-    for (const char* argument : {"", "geometry.wall", "=3 mm", "geometry.wall=", ".wall=3 mm", "geometry.=3 mm", "geometry..wall=3 mm"}) {
+    for (const char* argument :
+         {"", "geometry.wall", "=3 mm", "geometry.wall=", ".wall=3 mm", "geometry.=3 mm", "geometry..wall=3 mm"}) {
         try {
             static_cast<void>(parse_override(argument));
             ADD_FAILURE() << argument;
@@ -29,7 +32,9 @@ TEST(ParseOverride, WhatIsNoAssignmentIsAUsageError) {
 }
 
 TEST(Overrides, ReplaceAddAndReplaceWholeGroups) {
-    const Design design = read(least, {{"geometry.wall", "2.5mm"}, {"loads.cavity.pressure", "60kPa"}, {"outputs", "{swell: {face: outer, along: r}}"},
+    const Design design = read(least, {{"geometry.wall", "2.5mm"},
+                                       {"loads.cavity.pressure", "60kPa"},
+                                       {"outputs", "{swell: {face: outer, along: r}}"},
                                        {"supports.fixed", "[inlet, end_disc]"}});
     EXPECT_EQ(design.values.number("geometry.wall"), 2.5e-3);
     EXPECT_TRUE(design.values.given("geometry.wall"));
@@ -43,14 +48,18 @@ TEST(Overrides, TheLastOfTwoCounts) {
 }
 
 TEST(Overrides, CanSupplyWhatTheDesignLacks) {
-    const Design design = read("family: pipe\n", {{"material", "{law: neo-hookean, mu: 1 MPa}"}, {"loads.cavity.pressure", "5 kPa"}});
+    const Design design =
+        read("family: pipe\n", {{"material", "{law: neo-hookean, mu: 1 MPa}"}, {"loads.cavity.pressure", "5 kPa"}});
     EXPECT_EQ(design.loads[0].pressure_Pa, 5000.0);
 }
 
 TEST(Overrides, AreErrorsAtTheirOwnPlace) {
     EXPECT_EQ(refusal(least, {{"geometry.wall", "3"}}).find("--set geometry.wall: '3' has no unit"), 0u);
-    EXPECT_EQ(refusal(least, {{"geometry.wal", "3 mm"}}).find("--set geometry.wal: unknown key; did you mean 'wall'?"), 0u);
-    EXPECT_EQ(refusal(least, {{"geometry.disc", "{length: 6 mm, radius: 4}"}}).find("--set geometry.disc: geometry.disc.radius: '4' has no unit"), 0u);
+    EXPECT_EQ(refusal(least, {{"geometry.wal", "3 mm"}}).find("--set geometry.wal: unknown key; did you mean 'wall'?"),
+              0u);
+    EXPECT_EQ(refusal(least, {{"geometry.disc", "{length: 6 mm, radius: 4}"}})
+                  .find("--set geometry.disc: geometry.disc.radius: '4' has no unit"),
+              0u);
     EXPECT_EQ(refusal(least, {{"geometry.wall", "\"3"}}).find("--set geometry.wall: not YAML"), 0u);
     EXPECT_EQ(refusal(least, {{"geometry.wall.x", "3 mm"}}).find("--set geometry.wall.x"), 0u);
 }
@@ -61,8 +70,9 @@ protected:
 };
 
 TEST_F(Apply, GivesWhatADesignWithTheSameOverridesWouldGive) {
-    const std::vector<Override> changes = {{"loads.cavity.pressure", "60kPa"}, {"loads.cavity.sealed", "false"}, {"material.kappa", "3 MPa"},
-                                           {"path.control", "pressure"}, {"path.until.elongation", "50 mm"}, {"solver.first_step", "0.1"}};
+    const std::vector<Override> changes = {{"loads.cavity.pressure", "60kPa"}, {"loads.cavity.sealed", "false"},
+                                           {"material.kappa", "3 MPa"},        {"path.control", "pressure"},
+                                           {"path.until.elongation", "50 mm"}, {"solver.first_step", "0.1"}};
     const Design whole = read(effective_, changes);
     const SolveChanges part = apply_overrides(effective_, changes);
     EXPECT_EQ(part.effective_yaml, whole.effective_yaml);
@@ -78,7 +88,8 @@ TEST_F(Apply, GivesWhatADesignWithTheSameOverridesWouldGive) {
 TEST_F(Apply, WithoutOverridesChangesNothing) { EXPECT_EQ(apply_overrides(effective_, {}).effective_yaml, effective_); }
 
 TEST_F(Apply, RefusesWhatIsBuiltIntoTheCase) {
-    for (const char* path : {"geometry.wall", "mesh.size", "model", "supports.fixed", "outputs.elongation.face", "family"}) {
+    for (const char* path :
+         {"geometry.wall", "mesh.size", "model", "supports.fixed", "outputs.elongation.face", "family"}) {
         const std::vector<Override> changes = {{path, "3 mm"}};
         try {
             static_cast<void>(apply_overrides(effective_, changes));
@@ -101,7 +112,9 @@ TEST_F(Apply, RefusesBadValuesAndUnknownLoadsAtTheirOverride) {
         return std::string{"accepted"};
     };
     EXPECT_EQ(line({"loads.cavity.pressure", "60"}).find("--set loads.cavity.pressure: '60' has no unit"), 0u);
-    EXPECT_EQ(line({"loads.cavty.pressure", "60 kPa"}).find("--set loads.cavty.pressure: loads.cavty: unknown key; did you mean 'cavity'?"), 0u);
+    EXPECT_EQ(line({"loads.cavty.pressure", "60 kPa"})
+                  .find("--set loads.cavty.pressure: loads.cavty: unknown key; did you mean 'cavity'?"),
+              0u);
     EXPECT_EQ(line({"path.until.twist", "1 mm"}).find("--set path.until.twist: unknown key"), 0u);
     EXPECT_EQ(line({"colour", "red"}).find("--set colour: unknown key"), 0u);
 }

@@ -22,12 +22,12 @@ TEST(ReadDesign, FamilyMaterialAndAPressureAreEnough) {
     EXPECT_EQ(design.material.name, "rubber");
     EXPECT_EQ(design.material.law, "neo-hookean");
     EXPECT_EQ(design.material.constants.at("mu"), std::vector{164400.0});
-    EXPECT_EQ(design.material.bulk_modulus_Pa, std::nullopt);   // incompressible unless kappa says otherwise
+    EXPECT_EQ(design.material.bulk_modulus_Pa, std::nullopt);  // incompressible unless kappa says otherwise
     ASSERT_EQ(design.loads.size(), 1u);
     EXPECT_EQ(design.loads[0].pressure_Pa, 30000.0);
     EXPECT_TRUE(design.loads[0].sealed);
     ASSERT_EQ(design.supports.size(), 1u);
-    EXPECT_EQ(design.supports[0].face, "fixed");                // end_disc is another name of it
+    EXPECT_EQ(design.supports[0].face, "fixed");  // end_disc is another name of it
     EXPECT_EQ(design.supports[0].fixed, (std::array{true, true, false}));
     ASSERT_EQ(design.outputs.size(), 1u);
     EXPECT_EQ(design.outputs[0].name, "elongation");
@@ -65,7 +65,7 @@ solver: {residual_tolerance: 1e-8, newton_limit: 20}
     EXPECT_EQ(design.supports[0].fixed, (std::array{true, true, true}));
     EXPECT_EQ(design.supports[1].face, "inlet");
     EXPECT_EQ(design.supports[1].fixed, (std::array{false, true, false}));
-    EXPECT_EQ(design.supports[2].fixed, (std::array{false, true, true}));   // y and z of one face come together
+    EXPECT_EQ(design.supports[2].fixed, (std::array{false, true, true}));  // y and z of one face come together
     ASSERT_EQ(design.loads.size(), 2u);
     EXPECT_EQ(design.loads[0].target, "cavity");
     EXPECT_FALSE(design.loads[0].sealed);
@@ -84,7 +84,8 @@ solver: {residual_tolerance: 1e-8, newton_limit: 20}
 }
 
 TEST(ReadDesign, WithoutACavityThePathIsControlledByPressure) {
-    const Design design = read("family: bar\nmaterial: {law: neo-hookean, mu: 100 kPa}\nloads: {end: {pressure: -50 kPa}}\n");
+    const Design design =
+        read("family: bar\nmaterial: {law: neo-hookean, mu: 100 kPa}\nloads: {end: {pressure: -50 kPa}}\n");
     EXPECT_EQ(design.path.control, model::Control::pressure);
     EXPECT_EQ(design.loads[0].target, "end");
 }
@@ -96,7 +97,8 @@ TEST(ReadDesign, AnEmptySectionIsNotAMissingOne) {
 }
 
 TEST(ReadDesign, ASectionOfItsOwnReplacesTheFamilys) {
-    const Design design = read(std::string{least} + "outputs: {swell: {face: outer, along: r}}\nsupports: {x: inlet}\n");
+    const Design design =
+        read(std::string{least} + "outputs: {swell: {face: outer, along: r}}\nsupports: {x: inlet}\n");
     ASSERT_EQ(design.outputs.size(), 1u);
     EXPECT_EQ(design.outputs[0].name, "swell");
     ASSERT_EQ(design.supports.size(), 1u);

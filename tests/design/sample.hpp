@@ -15,18 +15,50 @@ inline FamilyKeys pipe() {
     family.name = "pipe";
     family.summary = "a pipe for tests";
     family.geometry = {
-        {.path = "geometry.length", .kind = Kind::length, .fallback = "100 mm", .meaning = "outer length", .min = 0, .min_open = true},
-        {.path = "geometry.wall", .kind = Kind::length, .fallback = "3 mm", .meaning = "thickness of the wall", .min = 0, .min_open = true},
-        {.path = "geometry.folds", .kind = Kind::count, .fallback = "4", .meaning = "number of folds", .min = 1, .max = 50},
-        {.path = "geometry.disc.length", .kind = Kind::length, .fallback = "6 mm", .meaning = "length of the disc", .min = 0, .min_open = true},
-        {.path = "geometry.disc.radius", .kind = Kind::length, .fallback = "14.5 mm", .meaning = "radius of the disc", .min = 0, .min_open = true},
+        {.path = "geometry.length",
+         .kind = Kind::length,
+         .fallback = "100 mm",
+         .meaning = "outer length",
+         .min = 0,
+         .min_open = true},
+        {.path = "geometry.wall",
+         .kind = Kind::length,
+         .fallback = "3 mm",
+         .meaning = "thickness of the wall",
+         .min = 0,
+         .min_open = true},
+        {.path = "geometry.folds",
+         .kind = Kind::count,
+         .fallback = "4",
+         .meaning = "number of folds",
+         .min = 1,
+         .max = 50},
+        {.path = "geometry.disc.length",
+         .kind = Kind::length,
+         .fallback = "6 mm",
+         .meaning = "length of the disc",
+         .min = 0,
+         .min_open = true},
+        {.path = "geometry.disc.radius",
+         .kind = Kind::length,
+         .fallback = "14.5 mm",
+         .meaning = "radius of the disc",
+         .min = 0,
+         .min_open = true},
         {.path = "geometry.skew", .kind = Kind::angle, .fallback = "0 deg", .meaning = "angle of the fold"},
     };
     family.models = {"axisymmetric", "solid", "quarter"};
     family.faces = {"fixed", "inlet", "cavity", "outer"};
     family.aliases = {{"end_disc", "fixed"}};
-    family.defaults = "supports: {fixed: end_disc}\nloads: {cavity: {pressure: 25 kPa}}\noutputs: {elongation: {face: inlet, along: axis}}\n";
-    family.mesh = {{.path = "mesh.size", .kind = Kind::length, .fallback = "1.5 mm", .meaning = "target edge length", .min = 0, .min_open = true}};
+    family.defaults =
+        "supports: {fixed: end_disc}\nloads: {cavity: {pressure: 25 kPa}}\n"
+        "outputs: {elongation: {face: inlet, along: axis}}\n";
+    family.mesh = {{.path = "mesh.size",
+                    .kind = Kind::length,
+                    .fallback = "1.5 mm",
+                    .meaning = "target edge length",
+                    .min = 0,
+                    .min_open = true}};
     return family;
 }
 
@@ -34,11 +66,22 @@ inline FamilyKeys bar() {
     FamilyKeys family;
     family.name = "bar";
     family.summary = "a bar for tests";
-    family.geometry = {{.path = "geometry.length", .kind = Kind::length, .fallback = "50 mm", .meaning = "length", .min = 0, .min_open = true}};
+    family.geometry = {{.path = "geometry.length",
+                        .kind = Kind::length,
+                        .fallback = "50 mm",
+                        .meaning = "length",
+                        .min = 0,
+                        .min_open = true}};
     family.models = {"solid"};
     family.faces = {"fixed", "end"};
-    family.defaults = "supports: {fixed: fixed}\nloads: {end: {pressure: -50 kPa}}\noutputs: {elongation: {face: end}}\n";
-    family.mesh = {{.path = "mesh.size", .kind = Kind::length, .fallback = "5 mm", .meaning = "target edge length", .min = 0, .min_open = true}};
+    family.defaults =
+        "supports: {fixed: fixed}\nloads: {end: {pressure: -50 kPa}}\noutputs: {elongation: {face: end}}\n";
+    family.mesh = {{.path = "mesh.size",
+                    .kind = Kind::length,
+                    .fallback = "5 mm",
+                    .meaning = "target edge length",
+                    .min = 0,
+                    .min_open = true}};
     return family;
 }
 

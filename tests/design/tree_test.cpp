@@ -34,7 +34,7 @@ TEST(Tree, RefusesWhatADesignDoesNotNeedAtItsPlace) {
     EXPECT_NE(refusal("? [a, b]\n: 1\n").find("a group cannot be a key"), std::string::npos);
     EXPECT_NE(refusal("a: [1, 2\nb: 3\n").find("not YAML"), std::string::npos);
     EXPECT_NE(refusal("a:\n\t- b\n").find("not YAML"), std::string::npos);
-    EXPECT_NE(refusal("a: \"b\n").find("not YAML"), std::string::npos);   // a quote that is never closed
+    EXPECT_NE(refusal("a: \"b\n").find("not YAML"), std::string::npos);  // a quote that is never closed
     EXPECT_NE(refusal("a: 'b\nc: 1\n").find("not YAML"), std::string::npos);
     EXPECT_EQ(refusal("a: 1\n...\n"), "accepted");
     EXPECT_EQ(refusal("---\na: 1"), "accepted");
@@ -61,8 +61,9 @@ TEST(Tree, BoundsSizeDepthAndCount) {
 }
 
 TEST(Tree, WritesTextThatReadsBackToTheSameText) {
-    for (const char* text : {"3 mm", "plain", "a: b", "a #b", "- x", "", " lead", "trail ", "\"quoted\"", "it's", "{x}", "[x]", "*x", "&x",
-                             "!x", "~", "null", "true", "µ-rubber", "x\\y", "%x", "@x", "100 %", "?", "-", "---", "...", "a\tb", "0x10", "1e5"}) {
+    for (const char* text : {"3 mm", "plain", "a: b",  "a #b", "- x", "",    " lead", "trail ", "\"quoted\"", "it's",
+                             "{x}",  "[x]",   "*x",    "&x",   "!x",  "~",   "null",  "true",   "µ-rubber",   "x\\y",
+                             "%x",   "@x",    "100 %", "?",    "-",   "---", "...",   "a\tb",   "0x10",       "1e5"}) {
         Node root;
         put(root, "k.v", scalar_node(text, ""));
         Node list;

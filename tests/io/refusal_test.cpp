@@ -143,7 +143,10 @@ const std::vector<Lie>& lies() {
          "/materials/"},
         {"PressureNotFinite", [](hid_t f) { overwrite(f, "/loads/pressure", 1, Numbers{nan}); }, "/loads/pressure[1]"},
         {"SupportOfNoFace",
-         [](hid_t f) { unlink(f, "/supports/face"); write_texts(f, {"/supports/face", "1", ""}, Words{"inlet", "no"}); },
+         [](hid_t f) {
+             unlink(f, "/supports/face");
+             write_texts(f, {"/supports/face", "1", ""}, Words{"cavity", "no"});
+         },
          "/supports/face[1]: there is no face named 'no'"},
         {"OpeningWithoutArea", [](hid_t f) { overwrite(f, "/loads/cavities/main/openings/area", 0, Numbers{0}); },
          "/loads/cavities/main/openings/area[0]"},

@@ -163,9 +163,11 @@ TEST(ResultFile, LiesAreRefusedWithTheirPlace) {
     const std::vector<Lie> lies{
         {"row number", [](hid_t f) { overwrite(f, "/path/step", 1, Integers{7}); }, "/path/step[1]"},
         {"pressure", [](hid_t f) { overwrite(f, "/path/pressure", 2, std::vector{nan}); }, "/path/pressure[2]"},
-        {"iterations", [](hid_t f) { overwrite(f, "/path/newton_iterations", 2, Integers{-1}); }, "/path/newton_iterations[2]"},
+        {"iterations", [](hid_t f) { overwrite(f, "/path/newton_iterations", 2, Integers{-1}); },
+         "/path/newton_iterations[2]"},
         {"missing output", [&](hid_t f) { drop(f, "/path/outputs/bulge"); }, "/path/outputs/bulge"},
-        {"limit point", [](hid_t f) { overwrite(f, "/path/limit_points/step", 0, Integers{3}); }, "/path/limit_points/step[0]"},
+        {"limit point", [](hid_t f) { overwrite(f, "/path/limit_points/step", 0, Integers{3}); },
+         "/path/limit_points/step[0]"},
         {"stored step", [](hid_t f) { overwrite(f, "/fields/steps", 2, Integers{3}); }, "/fields/steps[2]"},
         {"order", [](hid_t f) { overwrite(f, "/fields/steps", 1, Integers{0}); }, "/fields/steps[1]"},
         {"field", [&](hid_t f) { drop(f, "/fields/displacement"); }, "/fields/displacement"},

@@ -1,0 +1,20 @@
+#pragma once
+/// What postprocess tells of a result besides the curve.
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "io/result_file.hpp"
+#include "post/curve.hpp"
+
+namespace soft {
+
+/// For --json: rows, columns, stop_reason (null while solve is at work) and the limit points by the columns' names.
+[[nodiscard]] nlohmann::ordered_json postprocess_summary(const io::Result& result, const post::Curve& curve,
+                                                         std::size_t rows);
+
+/// The same for people: one line on the path, one a limit point.
+[[nodiscard]] std::vector<std::string> summary_lines(const nlohmann::ordered_json& json);
+
+}  // namespace soft
