@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli.hpp"
+#include "core/text.hpp"
 #include "design/design.hpp"
 #include "io/result_file.hpp"
 #include "library_versions.hpp"
@@ -53,6 +54,9 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     static_cast<void>(io::parse_fields_policy(options.fields));   // before any work
     for (const std::string& set : options.sets) static_cast<void>(design::parse_override(set));
+    if (!options.petsc.empty() && !options.petsc.front().starts_with('-'))
+        throw Error(ExitCode::usage, "", core::quoted(options.petsc.front()) + " behind -- is no option of PETSc",
+                    "they begin with -, for example -ksp_monitor");
     return options;
 }
 

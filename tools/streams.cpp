@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "cli.hpp"
 #include "core/text.hpp"
@@ -16,6 +18,16 @@ namespace {
 void to_stderr(std::string_view text) {
     static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
     std::fflush(stderr);
+}
+
+/// Open MPI gives every rank a terminal of its own as stdout and passes the bytes on unchanged: what the user sees is
+/// the launcher's stdout.
+bool writes_to_terminal() {
+    if (::isatty(STDOUT_FILENO) != 1) return false;
+    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return true;
+    std::error_code unknown;
+    const auto behind = std::filesystem::read_symlink("/proc/" + std::to_string(::getppid()) + "/fd/1", unknown);
+    return unknown || behind.string().starts_with("/dev/pts/") || behind.string().starts_with("/dev/tty");
 }
 
 bool wants_colour(bool terminal) {
@@ -33,7 +45,7 @@ Input read_input(const std::string& name, std::size_t limit) {
 }
 
 void check_output(const std::string& name, Content content) {
-    if (name == "-" && content == Content::binary && ::isatty(STDOUT_FILENO) == 1)
+    if (name == "-" && content == Content::binary && writes_to_terminal())
         throw Error(ExitCode::usage, "<stdout>", "binary data is not written to a terminal",
                     "use -o FILE, or pipe it on");
 }

@@ -30,7 +30,7 @@ struct CellOutput {
     explicit CellOutput(const ReferenceCell& cell)
         : residual(cell.dofs()), stiffness(static_cast<std::size_t>(cell.dofs()) * cell.dofs()),
           gradient(static_cast<std::size_t>(cell.dimension + 1) * cell.nodes), basis(cell.pressure_dofs),
-          product(static_cast<std::size_t>(9) * 3 * cell.nodes) {}
+          product(static_cast<std::size_t>(3) * cell.nodes) {}
 
     std::vector<double> residual;        ///< [N] (pressure rows in the scaled unknown)
     std::vector<double> stiffness;       ///< row-major, dofs x dofs
@@ -112,65 +112,14 @@ void add_residual(const ReferenceCell& cell, const material::PointResponse& poin
         out.residual[dim * n + s] += volume * out.basis[s] * (point.theta - p * inverse_bulk_modulus);
 }
 
-/// Adds the part of the stiffness that one point gives: first A : grad N for every node and component, then
-/// grad N : (that). Columns run over the nodes so that the inner loops vectorise.
+/// Adds the part of the stiffness that one point gives, blocks on and above the diagonal: first A : grad N for every
+/// node and component, then grad N : (that). Columns run over the nodes so that the inner loops vectorise.
 template <bool Axisymmetric>
 void add_stiffness(const ReferenceCell& cell, const material::PointResponse& point, double volume,
-                   double inverse_bulk_modulus, CellOutput& out) {
-    const int n = cell.nodes, dim = cell.dimension, size = cell.dofs();
-    const double* G = out.gradient.data();
-    const auto product = [&](int m, int k) { return &out.product[static_cast<std::size_t>(3 * m + k) * n]; };
-    const auto fill = [&](int m) {
-        for (int k = 0; k < dim; ++k) {
-            double* T = product(m, k);
-            for (int b = 0; b < n; ++b) T[b] = 0;
-            for (int L = 0; L < dim; ++L) {
-                const double A = volume * point.tangent[9 * m + 3 * k + L];
-                for (int b = 0; b < n; ++b) T[b] += A * G[L * n + b];
-            }
-            if constexpr (Axisymmetric)
-                if (k == 1) {
-                    const double A = volume * point.tangent[9 * m + 8];
-                    for (int b = 0; b < n; ++b) T[b] += A * G[2 * n + b];
-                }
-        }
-    };
-    for (int i = 0; i < dim; ++i)
-        for (int J = 0; J < dim; ++J) fill(3 * i + J);
-    if constexpr (Axisymmetric) fill(8);
+                   double inverse_bulk_modulus, CellOutput& out);
 
-    for (int i = 0; i < dim; ++i)
-        for (int a = 0; a < n; ++a) {
-            double* row = &out.stiffness[static_cast<std::size_t>(i * n + a) * size];
-            for (int k = 0; k < dim; ++k) {
-                double* K = row + k * n;
-                for (int J = 0; J < dim; ++J) {
-                    const double g = G[J * n + a];
-                    const double* T = product(3 * i + J, k);
-                    for (int b = 0; b < n; ++b) K[b] += g * T[b];
-                }
-                if constexpr (Axisymmetric)
-                    if (i == 1) {
-                        const double g = G[2 * n + a];
-                        const double* T = product(8, k);
-                        for (int b = 0; b < n; ++b) K[b] += g * T[b];
-                    }
-            }
-            double dtheta = 0;
-            for (int J = 0; J < dim; ++J) dtheta += point.dtheta_dF[3 * i + J] * G[J * n + a];
-            if constexpr (Axisymmetric)
-                if (i == 1) dtheta += point.dtheta_dF[8] * G[2 * n + a];
-            for (int s = 0; s < cell.pressure_dofs; ++s) {
-                const double coupling = volume * dtheta * out.basis[s];
-                row[dim * n + s] += coupling;
-                out.stiffness[static_cast<std::size_t>(dim * n + s) * size + i * n + a] += coupling;
-            }
-        }
-    for (int s = 0; s < cell.pressure_dofs; ++s)
-        for (int t = 0; t < cell.pressure_dofs; ++t)
-            out.stiffness[static_cast<std::size_t>(dim * n + s) * size + dim * n + t] -=
-                volume * inverse_bulk_modulus * out.basis[s] * out.basis[t];
-}
+/// Copies the blocks above the diagonal to below it.
+void mirror_stiffness(const ReferenceCell& cell, CellOutput& out);
 
 template <bool Axisymmetric, class L>
 void integrate(const ReferenceCell& cell, const material::Rubber<L>& rubber, const CellInput& in,
@@ -197,6 +146,7 @@ void integrate(const ReferenceCell& cell, const material::Rubber<L>& rubber, con
         if (wanted == material::Wanted::stress_and_tangent)
             add_stiffness<Axisymmetric>(cell, point, volume, rubber.inverse_bulk_modulus, out);
     }
+    if (wanted == material::Wanted::stress_and_tangent) mirror_stiffness(cell, out);
 }
 
 }  // namespace detail

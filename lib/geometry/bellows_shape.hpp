@@ -31,9 +31,9 @@ struct BellowsShape {
     [[nodiscard]] double cavity_offset_m() const { return -(fillet_m + wall_m); }
     [[nodiscard]] double outer_offset_m() const { return -fillet_m; }
 
-    /// Largest cell over smallest through a bend. The cube root of the radii's ratio: even cells leave the inner bend
+    /// Largest cell over smallest through a bend. The fourth root of the radii's ratio: even cells leave the inner bend
     /// too soft, cells in proportion to the radius the rest too stiff (mesh study of the paper's bellows).
-    [[nodiscard]] double bend_grading() const { return std::cbrt((fillet_m + wall_m) / fillet_m); }
+    [[nodiscard]] double bend_grading() const { return std::sqrt(std::sqrt((fillet_m + wall_m) / fillet_m)); }
 
     /// Points of an end, in the frame of its half convolution (x < 0 towards the disc).
     PlanePoint neck_corner;    ///< where the outer wall meets the neck

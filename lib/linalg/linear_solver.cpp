@@ -13,12 +13,19 @@ constexpr double linear_tolerance = 1e-8;
 /// A good factor needs 1 to 5 iterations, a stale one more; beyond this a new factorisation is cheaper.
 constexpr int linear_iteration_limit = 40;
 
+/// An LDL^T factor that needs more than this misses too much of K: LU costs twice the factorisation, once a matrix.
+constexpr int many_iterations_for_ldlt = 6;
+
+bool is_type(PC pc, PCType type) {
+    PetscBool same = PETSC_FALSE;
+    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), type, &same));
+    return same == PETSC_TRUE;
+}
+
 bool is_mumps(PC pc) {
+    if (!is_type(pc, PCCHOLESKY) && !is_type(pc, PCLU)) return false;
     MatSolverType type = nullptr;
-    PetscBool factor = PETSC_FALSE;
-    PetscObjectTypeCompareAny(reinterpret_cast<PetscObject>(pc), &factor, PCCHOLESKY, PCLU, "");
-    if (!factor) return false;
-    PCFactorGetMatSolverType(pc, &type);
+    SOFT_PETSC(PCFactorGetMatSolverType(pc, &type));
     return type != nullptr && std::string_view(type) == MATSOLVERMUMPS;
 }
 
@@ -61,9 +68,7 @@ Factorization LinearSolver::factorize() {
     PetscInt status = 0;
     SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));   // a failed MUMPS factorisation returns no PETSc error
     if (status < 0) return {false, std::nullopt};
-    PetscBool symmetric = PETSC_FALSE;
-    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCCHOLESKY, &symmetric));
-    if (symmetric) {
+    if (is_type(pc, PCCHOLESKY)) {
         PetscInt negative = 0;
         SOFT_PETSC(MatMumpsGetInfog(factor, 12, &negative));
         result.negative_pivots = negative;
@@ -72,6 +77,18 @@ Factorization LinearSolver::factorize() {
 }
 
 LinearSolve LinearSolver::solve(Vec b, Vec x) {
+    const LinearSolve first = solve_once(b, x);
+    PC pc = nullptr;
+    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    if (first.iterations <= many_iterations_for_ldlt || !is_type(pc, PCCHOLESKY)) return first;
+    SOFT_PETSC(PCSetType(pc, PCLU));
+    SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+    SOFT_PETSC(PCSetFromOptions(pc));
+    if (!factorize().succeeded) return {};
+    return solve_once(b, x);
+}
+
+LinearSolve LinearSolver::solve_once(Vec b, Vec x) {
     SOFT_PETSC(KSPSolve(ksp_, b, x));
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     PetscInt iterations = 0;

@@ -1,8 +1,9 @@
 #pragma once
 /// Solves K x = b for a sequence of slowly changing tangents K: a direct factorisation (MUMPS LDL^T unless PETSc
 /// options say otherwise) of one of them preconditions flexible GMRES for the others. With a fresh factor of a
-/// symmetric K this is one application; the same loop corrects the part of K that is not symmetric (open pressure
-/// surfaces), which LDL^T does not see. Held by linalg/linear_solver_test.
+/// symmetric K this is one application; the same loop corrects the part of K that is not symmetric (a pressure whose
+/// surface has a free rim), which LDL^T does not see. Where that part is large the loop takes many iterations: then the
+/// solver goes over to LU for good. Held by linalg/linear_solver_test.
 #include <optional>
 
 #include "linalg/petsc.hpp"
@@ -11,7 +12,7 @@ namespace soft::linalg {
 
 struct Factorization {
     bool succeeded = false;
-    std::optional<PetscInt> negative_pivots;   ///< empty where the preconditioner is no symmetric direct factor
+    std::optional<PetscInt> negative_pivots;   ///< empty where the preconditioner is no LDL^T factor
 };
 
 struct LinearSolve {
@@ -34,6 +35,8 @@ public:
     [[nodiscard]] KSP ksp() const noexcept { return ksp_; }
 
 private:
+    [[nodiscard]] LinearSolve solve_once(Vec b, Vec x);
+
     Mat K_;
     KrylovSolver ksp_;
     int factorizations_ = 0;

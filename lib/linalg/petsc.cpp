@@ -13,6 +13,9 @@ void check(PetscErrorCode code, const char* call) {
     PetscErrorMessage(code, &text, nullptr);
     if (code == PETSC_ERR_MEM)
         throw Error(ExitCode::io_error, "solve", "out of memory", "use a coarser mesh or more memory");
+    if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_MISSING_FACTOR)   // types come from PETSc's options only
+        throw Error(ExitCode::usage, "PETSc", "has no solver or preconditioner of the type asked for behind --",
+                    "see `solve CASE -- -help`");
     throw Error(ExitCode::internal, "PETSc", std::string(call) + " failed: " + (text != nullptr ? text : "unknown"));
 }
 

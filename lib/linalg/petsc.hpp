@@ -7,7 +7,8 @@
 
 namespace soft::linalg {
 
-/// Throws Error(internal) naming the call where `code` is not zero; PETSc's message is kept.
+/// Throws Error(internal) naming the call where `code` is not zero; PETSc's message is kept. Error(usage) for a type
+/// that PETSc does not know: only its options can ask for one.
 void check(PetscErrorCode code, const char* call);
 #define SOFT_PETSC(call) ::soft::linalg::check((call), #call)
 

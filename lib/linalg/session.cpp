@@ -3,12 +3,24 @@
 #include <dlfcn.h>
 #include <petscksp.h>
 
+#include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
 #include "linalg/petsc.hpp"
 
 namespace soft::linalg {
+
+namespace {
+
+/// stdout carries data only; -log_view, -ksp_monitor and -help print there. PetscInitialize sets PETSC_STDOUT anew and
+/// prints before it returns, so that only this hook catches all.
+PetscErrorCode print_beside_data(FILE* file, const char* format, va_list arguments) {
+    return PetscVFPrintfDefault(file == stdout ? stderr : file, format, arguments);
+}
+
+}  // namespace
 
 Session::Session(const std::vector<std::string>& options) {
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) {
@@ -24,6 +36,7 @@ Session::Session(const std::vector<std::string>& options) {
     pointers.push_back(nullptr);
     int argc = static_cast<int>(words.size());
     char** argv = pointers.data();
+    PetscVFPrintf = print_beside_data;
     SOFT_PETSC(PetscInitialize(&argc, &argv, nullptr, nullptr));
     SOFT_PETSC(PetscPopErrorHandler());
     SOFT_PETSC(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));

@@ -9,7 +9,7 @@ class Session {
 public:
     /// Starts MPI and PETSc; `options` are PETSc's own, as after `--` on the command line. A single process started
     /// without mpirun skips the launcher's daemons, which cost 0.3 s. PETSc's signal handler stays off: with a closed
-    /// pipe it can hang.
+    /// pipe it can hang. What PETSc prints (-log_view, -help) goes to stderr.
     explicit Session(const std::vector<std::string>& options);
     ~Session();
     Session(const Session&) = delete;

@@ -47,6 +47,19 @@ TEST(LinearSolver, CorrectsTheUnsymmetricPartThatTheFactorDoesNotSee) {
     EXPECT_LT(residual_after_solve(solver, A), 1e-8);
 }
 
+TEST(LinearSolver, GoesOverToLuWhereTheUnsymmetricPartIsLarge) {
+    // LDL^T reads the upper triangle; this lower one has nothing to do with it.
+    std::vector<double> values(400);
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 20; ++j) values[20 * i + j] = i == j ? 30.0 : (j > i ? 4.0 : -5.0 + (7 * i + 3 * j) % 11);
+    const auto A = dense(20, values);
+    LinearSolver solver(A);
+    EXPECT_TRUE(solver.factorize().negative_pivots.has_value());
+    EXPECT_LT(residual_after_solve(solver, A), 1e-8);
+    EXPECT_EQ(solver.factorizations(), 2);
+    EXPECT_FALSE(solver.factorize().negative_pivots.has_value());   // LU knows no inertia
+}
+
 TEST(LinearSolver, SolvesAChangedMatrixWithTheOldFactor) {
     auto A = dense(3, {4, 1, 1, 1, 3, 2, 1, 2, 5});
     LinearSolver solver(A);
