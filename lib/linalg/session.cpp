@@ -14,10 +14,12 @@ namespace soft::linalg {
 
 namespace {
 
+const auto petsc_print = PetscVFPrintf;   // PETSc's own, as it stands before anything replaces it
+
 /// stdout carries data only; -log_view, -ksp_monitor and -help print there. PetscInitialize sets PETSC_STDOUT anew and
 /// prints before it returns, so that only this hook catches all.
 PetscErrorCode print_beside_data(FILE* file, const char* format, va_list arguments) {
-    return PetscVFPrintfDefault(file == stdout ? stderr : file, format, arguments);
+    return petsc_print(file == stdout ? stderr : file, format, arguments);
 }
 
 }  // namespace
