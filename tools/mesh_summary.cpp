@@ -95,7 +95,10 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
         }
         cavities.push_back(std::move(one));
     }
-    return {{"name", summary.name},
+    return {{"tool", "mesh-gen"},
+            {"version", version()},
+            {"revision", revision()},
+            {"name", summary.name},
             {"cells", summary.cells},
             {"cell_types", summary.cell_types},
             {"points", summary.points},

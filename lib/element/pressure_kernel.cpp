@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "core/tensor.hpp"
-#include "element/quadrature.hpp"
-#include "element/shape.hpp"
+#include "mesh/quadrature.hpp"
+#include "mesh/shape.hpp"
 
 namespace soft::element {
 
@@ -144,12 +144,12 @@ ReferenceFacet make_reference_facet(mesh::CellType type) {
     facet.nodes = cell.node_count;
     // One degree more than a stiffness: x . (t1 x t2) of a curved second-order facet is of high degree.
     const int degree = cell.shape == mesh::Shape::triangle ? 5 : (cell.order == 1 ? 3 : 7);
-    for (const auto& point : quadrature(cell.shape, degree)) {
-        const auto shape = shape_functions(type, point.xi);
+    for (const auto& point : mesh::quadrature(cell.shape, degree)) {
+        const auto shapes = mesh::shape_values(type, point.xi);
         facet.weight.push_back(point.weight);
-        facet.N.insert(facet.N.end(), shape.N.begin(), shape.N.end());
+        for (const auto& shape : shapes) facet.N.push_back(shape.value);
         for (int d = 0; d < cell.dimension; ++d)
-            for (const auto& slope : shape.dN_dxi) facet.dN_dxi.push_back(slope[d]);
+            for (const auto& shape : shapes) facet.dN_dxi.push_back(shape.gradient[d]);
         ++facet.points;
     }
     return facet;

@@ -3,7 +3,8 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "element/shape.hpp"
+#include "mesh/quadrature.hpp"
+#include "mesh/shape.hpp"
 
 namespace soft::element {
 
@@ -37,14 +38,14 @@ ReferenceCell make_reference_cell(mesh::CellType type, PressureChoice choice) {
     if (ref.pressure == PressureSpace::discontinuous_linear) ref.pressure_dofs = cell.dimension + 1;
     if (ref.pressure == PressureSpace::continuous_vertex) ref.pressure_dofs = cell.vertex_count;
 
-    for (const auto& point : quadrature(cell.shape, quadrature_degree(cell))) {
-        const auto shape = shape_functions(type, point.xi);
+    for (const auto& point : mesh::quadrature(cell.shape, quadrature_degree(cell))) {
+        const auto shapes = mesh::shape_values(type, point.xi);
         ref.weight.push_back(point.weight);
-        ref.N.insert(ref.N.end(), shape.N.begin(), shape.N.end());
+        for (const auto& shape : shapes) ref.N.push_back(shape.value);
         for (int d = 0; d < cell.dimension; ++d)
-            for (const auto& slope : shape.dN_dxi) ref.dN_dxi.push_back(slope[d]);
+            for (const auto& shape : shapes) ref.dN_dxi.push_back(shape.gradient[d]);
         if (ref.pressure == PressureSpace::continuous_vertex) {
-            const auto vertex = vertex_functions(type, point.xi);
+            const auto vertex = mesh::vertex_values(type, point.xi);
             ref.vertex_N.insert(ref.vertex_N.end(), vertex.begin(), vertex.end());
         }
         ++ref.points;

@@ -5,7 +5,6 @@
 /// Sources: Boffi, Brezzi, Fortin, Mixed Finite Element Methods (2013) 8.6-8.8. Held by element/solid_kernel_test.
 #include <vector>
 
-#include "element/quadrature.hpp"
 #include "mesh/cell_type.hpp"
 
 namespace soft::element {

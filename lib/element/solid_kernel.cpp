@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "element/shape.hpp"
+#include "mesh/shape.hpp"
 
 namespace soft::element {
 
@@ -69,10 +69,12 @@ std::vector<double> nodal_pressures(const ReferenceCell& cell, std::span<const d
     for (int a = 0; a < cell.nodes; ++a) {
         const auto& xi = mesh::topology(cell.type).nodes[a];
         if (cell.pressure == PressureSpace::continuous_vertex) {
-            basis = vertex_functions(cell.type, xi);
+            basis = mesh::vertex_values(cell.type, xi);
             for (double& b : basis) b *= pressure_scale_Pa;
         } else {
-            detail::linear_basis(cell, X, shape_functions(cell.type, xi).N.data(), pressure_scale_Pa, basis);
+            std::vector<double> N;
+            for (const auto& shape : mesh::shape_values(cell.type, xi)) N.push_back(shape.value);
+            detail::linear_basis(cell, X, N.data(), pressure_scale_Pa, basis);
         }
         for (int s = 0; s < cell.pressure_dofs; ++s) nodal[a] += basis[s] * unknowns[s];
     }

@@ -1,21 +1,15 @@
 #pragma once
 /// The map from the reference cell to the mesh, X(xi) = sum N_a(xi) X_a, with the Lagrange shape functions of the cell's
-/// own nodes. For mesh checks and geometry; the element kernels have their own tabulated shapes.
+/// own nodes. For mesh checks and geometry; the element kernels tabulate the same functions.
 /// Held by mesh/quality_test.
 #include <array>
 #include <vector>
 
 #include "mesh/mesh.hpp"
+#include "mesh/quadrature.hpp"
+#include "mesh/shape.hpp"
 
 namespace soft::mesh {
-
-struct ShapeValue {
-    double value;
-    std::array<double, 3> gradient;   ///< dN/dxi
-};
-
-/// One entry a node.
-[[nodiscard]] std::vector<ShapeValue> shape_values(CellType type, const std::array<double, 3>& xi);
 
 struct CellMap {
     Point position;                 ///< X [m]
@@ -31,13 +25,7 @@ struct CellMap {
 [[nodiscard]] std::array<double, 3> facet_normal(const Mesh& mesh, const Facet& facet,
                                                  const std::vector<ShapeValue>& shapes);
 
-struct QuadraturePoint {
-    std::array<double, 3> xi;
-    double weight;
-};
-
-/// Tensor Gauss rule with four points a direction, collapsed towards a corner for simplices: exact for the volume of
-/// every second-order cell, and for 2 pi r times the area of second-order section cells.
+/// Exact for the volume of every second-order cell, and for 2 pi r times the area of second-order section cells.
 [[nodiscard]] std::vector<QuadraturePoint> volume_rule(CellType type);
 
 enum class Measure {

@@ -120,7 +120,7 @@ std::string plot_script(const Curve& curve, std::span<const solution::LimitPoint
     script += "set ylabel " + axis_label(curve, *pressure) + " noenhanced\n";
     script += "set grid linecolor rgb '#b0b0b0' linewidth 0.5\nset border 3 linewidth 1\nset tics nomirror out\n";
     script +=
-        "set key outside bottom center horizontal reverse Left samplen 3\nset offsets graph 0, graph 0.03, graph 0.08, 0\n";
+        "set key outside top center horizontal reverse Left samplen 3\nset offsets graph 0, graph 0.03, graph 0.08, 0\n";
 
     std::string plots;
     const auto add = [&](const char* name, const std::string& data, const std::string& how) {

@@ -1,7 +1,6 @@
 #pragma once
-/// A facet's true shape: the Lagrange map of its nodes (mesh/cell_type.hpp has the reference coordinates). An edge of a
-/// section is drawn out along z, so that sections and solids are one case to geometry. Written apart from the elements
-/// of the solver on purpose: the volume measured here checks the solver's. Held by surface/facet_map_test.
+/// A facet's true shape: the Lagrange map of its nodes. An edge of a section is drawn out along z, so that sections and
+/// solids are one case to geometry. Held by surface/facet_map_test.
 #include <array>
 #include <cmath>
 #include <span>
@@ -39,13 +38,5 @@ struct FacetMap {
 /// `positions`: one a mesh point (mesh.points, or points + displacement).
 [[nodiscard]] FacetMap facet_map(const mesh::Mesh& mesh, const mesh::Facet& facet,
                                  std::span<const mesh::Point> positions);
-
-/// A rule on the reference facet that integrates x.n da and r^2 dx exactly on every second-order facet: Gauss-Legendre
-/// with 3 points a direction, Radon (1948) with 7 points on triangles (both degree 5).
-struct WeightedPoint {
-    FacetPoint xi;
-    double weight;
-};
-[[nodiscard]] std::span<const WeightedPoint> facet_rule(mesh::Shape shape);
 
 }  // namespace soft::surface

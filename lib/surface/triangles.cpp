@@ -64,7 +64,7 @@ void revolve(const model::Case& model, const std::vector<mesh::Facet>& facets, T
     const int sectors =
         std::clamp(wanted_triangles / std::max(2 * static_cast<int>(segments), 1), fewest_sectors, most_sectors);
     const double angle = 2 * std::numbers::pi / sectors, enlarged = std::sqrt(angle / std::sin(angle));
-    const double tolerance_m = plane_tolerance * extent_m(model.mesh);
+    const double tolerance_m = model::plane_tolerance * model::extent_m(model.mesh);
 
     std::map<Index, std::vector<int>> circles;
     const auto circle = [&](Index node) -> const std::vector<int>& {
@@ -196,7 +196,7 @@ Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) 
         surface = facet_triangles(model.mesh, facets);
         turn_inside_out(surface);
     }
-    const double tolerance_m = plane_tolerance * extent_m(model.mesh);
+    const double tolerance_m = model::plane_tolerance * model::extent_m(model.mesh);
     for (std::size_t d = 0; d < (is_section ? 1u : 3u); ++d)
         if (model.symmetry_planes[d]) mirror(surface, d, tolerance_m);
 
@@ -215,7 +215,7 @@ Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) 
 Triangles facet_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets) {
     Triangles surface;
     UsedPoints used(mesh, surface);
-    const double half_width_m = extent_m(mesh);  // any width serves: rays stay at z = 0
+    const double half_width_m = model::extent_m(mesh);  // any width serves: rays stay at z = 0
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const std::vector<Index> nodes = facet_nodes(mesh, facets[f]);
         const int number = static_cast<int>(f);

@@ -12,28 +12,12 @@
 
 #include "mesh/mesh.hpp"
 #include "model/case.hpp"
+#include "model/cavity_surface.hpp"
 
 namespace soft::surface {
-
-/// Edge of a facet set that no other facet of the set shares: its nodes in the order of a line cell, run through as the
-/// facet runs through it.
-using RimEdge = std::vector<mesh::Index>;
-
-/// Rims of a facet set of a solid, one a connected chain; those on symmetry planes are left out. Judged in the
-/// reference configuration.
-[[nodiscard]] std::vector<std::vector<RimEdge>> rims(const model::Case& model, std::span<const mesh::Facet> facets);
 
 /// [m^3], positive for a sound cavity. `positions`: one a mesh point (mesh.points, or points + displacement).
 [[nodiscard]] double enclosed_volume_m3(const model::Case& model, std::span<const mesh::Facet> facets,
                                         std::span<const mesh::Point> positions);
-
-/// The cavity's wall together with its closed inner faces, each facet once.
-/// Error(bad_input) where the mesh has no face of that name.
-[[nodiscard]] std::vector<mesh::Facet> cavity_facets(const model::Case& model, const model::Cavity& cavity);
-
-/// Nodes this near to a symmetry plane or the axis lie on it: a fraction of the mesh's extent, far above rounding and
-/// far below any cell.
-inline constexpr double plane_tolerance = 1e-9;
-[[nodiscard]] double extent_m(const mesh::Mesh& mesh);
 
 }  // namespace soft::surface

@@ -60,7 +60,7 @@ double on_curved_facet(const FacetMap& map, const Point& from, const Vector& dir
 class WallProbe {
 public:
     WallProbe(const model::Case& model, const model::Cavity& cavity)
-        : model_(&model), cavity_(cavity_facets(model, cavity)), tolerance_m_(plane_tolerance * extent_m(model.mesh)) {
+        : model_(&model), cavity_(cavity_facets(model, cavity)), tolerance_m_(model::plane_tolerance * model::extent_m(model.mesh)) {
         mirrors_ = model.symmetry_planes;
         if (model.kinematics == model::Kinematics::axisymmetric) mirrors_[1] = true;  // the axis, r = 0
         for (const mesh::Facet& facet : mesh::boundary_facets(model.mesh))

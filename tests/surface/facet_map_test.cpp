@@ -46,17 +46,5 @@ TEST(FacetMap, ReproducesAQuadraticMapWithItsTangents) {
     }
 }
 
-TEST(FacetRule, IntegratesTheFifthDegreeExactly) {
-    double line = 0, square = 0, triangle = 0;
-    for (const auto& [xi, w] : facet_rule(mesh::Shape::line)) line += w * (std::pow(xi[0], 4) + std::pow(xi[0], 5));
-    for (const auto& [xi, w] : facet_rule(mesh::Shape::quadrilateral))
-        square += w * std::pow(xi[0], 4) * (std::pow(xi[1], 4) + xi[1]);
-    for (const auto& [xi, w] : facet_rule(mesh::Shape::triangle))
-        triangle += w * std::pow(xi[0], 2) * std::pow(xi[1], 3);
-    EXPECT_NEAR(line, 2 / 5.0, 1e-15);
-    EXPECT_NEAR(square, 4 / 25.0, 1e-15);
-    EXPECT_NEAR(triangle, 2.0 * 6.0 / 5040.0, 1e-17);  // 2! 3! / (2 + 3 + 2)!
-}
-
 }  // namespace
 }  // namespace soft::surface

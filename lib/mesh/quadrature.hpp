@@ -1,12 +1,12 @@
 #pragma once
 /// Quadrature on the reference cells. Weights sum to the cell's reference volume.
-/// Held by element/quadrature_test (monomials up to the stated degree against their exact integrals).
+/// Held by mesh/quadrature_test (monomials up to the stated degree against their exact integrals).
 #include <array>
 #include <vector>
 
 #include "mesh/cell_type.hpp"
 
-namespace soft::element {
+namespace soft::mesh {
 
 struct QuadraturePoint {
     std::array<double, 3> xi;
@@ -17,6 +17,6 @@ struct QuadraturePoint {
 /// Simplices and wedges have rules up to degree 5, tensor cells up to 7.
 /// Sources: Gauss-Legendre; triangles Radon (1948, degree 5, 7 points); tetrahedra Walkington (2000, degree 5, 14
 /// points), both with positive weights. Throws std::logic_error beyond.
-[[nodiscard]] std::vector<QuadraturePoint> quadrature(mesh::Shape shape, int degree);
+[[nodiscard]] std::vector<QuadraturePoint> quadrature(Shape shape, int degree);
 
-}  // namespace soft::element
+}  // namespace soft::mesh

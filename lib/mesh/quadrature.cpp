@@ -1,13 +1,11 @@
-#include "element/quadrature.hpp"
+#include "mesh/quadrature.hpp"
 
 #include <cmath>
 #include <stdexcept>
 
-namespace soft::element {
+namespace soft::mesh {
 
 namespace {
-
-using mesh::Shape;
 
 struct LinePoint {
     double x, weight;
@@ -113,4 +111,4 @@ std::vector<QuadraturePoint> quadrature(Shape shape, int degree) {
     throw std::logic_error("quadrature: unknown shape");
 }
 
-}  // namespace soft::element
+}  // namespace soft::mesh

@@ -1,17 +1,15 @@
-#include "element/shape.hpp"
+#include "mesh/shape.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "element/quadrature.hpp"
+#include "mesh/quadrature.hpp"
 
-namespace soft::element {
+namespace soft::mesh {
 namespace {
 
-using mesh::CellType;
-using mesh::Shape;
-
+using ReferencePoint = std::array<double, 3>;
 constexpr CellType all_types[] = {CellType::line2, CellType::line3, CellType::triangle3, CellType::triangle6,
                                   CellType::quad4, CellType::quad9, CellType::tet4, CellType::tet10,
                                   CellType::hex8, CellType::hex27, CellType::wedge6, CellType::wedge18};
@@ -26,22 +24,22 @@ double polynomial(int order, int dimension, const ReferencePoint& x) {
 
 TEST(ShapeFunctions, AreOneAtTheirNodeAndZeroAtTheOthers) {
     for (const auto type : all_types) {
-        const auto& cell = mesh::topology(type);
+        const auto& cell = topology(type);
         for (int b = 0; b < cell.node_count; ++b) {
-            const auto shape = shape_functions(type, cell.nodes[b]);
+            const auto shapes = shape_values(type, cell.nodes[b]);
             for (int a = 0; a < cell.node_count; ++a)
-                EXPECT_NEAR(shape.N[a], a == b ? 1.0 : 0.0, 1e-14) << cell.name << " " << a << " " << b;
+                EXPECT_NEAR(shapes[a].value, a == b ? 1.0 : 0.0, 1e-14) << cell.name << " " << a << " " << b;
         }
     }
 }
 
 TEST(ShapeFunctions, ReproducePolynomialsOfTheirOrder) {
     for (const auto type : all_types) {
-        const auto& cell = mesh::topology(type);
-        const auto shape = shape_functions(type, inside);
+        const auto& cell = topology(type);
+        const auto shapes = shape_values(type, inside);
         double value = 0;
         for (int a = 0; a < cell.node_count; ++a)
-            value += shape.N[a] * polynomial(cell.order, cell.dimension, cell.nodes[a]);
+            value += shapes[a].value * polynomial(cell.order, cell.dimension, cell.nodes[a]);
         EXPECT_NEAR(value, polynomial(cell.order, cell.dimension, inside), 1e-14) << cell.name;
     }
 }
@@ -49,15 +47,15 @@ TEST(ShapeFunctions, ReproducePolynomialsOfTheirOrder) {
 TEST(ShapeFunctions, GradientsAreTheDerivativesOfTheValues) {
     constexpr double h = 1e-6;
     for (const auto type : all_types) {
-        const auto& cell = mesh::topology(type);
-        const auto shape = shape_functions(type, inside);
+        const auto& cell = topology(type);
+        const auto shapes = shape_values(type, inside);
         for (int d = 0; d < cell.dimension; ++d) {
             auto forward = inside, backward = inside;
             forward[d] += h;
             backward[d] -= h;
-            const auto plus = shape_functions(type, forward), minus = shape_functions(type, backward);
+            const auto plus = shape_values(type, forward), minus = shape_values(type, backward);
             for (int a = 0; a < cell.node_count; ++a)
-                EXPECT_NEAR(shape.dN_dxi[a][d], (plus.N[a] - minus.N[a]) / (2 * h), 1e-9) << cell.name;
+                EXPECT_NEAR(shapes[a].gradient[d], (plus[a].value - minus[a].value) / (2 * h), 1e-9) << cell.name;
         }
     }
 }
@@ -106,4 +104,4 @@ TEST(Quadrature, RefusesADegreeItHasNoRuleFor) {
 }
 
 }  // namespace
-}  // namespace soft::element
+}  // namespace soft::mesh

@@ -1,0 +1,90 @@
+# shellcheck shell=bash
+# What the scripts of this folder share; the first argument of a script is the folder of the tools, the second cmake:
+#   . check.sh BIN [CMAKE]
+# The script goes on in a scratch folder with a copy of designs/ and the tools first on the PATH. It fails when a claim
+# is not true, when it makes no claim, and when it stops early. Held by self_check.sh.
+set -uo pipefail
+bin=$(realpath "$1")
+cmake=${2:-cmake}
+here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
+work=$(mktemp -d) || exit 1
+seen=$work/seen
+mkdir "$seen" "$work/run" && cp -R "$here/../../designs" "$work/run/" && cd "$work/run" || exit 1
+export PATH="$bin:$PATH"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+unset NO_COLOR
+claims=0
+failures=0
+status=
+
+finish() {
+    local code=$?
+    rm -rf "$work"
+    if ((failures == 0 && code == 0)); then echo "all of $claims claims hold"; else echo "$failures of $claims claims fail"; fi
+    ((code == 0 && claims > 0 && failures == 0)) || exit 1
+}
+trap finish EXIT
+
+run() {   # run COMMAND: a shell line, without input; $status, and what it printed in $seen/out and $seen/err
+    line=$1
+    timeout --kill-after=5 "${LIMIT:-60}" bash -o pipefail -c "$1" >"$seen/out" 2>"$seen/err" </dev/null
+    status=$?
+}
+
+claim() {   # claim TEXT COMMAND...: the command must succeed
+    claims=$((claims + 1))
+    "${@:2}" && return
+    failures=$((failures + 1))
+    printf 'NOT TRUE: %s\n  after: %s\n  exit code %s; stderr:\n' "$1" "${line:-}" "$status"
+    tail -n 5 "$seen/err" 2>/dev/null | cut -c1-500 | sed 's/^/  | /'
+    if [ -n "${FAIL_FAST:-}" ]; then exit 1; fi
+}
+
+runs() {   # runs COMMAND: it must exit with 0
+    run "$1"
+    claim "it runs" exits 0
+}
+
+refuses() {   # refuses CODE PATTERN COMMAND: with this exit code, an empty stdout and one line that is PATTERN on stderr
+    run "$3"
+    claim "the exit code is $1" exits "$1"
+    claim "stdout stays empty" [ ! -s "$seen/out" ]
+    claim "the one line on stderr is: $2" says "$2"
+}
+
+exits() { [ "$status" -eq "$1" ]; }
+quiet() { [ ! -s "$seen/err" ]; }
+says() { [ "$(wc -l <"$seen/err")" -eq 1 ] && like "$(cat "$seen/err")" "$1"; }
+# shellcheck disable=SC2053  # the right side is a pattern
+like() { [[ $1 == $2 ]]; }
+not() { ! "$@"; }
+within() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x ~ /^[-+.0-9]/ && x >= low && x <= high) }'; }   # X LOW HIGH
+
+json() { "$cmake" -D "FILE=$PWD/$1" -D "KEYS=$(IFS=';'; echo "${*:2}")" -P "$here/json.cmake"; }   # FILE KEY...: its value
+has() { local value; value=$(json "${@:2}") && like "$value" "$1"; }   # has PATTERN FILE KEY...
+
+column() {   # column NAME FILE.csv: its numbers
+    awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; if (!c) exit 1; next } { print $c }' "$2"
+}
+table() {   # table FILE.csv: a header, two rows or more, as many finite numbers in each
+    awk -F, 'NR == 1 { n = NF; if ($0 !~ /^step,pressure_kPa,.*,stable$/) bad = 1; next }
+             { if (NF != n) bad = 1; for (i = 1; i <= NF; ++i) if ($i !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) bad = 1 }
+             END { exit bad || NR < 3 }' "$1"
+}
+agree() {   # agree A.csv B.csv TOLERANCE [COLUMN...]: same header and rows; all, or these, columns agree relatively
+    awk -F, -v tolerance="$3" -v only=" ${*:4} " '
+        NR == FNR { line[FNR] = $0; rows = FNR; next }
+        FNR == 1 { if ($0 != line[1]) bad = 1; for (i = 1; i <= NF; ++i) name[i] = $i }
+        FNR > 1 {
+            if (split(line[FNR], a) != NF) bad = 1
+            for (i = 1; i <= NF; ++i) {
+                if (only !~ /^ +$/ && index(only, " " name[i] " ") == 0) continue
+                ++compared
+                if (a[i] !~ /^[-+.0-9]/ || $i !~ /^[-+.0-9]/) bad = 1   # nan
+                size = a[i] < 0 ? -a[i] : +a[i]
+                off = a[i] < $i ? $i - a[i] : a[i] - $i
+                if (!(off <= tolerance * size)) { bad = 1; print "row " FNR - 1 ", " name[i] ": " a[i] " and " $i }
+            }
+        }
+        END { exit bad || !compared || FNR != rows }' "$1" "$2"
+}

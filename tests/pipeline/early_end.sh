@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# shellcheck disable=SC2016  # the commands expand their own variables
+# Exit code 2: the path ends early, the steps reached are kept.   early_end.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+runs 'mesh-gen -q designs/tube.yaml -o case.h5'
+
+refuses 2 'solve: limit_point: the pressure has a maximum at 44.3* kPa, *path.control: volume *' \
+    'solve case.h5 --set path.control=pressure --json limit.json -o limit.h5 2>&1 | grep -v "solve: [0-9]* %" >&2'
+claim "the cause is in the summary" has limit_point limit.json stop_reason
+claim "with the limit pressure 44.34 kPa" within "$(json limit.json limit_points 0 pressure_Pa)" 44317 44361
+runs 'postprocess -q limit.h5 --json curve.json -o curve.csv'
+claim "postprocess finds the cause in the file" has limit_point curve.json stop_reason
+claim "the curve is kept" table curve.csv
+claim "up to the limit pressure" within "$(column pressure_kPa curve.csv | sort -g | tail -n 1)" 44.317 44.361
+claim "and no further than 13.45 mm" within "$(column elongation_mm curve.csv | sort -g | tail -n 1)" 13 13.6
+
+refuses 2 'solve: step_limit: 3 steps were not enough; *' \
+    'solve case.h5 --set solver.step_limit=3 --json short.json -o short.h5 2>&1 | grep -v "solve: [0-9]* %" >&2'
+claim "the cause is in the summary" has step_limit short.json stop_reason
+runs 'postprocess -q short.h5 -o curve.csv'
+claim "three steps are kept" [ "$(column step curve.csv | tail -n 1)" = 3 ]
+
+run 'mesh-gen -q designs/tube.yaml --set solver.step_limit=2 | solve -q | postprocess -q > piped.csv; echo "${PIPESTATUS[*]}"'
+claim "a pipe shows the 2 of solve and still brings the curve" [ "$(cat "$seen/out")" = '0 2 0' ]
+claim "which is a curve" table piped.csv
+run 'mesh-gen -q designs/tube.yaml --set solver.step_limit=2 | solve --quiet > x.h5'
+claim "--quiet leaves the exit code" exits 2
+claim "and nothing else" quiet

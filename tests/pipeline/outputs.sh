@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Outputs that cannot be made (73) or not be finished (74), and what stands there before and after.
+#   outputs.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=3 -o case.h5 && solve -q case.h5 -o result.h5'
+runs 'postprocess -q result.h5 > curve.csv'
+declare -A command=([mesh-gen]='mesh-gen -q designs/tube.yaml' [solve]='solve -q case.h5' [postprocess]='postprocess -q result.h5')
+
+for tool in mesh-gen solve postprocess; do
+    refuses 73 "$tool: no/such/file: cannot be created: No such file or directory" "${command[$tool]} -o no/such/file"
+    refuses 73 "$tool: designs: is a folder; name a file" "${command[$tool]} -o designs"
+    refuses 74 "$tool: <stdout>: cannot be written: No space left on device" "${command[$tool]} > /dev/full"
+    refuses 74 "$tool: /dev/full: cannot be written: No space left on device" "${command[$tool]} -o /dev/full"
+    refuses 74 "$tool: /dev/full: cannot be written: No space left on device" "${command[$tool]} --json /dev/full -o x"
+    rm -f x
+    refuses 74 "$tool: <stdout>: cannot be written: *" "${command[$tool]} >&-"
+    if [ "$(id -u)" -ne 0 ]; then   # root may write anywhere
+        mkdir -p locked && chmod a-w locked
+        refuses 73 "$tool: locked/x: cannot be created: Permission denied" "${command[$tool]} -o locked/x"
+    fi
+    # A limit on the size of files stands in for a full disk.
+    echo precious >kept
+    refuses 74 "$tool: kept: cannot be written: *" "(trap '' XFSZ; ulimit -f 0; ${command[$tool]} -o kept) 2>&1 | cat >&2"
+    [ "$tool" = solve ] || claim "the file that was there is untouched" [ "$(cat kept)" = precious ]
+    rm -f kept
+done
+refuses 74 'postprocess: <stdin>: cannot be read: *' 'postprocess <&-'
+if [ -n "$(type -P gnuplot)" ]; then
+    refuses 73 'postprocess: no/picture.svg: cannot be created: *' 'postprocess -q result.h5 --plot no/picture.svg -o x'
+    rm -f x
+fi
+rm -rf locked
+claim "no temporary file is left" [ "$(echo *)" = 'case.h5 curve.csv designs result.h5' ]
+runs "${command[postprocess]} -o curve2.csv && cmp curve.csv curve2.csv && ${command[solve]} -o /dev/null"

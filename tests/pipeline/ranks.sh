@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Two ranks give the curve of one.   ranks.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+tolerance=1e-8
+
+# Row by row: the closed tube past its limit point, and a quarter of it in hexahedra and wedges.
+for options in '--set path.until.steps=16' \
+    '--set model=quarter --set mesh.size=10mm --set mesh.through_wall=1 --set path.until.steps=3'; do
+    runs "mesh-gen -q designs/tube.yaml $options -o case.h5 && solve -q case.h5 | postprocess -q > one.csv"
+    runs 'mpirun -n 2 solve -q case.h5 -o two.h5 --json two.json && postprocess -q two.h5 -o two.csv'
+    claim "there were two ranks" has 2 two.json ranks
+    claim "the curve is the same to $tolerance" agree one.csv two.csv "$tolerance"
+done
+
+# Point by point: the steps of the slender bellows follow from differences near rounding, so that they fall elsewhere
+# on the same curve.
+at='--at elongation=5mm,10mm,20mm'
+runs "mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set path.until.elongation=25mm -o case.h5"
+runs "solve -q case.h5 | postprocess -q $at > one.csv; mpirun -n 2 solve -q case.h5 -o two.h5; postprocess -q two.h5 $at > two.csv"
+claim "the bellows' curve is the same to $tolerance" agree one.csv two.csv "$tolerance" pressure_kPa elongation_mm volume_mL
+
+# The streams of two ranks are those of one.
+runs 'mesh-gen -q designs/tube.yaml | mpirun -n 2 solve -q --set path.until.steps=2 | postprocess -q > piped.csv'
+claim "a pipe through mpirun carries the result" table piped.csv
+run 'mpirun -n 2 solve -q absent.h5 -o x.h5'
+claim "an error has its exit code" exits 66
+claim "and is told once" [ "$(grep -c '^solve: absent.h5: cannot be opened: ' "$seen/err")" -eq 1 ]
+run 'mpirun -n 2 solve -q case.h5 -o x.h5 --set solver.step_limit=1'
+claim "an early end has its exit code" exits 2

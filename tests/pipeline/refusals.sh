@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# Every refusal of an input: 64, 65 and 66, each with one line that says where, what and what would be right.
+#   refusals.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+runs 'mesh-gen -q designs/tube.yaml -o case.h5 && solve -q case.h5 --set path.until.steps=3 -o result.h5'
+
+# 64: usage
+refuses 64 "mesh-gen: unknown option '--lst'; did you mean '--list'[?]" 'mesh-gen --lst'
+refuses 64 "solve: unknown option '--feilds'; did you mean '--fields'[?]" 'solve --feilds all case.h5'
+refuses 64 "postprocess: unknown option '--plto'; did you mean '--plot'[?]" 'postprocess --plto x.svg result.h5'
+for tool in mesh-gen solve postprocess; do
+    refuses 64 "$tool: one argument too many: 'two'; see *--help*" "$tool one two"
+    refuses 64 "$tool: *exclude each other; *" "$tool --quiet --verbose x"
+    refuses 64 "$tool: data and --json cannot both go to stdout; use *" "$tool --json - x"
+done
+refuses 64 "solve: --fields: 'some' is not a choice; all, last, none or every=N" 'solve --fields some case.h5'
+refuses 64 "postprocess: picture.pdf: pictures are written as .svg or .png" 'postprocess --plot picture.pdf result.h5'
+refuses 64 "postprocess: --at: the curve has no 'pressur'; it has pressure, elongation, volume" 'postprocess --at pressur=1kPa result.h5'
+refuses 64 "postprocess: --at elongation: '5' has no unit, *; write for example 5 mm" 'postprocess --at elongation=5 result.h5'
+refuses 64 "solve: 'x' behind -- is no option of PETSc; *" 'solve case.h5 -- x'
+refuses 64 "solve: PETSc: has no solver *; see *" 'solve case.h5 -- -pc_type magic'
+# a bad --set: its form is usage, its value is input
+refuses 64 "mesh-gen: --set wall: no '=' in it; write --set key.path=value, *" 'mesh-gen --set wall designs/tube.yaml'
+refuses 64 "solve: --set wall: no '=' in it; write --set key.path=value, *" 'solve --set wall case.h5'
+refuses 64 "solve: --set geometry.wall: *built into the case *; give the same --set to mesh-gen; *" 'solve --set geometry.wall=2mm case.h5'
+refuses 65 "mesh-gen: --set geometry.cpa: unknown key; did you mean 'cap'[?]" 'mesh-gen --set geometry.cpa=5mm designs/tube.yaml'
+refuses 65 "solve: --set path.control: 'presure' is not a choice here; did you mean 'pressure'[?]" 'solve --set path.control=presure case.h5'
+if [ -n "$(type -P script)" ]; then   # a terminal as stdout or stdin
+    terminal() { line="on a terminal: $1"; timeout 20 script -qec "$1" /dev/null </dev/null 2>&1 | tr -d '\r' >"$seen/err"; status=${PIPESTATUS[0]}; }
+    for command in 'mesh-gen designs/tube.yaml' 'solve case.h5'; do
+        terminal "$command"
+        claim "binary data is refused" exits 64
+        claim "with a hint" says "${command%% *}: <stdout>: binary data is not written to a terminal; use -o FILE, or pipe it on"
+    done
+    for command in 'mesh-gen -o x' 'solve -o x' 'postprocess -o x'; do
+        terminal "$command"
+        claim "a terminal is no input" exits 64
+        claim "with a hint" says "${command%% *}: no input is named and stdin is a terminal; name a file, *"
+    done
+    terminal 'postprocess -q result.h5'
+    claim "text may go to a terminal" exits 0
+fi
+
+# 65: a design; edit changes one thing, place is line:column of what is changed
+edit() { sed "$1" designs/tube.yaml >edited.yaml; claim "the edit $1 changes the design" not cmp -s designs/tube.yaml edited.yaml; }
+place() { awk -v text="$1" '{ at = index($0, text) } at { print NR ":" at; exit }' edited.yaml; }
+edit 's/inner_radius: 7 mm/inner_radius: 12 mm/'
+refuses 65 "mesh-gen: edited.yaml:$(place '12 mm'): geometry.inner_radius: 12 mm is not smaller than outer_radius 10 mm; *" 'mesh-gen edited.yaml'
+edit 's/cap: 5 mm/cpa: 5 mm/'
+refuses 65 "mesh-gen: edited.yaml:$(place cpa): geometry.cpa: unknown key; did you mean 'cap'[?]" 'mesh-gen edited.yaml'
+edit 's/cap: 5 mm/cap: 5/'
+refuses 65 "mesh-gen: edited.yaml:$(place '5   '): geometry.cap: '5' has no unit, a length is needed; write for example 5 mm" 'mesh-gen edited.yaml'
+edit 's/cap: 5 mm/cap: 5 kPa/'
+refuses 65 "mesh-gen: edited.yaml:$(place '5 kPa'): geometry.cap: '5 kPa' is a pressure where a length is needed; *" 'mesh-gen edited.yaml'
+edit 's/cap: 5 mm/cap: 5 ells/'
+refuses 65 "mesh-gen: edited.yaml:$(place '5 ells'): geometry.cap: unknown unit 'ells' in a length; *" 'mesh-gen edited.yaml'
+edit 's/^  cap: 5 mm/&\n&/'
+refuses 65 "mesh-gen: edited.yaml:*: key 'cap' is written twice; the first is at edited.yaml:$(place 'cap: 5')" 'mesh-gen edited.yaml'
+edit 's/{size: 1.5 mm}/{size: 1.5 mm/'
+refuses 65 "mesh-gen: edited.yaml:*:*: not YAML: *; see *--template*" 'mesh-gen edited.yaml'
+refuses 65 "mesh-gen: <stdin>:*:*: not YAML: *" 'mesh-gen - < edited.yaml'
+edit 's/family: tube/family: tub/'
+refuses 65 "mesh-gen: edited.yaml:*:9: family: no family is called 'tub'; did you mean 'tube'[?]" 'mesh-gen edited.yaml'
+edit 's/fixed: fixed}/}/'
+refuses 65 'solve: supports: nothing holds the body against *; hold a face *' 'mesh-gen -q edited.yaml | solve'
+refuses 65 'mesh-gen: <stdin>: *empty; *' 'mesh-gen'
+refuses 65 'mesh-gen: case.h5:1:1: not UTF-8 text; *' 'mesh-gen case.h5'
+
+# 65: a case or a result
+for tool in solve postprocess; do
+    file=case.h5
+    [ "$tool" = postprocess ] && file=result.h5
+    bytes=$(wc -c <"$file")
+    refuses 65 "$tool: <stdin>: empty input; did the stage before fail[?]" "$tool"
+    refuses 65 "$tool: <stdin>: not an HDF5 file *; expected *" "yes | head -c 5000 | $tool"
+    refuses 65 "$tool: designs/tube.yaml: not an HDF5 file *; expected *" "$tool designs/tube.yaml"
+    refuses 65 "$tool: <stdin>: *; *" "head -c 1 $file | $tool"
+    for length in 40 1000 $((bytes / 2)) $((bytes - 1)); do
+        refuses 65 "$tool: <stdin>: truncated: *; was the stage that wrote it killed, or the disk full[?]" "head -c $length $file | $tool"
+    done
+    cp "$file" damaged.h5
+    printf 'XXXX' | dd of=damaged.h5 bs=1 seek=$((bytes / 3)) conv=notrunc 2>"$seen/dd"
+    refuses 65 "$tool: damaged.h5: *; *" "$tool damaged.h5"
+done
+refuses 65 'postprocess: case.h5: a case without solution; run solve on it' 'postprocess case.h5'
+refuses 65 'solve: result.h5: already holds a solution; give solve the case from mesh-gen' 'solve result.h5'
+refuses 65 'postprocess: --at pressure=99kPa: the path does not reach it; it goes from 0 to * kPa' 'postprocess --at pressure=99kPa result.h5'
+
+# 66: an input that cannot be opened
+for tool in mesh-gen solve postprocess; do
+    refuses 66 "$tool: absent: cannot be opened: No such file or directory" "$tool absent"
+    refuses 66 "$tool: designs: is a folder; name a file" "$tool designs"
+done
+claim "no refusal has left a file" [ "$(echo *)" = 'case.h5 damaged.h5 designs edited.yaml result.h5' ]
