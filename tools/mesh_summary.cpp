@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "cli.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "mesh/cell_map.hpp"

@@ -28,6 +28,7 @@ Session::Session(const std::vector<std::string>& options) {
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) {
         // Values the user has set stay: overwrite = 0.
         setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);   // one for all: who ends removes it under who starts
         setenv("OMPI_MCA_pml", "ob1", 0);
         setenv("OMPI_MCA_btl", "self,vader", 0);
     }

@@ -95,6 +95,14 @@ private:
     PathEnd end_;
 };
 
+/// Steps of few digits, so that rounding, which differs with the number of ranks, does not move the rows of the path.
+double coarse(double step) {
+    int exponent = 0;
+    const double mantissa = std::frexp(step, &exponent);
+    constexpr double divisions = 256;
+    return std::ldexp(std::round(mantissa * divisions) / divisions, exponent);
+}
+
 std::string number(double value) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
@@ -132,7 +140,7 @@ void PathFollower::start() {
         last_.reset();
         last_ = measure(std::move(undeformed), std::move(*along_control));
     }
-    first_step_ = step_ = settings_.first_step / last_->tangent.load_factor;
+    first_step_ = step_ = coarse(settings_.first_step / last_->tangent.load_factor);
     append(*last_);
 }
 
@@ -251,7 +259,7 @@ void PathFollower::adapt_step(double predictor_error) {
     double factor = std::pow(settings_.step_accuracy / std::max(predictor_error, 1e-12), 1.0 / order);
     factor = std::clamp(0.9 * factor, smallest_shrink, largest_growth);
     if (newton_result_.iterations > many_iterations) factor = std::min(factor, 0.7);
-    step_ = factor * (last_->q - before_->q);
+    step_ = coarse(factor * (last_->q - before_->q));
     if (settings_.largest_step > 0.0) {
         const double bound = settings_.largest_step * std::abs(last_->q);
         step_ = std::clamp(step_, -bound, bound);
@@ -285,7 +293,7 @@ void PathFollower::switch_to_arc_length() {
     PathPoint origin = std::move(*last_);
     last_.reset();
     last_ = measure(std::move(origin.state), std::move(origin.tangent));
-    first_step_ = step_ = std::abs(load_step) * length;
+    first_step_ = step_ = coarse(std::abs(load_step) * length);
     if (log_) log_("pressure steps fail: following the path by arc length to see why");
 }
 

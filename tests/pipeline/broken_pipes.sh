@@ -30,6 +30,11 @@ claim "the first names the cause" grep -q '^mesh-gen: absent.yaml: cannot be ope
 claim "the second what it saw" grep -q '^solve: <stdin>: empty input; did the stage before fail?$' "$seen/err"
 refuses 65 'postprocess: <stdin>: truncated: *' '(head -c 30000 result.h5; kill -9 $BASHPID) 2>&- | postprocess -q'
 
+# Runs side by side, as in a sweep, share no folder that one could take from another (Open MPI's own in TMPDIR).
+mkdir scratch && touch -d 2020-01-01 scratch
+runs 'TMPDIR=$PWD/scratch solve -q tube.h5 --set path.until.steps=1 -o x.h5'
+claim "the folder for temporary files is never written" [ -z "$(find scratch -newermt 2020-01-02)" ]
+
 # kill -9 of `solve -o FILE` at work: the file holds the whole steps so far.
 solve -q tube.h5 --set solver.step_accuracy=1e-6 -o killed.h5 &
 solver=$!

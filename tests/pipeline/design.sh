@@ -11,3 +11,4 @@ claim "the curve holds each step and the undeformed state" [ "$(json solve.json 
 claim "the mesh has cells" within "$(json mesh.json cells)" 1 1e9
 claim "and no bad ones" within "$(json mesh.json min_scaled_jacobian)" 0.1 1
 claim "no cell is turned inside out" within "$(column min_J curve.csv | sort -g | head -n 1)" 0.1 1
+claim "zero has no sign" not grep -qE '(^|,)-0(,|$)' curve.csv

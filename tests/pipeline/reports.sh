@@ -41,17 +41,16 @@ for tool in mesh-gen solve postprocess; do
     fi
 done
 
-# The examples of --help run: on a coarse bellows, with the files they name.
+# The examples of --help run: on a coarse bellows and the first millimetre of the tube, with the files they name.
 sed -i 's/{size: 1.5 mm/{size: 3 mm/' designs/bellows.yaml
-runs 'mesh-gen -q designs/bellows.yaml -o bellows-case.h5; solve -q bellows-case.h5 -o bellows.h5; mesh-gen -q designs/tube.yaml -o case.h5'
+runs 'mesh-gen -q designs/bellows.yaml -o bellows-case.h5; solve -q bellows-case.h5 -o bellows.h5; mesh-gen -q designs/tube.yaml --set path.until.elongation=1mm -o case.h5'
 while read -r example; do
     case $example in
         *--plot*) [ -n "$(type -P gnuplot)" ] || continue ;;
-        *path.control=pressure*) example+=' >&2; [ $? -eq 2 ]' ;;   # the tube: a limit point
     esac
     runs "$example"
 done < <(sort -u examples-*.txt)
-claim "the picture is one" grep -q '<svg' curve.svg
+if [ -n "$(type -P gnuplot)" ]; then claim "the picture is one" grep -q '<svg' curve.svg; fi
 
 # Help with designs
 runs 'mesh-gen --list'

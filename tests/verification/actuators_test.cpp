@@ -14,6 +14,8 @@ struct BellowsRow {
     double pressure_kPa;   // independent code; its own error is 0.01 to 0.04 %
 };
 
+void PrintTo(const BellowsRow& row, std::ostream* out) { *out << row.name; }
+
 class Bellows : public ::testing::TestWithParam<BellowsRow> {};
 
 TEST_P(Bellows, PressureAtAnElongationIsWithinATenthOfAPercent) {
