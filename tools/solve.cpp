@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -95,11 +96,15 @@ ExitCode run(const SolveOptions& options, const linalg::Session& session) {
     if (first) writer = make_writer(options, input, result);
 
     cli::SolveSummary summary;
+    std::optional<solution::Step> undeformed;
+    double share = 0;   // the load may fall past a limit point; progress does not
     const auto sink = [&](const solution::Step& step, Vec x) {
         const auto fields = system.gather_fields(x);
         if (!first) return;
         writer->append(step, fields.displacement_m, fields.pressure_Pa);
-        console.progress(cli::share_done(step, file.model), cli::step_text(step, file.model));
+        if (!undeformed) undeformed = step;
+        share = std::max(share, cli::share_done(*undeformed, step, file.model));
+        console.progress(share, cli::step_text(step, file.model));
         ++summary.steps;
     };
     const solver::Log log = [&](const std::string& line) { console.detail(line); };

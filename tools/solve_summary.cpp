@@ -60,12 +60,15 @@ std::string step_text(const solution::Step& step, const model::Case& model) {
     return text;
 }
 
-double share_done(const solution::Step& step, const model::Case& model) {
+double share_done(const solution::Step& first, const solution::Step& step, const model::Case& model) {
     double share = step.load_factor;
-    for (const auto& until : model.path.until)
+    for (const auto& until : model.path.until) {
+        if (until.quantity == "volume_ratio" && step.volume_m3 && until.value != 1.0)
+            share = std::max(share, (*step.volume_m3 / *first.volume_m3 - 1.0) / (until.value - 1.0));
         for (std::size_t i = 0; i < step.outputs_m.size(); ++i)
             if (model.outputs[i].name == until.quantity && until.value != 0.0)
                 share = std::max(share, step.outputs_m[i] / until.value);
+    }
     return std::clamp(share, 0.0, 1.0);
 }
 

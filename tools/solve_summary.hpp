@@ -28,7 +28,7 @@ void measure_process(SolveSummary& summary);
 /// "12.3 kPa, elongation 92.5 mm, volume 55.3 mL"
 [[nodiscard]] std::string step_text(const solution::Step& step, const model::Case& model);
 
-/// How much of the way to the nearest goal is done, from 0 to 1.
-[[nodiscard]] double share_done(const solution::Step& step, const model::Case& model);
+/// How much of the way to the nearest goal is done, from 0 to 1; `first` is the undeformed state.
+[[nodiscard]] double share_done(const solution::Step& first, const solution::Step& step, const model::Case& model);
 
 }  // namespace soft::cli

@@ -12,12 +12,10 @@ for options in '--set path.until.steps=16' \
     claim "the curve is the same to $tolerance" agree one.csv two.csv "$tolerance"
 done
 
-# Point by point: the steps of the slender bellows follow from differences near rounding, so that they fall elsewhere
-# on the same curve.
-at='--at elongation=5mm,10mm,20mm'
+# Row by row on the slender bellows too, whose steps would fall elsewhere if they were not chosen with few digits.
 runs "mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set path.until.elongation=25mm -o case.h5"
-runs "solve -q case.h5 | postprocess -q $at > one.csv; mpirun -n 2 solve -q case.h5 -o two.h5; postprocess -q two.h5 $at > two.csv"
-claim "the bellows' curve is the same to $tolerance" agree one.csv two.csv "$tolerance" pressure_kPa elongation_mm volume_mL
+runs 'solve -q case.h5 | postprocess -q > one.csv; mpirun -n 2 solve -q case.h5 -o two.h5; postprocess -q two.h5 > two.csv'
+claim "the bellows' curve is the same to $tolerance" agree one.csv two.csv "$tolerance"
 
 # The streams of two ranks are those of one.
 runs 'mesh-gen -q designs/tube.yaml | mpirun -n 2 solve -q --set path.until.steps=2 | postprocess -q > piped.csv'

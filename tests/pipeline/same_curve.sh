@@ -2,6 +2,7 @@
 # However the stages are joined, the curve is the same to the byte.   same_curve.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 few='--set path.until.steps=3'
+coarse='--set mesh.size=3mm'
 path_of() { if [ -n "$(type -P h5dump)" ]; then h5dump -g /path "$1" | tail -n +2; else postprocess -q "$1"; fi; }
 same_path() { path_of "$1" >"$seen/a" && path_of "$2" >"$seen/b" && [ -s "$seen/a" ] && cmp "$seen/a" "$seen/b"; }
 gives() {   # gives COMMAND: writes the curve of pipe.csv to stdout
@@ -11,14 +12,14 @@ gives() {   # gives COMMAND: writes the curve of pipe.csv to stdout
 
 for name in tube bellows; do
     design=designs/$name.yaml
-    runs "mesh-gen -q $design $few | solve -q | tee pipe.h5 | postprocess -q > pipe.csv"
+    runs "mesh-gen -q $design $few $coarse | solve -q | tee pipe.h5 | postprocess -q > pipe.csv"
     claim "nothing is said" quiet
     claim "there is a curve" table pipe.csv
     claim "of three steps after the undeformed state" [ "$(column step pipe.csv | tail -n 1)" = 3 ]
 
-    gives "mesh-gen -q $design $few -o case.h5 && solve -q case.h5 -o result.h5 && postprocess -q result.h5 -o a.csv && cat a.csv"
+    gives "mesh-gen -q $design $few $coarse -o case.h5 && solve -q case.h5 -o result.h5 && postprocess -q result.h5 -o a.csv && cat a.csv"
     claim "/path is the same, too" same_path pipe.h5 result.h5
-    gives "mesh-gen -q - $few < $design > case2.h5; solve -q - -o result2.h5 < case2.h5; postprocess -q - < result2.h5"
+    gives "mesh-gen -q - $few $coarse < $design > case2.h5; solve -q - -o result2.h5 < case2.h5; postprocess -q - < result2.h5"
     gives "cat case.h5 | solve -q -o - | postprocess -o - -q"
     cp result.h5 first.h5
     gives "solve -q case.h5 -o result.h5 && postprocess -q result.h5"
