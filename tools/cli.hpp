@@ -109,6 +109,18 @@ void write_output(const std::string& name, std::string_view text);
 /// Indented JSON with a final newline.
 void write_json(const std::string& name, const nlohmann::ordered_json& json);
 
+/// While it lives, whatever a library prints to stdout (MUMPS does, from Fortran) goes to stderr: stdout carries data only.
+class StdoutKeptForData {
+public:
+    StdoutKeptForData();
+    ~StdoutKeptForData();
+    StdoutKeptForData(const StdoutKeptForData&) = delete;
+    StdoutKeptForData& operator=(const StdoutKeptForData&) = delete;
+
+private:
+    int saved_;
+};
+
 /// Messages and progress on stderr. Colour and the moving bar only on a terminal, and no colour under NO_COLOR.
 class Console {
 public:

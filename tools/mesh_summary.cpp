@@ -69,15 +69,19 @@ MeshSummary inspect(const model::Case& model) {
     summary.rubber_volume_m3 =
         mesh::measure(model.mesh, section ? mesh::Measure::revolved : mesh::Measure::plain) / model.model_fraction;
     summary.cavities = surface::check_cavities(model);
+    for (const surface::CavityReport& cavity : summary.cavities)
+        summary.wall_places.push_back(surface::place_text(model, cavity.smallest_wall_place));
     return summary;
 }
 
 std::vector<std::string> summary_lines(const MeshSummary& summary) {
     std::string shape = "rubber " + volume_text(summary.rubber_volume_m3);
-    for (const surface::CavityReport& cavity : summary.cavities) {
+    for (std::size_t i = 0; i < summary.cavities.size(); ++i) {
+        const surface::CavityReport& cavity = summary.cavities[i];
         shape += ", " + cavity.name + " " + volume_text(cavity.volume_m3);
         if (cavity.smallest_wall_m)
-            shape += ", smallest wall " + core::quantity_text(*cavity.smallest_wall_m, core::Dimension::length);
+            shape += ", smallest wall " + core::quantity_text(*cavity.smallest_wall_m, core::Dimension::length) + " at " +
+                     summary.wall_places[i];
     }
     shape += ", worst scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
     return {core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" + summary.cell_types +

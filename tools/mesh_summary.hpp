@@ -20,6 +20,7 @@ struct MeshSummary {
     double rubber_volume_m3 = 0;  ///< whole actuator
     mesh::Quality quality;
     std::vector<surface::CavityReport> cavities;
+    std::vector<std::string> wall_places;          ///< "x = 12.3 mm, r = 4.5 mm" of each cavity's smallest wall
 };
 
 /// Refuses a case that cannot be solved: inverted cells, a cavity that is open or meets itself (Error(bad_input)).

@@ -108,7 +108,10 @@ ExitCode run(const SolveOptions& options, const linalg::Session& session) {
         ++summary.steps;
     };
     const solver::Log log = [&](const std::string& line) { console.detail(line); };
-    summary.end = solver::follow_path(system, sink, log);
+    {
+        const cli::StdoutKeptForData kept;
+        summary.end = solver::follow_path(system, sink, log);
+    }
     --summary.steps;   // the undeformed state is no step
     summary.unknowns = system.dofs().total;
     summary.ranks = session.size();

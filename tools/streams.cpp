@@ -71,6 +71,17 @@ void write_json(const std::string& name, const nlohmann::ordered_json& json) {
     write_output(name, json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
+StdoutKeptForData::StdoutKeptForData() : saved_(::dup(STDOUT_FILENO)) {
+    if (saved_ >= 0) static_cast<void>(::dup2(STDERR_FILENO, STDOUT_FILENO));
+}
+
+StdoutKeptForData::~StdoutKeptForData() {
+    if (saved_ < 0) return;
+    std::fflush(stdout);
+    static_cast<void>(::dup2(saved_, STDOUT_FILENO));
+    static_cast<void>(::close(saved_));
+}
+
 Console::Console(std::string_view tool, Verbosity verbosity)
     : tool_(tool), verbosity_(verbosity), terminal_(::isatty(STDERR_FILENO) == 1), colour_(wants_colour(terminal_)) {}
 
