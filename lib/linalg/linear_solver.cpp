@@ -76,11 +76,11 @@ Factorization LinearSolver::factorize() {
     return result;
 }
 
-LinearSolve LinearSolver::solve(Vec b, Vec x) {
+LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
     const LinearSolve first = solve_once(b, x);
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    if (first.iterations <= many_iterations_for_ldlt || !is_type(pc, PCCHOLESKY)) return first;
+    if (factor == Factor::stale || first.iterations <= many_iterations_for_ldlt || !is_type(pc, PCCHOLESKY)) return first;
     SOFT_PETSC(PCSetType(pc, PCLU));
     SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
     SOFT_PETSC(PCSetFromOptions(pc));

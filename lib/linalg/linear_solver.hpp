@@ -20,6 +20,9 @@ struct LinearSolve {
     int iterations = 0;
 };
 
+/// Whether the last factor is that of K as it stands, or of a K shortly before.
+enum class Factor { fresh, stale };
+
 class LinearSolver {
 public:
     /// Default options can be changed by any PETSc option (-ksp_*, -pc_*, -mat_mumps_*).
@@ -28,8 +31,9 @@ public:
     /// Factorises K as it stands now. A failed factorisation (singular, out of memory) is a value, not an exception.
     [[nodiscard]] Factorization factorize();
 
-    /// Solves with K as it stands now and the last factor. `x` is overwritten.
-    [[nodiscard]] LinearSolve solve(Vec b, Vec x);
+    /// Solves with K as it stands now and the last factor. `x` is overwritten. Only a fresh LDL^T factor that needs many
+    /// iterations is reason to go over to LU.
+    [[nodiscard]] LinearSolve solve(Vec b, Vec x, Factor factor = Factor::fresh);
 
     [[nodiscard]] int factorizations() const noexcept { return factorizations_; }
     [[nodiscard]] KSP ksp() const noexcept { return ksp_; }

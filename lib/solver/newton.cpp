@@ -10,6 +10,8 @@ namespace {
 /// Armijo's constant: any decrease proportional to the step is accepted.
 constexpr double sufficient_decrease = 1e-4;
 constexpr int line_search_limit = 6;
+/// A tangent solved with the last correction's factor takes 2 or 3 iterations; beyond this a new factor is cheaper.
+constexpr int many_iterations_for_a_recent_factor = 5;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
 
@@ -25,7 +27,9 @@ assembly::Evaluation Newton::evaluate_at(const State& state) {
 }
 
 bool Newton::solve_directions() {
-    if (!solver_.factorize().succeeded) return false;
+    factor_ = solver_.factorize();
+    if (!factor_.succeeded) return false;
+    factor_is_recent_ = true;
     SOFT_PETSC(VecScale(R_, -1.0));
     const bool solved =
         solver_.solve(R_, toward_equilibrium_).converged && solver_.solve(load_, along_load_).converged;
@@ -35,6 +39,7 @@ bool Newton::solve_directions() {
 
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
     NewtonResult result;
+    factor_is_recent_ = false;
     auto evaluation = evaluate_at(state);
     State trial{linalg::duplicate(state.x), state.load_factor};
     const auto report = [&](NewtonEnd end) {
@@ -86,18 +91,26 @@ NewtonResult Newton::correct(const Constraint& constraint, double target, State&
     }
 }
 
+bool Newton::solve_along_load() {
+    if (factor_is_recent_) {
+        const auto solve = solver_.solve(load_, along_load_, linalg::Factor::stale);
+        if (solve.converged && solve.iterations <= many_iterations_for_a_recent_factor) return true;
+    }
+    factor_ = solver_.factorize();
+    return factor_.succeeded && solver_.solve(load_, along_load_).converged;
+}
+
 std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const State& state) {
     if (!evaluate_at(state).admissible()) return std::nullopt;
-    const auto factor = solver_.factorize();
-    if (!factor.succeeded || !solver_.solve(load_, along_load_).converged) return std::nullopt;
+    if (!solve_along_load()) return std::nullopt;
     (void)evaluate(constraint, system_, state.x, state.load_factor, gradient_);
     PathTangent tangent;
     tangent.load_factor = 1.0 / (load_slope(constraint) + linalg::dot(gradient_, along_load_));
     if (!std::isfinite(tangent.load_factor)) return std::nullopt;
     tangent.x = linalg::duplicate(along_load_);
     linalg::add(tangent.x, tangent.load_factor, along_load_);
-    if (factor.negative_pivots)
-        tangent.excess_pivots = static_cast<int>(*factor.negative_pivots - system_.dofs().pressures);
+    if (factor_.negative_pivots)
+        tangent.excess_pivots = static_cast<int>(*factor_.negative_pivots - system_.dofs().pressures);
     return tangent;
 }
 

@@ -40,19 +40,24 @@ public:
     /// Moves `state` to equilibrium with c = target. On failure `state` holds the last admissible iterate.
     [[nodiscard]] NewtonResult correct(const Constraint& constraint, double target, State& state);
 
-    /// Factorises the tangent at a converged state. nullopt where it is singular.
+    /// Direction of the path at a converged state, its inertia from the factor of the last correction where there was one
+    /// (a state that the correction has moved by less than its own square), else from a new one. nullopt where K is
+    /// singular.
     [[nodiscard]] std::optional<PathTangent> tangent(const Constraint& constraint, const State& state);
 
     [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
 
 private:
     [[nodiscard]] bool solve_directions();
+    [[nodiscard]] bool solve_along_load();
     [[nodiscard]] assembly::Evaluation evaluate_at(const State& state);
 
     assembly::System& system_;
     model::SolverSettings settings_;
     linalg::Matrix K_;
     linalg::LinearSolver solver_;
+    linalg::Factorization factor_;
+    bool factor_is_recent_ = false;                    // made in the last correction
     linalg::Vector R_, load_, gradient_;
     linalg::Vector toward_equilibrium_, along_load_;   // a and b
 };
