@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "assembly/rigid_motion.hpp"
 #include "core/error.hpp"
 #include "solver/goals.hpp"
 #include "solver/history.hpp"
+#include "solver/path_text.hpp"
 
 namespace soft::solver {
 
@@ -70,8 +70,7 @@ private:
     void finish(StopReason reason, std::string detail);
     void switch_to_arc_length();
     [[nodiscard]] bool is_stable(const PathPoint& point) const;
-    [[nodiscard]] std::string describe(const PathPoint& point) const;
-    [[nodiscard]] std::string place(mesh::Index cell) const;
+    [[nodiscard]] std::string describe(const PathPoint& point) const { return state_text(point, input_); }
     [[nodiscard]] int wanted_steps() const;
 
     assembly::System& system_;
@@ -101,14 +100,6 @@ double coarse(double step) {
     const double mantissa = std::frexp(step, &exponent);
     constexpr double divisions = 256;
     return std::ldexp(std::round(mantissa * divisions) / divisions, exponent);
-}
-
-std::string number(double value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(6);
-    text << value;
-    return text.str();
 }
 
 PathEnd PathFollower::run() {
@@ -229,7 +220,7 @@ void PathFollower::advance() {
     failures_ = 0;
     if (log_)
         log_("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " +
-             number(relative_error) + ", " + std::to_string(iterations_since_row_) + " iterations" +
+             short_text(relative_error) + ", " + std::to_string(iterations_since_row_) + " iterations" +
              (point->tangent.excess_pivots ? ", excess pivots " + std::to_string(*point->tangent.excess_pivots) : ""));
     if (!crossing)
         if (const auto passed = first_between(goals_, *last_, *point)) {
@@ -269,8 +260,8 @@ void PathFollower::adapt_step(double predictor_error) {
 void PathFollower::handle_failure() {
     ++failures_;
     if (log_)
-        log_("row " + std::to_string(rows_) + ": step of " + number(step_) + " failed, residual " +
-             number(newton_result_.residual) + ", least det F " + number(newton_result_.min_jacobian));
+        log_("row " + std::to_string(rows_) + ": step of " + short_text(step_) + " failed, residual " +
+             short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian));
     step_ *= cut_after_failure;
     const bool too_short = std::abs(step_) < settings_.smallest_step * std::abs(first_step_);
     if (control_.kind == ConstraintKind::load_factor && (failures_ >= failures_before_arc || too_short))
@@ -279,8 +270,8 @@ void PathFollower::handle_failure() {
     if (!too_short) return;
     if (newton_result_.end == NewtonEnd::inverted)
         return finish(StopReason::inverted_element,
-                      "a cell turns inside out (det F = " + number(newton_result_.min_jacobian) + ") " +
-                          place(newton_result_.worst_cell) + "; use a finer mesh there");
+                      "a cell turns inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " +
+                          place_text(newton_result_.worst_cell, input_) + "; use a finer mesh there");
     finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_));
 }
 
@@ -380,27 +371,6 @@ int PathFollower::wanted_steps() const {
     for (const auto& until : input_.path.until)
         if (until.quantity == "steps") return static_cast<int>(until.value);
     return settings_.step_limit;
-}
-
-std::string PathFollower::describe(const PathPoint& point) const {
-    std::string text = number(1e-3 * point.state.load_factor * input_.loads.front().pressure_Pa) + " kPa";
-    for (std::size_t i = 0; i < point.outputs_m.size(); ++i)
-        text += ", " + input_.outputs[i].name + " " + number(1e3 * point.outputs_m[i]) + " mm";
-    if (point.volume_m3) text += ", volume " + number(1e6 * *point.volume_m3) + " mL";
-    return text;
-}
-
-std::string PathFollower::place(mesh::Index cell) const {
-    if (cell < 0) return "somewhere";
-    mesh::Point centre{};
-    const auto nodes = input_.mesh.cell_nodes(cell);
-    for (const auto node : nodes)
-        for (int i = 0; i < 3; ++i) centre[i] += input_.mesh.point(node)[i] / static_cast<double>(nodes.size());
-    const char* second = input_.kinematics == model::Kinematics::axisymmetric ? "r" : "y";
-    std::string text = "in cell " + std::to_string(cell) + " at x = " + number(1e3 * centre[0]) + " mm, " + second +
-                       " = " + number(1e3 * centre[1]) + " mm";
-    if (input_.mesh.dimension == 3) text += ", z = " + number(1e3 * centre[2]) + " mm";
-    return text + " of the undeformed part";
 }
 
 }  // namespace

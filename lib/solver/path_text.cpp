@@ -1,0 +1,37 @@
+#include "solver/path_text.hpp"
+
+#include <locale>
+#include <sstream>
+
+namespace soft::solver {
+
+std::string short_text(double value) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(6);
+    text << value;
+    return text.str();
+}
+
+std::string state_text(const PathPoint& point, const model::Case& input) {
+    std::string text = short_text(1e-3 * point.state.load_factor * input.loads.front().pressure_Pa) + " kPa";
+    for (std::size_t i = 0; i < point.outputs_m.size(); ++i)
+        text += ", " + input.outputs[i].name + " " + short_text(1e3 * point.outputs_m[i]) + " mm";
+    if (point.volume_m3) text += ", volume " + short_text(1e6 * *point.volume_m3) + " mL";
+    return text;
+}
+
+std::string place_text(mesh::Index cell, const model::Case& input) {
+    if (cell < 0) return "somewhere";
+    mesh::Point centre{};
+    const auto nodes = input.mesh.cell_nodes(cell);
+    for (const auto node : nodes)
+        for (int i = 0; i < 3; ++i) centre[i] += input.mesh.point(node)[i] / static_cast<double>(nodes.size());
+    const char* second = input.kinematics == model::Kinematics::axisymmetric ? "r" : "y";
+    std::string text = "in cell " + std::to_string(cell) + " at x = " + short_text(1e3 * centre[0]) + " mm, " + second +
+                       " = " + short_text(1e3 * centre[1]) + " mm";
+    if (input.mesh.dimension == 3) text += ", z = " + short_text(1e3 * centre[2]) + " mm";
+    return text + " of the undeformed part";
+}
+
+}  // namespace soft::solver
