@@ -1,0 +1,181 @@
+#include "mesh/refine.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "mesh/shape.hpp"
+#include "mesh/shared_nodes.hpp"
+
+namespace soft::mesh {
+namespace {
+
+using Xi = std::array<double, 3>;
+using Corners = std::vector<Xi>;   ///< of a child, in the parent's reference cell
+
+Xi middle(const Xi& a, const Xi& b) { return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])}; }
+
+/// Middles of edges of the parent, by the numbers of their ends; equal ends are the corner itself.
+Corners between(const CellTopology& cell, std::initializer_list<std::array<int, 2>> ends) {
+    Corners corners;
+    for (const auto& [a, b] : ends)
+        corners.push_back(middle(cell.nodes[static_cast<std::size_t>(a)], cell.nodes[static_cast<std::size_t>(b)]));
+    return corners;
+}
+
+/// One child at each corner, half the parent's size; what simplices leave in the middle is filled below.
+std::vector<Corners> children_of(const CellTopology& cell) {
+    std::vector<Corners> children;
+    for (int k = 0; k < cell.vertex_count; ++k) {
+        Corners corners;
+        for (int v = 0; v < cell.vertex_count; ++v)
+            corners.push_back(middle(cell.nodes[static_cast<std::size_t>(v)], cell.nodes[static_cast<std::size_t>(k)]));
+        children.push_back(std::move(corners));
+    }
+    switch (cell.shape) {
+        case Shape::triangle: children.push_back(between(cell, {{0, 1}, {1, 2}, {2, 0}})); break;
+        case Shape::tetrahedron:   // Bey's order; corners 0 and 2 of the second and fourth exchanged: positive again
+            children.push_back(between(cell, {{0, 1}, {0, 2}, {0, 3}, {1, 3}}));
+            children.push_back(between(cell, {{1, 2}, {0, 2}, {0, 1}, {1, 3}}));
+            children.push_back(between(cell, {{0, 2}, {0, 3}, {1, 3}, {2, 3}}));
+            children.push_back(between(cell, {{1, 3}, {1, 2}, {0, 2}, {2, 3}}));
+            break;
+        case Shape::wedge:   // the triangle in the middle, below and above half height
+            for (const int layer : {0, 3}) {
+                Corners corners = between(cell, {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}});
+                for (Xi& corner : corners) corner[2] = 0.5 * (corner[2] + cell.nodes[static_cast<std::size_t>(layer)][2]);
+                children.push_back(std::move(corners));
+            }
+            break;
+        case Shape::line:
+        case Shape::quadrilateral:
+        case Shape::hexahedron: break;
+    }
+    return children;
+}
+
+/// A node of the children.
+struct Place {
+    Xi xi;
+    std::vector<CornerWeight> weights;
+    std::vector<ShapeValue> shapes;   ///< the parent's, at xi
+    int own = -1;                     ///< the parent's node that lies there
+    bool inside = false;              ///< no neighbour has it
+};
+
+/// How cells of a type are cut; all coordinates are multiples of 1/4, so equal places are equal to the last digit.
+struct Pattern {
+    std::vector<Place> places;
+    std::vector<std::vector<int>> children;      ///< places, in the node order of the type
+    std::vector<std::vector<Facet>> facets;      ///< of each side of the parent its pieces; `cell` is the child's number
+};
+
+int place_at(Pattern& pattern, const CellTopology& cell, const Xi& xi) {
+    for (std::size_t p = 0; p < pattern.places.size(); ++p)
+        if (pattern.places[p].xi == xi) return static_cast<int>(p);
+    Place place{xi, corner_weights(cell.type, xi), shape_values(cell.type, xi)};
+    const auto own = std::find(cell.nodes.begin(), cell.nodes.end(), xi);
+    if (own != cell.nodes.end()) place.own = static_cast<int>(own - cell.nodes.begin());
+    place.inside = place.weights.size() == static_cast<std::size_t>(cell.vertex_count);
+    pattern.places.push_back(std::move(place));
+    return static_cast<int>(pattern.places.size()) - 1;
+}
+
+bool lies_on(const Place& place, const FacetTopology& side) {
+    const auto end = side.nodes.begin() + topology(side.type).vertex_count;
+    return std::all_of(place.weights.begin(), place.weights.end(), [&](const CornerWeight& part) {
+        return std::find(side.nodes.begin(), end, part.corner) != end;
+    });
+}
+
+/// The sides of the children on a side of the parent.
+std::vector<Facet> pieces_of(const Pattern& pattern, const CellTopology& cell, const FacetTopology& side) {
+    std::vector<Facet> pieces;
+    for (std::size_t child = 0; child < pattern.children.size(); ++child)
+        for (std::size_t local = 0; local < cell.facets.size(); ++local) {
+            const FacetTopology& own = cell.facets[local];
+            const auto end = own.nodes.begin() + topology(own.type).vertex_count;
+            if (std::all_of(own.nodes.begin(), end, [&](int node) {
+                    const int place = pattern.children[child][static_cast<std::size_t>(node)];
+                    return lies_on(pattern.places[static_cast<std::size_t>(place)], side);
+                }))
+                pieces.push_back({static_cast<Index>(child), static_cast<int>(local)});
+        }
+    return pieces;
+}
+
+Pattern pattern_of(CellType type) {
+    const CellTopology& cell = topology(type);
+    Pattern pattern;
+    for (const Corners& corners : children_of(cell)) {
+        std::vector<int> child;
+        for (const Xi& node : cell.nodes) {
+            const std::vector<double> weights = vertex_values(type, node);
+            Xi xi{};
+            for (std::size_t v = 0; v < weights.size(); ++v)
+                for (std::size_t d = 0; d < 3; ++d) xi[d] += weights[v] * corners[v][d];
+            child.push_back(place_at(pattern, cell, xi));
+        }
+        pattern.children.push_back(std::move(child));
+    }
+    for (const FacetTopology& side : cell.facets) pattern.facets.push_back(pieces_of(pattern, cell, side));
+    return pattern;
+}
+
+Point position(const Mesh& mesh, std::span<const Index> nodes, const std::vector<ShapeValue>& shapes) {
+    Point X{};
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+        for (std::size_t d = 0; d < 3; ++d) X[d] += shapes[a].value * mesh.point(nodes[a])[d];
+    return X;
+}
+
+Mesh refined_once(const Mesh& mesh) {
+    std::map<CellType, Pattern> patterns;
+    for (const CellType type : mesh.cell_types)
+        if (!patterns.contains(type)) patterns.emplace(type, pattern_of(type));
+    Mesh result;
+    result.dimension = mesh.dimension;
+    result.points = mesh.points;
+    result.region_names = mesh.region_names;
+    result.point_sets = mesh.point_sets;
+    SharedNodes shared;
+    std::vector<Index> numbers, child_nodes;
+    for (Index c = 0; c < mesh.cell_count(); ++c) {
+        const CellType type = mesh.cell_type(c);
+        const Pattern& pattern = patterns.at(type);
+        const auto nodes = mesh.cell_nodes(c);
+        numbers.clear();
+        for (const Place& place : pattern.places) {
+            const auto next = static_cast<Index>(result.points.size());
+            const Index number = place.own >= 0  ? nodes[static_cast<std::size_t>(place.own)]
+                                 : place.inside ? next
+                                                : shared.number(nodes, place.weights, next);
+            if (number == next) result.points.push_back(position(mesh, nodes, place.shapes));
+            numbers.push_back(number);
+        }
+        for (const std::vector<int>& child : pattern.children) {
+            child_nodes.clear();
+            for (const int place : child) child_nodes.push_back(numbers[static_cast<std::size_t>(place)]);
+            add_cell(result, type, child_nodes, mesh.cell_regions[static_cast<std::size_t>(c)]);
+        }
+    }
+    const Index children = Index{1} << mesh.dimension;
+    for (const auto& [name, facets] : mesh.facet_sets) {
+        auto& set = result.facet_sets[name];
+        for (const Facet& facet : facets)
+            for (const Facet& piece : patterns.at(mesh.cell_type(facet.cell)).facets[static_cast<std::size_t>(facet.local)])
+                set.push_back({children * facet.cell + piece.cell, piece.local});
+    }
+    return result;
+}
+
+}  // namespace
+
+Mesh refine(const Mesh& mesh, int times) {
+    if (times < 0) throw std::logic_error("refine: a negative number of times");
+    Mesh result = mesh;
+    for (int i = 0; i < times; ++i) result = refined_once(result);
+    return result;
+}
+
+}  // namespace soft::mesh

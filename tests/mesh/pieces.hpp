@@ -1,0 +1,82 @@
+#pragma once
+/// Meshes of several cells of every type that share edges, triangles and quadrilaterals, and what makes a mesh sound.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "blocks.hpp"
+#include "mesh/split.hpp"
+
+namespace soft::mesh::sample {
+
+/// First-order cells by the places of their corners; equal places become one node.
+inline Mesh mesh_of(int dimension, const std::vector<std::pair<CellType, std::vector<Point>>>& cells) {
+    Mesh mesh;
+    mesh.dimension = dimension;
+    mesh.region_names = {"left", "right"};
+    std::map<Point, Index> numbers;
+    for (const auto& [type, corners] : cells) {
+        std::vector<Index> nodes;
+        for (const Point& corner : corners) {
+            const auto [entry, fresh] = numbers.try_emplace(corner, static_cast<Index>(mesh.points.size()));
+            if (fresh) mesh.points.push_back(corner);
+            nodes.push_back(entry->second);
+        }
+        add_cell(mesh, type, nodes, mesh.cell_count() % 2 == 0 ? 0 : 1);
+    }
+    for (const Facet& facet : boundary_facets(mesh))
+        mesh.facet_sets[facet.cell == 0 ? "first" : "others"].push_back(facet);
+    mesh.point_sets["corner"] = {1};
+    return mesh;
+}
+
+/// A hexahedron with wedges on its right (side by side) and one more on top of these.
+inline Mesh wedges_and_hexahedra() {
+    const auto column = [](std::vector<std::array<double, 2>> base, double low, double high) {
+        std::vector<Point> corners;
+        for (const double z : {low, high})
+            for (const auto& p : base) corners.push_back({p[0], p[1], z});
+        return corners;
+    };
+    return mesh_of(3, {{CellType::hex8, column({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 0, 1)},
+                       {CellType::wedge6, column({{1, 0}, {2, 0}, {1, 1}}, 0, 1)},
+                       {CellType::wedge6, column({{2, 1}, {1, 1}, {2, 0}}, 0, 1)},
+                       {CellType::wedge6, column({{2, 1}, {1, 1}, {2, 0}}, 1, 2.5)}});
+}
+
+inline Mesh triangles_and_quadrilaterals() {
+    return mesh_of(2, {{CellType::quad4, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+                       {CellType::triangle3, {{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}},
+                       {CellType::triangle3, {{2, 1, 0}, {1, 1, 0}, {2, 0, 0}}}});
+}
+
+/// Six tetrahedra to a cube, two cubes.
+inline Mesh tetrahedra() {
+    Mesh cubes = row_of(CellType::hex8, 2);
+    for (const Facet& facet : boundary_facets(cubes))
+        cubes.facet_sets[facet.cell == 0 ? "first" : "others"].push_back(facet);
+    cubes.point_sets["corner"] = {1};
+    return split_into_simplices(cubes);
+}
+
+/// Every side belongs to one or two cells; two of them have the same nodes on it, mid nodes included.
+inline void expect_conforming(const Mesh& mesh) {
+    std::map<std::set<Index>, std::vector<std::set<Index>>> sides;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+        for (int local = 0; local < static_cast<int>(topology(mesh.cell_type(cell)).facets.size()); ++local) {
+            const auto nodes = facet_nodes(mesh, {cell, local});
+            const int corners = topology(facet_type(mesh, {cell, local})).vertex_count;
+            sides[{nodes.begin(), nodes.begin() + corners}].push_back({nodes.begin(), nodes.end()});
+        }
+    for (const auto& [corners, found] : sides) {
+        EXPECT_LE(found.size(), 2u);
+        EXPECT_EQ(found.front(), found.back());
+    }
+    const std::set<Point> places(mesh.points.begin(), mesh.points.end());
+    EXPECT_EQ(places.size(), mesh.points.size()) << "two nodes at one place";
+    const std::set<Index> used(mesh.connectivity.begin(), mesh.connectivity.end());
+    EXPECT_EQ(used.size(), mesh.points.size()) << "a node without a cell";
+}
+
+}  // namespace soft::mesh::sample

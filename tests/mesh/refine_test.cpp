@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mesh/cell_map.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/raise_order.hpp"
+#include "mesh/refine.hpp"
+#include "pieces.hpp"
+
+namespace soft::mesh {
+namespace {
+
+/// A map of total degree two, injective on the samples.
+Point bent(const Point& p) {
+    return {p[0] + 0.04 * p[1] * p[1] - 0.03 * p[2] * p[0], p[1] + 0.05 * p[0] * p[1] + 0.02 * p[2] * p[2],
+            1.1 * p[2] + 0.03 * p[0] * p[0]};
+}
+
+Point bent_in_plane(const Point& p) {
+    const Point q = bent({p[0], p[1], 0});
+    return {q[0], q[1], 0};
+}
+
+struct Choice {
+    std::string name;
+    int order;
+    bool operator==(const Choice&) const = default;
+};
+void PrintTo(const Choice& choice, std::ostream* out) { *out << choice.name << choice.order; }
+
+class Refined : public testing::TestWithParam<Choice> {
+protected:
+    static Mesh straight_mesh(const Choice& choice) {
+        const Mesh first = choice.name == "plane"    ? sample::triangles_and_quadrilaterals()
+                           : choice.name == "wedges" ? sample::wedges_and_hexahedra()
+                                                     : sample::tetrahedra();
+        return choice.order == 1 ? first : raise_order(first);
+    }
+    static Mesh moved(Mesh mesh) {
+        for (Point& p : mesh.points) p = mesh.dimension == 2 ? bent_in_plane(p) : bent(p);
+        return mesh;
+    }
+    const Mesh straight = straight_mesh(GetParam());
+    const Mesh coarse = moved(straight);
+    const Mesh fine = refine(coarse, 1);
+};
+
+TEST_P(Refined, KeepsTheVolumeAndHasPositiveJacobians) {
+    EXPECT_EQ(fine.cell_count(), coarse.cell_count() << coarse.dimension);
+    EXPECT_NEAR(measure(fine, Measure::plain) / measure(coarse, Measure::plain), 1, 1e-13);
+    EXPECT_NEAR(measure(refine(fine, 1), Measure::plain) / measure(coarse, Measure::plain), 1, 1e-13);
+    EXPECT_GT(quality(fine).min_scaled_jacobian, quality(coarse).min_scaled_jacobian - 1e-12);
+}
+
+TEST_P(Refined, IsConforming) {
+    sample::expect_conforming(fine);
+    EXPECT_EQ(boundary_facets(fine).size(), boundary_facets(coarse).size() << (coarse.dimension - 1));
+}
+
+TEST_P(Refined, CarriesItsFacetSetsToAllPiecesOfTheBoundary) {
+    std::vector<Facet> named;
+    for (const auto& [name, facets] : fine.facet_sets) {
+        EXPECT_EQ(facets.size(), coarse.facet_sets.at(name).size() << (coarse.dimension - 1));
+        named.insert(named.end(), facets.begin(), facets.end());
+    }
+    std::sort(named.begin(), named.end());
+    EXPECT_EQ(named, boundary_facets(fine));
+    const auto vector_area = [](const Mesh& m, const std::vector<Facet>& facets) {
+        std::array<double, 3> sum{};
+        for (const Facet& facet : facets)
+            for (const QuadraturePoint& p : volume_rule(facet_type(m, facet))) {
+                const auto n = facet_normal(m, facet, shape_values(facet_type(m, facet), p.xi));
+                for (std::size_t d = 0; d < 3; ++d) sum[d] += p.weight * n[d];
+            }
+        return sum;
+    };
+    for (const auto& [name, facets] : coarse.facet_sets) {
+        const auto before = vector_area(coarse, facets), after = vector_area(fine, fine.facet_sets.at(name));
+        for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(before[d], after[d], 1e-13) << name;
+    }
+}
+
+TEST_P(Refined, KeepsPointsAndRegions) {
+    EXPECT_TRUE(std::equal(coarse.points.begin(), coarse.points.end(), fine.points.begin()));
+    EXPECT_EQ(fine.point_sets, coarse.point_sets);
+    for (Index c = 0; c < fine.cell_count(); ++c)
+        EXPECT_EQ(fine.cell_regions[static_cast<std::size_t>(c)],
+                  coarse.cell_regions[static_cast<std::size_t>(c >> coarse.dimension)]);
+}
+
+/// Second-order cells hold a map of total degree two exactly: every new node must lie on it.
+TEST_P(Refined, NewNodesLieOnAQuadraticMap) {
+    if (GetParam().order == 1) return;
+    const Mesh places = refine(straight, 2), finer = refine(coarse, 2);
+    ASSERT_EQ(places.points.size(), finer.points.size());
+    for (std::size_t p = 0; p < places.points.size(); ++p) {
+        const Point expected = coarse.dimension == 2 ? bent_in_plane(places.points[p]) : bent(places.points[p]);
+        for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(finer.points[p][d], expected[d], 1e-14);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Mesh, Refined,
+                         testing::Values(Choice{"plane", 1}, Choice{"plane", 2}, Choice{"wedges", 1}, Choice{"wedges", 2},
+                                         Choice{"tetrahedra", 1}, Choice{"tetrahedra", 2}),
+                         [](const auto& test) { return test.param.name + std::to_string(test.param.order); });
+
+/// Edge lengths in units of the refinement's size, sorted: equal for similar tetrahedra (mirror images included).
+std::vector<long> shape_of(const Mesh& mesh, Index cell, int times) {
+    std::vector<long> lengths;
+    const auto nodes = mesh.cell_nodes(cell);
+    for (std::size_t a = 0; a < 4; ++a)
+        for (std::size_t b = a + 1; b < 4; ++b) {
+            double square = 0;
+            for (std::size_t d = 0; d < 3; ++d) square += std::pow(mesh.point(nodes[a])[d] - mesh.point(nodes[b])[d], 2);
+            lengths.push_back(std::lround(1e9 * square * std::pow(4.0, times)));
+        }
+    std::sort(lengths.begin(), lengths.end());
+    return lengths;
+}
+
+TEST(Refine, GivesATetrahedronAtMostThreeShapesHoweverOften) {
+    Mesh tet = sample::reference_cell(CellType::tet4);
+    tet.points = {{0, 0, 0}, {1.1, 0.1, 0}, {0.3, 0.9, 0.2}, {0.2, 0.4, 1.3}};
+    std::set<std::vector<long>> shapes;
+    for (int times = 0; times <= 4; ++times) {
+        const Mesh fine = refine(tet, times);
+        for (Index c = 0; c < fine.cell_count(); ++c) shapes.insert(shape_of(fine, c, times));
+    }
+    EXPECT_LE(shapes.size(), 3u);
+    EXPECT_GT(shapes.size(), 1u);
+}
+
+TEST(Refine, HalvesLines) {
+    const Mesh line = refine(sample::row_of(CellType::line3, 1), 2);
+    EXPECT_EQ(line.cell_count(), 4);
+    EXPECT_EQ(line.points.size(), 9u);
+    EXPECT_NEAR(measure(line, Measure::plain), 2, 1e-14);
+}
+
+TEST(Refine, ZeroTimesChangesNothing) {
+    const Mesh mesh = sample::tetrahedra();
+    EXPECT_EQ(refine(mesh, 0).connectivity, mesh.connectivity);
+}
+
+}  // namespace
+}  // namespace soft::mesh
