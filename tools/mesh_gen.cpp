@@ -8,6 +8,7 @@
 #include "cli.hpp"
 #include "core/text.hpp"
 #include "design/design.hpp"
+#include "design/law_list.hpp"
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"
 #include "io/case_file.hpp"
@@ -32,13 +33,14 @@ const cli::About about{
                   "a design to start from, changed and meshed"}},
     .libraries = libraries};
 
-enum class Task { build, check, explain, list, print_template };
+enum class Task { build, check, explain, list, list_materials, print_template };
 
 struct MeshGenOptions {
     cli::CommonOptions common;
     Task task = Task::build;
     std::string input;
     std::string family;
+    design::LawListStyle law_style = design::LawListStyle::plain;
     std::vector<std::string> sets;
 };
 
@@ -57,13 +59,18 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     app.add_flag_callback("--explain", task(Task::explain),
                           "Print the effective design: what is given, what is a default, what it means");
     app.add_flag_callback("--list", task(Task::list), "Print the actuator families");
+    auto* materials = app.add_flag_callback("--list-materials", task(Task::list_materials),
+                                            "Print the material laws: energy, parameters, ranges, sources");
+    app.add_flag_callback("--markdown", [&options] { options.law_style = design::LawListStyle::markdown; },
+                          "Print the laws as the tables of the README")
+        ->needs(materials);
     app.add_option("--template", options.family, "Print a commented, runnable design of the family")
         ->type_name("FAMILY")
         ->check(CLI::IsMember(family_names()));
     cli::add_set_option(app, options.sets);
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
-    cli::at_most_one_of(app, std::vector<std::string>{"--check", "--explain", "--list", "--template"});
+    cli::at_most_one_of(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials", "--template"});
     if (!options.family.empty()) options.task = Task::print_template;
     return options;
 }
@@ -88,8 +95,9 @@ ExitCode build(const MeshGenOptions& options, const cli::Input& input, const std
     cli::Console console{about.tool, options.common.verbosity};
     const design::Design design =
         design::read_design(input.text(), input.source, geometry::catalogue_keys(), overrides);
-    for (const std::string& warning : design.warnings) console.warn(warning);
     const model::Case model = geometry::build_case(design);
+    const std::vector<std::string> warnings = geometry::warnings_of(design, model);
+    for (const std::string& warning : warnings) console.warn(warning);
     const cli::MeshSummary summary = cli::inspect(model);
     if (options.task == Task::build) {
         const io::Provenance provenance{std::string{about.tool}, std::string{cli::version()},
@@ -100,7 +108,7 @@ ExitCode build(const MeshGenOptions& options, const cli::Input& input, const std
     }
     for (const std::string& line : cli::summary_lines(summary)) console.say(line);
     if (options.task == Task::check) console.say(input.source + ": nothing wrong");
-    if (!options.common.json.empty()) cli::write_json(options.common.json, cli::summary_json(summary, design.warnings));
+    if (!options.common.json.empty()) cli::write_json(options.common.json, cli::summary_json(summary, warnings));
     return ExitCode::ok;
 }
 
@@ -109,6 +117,7 @@ ExitCode mesh_gen(const MeshGenOptions& options) {
     const std::string& output = options.common.output;
     switch (options.task) {
         case Task::list: cli::write_output(output, family_list()); return ExitCode::ok;
+        case Task::list_materials: cli::write_output(output, design::law_list(options.law_style)); return ExitCode::ok;
         case Task::print_template:
             cli::write_output(output, design::template_yaml(family_named(options.family)));
             return ExitCode::ok;

@@ -31,7 +31,7 @@ std::size_t free_displacements(const model::Case& model) {
 
 /// Linear and discontinuous on quadrilaterals and hexahedra, shared by the corners of all other cells.
 std::size_t pressures(const model::Case& model) {
-    if (model.formulation == model::Formulation::displacement) return 0;
+    if (model.formulation != model::Formulation::mixed) return 0;
     std::size_t count = 0;
     std::set<mesh::Index> corners;
     for (mesh::Index cell = 0; cell < model.mesh.cell_count(); ++cell) {

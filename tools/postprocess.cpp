@@ -88,7 +88,7 @@ ExitCode postprocess(const PostprocessOptions& options) {
     cli::Console console(about.tool, options.common.verbosity);
     cli::Input input = cli::read_input(options.input);
     const io::Result result = io::read_result(std::move(input.bytes), input.source);
-    const post::Curve curve = post::make_curve(output_names(result.model), result.steps);
+    const post::Curve curve = post::make_curve(output_names(result.model), result.steps, model::leading_load(result.model).quantity);
     const post::Curve table = options.at.empty() ? curve : rows_at(curve, options.at);
     const auto lines = options.comments ? comments(result, options.common) : std::vector<std::string>{};
     cli::write_output(options.common.output, post::csv_text(table, lines));

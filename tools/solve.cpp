@@ -68,9 +68,18 @@ io::ResultOptions apply_sets(const SolveOptions& options, io::CaseFile& file) {
     std::vector<design::Override> overrides;
     for (const std::string& set : options.sets) overrides.push_back(design::parse_override(set));
     design::SolveChanges changes = design::apply_overrides(file.design.effective_yaml, overrides);
-    changes.material.name = file.model.materials.front().name;
-    file.model.materials.front() = std::move(changes.material);
+    for (model::Material& material : file.model.materials) {   // the mesh decides names and fibre frame
+        changes.material.name = material.name;
+        changes.material.fiber_frame = material.fiber_frame;
+        material = changes.material;
+    }
     file.model.loads = std::move(changes.loads);
+    std::vector<model::TractionLoad> tractions;
+    for (const design::TractionChange& change : changes.tractions) {
+        tractions.push_back(file.model.tractions.at(change.index));
+        for (double& component : tractions.back().traction_Pa) component *= change.factor;
+    }
+    file.model.tractions = std::move(tractions);
     file.model.path = std::move(changes.path);
     file.model.solver = changes.solver;
     result.changed_design = {file.design.family, std::move(changes.effective_yaml), options.sets};

@@ -42,7 +42,7 @@ std::vector<SurfaceCell> own_facets(const Mesh& mesh, const DofMap& map, const s
 }
 
 /// The rims of a surface with their unknowns.
-std::vector<Rim> make_rims(const DofMap& map, const std::vector<std::vector<model::RimEdge>>& chains,
+std::vector<Rim> make_rims(const model::Case& input, const DofMap& map, const std::vector<std::vector<model::RimEdge>>& chains,
                            SurfaceTables& tables) {
     std::vector<Rim> rims;
     for (const auto& chain : chains) {
@@ -54,6 +54,11 @@ std::vector<Rim> make_rims(const DofMap& map, const std::vector<std::vector<mode
             nodes.insert(edge.begin(), edge.end());
         }
         rim.nodes.assign(nodes.begin(), nodes.end());
+        // Nodes of a cut lie on its plane exactly.
+        for (int i = 0; i < 3; ++i)
+            rim.on_plane[i] = input.symmetry_planes[i] && std::ranges::any_of(rim.nodes, [&](Index node) {
+                                  return input.mesh.point(node)[i] == 0.0;
+                              });
     }
     return rims;
 }
@@ -67,30 +72,55 @@ int SurfaceTables::index_of(mesh::CellType type) {
     return static_cast<int>(tables_.size()) - 1;
 }
 
-SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
-                               const std::array<double, 3>& direction) {
+namespace {
+
+/// int N_a dA over an undeformed face by node, and their sum.
+struct FaceWeights {
+    std::map<Index, double> node;   // ordered: the sums run in the same order on every rank
+    double area = 0;
+};
+
+FaceWeights face_weights(const model::Case& input, const std::string& face) {
     const Mesh& mesh = input.mesh;
     SurfaceTables tables;
-    std::map<Index, double> weights;   // ordered: the sums run in the same order on every rank
-    double area = 0;
+    FaceWeights weights;
     for (const auto& facet : face_of(mesh, face)) {
         const auto& reference = tables[tables.index_of(mesh::facet_type(mesh, facet))];
         const auto nodes = mesh::facet_nodes(mesh, facet);
         std::vector<double> X(reference.dofs()), share(reference.nodes, 0.0);
         for (int i = 0; i < mesh.dimension; ++i)
             for (int a = 0; a < reference.nodes; ++a) X[i * reference.nodes + a] = mesh.point(nodes[a])[i];
-        area += element::facet_area(reference, input.kinematics, X, share);
-        for (int a = 0; a < reference.nodes; ++a) weights[nodes[a]] += share[a];
+        weights.area += element::facet_area(reference, input.kinematics, X, share);
+        for (int a = 0; a < reference.nodes; ++a) weights.node[nodes[a]] += share[a];
     }
+    return weights;
+}
+
+SparseVector weighted(const std::map<Index, double>& weights, const DofMap& map, const std::array<double, 3>& factor) {
     SparseVector vector;
     for (const auto& [node, weight] : weights)
-        for (int i = 0; i < mesh.dimension; ++i) {
-            const auto dof = map.displacement[node * mesh.dimension + i];
-            if (dof < 0 || direction[i] == 0.0) continue;
+        for (int i = 0; i < map.dimension; ++i) {
+            const auto dof = map.displacement[node * map.dimension + i];
+            if (dof < 0 || factor[i] == 0.0) continue;
             vector.dofs.push_back(dof);
-            vector.values.push_back(direction[i] * weight / area);
+            vector.values.push_back(factor[i] * weight);
         }
     return vector;
+}
+
+}  // namespace
+
+SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
+                               const std::array<double, 3>& direction) {
+    const FaceWeights weights = face_weights(input, face);
+    SparseVector mean = weighted(weights.node, map, direction);
+    for (double& value : mean.values) value /= weights.area;
+    return mean;
+}
+
+SparseVector face_force(const model::Case& input, const DofMap& map, const std::string& face,
+                        const std::array<double, 3>& traction_Pa) {
+    return weighted(face_weights(input, face).node, map, traction_Pa);
 }
 
 LoadSurface make_load_surface(const model::Case& input, const DofMap& map, const model::PressureLoad& load, int rank,
@@ -117,9 +147,8 @@ EnclosedVolume make_enclosed_volume(const model::Case& input, const DofMap& map,
                                     SurfaceTables& tables) {
     EnclosedVolume volume;
     const std::vector<Facet> facets = model::cavity_facets(input, cavity);
-    if (input.mesh.dimension == 3 && rank == 0) volume.rims = make_rims(map, model::rims(input, facets), tables);
+    if (input.mesh.dimension == 3 && rank == 0) volume.rims = make_rims(input, map, model::rims(input, facets), tables);
     volume.facets = own_facets(input.mesh, map, facets, rank, tables);
-    volume.symmetry_planes = input.symmetry_planes;
     volume.model_fraction = input.model_fraction;
     return volume;
 }

@@ -27,7 +27,8 @@ struct SurfaceCell {
 
 struct Rim {
     std::vector<SurfaceCell> edges;          ///< oriented with the normal out of the cavity
-    std::vector<mesh::Index> nodes;          ///< every node once; their mean, on the symmetry planes, is the apex
+    std::vector<mesh::Index> nodes;          ///< every node once; their mean is the apex
+    std::array<bool, 3> on_plane{};          ///< the rim is cut by the symmetry plane x, y, z = 0, so its apex lies on it
 };
 
 /// Reference tables of the facet types present.
@@ -55,13 +56,16 @@ struct LoadSurface {
 struct EnclosedVolume {
     std::vector<SurfaceCell> facets;         ///< this rank's
     std::vector<Rim> rims;                   ///< evaluated by rank 0 alone: rims are short
-    std::array<bool, 3> symmetry_planes{};
     double model_fraction = 1;
 };
 
 /// Weights w with sum w_i x_i = area mean over the undeformed face of the displacement along `direction`.
 [[nodiscard]] SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
                                              const std::array<double, 3>& direction);
+
+/// Nodal forces of a dead traction [Pa] on a face: sum of f_i x_i is its work [J].
+[[nodiscard]] SparseVector face_force(const model::Case& input, const DofMap& map, const std::string& face,
+                                      const std::array<double, 3>& traction_Pa);
 
 [[nodiscard]] LoadSurface make_load_surface(const model::Case& input, const DofMap& map,
                                             const model::PressureLoad& load, int rank, SurfaceTables& tables);

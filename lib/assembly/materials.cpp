@@ -6,15 +6,6 @@ namespace soft::assembly {
 
 namespace {
 
-double positive_constant(const model::Material& material, const std::string& key) {
-    const auto found = material.constants.find(key);
-    const std::string place = "materials/" + material.name + "/" + key;
-    if (found == material.constants.end() || found->second.size() != 1)
-        throw Error(ExitCode::bad_input, place, "the law " + material.law + " needs one value here");
-    if (!(found->second[0] > 0.0)) throw Error(ExitCode::bad_input, place, "must be greater than 0");
-    return found->second[0];
-}
-
 material::VolumetricLaw volumetric_law(model::Volumetric volumetric) {
     switch (volumetric) {
         case model::Volumetric::quadratic: return material::VolumetricLaw::quadratic;
@@ -26,18 +17,32 @@ material::VolumetricLaw volumetric_law(model::Volumetric volumetric) {
 
 }  // namespace
 
-AnyRubber make_rubber(const model::Material& material) {
-    if (material.law != material::NeoHookean::name)
-        throw Error(ExitCode::bad_input, "materials/" + material.name, "unknown law '" + material.law + "'",
-                    "this version has neo-hookean");
-    material::Rubber<material::NeoHookean> rubber{{positive_constant(material, "mu")}};
-    rubber.volumetric = volumetric_law(material.volumetric);
-    rubber.inverse_bulk_modulus = material.bulk_modulus_Pa ? 1.0 / *material.bulk_modulus_Pa : 0.0;
-    return rubber;
+material::Form form_of(model::Formulation formulation) {
+    switch (formulation) {
+        case model::Formulation::displacement: return material::Form::displacement;
+        case model::Formulation::mixed: return material::Form::mixed;
+        case model::Formulation::f_bar: return material::Form::f_bar;
+    }
+    return material::Form::mixed;
 }
 
-double initial_shear_modulus_Pa(const AnyRubber& rubber) {
-    return std::visit([](const auto& r) { return r.law.initial_shear_modulus_Pa(); }, rubber);
+AnyRubber make_rubber(const model::Material& material, model::Formulation formulation) {
+    const std::string place = "materials/" + material.name;
+    const auto make = [&] {
+        const auto frame = material.fiber_frame == model::FiberFrame::cylindrical ? material::FiberFrame::cylindrical
+                                                                                  : material::FiberFrame::cartesian;
+        const material::Constants constants(material.constants.begin(), material.constants.end());
+        try {
+            return material::make_rubber({material.law, constants, material.bulk_modulus_Pa,
+                                          volumetric_law(material.volumetric), frame});
+        } catch (const Error& error) {
+            throw Error(error.code(), "", place + "/" + error.what());   // the law names its constant, not the region
+        }
+    };
+    AnyRubber rubber = make();
+    if (const std::string reason = material::why_not(rubber, form_of(formulation)); !reason.empty())
+        throw Error(ExitCode::bad_input, place, reason);
+    return rubber;
 }
 
 }  // namespace soft::assembly

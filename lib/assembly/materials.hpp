@@ -1,17 +1,17 @@
 #pragma once
-/// From a case's material (law name and constants) to the law the elements run.
-#include <variant>
-
-#include "material/law.hpp"
+/// From a case's material (law name and constants) to the law the elements run. Held by assembly/materials_test.
+#include "element/reference_cell.hpp"
+#include "material/catalogue.hpp"
 #include "model/case.hpp"
 
 namespace soft::assembly {
 
-using AnyRubber = std::variant<material::Rubber<material::NeoHookean>>;
+using material::AnyRubber;
 
-/// Throws Error (bad_input) for an unknown law, a missing constant or one outside its range.
-[[nodiscard]] AnyRubber make_rubber(const model::Material& material);
+[[nodiscard]] material::Form form_of(model::Formulation formulation);
 
-[[nodiscard]] double initial_shear_modulus_Pa(const AnyRubber& rubber);
+/// Throws Error (bad_input, place materials/<region>/<constant>) for an unknown law, a missing constant, one outside its
+/// range, or a law that cannot be run in the case's formulation.
+[[nodiscard]] AnyRubber make_rubber(const model::Material& material, model::Formulation formulation);
 
 }  // namespace soft::assembly

@@ -46,7 +46,7 @@ void System::add_rims(const EnclosedVolume& volume, Vec gradient, double& sum) c
                 if (std::ranges::find(seen, edge.nodes[a]) != seen.end()) continue;
                 seen.push_back(edge.nodes[a]);
                 for (int i = 0; i < 3; ++i) {
-                    if (volume.symmetry_planes[i]) continue;
+                    if (rim.on_plane[i]) continue;
                     apex[i] += y[i * n + a] / static_cast<double>(rim.nodes.size());
                     rim_dofs.emplace_back(edge.dofs[i * n + a], i);
                 }
@@ -74,10 +74,11 @@ void System::for_each_point(Visit&& visit) const {
     std::vector<element::PointState> points;
     for (const auto& group : groups_) {
         LocalCell local(*group.reference);
+        const auto frame = std::visit([](const auto& rubber) { return rubber.fiber_frame; }, *group.rubber);
         for (std::size_t c = 0; c < group.cells.size(); ++c) {
             gather_cell(group, c, local);
             points.clear();
-            element::sample_cell(*group.reference, input_.kinematics, local.input(map_.pressure_scale_Pa), points);
+            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), points);
             for (const auto& point : points) visit(point, *group.rubber);
         }
     }
@@ -86,18 +87,10 @@ void System::for_each_point(Visit&& visit) const {
 double System::stored_energy(Vec x) {
     read_state(x);
     double energy = 0;
-    const bool mixed = input_.formulation == model::Formulation::mixed;
+    const material::Form form = form_of(input_.formulation);
     for_each_point([&](const element::PointState& point, const AnyRubber& any) {
-        std::visit(
-            [&](const auto& rubber) {
-                const auto [I1, I2] = material::principal_invariants(point.F);
-                const double J = determinant(point.F);
-                // p Theta - p^2/(2 kappa) at p = kappa Theta (weakly) is the volumetric energy of the mixed state.
-                energy += point.weight_m3 *
-                          (mixed ? material::mixed_energy(rubber, point.p_Pa, I1, I2, J)
-                                 : material::displacement_energy(rubber, I1, I2, J));
-            },
-            any);
+        energy += point.weight_m3 *
+                  std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
     });
     MPI_Allreduce(MPI_IN_PLACE, &energy, 1, MPI_DOUBLE, MPI_SUM, comm_);
     return energy;
@@ -141,6 +134,14 @@ StretchSummary System::stretches(Vec x) {
         if (above >= 0.01 * total) break;
     }
     return summary;
+}
+
+bool System::starts_under_stress() const {
+    return std::ranges::any_of(rubbers_, [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
+}
+
+bool System::has_symmetric_tangent() const {
+    return std::ranges::all_of(rubbers_, material::has_symmetric_tangent);
 }
 
 System::Fields System::gather_fields(Vec x) {

@@ -18,10 +18,8 @@ std::vector<element::ReferenceCell> make_references(const model::Case& input) {
     std::ranges::sort(types);
     const auto repeated = std::ranges::unique(types);
     types.erase(repeated.begin(), repeated.end());
-    const auto choice = input.formulation == model::Formulation::mixed ? element::PressureChoice::mixed
-                                                                       : element::PressureChoice::displacement_only;
     std::vector<element::ReferenceCell> references;
-    for (const auto type : types) references.push_back(element::make_reference_cell(type, choice));
+    for (const auto type : types) references.push_back(element::make_reference_cell(type, form_of(input.formulation)));
     return references;
 }
 
@@ -31,10 +29,7 @@ std::vector<AnyRubber> make_rubbers(const model::Case& input) {
         const auto material = std::ranges::find(input.materials, region, &model::Material::name);
         if (material == input.materials.end())
             throw Error(ExitCode::bad_input, "materials", "region '" + region + "' has no material");
-        if (!material->bulk_modulus_Pa && input.formulation == model::Formulation::displacement)
-            throw Error(ExitCode::bad_input, "materials/" + region + "/kappa",
-                        "an incompressible material needs the mixed formulation", "set mesh.formulation to mixed");
-        rubbers.push_back(make_rubber(*material));
+        rubbers.push_back(make_rubber(*material, input.formulation));
     }
     return rubbers;
 }
@@ -42,7 +37,7 @@ std::vector<AnyRubber> make_rubbers(const model::Case& input) {
 /// shear modulus / cell size: see assembly/dof_map.hpp. Any value gives the same solution.
 double pressure_scale(const model::Case& input, std::span<const AnyRubber> rubbers) {
     double modulus_Pa = 0;
-    for (const auto& rubber : rubbers) modulus_Pa = std::max(modulus_Pa, initial_shear_modulus_Pa(rubber));
+    for (const auto& rubber : rubbers) modulus_Pa = std::max(modulus_Pa, material::initial_shear_modulus_Pa(rubber));
     double extent_m = 0;
     const auto nodes = input.mesh.cell_nodes(0);
     for (int i = 0; i < 3; ++i) {
@@ -73,6 +68,7 @@ System::System(const model::Case& input, MPI_Comm comm) : input_(input), comm_(c
             volume_ = make_enclosed_volume(input, map_, *cavity, rank_, tables_);
     }
     make_local_copy();
+    make_dead_load();
     for (const auto& output : input.outputs) {
         output_weights_.push_back(make_vector());
         const auto mean = mean_displacement(input, map_, output.face, output.direction);
@@ -82,6 +78,18 @@ System::System(const model::Case& input, MPI_Comm comm) : input_(input), comm_(c
         SOFT_PETSC(VecAssemblyBegin(output_weights_.back()));
         SOFT_PETSC(VecAssemblyEnd(output_weights_.back()));
     }
+}
+
+void System::make_dead_load() {
+    dead_load_ = make_vector();
+    for (const auto& traction : input_.tractions) {
+        const auto force = face_force(input_, map_, traction.face, traction.traction_Pa);
+        if (rank_ == 0)   // known whole to every rank
+            for (std::size_t i = 0; i < force.dofs.size(); ++i)
+                SOFT_PETSC(VecSetValue(dead_load_, force.dofs[i], force.values[i], ADD_VALUES));
+    }
+    SOFT_PETSC(VecAssemblyBegin(dead_load_));
+    SOFT_PETSC(VecAssemblyEnd(dead_load_));
 }
 
 void System::make_groups() {
@@ -222,6 +230,7 @@ Evaluation System::evaluate(Vec x, double load_factor, Vec R, Vec load, Mat K) {
     add_loads(load_factor, load, K);
     for (Vec v : {R, load}) SOFT_PETSC(VecAssemblyBegin(v));
     for (Vec v : {R, load}) SOFT_PETSC(VecAssemblyEnd(v));
+    linalg::add(load, 1.0, dead_load_);
     linalg::add(R, -load_factor, load);
     if (K != nullptr) {
         SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));

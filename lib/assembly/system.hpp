@@ -1,7 +1,7 @@
 #pragma once
 /// The equilibrium of a case on the free unknowns x = (displacements, scaled pressures) at a load factor:
 ///   R(x, lambda) = internal forces - lambda x load(x),    K = dR/dx,
-/// with load(x) = sum over the case's loads of pressure x force per unit pressure. Collective over the communicator.
+/// with load(x) = sum over the case's loads of pressure x force per unit pressure, plus the dead tractions. Collective over the communicator.
 /// Held by assembly/system_test (Taylor remainders of K, rank independence) and the verification suite.
 #include <memory>
 #include <optional>
@@ -44,6 +44,12 @@ public:
     /// empty where no cavity is loaded.
     std::optional<double> enclosed_volume(Vec x, Vec gradient);
 
+    /// False where a law is a stress without an energy; a pressure on a surface with a free rim does not count.
+    [[nodiscard]] bool has_symmetric_tangent() const;
+
+    /// True where a law puts the undeformed body under stress: it is then no state of equilibrium without load.
+    [[nodiscard]] bool starts_under_stress() const;
+
     /// Value of output `index` is dot(output_weights(index), x).
     [[nodiscard]] Vec output_weights(std::size_t index) const { return output_weights_[index]; }
     [[nodiscard]] std::size_t output_count() const { return output_weights_.size(); }
@@ -85,6 +91,7 @@ private:
 
     void make_groups();
     void make_local_copy();
+    void make_dead_load();
     [[nodiscard]] std::vector<int> local_positions(std::span<const PetscInt> dofs) const;
     void read_state(Vec x);
     void gather_cell(const CellGroup& group, std::size_t index, LocalCell& local) const;
@@ -110,6 +117,7 @@ private:
     std::vector<LoadSurface> loads_;
     std::optional<EnclosedVolume> volume_;
     std::vector<linalg::Vector> output_weights_;
+    linalg::Vector dead_load_;                    // of the tractions, at load factor 1
 
     std::vector<PetscInt> ghosts_;                // unknowns this rank reads, sorted
     std::vector<double> local_;                   // their values, then a zero for held components

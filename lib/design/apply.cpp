@@ -3,6 +3,8 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
+#include "design/loads.hpp"
+#include "design/materials.hpp"
 #include "design/read_parts.hpp"
 
 namespace soft::design {
@@ -32,13 +34,35 @@ Schema schema_of(const Node& original, const Node& changed, Examples& examples) 
     Schema schema;
     if (const Node* loads = find(original, "loads"))
         for (const Member& load : loads->members) schema.faces.faces.push_back(load.key);
-    add_material_keys(schema, changed, case_source, examples);
+    const Node* model = find(original, "model");
+    const bool of_revolution = model != nullptr && model->text == "axisymmetric";
+    add_material_keys(schema, changed, case_source, examples, of_revolution ? "cylindrical" : "cartesian");
     add_load_keys(schema, changed, Node{}, case_source, examples);
     add_path_keys(schema, changed);
     auto solver = solver_keys();
     schema.keys.insert(schema.keys.end(), solver.begin(), solver.end());
     schema.names["solver"];
     return schema;
+}
+
+/// The mesh turned the direction of a traction into a vector, so only its size can still change.
+std::vector<TractionChange> traction_changes(const Node& original, std::span<const Design::TractionRequest> tractions,
+                                             const Values& values) {
+    std::vector<const Member*> built;  // in the order of Case::tractions
+    for (const Member& load : members_of(original, "loads"))
+        if (find(load.value, "traction") != nullptr) built.push_back(&load);
+    std::vector<TractionChange> changes;
+    for (const Design::TractionRequest& traction : tractions) {
+        const std::string path = "loads." + traction.face, remedy = "give the same --set to mesh-gen";
+        const auto own = std::find_if(built.begin(), built.end(), [&](const Member* m) { return m->key == traction.face; });
+        if (own == built.end())
+            throw values.refuse(path + ".traction", "the case has no traction on this face", remedy);
+        if (find((*own)->value, "along")->text != traction.along)
+            throw values.refuse(path + ".along", "the direction is built into the case", remedy);
+        const double built_Pa = check_value(load_traction_key(traction.face), *find((*own)->value, "traction"), {}).entry.number;
+        changes.push_back({static_cast<std::size_t>(own - built.begin()), traction.traction_Pa / built_Pa});
+    }
+    return changes;
 }
 
 Node only_changeable(const Node& root) {
@@ -63,7 +87,9 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
     const Values values = values_of(items);
     SolveChanges changes;
     changes.material = material_of(values);
-    changes.loads = loads_of(items, schema.faces, values);
+    Loads loads = loads_of(items, schema.faces, values);
+    changes.loads = std::move(loads.pressures);
+    changes.tractions = traction_changes(original, loads.tractions, values);
     changes.path = path_of(items, values);
     changes.solver = solver_of(values);
     const Node canonical = tree_of(items);

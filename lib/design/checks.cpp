@@ -94,6 +94,26 @@ void check_number(const Key& key, Item& item, const Node& node) {
         item.entry.number = value_or_refuse(core::parse_quantity(node.text, *dimension_of(key.kind)), key, node);
     check_range(key, item.entry.number, node);
     item.entry.text = core::tidy_quantity(node.text);
+    item.entry.numbers = {item.entry.number};
+}
+
+/// Each value as a single one; the first is the item's number.
+void check_list(const Key& key, Item& item, const Node& node) {
+    if (node.items.empty()) refuse(node.place, key.path, "the list is empty", "write " + range_text(key));
+    if (node.items.size() > static_cast<std::size_t>(key.most))
+        refuse(node.place, key.path, std::to_string(node.items.size()) + " values are too many",
+               "at most " + std::to_string(key.most));
+    std::vector<double> numbers;
+    for (const Node& value : node.items) {
+        if (value.kind != Node::Kind::scalar)
+            refuse(value.place, key.path, "a list of single values is needed here", "write " + range_text(key));
+        check_number(key, item, value);
+        numbers.push_back(item.entry.number);
+        item.list.push_back(item.entry.text);
+    }
+    item.entry.number = numbers.front();
+    item.entry.numbers = std::move(numbers);
+    item.entry.text = core::join(item.list);
 }
 
 void add_face(const Key& key, Item& item, const Node& node, const FaceNames& names) {
@@ -126,6 +146,7 @@ std::vector<std::string> all_names(const FaceNames& names) {
 Item check_value(const Key& key, const Node& node, const FaceNames& names) {
     Item item{key, {.text = node.text, .place = node.place, .given = node.place != place_default}, {}};
     if (key.kind == Kind::faces) {
+        if (node.kind == Node::Kind::scalar && is_word(key, node.text)) return item;
         if (node.kind == Node::Kind::list)
             for (const Node& face : node.items) add_face(key, item, face, names);
         else
@@ -138,6 +159,10 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
     if (node.kind == Node::Kind::empty)
         refuse(node.place, key.path, "has no value",
                "write " + range_text(key) + ", or leave the key out for its default");
+    if (key.most > 1 && node.kind == Node::Kind::list) {
+        check_list(key, item, node);
+        return item;
+    }
     if (node.kind != Node::Kind::scalar)
         refuse(node.place, key.path, "a single value is needed here", "write " + range_text(key));
     switch (key.kind) {
@@ -163,7 +188,7 @@ std::string range_text(const Key& key) {
         case Kind::flag: return "true | false";
         case Kind::text: return "one line of text";
         case Kind::choice: return core::join(key.choices, " | ");
-        case Kind::faces: return "a face or [face, face]";
+        case Kind::faces: return "a face or [face, face]" + (key.choices.empty() ? "" : " | " + core::join(key.choices, " | "));
         case Kind::list: return "a list";
         default: break;
     }
@@ -171,6 +196,7 @@ std::string range_text(const Key& key) {
     const auto dimension = dimension_of(key.kind);
     const std::string noun{dimension ? core::name(*dimension) : "whole number"};
     text = text.empty() ? "any " + noun : noun + " " + text;
+    if (key.most > 1) text += ", or a list of up to " + std::to_string(key.most);
     for (const std::string& word : key.choices) text += " | " + word;
     return text;
 }

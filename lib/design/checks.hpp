@@ -11,7 +11,7 @@
 
 namespace soft::design {
 
-/// A checked value with its key (concrete path). `list` holds the names for Kind::faces, as written.
+/// A checked value with its key (concrete path). `list` holds the names for Kind::faces and the values of a list, as written.
 struct Item {
     Key key;
     Values::Entry entry;
@@ -23,6 +23,9 @@ struct FaceNames {
     std::vector<std::string> faces;
     std::map<std::string, std::string> aliases;
 };
+
+/// What a Kind::faces value may say instead of a face, where its key lists it as a choice.
+inline constexpr std::string_view no_face = "none";
 
 /// The face itself for a face or one of its other names; empty for anything else.
 [[nodiscard]] std::string resolve_face(const FaceNames& names, std::string_view face);

@@ -6,6 +6,11 @@
 #include "design/materials.hpp"
 
 namespace soft::design {
+namespace {
+
+std::vector<std::string> directions() { return {"axis", "x", "y", "z", "r", "normal"}; }
+
+}  // namespace
 
 std::vector<Key> head_keys(const FamilyKeys& family) {
     return {{.path = "family",
@@ -24,7 +29,8 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
          .kind = Kind::choice,
          .fallback = family.models.empty() ? "" : family.models.front(),
          .meaning =
-             "what is meshed: the section of a body of revolution, or a solid, whole or cut at its planes of symmetry",
+             "what is meshed: the section of a body of revolution or of a long body in plane strain (1 m deep), or a solid, "
+             "whole or cut at its planes of symmetry",
          .choices = family.models},
         {.path = "mesh.size",
          .kind = Kind::length,
@@ -34,13 +40,14 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
         {.path = "mesh.formulation",
          .kind = Kind::choice,
          .fallback = "mixed",
-         .meaning = "mixed has the pressure as an unknown and does not lock; displacement is for compressible rubber",
-         .choices = {"mixed", "displacement"}},
+         .meaning = "mixed has the pressure as an unknown and does not lock; displacement is for compressible rubber; "
+                    "f-bar averages the change of volume over each first-order quadrilateral or hexahedron",
+         .choices = {"mixed", "displacement", "f-bar"}},
         {.path = "mesh.order",
          .kind = Kind::count,
          .fallback = "2",
-         .meaning = "polynomial order of the cells",
-         .min = 2,
+         .meaning = "polynomial order of the cells; mixed needs 2",
+         .min = 1,
          .max = 2},
         {.path = "mesh.cells",
          .kind = Kind::choice,
@@ -48,6 +55,13 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
          .meaning = "auto: quadrilaterals and hexahedra; simplices: each split into triangles or tetrahedra",
          .choices = {"auto", "simplices"}},
     };
+    if (family.faces_of_file) std::erase_if(keys, [](const Key& key) { return key.path == "mesh.size"; });
+    keys.push_back({.path = "mesh.refine",
+                    .kind = Kind::count,
+                    .fallback = "0",
+                    .meaning = "how often every cell is halved in all directions",
+                    .min = 0,
+                    .max = 8});
     for (const Key& own : family.mesh) {
         const auto common =
             std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.path == own.path; });
@@ -154,6 +168,19 @@ Key load_pressure_key(const std::string& target) {
             .meaning = "gauge pressure at full load; positive pushes on the rubber and inflates a cavity"};
 }
 
+Key load_traction_key(const std::string& face) {
+    return {.path = "loads." + face + ".traction",
+            .kind = Kind::pressure,
+            .meaning = "force per undeformed area at full load; its direction stays fixed in space"};
+}
+
+Key load_along_key(const std::string& face) {
+    return {.path = "loads." + face + ".along",
+            .kind = Kind::choice,
+            .meaning = "direction of a positive traction; normal points out of the undeformed face, axis makes longer",
+            .choices = directions()};
+}
+
 Key load_sealed_key(const std::string& target, std::string fallback) {
     return {.path = "loads." + target + ".sealed",
             .kind = Kind::flag,
@@ -172,7 +199,7 @@ Key output_along_key(const std::string& output, std::string fallback) {
             .kind = Kind::choice,
             .fallback = std::move(fallback),
             .meaning = "direction; axis is positive when the actuator gets longer",
-            .choices = {"axis", "x", "y", "z", "r", "normal"}};
+            .choices = directions()};
 }
 
 Key until_key(const std::string& quantity) {
@@ -210,7 +237,7 @@ const std::vector<SectionNote>& section_notes() {
         {"model", ""},
         {"mesh", ""},
         {"supports", "component: face or [face, face]; fixed holds all components, x, y, z or r one"},
-        {"loads", "cavity, or the name of a face: {pressure}"},
+        {"loads", "cavity, or the name of a face: {pressure}; a face also {traction, along}"},
         {"path", "from the unloaded state to the full load"},
         {"outputs", "name: mean displacement of a face; becomes a column of the curve"},
         {"solver", "tolerances and limits; the defaults are good"},

@@ -19,6 +19,8 @@ namespace soft::design {
 [[nodiscard]] Key control_key(std::string fallback);
 [[nodiscard]] Key support_key(const std::string& component);
 [[nodiscard]] Key load_pressure_key(const std::string& target);
+[[nodiscard]] Key load_traction_key(const std::string& face);
+[[nodiscard]] Key load_along_key(const std::string& face);
 [[nodiscard]] Key load_sealed_key(const std::string& target, std::string fallback);
 [[nodiscard]] Key output_face_key(const std::string& output);
 [[nodiscard]] Key output_along_key(const std::string& output, std::string fallback);

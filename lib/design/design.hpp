@@ -1,5 +1,6 @@
 #pragma once
 /// A design read from YAML: checked against the schema, defaults filled in, overrides applied, everything SI.
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -21,11 +22,14 @@ public:
         std::string text;               ///< as written (choice, text), unit included for quantities
         std::string place;              ///< "designs/tube.yaml:7:9", "--set", or "default"
         bool given = false;             ///< written by the user rather than a default
+        std::vector<double> numbers = {};  ///< SI, all values of a list; of a single number that one
     };
     [[nodiscard]] double number(std::string_view path) const;
+    [[nodiscard]] const std::vector<double>& numbers(std::string_view path) const;
     [[nodiscard]] int count(std::string_view path) const;
     [[nodiscard]] const std::string& text(std::string_view path) const;
     [[nodiscard]] bool given(std::string_view path) const;
+    [[nodiscard]] const std::string& place(std::string_view path) const;
     [[nodiscard]] bool has(std::string_view path) const;
     /// Error (bad_input) "file:line:col: path: problem; remedy" for a check across keys, for the families to throw.
     [[nodiscard]] Error refuse(std::string_view path, std::string_view problem, std::string_view remedy = {}) const;
@@ -45,6 +49,10 @@ struct FamilyKeys {
     std::map<std::string, std::string> aliases; ///< other names of faces, e.g. end_disc -> fixed
     std::string defaults;                       ///< YAML of supports, loads, outputs where the design is silent
     std::vector<Key> mesh = {};                 ///< own defaults for keys under "mesh." (override the common ones)
+    /// For a family whose mesh stands in a file: the names of the faces in it, from what `geometry.file` says and the
+    /// place where it says so; throws Error. `faces` then are those of the template's file. Such a family has no
+    /// mesh.size, and `geometry.cavity: [face, face]` adds the face and cavity "cavity", their union.
+    std::function<std::vector<std::string>(const std::string& file, std::string_view place)> faces_of_file = {};
 };
 
 struct Override {
@@ -59,6 +67,9 @@ struct Design {
     model::Material material;                   ///< region name "rubber"
     std::vector<model::Support> supports;       ///< by face name (aliases resolved); symmetry planes not included
     std::vector<model::PressureLoad> loads;
+    /// Dead traction along: axis | x | y | z | r | normal
+    struct TractionRequest { std::string face; double traction_Pa; std::string along; };
+    std::vector<TractionRequest> tractions;
     /// along: axis | x | y | z | r | normal
     struct OutputRequest { std::string name; std::string face; std::string along; };
     std::vector<OutputRequest> outputs;
@@ -68,6 +79,10 @@ struct Design {
     std::vector<std::string> warnings;          ///< plausibility, one line each
 };
 
+/// The warning for first-order triangles and tetrahedra, with the measured factor; for meshes that come from a file, of
+/// which a design alone does not know the cells.
+[[nodiscard]] std::string first_order_simplices_lock();
+
 /// Reads `text`; `source` names it in errors ("designs/tube.yaml" or "<stdin>").
 /// Throws Error(bad_input) with "file:line:col: key: problem; remedy".
 [[nodiscard]] Design read_design(std::string_view text, std::string_view source,
@@ -75,9 +90,15 @@ struct Design {
 
 /// Applies overrides to the keys solve may still change (material, loads, path, solver) of a case's effective design
 /// and returns the changed parts; geometry, mesh, model, supports, outputs and family are refused with the reason.
+/// A traction keeps its direction, which the mesh gave it: the changed one is `factor` times the case's.
+struct TractionChange {
+    std::size_t index;     ///< into Case::tractions; one that is not listed is taken away
+    double factor;
+};
 struct SolveChanges {
     model::Material material;
     std::vector<model::PressureLoad> loads;
+    std::vector<TractionChange> tractions;
     model::PathSettings path;
     model::SolverSettings solver;
     std::string effective_yaml;

@@ -39,28 +39,37 @@ std::string default_text(const Item& item) {
 }  // namespace
 
 std::string example_design(const FamilyKeys& family) {
-    const Law& law = laws().front();
+    const material::LawInfo& law = *material::find_law("neo-hookean");  // the one that needs least
     const Node defaults = parse_fragment(family.defaults, place_default);
     Node root;
     put(root, "family", scalar_node(family.name, place_default));
-    put(root, "material.law", scalar_node(law.name, place_default));
-    for (const Constant& constant : law.constants)
-        put(root, "material." + constant.key.path, scalar_node(constant.example, place_default));
+    if (family.faces_of_file)
+        for (const char* section : {"geometry", "mesh", "supports", "outputs"})
+            if (const Node* usual = find(defaults, section)) put(root, section, *usual);
+    put(root, "material.law", scalar_node(std::string{law.name}, place_default));
+    for (const material::Parameter& parameter : law.parameters)
+        put(root, parameter_key(parameter).path, scalar_node(std::string{parameter.example}, place_default));
     const bool cavity = std::find(family.faces.begin(), family.faces.end(), cavity_name) != family.faces.end();
     const Node* loads = find(defaults, "loads");
     const bool usual = loads != nullptr && !loads->members.empty();
     const std::string target = usual                            ? loads->members.front().key
                                : cavity || family.faces.empty() ? std::string{cavity_name}
                                                                 : family.faces.back();
-    const Node* pressure = usual ? find(loads->members.front().value, "pressure") : nullptr;
-    put(root, "loads." + target + ".pressure",
-        scalar_node(pressure == nullptr ? "30 kPa" : pressure->text, place_default));
+    const bool traction = usual && find(loads->members.front().value, "traction") != nullptr;
+    const auto example = [&](const std::string& key, const char* otherwise) {
+        const Node* own = usual ? find(loads->members.front().value, key) : nullptr;
+        put(root, "loads." + target + "." + key, scalar_node(own == nullptr ? otherwise : own->text, place_default));
+    };
+    example(traction ? "traction" : "pressure", "30 kPa");
+    if (traction) example("along", "axis");
     return write_yaml(root);
 }
 
 std::string template_yaml(const FamilyKeys& family) {
     const std::string source = "template of " + family.name;
-    const Checked checked = check_design(parse_yaml(example_design(family), source), source, family);
+    FamilyKeys known = family;   // a template is printed without looking for its file
+    if (known.faces_of_file) known.faces_of_file = [&](const std::string&, std::string_view) { return family.faces; };
+    const Checked checked = check_design(parse_yaml(example_design(family), source), source, known);
     std::string text = "# " + family.name + ": " + family.summary + "\n";
     text += "# Run:   mesh-gen FILE | solve | postprocess > curve.csv      Check: mesh-gen --check FILE\n";
     text += "# Quantities carry units (3 mm, 40 kPa). A key at its default may be left out.\n";

@@ -1,37 +1,32 @@
 #pragma once
-/// The laws a design can name: their constants with range and meaning, declared once. A new law is a new row here and
-/// a new header in lib/material. Private to the room. Held by design/materials_test.
-#include <map>
-#include <span>
+/// The material of a design: its keys come from material::laws(), the one table of the laws; nothing of a law is repeated
+/// here. Private to the room. Held by design/material_test.
 #include <string>
 #include <vector>
 
-#include "design/schema.hpp"
+#include "design/sections.hpp"
+#include "material/catalogue.hpp"
 
 namespace soft::design {
 
-using Constants = std::map<std::string, std::vector<double>>;  ///< SI, as in model::Material
-
-struct Constant {
-    Key key;              ///< path is the bare name ("mu"); an empty fallback makes it required
-    std::string example;  ///< value for a template
-};
-
-struct Law {
-    std::string name;
-    std::string energy;  ///< W per undeformed volume in the isochoric invariants
-    std::string source;
-    std::vector<Constant> constants;
-    double (*initial_shear_modulus_Pa)(const Constants&);
-};
-
-[[nodiscard]] std::span<const Law> laws();
-
-/// Names of laws() in order; names the specification reserves for laws that this version lacks.
+/// Names of the laws in the order of material::laws().
 [[nodiscard]] std::vector<std::string> law_names();
-[[nodiscard]] std::span<const std::string> reserved_law_names();
 
-/// nullptr for a name without a row.
-[[nodiscard]] const Law* find_law(std::string_view name);
+/// The key of a parameter of a law, "material.<name>".
+[[nodiscard]] Key parameter_key(const material::Parameter& parameter);
+
+/// Throws Error(bad_input) for a law that is unknown or missing, a material given by name, keys of two ways to state the
+/// moduli, and `volumetric` for a law that has its own. `usual_frame` (cylindrical | cartesian) is that of fibres.
+void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples,
+                       std::string_view usual_frame);
+
+/// young and poisson become mu and kappa. Throws Error for constants that do not fit together, at the key's place.
+[[nodiscard]] model::Material material_of(const Values& values);
+
+/// Throws Error at mesh.formulation for a law that cannot be run in it.
+void check_law_formulation(const Values& values, const model::Material& material);
+
+/// Of a material that material_of has made.
+[[nodiscard]] material::AnyRubber rubber_of(const model::Material& material);
 
 }  // namespace soft::design

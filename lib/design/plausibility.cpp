@@ -5,8 +5,10 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "design/locking.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
+#include "material/stability.hpp"
 
 namespace soft::design {
 namespace {
@@ -35,6 +37,18 @@ void check_material(const Design& design, double mu_Pa, std::vector<std::string>
                            " times the shear modulus, the rubber is visibly compressible");
 }
 
+void check_law(const material::AnyRubber& rubber, double mu_Pa, std::vector<std::string>& warnings) {
+    const std::string law{material::info_of(rubber).name};
+    if (!material::has_symmetric_tangent(rubber))
+        warnings.push_back("material: the undeformed state of " + law + " carries the stress mu = " + pressure_text(mu_Pa) +
+                           "; free of load it first shrinks by about mu/(3 kappa)");
+    const auto limits = material::stability_limits(rubber);
+    if (limits.empty()) return;
+    const auto& range = material::usual_range;
+    warnings.push_back("material: " + law + " is " + material::stability_text(limits) + " (Drucker, looked at from " +
+                       core::rounded_text(range.least, 3) + " to " + core::rounded_text(range.most, 3) + ")");
+}
+
 void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& warnings) {
     for (const model::PressureLoad& load : design.loads) {
         const double size_Pa = std::abs(load.pressure_Pa);
@@ -46,12 +60,37 @@ void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& w
             warnings.push_back(path + pressure_text(load.pressure_Pa) +
                                " looks like an absolute pressure; pressures are gauge, above the surroundings");
     }
+    for (const Design::TractionRequest& load : design.tractions)
+        if (std::abs(load.traction_Pa) > pressure_over_modulus * mu_Pa)
+            warnings.push_back("loads." + load.face + ".traction: " + pressure_text(load.traction_Pa) +
+                               " is far above the initial shear modulus " + pressure_text(mu_Pa));
     for (const model::Until& until : design.path.until) {
+        if (until.quantity != "pressure") continue;
         const double full_Pa = design.loads.front().pressure_Pa;
-        if (until.quantity == "pressure" && (until.value * full_Pa < 0 || std::abs(until.value) > std::abs(full_Pa)))
+        if (until.value * full_Pa < 0 || std::abs(until.value) > std::abs(full_Pa))
             warnings.push_back("path.until.pressure: " + pressure_text(until.value) +
                                " is never reached, the path ends at the full load " + pressure_text(full_Pa));
     }
+}
+
+std::string too_stiff(LockingChoice choice) {
+    const LockingFactor known = locking_factor(choice);
+    if (!known.stiffness) return "too stiff";
+    return core::rounded_text(*known.stiffness, 2) + " times too stiff on " + std::string{known.measured_on};
+}
+
+void check_locking(const Design& design, double mu_Pa, std::vector<std::string>& warnings) {
+    const auto says = [&](const char* path, std::string_view word) {
+        return design.values.has(path) && design.values.text(path) == word;
+    };
+    if (says("mesh.cells", "simplices") && says("mesh.order", "1"))
+        warnings.push_back("mesh.cells: " + first_order_simplices_lock());
+    if (!says("mesh.formulation", "displacement") || !design.material.bulk_modulus_Pa) return;
+    const double ratio = *design.material.bulk_modulus_Pa / mu_Pa;
+    if (ratio > locking_bulk_ratio)
+        warnings.push_back("mesh.formulation: displacements alone lock at a bulk modulus of " + core::rounded_text(ratio, 3) +
+                           " times the shear modulus (" + too_stiff(LockingChoice::displacement_penalty) +
+                           "); formulation: mixed does not");
 }
 
 /// The thinnest part that the family's keys name.
@@ -64,8 +103,10 @@ std::optional<Wall> thinnest_wall(const Values& values) {
     const auto consider = [&](const char* path, double thickness_m) {
         if (!thinnest || thickness_m < thinnest->thickness_m) thinnest = Wall{path, thickness_m};
     };
+    const bool plane = values.text("model") == "plane-strain";  // the thickness is not meshed
     for (const char* path : {"geometry.wall", "geometry.thickness", "geometry.cap"})
-        if (values.has(path)) consider(path, values.number(path));
+        if (values.has(path) && !(plane && std::string_view{path} == "geometry.thickness"))
+            consider(path, values.number(path));
     if (values.has("geometry.outer_radius") && values.has("geometry.inner_radius"))
         consider("geometry.outer_radius - geometry.inner_radius",
                  values.number("geometry.outer_radius") - values.number("geometry.inner_radius"));
@@ -74,11 +115,20 @@ std::optional<Wall> thinnest_wall(const Values& values) {
 
 }  // namespace
 
+std::string first_order_simplices_lock() {
+    return "first-order triangles and tetrahedra lock (" + too_stiff(LockingChoice::first_order_simplices) +
+           "); order: 2 with formulation: mixed does not";
+}
+
 std::vector<std::string> plausibility(const Design& design) {
     std::vector<std::string> warnings;
-    const double mu_Pa = find_law(design.material.law)->initial_shear_modulus_Pa(design.material.constants);
+    const material::AnyRubber rubber = rubber_of(design.material);
+    const double mu_Pa = material::initial_shear_modulus_Pa(rubber);
     check_material(design, mu_Pa, warnings);
+    check_law(rubber, mu_Pa, warnings);
     check_loads(design, mu_Pa, warnings);
+    check_locking(design, mu_Pa, warnings);
+    if (!design.values.has("mesh.size")) return warnings;
     const double size_m = design.values.number("mesh.size");
     const std::optional<Wall> wall = thinnest_wall(design.values);
     if (wall && wall->thickness_m > 0 && size_m > wall->thickness_m)

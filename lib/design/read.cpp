@@ -2,6 +2,9 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
+#include "design/formulation.hpp"
+#include "design/loads.hpp"
+#include "design/materials.hpp"
 #include "design/read_parts.hpp"
 
 namespace soft::design {
@@ -24,6 +27,20 @@ void fill_sections(Node& root, const Node& defaults) {
         const Node* usual = find(defaults, section);
         if (usual != nullptr && find(root, section) == nullptr) put(root, section, *usual);
     }
+}
+
+/// What supports, loads and outputs may name. Other checks need the faces, so a missing file is refused before them.
+FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys& family) {
+    if (!family.faces_of_file) return {family.faces, family.aliases};
+    const Node* file = find_path(root, "geometry.file");
+    if (file == nullptr || file->kind != Node::Kind::scalar)
+        refuse(file == nullptr ? std::string{source} + ":1:1" : file->place, "geometry.file",
+               "missing (the mesh, a Gmsh file)", "add geometry: {file: part.msh}");
+    FaceNames names{family.faces_of_file(file->text, file->place), family.aliases};
+    const Node* cavity = find_path(root, "geometry.cavity");
+    const bool has_cavity = cavity != nullptr && (cavity->kind == Node::Kind::list || cavity->text != no_face);
+    if (has_cavity && resolve_face(names, cavity_name).empty()) names.faces.emplace_back(cavity_name);
+    return names;
 }
 
 }  // namespace
@@ -56,13 +73,14 @@ const FamilyKeys& family_of(const Node& root, std::string_view source, std::span
 
 Checked check_design(Node root, std::string_view source, const FamilyKeys& family) {
     const Node defaults = parse_fragment(family.defaults, place_default);
-    fill_sections(root, defaults);
+    if (!family.faces_of_file) fill_sections(root, defaults);  // faces of a file have no usual roles
     Schema schema;
-    schema.faces = {family.faces, family.aliases};
+    schema.faces = face_names(root, source, family);
     Examples examples;
     append(schema.keys, head_keys(family));
     append(schema.keys, family.geometry);
-    add_material_keys(schema, root, source, examples);
+    const bool of_revolution = std::ranges::find(family.models, "axisymmetric") != family.models.end();
+    add_material_keys(schema, root, source, examples, of_revolution ? "cylindrical" : "cartesian");
     append(schema.keys, model_keys(family));
     add_support_keys(schema, root);
     add_load_keys(schema, root, defaults, source, examples);
@@ -93,7 +111,11 @@ Design read_design(std::string_view text, std::string_view source, std::span<con
     design.name = design.values.text("name");
     design.material = material_of(design.values);
     design.supports = supports_of(checked.items, checked.faces, design.values);
-    design.loads = loads_of(checked.items, checked.faces, design.values);
+    check_formulation(design.values);
+    check_law_formulation(design.values, design.material);
+    Loads loads = loads_of(checked.items, checked.faces, design.values);
+    design.loads = std::move(loads.pressures);
+    design.tractions = std::move(loads.tractions);
     design.path = path_of(checked.items, design.values);
     design.outputs = outputs_of(checked.items, checked.faces, design.values);
     design.solver = solver_of(design.values);

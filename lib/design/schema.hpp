@@ -18,8 +18,9 @@ struct Key {
     double min = -std::numeric_limits<double>::infinity();   ///< SI, inclusive unless min_open
     double max = std::numeric_limits<double>::infinity();
     bool min_open = false;        ///< the value must be greater than min
-    std::vector<std::string> choices = {};                   ///< for Kind::choice; for a number or quantity: words
-                                                             ///< allowed in its place ("incompressible"), read as 0
+    std::vector<std::string> choices = {};                   ///< for Kind::choice; for a number, quantity or faces: words
+                                                             ///< allowed in its place ("incompressible"), read as 0 or none
+    int most = 1;                 ///< of a number or quantity: 1 is a single value, else one or a list of up to `most`
 };
 
 }  // namespace soft::design

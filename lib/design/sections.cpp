@@ -5,34 +5,9 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
-#include "design/materials.hpp"
 
 namespace soft::design {
 namespace {
-
-const std::vector<Member>& members_of(const Node& root, std::string_view path) {
-    static const std::vector<Member> none;
-    const Node* node = find_path(root, path);
-    return node == nullptr ? none : node->members;
-}
-
-bool has_cavity(const FaceNames& faces) { return resolve_face(faces, cavity_name) == cavity_name; }
-
-/// Middle of "loads.<name>.pressure"; empty if the path is no such.
-std::string name_between(const std::string& path, std::string_view prefix, std::string_view suffix) {
-    if (!path.starts_with(prefix) || !path.ends_with(suffix) || path.size() <= prefix.size() + suffix.size()) return {};
-    return path.substr(prefix.size(), path.size() - prefix.size() - suffix.size());
-}
-
-[[noreturn]] void refuse_law(const Node& law) {
-    const auto reserved = reserved_law_names();
-    const std::string available = core::join(law_names());
-    if (std::find(reserved.begin(), reserved.end(), law.text) != reserved.end())
-        refuse(law.place, "material.law", "law " + core::quoted(law.text) + " is not in this version",
-               "available: " + available);
-    refuse(law.place, "material.law", "no law is called " + core::quoted(law.text),
-           core::did_you_mean(law.text, law_names()));
-}
 
 void check_output_name(const Member& output) {
     constexpr std::size_t longest = 40;
@@ -52,9 +27,12 @@ void check_output_name(const Member& output) {
 
 /// Components of a support in the model's own coordinates (axisymmetric: x, r).
 std::array<bool, 3> components_of(const std::string& component, const Values& values, const std::string& path) {
-    const bool axisymmetric = values.text("model") == "axisymmetric";
-    if (component == "fixed") return axisymmetric ? std::array{true, true, false} : std::array{true, true, true};
+    const bool axisymmetric = values.text("model") == "axisymmetric", plane = values.text("model") == "plane-strain";
+    if (component == "fixed")
+        return axisymmetric || plane ? std::array{true, true, false} : std::array{true, true, true};
     if (component == "x") return {true, false, false};
+    if (plane && component != "y")
+        throw values.refuse(path, "a plane strain model has the components x and y", "use x, y or fixed");
     // Radial on a solid: y and z together, which leaves only x free.
     if (component == "r") return axisymmetric ? std::array{false, true, false} : std::array{false, true, true};
     if (axisymmetric) throw values.refuse(path, "an axisymmetric model has the components x and r", "use r, or fixed");
@@ -63,29 +41,25 @@ std::array<bool, 3> components_of(const std::string& component, const Values& va
 
 }  // namespace
 
-void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples) {
-    const Node* material = find(root, "material");
-    if (material == nullptr || material->kind == Node::Kind::empty)
-        refuse(material == nullptr ? std::string{source} + ":1:1" : material->place, "material", "missing (the rubber)",
-               "add material: {law: neo-hookean, mu: 0.1644 MPa}");
-    if (material->kind == Node::Kind::scalar)
-        refuse(material->place, "material", "materials by name are not in this version",
-               "write {law: neo-hookean, mu: 0.1644 MPa}");
-    const Key law_key_ = law_key();
-    examples[law_key_.path] = core::join(law_names(), " | ");
-    schema.keys.push_back(law_key_);
-    const Node* name = find(*material, "law");
-    if (name != nullptr && name->kind == Node::Kind::scalar) {
-        const Law* law = find_law(name->text);
-        if (law == nullptr) refuse_law(*name);
-        for (const Constant& constant : law->constants) {
-            schema.keys.push_back(constant.key);
-            schema.keys.back().path = "material." + constant.key.path;
-            examples[schema.keys.back().path] = constant.example;
-        }
-    }
-    schema.keys.push_back(kappa_key());
-    schema.keys.push_back(volumetric_key());
+const std::vector<Member>& members_of(const Node& root, std::string_view path) {
+    static const std::vector<Member> none;
+    const Node* node = find_path(root, path);
+    return node == nullptr ? none : node->members;
+}
+
+std::string name_between(const std::string& path, std::string_view prefix, std::string_view suffix) {
+    if (!path.starts_with(prefix) || !path.ends_with(suffix) || path.size() <= prefix.size() + suffix.size()) return {};
+    return path.substr(prefix.size(), path.size() - prefix.size() - suffix.size());
+}
+
+void check_direction(const Values& values, const std::string& path) {
+    if (!values.has("model")) return;  // what solve changes: the direction is that of the case
+    const std::string& model = values.text("model");
+    const std::string& along = values.text(path);
+    if (model == "axisymmetric" && (along == "y" || along == "z"))
+        throw values.refuse(path, "an axisymmetric model has the directions x and r", "use axis, x or r");
+    if (model == "plane-strain" && (along == "z" || along == "r"))
+        throw values.refuse(path, "a plane strain model has the directions x and y", "use axis, x, y or normal");
 }
 
 void add_support_keys(Schema& schema, const Node& root) {
@@ -101,37 +75,6 @@ void add_support_keys(Schema& schema, const Node& root) {
     }
 }
 
-void add_load_keys(Schema& schema, const Node& root, const Node& defaults, std::string_view source,
-                   Examples& examples) {
-    for (const Member& load : members_of(defaults, "loads"))
-        if (const Node* pressure = find(load.value, "pressure"))
-            examples["loads." + load.key + ".pressure"] = pressure->text;
-    const auto& loads = members_of(root, "loads");
-    if (loads.empty()) {
-        const bool cavity = has_cavity(schema.faces);
-        const auto& usual = members_of(defaults, "loads");
-        const std::string target = !usual.empty() ? usual.front().key : cavity ? std::string{cavity_name} : "face";
-        const Member* section = find_member(root, "loads");
-        refuse(section == nullptr ? std::string{source} + ":1:1" : section->place, "loads",
-               "missing (what drives the actuator)", "add loads: {" + target + ": {pressure: 30 kPa}}");
-    }
-    schema.names["loads"] = all_names(schema.faces);
-    for (const Member& load : loads) {
-        const std::string face = resolve_face(schema.faces, load.key);
-        if (face.empty()) continue;  // collect() refuses it with the nearest name
-        schema.keys.push_back(load_pressure_key(load.key));
-        examples.try_emplace(schema.keys.back().path, "30 kPa");
-        if (face != cavity_name) {
-            if (const Member* sealed = find_member(load.value, "sealed"))
-                refuse(sealed->place, "loads." + load.key + ".sealed", "a face has no openings to seal",
-                       "leave it out");
-            continue;
-        }
-        const Node* sealed = find_path(defaults, "loads." + load.key + ".sealed");
-        schema.keys.push_back(load_sealed_key(load.key, sealed == nullptr ? "true" : sealed->text));
-    }
-}
-
 void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
     for (const Member& output : members_of(root, "outputs")) {
         check_output_name(output);
@@ -144,7 +87,7 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
 void add_path_keys(Schema& schema, const Node& root) {
     const auto& loads = members_of(root, "loads");
     const bool cavity = std::any_of(loads.begin(), loads.end(), [&](const Member& load) {
-        return resolve_face(schema.faces, load.key) == cavity_name;
+        return resolve_face(schema.faces, load.key) == cavity_name && find_member(load.value, "pressure") != nullptr;
     });
     schema.keys.push_back(control_key(cavity ? "volume" : "pressure"));
     std::vector<std::string> ends = until_quantities();
@@ -152,20 +95,6 @@ void add_path_keys(Schema& schema, const Node& root) {
     for (const Member& until : members_of(root, "path.until"))
         if (std::find(ends.begin(), ends.end(), until.key) != ends.end()) schema.keys.push_back(until_key(until.key));
     schema.names["path.until"] = std::move(ends);
-}
-
-model::Material material_of(const Values& values) {
-    model::Material material;
-    material.name = "rubber";
-    material.law = values.text("material.law");
-    for (const Constant& constant : find_law(material.law)->constants)
-        material.constants[constant.key.path] = {values.number("material." + constant.key.path)};
-    if (values.text("material.kappa") != "incompressible") material.bulk_modulus_Pa = values.number("material.kappa");
-    const std::string& volumetric = values.text("material.volumetric");
-    material.volumetric = volumetric == "log"     ? model::Volumetric::log
-                          : volumetric == "mixed" ? model::Volumetric::mixed
-                                                  : model::Volumetric::quadratic;
-    return material;
 }
 
 std::vector<model::Support> supports_of(std::span<const Item> items, const FaceNames& faces, const Values& values) {
@@ -185,27 +114,6 @@ std::vector<model::Support> supports_of(std::span<const Item> items, const FaceN
     return supports;
 }
 
-std::vector<model::PressureLoad> loads_of(std::span<const Item> items, const FaceNames& faces, const Values& values) {
-    std::vector<model::PressureLoad> loads;
-    for (const Item& item : items) {
-        const std::string name = name_between(item.key.path, "loads.", ".pressure");
-        if (name.empty()) continue;
-        model::PressureLoad load{.target = resolve_face(faces, name), .pressure_Pa = item.entry.number};
-        if (load.pressure_Pa == 0)
-            throw values.refuse(item.key.path, "a load of 0 gives no path",
-                                "write the pressure at full load, for example 30 kPa");
-        const bool twice = std::any_of(loads.begin(), loads.end(),
-                                       [&](const model::PressureLoad& other) { return other.target == load.target; });
-        if (twice)
-            throw values.refuse(item.key.path, "face " + core::quoted(load.target) + " is loaded twice",
-                                "keep one of its names");
-        const std::string sealed = "loads." + name + ".sealed";
-        if (values.has(sealed)) load.sealed = values.text(sealed) == "true";
-        loads.push_back(std::move(load));
-    }
-    return loads;
-}
-
 std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const FaceNames& faces,
                                               const Values& values) {
     std::vector<Design::OutputRequest> outputs;
@@ -214,11 +122,9 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
         if (name.empty()) continue;
         if (item.list.size() != 1)
             throw values.refuse(item.key.path, "an output is measured on one face", "make one output a face");
-        const std::string& along = values.text("outputs." + name + ".along");
-        if (values.text("model") == "axisymmetric" && (along == "y" || along == "z"))
-            throw values.refuse("outputs." + name + ".along", "an axisymmetric model has the directions x and r",
-                                "use axis, x or r");
-        outputs.push_back({name, resolve_face(faces, item.list.front()), along});
+        const std::string along = "outputs." + name + ".along";
+        check_direction(values, along);
+        outputs.push_back({name, resolve_face(faces, item.list.front()), values.text(along)});
     }
     return outputs;
 }
@@ -229,6 +135,9 @@ model::PathSettings path_of(std::span<const Item> items, const Values& values) {
                                                                    {"displacement", model::Control::displacement},
                                                                    {"arc-length", model::Control::arc_length}};
     const bool cavity = values.has("loads." + std::string{cavity_name} + ".pressure");
+    const bool pressed = std::any_of(items.begin(), items.end(), [](const Item& item) {
+        return !name_between(item.key.path, "loads.", ".pressure").empty();
+    });
     model::PathSettings path;
     path.control = controls.at(values.text("path.control"));
     if (path.control == model::Control::volume && !cavity)
@@ -240,6 +149,8 @@ model::PathSettings path_of(std::span<const Item> items, const Values& values) {
             throw values.refuse(item.key.path, "0 is where the path starts", "write where it shall end");
         if (quantity == "volume_ratio" && !cavity)
             throw values.refuse(item.key.path, "no cavity is loaded, so there is no volume", "use pressure or steps");
+        if (quantity == "pressure" && !pressed)
+            throw values.refuse(item.key.path, "no load is a pressure", "use an output or steps");
         path.until.push_back({quantity, item.entry.number});
     }
     return path;

@@ -1,6 +1,6 @@
 #pragma once
-/// The parts of a design whose keys depend on what is written: material (constants of its law), supports, loads,
-/// outputs and path. Each adds its keys to the schema from the tree, and is made typed from the checked items.
+/// The parts of a design whose keys depend on what is written: supports, outputs and path (loads: loads.hpp; material:
+/// materials.hpp). Each adds its keys to the schema from the tree, and is made typed from the checked items.
 /// Private to the room.
 #include <map>
 #include <span>
@@ -15,24 +15,24 @@ namespace soft::design {
 /// Examples of required values by key path, for the error that misses them and for templates.
 using Examples = std::map<std::string, std::string>;
 
-/// Throws Error(bad_input) for a law that is unknown or missing and for a material given by name.
-void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples);
 void add_support_keys(Schema& schema, const Node& root);
-/// `defaults` are the family's; a pressure in them is an example and never used silently.
-void add_load_keys(Schema& schema, const Node& root, const Node& defaults, std::string_view source, Examples& examples);
 /// After add_output_keys, whose names it takes as ends of the path.
 void add_path_keys(Schema& schema, const Node& root);
 void add_output_keys(Schema& schema, const Node& root, const Node& defaults);
 
-[[nodiscard]] model::Material material_of(const Values& values);
 [[nodiscard]] std::vector<model::Support> supports_of(std::span<const Item> items, const FaceNames& faces,
                                                       const Values& values);
-[[nodiscard]] std::vector<model::PressureLoad> loads_of(std::span<const Item> items, const FaceNames& faces,
-                                                        const Values& values);
 [[nodiscard]] std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const FaceNames& faces,
                                                             const Values& values);
 [[nodiscard]] model::PathSettings path_of(std::span<const Item> items, const Values& values);
 [[nodiscard]] model::SolverSettings solver_of(const Values& values);
+
+/// Members of the group at `path`; none where there is no such group.
+[[nodiscard]] const std::vector<Member>& members_of(const Node& root, std::string_view path);
+/// Middle of "loads.<name>.pressure"; empty if the path is no such.
+[[nodiscard]] std::string name_between(const std::string& path, std::string_view prefix, std::string_view suffix);
+/// Refuses a direction (axis | x | y | z | r | normal) that the model's coordinates do not have.
+void check_direction(const Values& values, const std::string& path);
 
 inline constexpr std::string_view cavity_name = "cavity";  ///< the load target that encloses a volume
 

@@ -17,11 +17,15 @@ const Values::Entry& entry_at(const std::map<std::string, Values::Entry, std::le
 
 double Values::number(std::string_view path) const { return entry_at(entries_, path).number; }
 
+const std::vector<double>& Values::numbers(std::string_view path) const { return entry_at(entries_, path).numbers; }
+
 int Values::count(std::string_view path) const {
     return static_cast<int>(std::lround(entry_at(entries_, path).number));
 }
 
 const std::string& Values::text(std::string_view path) const { return entry_at(entries_, path).text; }
+
+const std::string& Values::place(std::string_view path) const { return entry_at(entries_, path).place; }
 
 bool Values::given(std::string_view path) const {
     const auto entry = entries_.find(path);

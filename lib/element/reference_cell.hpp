@@ -1,20 +1,36 @@
 #pragma once
 /// A cell type with its quadrature tables and its pressure space: everything about an element that does not depend on
-/// the mesh. Stable pairs (inf-sup): Q2/P-1 on quadrilaterals and hexahedra, P2/P1 (Taylor-Hood) on triangles and
-/// tetrahedra, and its product with a line, 18/6 nodes, on wedges.
-/// Sources: Boffi, Brezzi, Fortin, Mixed Finite Element Methods (2013) 8.6-8.8. Held by element/solid_kernel_test.
+/// the mesh.
+///   displacement  every cell, first and second order
+///   mixed         second order only, in stable pairs (inf-sup): Q2/P-1 on quadrilaterals and hexahedra, P2/P1
+///                 (Taylor-Hood) on triangles and tetrahedra, and its product with a line, 18/6 nodes, on wedges
+///   f_bar         first-order quadrilaterals and hexahedra, see element/f_bar.hpp
+///
+/// Points of quadrature: quad4 2x2, hex8 2x2x2, triangle3 3 (the integrands of bodies of revolution vary over the cell),
+/// tet4 1, wedge6 3 x 2; quad9 3x3, hex27 3x3x3, wedge18 7 x 3; triangle6 3 and tet10 4 with displacements alone, 7 and
+/// 14 in mixed form, where the product of a strain with a pressure and a curved side ask for more. Each integrates the
+/// stiffness of the undistorted cell exactly (degree 2 (k - 1)) in sections of unit depth and solids; with the factor
+/// 2 pi R of bodies of revolution that degree keeps the order of convergence (Ciarlet, The Finite Element Method for
+/// Elliptic Problems (1978), 4.1). Every one leaves the rigid motions alone without stiffness: element/rank_test.
+/// Sources: Boffi, Brezzi, Fortin, Mixed Finite Element Methods (2013) 8.6-8.8. Held by element/reference_cell_test,
+/// element/solid_kernel_test; orders by assembly/manufactured_test, stability by assembly/inf_sup_test.
+#include <string>
 #include <vector>
 
+#include "material/catalogue.hpp"
 #include "mesh/cell_type.hpp"
 
 namespace soft::element {
 
-/// none: displacement formulation. discontinuous_linear: {1, X - Xc, ...} of each cell in reference coordinates
+using material::Form;
+
+/// none: displacements are the only unknowns. discontinuous_linear: {1, X - Xc, ...} of each cell in reference coordinates
 /// (not mapped, so the order survives on distorted cells). continuous_vertex: linear in the vertices, shared by cells.
 enum class PressureSpace { none, discontinuous_linear, continuous_vertex };
 
 struct ReferenceCell {
     mesh::CellType type;
+    Form form = Form::displacement;
     int dimension = 0;
     int nodes = 0;
     int points = 0;                     ///< quadrature points
@@ -29,9 +45,10 @@ struct ReferenceCell {
     [[nodiscard]] int dofs() const noexcept { return displacement_dofs() + pressure_dofs; }
 };
 
-enum class PressureChoice { displacement_only, mixed };
+/// Why a cell type cannot be run in a form, with what would be right ("problem; remedy"); empty where it can.
+[[nodiscard]] std::string why_not(mesh::CellType type, Form form);
 
-/// Throws Error (bad_input) for a pair that is not inf-sup stable or a type that is no solid cell.
-[[nodiscard]] ReferenceCell make_reference_cell(mesh::CellType type, PressureChoice choice);
+/// Throws Error (bad_input, place "mesh") where why_not has something to say.
+[[nodiscard]] ReferenceCell make_reference_cell(mesh::CellType type, Form form);
 
 }  // namespace soft::element

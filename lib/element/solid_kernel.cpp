@@ -38,13 +38,18 @@ void pressure_basis(const ReferenceCell& cell, const CellInput& in, int q, std::
 namespace {
 
 template <bool Axisymmetric>
-void sample(const ReferenceCell& cell, const CellInput& in, std::vector<PointState>& states) {
+void sample(const ReferenceCell& cell, material::FiberFrame frame, const CellInput& in,
+            std::vector<PointState>& states) {
     std::vector<double> gradient(static_cast<std::size_t>(cell.dimension + 1) * cell.nodes);
     std::vector<double> basis(cell.pressure_dofs);
+    FBarState mean;
+    if (cell.form == Form::f_bar) mean = f_bar_state<Axisymmetric>(cell, in, gradient);
     for (int q = 0; q < cell.points; ++q) {
         PointState state;
         state.weight_m3 = map_point<Axisymmetric>(cell, in, q, gradient);
         state.F = deformation_gradient<Axisymmetric>(cell, in, gradient);
+        state.F_law = cell.form == Form::f_bar ? mean.law_gradient(q) : state.F;
+        state.axes = fiber_axes<Axisymmetric>(cell, frame, in, q);
         state.p_Pa = 0;
         if (cell.pressure != PressureSpace::none) {
             pressure_basis(cell, in, q, basis);
@@ -57,10 +62,10 @@ void sample(const ReferenceCell& cell, const CellInput& in, std::vector<PointSta
 }  // namespace
 }  // namespace detail
 
-void sample_cell(const ReferenceCell& cell, model::Kinematics kinematics, const CellInput& in,
-                 std::vector<PointState>& states) {
-    if (kinematics == model::Kinematics::axisymmetric) return detail::sample<true>(cell, in, states);
-    return detail::sample<false>(cell, in, states);
+void sample_cell(const ReferenceCell& cell, model::Kinematics kinematics, material::FiberFrame frame,
+                 const CellInput& in, std::vector<PointState>& states) {
+    if (kinematics == model::Kinematics::axisymmetric) return detail::sample<true>(cell, frame, in, states);
+    return detail::sample<false>(cell, frame, in, states);
 }
 
 std::vector<double> nodal_pressures(const ReferenceCell& cell, std::span<const double> X,

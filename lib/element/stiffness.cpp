@@ -1,5 +1,5 @@
 /// The innermost loops of the assembly: three quarters of its time for second-order hexahedra.
-#include "element/solid_kernel.hpp"
+#include "element/cell_kinematics.hpp"
 
 namespace soft::element::detail {
 
@@ -60,13 +60,13 @@ int tensor_index(int i, int J) {
 
 }  // namespace
 
-template <bool Axisymmetric>
+template <bool Axisymmetric, TangentKind Kind>
 void add_stiffness(const ReferenceCell& cell, const material::PointResponse& point, double volume,
                    double inverse_bulk_modulus, CellOutput& out) {
     const int n = cell.nodes, dim = cell.dimension, size = cell.dofs();
     const double* G = out.gradient.data();
     for (int i = 0; i < dim; ++i)
-        for (int k = i; k < dim; ++k) {
+        for (int k = Kind == TangentKind::symmetric ? i : 0; k < dim; ++k) {
             Terms terms;
             terms.count = directions_of<Axisymmetric>(dim, i);
             for (int J = 0; J < terms.count; ++J) {
@@ -97,8 +97,14 @@ void add_stiffness(const ReferenceCell& cell, const material::PointResponse& poi
                 volume * inverse_bulk_modulus * out.basis[s] * out.basis[t];
 }
 
-template void add_stiffness<true>(const ReferenceCell&, const material::PointResponse&, double, double, CellOutput&);
-template void add_stiffness<false>(const ReferenceCell&, const material::PointResponse&, double, double, CellOutput&);
+template void add_stiffness<true, TangentKind::symmetric>(const ReferenceCell&, const material::PointResponse&, double,
+                                                          double, CellOutput&);
+template void add_stiffness<false, TangentKind::symmetric>(const ReferenceCell&, const material::PointResponse&, double,
+                                                           double, CellOutput&);
+template void add_stiffness<true, TangentKind::full>(const ReferenceCell&, const material::PointResponse&, double, double,
+                                                     CellOutput&);
+template void add_stiffness<false, TangentKind::full>(const ReferenceCell&, const material::PointResponse&, double,
+                                                      double, CellOutput&);
 
 void mirror_stiffness(const ReferenceCell& cell, CellOutput& out) {
     const int n = cell.nodes, size = cell.dofs(), last = cell.dimension * n;

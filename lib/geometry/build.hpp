@@ -10,6 +10,9 @@ namespace soft::geometry {
 
 [[nodiscard]] model::Case build_case(const design::Design& design);
 
+/// The design's warnings, and what only the mesh of the case shows: first-order simplices that a file has brought.
+[[nodiscard]] std::vector<std::string> warnings_of(const design::Design& design, const model::Case& built);
+
 /// The mesh alone, with what the sweep made of it; build_case adds the physics.
 struct Solid {
     mesh::Mesh mesh;
@@ -19,8 +22,13 @@ struct Solid {
 };
 [[nodiscard]] Solid mesh_body(const Body& body, const design::Values& values);
 
-/// Unit vector of `along` (axis | x | y | z | r | normal) for a face; `normal` needs a flat one.
-[[nodiscard]] std::array<double, 3> direction_of(const design::Design::OutputRequest& request, const Body& body,
-                                                 const Solid& solid);
+/// A direction asked for at a face.
+struct Heading {
+    std::string place;   ///< of the key, for errors: "outputs.elongation.along"
+    std::string face;
+    std::string along;   ///< axis | x | y | z | r | normal
+};
+/// Its unit vector; `normal` points out of the undeformed face and needs a flat one.
+[[nodiscard]] std::array<double, 3> direction_of(const Heading& heading, const Body& body, const Solid& solid);
 
 }  // namespace soft::geometry

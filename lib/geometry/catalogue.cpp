@@ -6,7 +6,7 @@
 namespace soft::geometry {
 
 std::span<const Family> catalogue() {
-    static const std::array<Family, 5> families{bellows(), tube(), sphere(), rod(), plate()};
+    static const std::array<Family, 8> families{bellows(), tube(), sphere(), ring(), rod(), panel(), plate(), imported()};
     return families;
 }
 
@@ -22,10 +22,11 @@ std::span<const design::FamilyKeys> catalogue_keys() {
 Model model_of(const design::Values& values) {
     const std::string& word = values.text("model");
     if (word == "axisymmetric") return Model::axisymmetric;
+    if (word == "plane-strain") return Model::plane_strain;
     if (word == "solid") return Model::solid;
     if (word == "half") return Model::half;
     if (word == "quarter") return Model::quarter;
-    throw values.refuse("model", "'" + word + "' is not a model", "axisymmetric, solid, half or quarter");
+    throw values.refuse("model", "'" + word + "' is not a model", "axisymmetric, plane-strain, solid, half or quarter");
 }
 
 }  // namespace soft::geometry

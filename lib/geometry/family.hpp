@@ -14,14 +14,21 @@
 
 namespace soft::geometry {
 
-/// What is meshed: the section of a body of revolution, or a solid (of which a half or a quarter may be enough).
-enum class Model { axisymmetric, solid, half, quarter };
+/// What is meshed: the section of a body of revolution, the section (x, y) of a long body, or a solid (of which a half or
+/// a quarter may be enough).
+enum class Model { axisymmetric, plane_strain, solid, half, quarter };
 
 /// The design's `model`; values.refuse(...) for an unknown word.
 [[nodiscard]] Model model_of(const design::Values& values);
 
 struct Revolution {
     int sectors_per_quarter;
+};
+
+/// A mesh that is there already: nothing is drawn or swept, and only `supports` hold what the design does not.
+struct ReadyMesh {
+    mesh::Mesh mesh;
+    model::Kinematics kinematics;
 };
 
 /// What keeps the solid from moving as a rigid body where no symmetry plane does.
@@ -32,13 +39,14 @@ enum class Anchoring {
 
 /// A family's answer to a set of values. SI, whole actuator unless `section` is said to be cut.
 struct Body {
-    Section section;
-    std::variant<Revolution, Extrusion> sweep;
+    Section section;                                        ///< empty beside a ReadyMesh
+    std::variant<Revolution, Extrusion, ReadyMesh> sweep;   ///< an Extrusion is not used in plane strain
     std::vector<model::Cavity> cavities;
     std::array<double, 3> axis{1, 0, 0};       ///< `along: axis`, from the held to the moving face: positive is longer
     std::array<bool, 3> symmetry_planes{};     ///< cuts the section or the extrusion has already (not those of a revolution)
     double fraction = 1;                       ///< of the actuator that remains after these cuts
     Anchoring anchoring = Anchoring::supports;
+    std::vector<model::Support> supports;      ///< that belong to the shape, besides symmetry planes and axis
 };
 
 struct Family {
@@ -51,6 +59,9 @@ struct Family {
 [[nodiscard]] Family sphere();
 [[nodiscard]] Family tube();
 [[nodiscard]] Family bellows();
+[[nodiscard]] Family panel();
+[[nodiscard]] Family ring();
+[[nodiscard]] Family imported();
 
 /// All families, in the order of --list.
 [[nodiscard]] std::span<const Family> catalogue();

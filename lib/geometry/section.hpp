@@ -1,6 +1,7 @@
 #pragma once
 /// A plane section as people draw it: points, lines and circular arcs, and four-sided blocks between them. Plain data,
-/// no mesher in it. Coordinates [m]: (x, r) for a body of revolution about x, (x, z) for a box that is drawn out along y.
+/// no mesher in it. Coordinates [m]: (x, r) for a body of revolution about x, (x, z) for a box that is drawn out along y, (x, y) for
+/// plane strain and what is drawn out along z.
 /// A curve carries its number of cells; blocks that share it agree by construction, and opposite sides of a block must
 /// have equal numbers (checked). Held by geometry/section_mesher_test.
 #include <array>

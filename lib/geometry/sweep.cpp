@@ -206,6 +206,18 @@ struct Straight {
     }
 };
 
+/// Planes from z = 0 up to width: (x, y, z) is right-handed.
+struct Upright {
+    double width_m;
+    int half_layers;
+
+    [[nodiscard]] bool is_fixed(const Point&) const { return false; }
+    [[nodiscard]] int plane(const Point&, int plane) const { return plane; }
+    [[nodiscard]] Point position(const Point& p, int plane) const {
+        return {p[0], p[1], width_m * plane / half_layers};
+    }
+};
+
 }  // namespace
 
 mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter) {
@@ -230,6 +242,12 @@ mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter
 }
 
 mesh::Mesh extrude(const mesh::Mesh& section, const Extrusion& extrusion) {
+    if (extrusion.along == Extrusion::Along::z) {
+        Sweep sweep{section, Upright{extrusion.width_m, 2 * extrusion.layers}, extrusion.layers};
+        for (const std::string& name : extrusion.low_faces) sweep.name_first(name);
+        for (const std::string& name : extrusion.high_faces) sweep.name_last(name);
+        return sweep.take();
+    }
     Sweep sweep{section, Straight{extrusion.width_m, 2 * extrusion.layers}, extrusion.layers};
     for (const std::string& name : extrusion.high_faces) sweep.name_first(name);
     for (const std::string& name : extrusion.low_faces) sweep.name_last(name);

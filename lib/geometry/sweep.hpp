@@ -17,12 +17,14 @@ enum class Turn { quarter, half, full };
 /// `sectors_per_quarter` cells. std::logic_error for a triangle on the axis or a cell that meets it in a corner only.
 [[nodiscard]] mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter);
 
-/// Draws the section (x, z) out along y from 0 to width_m; the end planes get the given names.
+/// Draws the section out from 0 to width_m: (x, z) along y, or (x, y) along z; the end planes get the given names.
 struct Extrusion {
-    double width_m;
-    int layers;
-    std::vector<std::string> low_faces;    ///< y = 0
-    std::vector<std::string> high_faces;   ///< y = width_m
+    enum class Along { y, z };
+    double width_m = 0;
+    int layers = 1;
+    std::vector<std::string> low_faces;    ///< at 0
+    std::vector<std::string> high_faces;   ///< at width_m
+    Along along = Along::y;
 };
 [[nodiscard]] mesh::Mesh extrude(const mesh::Mesh& section, const Extrusion& extrusion);
 

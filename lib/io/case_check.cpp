@@ -196,6 +196,11 @@ private:
                     "there is no cavity or face named " + quoted(load.target));
             require_finite(load.pressure_Pa, item("/loads/pressure", i));
         }
+        for (std::size_t i = 0; i < case_.tractions.size(); ++i) {
+            require_face(case_.tractions[i].face, item("/loads/tractions/face", i));
+            for (const double component : case_.tractions[i].traction_Pa)
+                require_finite(component, item("/loads/tractions/traction", i));
+        }
     }
 
     void check_outputs() const {

@@ -97,6 +97,8 @@ std::vector<model::Material> read_materials(const GroupReader& group) {
         material.name = name;
         material.law = one.text("law");
         material.volumetric = one.word("volumetric", volumetric_names);
+        // Absent in files from before laws with fibres.
+        if (one.has("fiber_frame")) material.fiber_frame = one.word("fiber_frame", fiber_frame_names);
         if (one.has("bulk_modulus")) material.bulk_modulus_Pa = one.number("bulk_modulus");
         const GroupReader constants = one.group("constants");
         for (const std::string& key : constants.names()) material.constants[key] = constants.array<double>(key, {any});
@@ -137,6 +139,14 @@ std::vector<model::PressureLoad> read_loads(const GroupReader& group) {
     std::vector<model::PressureLoad> loads;
     for (std::size_t i = 0; i < targets.size(); ++i) loads.push_back({targets[i], pressures[i], sealed[i] == 1});
     return loads;
+}
+
+std::vector<model::TractionLoad> read_tractions(const GroupReader& group) {
+    const auto faces = group.texts("face");
+    const auto values = group.array<double>("traction", {extent(faces.size()), 3});
+    std::vector<model::TractionLoad> tractions;
+    for (std::size_t i = 0; i < faces.size(); ++i) tractions.push_back({faces[i], triple<double>(values, i)});
+    return tractions;
 }
 
 std::vector<model::Output> read_outputs(const GroupReader& group) {
@@ -188,6 +198,7 @@ CaseFile read_case_groups(const GroupReader& root) {
     const GroupReader loads = root.group("loads");
     model.cavities = read_cavities(loads.group("cavities"));
     model.loads = read_loads(loads);
+    if (loads.has("tractions")) model.tractions = read_tractions(loads.group("tractions"));
     model.outputs = read_outputs(root.group("outputs"));
     read_control(root.group("control"), model.path, model.solver);
     file.provenance = read_provenance(root);

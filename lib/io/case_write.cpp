@@ -114,6 +114,8 @@ void write_materials(hid_t root, const std::vector<model::Material>& materials) 
         write_text(one.get(), {"law", "1", "name of the law"}, material.law);
         write_text(one.get(), {"volumetric", "1", "volumetric energy: quadratic | log | mixed"},
                    name_of(volumetric_names, material.volumetric));
+        write_text(one.get(), {"fiber_frame", "1", "directions of fibres: cartesian x, y | cylindrical x, hoop"},
+                   name_of(fiber_frame_names, material.fiber_frame));
         if (material.bulk_modulus_Pa)
             write_number(one.get(), {"bulk_modulus", "Pa", "kappa; absent: incompressible"}, *material.bulk_modulus_Pa);
         const GroupHandle constants = create_group(one.get(), "constants", "by the law's own keys");
@@ -153,6 +155,11 @@ void write_loads(hid_t root, const model::Case& model) {
                column(loads, [](const auto& l) { return l.pressure_Pa; }));
     write_list(group.get(), {"sealed", "1", "1: plugs and inner faces are loaded too"},
                column(loads, [](const auto& l) { return static_cast<std::uint8_t>(l.sealed); }));
+    const auto& tractions = model.tractions;
+    const GroupHandle dead = create_group(group.get(), "tractions", "dead tractions at load factor 1, one row a load");
+    write_texts(dead.get(), {"face", "1", "named face"}, column(tractions, [](const auto& t) { return t.face; }));
+    write_list(dead.get(), {"traction", "Pa", "force per undeformed area: x, y, z (axisymmetric: x, r, unused)"},
+               rows_of_three<double>(tractions, [](const auto& t) { return t.traction_Pa; }), {tractions.size(), 3});
     const GroupHandle cavities = create_group(group.get(), "cavities", "cavities of the geometry");
     std::int64_t order = 0;
     for (const model::Cavity& cavity : model.cavities) write_cavity(cavities.get(), cavity, order++);

@@ -23,11 +23,16 @@ inline constexpr std::array kinematics_names{
 inline constexpr std::array formulation_names{
     Named{model::Formulation::displacement, std::string_view{"displacement"}},
     Named{model::Formulation::mixed, std::string_view{"mixed"}},
+    Named{model::Formulation::f_bar, std::string_view{"f_bar"}},
 };
 inline constexpr std::array volumetric_names{
     Named{model::Volumetric::quadratic, std::string_view{"quadratic"}},
     Named{model::Volumetric::log, std::string_view{"log"}},
     Named{model::Volumetric::mixed, std::string_view{"mixed"}},
+};
+inline constexpr std::array fiber_frame_names{
+    Named{model::FiberFrame::cartesian, std::string_view{"cartesian"}},
+    Named{model::FiberFrame::cylindrical, std::string_view{"cylindrical"}},
 };
 inline constexpr std::array control_names{
     Named{model::Control::pressure, std::string_view{"pressure"}},

@@ -24,7 +24,7 @@ struct NumberColumn {
 };
 constexpr std::array number_columns{
     NumberColumn{"load_parameter", "1", "factor on all loads; 1 is the full load", &Step::load_factor},
-    NumberColumn{"pressure", "Pa", "of the first load, above ambient", &Step::pressure_Pa},
+    NumberColumn{"pressure", "Pa", "of the first load, above ambient; a traction where nothing else loads", &Step::pressure_Pa},
     NumberColumn{"stretch_p99", "1", "largest principal stretch exceeded in 1 % of the rubber", &Step::stretch_p99},
     NumberColumn{"max_stretch", "1", "largest principal stretch", &Step::max_stretch},
     NumberColumn{"min_jacobian", "1", "least det F over the integration points", &Step::min_jacobian},

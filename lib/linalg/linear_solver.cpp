@@ -31,14 +31,14 @@ bool is_mumps(PC pc) {
 
 }  // namespace
 
-LinearSolver::LinearSolver(Mat K) : K_(K) {
+LinearSolver::LinearSolver(Mat K, Symmetry symmetry) : K_(K) {
     SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
     SOFT_PETSC(KSPGMRESSetRestart(ksp_, linear_iteration_limit));
     SOFT_PETSC(KSPSetTolerances(ksp_, linear_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, linear_iteration_limit));
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    SOFT_PETSC(PCSetType(pc, PCCHOLESKY));
+    SOFT_PETSC(PCSetType(pc, symmetry == Symmetry::symmetric ? PCCHOLESKY : PCLU));
     SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
     // ICNTL(14): work space beyond the estimate [%], small by default and pivoting of the saddle point needs more.
     // ICNTL(13) = 1: the root front is factorised on one rank, without which the count of negative pivots is partial.

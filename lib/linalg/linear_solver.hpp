@@ -3,7 +3,7 @@
 /// options say otherwise) of one of them preconditions flexible GMRES for the others. With a fresh factor of a
 /// symmetric K this is one application; the same loop corrects the part of K that is not symmetric (a pressure whose
 /// surface has a free rim), which LDL^T does not see. Where that part is large the loop takes many iterations: then the
-/// solver goes over to LU for good. Held by linalg/linear_solver_test.
+/// solver goes over to LU for good; where it is known beforehand, LU is taken from the start. Held by linalg/linear_solver_test.
 #include <optional>
 
 #include "linalg/petsc.hpp"
@@ -23,10 +23,12 @@ struct LinearSolve {
 /// Whether the last factor is that of K as it stands, or of a K shortly before.
 enum class Factor { fresh, stale };
 
+enum class Symmetry { symmetric, general };
+
 class LinearSolver {
 public:
     /// Default options can be changed by any PETSc option (-ksp_*, -pc_*, -mat_mumps_*).
-    explicit LinearSolver(Mat K);
+    explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric);
 
     /// Factorises K as it stands now. A failed factorisation (singular, out of memory) is a value, not an exception.
     [[nodiscard]] Factorization factorize();

@@ -1,13 +1,19 @@
 #pragma once
 /// The variables a law is written in.
+#include <array>
 
 namespace soft::material {
 
-/// Isochoric invariants I1bar = J^-2/3 I1, I2bar = J^-4/3 I2 (both 3 in the reference state).
+/// I1 = tr C, I2 = (tr^2 C - tr C^2)/2. As the argument of an isochoric energy they are those of J^-2/3 C; both are 3 in
+/// the reference state.
 template <class T>
 struct Invariants {
     T I1;
     T I2;
 };
+
+/// Principal stretches divided by J^1/3, in no order; their product is 1.
+template <class T>
+using IsochoricStretches = std::array<T, 3>;
 
 }  // namespace soft::material

@@ -1,45 +1,100 @@
 #pragma once
-/// Hyperelastic laws: one struct each with its energy written once. This header is the list of laws and the one
-/// way the elements use them.
+/// The list of laws, and what the elements ask of them.
 ///
-///   W(F, p) = W_iso(I1bar, I2bar) + p Theta(J) - p^2 / (2 kappa)          mixed formulation
-///   W(F)    = W_iso(I1bar, I2bar) + kappa/2 Theta(J)^2                    displacement formulation
+///   W(F, p) = W_s(F) + p Theta - p^2 / (2 K)          mixed formulation
+///   W(F)    = W_s(F) + K/2 Theta^2                    displacement formulation
 ///
-/// per undeformed volume [J/m^3]; I1bar = J^-2/3 tr C, I2bar = J^-4/3 (tr^2 C - tr C^2)/2, C = F^T F, J = det F.
-/// Eliminating p from the first gives the second; kappa = infinity (1/kappa = 0) is full incompressibility,
-/// Theta(J) = 0. p is the derivative of the energy by Theta; the hydrostatic Cauchy stress is p Theta'(J).
+/// per undeformed volume [J/m^3], J = det F. Eliminating p from the first gives the second; 1/K = 0 is full
+/// incompressibility, Theta = 0. p is the derivative of the energy by Theta. A law is a plain struct that gives W_s as one
+/// of
+///   isochoric_energy(Invariants of J^-2/3 C)            with Theta(J) chosen by the design and K = kappa
+///   isochoric_energy(IsochoricStretches)                the same in principal stretches
+///   shear_energy(Invariants of C, J)                    with Theta(J), or its own `dilatation`
+/// and, where it has them, fiber_energy(I4). Two laws fit no such form and have their own branch in response.hpp: small
+/// strain (LinearElastic) and a stress without an energy (Kraken).
+/// A new law is a header with such a struct, its LawInfo and `from`, and its name in `LawList` below.
 /// Source: two-field form of Sussman and Bathe, Comput. Struct. 26 (1987) 357, with Theta for J - 1 (derived here).
 /// Held by material/law_test (every law: stress-free reference, frame indifference, P = dW/dF, A = dP/dF).
 #include <concepts>
-#include <string_view>
+#include <tuple>
 #include <variant>
 
 #include "core/dual.hpp"
 #include "core/tensor.hpp"
+#include "material/arruda_boyce.hpp"
+#include "material/gent.hpp"
+#include "material/holzapfel_gasser_ogden.hpp"
+#include "material/kraken.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/mooney_rivlin.hpp"
 #include "material/neo_hookean.hpp"
+#include "material/neo_hookean_compressible.hpp"
+#include "material/ogden.hpp"
+#include "material/saint_venant_kirchhoff.hpp"
+#include "material/yeoh.hpp"
 
 namespace soft::material {
 
-/// Every law the elements can run. A law missing from a `std::visit` fails to compile.
-using Law = std::variant<NeoHookean>;
+/// Every law the elements can run, in the order of --list-materials.
+using LawList = std::tuple<LinearElastic, SaintVenantKirchhoff, NeoHookean, NeoHookeanCompressible, MooneyRivlin, Yeoh,
+                           Ogden, Gent, ArrudaBoyce, HolzapfelGasserOgden, Kraken>;
 
-/// Theta(J) of the volumetric energy kappa/2 Theta^2.
+/// Theta(J) of the volumetric energy K/2 Theta^2: J - 1; ln J; Theta^2 = (J^2 - 1 - 2 ln J)/2.
 enum class VolumetricLaw { quadratic, log, mixed };
 
-/// A law with its volumetric part. inverse_bulk_modulus = 1/kappa [1/Pa]; 0 = incompressible.
+/// The two directions in whose surface fibres lie: x and y, or x and the hoop direction about x.
+enum class FiberFrame { cartesian, cylindrical };
+
+/// A law with what the design adds to it. inverse_bulk_modulus = 1/K [1/Pa]; 0 = incompressible.
 template <class L>
 struct Rubber {
     L law;
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     double inverse_bulk_modulus = 0;
+    FiberFrame fiber_frame = FiberFrame::cartesian;
 };
 
 template <class L>
-concept HyperelasticLaw = requires(const L& law, const Invariants<Dual<3>>& bar) {
+concept InvariantLaw = requires(const L& law, const Invariants<Dual<3>>& bar) {
     { law.isochoric_energy(bar) } -> std::same_as<Dual<3>>;
-    { law.initial_shear_modulus_Pa() } -> std::same_as<double>;
-    { L::name } -> std::convertible_to<std::string_view>;
 };
-static_assert(HyperelasticLaw<NeoHookean>);
+template <class L>
+concept StretchLaw = requires(const L& law, const IsochoricStretches<Dual<3>>& stretch) {
+    { law.isochoric_energy(stretch) } -> std::same_as<Dual<3>>;
+};
+template <class L>
+concept CoupledLaw = requires(const L& law, const Invariants<Dual<3>>& I, const Dual<3>& J) {
+    { law.shear_energy(I, J) } -> std::same_as<Dual<3>>;
+};
+/// A law that puts something else in the place of Theta(J).
+template <class L>
+concept OwnDilatation = requires(const Invariants<Dual<3>>& I, const Dual<3>& J) {
+    { L::dilatation(I, J) } -> std::same_as<Dual<3>>;
+};
+template <class L>
+concept FiberLaw = requires(const L& law, const Dual<1>& I4) {
+    { law.fiber_energy(I4) } -> std::same_as<Dual<1>>;
+};
+/// A stress that derives from no energy: its tangent is not symmetric, and it has no mixed form.
+template <class L>
+concept StressLaw = requires(const L& law, const Invariants<Dual<3>>& I, const Dual<3>& J) {
+    { law.stress_coefficients(I, J) } -> std::same_as<std::array<Dual<3>, 3>>;
+};
+template <class L>
+concept Law = (InvariantLaw<L> || StretchLaw<L> || CoupledLaw<L> || StressLaw<L> || std::same_as<L, LinearElastic>) &&
+              requires(const L& law, const Constants& constants) {
+                  { law.initial_shear_modulus_Pa() } -> std::same_as<double>;
+                  { L::info() } -> std::same_as<LawInfo>;
+                  { L::from(constants) } -> std::same_as<L>;
+              };
+
+template <class List>
+struct RubberOf;
+template <Law... L>
+struct RubberOf<std::tuple<L...>> {
+    using type = std::variant<Rubber<L>...>;
+};
+/// A rubber of any law. A law missing from a `std::visit` fails to compile.
+using AnyRubber = RubberOf<LawList>::type;
 
 }  // namespace soft::material

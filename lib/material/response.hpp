@@ -1,14 +1,19 @@
 #pragma once
-/// Stress and tangent at a point: the law's energy is differentiated in (I1, I2, J) by automatic differentiation,
-/// and the kinematic chain rule below carries the result to F, once for all laws.
+/// Stress and tangent at a point: the law's energy is differentiated in its own variables (I1, I2, J; the principal
+/// stretches; I4) by automatic differentiation, and the kinematic chain rules below carry the result to F, once for all
+/// laws.
 ///   P = W1 dI1/dF + W2 dI2/dF + WJ cof F,   A = sum_ab W_ab dIa (x) dIb + sum_a W_a d2Ia/dF2
 ///   dI1/dF = 2 F, dI2/dF = 2 (I1 F - F C); second derivatives in index form in the code.
-/// Source: derived here; held against nine-variable AD in F by material/law_test.
+/// Reference configuration throughout, Pa. Sources: derived here; principal stretches Holzapfel, Nonlinear Solid
+/// Mechanics (2000), 6.180. Held against nine-variable differentiation in F by material/law_test.
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 
 #include "core/dual.hpp"
 #include "core/tensor.hpp"
 #include "material/law.hpp"
+#include "material/principal.hpp"
 
 namespace soft::material {
 
@@ -32,66 +37,193 @@ template <class T>
     return J - 1.0;
 }
 
-/// Energy per undeformed volume [J/m^3] as a function of the invariants of C and of J; p [Pa] is the mixed unknown.
-template <class T, HyperelasticLaw L>
-[[nodiscard]] T mixed_energy(const Rubber<L>& rubber, double p, const T& I1, const T& I2, const T& J) {
-    using std::pow;
-    const T contraction = pow(J, -2.0 / 3.0);
-    const Invariants<T> bar{contraction * I1, contraction * contraction * I2};
-    return rubber.law.isochoric_energy(bar) + p * theta(rubber.volumetric, J) -
-           T(0.5 * p * p * rubber.inverse_bulk_modulus);
-}
-
-template <class T, HyperelasticLaw L>
-[[nodiscard]] T displacement_energy(const Rubber<L>& rubber, const T& I1, const T& I2, const T& J) {
-    const T t = theta(rubber.volumetric, J);
-    return mixed_energy(rubber, 0.0, I1, I2, J) + 0.5 / rubber.inverse_bulk_modulus * t * t;
-}
+/// The unit vectors e1, e2 of the fibre frame at a point; laws without fibres do not look at them.
+struct FiberAxes {
+    Vector3 e1{1, 0, 0}, e2{0, 1, 0};
+};
 
 /// What an integration point gives the element. Reference configuration, Pa.
 struct PointResponse {
     Tensor first_piola;      ///< P = dW/dF
     Tangent tangent;         ///< A = dP/dF (only if asked for)
     double jacobian = 1;     ///< J = det F
-    double theta = 0;        ///< Theta(J)
-    Tensor dtheta_dF;        ///< Theta'(J) cof F
+    double theta = 0;        ///< Theta (mixed form only)
+    Tensor dtheta_dF;        ///< dTheta/dF (mixed form only)
 };
 
 enum class Wanted { stress, stress_and_tangent };
 
-/// P and A from a function's derivatives by (I1, I2, J).
-void chain_rule(const Tensor& F, const Dual<3>& energy, Wanted wanted, PointResponse& out);
+/// W_a and dW_a/dI_b by (I1, I2, J). The second is symmetric where the first are derivatives of an energy.
+struct Slopes {
+    std::array<double, 3> first{};
+    std::array<std::array<double, 3>, 3> second{};
+};
+[[nodiscard]] Slopes slopes_of(const Dual<3>& energy);
+[[nodiscard]] Slopes slopes_of(const std::array<Dual<3>, 3>& coefficients);
+
+/// P and A from these, into `out`.
+void chain_rule(const Tensor& F, const Slopes& slopes, Wanted wanted, PointResponse& out);
+
+/// dTheta/dF into out.dtheta_dF.
+void chain_rule_of_dilatation(const Tensor& F, const Dual<3>& dilatation, PointResponse& out);
+
+/// Adds the pull of fibres along the unit vector a0: w1 = dW/dI4, w2 = d2W/dI4^2.
+void add_fiber_response(const Tensor& F, const Vector3& a0, const Dual<1>& energy, Wanted wanted, PointResponse& out);
+
+/// Small strain: P = 2 mu dev e + p I, with Theta = tr e; its constant tangent without the part of p.
+void linear_response(double mu_Pa, const Tensor& F, double p, Wanted wanted, PointResponse& out);
 
 /// I1 = tr C and I2 = (tr^2 C - tr C^2)/2.
-[[nodiscard]] inline Invariants<double> principal_invariants(const Tensor& F) {
-    const Tensor C = right_cauchy_green(F);
-    const double I1 = trace(C);
-    double trace_C2 = 0;
-    for (const double c : C) trace_C2 += c * c;
+template <class T>
+[[nodiscard]] Invariants<T> principal_invariants(const TensorOf<T>& F) {
+    const TensorOf<T> C = right_cauchy_green(F);
+    const T I1 = trace(C);
+    T trace_C2 = 0.0;
+    for (const T& c : C) trace_C2 += c * c;
     return {I1, 0.5 * (I1 * I1 - trace_C2)};
 }
 
-/// Mixed formulation: energy W(F, p) at fixed p.
-template <HyperelasticLaw L>
-void mixed_response(const Rubber<L>& rubber, const Tensor& F, double p, Wanted wanted, PointResponse& out) {
-    const auto [I1, I2] = principal_invariants(F);
-    const double J = determinant(F);
-    const auto energy =
-        mixed_energy(rubber, p, Dual<3>::variable(I1, 0), Dual<3>::variable(I2, 1), Dual<3>::variable(J, 2));
-    chain_rule(F, energy, wanted, out);
-    const auto t = theta(rubber.volumetric, Dual<1>::variable(J, 0));
-    out.theta = t.v;
-    out.dtheta_dF = cofactor(F);
-    for (double& c : out.dtheta_dF) c *= t.g[0];
+/// W_s of the laws in invariants, fibres not included.
+template <class L, class T>
+    requires InvariantLaw<L> || CoupledLaw<L>
+[[nodiscard]] T shear_energy(const L& law, const Invariants<T>& I, const T& J) {
+    if constexpr (CoupledLaw<L>) {
+        return law.shear_energy(I, J);
+    } else {
+        using std::pow;
+        const T contraction = pow(J, -2.0 / 3.0);
+        return law.isochoric_energy(Invariants<T>{contraction * I.I1, contraction * contraction * I.I2});
+    }
 }
 
-/// Displacement formulation: energy W(F) with a finite kappa; p is not an unknown.
-template <HyperelasticLaw L>
-void displacement_response(const Rubber<L>& rubber, const Tensor& F, Wanted wanted, PointResponse& out) {
+/// Theta of the rubber.
+template <class L, class T>
+[[nodiscard]] T dilatation(const Rubber<L>& rubber, const Invariants<T>& I, const T& J) {
+    if constexpr (OwnDilatation<L>)
+        return L::dilatation(I, J);
+    else
+        return theta(rubber.volumetric, J);
+}
+
+/// Direction of family 0 (+ angle) or 1 (- angle).
+template <FiberLaw L>
+[[nodiscard]] Vector3 fiber_direction(const L& law, const FiberAxes& axes, int family) {
+    const double c = std::cos(law.angle_rad), s = (family == 0 ? 1.0 : -1.0) * std::sin(law.angle_rad);
+    Vector3 a0;
+    for (std::size_t i = 0; i < 3; ++i) a0[i] = c * axes.e1[i] + s * axes.e2[i];
+    return a0;
+}
+
+/// I4 = |F a0|^2.
+[[nodiscard]] inline double squared_fiber_stretch(const Tensor& F, const Vector3& a0) {
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double component = F[3 * i] * a0[0] + F[3 * i + 1] * a0[1] + F[3 * i + 2] * a0[2];
+        sum += component * component;
+    }
+    return sum;
+}
+
+namespace detail {
+
+/// The variables of the chain rule at F, ready to be differentiated by.
+struct Variables {
+    Invariants<Dual<3>> I;
+    Dual<3> J;
+};
+[[nodiscard]] inline Variables variables_at(const Tensor& F) {
     const auto [I1, I2] = principal_invariants(F);
-    const auto energy = displacement_energy(rubber, Dual<3>::variable(I1, 0), Dual<3>::variable(I2, 1),
-                                            Dual<3>::variable(determinant(F), 2));
-    chain_rule(F, energy, wanted, out);
+    return {{Dual<3>::variable(I1, 0), Dual<3>::variable(I2, 1)}, Dual<3>::variable(determinant(F), 2)};
+}
+
+/// Everything but the volumetric part, which comes in as `volumetric`, a function of (I1, I2, J).
+template <class L>
+void add_up(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, const Variables& at,
+            const Dual<3>& volumetric, Wanted wanted, PointResponse& out) {
+    if constexpr (StretchLaw<L>) {
+        chain_rule(F, slopes_of(volumetric), wanted, out);
+        add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr, out.first_piola);
+    } else {
+        chain_rule(F, slopes_of(shear_energy(rubber.law, at.I, at.J) + volumetric), wanted, out);
+    }
+    if constexpr (FiberLaw<L>)
+        for (int family = 0; family < rubber.law.families; ++family) {
+            const Vector3 a0 = fiber_direction(rubber.law, axes, family);
+            const auto energy = rubber.law.fiber_energy(Dual<1>::variable(squared_fiber_stretch(F, a0), 0));
+            add_fiber_response(F, a0, energy, wanted, out);
+        }
+}
+
+}  // namespace detail
+
+/// Mixed formulation: energy W(F, p) at fixed p. Not for laws without that form (LawInfo::mixed).
+template <Law L>
+void mixed_response(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, double p, Wanted wanted,
+                    PointResponse& out) {
+    if constexpr (std::same_as<L, LinearElastic>) {
+        linear_response(rubber.law.mu_Pa, F, p, wanted, out);
+    } else if constexpr (StressLaw<L>) {
+        throw std::logic_error("mixed_response: a stress without an energy has no mixed form");
+    } else {
+        const auto at = detail::variables_at(F);
+        const Dual<3> dilation = dilatation(rubber, at.I, at.J);
+        detail::add_up(rubber, axes, F, at, p * dilation, wanted, out);
+        out.theta = dilation.v;
+        chain_rule_of_dilatation(F, dilation, out);
+    }
+}
+
+/// Displacement formulation: energy W(F) with a finite K; p is not an unknown.
+template <Law L>
+void displacement_response(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted,
+                           PointResponse& out) {
+    if constexpr (std::same_as<L, LinearElastic>) {
+        const double K = 1.0 / rubber.inverse_bulk_modulus;
+        linear_response(rubber.law.mu_Pa, F, K * (trace(F) - 3.0), wanted, out);
+        if (wanted == Wanted::stress) return;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k) out.tangent[9 * (4 * i) + 4 * k] += K;
+    } else if constexpr (StressLaw<L>) {
+        const auto at = detail::variables_at(F);
+        chain_rule(F, slopes_of(rubber.law.stress_coefficients(at.I, at.J)), wanted, out);
+    } else {
+        const auto at = detail::variables_at(F);
+        const Dual<3> dilation = dilatation(rubber, at.I, at.J);
+        detail::add_up(rubber, axes, F, at, 0.5 / rubber.inverse_bulk_modulus * dilation * dilation, wanted, out);
+    }
+}
+
+/// W_s(F) per undeformed volume [J/m^3] and Theta: W = W_s + K/2 Theta^2. Empty for a stress without an energy.
+struct EnergyParts {
+    double shear = 0, dilatation = 0;
+};
+template <Law L>
+[[nodiscard]] std::optional<EnergyParts> energy_parts(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F) {
+    if constexpr (StressLaw<L>) {
+        return std::nullopt;
+    } else if constexpr (std::same_as<L, LinearElastic>) {
+        const double dilation = trace(F) - 3.0;
+        double e2 = 0;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const double e = 0.5 * (F[3 * i + j] + F[3 * j + i]) - (i == j ? 1.0 : 0.0);
+                e2 += e * e;
+            }
+        return EnergyParts{rubber.law.mu_Pa * (e2 - dilation * dilation / 3.0), dilation};
+    } else {
+        const auto I = principal_invariants(F);
+        const double J = determinant(F);
+        EnergyParts parts{0.0, dilatation(rubber, I, J)};
+        if constexpr (StretchLaw<L>)
+            parts.shear = rubber.law.isochoric_energy(isochoric_stretches(F));
+        else
+            parts.shear = shear_energy(rubber.law, I, J);
+        if constexpr (FiberLaw<L>)
+            for (int family = 0; family < rubber.law.families; ++family)
+                parts.shear += rubber.law.fiber_energy(
+                    squared_fiber_stretch(F, fiber_direction(rubber.law, axes, family)));
+        return parts;
+    }
 }
 
 }  // namespace soft::material

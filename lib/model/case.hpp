@@ -2,6 +2,7 @@
 /// The typed case: what mesh-gen writes, solve reads and the HDF5 file holds. Plain data, SI units, no behaviour.
 /// Loads are stated for the WHOLE actuator; `model_fraction` says how much of it the mesh holds (1, 1/2, 1/4).
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,9 +15,14 @@ namespace soft::model {
 /// axisymmetric: section in (x, r), axis of revolution x, r >= 0; integrals carry 2 pi r.
 /// plane_strain: section in (x, y) of unit depth 1 m. solid: (x, y, z).
 enum class Kinematics { axisymmetric, plane_strain, solid };
-enum class Formulation { displacement, mixed };
+/// displacement: no pressure unknown. mixed: pressure unknown in a stable pair. f_bar: displacement with the mean
+/// dilatation of each first-order quadrilateral or hexahedron in place of its own.
+enum class Formulation { displacement, mixed, f_bar };
 /// U(J) = kappa/2 Theta(J)^2: quadratic Theta = J - 1; log Theta = ln J; mixed Theta^2 = (J^2 - 1 - 2 ln J)/2.
 enum class Volumetric { quadratic, log, mixed };
+
+/// The two directions in whose surface fibres lie. cylindrical: x and the hoop direction about x; cartesian: x and y.
+enum class FiberFrame { cartesian, cylindrical };
 
 struct Material {
     std::string name;                                    ///< region it belongs to
@@ -24,6 +30,7 @@ struct Material {
     std::map<std::string, std::vector<double>> constants;  ///< SI, by the law's own keys; scalars have one entry
     std::optional<double> bulk_modulus_Pa;               ///< kappa; nullopt = fully incompressible
     Volumetric volumetric = Volumetric::quadratic;
+    FiberFrame fiber_frame = FiberFrame::cartesian;      ///< of laws with fibres; the others do not look at it
 };
 
 /// Zero displacement of the marked components (x, y, z; axisymmetric: x, r, unused) on a named face.
@@ -52,6 +59,12 @@ struct PressureLoad {
     std::string target;            ///< name of a Cavity, or of a face (then `sealed` is unused and no volume is measured)
     double pressure_Pa = 0;        ///< value at load factor 1
     bool sealed = true;
+};
+
+/// Dead traction: a force per UNDEFORMED area whose direction stays fixed in space.
+struct TractionLoad {
+    std::string face;
+    std::array<double, 3> traction_Pa{};   ///< at load factor 1; axisymmetric: x, r, unused
 };
 
 /// Area mean, over the undeformed face, of the displacement along `direction` [m].
@@ -94,10 +107,25 @@ struct Case {
     std::vector<Material> materials;        ///< by region name; every region has exactly one
     std::vector<Support> supports;          ///< symmetry planes included
     std::vector<Cavity> cavities;
-    std::vector<PressureLoad> loads;        ///< scaled together by the load factor; the first gives the curve's pressure
+    std::vector<PressureLoad> loads;        ///< scaled together by the load factor
+    std::vector<TractionLoad> tractions;    ///< scaled by the same load factor
     std::vector<Output> outputs;
     PathSettings path;
     SolverSettings solver;
 };
+
+/// What the load factor scales, as a curve shows it: the pressure of the first load, or of a case without one the size of
+/// its first traction.
+struct LeadingLoad {
+    std::string quantity;          ///< "pressure" or "traction"
+    double value_Pa = 0;           ///< at load factor 1
+};
+/// value_Pa is 0 for a case without loads.
+[[nodiscard]] inline LeadingLoad leading_load(const Case& input) {
+    if (!input.loads.empty()) return {"pressure", input.loads.front().pressure_Pa};
+    if (input.tractions.empty()) return {"pressure", 0.0};
+    const auto& t = input.tractions.front().traction_Pa;
+    return {"traction", std::hypot(t[0], t[1], t[2])};
+}
 
 }  // namespace soft::model

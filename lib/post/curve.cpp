@@ -70,12 +70,13 @@ std::string Curve::coordinate_names() const {
     return names;
 }
 
-Curve make_curve(std::span<const std::string> output_names, std::span<const solution::Step> steps) {
+Curve make_curve(std::span<const std::string> output_names, std::span<const solution::Step> steps,
+                 std::string_view load) {
     check(steps, output_names.size());
     const bool has_volume = !steps.empty() && steps.front().volume_m3.has_value();
 
     Column number = plain("step", Role::counter);
-    Column pressure = coordinate("pressure", core::Dimension::pressure, "kPa", kilopascal_Pa);
+    Column pressure = coordinate(std::string(load), core::Dimension::pressure, "kPa", kilopascal_Pa);
     Column volume = coordinate("volume", core::Dimension::volume, "mL", millilitre_m3);
     Column p99 = plain("stretch_p99", Role::follower), largest = plain("max_stretch", Role::follower);
     Column jacobian = plain("min_J", Role::follower), stable = plain("stable", Role::flag);

@@ -48,6 +48,8 @@ struct Curve {
 
 /// `output_names` in the order of Step::outputs_m. Throws Error(bad_input) where a step has another number of outputs
 /// or a volume is recorded at some of the steps only.
-[[nodiscard]] Curve make_curve(std::span<const std::string> output_names, std::span<const solution::Step> steps);
+/// `load` names what the path's load column holds: "pressure", or "traction" of a case without a pressure.
+[[nodiscard]] Curve make_curve(std::span<const std::string> output_names, std::span<const solution::Step> steps,
+                               std::string_view load = "pressure");
 
 }  // namespace soft::post

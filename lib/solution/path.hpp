@@ -27,7 +27,7 @@ enum class StopReason { done, limit_point, diverged, inverted_element, self_cont
 /// travel), all by the same path parameter, so that d(pressure)/d(volume) is their quotient.
 struct Step {
     double load_factor = 0;
-    double pressure_Pa = 0;                      ///< of the first load
+    double pressure_Pa = 0;                      ///< of the first load; its traction where the case has no pressure
     std::optional<double> volume_m3;             ///< enclosed by the first loaded cavity, whole actuator; empty without one
     std::vector<double> outputs_m;               ///< in the order of Case::outputs
     double tangent_load_factor = 0;

@@ -57,9 +57,10 @@ std::string with_unit(double value, double factor, const char* unit) {
 Goal make_goal(const model::Case& input, const model::Until& until, std::optional<double> undeformed_volume_m3) {
     const std::string place = "path.until." + until.quantity;
     if (until.quantity == "pressure") {
-        if (input.loads.front().pressure_Pa == 0.0)
-            throw Error(ExitCode::bad_input, place, "the load's pressure is 0", "give loads.cavity.pressure");
-        return {{ConstraintKind::load_factor}, until.value / input.loads.front().pressure_Pa,
+        const model::LeadingLoad load = model::leading_load(input);
+        if (load.quantity != "pressure" || load.value_Pa == 0.0)
+            throw Error(ExitCode::bad_input, place, "no pressure loads the body", "give loads.cavity.pressure");
+        return {{ConstraintKind::load_factor}, until.value / load.value_Pa,
                 "pressure of " + with_unit(until.value, 1e-3, " kPa")};
     }
     if (until.quantity == "volume_ratio") {

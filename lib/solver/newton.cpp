@@ -10,6 +10,8 @@ namespace {
 /// Armijo's constant: any decrease proportional to the step is accepted.
 constexpr double sufficient_decrease = 1e-4;
 constexpr int line_search_limit = 6;
+/// Where a correction ends in a state without any stress (a prestressed body set free) its forces are no scale any more.
+constexpr double vanishing_forces = 1e-3;
 /// A tangent solved with the last correction's factor takes 2 or 3 iterations; beyond this a new factor is cheaper.
 constexpr int many_iterations_for_a_recent_factor = 5;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
@@ -18,7 +20,7 @@ constexpr double first_iteration_rise = 20.0;
 }  // namespace
 
 Newton::Newton(assembly::System& system, const model::SolverSettings& settings)
-    : system_(system), settings_(settings), K_(system.make_matrix()), solver_(K_), R_(system.make_vector()),
+    : system_(system), settings_(settings), K_(system.make_matrix()), solver_(K_, system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general), R_(system.make_vector()),
       load_(system.make_vector()), gradient_(system.make_vector()), toward_equilibrium_(system.make_vector()),
       along_load_(system.make_vector()) {}
 
@@ -50,9 +52,11 @@ NewtonResult Newton::correct(const Constraint& constraint, double target, State&
     };
     if (!evaluation.admissible()) return report(NewtonEnd::inverted);
     double residual = linalg::norm(R_);
+    const double first_force_scale = evaluation.force_scale;
     for (;;) {
         const double value = evaluate(constraint, system_, state.x, state.load_factor, gradient_);
-        const double scale = std::max(evaluation.force_scale, std::abs(state.load_factor) * linalg::norm(load_));
+        const double scale = std::max({evaluation.force_scale, std::abs(state.load_factor) * linalg::norm(load_),
+                                       vanishing_forces * first_force_scale});
         result.residual = scale > 0.0 ? residual / scale : 0.0;
         if (!std::isfinite(residual)) return report(NewtonEnd::no_descent);
         if (residual <= settings_.residual_tolerance * scale &&

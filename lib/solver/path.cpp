@@ -19,6 +19,8 @@ using solution::StopReason;
 /// A step whose predictor errs by more than this part of the step is taken again, shorter: the corrector may have
 /// landed on another branch.
 constexpr double predictor_error_limit = 0.5;
+/// Of a smooth path the tangent's error falls with the step, which is cut to 0.4 between two attempts.
+constexpr double error_at_a_kink = 0.8;
 /// Step changes from one step to the next.
 constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure = 0.4;
 /// Newton iterations beyond which the step does not grow.
@@ -87,6 +89,7 @@ private:
     std::optional<PathPoint> before_, last_;
     double step_ = 0, first_step_ = 0;          // of q, signed
     int failures_ = 0;                          // in a row
+    std::optional<double> rejected_error_;      // of the predictor, at the last attempt from here
     NewtonResult newton_result_;
     int iterations_since_row_ = 0, factorizations_at_row_ = 0;
     int rows_ = 0;
@@ -118,6 +121,12 @@ void PathFollower::start() {
     control_ = control_constraint(input_, volume.has_value());
     stop_at_limit_point_ = control_.kind == ConstraintKind::load_factor;
     goals_ = make_goals(input_, volume);
+    if (system_.starts_under_stress()) {   // row 0 is the body free of load, not the undeformed one
+        newton_result_ = newton_.correct({ConstraintKind::load_factor}, 0.0, state);
+        if (newton_result_.end != NewtonEnd::converged)
+            throw Error(ExitCode::bad_input, "materials", "no equilibrium without load under the law's initial stress",
+                        "check the moduli of the materials");
+    }
     auto tangent = newton_.tangent({ConstraintKind::load_factor}, state);
     if (!tangent || !std::isfinite(linalg::norm(tangent->x)))
         throw Error(ExitCode::bad_input, "materials", "the undeformed body has a singular stiffness",
@@ -213,11 +222,15 @@ void PathFollower::advance() {
     const double relative_error = error / linalg::norm(predicted);
     const bool jumped = control_.kind == ConstraintKind::load_factor && point->tangent.excess_pivots &&
                         last_->tangent.excess_pivots && *point->tangent.excess_pivots != *last_->tangent.excess_pivots;
-    if (relative_error > predictor_error_limit || jumped) {
+    // At a kink of the law (fibres that start to pull) the tangent is one-sided: the error does not fall with the step.
+    const bool kink = !jumped && rejected_error_ && relative_error > error_at_a_kink * *rejected_error_;
+    if ((relative_error > predictor_error_limit && !kink) || jumped) {
+        rejected_error_ = relative_error;
         newton_result_.end = NewtonEnd::no_descent;
         return handle_failure();
     }
     failures_ = 0;
+    rejected_error_.reset();
     if (log_)
         log_("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " +
              short_text(relative_error) + ", " + std::to_string(iterations_since_row_) + " iterations" +
@@ -313,7 +326,7 @@ void PathFollower::locate_limit_point(const PathPoint& from, const PathPoint& to
         const bool located = slope * slope <=
                              2.0 * limit_point_tolerance * std::abs(curvature * point->state.load_factor);
         if (located || solve + 1 == limit_point_solves) {
-            end_.limit_points.push_back({rows_, point->state.load_factor * input_.loads.front().pressure_Pa,
+            end_.limit_points.push_back({rows_, point->state.load_factor * model::leading_load(input_).value_Pa,
                                          point->volume_m3, point->outputs_m});
             append(*point);
             if (stop_at_limit_point_)
@@ -338,7 +351,7 @@ bool PathFollower::is_stable(const PathPoint& point) const {
 
 void PathFollower::append(const PathPoint& point) {
     solution::Step step;
-    const double pressure_Pa = input_.loads.front().pressure_Pa;
+    const double pressure_Pa = model::leading_load(input_).value_Pa;
     step.load_factor = point.state.load_factor;
     step.pressure_Pa = step.load_factor * pressure_Pa;
     step.volume_m3 = point.volume_m3;
@@ -376,7 +389,7 @@ int PathFollower::wanted_steps() const {
 }  // namespace
 
 PathEnd follow_path(assembly::System& system, const StepSink& sink, const Log& log) {
-    if (system.input().loads.empty())
+    if (model::leading_load(system.input()).value_Pa == 0.0)
         throw Error(ExitCode::bad_input, "loads", "nothing loads the body", "give loads.cavity.pressure");
     return PathFollower(system, sink, log).run();
 }

@@ -14,7 +14,7 @@ std::string short_text(double value) {
 }
 
 std::string state_text(const PathPoint& point, const model::Case& input) {
-    std::string text = short_text(1e-3 * point.state.load_factor * input.loads.front().pressure_Pa) + " kPa";
+    std::string text = short_text(1e-3 * point.state.load_factor * model::leading_load(input).value_Pa) + " kPa";
     for (std::size_t i = 0; i < point.outputs_m.size(); ++i)
         text += ", " + input.outputs[i].name + " " + short_text(1e3 * point.outputs_m[i]) + " mm";
     if (point.volume_m3) text += ", volume " + short_text(1e6 * *point.volume_m3) + " mL";

@@ -41,6 +41,19 @@ TEST(Plausibility, ACompressibleRubberIsNoticed) {
     EXPECT_TRUE(read(least, {{"material.kappa", "16.44 MPa"}}).warnings.empty());
 }
 
+TEST(Plausibility, LockingChoicesAreNoticedAndTheKnownFactorQuoted) {
+    const std::vector<Override> stiff = {{"mesh.formulation", "displacement"}, {"material.kappa", "16.44 MPa"}};
+    expect_warning(stiff, "mesh.formulation:", "100 times the shear modulus (too stiff); formulation: mixed");
+    std::vector<Override> simplices = {{"mesh.formulation", "displacement"}, {"material.kappa", "8.2 MPa"},   // 49.9 mu
+                                       {"mesh.order", "1"}, {"mesh.cells", "simplices"}};
+    expect_warning(simplices, "mesh.cells:", "6.7 times too stiff on the paper's bellows");
+    simplices[1].value = "16.44 MPa";
+    EXPECT_EQ(read(least, simplices).warnings.size(), 2u);
+    EXPECT_TRUE(read(least, {{"mesh.cells", "simplices"}}).warnings.empty());   // mixed, second order
+    EXPECT_TRUE(read(least, {{"mesh.formulation", "f-bar"}, {"mesh.order", "1"}, {"material.kappa", "16.44 MPa"}})
+                    .warnings.empty());
+}
+
 TEST(Plausibility, AnEndBeyondTheFullLoadIsNoticed) {
     expect_warning({{"path.until.pressure", "40 kPa"}}, "path.until.pressure:", "never reached");
     EXPECT_TRUE(read(least, {{"path.until.pressure", "20 kPa"}}).warnings.empty());

@@ -45,7 +45,8 @@ TEST(Refusal, ARangeIsStatedInReadableUnits) {
     expect(base + "geometry: {wall: 0 mm}\n", "p.yaml:4:18: geometry.wall: 0 mm is out of range", "more than 0");
     expect(base + "geometry: {folds: 51}\n", "p.yaml:4:19: geometry.folds: 51 is out of range",
            "at least 1, at most 50");
-    expect(base + "mesh: {order: 3}\n", "p.yaml:4:15: mesh.order: 3 is out of range", "only 2");
+    expect(base + "mesh: {order: 3}\n", "p.yaml:4:15: mesh.order: 3 is out of range",
+           "at least 1, at most 2");
     expect(base + "solver: {first_step: 2}\n", "p.yaml:4:22: solver.first_step: 2 is out of range", "at most 1");
 }
 
@@ -69,8 +70,6 @@ TEST(Refusal, NamesOfFamilyLawFaceAndChoiceAreSuggested) {
     expect("family: pip\n", "p.yaml:1:9: family: no family is called 'pip'", "did you mean 'pipe'?");
     expect("family: pipe\nmaterial: {law: neo-hokean}\n", "p.yaml:2:17: material.law: no law is called",
            "did you mean 'neo-hookean'?");
-    expect("family: pipe\nmaterial: {law: yeoh}\n", "p.yaml:2:17: material.law: law 'yeoh' is not in this version",
-           "available: neo-hookean");
     expect("family: pipe\nmaterial: dragon-skin-20\n", "p.yaml:2:11: material: materials by name", "law: neo-hookean");
     expect(base + "supports: {fixed: inlt}\n", "p.yaml:4:19: supports.fixed: no face is called 'inlt'",
            "did you mean 'inlet'?");

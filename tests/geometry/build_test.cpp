@@ -141,8 +141,68 @@ TEST(BuildCase, DirectionsTheModelDoesNotHaveAreRefused) {
     EXPECT_EQ(refusal(d), "outputs.shift.along: face 'outer' is not flat; axis, x, y or z");
 }
 
+TEST(BuildCase, APlaneModelLiesInXAndY) {
+    design::Design d = design_of("panel", "plane-strain", {{"geometry.rise", "48 mm"}});   // the bottom rises at 45 degrees
+    d.outputs = {{"a", "end", "axis"}, {"b", "end", "y"}, {"c", "bottom", "normal"}};
+    const model::Case c = build_case(d);
+    EXPECT_EQ(c.kinematics, model::Kinematics::plane_strain);
+    EXPECT_EQ(c.mesh.dimension, 2);
+    const double half = std::sqrt(0.5);
+    const std::vector<std::array<double, 3>> expected{{1, 0, 0}, {0, 1, 0}, {half, -half, 0}};
+    for (std::size_t k = 0; k < expected.size(); ++k)
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
+    d.outputs = {{"shift", "end", "z"}};
+    EXPECT_EQ(refusal(d), "outputs.shift.along: 'z' is no direction of this model; axis, x, y or normal");
+}
+
+TEST(BuildCase, ARingIsHeldByItsPlanes) {
+    const model::Case plane = build_case(design_of("ring", "plane-strain"));
+    EXPECT_EQ(plane.model_fraction, 0.25);
+    EXPECT_EQ(held(plane, symmetry_x_face), (Held{true, false, false}));
+    EXPECT_EQ(held(plane, symmetry_y_face), (Held{false, true, false}));
+    const model::Case slice = build_case(design_of("ring", "solid"));
+    EXPECT_EQ(slice.model_fraction, 0.25);
+    EXPECT_EQ(held(slice, "left"), (Held{false, false, true}));   // it cannot lengthen
+    EXPECT_EQ(held(slice, "right"), (Held{false, false, true}));
+    ASSERT_EQ(slice.cavities.at(0).openings.size(), 2u);
+    for (const model::Opening& opening : slice.cavities[0].openings)
+        EXPECT_NEAR(opening.area_m2, std::numbers::pi * 1e-4, 1e-18);
+}
+
+TEST(BuildCase, TractionsHaveTheDirectionThatWasAskedFor) {
+    design::Design d = design_of("panel", "plane-strain", {{"geometry.rise", "48 mm"}});
+    d.tractions = {{"end", 62.5e3, "y"}, {"bottom", -1e3, "normal"}, {"top", -2e3, "axis"}};
+    const model::Case c = build_case(d);
+    ASSERT_EQ(c.tractions.size(), 3u);
+    EXPECT_EQ(c.tractions[0].face, "end");
+    EXPECT_EQ(c.tractions[0].traction_Pa, (std::array<double, 3>{0, 62.5e3, 0}));
+    EXPECT_NEAR(c.tractions[1].traction_Pa[0], -1e3 * std::sqrt(0.5), 1e-9);
+    EXPECT_NEAR(c.tractions[1].traction_Pa[1], 1e3 * std::sqrt(0.5), 1e-9);
+    EXPECT_EQ(c.tractions[2].traction_Pa[0], -2e3);
+    d.tractions = {{"patch", 1e3, "y"}};
+    EXPECT_EQ(refusal(d), "loads.patch: face 'patch' is not part of this model; faces it has: fixed, end, bottom, top");
+    d.tractions = {{"end", 1e3, "z"}};
+    EXPECT_EQ(refusal(d), "loads.end.along: 'z' is no direction of this model; axis, x, y or normal");
+    d = design_of("tube", "axisymmetric");
+    d.tractions = {{"outer", 1e3, "r"}};
+    EXPECT_EQ(build_case(d).tractions[0].traction_Pa, (std::array<double, 3>{0, 1e3, 0}));
+    d = design_of("tube", "quarter");
+    d.tractions = {{"outer", 1e3, "normal"}};
+    EXPECT_EQ(refusal(d), "loads.outer.along: face 'outer' is not flat; axis, x, y or z");
+}
+
+TEST(BuildCase, FBarIsForMeshesOfFirstOrderQuadrilateralsOrHexahedra) {
+    const sample::Changes first{{"mesh.order", "1"}, {"mesh.formulation", "f-bar"}};
+    for (const char* model : {"plane-strain", "solid"})
+        EXPECT_EQ(build_case(design_of("panel", model, first)).formulation, model::Formulation::f_bar);
+    EXPECT_EQ(build_case(design_of("tube", "axisymmetric", first)).formulation, model::Formulation::f_bar);
+    EXPECT_EQ(refusal(design_of("tube", "quarter", first)),
+              "test: mesh.formulation: the mesh has wedge6 cells, and f-bar is for first-order quadrilaterals and hexahedra "
+              "alone; a section (axisymmetric, plane-strain), or formulation: mixed with order: 2");
+}
+
 TEST(BuildCase, UnknownWordsAreRefused) {
-    EXPECT_EQ(refusal(design_of("tube", "torus")), "test: model: 'torus' is not a model; axisymmetric, solid, half or quarter");
+    EXPECT_EQ(refusal(design_of("tube", "torus")), "test: model: 'torus' is not a model; axisymmetric, plane-strain, solid, half or quarter");
     design::Design d = design_of("tube", "solid");
     d.family = "torus";
     EXPECT_EQ(refusal(d), "family: no family is called 'torus'");

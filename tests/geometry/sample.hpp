@@ -1,5 +1,6 @@
 #pragma once
 /// A family's default values, as the parser would give them, with some replaced; and what the tests measure on a mesh.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -19,6 +20,7 @@ inline const Family& family(const std::string& name) {
 }
 
 inline double number_of(const design::Key& key, const std::string& text) {
+    if (std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end()) return 0;   // a word in its place
     switch (key.kind) {
         case design::Kind::length: return core::quantity_or_throw(text, core::Dimension::length, ExitCode::bad_input, key.path);
         case design::Kind::count: return std::stod(text);
@@ -39,8 +41,15 @@ inline design::Values values(const std::string& name, const std::string& model, 
     for (const design::Key& key : keys.geometry) add(key);
     for (const design::Key& key : keys.mesh) add(key);
     result.set("model", {0, model, "test", true});
-    const auto cells = changes.find("mesh.cells");
+    const auto cells = changes.find("mesh.cells"), order = changes.find("mesh.order");
     result.set("mesh.cells", {0, cells == changes.end() ? "auto" : cells->second, "test", true});
+    const std::string power = order == changes.end() ? "2" : order->second;
+    result.set("mesh.order", {std::stod(power), power, "test", true});
+    const auto refine = changes.find("mesh.refine");
+    const std::string times = refine == changes.end() ? "0" : refine->second;
+    result.set("mesh.refine", {std::stod(times), times, "test", true});
+    const auto formulation = changes.find("mesh.formulation");
+    result.set("mesh.formulation", {0, formulation == changes.end() ? "mixed" : formulation->second, "test", true});
     return result;
 }
 
@@ -49,28 +58,29 @@ inline Solid solid(const std::string& name, const std::string& model, const Chan
     return mesh_body(family(name).build(v), v);
 }
 
-/// Of the whole actuator.
+inline bool is_turned(const Solid& s) { return s.kinematics == model::Kinematics::axisymmetric; }
+
+/// Of the whole actuator; in plane strain of 1 m of depth.
 inline double rubber_m3(const Solid& s) {
-    const bool section = s.kinematics == model::Kinematics::axisymmetric;
-    return mesh::measure(s.mesh, section ? mesh::Measure::revolved : mesh::Measure::plain) / s.fraction;
+    return mesh::measure(s.mesh, is_turned(s) ? mesh::Measure::revolved : mesh::Measure::plain) / s.fraction;
 }
 
-/// Flux of (0, y, z)/2, whose divergence is 1, out of the cavity: planes across the axis, plugs among them, add nothing.
-inline double cavity_m3(const Solid& s, const std::string& wall = "cavity") {
+/// Flux out of the cavity of half the position across the axis (0 x, 2 z), whose divergence is 1: planes across the axis,
+/// plugs among them, add nothing.
+inline double cavity_m3(const Solid& s, std::size_t axis = 0) {
     double sum = 0;
-    for (const mesh::Facet& facet : s.mesh.facet_sets.at(wall)) {
+    for (const mesh::Facet& facet : s.mesh.facet_sets.at("cavity")) {
         const mesh::CellType type = mesh::facet_type(s.mesh, facet);
         const auto nodes = mesh::facet_nodes(s.mesh, facet);
         for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
             const auto shapes = mesh::shape_values(type, point.xi);
             const auto n = mesh::facet_normal(s.mesh, facet, shapes);
-            double y = 0, z = 0;
-            for (std::size_t a = 0; a < nodes.size(); ++a) {
-                y += shapes[a].value * s.mesh.point(nodes[a])[1];
-                z += shapes[a].value * s.mesh.point(nodes[a])[2];
-            }
-            const double turn = s.mesh.dimension == 2 ? 2 * std::numbers::pi * y : 1.0;
-            sum -= point.weight * 0.5 * (y * n[1] + z * n[2]) * turn;
+            mesh::Point p{};
+            for (std::size_t a = 0; a < nodes.size(); ++a)
+                for (std::size_t i = 0; i < 3; ++i) p[i] += shapes[a].value * s.mesh.point(nodes[a])[i];
+            double flux = 0;
+            for (std::size_t i = 0; i < 3; ++i) flux += i == axis ? 0.0 : 0.5 * p[i] * n[i];
+            sum -= point.weight * flux * (is_turned(s) ? 2 * std::numbers::pi * p[1] : 1.0);
         }
     }
     return sum / s.fraction;
@@ -87,7 +97,7 @@ inline double area_m2(const Solid& s, const std::string& face) {
             const auto n = mesh::facet_normal(s.mesh, facet, shapes);
             double r = 0;
             for (std::size_t a = 0; a < nodes.size(); ++a) r += shapes[a].value * s.mesh.point(nodes[a])[1];
-            const double turn = s.mesh.dimension == 2 ? 2 * std::numbers::pi * r : 1.0;
+            const double turn = is_turned(s) ? 2 * std::numbers::pi * r : 1.0;
             sum += point.weight * std::hypot(n[0], n[1], n[2]) * turn;
         }
     }

@@ -145,6 +145,19 @@ TEST(Extrude, GivesABoxWithBothEndsNamed) {
         for (const mesh::Index n : facet_nodes(box, facet)) EXPECT_EQ(box.point(n)[2], 1);
 }
 
+TEST(Extrude, AlongZKeepsXAndYAndTheOrientation) {
+    const mesh::Mesh box = extrude(bar(2), {4, 5, {"near"}, {"far"}, Extrusion::Along::z});
+    EXPECT_NEAR(mesh::quality(box).min_scaled_jacobian, 1, 1e-9);
+    EXPECT_NEAR(mesh::measure(box, mesh::Measure::plain), 12, 1e-12);
+    EXPECT_EQ(boundary_count(box, {"lower", "right", "upper", "left", "near", "far"}), std::size_t{10 * 5 + 12});
+    for (const mesh::Facet& facet : box.facet_sets.at("near"))
+        for (const mesh::Index n : facet_nodes(box, facet)) EXPECT_EQ(box.point(n)[2], 0);
+    for (const mesh::Facet& facet : box.facet_sets.at("far"))
+        for (const mesh::Index n : facet_nodes(box, facet)) EXPECT_EQ(box.point(n)[2], 4);
+    for (const mesh::Facet& facet : box.facet_sets.at("upper"))
+        for (const mesh::Index n : facet_nodes(box, facet)) EXPECT_EQ(box.point(n)[1], 3);
+}
+
 TEST(FacetsOnPlane, FindsInnerPlanesOfAWholeTurn) {
     const mesh::Mesh disc = revolve(bar(0), Turn::full, 4);
     const auto plane = facets_on_plane(disc, 1);

@@ -49,12 +49,13 @@ model::Case section_case() {
     model.materials = {
         {"rubber", "neo-hookean", {{"mu", {164400.0}}}, 16.44e6, model::Volumetric::log},
         {"collar", "ogden", {{"mu", {1e5, 2e3, -1e4}}, {"alpha", {1.3, 5.0, -2.0}}}, std::nullopt,
-         model::Volumetric::quadratic},
+         model::Volumetric::quadratic, model::FiberFrame::cylindrical},
     };
     model.supports = {{"end_disc", {true, true, false}}, {"inlet", {false, true, false}}};
     model.cavities = {{"main", "cavity", {"end_disc"}, {{"inlet", 1.9634954084936207e-5, {-1, 0, 0}}}},
                       {"annex", "cavity", {}, {}}};
     model.loads = {{"main", 30e3, true}, {"inlet", -500.0, false}};
+    model.tractions = {{"inlet", {-1.5e3, 0, 0}}, {"end_disc", {0, 250.0, 0}}};
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}}, {"bulge", "cavity", {0.6, 0.8, 0}}};
     model.path.control = model::Control::arc_length;
     model.path.until = {{"elongation", 0.13}, {"volume_ratio", 5}};
@@ -66,7 +67,7 @@ model::Case solid_case() {
     model::Case model;
     model.name = "solid";
     model.kinematics = model::Kinematics::solid;
-    model.formulation = model::Formulation::displacement;
+    model.formulation = model::Formulation::f_bar;
     model.mesh = lattice(mesh::CellType::hex27, 3);
     model.mesh.cell_regions = {0, 0};
     model.mesh.region_names = {"rubber"};
@@ -136,6 +137,7 @@ void expect_equal(const model::Material& left, const model::Material& right) {
     EXPECT_EQ(left.constants, right.constants);
     EXPECT_EQ(left.bulk_modulus_Pa, right.bulk_modulus_Pa);
     EXPECT_EQ(left.volumetric, right.volumetric);
+    EXPECT_EQ(left.fiber_frame, right.fiber_frame);
 }
 
 void expect_equal(const model::Cavity& left, const model::Cavity& right) {
@@ -197,6 +199,10 @@ void expect_equal(const model::Case& left, const model::Case& right) {
         EXPECT_EQ(a.target, b.target);
         EXPECT_EQ(a.pressure_Pa, b.pressure_Pa);
         EXPECT_EQ(a.sealed, b.sealed);
+    });
+    expect_all(left.tractions, right.tractions, [](const auto& a, const auto& b) {
+        EXPECT_EQ(a.face, b.face);
+        EXPECT_EQ(a.traction_Pa, b.traction_Pa);
     });
     expect_all(left.outputs, right.outputs, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.name, b.name);

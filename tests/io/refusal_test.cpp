@@ -141,6 +141,9 @@ const std::vector<Lie>& lies() {
         {"RegionWithoutMaterial", [](hid_t f) { unlink(f, "/materials/collar"); }, "/materials"},
         {"TwoMaterialsOfOneOrder", [](hid_t f) { overwrite(f, "/materials/rubber/order", 0, Integers{1}); },
          "/materials/"},
+        {"TractionNotFinite", [](hid_t f) { overwrite(f, "/loads/tractions/traction", 4, Numbers{nan}); },
+         "/loads/tractions/traction"},
+        {"TractionOnNoFace", [](hid_t f) { replace_text(f, "/loads/tractions", "face", "nowhere"); }, "/loads/tractions/face"},
         {"PressureNotFinite", [](hid_t f) { overwrite(f, "/loads/pressure", 1, Numbers{nan}); }, "/loads/pressure[1]"},
         {"SupportOfNoFace",
          [](hid_t f) {

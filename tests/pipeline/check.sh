@@ -1,15 +1,15 @@
 # shellcheck shell=bash
 # What the scripts of this folder share; the first argument of a script is the folder of the tools, the second cmake:
 #   . check.sh BIN [CMAKE]
-# The script goes on in a scratch folder with a copy of designs/ and the tools first on the PATH. It fails when a claim
-# is not true, when it makes no claim, and when it stops early. Held by self_check.sh.
+# The script goes on in a scratch folder with copies of designs/ and meshes/ and the tools first on the PATH. It fails
+# when a claim is not true, when it makes no claim, and when it stops early. Held by self_check.sh.
 set -uo pipefail
 bin=$(realpath "$1")
 cmake=${2:-cmake}
 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
 work=$(mktemp -d) || exit 1
 seen=$work/seen
-mkdir "$seen" "$work/run" && cp -R "$here/../../designs" "$work/run/" && cd "$work/run" || exit 1
+mkdir "$seen" "$work/run" && cp -R "$here/../../designs" "$here/../../meshes" "$work/run/" && cd "$work/run" || exit 1
 export PATH="$bin:$PATH"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 unset NO_COLOR
@@ -67,7 +67,7 @@ column() {   # column NAME FILE.csv: its numbers
     awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; if (!c) exit 1; next } { print $c }' "$2"
 }
 table() {   # table FILE.csv: a header, two rows or more, as many finite numbers in each
-    awk -F, 'NR == 1 { n = NF; if ($0 !~ /^step,pressure_kPa,.*,stable$/) bad = 1; next }
+    awk -F, 'NR == 1 { n = NF; if ($0 !~ /^step,(pressure|traction)_kPa,.*,stable$/) bad = 1; next }
              { if (NF != n) bad = 1; for (i = 1; i <= NF; ++i) if ($i !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) bad = 1 }
              END { exit bad || NR < 3 }' "$1"
 }

@@ -30,5 +30,5 @@ if [ -n "$(type -P gnuplot)" ]; then
     rm -f x
 fi
 rm -rf locked
-claim "no temporary file is left" [ "$(echo *)" = 'case.h5 curve.csv designs result.h5' ]
+claim "no temporary file is left" [ "$(echo *)" = 'case.h5 curve.csv designs meshes result.h5' ]
 runs "${command[postprocess]} -o curve2.csv && cmp curve.csv curve2.csv && ${command[solve]} -o /dev/null"

@@ -91,4 +91,4 @@ for tool in mesh-gen solve postprocess; do
     refuses 66 "$tool: absent: cannot be opened: No such file or directory" "$tool absent"
     refuses 66 "$tool: designs: is a folder; name a file" "$tool designs"
 done
-claim "no refusal has left a file" [ "$(echo *)" = 'case.h5 damaged.h5 designs edited.yaml result.h5' ]
+claim "no refusal has left a file" [ "$(echo *)" = 'case.h5 damaged.h5 designs edited.yaml meshes result.h5' ]

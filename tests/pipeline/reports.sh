@@ -60,7 +60,7 @@ for family in $families; do
     runs "mesh-gen --template $family | mesh-gen --check"
     claim "stdout stays empty" [ ! -s "$seen/out" ]
     claim "a template needs no comment" grep -qx 'mesh-gen: <stdin>: nothing wrong' "$seen/err"
-    runs "mesh-gen --explain designs/$family.yaml | mesh-gen --check -q"
+    runs "cd designs && mesh-gen --explain $family.yaml | mesh-gen --check -q"   # a mesh file is looked for from the design
 done
 runs 'mesh-gen --explain designs/tube.yaml --set geometry.cap=4mm'
 claim "an override is explained" grep -q '4 mm.*given at --set geometry.cap' "$seen/out"

@@ -1,0 +1,75 @@
+#pragma once
+/// F-bar for first-order quadrilaterals and hexahedra: the law sees Fbar = (Jm/J)^(1/3) F, whose dilatation is the cell's
+/// mean, so that near incompressibility a cell has one constraint and does not lock.
+///   Jm = v/V,  v = int J dV,  V = int dV,   W_cell = int W(Fbar) dV,  residual and stiffness its derivatives.
+/// For laws split into an isochoric and a volumetric part it is the mean dilatation of Q1/P0. The centroid's J in place of
+/// Jm and the stress put in without its variation, as in de Souza Neto et al., IJSS 33 (1996) 3277, give another element
+/// with a non-symmetric tangent. In plane strain and axisymmetry J is that of the three-dimensional F and all three
+/// diagonal components are scaled, so Fbar_33 = (Jm/J)^(1/3) in plane strain too: a quad4 is then a slice of hex8 between
+/// rigid walls, exactly, and the isochoric part of a law stays the three-dimensional one.
+///
+/// With Q = F^-T, s = (Jm/J)^(1/3), P' = s P(Fbar), A' = s^2 A(Fbar), t = P' : F, tau = J/(3v) int t dV,
+/// h = F : A' + P', b = h : F, and g = d ln Jm = (1/v) int J Q : grad dV (a vector over the unknowns):
+///   residual  = int P* : grad dV,   P* = P' - (t/3) Q + tau Q
+///   stiffness = int grad : A* : grad dV + (g B + B g) + c g g
+///   A*_iJkL = A' - (Q h + h Q)/3 + (b/9 + tau) Q_iJ Q_kL + (t/3 - tau) Q_iL Q_kJ
+///   B = int (h/3 - (b/9) Q) : grad dV,   c = int (b/9 - t/3) dV.
+/// Sources: Simo, Taylor, Pister, CMAME 51 (1985) 177; Elguedj et al., CMAME 197 (2008) 2732; the second variation in
+/// this form is derived here. Held by element/f_bar_test and element/matrix_test.
+#include <array>
+#include <cmath>
+
+#include "element/cell_kinematics.hpp"
+
+namespace soft::element::detail {
+
+inline constexpr int most_f_bar_points = 8;   // hex8
+
+/// A law that may be run with F-bar (LawInfo::f_bar): one with an energy that is a function of the finite F.
+template <class L>
+concept FBarLaw = !material::StressLaw<L> && !std::same_as<L, material::LinearElastic>;
+
+/// Kinematics of a cell's points.
+struct FBarState {
+    std::array<double, most_f_bar_points> volume{};   ///< reference volume
+    std::array<double, most_f_bar_points> jacobian{};
+    std::array<Tensor, most_f_bar_points> F{};
+    double reference_volume = 0, current_volume = 0;  ///< V, v
+    double min_jacobian = 1;
+
+    /// s = (Jm/J)^(1/3) at point q.
+    [[nodiscard]] double scale(int q) const {
+        return std::cbrt(current_volume / (reference_volume * jacobian[static_cast<std::size_t>(q)]));
+    }
+    /// Fbar at point q.
+    [[nodiscard]] Tensor law_gradient(int q) const {
+        Tensor F_law = F[static_cast<std::size_t>(q)];
+        for (double& f : F_law) f *= scale(q);
+        return F_law;
+    }
+};
+
+template <bool Axisymmetric>
+[[nodiscard]] FBarState f_bar_state(const ReferenceCell& cell, const CellInput& in, std::vector<double>& gradient);
+
+/// Residual and stiffness from the laws' answers at Fbar, one a point.
+template <bool Axisymmetric>
+void assemble_f_bar(const ReferenceCell& cell, const CellInput& in, const FBarState& state, material::Wanted wanted,
+                    std::span<material::PointResponse> points, CellOutput& out);
+
+template <bool Axisymmetric, class L>
+void integrate_f_bar(const ReferenceCell& cell, const material::Rubber<L>& rubber, const CellInput& in,
+                     material::Wanted wanted, CellOutput& out) {
+    const FBarState state = f_bar_state<Axisymmetric>(cell, in, out.gradient);
+    out.min_jacobian = state.min_jacobian;
+    if (!(state.min_jacobian > 0.0)) return;
+    std::array<material::PointResponse, most_f_bar_points> points;
+    material::FiberAxes axes;
+    for (int q = 0; q < cell.points; ++q) {
+        if constexpr (material::FiberLaw<L>) axes = fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, in, q);
+        displacement_response(rubber, axes, state.law_gradient(q), wanted, points[static_cast<std::size_t>(q)]);
+    }
+    assemble_f_bar<Axisymmetric>(cell, in, state, wanted, {points.data(), static_cast<std::size_t>(cell.points)}, out);
+}
+
+}  // namespace soft::element::detail

@@ -1,0 +1,213 @@
+/// A mesh from a Gmsh file, with the file's own faces.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/text.hpp"
+#include "geometry/family.hpp"
+#include "geometry/import.hpp"
+#include "geometry/openings.hpp"
+#include "geometry/pieces.hpp"
+#include "mesh/raise_order.hpp"
+#include "model/cavity_surface.hpp"
+
+namespace soft::geometry {
+namespace {
+
+using mesh::Index;
+using model::Kinematics;
+
+constexpr const char* cavity_face = "cavity";
+constexpr const char* file_key = "geometry.file";
+
+/// A name in a design file is meant from that file's folder, one on the command line or stdin from the working directory.
+std::filesystem::path resolved(const std::string& file, std::string_view place) {
+    if (place.starts_with("--set") || place.starts_with('<')) return file;
+    for (int part = 0; part < 2; ++part) place = place.substr(0, place.rfind(':'));   // "designs/part.yaml:3:9"
+    return std::filesystem::path{place}.parent_path() / file;
+}
+
+double unit_m(const std::string& unit) {
+    static const std::map<std::string, double> units{{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}};
+    return units.at(unit);
+}
+
+/// The mesh of the file; faces in several pieces also piece by piece.
+mesh::Mesh read(const std::string& file, std::string_view place, double file_unit_m) {
+    mesh::Mesh mesh = import_mesh(resolved(file, place), file_unit_m);
+    name_pieces(mesh);
+    return mesh;
+}
+
+std::vector<std::string> faces_of_file(const std::string& file, std::string_view place) {
+    try {
+        const mesh::Mesh mesh = read(file, place, 1.0);
+        std::vector<std::string> faces;
+        for (const auto& [name, facets] : mesh.facet_sets) faces.push_back(name);
+        return faces;
+    } catch (const Error& error) {   // the same, with the line of the design that asked for it
+        throw Error(error.code(), std::string{place} + ": " + file_key, error.what());
+    }
+}
+
+Kinematics kinematics_of(const design::Values& values, const mesh::Mesh& mesh) {
+    const std::string& model = values.text("model");
+    if (mesh.dimension == 3 && model != "solid")
+        throw values.refuse("model", core::quoted(model) + " needs a plane mesh, the file holds a solid", "model: solid");
+    if (mesh.dimension == 2 && model == "solid")
+        throw values.refuse("model", "the file holds a plane mesh", "axisymmetric or plane-strain");
+    return model == "solid" ? Kinematics::solid : model == "axisymmetric" ? Kinematics::axisymmetric : Kinematics::plane_strain;
+}
+
+/// Moves nodes that miss the axis by rounding onto it, and names the sides that lie on it.
+void add_axis(mesh::Mesh& mesh, const design::Values& values) {
+    const double tolerance_m = model::plane_tolerance * model::extent_m(mesh);
+    for (mesh::Point& p : mesh.points) {
+        if (p[1] < -tolerance_m)
+            throw values.refuse(file_key, "a point lies at y = " + core::rounded_text(1e3 * p[1], 6) + " mm, below the axis",
+                                "draw the section at y >= 0; the axis of revolution is x");
+        if (std::abs(p[1]) <= tolerance_m) p[1] = 0;
+    }
+    std::vector<mesh::Facet> on_axis;
+    for (const mesh::Facet& facet : boundary_facets(mesh)) {
+        const auto nodes = facet_nodes(mesh, facet);
+        if (std::all_of(nodes.begin(), nodes.end(), [&](Index node) { return mesh.point(node)[1] == 0; }))
+            on_axis.push_back(facet);
+    }
+    const auto own = mesh.facet_sets.find(axis_face);
+    if (own != mesh.facet_sets.end() && own->second != on_axis)
+        throw values.refuse(file_key, "its face 'axis' is not what lies on the axis of revolution y = 0", "rename the face");
+    if (!on_axis.empty()) mesh.facet_sets[axis_face] = std::move(on_axis);
+}
+
+/// Names of a Kind::faces value; faces of a file hold neither blanks nor commas.
+std::vector<std::string> listed(const std::string& text) {
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find(", ", at), text.size());
+        names.push_back(text.substr(at, end - at));
+        at = end + 2;
+    }
+    return names;
+}
+
+/// The plugs a sealed load would need. One that no single named face surrounds holds to the sides beside it.
+std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics) {
+    constexpr const char* sealed = "loads.cavity.sealed";
+    const bool wanted = values.has(sealed) && values.text(sealed) == "true";
+    std::vector<model::Opening> openings;
+    for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity_face), kinematics)) {
+        if (found.opening.face.empty()) {
+            if (wanted)
+                throw values.refuse(sealed, "no single named face surrounds an opening of the cavity, for its plug to hold to",
+                                    "sealed: false, or name the face around the hole in the mesh");
+            found.opening.face = "cavity_rim_" + std::to_string(openings.size() + 1);
+            mesh.facet_sets[found.opening.face] = std::move(found.around);
+        }
+        openings.push_back(std::move(found.opening));
+    }
+    return openings;
+}
+
+/// The listed faces together become the face "cavity"; without a list a face of that name is the cavity.
+std::vector<model::Cavity> add_cavity(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics) {
+    constexpr const char* key = "geometry.cavity";
+    const std::string& text = values.text(key);
+    const bool named = mesh.facet_sets.contains(cavity_face);
+    if (text == "none" && !named) return {};
+    if (text != "none" && text != cavity_face) {
+        if (named)
+            throw values.refuse(key, "the file has a face called 'cavity' already", "rename it, or write cavity: cavity");
+        std::set<mesh::Facet> all;
+        for (const std::string& name : listed(text)) {
+            const auto face = mesh.facet_sets.find(name);
+            if (face == mesh.facet_sets.end())
+                throw values.refuse(key, "the file has no face " + core::quoted(name), "take it out of the list");
+            all.insert(face->second.begin(), face->second.end());
+        }
+        mesh.facet_sets[cavity_face].assign(all.begin(), all.end());
+    } else if (!named) {
+        throw values.refuse(key, "the file has no face 'cavity'", "list the faces of the cavity's wall");
+    }
+    return {{cavity_face, cavity_face, {}, plugs(mesh, values, kinematics)}};
+}
+
+mesh::Mesh of_wished_order(mesh::Mesh mesh, const design::Values& values) {
+    const bool first = mesh::topology(mesh.cell_types.front()).order == 1;
+    if (!first || values.text("mesh.order") != "2") return mesh;
+    if (values.text("mesh.raise_order") == "false")
+        throw values.refuse("mesh.raise_order", "the file holds first-order cells", "true, or order: 1");
+    return raise_order(mesh);
+}
+
+Body build(const design::Values& values) {
+    ReadyMesh ready{read(values.text(file_key), values.place(file_key), unit_m(values.text("geometry.unit"))), Kinematics::solid};
+    ready.kinematics = kinematics_of(values, ready.mesh);
+    if (ready.kinematics == Kinematics::axisymmetric) add_axis(ready.mesh, values);
+    Body body;
+    if (ready.kinematics == Kinematics::axisymmetric && ready.mesh.facet_sets.contains(axis_face))
+        body.supports = {{axis_face, {false, true, false}}};
+    body.cavities = add_cavity(ready.mesh, values, ready.kinematics);
+    ready.mesh = of_wished_order(std::move(ready.mesh), values);
+    body.sweep = std::move(ready);
+    return body;
+}
+
+std::vector<design::Key> geometry_keys() {
+    using design::Kind;
+    return {{.path = file_key, .kind = Kind::text, .meaning = "the mesh: Gmsh .msh 2.2 or 4.1, from the design's folder"},
+            {.path = "geometry.unit",
+             .kind = Kind::choice,
+             .fallback = "mm",
+             .meaning = "unit of the file's coordinates",
+             .choices = {"mm", "cm", "m", "in"}},
+            {.path = "geometry.cavity",
+             .kind = Kind::faces,
+             .fallback = "none",
+             .meaning = "faces that together are the wall of a cavity, for loads.cavity",
+             .choices = {"none"}}};
+}
+
+std::vector<design::Key> mesh_keys() {
+    using design::Kind;
+    return {{.path = "mesh.order",
+             .kind = Kind::count,
+             .fallback = "file",
+             .meaning = "polynomial order of the cells; mixed needs 2",
+             .min = 1,
+             .max = 2,
+             .choices = {"file"}},
+            {.path = "mesh.raise_order",
+             .kind = Kind::flag,
+             .fallback = "true",
+             .meaning = "order: 2 may give first-order cells of the file straight mid nodes"},
+            {.path = "mesh.cells",
+             .kind = Kind::choice,
+             .fallback = "auto",
+             .meaning = "auto: as in the file; simplices: each split into triangles or tetrahedra",
+             .choices = {"auto", "simplices"}}};
+}
+
+}  // namespace
+
+Family imported() {
+    design::FamilyKeys keys;
+    keys.name = "imported";
+    keys.summary = "a mesh from a Gmsh file (.msh), its physical groups as faces";
+    keys.geometry = geometry_keys();
+    keys.models = {"solid", "axisymmetric", "plane-strain"};
+    keys.faces = {"fixed", "tip", "sides", "bore", "bore_end", "cavity"};   // of the template's file
+    keys.defaults = "geometry: {file: meshes/finger.msh, cavity: [bore, bore_end]}\n"
+                    "mesh: {order: 2}\n"
+                    "supports: {fixed: fixed}\n"
+                    "loads:\n"
+                    "  cavity: {pressure: 30 kPa, sealed: false}\n"
+                    "outputs:\n"
+                    "  deflection: {face: tip, along: z}\n";
+    keys.mesh = mesh_keys();
+    keys.faces_of_file = faces_of_file;
+    return {std::move(keys), build};
+}
+
+}  // namespace soft::geometry

@@ -1,0 +1,150 @@
+#include "material/catalogue.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "material/response.hpp"
+
+namespace soft::material {
+namespace {
+
+template <class... L>
+std::vector<LawInfo> infos_of(std::tuple<L...>*) {
+    return {L::info()...};
+}
+
+[[noreturn]] void refuse(std::string_view place, const std::string& problem, const std::string& remedy = {}) {
+    throw Error(ExitCode::bad_input, std::string(place), problem, remedy);
+}
+
+double fallback_value(const Parameter& parameter) {
+    double value = 0;   // a plain number, or one in the SI unit: held by catalogue_test
+    std::from_chars(parameter.fallback.data(), parameter.fallback.data() + parameter.fallback.size(), value);
+    return value;
+}
+
+/// Every parameter present, within its range, and nothing else.
+Constants checked(const LawInfo& law, const Constants& given) {
+    Constants constants;
+    for (const Parameter& parameter : law.parameters) {
+        const auto found = given.find(parameter.name);
+        if (found == given.end() || found->second.empty()) {
+            if (parameter.fallback.empty())
+                refuse(parameter.name, "the law " + std::string(law.name) + " needs this constant",
+                       "for example " + std::string(parameter.example));
+            constants[std::string(parameter.name)] = {fallback_value(parameter)};
+            continue;
+        }
+        if (found->second.size() > static_cast<std::size_t>(parameter.most))
+            refuse(parameter.name, std::to_string(found->second.size()) + " values are too many",
+                   "at most " + std::to_string(parameter.most));
+        for (const double value : found->second) {
+            const bool low = parameter.min_open ? !(value > parameter.min) : !(value >= parameter.min);
+            if (low || !(value <= parameter.max))
+                refuse(parameter.name, core::number_text(value) + " (SI) is outside its range",
+                       std::string(parameter.meaning));
+        }
+        constants[std::string(parameter.name)] = found->second;
+    }
+    for (const auto& [name, values] : given)
+        if (!constants.contains(name)) refuse(name, "the law " + std::string(law.name) + " has no such constant");
+    return constants;
+}
+
+template <Law L>
+Rubber<L> rubber_of(const Constants& constants, const Description& description) {
+    Rubber<L> rubber{L::from(constants), description.volumetric, 0.0, description.fiber_frame};
+    if (!description.bulk_modulus_Pa) {
+        if (L::info().bulk == Bulk::finite)
+            refuse("kappa", "the law " + std::string(L::info().name) + " has no incompressible form", "give a bulk modulus");
+        return rubber;
+    }
+    double modulus_Pa = *description.bulk_modulus_Pa;
+    if constexpr (requires { rubber.law.dilatation_modulus_Pa(modulus_Pa); })
+        modulus_Pa = rubber.law.dilatation_modulus_Pa(modulus_Pa);
+    if (!(modulus_Pa > 0.0))
+        refuse("kappa", core::number_text(*description.bulk_modulus_Pa) + " Pa is too small for the law " + std::string(L::info().name),
+               "the bulk modulus of a rubber is far above its shear modulus");
+    if constexpr (requires { rubber.law.kappa_Pa; }) rubber.law.kappa_Pa = modulus_Pa;
+    rubber.inverse_bulk_modulus = 1.0 / modulus_Pa;
+    return rubber;
+}
+
+template <class... L>
+AnyRubber make(std::tuple<L...>*, const Constants& constants, const Description& description) {
+    std::optional<AnyRubber> rubber;
+    const auto attempt = [&]<class One>(One*) {
+        if (One::info().name == description.law) rubber = rubber_of<One>(constants, description);
+    };
+    (attempt(static_cast<L*>(nullptr)), ...);
+    return *rubber;
+}
+
+}  // namespace
+
+std::span<const LawInfo> laws() {
+    static const std::vector<LawInfo> table = infos_of(static_cast<LawList*>(nullptr));
+    return table;
+}
+
+const LawInfo* find_law(std::string_view name) {
+    const auto table = laws();
+    const auto law = std::ranges::find(table, name, &LawInfo::name);
+    return law == table.end() ? nullptr : &*law;
+}
+
+AnyRubber make_rubber(const Description& description) {
+    const LawInfo* law = find_law(description.law);
+    if (law == nullptr) {
+        std::vector<std::string> names;
+        for (const LawInfo& known : laws()) names.emplace_back(known.name);
+        refuse("law", "no law is called '" + std::string(description.law) + "'",
+               core::did_you_mean(description.law, names));
+    }
+    return make(static_cast<LawList*>(nullptr), checked(*law, description.constants), description);
+}
+
+std::string why_not(const AnyRubber& rubber, Form form) {
+    const LawInfo& law = info_of(rubber);
+    const std::string name = "the law " + std::string(law.name);
+    if (form == Form::mixed)
+        return law.mixed ? "" : name + " is a stress without an energy and has no mixed form; use formulation displacement";
+    if (form == Form::f_bar && !law.f_bar)
+        return name + " has no F-bar form; use formulation displacement" + (law.mixed ? " or mixed" : "");
+    if (bulk_modulus_Pa(rubber)) return {};
+    return "an incompressible rubber needs the pressure as an unknown; use formulation mixed, or give kappa";
+}
+
+double initial_shear_modulus_Pa(const AnyRubber& rubber) {
+    return std::visit([](const auto& r) { return r.law.initial_shear_modulus_Pa(); }, rubber);
+}
+
+std::optional<double> bulk_modulus_Pa(const AnyRubber& rubber) {
+    const double inverse = std::visit([](const auto& r) { return r.inverse_bulk_modulus; }, rubber);
+    return inverse > 0.0 ? std::optional(1.0 / inverse) : std::nullopt;
+}
+
+const LawInfo& info_of(const AnyRubber& rubber) { return laws()[rubber.index()]; }
+
+double reference_stress_Pa(const AnyRubber& rubber) {
+    double largest = 0;
+    std::visit(
+        [&]<class L>(const Rubber<L>& r) {
+            if constexpr (StressLaw<L>) {   // an energy of strains or isochoric stretches has its minimum at rest
+                PointResponse point;
+                displacement_response(r, {}, identity_tensor, Wanted::stress, point);
+                for (const double P : point.first_piola) largest = std::max(largest, std::abs(P));
+            }
+        },
+        rubber);
+    return largest;
+}
+
+bool has_symmetric_tangent(const AnyRubber& rubber) {
+    return std::visit([]<class L>(const Rubber<L>&) { return !StressLaw<L>; }, rubber);
+}
+
+}  // namespace soft::material

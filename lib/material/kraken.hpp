@@ -1,0 +1,44 @@
+#pragma once
+/// The stress of the reference work, for reproduction only: Cauchy sigma = kappa (J - 1) I + mu B, its Eq. 2 with
+/// mu = 2 C1 and kappa = 2 D1. It derives from no energy (no 1/J on the B term), so its tangent is not symmetric, and the
+/// undeformed body carries the stress mu I: free of load it first shrinks by about mu/(3 kappa) in each direction.
+/// In F: P = kappa (J - 1) cof F + mu J F. Source: MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot
+/// Simulations (2022), Eq. 2. Held by material/law_test.
+#include <array>
+
+#include "material/invariants.hpp"
+#include "material/parameter.hpp"
+
+namespace soft::material {
+
+struct Kraken {
+    double mu_Pa = 0;
+    double kappa_Pa = 0;
+
+    /// P = c1 dI1/dF + c2 dI2/dF + cJ cof F.
+    template <class T>
+    std::array<T, 3> stress_coefficients(const Invariants<T>&, const T& J) const {
+        return {0.5 * mu_Pa * J, T(0.0), kappa_Pa * (J - 1.0)};
+    }
+    [[nodiscard]] double initial_shear_modulus_Pa() const { return mu_Pa; }
+
+    static LawInfo info() {
+        return {.name = "kraken",
+                .energy = "no energy; Cauchy stress kappa (J - 1) I + mu B",
+                .validity = "the reference work's stress, to reproduce its numbers; the undeformed state carries the stress mu",
+                .source = "MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot Simulations (2022), Eq. 2",
+                .parameters = {{.name = "mu",
+                                .meaning = "twice the paper's C1",
+                                .example = "0.1644 MPa",
+                                .min = 0,
+                                .min_open = true}},
+                .bulk = Bulk::finite,
+                .takes_volumetric = false,
+                .mixed = false,
+                .f_bar = false};
+    }
+    /// kappa comes with the bulk modulus of the rubber, see make_rubber.
+    static Kraken from(const Constants& constants) { return {constants.at("mu").front(), 0.0}; }
+};
+
+}  // namespace soft::material

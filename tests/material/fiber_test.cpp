@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "samples.hpp"
+
+namespace soft::material {
+namespace {
+
+using namespace sample;
+
+constexpr double k1_Pa = 2e5, k2 = 0.8;
+
+Rubber<HolzapfelGasserOgden> fibres(double angle_rad, double families = 2) {
+    const Constants constants{
+        {"mu", {mu_Pa}}, {"k1", {k1_Pa}}, {"k2", {k2}}, {"angle", {angle_rad}}, {"families", {families}}};
+    return std::get<Rubber<HolzapfelGasserOgden>>(
+        make_rubber({.law = "holzapfel-gasser-ogden", .constants = constants, .bulk_modulus_Pa = kappa_Pa}));
+}
+
+/// P without that of the rubber between the fibres.
+Tensor pull(const Rubber<HolzapfelGasserOgden>& rubber, const Tensor& at, const FiberAxes& axes = {}) {
+    const Rubber<NeoHookean> matrix{{mu_Pa}, VolumetricLaw::quadratic, rubber.inverse_bulk_modulus};
+    return difference(displacement(rubber, at, axes).first_piola, displacement(matrix, at).first_piola);
+}
+
+TEST(Fibres, AlongTheStretchPullWithTheClosedForm) {
+    // One family along x, F = diag(l, 1, 1): I4 = l^2, dW/dl = 2 k1 l (l^2 - 1) exp(k2 (l^2 - 1)^2).
+    for (const double l : {1.05, 1.4, 1.9}) {
+        const double x = l * l - 1, expected = 2 * k1_Pa * l * x * std::exp(k2 * x * x);
+        const Tensor P = pull(fibres(0.0, 1), {l, 0, 0, 0, 1, 0, 0, 0, 1});
+        EXPECT_NEAR(P[0], expected, 1e-12 * kappa_Pa + 1e-12 * expected);
+        for (int m = 1; m < 9; ++m) EXPECT_NEAR(P[m], 0.0, 1e-12 * kappa_Pa);
+    }
+}
+
+TEST(Fibres, CarryNoCompression) {
+    EXPECT_LE(size_of(pull(fibres(0.0), {0.8, 0, 0, 0, 1.2, 0, 0, 0, 1.1})), 0.0);
+    EXPECT_LE(size_of(pull(fibres(1.2), {1.3, 0, 0, 0, 0.7, 0, 0, 0, 1})), 0.0);  // I4 = 1.69 c^2 + 0.49 s^2 = 0.65
+}
+
+TEST(Fibres, StressIsContinuousWhereTheyGoSlack) {
+    // I4 - 1 = 2 h: the pull is 2 k1 (2 h), of first order; the tangent jumps by the modulus 4 k1.
+    for (const double h : {1e-3, 1e-6, 1e-9}) {
+        const Tensor P = pull(fibres(0.0, 1), {1 + h, 0, 0, 0, 1, 0, 0, 0, 1});
+        EXPECT_NEAR(P[0] / (4 * k1_Pa * h), 1.0, 3 * h + 1e-16 * kappa_Pa / (k1_Pa * h));
+    }
+    EXPECT_EQ(size_of(pull(fibres(0.0, 1), identity_tensor)), 0.0);
+}
+
+TEST(Fibres, OfTwoFamiliesLieAtPlusAndMinusTheAngle) {
+    // F = I + g e1 e2 stretches +angle and shortens -angle for small g: I4 - 1 = 2 g c s + g^2 s^2.
+    const double angle = 0.6, c = std::cos(angle), s = std::sin(angle), g = 0.3;
+    const Tensor at{1, g, 0, 0, 1, 0, 0, 0, 1};
+    const double x = 2 * g * c * s + g * g * s * s, slope = 2 * k1_Pa * x * std::exp(k2 * x * x);
+    const Vector3 a{c + g * s, s, 0};
+    for (const double families : {1.0, 2.0}) {
+        const Tensor P = pull(fibres(angle, families), at);
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_NEAR(P[3 * i], slope * a[i] * c, 1e-12 * kappa_Pa);
+            EXPECT_NEAR(P[3 * i + 1], slope * a[i] * s, 1e-12 * kappa_Pa);
+            EXPECT_NEAR(P[3 * i + 2], 0.0, 1e-12 * kappa_Pa);
+        }
+    }
+    // The other way round only the second family pulls.
+    EXPECT_EQ(size_of(pull(fibres(angle, 1), {1, -g, 0, 0, 1, 0, 0, 0, 1})), 0.0);
+    EXPECT_GT(size_of(pull(fibres(angle, 2), {1, -g, 0, 0, 1, 0, 0, 0, 1})), 1e3);
+}
+
+TEST(Fibres, FollowTheirFrame) {  // P(F Q^T) of the frame Q e is P(F) Q^T of the frame e
+    const Tensor Q = rotation(0.9);
+    const FiberAxes turned{{Q[0], Q[3], Q[6]}, {Q[1], Q[4], Q[7]}};
+    const auto r = fibres(0.5);
+    const Tensor expected = multiply(displacement(r, F).first_piola, transposed(Q));
+    EXPECT_LE(distance(displacement(r, multiply(F, transposed(Q)), turned).first_piola, expected), 1e-12 * kappa_Pa);
+    EXPECT_GT(distance(displacement(r, multiply(F, transposed(Q))).first_piola, expected), 1e-2 * kappa_Pa * 0.01);
+}
+
+}  // namespace
+}  // namespace soft::material
