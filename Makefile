@@ -1,6 +1,6 @@
 # A thin front: each target sets up whatever it lacks (packages, BLAS, configure, build) and then does its one thing.
 # CMakeLists.txt is the real build; `cmake -B build && cmake --build build` works without this file.
-.PHONY: help run build test bench format tidy clean setup
+.PHONY: help run build test verify bench format tidy clean setup
 .DEFAULT_GOAL := help
 
 CXX_FILES = $(shell find lib tools tests -name '*.cpp' -o -name '*.hpp')
@@ -8,6 +8,7 @@ CXX_FILES = $(shell find lib tools tests -name '*.cpp' -o -name '*.hpp')
 help:
 	@echo 'make run     mesh-gen | solve | postprocess on DESIGN (designs/bellows.yaml); curve, plot and result in results/'
 	@echo 'make test    build and run the tests; LABEL=unit, verification, pipeline or slow runs only those'
+	@echo 'make verify  the verification table: to the terminal, results/verification.csv and tests/verification/README.md'
 	@echo 'make build   everything, into build/ (binaries in build/bin)'
 	@echo 'make bench   timings of the standard cases'
 	@echo 'make format  clang-format over lib, tools and tests'
@@ -26,6 +27,10 @@ build: setup
 
 test: build
 	@scripts/test $(LABEL)
+
+verify: setup
+	@scripts/build verify
+	@scripts/verify
 
 bench: build
 	@test -x scripts/benchmark || { echo 'bench: there is no scripts/benchmark yet' >&2; exit 1; }

@@ -1,42 +1,49 @@
 #pragma once
 /// Runs a design through the libraries, as the tools do, without files in between.
-#include <fstream>
-#include <sstream>
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "design/design.hpp"
-#include "geometry/build.hpp"
-#include "geometry/family.hpp"
+#include "model/case.hpp"
 #include "solution/path.hpp"
-#include "solver/path.hpp"
 
 namespace soft::verification {
 
+/// How a path ended, and what the last converged state looks like.
 struct Run {
     model::Case model;
     std::vector<solution::Step> steps;
     solution::PathEnd end;
+    std::vector<double> displacement_m;  ///< last step, [point x 3]
+    std::vector<double> energy_J;        ///< one a step, whole actuator; empty unless wanted
+    std::string mesh;                    ///< "32 quadrilateral9, 1234 unknowns"
+    double seconds = 0;                  ///< mesh and path, wall clock
 
     [[nodiscard]] double pressure_kPa() const { return 1e-3 * steps.back().pressure_Pa; }
-    [[nodiscard]] double output_mm() const { return 1e3 * steps.back().outputs_m.at(0); }
+    [[nodiscard]] double output_mm(std::size_t output = 0) const { return 1e3 * steps.back().outputs_m.at(output); }
+
+    /// Where the path, smooth between its rows, first has `value` (SI) of the quantity; all quantities there, SI.
+    /// Throws std::runtime_error if it never does.
+    struct Point {
+        double pressure_Pa = 0;
+        std::vector<double> outputs_m;
+        std::optional<double> volume_m3;
+    };
+    [[nodiscard]] Point at(const std::string& quantity, double value) const;
+    [[nodiscard]] bool reaches(const std::string& quantity, double value) const;
 };
 
-/// `sets`: "key.path=value", as after --set.
-inline Run run_design(const std::string& file, const std::vector<std::string>& sets) {
-    const std::string path = std::string(SOFT_SOURCE_DIR) + "/designs/" + file;
-    std::ifstream stream(path);
-    std::stringstream text;
-    text << stream.rdbuf();
-    std::vector<design::Override> overrides;
-    for (const auto& set : sets) overrides.push_back(design::parse_override(set));
-    const auto design = design::read_design(text.str(), path, geometry::catalogue_keys(), overrides);
-    Run run;
-    run.model = geometry::build_case(design);
-    assembly::System system(run.model, PETSC_COMM_WORLD);
-    run.end = solver::follow_path(
-        system, [&](const solution::Step& step, Vec) { run.steps.push_back(step); }, {});
-    return run;
-}
+enum class Energy { ignored, recorded };
+
+/// `design`: file in designs/; `sets`: "key.path=value", as after --set.
+[[nodiscard]] Run run_design(const std::string& design, const std::vector<std::string>& sets,
+                             Energy energy = Energy::ignored);
+
+/// The case alone, not solved.
+[[nodiscard]] model::Case read_case(const std::string& design, const std::vector<std::string>& sets);
+
+/// The node nearest to a place [m].
+[[nodiscard]] std::size_t nearest_node(const Run& run, const std::array<double, 3>& place_m);
 
 }  // namespace soft::verification

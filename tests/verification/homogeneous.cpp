@@ -1,0 +1,187 @@
+// Homogeneous states: every law in three modes, and the rod of the paper's Table 1.
+#include <cmath>
+
+#include "core/text.hpp"
+#include "inflation_formula.hpp"
+#include "material/catalogue.hpp"
+#include "material/homogeneous.hpp"
+#include "principal_law.hpp"
+#include "problem.hpp"
+
+namespace soft::verification {
+namespace {
+
+constexpr const char* group = "Homogeneous states";
+constexpr const char* small_strain = "linear-elastic";
+
+struct Law {
+    const char* name;
+    const char* design;
+    double stress_Pa;  ///< of the pull, as in the design
+    const char* formulation = "mixed";
+};
+
+/// Every law of the catalogue; verification_test holds it to that.
+const std::vector<Law>& laws() {
+    static const std::vector<Law> all{
+        {"neo-hookean", "law-neo-hookean", 0.4e6},
+        {"neo-hookean-compressible", "law-neo-hookean-compressible", 0.4e6},
+        {"mooney-rivlin, 2 terms", "law-mooney-rivlin", 0.4e6},
+        {"mooney-rivlin, 5 terms", "law-mooney-rivlin-5", 0.4e6},
+        {"yeoh", "law-yeoh", 0.4e6},
+        {"ogden, 3 terms", "law-ogden", 0.8e6},
+        {"gent", "law-gent", 0.4e6},
+        {"arruda-boyce", "law-arruda-boyce", 0.4e6},
+        {"holzapfel-gasser-ogden", "law-holzapfel-gasser-ogden", 0.4e6},
+        {"saint-venant-kirchhoff", "law-saint-venant-kirchhoff", 0.4e6},
+        {small_strain, "law-linear-elastic", 0.2e6},
+        {"kraken", "law-kraken", 7.5e6, "displacement"},
+    };
+    return all;
+}
+
+std::string MPa_text(double stress_Pa) { return core::number_text(1e-6 * stress_Pa) + " MPa"; }
+
+/// A design's pull along x, and what the second axis does: free, pulled as hard, or held.
+enum class Mode { uniaxial, equibiaxial, planar };
+
+Row stretch_row(const Law& law, Mode mode, const std::string& cells) {
+    std::vector<std::string> sets{"mesh.cells=" + cells};
+    const Prescribed pull{law.stress_Pa, false};
+    Prescribed other{0, false};
+    std::string word = "uniaxial";
+    if (mode == Mode::equibiaxial) {
+        sets.push_back("loads.right.pressure=-" + MPa_text(law.stress_Pa));
+        other = pull;
+        word = "equibiaxial";
+    } else if (mode == Mode::planar) {
+        sets.push_back("supports.y=[left, right]");
+        other.held = true;
+        word = "planar";
+    }
+    const auto run = run_design("verification/" + std::string(law.design) + ".yaml", sets);
+    const double length_m = 20e-3;
+    return {.quantity = "stretch at " + core::number_text(1e-3 * law.stress_Pa) + " kPa, " + word + " [-]",
+            .reference = stretches_at(run.model.materials.front(), pull, other)[0],
+            .source = "equilibrium of the closed form",
+            .ours = 1.0 + run.steps.back().outputs_m.at(0) / length_m,
+            .mesh = run.mesh,
+            .seconds = run.seconds,
+            .tolerance = homogeneous};
+}
+
+Problem states_of(const Law& law, const std::string& cells) {
+    return {group, std::string(law.name) + (cells == "auto" ? ", hexahedra" : ", tetrahedra"), [law, cells] {
+                Outcome outcome;
+                for (const Mode mode : {Mode::uniaxial, Mode::equibiaxial, Mode::planar})
+                    outcome.rows.push_back(stretch_row(law, mode, cells));
+                return outcome;
+            }};
+}
+
+material::AnyRubber rubber_of(const model::Material& m) {
+    material::Description description{
+        m.law, {}, m.bulk_modulus_Pa, material::VolumetricLaw::quadratic, material::FiberFrame::cartesian};
+    for (const auto& [key, values] : m.constants) description.constants[key] = values;
+    if (m.volumetric == model::Volumetric::log) description.volumetric = material::VolumetricLaw::log;
+    if (m.volumetric == model::Volumetric::mixed) description.volumetric = material::VolumetricLaw::mixed;
+    return material::make_rubber(description);
+}
+
+/// Cauchy shear stress at the amount of shear g: principal stretches l and 1/l with l - 1/l = g, the first at the angle
+/// theta to the plane of shear with sin theta cos theta = 1/(l + 1/l).
+double shear_stress_Pa(const model::Material& material, double g) {
+    const double l = 0.5 * g + std::sqrt(1.0 + 0.25 * g * g);
+    const auto stress = material.bulk_modulus_Pa ? cauchy_of(material) : pulls_of(material);
+    const Triple s = stress({l, 1.0 / l, 1.0});
+    return (s[0] - s[1]) / (l + 1.0 / l);
+}
+
+Problem simple_shear() {
+    return {group, "simple shear, one material point", [] {
+                constexpr double shear = 1.5;
+                Outcome outcome;
+                for (const Law& law : laws()) {
+                    const std::string name = law.name;
+                    if (name == small_strain || name == "holzapfel-gasser-ogden") continue;
+                    const auto material =
+                        read_case("verification/" + std::string(law.design) + ".yaml", {}).materials.front();
+                    const auto state =
+                        material::homogeneous_state(rubber_of(material), material::Mode::simple_shear, shear);
+                    outcome.rows.push_back(
+                        {.quantity = "Cauchy shear stress at g = 1.5, " + name + " [kPa]",
+                         .reference = 1e-3 * shear_stress_Pa(material, shear),
+                         .source = "closed form",
+                         .ours = 1e-3 * material::cauchy_stress_Pa(state.value(), material::Mode::simple_shear),
+                         .mesh = "none: no load of a design shears a body evenly",
+                         .seconds = 0,
+                         .tolerance = homogeneous});
+                }
+                return outcome;
+            }};
+}
+
+struct RodLaw {
+    const char* name;
+    std::vector<std::string> sets;
+};
+
+/// The rod of Table 1: Cauchy stress 0.25 t MPa; the table names t.
+Problem table_rod(const RodLaw& law) {
+    return {group, std::string("rod of Table 1, ") + law.name, [law] {
+                const auto run = run_design("verification/rod-table1.yaml", law.sets);
+                Outcome outcome;
+                for (const int t : {5, 10, 20, 30}) {
+                    const double stress_Pa = 0.25e6 * t;
+                    const auto point = run.at("pressure", -stress_Pa);
+                    outcome.rows.push_back(
+                        {.quantity = "strain at " + core::number_text(0.25 * t) + " MPa [%]",
+                         .reference = 100 * (stretches_at(run.model.materials.front(), {stress_Pa}, {})[0] - 1),
+                         .source = "closed form",
+                         .ours = 1e3 * point.outputs_m.at(0),  // 100 mm long
+                         .mesh = run.mesh,
+                         .seconds = run.seconds,
+                         .tolerance = homogeneous});
+                }
+                return outcome;
+            }};
+}
+
+/// Without load the kraken law is not at rest in the undeformed body: the path's first row, at load factor 0, has shrunk.
+Problem kraken_shrink() {
+    return {group, "kraken law free of load", [] {
+                const auto run = run_design("verification/rod-table1.yaml",
+                                            {"material.law=kraken", "mesh.formulation=displacement"});
+                const double mu = run.model.materials.front().constants.at("mu").front();
+                const double per_kappa = mu / *run.model.materials.front().bulk_modulus_Pa;
+                // sigma = mu (l^2 - 1/(l + mu/kappa)) = 0
+                const double l = root_of([&](double x) { return x * x - 1.0 / (x + per_kappa); }, 0.5, 1.5);
+                return Outcome{{{.quantity = "strain [%]",
+                                 .reference = 100 * (l - 1),
+                                 .source = "closed form",
+                                 .ours = 1e3 * run.steps.front().outputs_m.at(0),
+                                 .mesh = run.mesh,
+                                 .seconds = run.seconds}},
+                               {}};
+            }};
+}
+
+}  // namespace
+
+std::vector<Problem> homogeneous_problems() {
+    std::vector<Problem> problems;
+    for (const Law& law : laws())
+        for (const char* cells : {"auto", "simplices"}) problems.push_back(states_of(law, cells));
+    problems.push_back(simple_shear());
+    const std::vector<std::string> kraken{"material.law=kraken", "mesh.formulation=displacement"};
+    auto first_order = kraken;
+    first_order.push_back("mesh.order=1");
+    for (const RodLaw& law :
+         {RodLaw{"split law, kappa/mu = 100", {}}, RodLaw{"incompressible", {"material.kappa=incompressible"}},
+          RodLaw{"kraken law, second order", kraken}, RodLaw{"kraken law, first order", first_order}})
+        problems.push_back(table_rod(law));
+    problems.push_back(kraken_shrink());
+    return problems;
+}
+
+}  // namespace soft::verification

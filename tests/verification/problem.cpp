@@ -1,0 +1,24 @@
+#include "problem.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace soft::verification {
+
+bool Row::holds() const {
+    const double e = std::abs(error());
+    return std::isfinite(e) && e <= tolerance && (tolerance <= promised || !reason.empty());
+}
+
+bool can_run(const Problem& problem) { return problem.needs.empty() || std::getenv(problem.needs.c_str()) != nullptr; }
+
+std::vector<Problem> all_problems() {
+    std::vector<Problem> all;
+    for (const auto& list :
+         {homogeneous_problems(), inflation_problems(), long_tube_problems(), actuator_problems(), work_problems(),
+          panel_problems(), sample_problems(), locking_problems(), published_mesh_problems()})
+        all.insert(all.end(), list.begin(), list.end());
+    return all;
+}
+
+}  // namespace soft::verification

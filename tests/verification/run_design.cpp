@@ -1,0 +1,111 @@
+#include "run_design.hpp"
+
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "assembly/system.hpp"
+#include "design/design.hpp"
+#include "geometry/build.hpp"
+#include "geometry/family.hpp"
+#include "post/curve.hpp"
+#include "post/interpolate.hpp"
+#include "solver/path.hpp"
+
+namespace soft::verification {
+namespace {
+
+std::string read_text(const std::string& path) {
+    std::ifstream stream(path);
+    if (!stream) throw std::runtime_error("cannot read " + path);
+    std::stringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+std::string describe(const model::Case& input, PetscInt unknowns) {
+    std::map<std::string, int> counts;
+    for (const auto type : input.mesh.cell_types) ++counts[std::string(mesh::topology(type).name)];
+    std::string text;
+    for (const auto& [name, count] : counts) text += (text.empty() ? "" : " + ") + std::to_string(count) + ' ' + name;
+    return text + ", " + std::to_string(unknowns) + " unknowns";
+}
+
+post::Curve curve_of(const Run& run) {
+    std::vector<std::string> names;
+    for (const auto& output : run.model.outputs) names.push_back(output.name);
+    return post::make_curve(names, run.steps, model::leading_load(run.model).quantity);
+}
+
+}  // namespace
+
+model::Case read_case(const std::string& design, const std::vector<std::string>& sets) {
+    const std::string path = std::string(SOFT_SOURCE_DIR) + "/designs/" + design;
+    std::vector<design::Override> overrides;
+    for (const auto& set : sets) overrides.push_back(design::parse_override(set));
+    return geometry::build_case(design::read_design(read_text(path), path, geometry::catalogue_keys(), overrides));
+}
+
+Run run_design(const std::string& design, const std::vector<std::string>& sets, Energy energy) {
+    const auto begin = std::chrono::steady_clock::now();
+    Run run;
+    run.model = read_case(design, sets);
+    assembly::System system(run.model, PETSC_COMM_WORLD);
+    const auto sink = [&](const solution::Step& step, Vec x) {
+        run.steps.push_back(step);
+        run.displacement_m = system.gather_fields(x).displacement_m;
+        if (energy == Energy::recorded) run.energy_J.push_back(system.stored_energy(x) / run.model.model_fraction);
+    };
+    run.end = solver::follow_path(system, sink, {});
+    run.mesh = describe(run.model, system.dofs().total);
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return run;
+}
+
+bool Run::reaches(const std::string& quantity, double value) const {
+    const auto curve = curve_of(*this);
+    const post::Column* column = curve.find(quantity);
+    if (column == nullptr) throw std::runtime_error("the path has no " + quantity);
+    const auto index = static_cast<std::size_t>(column - curve.columns.data());
+    return !post::Path(curve).crossings(index, value / column->SI_per_unit).empty();
+}
+
+Run::Point Run::at(const std::string& quantity, double value) const {
+    const auto curve = curve_of(*this);
+    const post::Column* column = curve.find(quantity);
+    if (column == nullptr) throw std::runtime_error("the path has no " + quantity);
+    const post::Path path(curve);
+    const auto index = static_cast<std::size_t>(column - curve.columns.data());
+    const auto crossings = path.crossings(index, value / column->SI_per_unit);
+    if (crossings.empty()) throw std::runtime_error("the path never has this " + quantity);
+    const auto row = path.at(crossings.front());
+    const auto SI = [&](const std::string& name) {
+        const post::Column* wanted = curve.find(name);
+        return row[static_cast<std::size_t>(wanted - curve.columns.data())] * wanted->SI_per_unit;
+    };
+    Point point{.pressure_Pa = SI(model::leading_load(model).quantity), .outputs_m = {}, .volume_m3 = {}};
+    for (const auto& output : model.outputs) point.outputs_m.push_back(SI(output.name));
+    if (curve.find("volume") != nullptr) point.volume_m3 = SI("volume");
+    return point;
+}
+
+std::size_t nearest_node(const Run& run, const std::array<double, 3>& place_m) {
+    std::size_t best = 0;
+    double least = -1;
+    for (std::size_t node = 0; node < run.model.mesh.points.size(); ++node) {
+        double distance = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double d = run.model.mesh.points[node][i] - place_m[i];
+            distance += d * d;
+        }
+        if (least < 0 || distance < least) {
+            best = node;
+            least = distance;
+        }
+    }
+    return best;
+}
+
+}  // namespace soft::verification

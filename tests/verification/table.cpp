@@ -1,0 +1,256 @@
+#include "table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+
+#include "core/text.hpp"
+
+namespace soft::verification {
+namespace {
+
+using Cells = std::vector<std::string>;
+
+std::string fixed_text(double value, int digits) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.setf(std::ios::fixed);
+    text.precision(digits);
+    text << value;
+    const std::string shown = text.str();
+    return shown.find_first_not_of("-0.") == std::string::npos && shown.front() == '-' ? shown.substr(1)
+                                                                                       : shown;  // no -0.0000
+}
+
+/// Empty for text that is no number.
+std::optional<double> as_number(const std::string& text) {
+    if (text.empty()) return {};
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (end != text.c_str() + text.size()) return {};
+    return value;
+}
+
+bool same(const std::string& a, const std::string& b) {
+    if (a == b) return true;
+    const auto x = as_number(a), y = as_number(b);
+    if (!x || !y) return false;
+    const double larger = std::max(std::abs(*x), std::abs(*y));
+    const double unit = std::pow(10.0, std::floor(std::log10(larger)) - 4);  // of the fifth digit
+    return std::abs(*x - *y) <= unit * (1.0 + 1e-9);
+}
+
+bool is_compared(const std::string& heading) {
+    return heading != "time [s]" && heading.find("error") == std::string::npos;
+}
+
+std::string markdown_line(const Cells& cells) {
+    std::string line = "|";
+    for (const auto& cell : cells) line += ' ' + cell + " |";
+    return line + '\n';
+}
+
+std::string markdown_table(const Cells& header, const std::vector<Cells>& lines) {
+    std::string text = markdown_line(header) + '|';
+    for (std::size_t i = 0; i < header.size(); ++i) text += "---|";
+    text += '\n';
+    for (const auto& line : lines) text += markdown_line(line);
+    return text;
+}
+
+Cells split_line(const std::string& line) {
+    Cells cells;
+    std::size_t begin = line.find('|') + 1;
+    for (std::size_t end = line.find('|', begin); end != std::string::npos; end = line.find('|', begin)) {
+        std::string cell = line.substr(begin, end - begin);
+        cell.erase(0, cell.find_first_not_of(' '));
+        cell.erase(cell.find_last_not_of(' ') + 1);
+        cells.push_back(cell);
+        begin = end + 1;
+    }
+    return cells;
+}
+
+std::string aligned(const Cells& header, const std::vector<Cells>& lines) {
+    std::vector<std::size_t> width;
+    for (const auto& cell : header) width.push_back(cell.size());
+    for (const auto& line : lines)
+        for (std::size_t i = 0; i < line.size() && i < width.size(); ++i) width[i] = std::max(width[i], line[i].size());
+    std::string text;
+    const auto add = [&](const Cells& cells) {
+        std::string line;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            line += cells[i];
+            if (i + 1 < cells.size()) line += std::string(width[i] - cells[i].size() + 2, ' ');
+        }
+        text += line + '\n';
+    };
+    add(header);
+    for (const auto& line : lines) add(line);
+    return text;
+}
+
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + '"';
+}
+
+std::vector<std::string> groups_of(std::span<const Report> reports) {
+    std::vector<std::string> groups;
+    for (const auto& report : reports)
+        if (std::find(groups.begin(), groups.end(), report.problem->group) == groups.end())
+            groups.push_back(report.problem->group);
+    return groups;
+}
+
+struct Group {
+    std::vector<Cells> rows;
+    std::vector<Table> tables;
+    std::vector<std::string> reasons;
+};
+Group collect(std::span<const Report> reports, const std::string& name) {
+    Group group;
+    for (const auto& report : reports) {
+        if (report.problem->group != name) continue;
+        group.rows.insert(group.rows.end(), report.rows.begin(), report.rows.end());
+        group.tables.insert(group.tables.end(), report.tables.begin(), report.tables.end());
+        group.reasons.insert(group.reasons.end(), report.reasons.begin(), report.reasons.end());
+    }
+    return group;
+}
+
+constexpr const char* introduction =
+    "# Verification\n\n"
+    "Every number below is computed by `make verify` from a design in `designs/verification/`, and a test holds this file\n"
+    "equal to what is computed, to five digits (times excepted). *Closed form* and *quadrature* references are evaluated in\n"
+    "the test from the formula; *independent code* is the specification's own, with its own error in brackets. A row fails\n"
+    "beyond 0.1 % (0.01 % where the state is homogeneous) unless a reason stands below its table.\n"
+    "This file is written by `make verify`; the last section comes from `notes.md`.\n";
+
+}  // namespace
+
+const std::vector<std::string>& row_header() {
+    static const Cells header{"case", "quantity", "reference", "source", "ours", "error [%]", "mesh", "time [s]"};
+    return header;
+}
+
+std::string printed_number(double value) { return core::rounded_text(value, 6); }
+
+Report make_report(const Problem& problem, const Outcome& outcome) {
+    Report report{&problem, {}, outcome.tables, {}, true};
+    for (const Row& row : outcome.rows) {
+        report.rows.push_back({problem.name, row.quantity, printed_number(row.reference), row.source,
+                               printed_number(row.ours), fixed_text(100 * row.error(), 4), row.mesh,
+                               fixed_text(row.seconds, 2)});
+        if (row.tolerance > promised)
+            report.reasons.push_back(problem.name + ", " + row.quantity + ": within " +
+                                     core::rounded_text(100 * row.tolerance, 2) + " %: " + row.reason);
+    }
+    return report;
+}
+
+Report kept_report(const Problem& problem, const Printed& printed) {
+    Report report{&problem, {}, {}, {}, false};
+    if (const auto rows = printed.rows.find(problem.name); rows != printed.rows.end()) report.rows = rows->second;
+    for (const auto& [title, lines] : printed.tables)
+        if (title.starts_with(problem.name))
+            report.tables.push_back({title, printed.text.at(title), printed.header.at(title), lines});
+    for (const auto& reason : printed.reasons)
+        if (reason.starts_with(problem.name + ", ")) report.reasons.push_back(reason);
+    return report;
+}
+
+Printed parse_markdown(const std::string& text) {
+    Printed printed;
+    std::istringstream stream(text);
+    std::string line, title;
+    bool in_table = false;
+    while (std::getline(stream, line)) {
+        if (line.starts_with("#")) {
+            title = line.starts_with("### ") ? line.substr(4) : "";
+            in_table = false;
+        } else if (line.starts_with("|---")) {
+            in_table = true;
+        } else if (line.starts_with("|")) {
+            const Cells cells = split_line(line);
+            if (!in_table && !title.empty()) printed.header[title] = cells;
+            if (!in_table) continue;
+            if (title.empty())
+                printed.rows[cells.front()].push_back(cells);
+            else
+                printed.tables[title].push_back(cells);
+        } else if (line.starts_with("- ") && title.empty()) {
+            printed.reasons.push_back(line.substr(2));
+        } else if (!title.empty() && !line.empty() && !in_table) {
+            auto& paragraph = printed.text[title];
+            paragraph += (paragraph.empty() ? "" : "\n") + line;
+        } else {
+            in_table = false;
+        }
+    }
+    return printed;
+}
+
+std::string markdown_text(std::span<const Report> reports, const std::string& notes) {
+    std::string text = introduction;
+    for (const auto& name : groups_of(reports)) {
+        const Group group = collect(reports, name);
+        if (group.rows.empty() && group.tables.empty()) continue;
+        text += "\n## " + name + "\n";
+        if (!group.rows.empty()) text += '\n' + markdown_table(row_header(), group.rows);
+        if (!group.reasons.empty()) text += "\nLooser than 0.1 %, with the reason:\n\n";
+        for (const auto& reason : group.reasons) text += "- " + reason + '\n';
+        for (const auto& table : group.tables)
+            text += "\n### " + table.title + "\n\n" + table.text + "\n\n" + markdown_table(table.header, table.lines);
+    }
+    return text + '\n' + notes;
+}
+
+std::string csv_text(std::span<const Report> reports) {
+    const auto line_of = [](Cells cells) {
+        for (auto& cell : cells) cell = csv_cell(cell);
+        return core::join(cells, ",") + '\n';
+    };
+    std::string text = line_of(row_header());
+    for (const auto& report : reports)
+        for (const auto& row : report.rows) text += line_of(row);
+    return text;
+}
+
+std::string plain_text(std::span<const Report> reports) {
+    std::string text;
+    for (const auto& name : groups_of(reports)) {
+        const Group group = collect(reports, name);
+        if (group.rows.empty() && group.tables.empty()) continue;
+        text += '\n' + name + '\n';
+        if (!group.rows.empty()) text += aligned(row_header(), group.rows);
+        for (const auto& reason : group.reasons) text += "  " + reason + '\n';
+        for (const auto& table : group.tables)
+            text += '\n' + table.title + '\n' + table.text + '\n' + aligned(table.header, table.lines);
+    }
+    return text;
+}
+
+std::vector<std::string> differences(const Cells& header, const std::vector<Cells>& expected,
+                                     const std::vector<Cells>& computed) {
+    if (expected.size() != computed.size())
+        return {"README.md has " + std::to_string(expected.size()) + " lines, computed are " +
+                std::to_string(computed.size())};
+    std::vector<std::string> found;
+    for (std::size_t i = 0; i < computed.size(); ++i)
+        for (std::size_t k = 0; k < header.size(); ++k) {
+            if (!is_compared(header[k])) continue;
+            const std::string there = k < expected[i].size() ? expected[i][k] : "nothing";
+            const std::string here = k < computed[i].size() ? computed[i][k] : "nothing";
+            if (!same(there, here))
+                found.push_back(computed[i][0] + ", " + header[k] + ": README.md has " + there + ", computed is " +
+                                here);
+        }
+    return found;
+}
+
+}  // namespace soft::verification
