@@ -87,7 +87,7 @@ void System::for_each_point(Visit&& visit) const {
 double System::stored_energy(Vec x) {
     read_state(x);
     double energy = 0;
-    const material::Form form = form_of(input_.formulation);
+    const material::Form form = input_.formulation;
     for_each_point([&](const element::PointState& point, const AnyRubber& any) {
         energy += point.weight_m3 *
                   std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);

@@ -19,7 +19,7 @@ std::vector<element::ReferenceCell> make_references(const model::Case& input) {
     const auto repeated = std::ranges::unique(types);
     types.erase(repeated.begin(), repeated.end());
     std::vector<element::ReferenceCell> references;
-    for (const auto type : types) references.push_back(element::make_reference_cell(type, form_of(input.formulation)));
+    for (const auto type : types) references.push_back(element::make_reference_cell(type, input.formulation));
     return references;
 }
 

@@ -115,15 +115,6 @@ model::Material from_young_poisson(const Values& values, model::Material materia
     return material;
 }
 
-material::VolumetricLaw volumetric_law(model::Volumetric volumetric) {
-    switch (volumetric) {
-        case model::Volumetric::quadratic: return material::VolumetricLaw::quadratic;
-        case model::Volumetric::log: return material::VolumetricLaw::log;
-        case model::Volumetric::mixed: return material::VolumetricLaw::mixed;
-    }
-    return material::VolumetricLaw::quadratic;
-}
-
 }  // namespace
 
 std::vector<std::string> law_names() {
@@ -180,7 +171,7 @@ model::Material material_of(const Values& values) {
     if (values.has(frame_path) && values.text(frame_path) == "cylindrical")
         material.fiber_frame = model::FiberFrame::cylindrical;
     try {
-        static_cast<void>(rubber_of(material));
+        static_cast<void>(model::make_rubber(material));
     } catch (const Error& error) {
         throw at_its_key(values, error);
     }
@@ -188,23 +179,13 @@ model::Material material_of(const Values& values) {
 }
 
 void check_law_formulation(const Values& values, const model::Material& material) {
-    static const std::map<std::string, material::Form> forms = {{"displacement", material::Form::displacement},
+    static const std::map<std::string, model::Formulation> forms = {{"displacement", material::Form::displacement},
                                                                 {"mixed", material::Form::mixed},
                                                                 {"f-bar", material::Form::f_bar}};
     constexpr const char* formulation = "mesh.formulation";
     if (!values.has(formulation)) return;
-    const std::string reason = material::why_not(rubber_of(material), forms.at(values.text(formulation)));
+    const std::string reason = material::why_not(model::make_rubber(material), forms.at(values.text(formulation)));
     if (!reason.empty()) throw values.refuse(values.given(formulation) ? formulation : "material.law", reason);
-}
-
-material::AnyRubber rubber_of(const model::Material& material) {
-    return material::make_rubber({.law = material.law,
-                                  .constants = {material.constants.begin(), material.constants.end()},
-                                  .bulk_modulus_Pa = material.bulk_modulus_Pa,
-                                  .volumetric = volumetric_law(material.volumetric),
-                                  .fiber_frame = material.fiber_frame == model::FiberFrame::cylindrical
-                                                     ? material::FiberFrame::cylindrical
-                                                     : material::FiberFrame::cartesian});
 }
 
 }  // namespace soft::design

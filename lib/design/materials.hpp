@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "design/sections.hpp"
-#include "material/catalogue.hpp"
+#include "model/rubber.hpp"
 
 namespace soft::design {
 
@@ -25,8 +25,5 @@ void add_material_keys(Schema& schema, const Node& root, std::string_view source
 
 /// Throws Error at mesh.formulation for a law that cannot be run in it.
 void check_law_formulation(const Values& values, const model::Material& material);
-
-/// Of a material that material_of has made.
-[[nodiscard]] material::AnyRubber rubber_of(const model::Material& material);
 
 }  // namespace soft::design

@@ -122,7 +122,7 @@ std::string first_order_simplices_lock() {
 
 std::vector<std::string> plausibility(const Design& design) {
     std::vector<std::string> warnings;
-    const material::AnyRubber rubber = rubber_of(design.material);
+    const material::AnyRubber rubber = model::make_rubber(design.material);
     const double mu_Pa = material::initial_shear_modulus_Pa(rubber);
     check_material(design, mu_Pa, warnings);
     check_law(rubber, mu_Pa, warnings);

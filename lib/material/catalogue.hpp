@@ -29,9 +29,6 @@ struct Description {
 /// superfluous constant, one outside its range, and constants that do not fit together.
 [[nodiscard]] AnyRubber make_rubber(const Description& description);
 
-/// The forms in which elements run a law; model::Formulation by another name, which this room does not see.
-enum class Form { displacement, mixed, f_bar };
-
 /// Why a rubber cannot be run in a form, with what would be right ("problem; remedy"); empty where it can.
 [[nodiscard]] std::string why_not(const AnyRubber& rubber, Form form);
 

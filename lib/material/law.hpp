@@ -21,6 +21,7 @@
 
 #include "core/dual.hpp"
 #include "core/tensor.hpp"
+#include "material/form.hpp"
 #include "material/arruda_boyce.hpp"
 #include "material/gent.hpp"
 #include "material/holzapfel_gasser_ogden.hpp"
@@ -38,12 +39,6 @@ namespace soft::material {
 /// Every law the elements can run, in the order of --list-materials.
 using LawList = std::tuple<LinearElastic, SaintVenantKirchhoff, NeoHookean, NeoHookeanCompressible, MooneyRivlin, Yeoh,
                            Ogden, Gent, ArrudaBoyce, HolzapfelGasserOgden, Kraken>;
-
-/// Theta(J) of the volumetric energy K/2 Theta^2: J - 1; ln J; Theta^2 = (J^2 - 1 - 2 ln J)/2.
-enum class VolumetricLaw { quadratic, log, mixed };
-
-/// The two directions in whose surface fibres lie: x and y, or x and the hoop direction about x.
-enum class FiberFrame { cartesian, cylindrical };
 
 /// A law with what the design adds to it. inverse_bulk_modulus = 1/K [1/Pa]; 0 = incompressible.
 template <class L>

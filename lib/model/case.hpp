@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "material/form.hpp"
 #include "mesh/mesh.hpp"
 
 namespace soft::model {
@@ -15,14 +16,10 @@ namespace soft::model {
 /// axisymmetric: section in (x, r), axis of revolution x, r >= 0; integrals carry 2 pi r.
 /// plane_strain: section in (x, y) of unit depth 1 m. solid: (x, y, z).
 enum class Kinematics { axisymmetric, plane_strain, solid };
-/// displacement: no pressure unknown. mixed: pressure unknown in a stable pair. f_bar: displacement with the mean
-/// dilatation of each first-order quadrilateral or hexahedron in place of its own.
-enum class Formulation { displacement, mixed, f_bar };
-/// U(J) = kappa/2 Theta(J)^2: quadratic Theta = J - 1; log Theta = ln J; mixed Theta^2 = (J^2 - 1 - 2 ln J)/2.
-enum class Volumetric { quadratic, log, mixed };
 
-/// The two directions in whose surface fibres lie. cylindrical: x and the hoop direction about x; cartesian: x and y.
-enum class FiberFrame { cartesian, cylindrical };
+using Formulation = material::Form;
+using Volumetric = material::VolumetricLaw;
+using FiberFrame = material::FiberFrame;
 
 struct Material {
     std::string name;                                    ///< region it belongs to

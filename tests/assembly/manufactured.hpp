@@ -213,7 +213,7 @@ inline Errors errors(const assembly::System& system, const material::AnyRubber& 
         const std::size_t n = nodes.size();
         if (cell != last) {
             last = cell;
-            reference = element::make_reference_cell(input.mesh.cell_type(cell), assembly::form_of(input.formulation));
+            reference = element::make_reference_cell(input.mesh.cell_type(cell), input.formulation);
             system.dofs().cell_dofs(input.mesh, cell, reference, dofs);
             u.assign(dim * n, 0.0);
             for (std::size_t m = 0; m < u.size(); ++m)

@@ -5,6 +5,7 @@
 #include "inflation_formula.hpp"
 #include "material/catalogue.hpp"
 #include "material/homogeneous.hpp"
+#include "model/rubber.hpp"
 #include "principal_law.hpp"
 #include "problem.hpp"
 
@@ -79,15 +80,6 @@ Problem states_of(const Law& law, const std::string& cells) {
             }};
 }
 
-material::AnyRubber rubber_of(const model::Material& m) {
-    material::Description description{
-        m.law, {}, m.bulk_modulus_Pa, material::VolumetricLaw::quadratic, material::FiberFrame::cartesian};
-    for (const auto& [key, values] : m.constants) description.constants[key] = values;
-    if (m.volumetric == model::Volumetric::log) description.volumetric = material::VolumetricLaw::log;
-    if (m.volumetric == model::Volumetric::mixed) description.volumetric = material::VolumetricLaw::mixed;
-    return material::make_rubber(description);
-}
-
 /// Cauchy shear stress at the amount of shear g: principal stretches l and 1/l with l - 1/l = g, the first at the angle
 /// theta to the plane of shear with sin theta cos theta = 1/(l + 1/l).
 double shear_stress_Pa(const model::Material& material, double g) {
@@ -107,7 +99,7 @@ Problem simple_shear() {
                     const auto material =
                         read_case("verification/" + std::string(law.design) + ".yaml", {}).materials.front();
                     const auto state =
-                        material::homogeneous_state(rubber_of(material), material::Mode::simple_shear, shear);
+                        material::homogeneous_state(model::make_rubber(material), material::Mode::simple_shear, shear);
                     outcome.rows.push_back(
                         {.quantity = "Cauchy shear stress at g = 1.5, " + name + " [kPa]",
                          .reference = 1e-3 * shear_stress_Pa(material, shear),
