@@ -74,9 +74,7 @@ void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& w
 }
 
 std::string too_stiff(LockingChoice choice) {
-    const LockingFactor known = locking_factor(choice);
-    if (!known.stiffness) return "too stiff";
-    return core::rounded_text(*known.stiffness, 2) + " times too stiff on " + std::string{known.measured_on};
+    return core::rounded_text(locking_factor(choice), 2) + " times too stiff on " + std::string{locking_measured_on};
 }
 
 void check_locking(const Design& design, double mu_Pa, std::vector<std::string>& warnings) {
@@ -87,10 +85,11 @@ void check_locking(const Design& design, double mu_Pa, std::vector<std::string>&
         warnings.push_back("mesh.cells: " + first_order_simplices_lock());
     if (!says("mesh.formulation", "displacement") || !design.material.bulk_modulus_Pa) return;
     const double ratio = *design.material.bulk_modulus_Pa / mu_Pa;
+    const auto choice = says("mesh.order", "1") ? LockingChoice::first_order_displacement
+                                                : LockingChoice::second_order_displacement;
     if (ratio > locking_bulk_ratio)
         warnings.push_back("mesh.formulation: displacements alone lock at a bulk modulus of " + core::rounded_text(ratio, 3) +
-                           " times the shear modulus (" + too_stiff(LockingChoice::displacement_penalty) +
-                           "); formulation: mixed does not");
+                           " times the shear modulus (" + too_stiff(choice) + "); formulation: mixed does not");
 }
 
 /// The thinnest part that the family's keys name.

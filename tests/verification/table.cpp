@@ -168,7 +168,7 @@ Printed parse_markdown(const std::string& text) {
     Printed printed;
     std::istringstream stream(text);
     std::string line, title;
-    bool in_table = false;
+    bool in_table = false, of_rows = false;  // a table without a title that is not of rows stands in the notes
     while (std::getline(stream, line)) {
         if (line.starts_with("#")) {
             title = line.starts_with("### ") ? line.substr(4) : "";
@@ -177,12 +177,14 @@ Printed parse_markdown(const std::string& text) {
             in_table = true;
         } else if (line.starts_with("|")) {
             const Cells cells = split_line(line);
-            if (!in_table && !title.empty()) printed.header[title] = cells;
-            if (!in_table) continue;
-            if (title.empty())
-                printed.rows[cells.front()].push_back(cells);
-            else
+            if (!in_table) {
+                of_rows = cells == row_header();
+                if (!title.empty()) printed.header[title] = cells;
+            } else if (!title.empty()) {
                 printed.tables[title].push_back(cells);
+            } else if (of_rows) {
+                printed.rows[cells.front()].push_back(cells);
+            }
         } else if (line.starts_with("- ") && title.empty()) {
             printed.reasons.push_back(line.substr(2));
         } else if (!title.empty() && !line.empty() && !in_table) {

@@ -61,6 +61,7 @@ Result compute(const std::vector<Problem>& problems, const Printed& printed, Slo
         } catch (const std::exception& error) {
             ++result.misses;
             std::cerr << "  FAILED: " << error.what() << std::endl;
+            result.reports.push_back(kept_report(problem, printed));
         }
     }
     return result;
