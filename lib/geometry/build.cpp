@@ -11,6 +11,7 @@
 #include "mesh/raise_order.hpp"
 #include "mesh/refine.hpp"
 #include "mesh/split.hpp"
+#include "model/rubber.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -222,6 +223,9 @@ model::Case build_case(const design::Design& design) {
         if (std::none_of(body.cavities.begin(), body.cavities.end(), named))
             require_face(solid.mesh, load.target, "loads." + load.target, family);
     }
+
+    if (const std::string reason = model::why_not(design.material, solid.kinematics); !reason.empty())
+        throw design.values.refuse("material.families", reason);
 
     model::Case result;
     result.name = design.name;

@@ -10,4 +10,11 @@ material::AnyRubber make_rubber(const Material& material) {
                                   .fiber_frame = material.fiber_frame});
 }
 
+std::string why_not(const Material& material, Kinematics kinematics) {
+    const auto families = material.constants.find("families");
+    const bool one = families != material.constants.end() && families->second.size() == 1 && families->second[0] == 1.0;
+    if (!one || kinematics != Kinematics::axisymmetric || material.fiber_frame != FiberFrame::cylindrical) return {};
+    return "one family of fibres twists a body of revolution, which its section cannot show; families: 2, or model: solid";
+}
+
 }  // namespace soft::model

@@ -1,5 +1,5 @@
 #pragma once
-/// From a case's material (law name and constants) to the law itself. Held by assembly/materials_test, design/material_test.
+/// From a case's material (law name and constants) to the law itself. Held by assembly/system_test, design/material_test.
 #include "material/catalogue.hpp"
 #include "model/case.hpp"
 
@@ -7,5 +7,9 @@ namespace soft::model {
 
 /// Errors of material::make_rubber: bad_input, with the constant's name as place.
 [[nodiscard]] material::AnyRubber make_rubber(const Material& material);
+
+/// Why a case of these kinematics cannot show what the material does ("problem; remedy"); empty where it can. A single
+/// family of fibres about the axis twists a body of revolution, and a section has no twist.
+[[nodiscard]] std::string why_not(const Material& material, Kinematics kinematics);
 
 }  // namespace soft::model

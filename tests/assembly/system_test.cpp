@@ -179,6 +179,14 @@ TEST(System, RefusesACaseItCannotRun) {
     auto locking = box_case(1, true);
     locking.formulation = model::Formulation::displacement;
     EXPECT_THROW(System(locking, PETSC_COMM_WORLD), Error);
+    // One family of fibres would twist a body of revolution.
+    model::Material fibres;
+    fibres.constants["families"] = {1.0};
+    fibres.fiber_frame = model::FiberFrame::cylindrical;
+    EXPECT_FALSE(model::why_not(fibres, model::Kinematics::axisymmetric).empty());
+    EXPECT_TRUE(model::why_not(fibres, model::Kinematics::solid).empty());
+    fibres.constants["families"] = {2.0};
+    EXPECT_TRUE(model::why_not(fibres, model::Kinematics::axisymmetric).empty());
     auto no_material = box_case(1, true);
     no_material.materials.clear();
     EXPECT_THROW(System(no_material, PETSC_COMM_WORLD), Error);
