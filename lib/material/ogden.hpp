@@ -2,7 +2,7 @@
 /// Ogden rubber of 1 to 4 terms in the isochoric principal stretches: W = sum_i mu_i/alpha_i (l1^a_i + l2^a_i + l3^a_i - 3).
 /// mu_i [Pa], alpha_i not 0; initial shear modulus sum mu_i alpha_i / 2 > 0. alpha = 2 alone is neo-Hookean, (2, -2)
 /// Mooney-Rivlin. Stable for every stretch where mu_i alpha_i > 0 for all i. Source: Ogden, Proc. R. Soc. A 326 (1972)
-/// 565. Held by material/law_test; equal stretches by material/principal_test.
+/// 565. Held by material/law_test; equal stretches by material/ogden_test.
 #include <array>
 #include <cmath>
 

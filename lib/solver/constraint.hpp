@@ -3,7 +3,7 @@
 /// makes the bordered system that is regular at limit points as long as c goes on growing along the path.
 ///   load_factor: c = lambda        volume: c = enclosed volume [m^3]       output: c = w . x [m]
 ///   arc: c = t . (x - x0) / |t|    projected length along a direction t from a state x0 (cylindrical: no load term)
-/// Held by solver/newton_test.
+/// Held by solver/solver_test.
 #include <cstddef>
 
 #include "assembly/system.hpp"

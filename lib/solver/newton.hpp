@@ -3,7 +3,7 @@
 /// keeps det F > 0. Each iteration solves K a = -R and K b = load with one factor (block elimination):
 ///   dlambda = (target - c - g.a) / (g_lambda + g.b),   dx = a + dlambda b.
 /// Source: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991) 9.3; Allgower and Georg,
-/// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/newton_test.
+/// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/solver_test.
 #include <optional>
 
 #include "linalg/linear_solver.hpp"

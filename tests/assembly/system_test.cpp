@@ -64,6 +64,26 @@ TEST(System, LoadIsTheDerivativeOfTheResidualByTheLoadFactor) {
     EXPECT_NEAR(linalg::norm(R1), 0.0, 1e-12 * linalg::norm(load));
 }
 
+// Without pressure the load is the traction's alone; in the box every node of the end is free.
+TEST(System, ForceOfADeadTractionIsItsAreaAndDoesNotFollowTheBody) {
+    auto input = box_case(2, true);
+    input.loads.clear();
+    input.tractions = {{"end", {3e3, -2e3, 1e3}}};
+    System system(input, PETSC_COMM_WORLD);
+    auto R = system.make_vector(), load = system.make_vector(), moved = system.make_vector();
+    system.evaluate(system.make_vector(), 1.0, R, load, nullptr);
+    system.evaluate(wavy(system, 2e-4, 0.0), 0.5, R, moved, nullptr);
+    double sum = 0;   // of the x components
+    const PetscScalar* values = nullptr;
+    SOFT_PETSC(VecGetArrayRead(load, &values));
+    for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
+        if (const auto dof = system.dofs().displacement[3 * node]; dof >= 0) sum += values[dof];
+    SOFT_PETSC(VecRestoreArrayRead(load, &values));
+    EXPECT_NEAR(sum, 3e3 * 0.01 * 0.01, 1e-12);
+    linalg::add(moved, -1.0, load);
+    EXPECT_EQ(linalg::norm(moved), 0.0);
+}
+
 TEST(System, ClosedCavityLoadIsThePressureTimesTheVolumeGradient) {
     const auto input = sphere_case(2, 3);
     System system(input, PETSC_COMM_WORLD);

@@ -25,6 +25,16 @@ TEST(Tube, PressureControlEndsAtTheLimitPointWithTheCurveUpToIt) {
         EXPECT_GT(run.steps[i].pressure_Pa, run.steps[i - 1].pressure_Pa);
 }
 
+// At rest every fibre is about to pull: the first tangent is one-sided and errs by the same part of a step of any length.
+TEST(Tube, FibresThatBeginToPullDoNotStopThePath) {
+    const auto run = run_design("tube.yaml", {"material={law: holzapfel-gasser-ogden, mu: 0.1644 MPa, k1: 0.1 MPa, k2: 1, "
+                                              "angle: 30 deg}",
+                                              "loads.cavity.pressure=20 kPa"});
+    EXPECT_EQ(run.end.reason, solution::StopReason::done);
+    EXPECT_NEAR(run.pressure_kPa(), 20.0, 1e-9);
+    EXPECT_LT(run.output_mm(), 0.0);   // fibres nearer to the axis than the magic angle 54.74 degrees: it shortens
+}
+
 TEST(Bellows, AnElongationAsGoalIsMetExactly) {
     const auto run = run_design("bellows.yaml", {"mesh.size=3 mm", "path.until.elongation=20 mm"});
     EXPECT_EQ(run.end.reason, solution::StopReason::done);
