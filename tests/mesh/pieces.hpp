@@ -2,10 +2,12 @@
 /// Meshes of several cells of every type that share edges, triangles and quadrilaterals, and what makes a mesh sound.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <set>
 
 #include "blocks.hpp"
+#include "mesh/cell_map.hpp"
 #include "mesh/split.hpp"
 
 namespace soft::mesh::sample {
@@ -58,6 +60,17 @@ inline Mesh tetrahedra() {
         cubes.facet_sets[facet.cell == 0 ? "first" : "others"].push_back(facet);
     cubes.point_sets["corner"] = {1};
     return split_into_simplices(cubes);
+}
+
+/// Sum of the outward area vectors of facets.
+inline std::array<double, 3> vector_area(const Mesh& mesh, const std::vector<Facet>& facets) {
+    std::array<double, 3> sum{};
+    for (const Facet& facet : facets)
+        for (const QuadraturePoint& p : volume_rule(facet_type(mesh, facet))) {
+            const auto n = facet_normal(mesh, facet, shape_values(facet_type(mesh, facet), p.xi));
+            for (std::size_t d = 0; d < 3; ++d) sum[d] += p.weight * n[d];
+        }
+    return sum;
 }
 
 /// Every side belongs to one or two cells; two of them have the same nodes on it, mid nodes included.

@@ -66,17 +66,8 @@ TEST_P(Refined, CarriesItsFacetSetsToAllPiecesOfTheBoundary) {
     }
     std::sort(named.begin(), named.end());
     EXPECT_EQ(named, boundary_facets(fine));
-    const auto vector_area = [](const Mesh& m, const std::vector<Facet>& facets) {
-        std::array<double, 3> sum{};
-        for (const Facet& facet : facets)
-            for (const QuadraturePoint& p : volume_rule(facet_type(m, facet))) {
-                const auto n = facet_normal(m, facet, shape_values(facet_type(m, facet), p.xi));
-                for (std::size_t d = 0; d < 3; ++d) sum[d] += p.weight * n[d];
-            }
-        return sum;
-    };
     for (const auto& [name, facets] : coarse.facet_sets) {
-        const auto before = vector_area(coarse, facets), after = vector_area(fine, fine.facet_sets.at(name));
+        const auto before = sample::vector_area(coarse, facets), after = sample::vector_area(fine, fine.facet_sets.at(name));
         for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(before[d], after[d], 1e-13) << name;
     }
 }

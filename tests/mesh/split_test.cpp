@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "blocks.hpp"
+#include "pieces.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/split.hpp"
@@ -25,21 +25,6 @@ Mesh renumbered(const Mesh& mesh, unsigned seed) {
     return result;
 }
 
-/// Cells that share the corners of a side share all its nodes, and no side has three cells.
-void expect_conforming(const Mesh& mesh) {
-    std::map<std::set<Index>, std::vector<std::set<Index>>> sides;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-        for (int local = 0; local < static_cast<int>(topology(mesh.cell_type(cell)).facets.size()); ++local) {
-            const auto nodes = facet_nodes(mesh, {cell, local});
-            const int corners = topology(facet_type(mesh, {cell, local})).vertex_count;
-            sides[{nodes.begin(), nodes.begin() + corners}].push_back({nodes.begin(), nodes.end()});
-        }
-    for (const auto& [corners, found] : sides) {
-        EXPECT_LE(found.size(), 2u);
-        EXPECT_EQ(found.front(), found.back());
-    }
-}
-
 struct Expected {
     CellType type;
     Index pieces;                  ///< of one cell
@@ -54,7 +39,7 @@ TEST_P(EverySplit, NeighboursMatchUnderEveryNumbering) {
         const Mesh mesh = renumbered(row, seed);
         const Mesh split = split_into_simplices(mesh);
         ASSERT_EQ(split.cell_count(), 2 * GetParam().pieces);
-        expect_conforming(split);
+        sample::expect_conforming(split);
         EXPECT_EQ(boundary_facets(split).size(), GetParam().boundary_of_two);
         EXPECT_NEAR(quality(split).min_scaled_jacobian, 1, 1e-12);   // straight, and mid nodes in the middle
         EXPECT_NEAR(measure(split, Measure::plain), measure(mesh, Measure::plain), 1e-12);
@@ -73,17 +58,8 @@ TEST_P(EverySplit, FacetSetsKeepTheirArea) {
         for (const Facet& facet : boundary_facets(mesh))
             mesh.facet_sets[std::to_string(facet.cell) + "/" + std::to_string(facet.local)] = {facet};
         const Mesh split = split_into_simplices(mesh);
-        const auto vector_area = [](const Mesh& m, const std::vector<Facet>& facets) {
-            std::array<double, 3> sum{};
-            for (const Facet& facet : facets)
-                for (const QuadraturePoint& p : volume_rule(facet_type(m, facet))) {
-                    const auto n = facet_normal(m, facet, shape_values(facet_type(m, facet), p.xi));
-                    for (std::size_t d = 0; d < 3; ++d) sum[d] += p.weight * n[d];
-                }
-            return sum;
-        };
         for (const auto& [name, facets] : mesh.facet_sets) {
-            const auto before = vector_area(mesh, facets), after = vector_area(split, split.facet_sets.at(name));
+            const auto before = sample::vector_area(mesh, facets), after = sample::vector_area(split, split.facet_sets.at(name));
             for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(before[d], after[d], 1e-13) << name;
         }
     }
