@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 #include "core/text.hpp"
-#include "geometry/cell_check.hpp"
+#include "element/reference_cell.hpp"
 #include "geometry/section_mesher.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/raise_order.hpp"
@@ -130,8 +131,9 @@ model::Formulation formulation_of(const design::Values& values, const mesh::Mesh
     model::Formulation formulation = model::Formulation::mixed;
     if (says(values, "mesh.formulation", "displacement")) formulation = model::Formulation::displacement;
     if (says(values, "mesh.formulation", "f-bar")) formulation = model::Formulation::f_bar;
-    if (const auto misfit = problem_of(formulation, mesh))
-        throw values.refuse("mesh.formulation", misfit->problem, misfit->remedy);
+    for (const mesh::CellType type : std::set(mesh.cell_types.begin(), mesh.cell_types.end()))
+        if (const std::string reason = element::why_not(type, formulation); !reason.empty())
+            throw values.refuse("mesh.formulation", reason);
     return formulation;
 }
 

@@ -197,8 +197,8 @@ TEST(BuildCase, FBarIsForMeshesOfFirstOrderQuadrilateralsOrHexahedra) {
         EXPECT_EQ(build_case(design_of("panel", model, first)).formulation, model::Formulation::f_bar);
     EXPECT_EQ(build_case(design_of("tube", "axisymmetric", first)).formulation, model::Formulation::f_bar);
     EXPECT_EQ(refusal(design_of("tube", "quarter", first)),
-              "test: mesh.formulation: the mesh has wedge6 cells, and f-bar is for first-order quadrilaterals and hexahedra "
-              "alone; a section (axisymmetric, plane-strain), or formulation: mixed with order: 2");
+              "test: mesh.formulation: F-bar is for first-order quadrilaterals and hexahedra, not wedge6; use mesh.order 2 with "
+              "formulation mixed");
 }
 
 TEST(BuildCase, UnknownWordsAreRefused) {
