@@ -35,7 +35,7 @@ inline Run run_design(const std::string& file, const std::vector<std::string>& s
     run.model = geometry::build_case(design);
     assembly::System system(run.model, PETSC_COMM_WORLD);
     run.end = solver::follow_path(
-        system, [&](const solution::Step& step, Vec) { run.steps.push_back(step); }, {});
+        system, {.step = [&](const solution::Step& step, Vec) { run.steps.push_back(step); }});
     return run;
 }
 
