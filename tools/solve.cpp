@@ -27,6 +27,7 @@ struct SolveOptions {
     cli::CommonOptions common;
     std::string input;
     std::vector<std::string> sets;
+    std::string resume;
     std::string fields = "all";
     std::vector<std::string> petsc;
 };
@@ -50,10 +51,16 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     cli::add_input(app, options.input, "CASE", "case written by mesh-gen");
     app.add_option("--fields", options.fields, "Steps that keep their displacements and pressures: all, last, none or every=N")
         ->type_name("WHICH")->capture_default_str();
+    app.add_option("--resume", options.resume, "Goes on with the file that an interrupted `solve -o FILE` has left; no CASE")
+        ->type_name("FILE");
     cli::add_set_option(app, options.sets);
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     static_cast<void>(io::parse_fields_policy(options.fields));   // before any work
+    if (!options.resume.empty() && (!options.input.empty() || !options.sets.empty() || options.common.output != "-" ||
+                                    app.count("--fields") > 0))
+        throw Error(ExitCode::usage, "--resume", "the file holds its case, its settings and its place",
+                    "leave out CASE, --set, --fields and -o");
     for (const std::string& set : options.sets) static_cast<void>(design::parse_override(set));
     if (!options.petsc.empty() && !options.petsc.front().starts_with('-'))
         throw Error(ExitCode::usage, "", core::quoted(options.petsc.front()) + " behind -- is no option of PETSc",
@@ -62,11 +69,10 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
 }
 
 /// Applies --set to what a solver may still change.
-io::ResultOptions apply_sets(const SolveOptions& options, io::CaseFile& file) {
-    io::ResultOptions result{io::parse_fields_policy(options.fields), std::nullopt};
-    if (options.sets.empty()) return result;
+std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, io::CaseFile& file) {
+    if (sets.empty()) return std::nullopt;
     std::vector<design::Override> overrides;
-    for (const std::string& set : options.sets) overrides.push_back(design::parse_override(set));
+    for (const std::string& set : sets) overrides.push_back(design::parse_override(set));
     design::SolveChanges changes = design::apply_overrides(file.design.effective_yaml, overrides);
     for (model::Material& material : file.model.materials) {   // the mesh decides names and fibre frame
         changes.material.name = material.name;
@@ -82,8 +88,7 @@ io::ResultOptions apply_sets(const SolveOptions& options, io::CaseFile& file) {
     file.model.tractions = std::move(tractions);
     file.model.path = std::move(changes.path);
     file.model.solver = changes.solver;
-    result.changed_design = {file.design.family, std::move(changes.effective_yaml), options.sets};
-    return result;
+    return io::DesignText{file.design.family, std::move(changes.effective_yaml), sets};
 }
 
 io::ResultWriter make_writer(const SolveOptions& options, const cli::Input& input, const io::ResultOptions& result) {
@@ -97,15 +102,30 @@ ExitCode run(const SolveOptions& options, const linalg::Session& session) {
     const auto start = std::chrono::steady_clock::now();
     const bool first = session.rank() == 0;
     cli::Console console{about.tool, first ? options.common.verbosity : cli::Verbosity::quiet};
-    const cli::Input input = cli::read_input_on_first_rank(options.input, session.rank());
-    io::CaseFile file = io::read_case_file(input.bytes, input.source);
-    const io::ResultOptions result = apply_sets(options, file);
+    const bool resumes = !options.resume.empty();
+    const std::string output = resumes ? options.resume : options.common.output;
+    const cli::Input input = cli::read_input_on_first_rank(resumes ? options.resume : options.input, session.rank());
+    io::Interrupted from;
+    if (resumes)
+        from = io::read_interrupted(input.bytes, input.source);
+    else
+        from.file = io::read_case_file(input.bytes, input.source);
+    io::CaseFile& file = from.file;
+    const auto changed = apply_sets(from.changed_design ? from.changed_design->overrides : options.sets, file);
     assembly::System system{file.model, PETSC_COMM_WORLD};
     std::optional<io::ResultWriter> writer;
-    if (first) writer = make_writer(options, input, result);
+    if (first)
+        writer = resumes ? io::ResultWriter::resume(output, input.bytes)
+                         : make_writer(options, input, {io::parse_fields_policy(options.fields), changed});
 
     cli::SolveSummary summary;
     std::optional<solution::Step> undeformed;
+    if (from.checkpoint) {
+        undeformed = from.steps.front();
+        summary.steps = from.checkpoint->rows;
+        console.say("goes on from row " + std::to_string(summary.steps - 1) + ", " +
+                    cli::step_text(from.steps.back(), file.model));
+    }
     double share = 0;   // the load may fall past a limit point; progress does not
     const auto sink = [&](const solution::Step& step, Vec x) {
         const auto fields = system.gather_fields(x);
@@ -119,14 +139,20 @@ ExitCode run(const SolveOptions& options, const linalg::Session& session) {
     const solver::Log log = [&](const std::string& line) { console.detail(line); };
     {
         const cli::StdoutKeptForData kept;
-        summary.end = solver::follow_path(system, sink, log);
+        const auto keep = [&](const solution::Checkpoint& checkpoint) {
+            if (first) writer->remember(checkpoint);
+        };
+        const bool on_disk = output != "-";
+        summary.end = solver::follow_path(
+            system, {sink, on_disk ? solver::CheckpointSink(keep) : solver::CheckpointSink(), log},
+            from.checkpoint ? &*from.checkpoint : nullptr);
     }
     --summary.steps;   // the undeformed state is no step
     summary.unknowns = system.dofs().total;
     summary.ranks = session.size();
     if (first) {
         const auto bytes = writer->finish(summary.end);
-        if (options.common.output == "-") cli::write_output("-", bytes, cli::Content::binary);
+        if (output == "-") cli::write_output("-", bytes, cli::Content::binary);
         cli::measure_process(summary);
         summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         console.say(cli::summary_line(summary));
@@ -137,7 +163,7 @@ ExitCode run(const SolveOptions& options, const linalg::Session& session) {
 }
 
 ExitCode solve(const SolveOptions& options) {
-    cli::check_output(options.common.output, cli::Content::binary);
+    if (options.resume.empty()) cli::check_output(options.common.output, cli::Content::binary);
     const linalg::Session session{options.petsc};
     return cli::on_all_ranks(session.rank(), session.size(), [&] { return run(options, session); });
 }

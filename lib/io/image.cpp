@@ -20,6 +20,7 @@ constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
 constexpr std::string_view record_magic = "SOFTREC1";
 constexpr std::string_view seal_kind = "seal    ";
 constexpr std::string_view step_kind = "step    ";
+constexpr std::string_view checkpoint_kind = "state   ";
 constexpr std::size_t hash_size = 64;
 constexpr std::size_t header_size = 24;
 constexpr std::uint64_t no_address = ~std::uint64_t{0};
@@ -87,16 +88,25 @@ struct Record {
     std::size_t size;   ///< of the whole record
 };
 
-/// nullopt: a step record that the end of the image cuts short.
+std::string_view word_of(RecordKind kind) {
+    switch (kind) {
+        case RecordKind::seal: return seal_kind;
+        case RecordKind::step: return step_kind;
+        case RecordKind::checkpoint: return checkpoint_kind;
+    }
+    return {};
+}
+
+/// nullopt: a record other than the seal that the end of the image cuts short.
 std::optional<Record> record_at(std::span<const std::byte> tail, std::string_view source) {
     const std::string_view head = text_of(tail.first(std::min<std::size_t>(tail.size(), 16)));
-    const std::string seal_head = std::string{record_magic}.append(seal_kind);
-    const std::string step_head = std::string{record_magic}.append(step_kind);
-    const bool may_be_step = step_head.starts_with(head);
-    if (!may_be_step && !seal_head.starts_with(head))
-        throw damaged(source, std::to_string(tail.size()) + " unknown bytes after the end of the HDF5 data");
+    // The head may be cut so short that it fits several kinds; all but the seal may be cut.
+    std::optional<RecordKind> kind;
+    for (const RecordKind known : {RecordKind::seal, RecordKind::checkpoint, RecordKind::step})
+        if ((std::string{record_magic}.append(word_of(known))).starts_with(head)) kind = known;
+    if (!kind) throw damaged(source, std::to_string(tail.size()) + " unknown bytes after the end of the HDF5 data");
     const auto cut = [&]() -> std::optional<Record> {
-        if (may_be_step) return std::nullopt;
+        if (*kind != RecordKind::seal) return std::nullopt;
         throw truncated(source, tail.size(), "too few for the seal after the HDF5 data");
     };
     if (tail.size() < header_size + hash_size) return cut();
@@ -105,8 +115,7 @@ std::optional<Record> record_at(std::span<const std::byte> tail, std::string_vie
     const std::size_t hashed = header_size + static_cast<std::size_t>(length);
     if (core::sha256_hex(tail.first(hashed)) != text_of(tail.subspan(hashed, hash_size)))
         throw damaged(source, "a record after the HDF5 data does not match its checksum");
-    return Record{may_be_step ? RecordKind::step : RecordKind::seal,
-                  tail.subspan(header_size, static_cast<std::size_t>(length)), hashed + hash_size};
+    return Record{*kind, tail.subspan(header_size, static_cast<std::size_t>(length)), hashed + hash_size};
 }
 
 }  // namespace
@@ -114,7 +123,7 @@ std::optional<Record> record_at(std::span<const std::byte> tail, std::string_vie
 ImageParts split_image(std::span<const std::byte> image, std::string_view source) {
     if (image.empty()) throw Error(ExitCode::bad_input, source, "empty input", "did the stage before fail?");
     const std::size_t end = hdf5_size(image, source);
-    ImageParts parts{image.first(end), {}};
+    ImageParts parts{image.first(end), {}, std::nullopt};
     std::span<const std::byte> tail = image.subspan(end);
     bool sealed = false;
     while (!tail.empty()) {
@@ -124,6 +133,9 @@ ImageParts split_image(std::span<const std::byte> image, std::string_view source
         if (!record) break;
         if (record->kind == RecordKind::step) {
             parts.steps.push_back(record->payload);
+        } else if (record->kind == RecordKind::checkpoint) {
+            const std::size_t place = image.size() - tail.size() + record->size;
+            parts.checkpoint = ImageParts::Checkpoint{record->payload, parts.steps.size(), place};
         } else if (sealed) {
             throw damaged(source, "two seals after the HDF5 data");
         } else if (core::sha256_hex(parts.hdf5) != text_of(record->payload)) {
@@ -135,13 +147,20 @@ ImageParts split_image(std::span<const std::byte> image, std::string_view source
     return parts;
 }
 
+std::size_t seal_end(std::span<const std::byte> image, std::string_view source) {
+    const std::size_t end = hdf5_size(image, source);
+    const auto record = image.size() > end ? record_at(image.subspan(end), source) : std::nullopt;
+    if (!record || record->kind != RecordKind::seal) throw damaged(source, "the seal after the HDF5 data is missing");
+    return end + record->size;
+}
+
 std::vector<std::byte> make_record(RecordKind kind, std::span<const std::byte> payload) {
     std::vector<std::byte> record(header_size + payload.size() + hash_size);
     auto place = record.begin();
     const auto put = [&](std::span<const std::byte> bytes) { place = std::copy(bytes.begin(), bytes.end(), place); };
     const std::uint64_t length = payload.size();
     put(std::as_bytes(std::span{record_magic}));
-    put(std::as_bytes(std::span{kind == RecordKind::seal ? seal_kind : step_kind}));
+    put(std::as_bytes(std::span{word_of(kind)}));
     put(std::as_bytes(std::span{&length, 1}));
     put(payload);
     const std::string hash = core::sha256_hex(std::span<const std::byte>{record}.first(header_size + payload.size()));

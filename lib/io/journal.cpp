@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "core/error.hpp"
 
@@ -14,6 +15,10 @@ public:
     template <class T>
     void put(T value) {
         append(&value, sizeof value);
+    }
+    void put_optional(const std::optional<double>& value) {
+        put(std::uint64_t{value.has_value()});
+        put(value.value_or(0.0));
     }
     void put_list(std::span<const double> values) {
         put(static_cast<std::uint64_t>(values.size()));
@@ -56,13 +61,18 @@ public:
         if (!values.empty()) take(values.data(), values.size() * sizeof(double));
         return values;
     }
+    std::optional<double> get_optional() {
+        const bool present = get_flag();
+        const auto value = get<double>();
+        return present ? std::optional(value) : std::nullopt;
+    }
     void require_end() const {
         if (!bytes_.empty()) refuse();
     }
 
 private:
     [[noreturn]] void refuse() const {
-        throw Error(ExitCode::bad_input, source_, "a step record after the HDF5 data does not make sense",
+        throw Error(ExitCode::bad_input, source_, "a record after the HDF5 data does not make sense",
                     "run solve again");
     }
     void take(void* to, std::size_t size) {
@@ -81,8 +91,7 @@ std::vector<std::byte> encode_step(const solution::Step& step, std::span<const d
     Packer packer;
     packer.put(step.load_factor);
     packer.put(step.pressure_Pa);
-    packer.put(std::uint64_t{step.volume_m3.has_value()});
-    packer.put(step.volume_m3.value_or(0));
+    packer.put_optional(step.volume_m3);
     packer.put_list(step.outputs_m);
     packer.put(step.tangent_load_factor);
     packer.put(step.tangent_pressure);
@@ -105,9 +114,7 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     solution::Step& step = record.step;
     step.load_factor = unpacker.get<double>();
     step.pressure_Pa = unpacker.get<double>();
-    const bool has_volume = unpacker.get_flag();
-    const auto volume = unpacker.get<double>();
-    if (has_volume) step.volume_m3 = volume;
+    step.volume_m3 = unpacker.get_optional();
     step.outputs_m = unpacker.get_list();
     step.tangent_load_factor = unpacker.get<double>();
     step.tangent_pressure = unpacker.get<double>();
@@ -123,6 +130,73 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     record.pressure_Pa = unpacker.get_list();
     unpacker.require_end();
     return record;
+}
+
+namespace {
+
+void put_point(Packer& packer, const solution::StatePoint& point) {
+    packer.put_list(point.unknowns);
+    packer.put_list(point.tangent_unknowns);
+    for (const double value : {point.load_factor, point.tangent_load_factor, point.q}) packer.put(value);
+    packer.put_optional(point.excess_pivots ? std::optional<double>(*point.excess_pivots) : std::nullopt);
+}
+
+solution::StatePoint get_point(Unpacker& unpacker) {
+    solution::StatePoint point;
+    point.unknowns = unpacker.get_list();
+    point.tangent_unknowns = unpacker.get_list();
+    for (double* value : {&point.load_factor, &point.tangent_load_factor, &point.q}) *value = unpacker.get<double>();
+    if (const auto pivots = unpacker.get_optional()) point.excess_pivots = static_cast<int>(*pivots);
+    return point;
+}
+
+}  // namespace
+
+std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint) {
+    Packer packer;
+    packer.put(std::int64_t{checkpoint.ranks});
+    packer.put(std::int64_t{checkpoint.rows});
+    packer.put(std::int64_t{checkpoint.control});
+    packer.put(checkpoint.control_output);
+    packer.put(std::uint64_t{checkpoint.before.has_value()});
+    if (checkpoint.before) put_point(packer, *checkpoint.before);
+    put_point(packer, checkpoint.last);
+    packer.put(checkpoint.step);
+    packer.put(checkpoint.first_step);
+    packer.put(std::int64_t{checkpoint.so_far.newton_iterations});
+    packer.put(std::int64_t{checkpoint.so_far.factorizations});
+    packer.put(static_cast<std::uint64_t>(checkpoint.so_far.limit_points.size()));
+    for (const auto& limit : checkpoint.so_far.limit_points) {
+        packer.put(std::int64_t{limit.step});
+        packer.put(limit.pressure_Pa);
+        packer.put_optional(limit.volume_m3);
+        packer.put_list(limit.outputs_m);
+    }
+    return packer.take();
+}
+
+solution::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source) {
+    Unpacker unpacker{payload, source};
+    solution::Checkpoint checkpoint;
+    checkpoint.ranks = unpacker.get_count();
+    checkpoint.rows = unpacker.get_count();
+    checkpoint.control = unpacker.get_count();
+    checkpoint.control_output = unpacker.get_count();
+    if (unpacker.get_flag()) checkpoint.before = get_point(unpacker);
+    checkpoint.last = get_point(unpacker);
+    checkpoint.step = unpacker.get<double>();
+    checkpoint.first_step = unpacker.get<double>();
+    checkpoint.so_far.newton_iterations = unpacker.get_count();
+    checkpoint.so_far.factorizations = unpacker.get_count();
+    for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) {
+        auto& limit = checkpoint.so_far.limit_points.emplace_back();
+        limit.step = unpacker.get_count();
+        limit.pressure_Pa = unpacker.get<double>();
+        limit.volume_m3 = unpacker.get_optional();
+        limit.outputs_m = unpacker.get_list();
+    }
+    unpacker.require_end();
+    return checkpoint;
 }
 
 }  // namespace soft::io

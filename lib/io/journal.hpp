@@ -1,11 +1,12 @@
 #pragma once
-/// A step as the payload of a record behind the HDF5 data (image.hpp): how a running `solve -o` keeps its steps.
-/// Layout: doubles and 64-bit integers, little endian, in the order of solution::Step; lists with their length first.
+/// Steps and checkpoints as payloads of records behind the HDF5 data (image.hpp): how a running `solve -o` keeps them.
+/// Layout: doubles and 64-bit integers, little endian, in the order of the structs; lists with their length first.
 #include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "solution/checkpoint.hpp"
 #include "solution/path.hpp"
 
 namespace soft::io {
@@ -20,5 +21,9 @@ struct JournalStep {
                                                  std::span<const double> pressure);
 /// Throws Error (bad_input) for a payload that is not of this layout.
 [[nodiscard]] JournalStep decode_step(std::span<const std::byte> payload, std::string_view source);
+
+[[nodiscard]] std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint);
+/// Throws Error (bad_input) for a payload that is not of this layout or holds values that are not finite.
+[[nodiscard]] solution::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source);
 
 }  // namespace soft::io

@@ -14,6 +14,7 @@
 #include "io/case_file.hpp"
 #include "io/provenance.hpp"
 #include "model/case.hpp"
+#include "solution/checkpoint.hpp"
 #include "solution/path.hpp"
 
 namespace soft::io {
@@ -53,6 +54,11 @@ public:
     /// The same on disk. Throws Error (cannot_create) as well.
     ResultWriter(const std::filesystem::path& file, std::span<const std::byte> case_image, std::string_view source,
                  const Provenance& provenance, const ResultOptions& options);
+    /// Goes on with the file of an interrupted solve: what is behind its last checkpoint is cut off, the steps before it
+    /// count as appended. `image` is the file as read. Throws Error (bad_input) for a file that is no such, Error
+    /// (cannot_create) where it cannot be written.
+    static ResultWriter resume(const std::filesystem::path& file, std::span<const std::byte> image);
+
     ResultWriter(ResultWriter&&) noexcept;
     ResultWriter& operator=(ResultWriter&&) noexcept;
     ~ResultWriter();
@@ -62,11 +68,15 @@ public:
     /// steps before or is not finite, Error (io_error) for a full disk.
     void append(const solution::Step& step, std::span<const double> displacement, std::span<const double> pressure);
 
+    /// Remembers what the solver needs to go on from the step last appended. Nothing to do in memory. Errors as append.
+    void remember(const solution::Checkpoint& checkpoint);
+
     /// Writes path and end. Returns the whole result; on disk it is also FILE. Call it once, nothing after it.
     std::vector<std::byte> finish(const solution::PathEnd& end);
 
 private:
     struct State;
+    explicit ResultWriter(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
 
@@ -102,6 +112,17 @@ struct Result {
     std::optional<solution::PathEnd> end;         ///< empty: solve was killed or is still at work
     FieldReader fields;
 };
+
+/// An interrupted `solve -o` as `solve --resume` wants it. The model is that of the case as mesh-gen wrote it.
+struct Interrupted {
+    CaseFile file;
+    std::optional<DesignText> changed_design;
+    std::vector<solution::Step> steps;                    ///< up to the checkpoint
+    std::optional<solution::Checkpoint> checkpoint;       ///< empty: killed before the second row; start from the beginning
+};
+
+/// Throws Error (bad_input) for a case, a finished result ("is finished") or a damaged file.
+[[nodiscard]] Interrupted read_interrupted(std::span<const std::byte> image, std::string_view source);
 
 /// Reads a finished result, or what a running or killed `solve -o` has left. Checks as read_case does.
 /// The image is kept for reading fields later. A case without solution is refused with the remedy "run solve on it".

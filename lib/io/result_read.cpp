@@ -98,6 +98,26 @@ std::optional<FieldReader::Values> FieldReader::read(std::int64_t step) const {
     return values;
 }
 
+Interrupted read_interrupted(std::span<const std::byte> image, std::string_view source) {
+    const QuietErrors quiet;
+    const ImageParts parts = split_image(image, source);
+    if (!lacks_rows(parts.hdf5, source))
+        throw Error(ExitCode::bad_input, source, "is finished, there is nothing to resume", "postprocess reads it");
+    const Origin origin{std::string{source}, parts.hdf5.size(), "run solve again"};
+    const FileHandle file = open_image(parts.hdf5, origin);
+    const GroupReader root{file.get(), origin};
+    Interrupted interrupted;
+    interrupted.file = read_case_groups(root);
+    if (root.has("solve_design")) interrupted.changed_design = read_design_text(root.group("solve_design"));
+    if (!parts.checkpoint) return interrupted;
+    interrupted.checkpoint = decode_checkpoint(parts.checkpoint->payload, source);
+    for (std::size_t i = 0; i < parts.checkpoint->steps; ++i)
+        interrupted.steps.push_back(decode_step(parts.steps[i], source).step);
+    if (interrupted.steps.size() != static_cast<std::size_t>(interrupted.checkpoint->rows))
+        throw Error(ExitCode::bad_input, source, "the last checkpoint does not fit the steps before it", "run solve again");
+    return interrupted;
+}
+
 Result read_result(std::vector<std::byte> image, std::string_view source) {
     const QuietErrors quiet;
     const ImageParts parts = split_image(image, source);

@@ -46,6 +46,11 @@ public:
     Tail(const Tail&) = delete;
     Tail& operator=(const Tail&) = delete;
     ~Tail() { ::close(descriptor_); }
+    /// Cuts the file off, so that the next bytes follow the first `size`.
+    void cut(std::size_t size) const {
+        if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0)
+            throw Error(ExitCode::cannot_create, name_, "cannot be cut: " + std::generic_category().message(errno));
+    }
     void append(std::span<const std::byte> bytes) const {
         static_cast<void>(core::write_all(descriptor_, bytes, name_));
     }
@@ -82,6 +87,23 @@ ResultWriter::ResultWriter(const fs::path& file, std::span<const std::byte> case
     state_->journal.emplace(file);
 }
 
+ResultWriter::ResultWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+
+ResultWriter ResultWriter::resume(const fs::path& file, std::span<const std::byte> image) {
+    const QuietErrors quiet;
+    const ImageParts parts = split_image(image, file.string());
+    auto state = std::make_unique<State>(ResultImage::resume(parts.hdf5, file.string()));
+    state->file = file;
+    const std::size_t steps = parts.checkpoint ? parts.checkpoint->steps : 0;
+    for (std::size_t i = 0; i < steps; ++i) {
+        const JournalStep record = decode_step(parts.steps[i], file.string());
+        state->image.append(record.step, record.displacement_m, record.pressure_Pa);
+    }
+    state->journal.emplace(file);
+    state->journal->cut(parts.checkpoint ? parts.checkpoint->end : seal_end(image, file.string()));
+    return ResultWriter{std::move(state)};
+}
+
 ResultWriter::ResultWriter(ResultWriter&&) noexcept = default;
 ResultWriter& ResultWriter::operator=(ResultWriter&&) noexcept = default;
 ResultWriter::~ResultWriter() {
@@ -97,6 +119,10 @@ void ResultWriter::append(const solution::Step& step, std::span<const double> di
     const bool with_fields = state_->image.policy().keep != FieldsPolicy::Keep::none;
     const auto payload = with_fields ? encode_step(step, displacement, pressure) : encode_step(step, {}, {});
     state_->journal->append(make_record(RecordKind::step, payload));
+}
+
+void ResultWriter::remember(const solution::Checkpoint& checkpoint) {
+    if (state_->journal) state_->journal->append(make_record(RecordKind::checkpoint, encode_checkpoint(checkpoint)));
 }
 
 std::vector<std::byte> ResultWriter::finish(const solution::PathEnd& end) {

@@ -1,5 +1,6 @@
 #include "linalg/petsc.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "core/error.hpp"
@@ -40,5 +41,29 @@ double norm(Vec a) {
 
 void copy(Vec from, Vec to) { SOFT_PETSC(VecCopy(from, to)); }
 void add(Vec y, double factor, Vec x) { SOFT_PETSC(VecAXPY(y, factor, x)); }
+
+std::vector<double> gather(Vec distributed) {
+    Scatter to_zero;
+    Vector all;
+    SOFT_PETSC(VecScatterCreateToZero(distributed, to_zero.out(), all.out()));
+    SOFT_PETSC(VecScatterBegin(to_zero, distributed, all, INSERT_VALUES, SCATTER_FORWARD));
+    SOFT_PETSC(VecScatterEnd(to_zero, distributed, all, INSERT_VALUES, SCATTER_FORWARD));
+    PetscInt size = 0;   // 0 on the other ranks
+    SOFT_PETSC(VecGetLocalSize(all, &size));
+    const PetscScalar* values = nullptr;
+    SOFT_PETSC(VecGetArrayRead(all, &values));
+    std::vector<double> gathered(values, values + size);
+    SOFT_PETSC(VecRestoreArrayRead(all, &values));
+    return gathered;
+}
+
+void spread(std::span<const double> all, Vec distributed) {
+    PetscInt begin = 0, end = 0;
+    SOFT_PETSC(VecGetOwnershipRange(distributed, &begin, &end));
+    PetscScalar* values = nullptr;
+    SOFT_PETSC(VecGetArray(distributed, &values));
+    std::copy(all.begin() + begin, all.begin() + end, values);
+    SOFT_PETSC(VecRestoreArray(distributed, &values));
+}
 
 }  // namespace soft::linalg

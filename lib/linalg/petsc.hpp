@@ -3,7 +3,9 @@
 /// PETSc here is the C build, so a failed call returns a code; `check` turns it into an Error (internal).
 #include <petscksp.h>
 
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace soft::linalg {
 
@@ -44,6 +46,9 @@ using IndexSet = Owned<IS, ISDestroy>;
 [[nodiscard]] Vector duplicate(Vec like);   ///< same layout, zero
 [[nodiscard]] double dot(Vec a, Vec b);
 [[nodiscard]] double norm(Vec a);
+/// All values of a distributed vector on rank 0, empty elsewhere; and back from values known whole to every rank.
+[[nodiscard]] std::vector<double> gather(Vec distributed);
+void spread(std::span<const double> all, Vec distributed);
 void copy(Vec from, Vec to);
 void add(Vec y, double factor, Vec x);      ///< y += factor x
 

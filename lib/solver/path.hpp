@@ -11,6 +11,7 @@
 #include <string>
 
 #include "assembly/system.hpp"
+#include "solution/checkpoint.hpp"
 #include "solution/path.hpp"
 
 namespace soft::solver {
@@ -21,6 +22,19 @@ using StepSink = std::function<void(const solution::Step& step, Vec x)>;
 /// One line about what the solver is doing, for `--verbose`.
 using Log = std::function<void(const std::string&)>;
 
-[[nodiscard]] solution::PathEnd follow_path(assembly::System& system, const StepSink& sink, const Log& log);
+/// What it would take to go on from the row just passed to the sink. Collective; only rank 0 gets the vectors.
+using CheckpointSink = std::function<void(const solution::Checkpoint&)>;
+
+struct Listeners {
+    StepSink step;
+    CheckpointSink checkpoint = {};   ///< may be empty
+    Log log = {};                     ///< may be empty
+};
+
+/// `from`: goes on from there instead of the undeformed state; the rows before it are not passed to the sink again. The
+/// rows after it are those of the uninterrupted path. Throws Error (bad_input) for a checkpoint of another case or
+/// another number of ranks.
+[[nodiscard]] solution::PathEnd follow_path(assembly::System& system, const Listeners& listeners,
+                                            const solution::Checkpoint* from = nullptr);
 
 }  // namespace soft::solver

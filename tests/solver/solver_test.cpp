@@ -98,7 +98,7 @@ Run run(const model::Case& input) {
     assembly::System system(input, PETSC_COMM_WORLD);
     Run result;
     result.end = follow_path(
-        system, [&](const solution::Step& step, Vec) { result.steps.push_back(step); }, {});
+        system, {.step = [&](const solution::Step& step, Vec) { result.steps.push_back(step); }});
     return result;
 }
 
@@ -158,11 +158,10 @@ TEST(Path, WorkOfThePressureIsTheStoredEnergy) {
     double energy = 0;
     (void)follow_path(
         system,
-        [&](const solution::Step& step, Vec x) {
+        {.step = [&](const solution::Step& step, Vec x) {
             steps.push_back(step);
             energy = system.stored_energy(x) / input.model_fraction;
-        },
-        {});
+        }});
     double work = 0;
     for (std::size_t i = 1; i < steps.size(); ++i) {
         const auto &a = steps[i - 1], &b = steps[i];

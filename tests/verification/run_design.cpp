@@ -58,7 +58,7 @@ Run run_design(const std::string& design, const std::vector<std::string>& sets, 
         run.displacement_m = system.gather_fields(x).displacement_m;
         if (energy == Energy::recorded) run.energy_J.push_back(system.stored_energy(x) / run.model.model_fraction);
     };
-    run.end = solver::follow_path(system, sink, {});
+    run.end = solver::follow_path(system, {.step = sink});
     run.mesh = describe(run.model, system.dofs().total);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return run;
