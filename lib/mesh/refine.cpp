@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
+#include "mesh/arcs.hpp"
 #include "mesh/shape.hpp"
 #include "mesh/shared_nodes.hpp"
 
@@ -122,59 +124,114 @@ Pattern pattern_of(CellType type) {
     return pattern;
 }
 
-Point position(const Mesh& mesh, std::span<const Index> nodes, const std::vector<ShapeValue>& shapes) {
+Point position(const std::vector<Point>& nodes, const std::vector<ShapeValue>& shapes) {
     Point X{};
     for (std::size_t a = 0; a < nodes.size(); ++a)
-        for (std::size_t d = 0; d < 3; ++d) X[d] += shapes[a].value * mesh.point(nodes[a])[d];
+        for (std::size_t d = 0; d < 3; ++d) X[d] += shapes[a].value * nodes[a][d];
     return X;
 }
 
-Mesh refined_once(const Mesh& mesh) {
-    std::map<CellType, Pattern> patterns;
-    for (const CellType type : mesh.cell_types)
-        if (!patterns.contains(type)) patterns.emplace(type, pattern_of(type));
-    Mesh result;
-    result.dimension = mesh.dimension;
-    result.points = mesh.points;
-    result.region_names = mesh.region_names;
-    result.point_sets = mesh.point_sets;
-    SharedNodes shared;
-    std::vector<Index> numbers, child_nodes;
-    for (Index c = 0; c < mesh.cell_count(); ++c) {
-        const CellType type = mesh.cell_type(c);
-        const Pattern& pattern = patterns.at(type);
-        const auto nodes = mesh.cell_nodes(c);
-        numbers.clear();
-        for (const Place& place : pattern.places) {
-            const auto next = static_cast<Index>(result.points.size());
+/// Cells of a type are cut alike, and have one rule for new nodes.
+struct Cutting {
+    Pattern pattern;
+    ArcMap arcs;
+};
+
+class Refinement {
+public:
+    Refinement(const Mesh& mesh, Curve curve) : coarse_(&mesh), curve_(curve) {
+        for (const CellType type : mesh.cell_types)
+            if (!cuttings_.contains(type)) cuttings_.emplace(type, Cutting{pattern_of(type), ArcMap(type)});
+        Mesh& fine = result_.mesh;
+        fine.dimension = mesh.dimension;
+        fine.points = mesh.points;
+        fine.region_names = mesh.region_names;
+        fine.point_sets = mesh.point_sets;
+        for (Index p = 0; p < static_cast<Index>(mesh.points.size()); ++p) {
+            result_.nodes.push_back(p);
+            result_.weights.push_back(1);
+            result_.offsets.push_back(p + 1);
+        }
+    }
+
+    Refined run() {
+        for (Index c = 0; c < coarse_->cell_count(); ++c) cut(c);
+        const Index children = Index{1} << coarse_->dimension;
+        for (const auto& [name, facets] : coarse_->facet_sets) {
+            auto& set = result_.mesh.facet_sets[name];
+            for (const Facet& facet : facets) {
+                const Pattern& pattern = cuttings_.at(coarse_->cell_type(facet.cell)).pattern;
+                for (const Facet& piece : pattern.facets[static_cast<std::size_t>(facet.local)])
+                    set.push_back({children * facet.cell + piece.cell, piece.local});
+            }
+        }
+        return std::move(result_);
+    }
+
+private:
+    void cut(Index c) {
+        const Cutting& cutting = cuttings_.at(coarse_->cell_type(c));
+        const auto nodes = coarse_->cell_nodes(c);
+        std::vector<Point> positions;
+        for (const Index node : nodes) positions.push_back(coarse_->point(node));
+        std::vector<Index> numbers, child_nodes;
+        for (const Place& place : cutting.pattern.places) {
+            const auto next = static_cast<Index>(result_.mesh.points.size());
             const Index number = place.own >= 0  ? nodes[static_cast<std::size_t>(place.own)]
                                  : place.inside ? next
-                                                : shared.number(nodes, place.weights, next);
-            if (number == next) result.points.push_back(position(mesh, nodes, place.shapes));
+                                                : shared_.number(nodes, place.weights, next);
+            if (number == next) {
+                result_.mesh.points.push_back(curve_ == Curve::circle ? cutting.arcs(positions, place.xi)
+                                                                      : position(positions, place.shapes));
+                add_parents(nodes, place.shapes);
+            }
             numbers.push_back(number);
         }
-        for (const std::vector<int>& child : pattern.children) {
+        for (const std::vector<int>& child : cutting.pattern.children) {
             child_nodes.clear();
             for (const int place : child) child_nodes.push_back(numbers[static_cast<std::size_t>(place)]);
-            add_cell(result, type, child_nodes, mesh.cell_regions[static_cast<std::size_t>(c)]);
+            add_cell(result_.mesh, coarse_->cell_type(c), child_nodes, coarse_->cell_regions[static_cast<std::size_t>(c)]);
         }
     }
-    const Index children = Index{1} << mesh.dimension;
-    for (const auto& [name, facets] : mesh.facet_sets) {
-        auto& set = result.facet_sets[name];
-        for (const Facet& facet : facets)
-            for (const Facet& piece : patterns.at(mesh.cell_type(facet.cell)).facets[static_cast<std::size_t>(facet.local)])
-                set.push_back({children * facet.cell + piece.cell, piece.local});
+
+    void add_parents(std::span<const Index> nodes, const std::vector<ShapeValue>& shapes) {
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+            if (shapes[a].value != 0) {
+                result_.nodes.push_back(nodes[a]);
+                result_.weights.push_back(shapes[a].value);
+            }
+        result_.offsets.push_back(static_cast<Index>(result_.nodes.size()));
     }
-    return result;
-}
+
+    const Mesh* coarse_;
+    Curve curve_;
+    std::map<CellType, Cutting> cuttings_;
+    SharedNodes shared_;
+    Refined result_;
+};
 
 }  // namespace
 
-Mesh refine(const Mesh& mesh, int times) {
+Mesh refine(const Mesh& mesh, int times, Curve curve) {
     if (times < 0) throw std::logic_error("refine: a negative number of times");
     Mesh result = mesh;
-    for (int i = 0; i < times; ++i) result = refined_once(result);
+    for (int i = 0; i < times; ++i) result = refine_once(result, curve).mesh;
+    return result;
+}
+
+Refined refine_once(const Mesh& mesh, Curve curve) { return Refinement(mesh, curve).run(); }
+
+std::vector<double> prolong(const Refined& refined, std::span<const double> field, int components) {
+    const auto count = static_cast<std::size_t>(components);
+    const Index coarse_points = refined.nodes.empty() ? 0 : *std::max_element(refined.nodes.begin(), refined.nodes.end()) + 1;
+    if (field.size() != count * static_cast<std::size_t>(coarse_points))
+        throw std::logic_error("prolong: the field does not belong to the coarse mesh");
+    const std::size_t points = refined.offsets.size() - 1;
+    std::vector<double> result(count * points);
+    for (std::size_t p = 0; p < points; ++p)
+        for (auto k = static_cast<std::size_t>(refined.offsets[p]); k < static_cast<std::size_t>(refined.offsets[p + 1]); ++k)
+            for (std::size_t i = 0; i < count; ++i)
+                result[count * p + i] += refined.weights[k] * field[count * static_cast<std::size_t>(refined.nodes[k]) + i];
     return result;
 }
 

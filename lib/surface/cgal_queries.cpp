@@ -8,6 +8,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <utility>
@@ -21,7 +22,11 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
+Kernel::Point_2 cgal_point_in_plane(const mesh::Point& p) { return {p[0], p[1]}; }
+Kernel::Segment_2 cgal_segment(Corners c) { return {cgal_point_in_plane(c[0]), cgal_point_in_plane(c[1])}; }
 Kernel::Point_3 cgal_point(const mesh::Point& p) { return {p[0], p[1], p[2]}; }
+
+Kernel::Triangle_3 cgal_triangle(Corners c) { return {cgal_point(c[0]), cgal_point(c[1]), cgal_point(c[2])}; }
 
 /// Middle of the first edge that is not run through exactly once each way; CGAL tells that there is one, not where.
 std::optional<mesh::Point> first_bad_edge(const Triangles& surface) {
@@ -134,6 +139,37 @@ std::optional<RayTree::Hit> RayTree::first_hit(const mesh::Point& from, const me
     return Hit{std::min(CGAL::to_double((segment->source() - origin) * along),
                         CGAL::to_double((segment->target() - origin) * along)),
                facet};
+}
+
+std::vector<std::array<int, 2>> overlapping(std::span<const Box> boxes) {
+    // numbers of their own: the algorithm moves the boxes, so an address tells nothing
+    using Numbered = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int, CGAL::Box_intersection_d::ID_EXPLICIT>;
+    std::vector<Numbered> numbered;
+    numbered.reserve(boxes.size());
+    for (const Box& box : boxes)
+        numbered.emplace_back(CGAL::Bbox_3(box.low[0], box.low[1], box.low[2], box.high[0], box.high[1], box.high[2]),
+                              static_cast<int>(numbered.size()));
+    std::vector<std::array<int, 2>> pairs;
+    CGAL::box_self_intersection_d(numbered.begin(), numbered.end(), [&pairs](const Numbered& a, const Numbered& b) {
+        pairs.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+    });
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+}
+
+bool meet(Corners a, Corners b) {
+    if (a.size() == 2) {
+        const auto s = cgal_segment(a), t = cgal_segment(b);
+        return !s.is_degenerate() && !t.is_degenerate() && CGAL::do_intersect(s, t);
+    }
+    const auto s = cgal_triangle(a), t = cgal_triangle(b);
+    return !s.is_degenerate() && !t.is_degenerate() && CGAL::do_intersect(s, t);
+}
+
+bool within(Corners a, Corners b, double distance_m) {
+    const double square = distance_m * distance_m;
+    if (a.size() == 2) return CGAL::squared_distance(cgal_segment(a), cgal_segment(b)) <= square;
+    return CGAL::squared_distance(cgal_triangle(a), cgal_triangle(b)) <= square;
 }
 
 }  // namespace soft::surface

@@ -1,9 +1,11 @@
 #pragma once
-/// Questions about triangle surfaces that CGAL answers (Polygon Mesh Processing and AABB tree, exact predicates).
-/// The one place of the project that sees CGAL. Held by surface/report_test.
+/// Questions about surfaces that CGAL answers (Polygon Mesh Processing, AABB tree, box intersection; exact predicates).
+/// The one place of the project that sees CGAL. Held by surface/report_test and surface/contact_test.
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "surface/triangles.hpp"
 
@@ -39,5 +41,22 @@ private:
     struct Tree;
     std::unique_ptr<Tree> tree_;
 };
+
+/// Axis-parallel, both ends included. Sections have z = 0.
+struct Box {
+    mesh::Point low, high;
+};
+
+/// All pairs (i < j) of boxes that have a point in common, in ascending order.
+[[nodiscard]] std::vector<std::array<int, 2>> overlapping(std::span<const Box> boxes);
+
+/// A straight piece of a surface: the ends of a segment in the plane z = 0 (two points) or a triangle's corners (three).
+using Corners = std::span<const mesh::Point>;
+
+/// Whether two pieces of the same kind have a point in common; exact. A piece without length or area meets nothing.
+[[nodiscard]] bool meet(Corners a, Corners b);
+
+/// Whether they come as near to each other as this, to rounding.
+[[nodiscard]] bool within(Corners a, Corners b, double distance_m);
 
 }  // namespace soft::surface

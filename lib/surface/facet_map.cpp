@@ -1,8 +1,17 @@
 #include "surface/facet_map.hpp"
 
+#include <algorithm>
+
 #include "mesh/shape.hpp"
 
 namespace soft::surface {
+
+bool inside(mesh::Shape shape, const FacetPoint& xi, double margin) {
+    if (shape == mesh::Shape::line) return std::abs(xi[0]) <= 1 - margin && xi[1] == 0;
+    if (shape == mesh::Shape::triangle) return xi[0] >= margin && xi[1] >= margin && xi[0] + xi[1] <= 1 - margin;
+    return std::max(std::abs(xi[0]), std::abs(xi[1])) <= 1 - margin;
+}
+
 FacetMap::Value FacetMap::operator()(const FacetPoint& xi) const {
     const auto count = static_cast<std::size_t>(mesh::node_count(type));
     std::array<mesh::ShapeValue, 9> shapes;

@@ -24,6 +24,9 @@ using Vector = std::array<double, 3>;
 /// Reference coordinates on a facet; a line uses the first, its second runs along z.
 using FacetPoint = std::array<double, 2>;
 
+/// Whether a point lies in the reference facet, this far from its border.
+[[nodiscard]] bool inside(mesh::Shape shape, const FacetPoint& xi, double margin);
+
 struct FacetMap {
     mesh::CellType type;
     std::array<mesh::Point, 9> nodes{};  ///< the first node_count(type)

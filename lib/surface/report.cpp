@@ -77,10 +77,14 @@ std::vector<CavityReport> check_cavities(const model::Case& model) {
     return reports;
 }
 
-std::string place_text(const model::Case& model, const mesh::Point& place) {
+std::string place_text(model::Kinematics kinematics, const mesh::Point& place) {
     const auto millimetres = [&](std::size_t d) { return core::rounded_text(place[d] * 1e3, 4) + " mm"; };
-    if (model.kinematics == model::Kinematics::axisymmetric) return "x = " + millimetres(0) + ", r = " + millimetres(1);
-    return "x = " + millimetres(0) + ", y = " + millimetres(1) + ", z = " + millimetres(2);
+    const std::string x = "x = " + millimetres(0);
+    if (kinematics == model::Kinematics::axisymmetric) return x + ", r = " + millimetres(1);
+    const std::string xy = x + ", y = " + millimetres(1);
+    return kinematics == model::Kinematics::plane_strain ? xy : xy + ", z = " + millimetres(2);
 }
+
+std::string place_text(const model::Case& model, const mesh::Point& place) { return place_text(model.kinematics, place); }
 
 }  // namespace soft::surface

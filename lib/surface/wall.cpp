@@ -7,6 +7,7 @@
 
 #include "surface/cgal_queries.hpp"
 #include "surface/facet_map.hpp"
+#include "surface/free_facets.hpp"
 #include "surface/triangles.hpp"
 #include "surface/volume.hpp"
 
@@ -22,14 +23,6 @@ std::vector<FacetPoint> samples(mesh::Shape shape) {
         case mesh::Shape::quadrilateral: return {{-0.6, -0.6}, {0.6, -0.6}, {-0.6, 0.6}, {0.6, 0.6}};
         default: return {};  // cells are no facets
     }
-}
-
-/// Inside by the same margin as the samples keep, in which the search moves.
-bool inside(mesh::Shape shape, const FacetPoint& xi) {
-    constexpr double margin = 0.02;
-    if (shape == mesh::Shape::line) return std::abs(xi[0]) <= 1 - margin && xi[1] == 0;
-    if (shape == mesh::Shape::triangle) return xi[0] >= margin && xi[1] >= margin && xi[0] + xi[1] <= 1 - margin;
-    return std::max(std::abs(xi[0]), std::abs(xi[1])) <= 1 - margin;
 }
 
 /// Distance along the ray to the curved facet, by Newton's method from the triangle's hit; the triangle's distance where
@@ -60,11 +53,7 @@ double on_curved_facet(const FacetMap& map, const Point& from, const Vector& dir
 class WallProbe {
 public:
     WallProbe(const model::Case& model, const model::Cavity& cavity)
-        : model_(&model), cavity_(cavity_facets(model, cavity)), tolerance_m_(model::plane_tolerance * model::extent_m(model.mesh)) {
-        mirrors_ = model.symmetry_planes;
-        if (model.kinematics == model::Kinematics::axisymmetric) mirrors_[1] = true;  // the axis, r = 0
-        for (const mesh::Facet& facet : mesh::boundary_facets(model.mesh))
-            if (!on_mirror(facet)) boundary_.push_back(facet);
+        : model_(&model), cavity_(cavity_facets(model, cavity)), boundary_(free_facets(model)), mirrors_(mirrors(model)) {
         tree_.emplace(facet_triangles(model.mesh, boundary_));
     }
 
@@ -88,16 +77,6 @@ public:
 private:
     [[nodiscard]] FacetMap boundary_map(int number) const {
         return facet_map(model_->mesh, boundary_[static_cast<std::size_t>(number)], model_->mesh.points);
-    }
-
-    [[nodiscard]] bool on_mirror(const mesh::Facet& facet) const {
-        const std::vector<mesh::Index> nodes = facet_nodes(model_->mesh, facet);
-        for (std::size_t d = 0; d < 3; ++d)
-            if (mirrors_[d] && std::all_of(nodes.begin(), nodes.end(), [&](mesh::Index node) {
-                    return std::abs(model_->mesh.point(node)[d]) <= tolerance_m_;
-                }))
-                return true;
-        return false;
     }
 
     [[nodiscard]] int boundary_number(std::size_t facet) const {  // boundary facets are sorted
@@ -130,8 +109,7 @@ private:
 
     const model::Case* model_;
     std::vector<mesh::Facet> cavity_, boundary_;
-    double tolerance_m_;
-    std::array<bool, 3> mirrors_{};
+    std::array<bool, 3> mirrors_;
     std::optional<RayTree> tree_;
 };
 
@@ -145,7 +123,7 @@ WallThickness search(const WallProbe& probe, std::size_t facet, FacetPoint xi, W
         for (const FacetPoint& move :
              {FacetPoint{step, 0}, FacetPoint{-step, 0}, FacetPoint{0, step}, FacetPoint{0, -step}}) {
             const FacetPoint next{xi[0] + move[0], xi[1] + move[1]};
-            if (!inside(shape, next)) continue;
+            if (!inside(shape, next, 0.02)) continue;  // the margin that the samples keep
             const auto wall = probe.at(facet, map, next);
             if (!wall || !(wall->thickness_m < best.thickness_m)) continue;
             best = *wall;

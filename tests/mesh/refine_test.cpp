@@ -29,7 +29,7 @@ struct Choice {
 };
 void PrintTo(const Choice& choice, std::ostream* out) { *out << choice.name << choice.order; }
 
-class Refined : public testing::TestWithParam<Choice> {
+class Refinement : public testing::TestWithParam<Choice> {
 protected:
     static Mesh straight_mesh(const Choice& choice) {
         const Mesh first = choice.name == "plane"    ? sample::triangles_and_quadrilaterals()
@@ -46,19 +46,19 @@ protected:
     const Mesh fine = refine(coarse, 1);
 };
 
-TEST_P(Refined, KeepsTheVolumeAndHasPositiveJacobians) {
+TEST_P(Refinement, KeepsTheVolumeAndHasPositiveJacobians) {
     EXPECT_EQ(fine.cell_count(), coarse.cell_count() << coarse.dimension);
     EXPECT_NEAR(measure(fine, Measure::plain) / measure(coarse, Measure::plain), 1, 1e-13);
     EXPECT_NEAR(measure(refine(fine, 1), Measure::plain) / measure(coarse, Measure::plain), 1, 1e-13);
     EXPECT_GT(quality(fine).min_scaled_jacobian, quality(coarse).min_scaled_jacobian - 1e-12);
 }
 
-TEST_P(Refined, IsConforming) {
+TEST_P(Refinement, IsConforming) {
     sample::expect_conforming(fine);
     EXPECT_EQ(boundary_facets(fine).size(), boundary_facets(coarse).size() << (coarse.dimension - 1));
 }
 
-TEST_P(Refined, CarriesItsFacetSetsToAllPiecesOfTheBoundary) {
+TEST_P(Refinement, CarriesItsFacetSetsToAllPiecesOfTheBoundary) {
     std::vector<Facet> named;
     for (const auto& [name, facets] : fine.facet_sets) {
         EXPECT_EQ(facets.size(), coarse.facet_sets.at(name).size() << (coarse.dimension - 1));
@@ -72,7 +72,7 @@ TEST_P(Refined, CarriesItsFacetSetsToAllPiecesOfTheBoundary) {
     }
 }
 
-TEST_P(Refined, KeepsPointsAndRegions) {
+TEST_P(Refinement, KeepsPointsAndRegions) {
     EXPECT_TRUE(std::equal(coarse.points.begin(), coarse.points.end(), fine.points.begin()));
     EXPECT_EQ(fine.point_sets, coarse.point_sets);
     for (Index c = 0; c < fine.cell_count(); ++c)
@@ -81,7 +81,7 @@ TEST_P(Refined, KeepsPointsAndRegions) {
 }
 
 /// Second-order cells hold a map of total degree two exactly: every new node must lie on it.
-TEST_P(Refined, NewNodesLieOnAQuadraticMap) {
+TEST_P(Refinement, NewNodesLieOnAQuadraticMap) {
     if (GetParam().order == 1) return;
     const Mesh places = refine(straight, 2), finer = refine(coarse, 2);
     ASSERT_EQ(places.points.size(), finer.points.size());
@@ -91,7 +91,48 @@ TEST_P(Refined, NewNodesLieOnAQuadraticMap) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mesh, Refined,
+/// On circles the new nodes lie elsewhere, in the same cells.
+TEST_P(Refinement, AlongCirclesIsTheSameMeshNearBy) {
+    const Mesh round = refine(coarse, 2, Curve::circle), expected = refine(coarse, 2);
+    sample::expect_conforming(round);
+    EXPECT_EQ(round.connectivity, expected.connectivity);
+    EXPECT_EQ(round.facet_sets, expected.facet_sets);
+    EXPECT_GT(quality(round).min_scaled_jacobian, 0.9 * quality(expected).min_scaled_jacobian);
+    for (std::size_t p = 0; p < round.points.size(); ++p)
+        for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(round.points[p][d], expected.points[p][d], GetParam().order == 1 ? 0 : 2e-3);
+}
+
+TEST_P(Refinement, CarriesAFieldThatTheCellsCanHold) {
+    const auto field = [](const Point& p, int order) {
+        const double linear = 1 + p[0] - 2 * p[1] + 0.5 * p[2];
+        return std::array<double, 2>{linear, order == 1 ? 3 * linear : linear * linear + p[0] * p[1]};
+    };
+    const auto nodal = [&](const Mesh& mesh) {
+        std::vector<double> values;
+        for (const Point& p : mesh.points)
+            for (const double value : field(p, GetParam().order)) values.push_back(value);
+        return values;
+    };
+    const Refined refined = refine_once(straight, Curve::parabola);
+    const std::vector<double> carried = prolong(refined, nodal(straight), 2), expected = nodal(refined.mesh);
+    ASSERT_EQ(carried.size(), expected.size());
+    for (std::size_t i = 0; i < carried.size(); ++i) EXPECT_NEAR(carried[i], expected[i], 1e-14);
+    const std::vector<double> start = nodal(straight);
+    EXPECT_TRUE(std::equal(start.begin(), start.end(), carried.begin()));
+    EXPECT_THROW((void)prolong(refined, std::vector<double>(3), 2), std::logic_error);
+}
+
+/// The coarse cell's map as a field of its own: the refined cells hold it exactly too.
+TEST_P(Refinement, CarriesPositionsToWhereTheCellsMapPutsThem) {
+    const Refined refined = refine_once(coarse, Curve::parabola);
+    std::vector<double> positions;
+    for (const Point& p : coarse.points) positions.insert(positions.end(), p.begin(), p.end());
+    const std::vector<double> carried = prolong(refined, positions, 3);
+    for (std::size_t p = 0; p < refined.mesh.points.size(); ++p)
+        for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(carried[3 * p + d], refined.mesh.points[p][d], 1e-15);
+}
+
+INSTANTIATE_TEST_SUITE_P(Mesh, Refinement,
                          testing::Values(Choice{"plane", 1}, Choice{"plane", 2}, Choice{"wedges", 1}, Choice{"wedges", 2},
                                          Choice{"tetrahedra", 1}, Choice{"tetrahedra", 2}),
                          [](const auto& test) { return test.param.name + std::to_string(test.param.order); });

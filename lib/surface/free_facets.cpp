@@ -1,0 +1,33 @@
+#include "surface/free_facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/cavity_surface.hpp"
+
+namespace soft::surface {
+
+std::array<bool, 3> mirrors(const model::Case& model) {
+    std::array<bool, 3> planes = model.symmetry_planes;
+    if (model.kinematics == model::Kinematics::axisymmetric) planes[1] = true;
+    if (model.mesh.dimension == 2) planes[2] = false;
+    return planes;
+}
+
+std::vector<mesh::Facet> free_facets(const model::Case& model) {
+    const std::array<bool, 3> planes = mirrors(model);
+    const double tolerance_m = model::plane_tolerance * model::extent_m(model.mesh);
+    std::vector<mesh::Facet> facets = mesh::boundary_facets(model.mesh);
+    std::erase_if(facets, [&](const mesh::Facet& facet) {
+        const std::vector<mesh::Index> nodes = mesh::facet_nodes(model.mesh, facet);
+        for (std::size_t d = 0; d < 3; ++d)
+            if (planes[d] && std::all_of(nodes.begin(), nodes.end(), [&](mesh::Index node) {
+                    return std::abs(model.mesh.point(node)[d]) <= tolerance_m;
+                }))
+                return true;
+        return false;
+    });
+    return facets;
+}
+
+}  // namespace soft::surface
