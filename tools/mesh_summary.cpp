@@ -16,12 +16,17 @@ namespace {
 std::size_t free_displacements(const model::Case& model) {
     const auto dimension = static_cast<std::size_t>(model.mesh.dimension);
     std::vector<std::array<bool, 3>> held(model.mesh.points.size());
-    for (const model::Support& support : model.supports) {
-        const auto face = model.mesh.facet_sets.find(support.face);
-        if (face == model.mesh.facet_sets.end()) continue;
+    const auto hold = [&](const std::string& name, const std::array<bool, 3>& components) {
+        const auto face = model.mesh.facet_sets.find(name);
+        if (face == model.mesh.facet_sets.end()) return;
         for (const mesh::Facet& facet : face->second)
             for (const mesh::Index node : mesh::facet_nodes(model.mesh, facet))
-                for (std::size_t i = 0; i < dimension; ++i) held[static_cast<std::size_t>(node)][i] |= support.fixed[i];
+                for (std::size_t i = 0; i < dimension; ++i) held[static_cast<std::size_t>(node)][i] |= components[i];
+    };
+    for (const model::Support& support : model.supports) hold(support.face, support.fixed);
+    for (const model::Motion& motion : model.motions) {
+        const auto& moved = motion.displacement_m;
+        hold(motion.face, {moved[0].has_value(), moved[1].has_value(), moved[2].has_value()});
     }
     std::size_t count = 0;
     for (const auto& node : held)

@@ -48,22 +48,19 @@ std::optional<PostprocessOptions> parse_options(int argc, char** argv) {
     app.add_flag("--comments", options.comments, "Lines '# ...' before the header: how the result was made");
     cli::add_common_options(app, options.common, about);
     app.footer(
-        "Columns (those a case does not measure are left out): step, pressure_kPa, <output>_mm, volume_mL, stretch_p99\n"
-        "(largest principal stretch exceeded in 1 % of the rubber: converges under refinement), max_stretch (at a sharp\n"
-        "corner it does not), min_J (least ratio of volumes), stable (1 or 0).\n"
-        "--at gives one row for each crossing, in the order of the path; a value that the path does not reach is refused with\n"
+        "Columns (those a case does not have are left out): step, stage (1, 2 ..., where there are several), pressure_kPa\n"
+        "(of the first load; traction_kPa or load_factor where nothing is under pressure), <output>_mm (an angle: _deg),\n"
+        "volume_mL, pressure_<load>_kPa and volume_<cavity>_mL (where there are several), stretch_p99 (largest principal\n"
+        "stretch exceeded in 1 % of the rubber: converges under refinement), max_stretch (at a sharp corner it does not),\n"
+        "min_J (least ratio of volumes), stable (1 or 0).\n"
+        "--at takes what has a unit in the table, by its name without the unit: pressure, elongation, volume, bend=30deg. It\n"
+        "gives one row for each crossing, in the order of the path; a value that the path does not reach is refused with\n"
         "exit code 65 and the range it does reach.\n"
         "The exit code is 0 also where the path ended early: solve has reported that.\n\n" +
         app.get_footer());
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     if (!options.plot.empty()) static_cast<void>(post::picture_format(options.plot));  // before any work
     return options;
-}
-
-std::vector<std::string> output_names(const model::Case& model) {
-    std::vector<std::string> names;
-    for (const model::Output& output : model.outputs) names.push_back(output.name);
-    return names;
 }
 
 post::Curve rows_at(const post::Curve& curve, const std::vector<std::string>& texts) {
@@ -88,13 +85,12 @@ ExitCode postprocess(const PostprocessOptions& options) {
     cli::Console console(about.tool, options.common.verbosity);
     cli::Input input = cli::read_input(options.input);
     const io::Result result = io::read_result(std::move(input.bytes), input.source);
-    const post::Curve curve = post::make_curve(output_names(result.model), result.steps, model::leading_load(result.model).quantity);
+    const post::Curve curve = post::make_curve(result.model, result.steps);
     const post::Curve table = options.at.empty() ? curve : rows_at(curve, options.at);
     const auto lines = options.comments ? comments(result, options.common) : std::vector<std::string>{};
     cli::write_output(options.common.output, post::csv_text(table, lines));
     if (!options.plot.empty())
-        post::draw_plot(curve, result.end ? result.end->limit_points : std::vector<solution::LimitPoint>{},
-                        {result.model.name}, options.plot);
+        post::draw_plot(curve, result.end.value_or(solution::PathEnd{}), {result.model.name}, options.plot);
     const nlohmann::ordered_json json = postprocess_summary(result, curve, table.row_count());
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
     for (const std::string& line : summary_lines(json)) console.say(line);

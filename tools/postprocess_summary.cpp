@@ -8,20 +8,19 @@
 namespace soft {
 namespace {
 
-/// The limit point's coordinates by the names of the curve's columns.
-nlohmann::ordered_json limit_point_json(const post::Curve& curve, const solution::LimitPoint& limit) {
-    nlohmann::ordered_json json = {{"step", limit.step}};
-    auto output = limit.outputs_m.begin();
-    for (const post::Column& column : curve.columns) {
-        if (column.role != post::Role::coordinate) continue;
-        if (column.quantity == "pressure")
-            json[column.name] = post::in_column_unit(column, limit.pressure_Pa);
-        else if (column.dimension == core::Dimension::volume)
-            json[column.name] = post::in_column_unit(column, limit.volume_m3.value_or(0));
-        else if (output != limit.outputs_m.end())
-            json[column.name] = post::in_column_unit(column, *output++);
-    }
+/// The point's coordinates by the names of the curve's columns.
+nlohmann::ordered_json place_json(const post::Curve& curve, const solution::LimitPoint& point) {
+    nlohmann::ordered_json json = {{"step", point.step}};
+    for (const post::Column& column : curve.columns)
+        if (const auto value = post::value_at(column, point)) json[column.name] = *value;
     return json;
+}
+
+std::string place_line(const nlohmann::ordered_json& place) {
+    std::vector<std::string> words;
+    for (const auto& [name, value] : place.items())
+        if (name != "step" && value.is_number_float()) words.push_back(name + " " + core::rounded_text(value.get<double>(), 6));
+    return core::join(words);
 }
 
 }  // namespace
@@ -35,7 +34,8 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
                                    {"steps", result.steps.size()},
                                    {"columns", nlohmann::ordered_json::array()},
                                    {"stop_reason", nullptr},
-                                   {"limit_points", nlohmann::ordered_json::array()}};
+                                   {"limit_points", nlohmann::ordered_json::array()},
+                                   {"bifurcations", nlohmann::ordered_json::array()}};
     for (const post::Column& column : curve.columns) json["columns"].push_back(column.name);
     if (!result.end) return json;
     json["stop_reason"] = solution::name(result.end->reason);
@@ -43,7 +43,12 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
     json["newton_iterations"] = result.end->newton_iterations;
     json["factorizations"] = result.end->factorizations;
     for (const solution::LimitPoint& limit : result.end->limit_points)
-        json["limit_points"].push_back(limit_point_json(curve, limit));
+        json["limit_points"].push_back(place_json(curve, limit));
+    for (const solution::Bifurcation& bifurcation : result.end->bifurcations) {
+        json["bifurcations"].push_back(place_json(curve, bifurcation.at));
+        json["bifurcations"].back()["modes"] = bifurcation.modes;
+        json["bifurcations"].back()["mode_stored"] = !bifurcation.mode.empty();
+    }
     return json;
 }
 
@@ -54,12 +59,8 @@ std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
     std::vector<std::string> lines{std::to_string(json["rows"].get<std::size_t>()) + " rows of " +
                                    std::to_string(json["steps"].get<std::size_t>()) + " steps; path: " + reason +
                                    (detail.empty() ? "" : " (" + detail + ")")};
-    for (const auto& limit : json["limit_points"]) {
-        std::vector<std::string> words;
-        for (const auto& [name, value] : limit.items())
-            if (name != "step") words.push_back(name + " " + core::rounded_text(value.get<double>(), 6));
-        lines.push_back("limit point: " + core::join(words));
-    }
+    for (const auto& limit : json["limit_points"]) lines.push_back("limit point: " + place_line(limit));
+    for (const auto& branch : json["bifurcations"]) lines.push_back("bifurcation: " + place_line(branch));
     return lines;
 }
 

@@ -10,11 +10,11 @@
 
 namespace soft {
 
-/// For --json: rows, columns, stop_reason (null while solve is at work) and the limit points by the columns' names.
+/// For --json: rows, columns, stop_reason (null while solve is at work), limit points and bifurcations by the columns' names.
 [[nodiscard]] nlohmann::ordered_json postprocess_summary(const io::Result& result, const post::Curve& curve,
                                                          std::size_t rows);
 
-/// The same for people: one line on the path, one a limit point.
+/// The same for people: one line on the path, one a limit point or bifurcation.
 [[nodiscard]] std::vector<std::string> summary_lines(const nlohmann::ordered_json& json);
 
 }  // namespace soft

@@ -6,16 +6,62 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "core/text.hpp"
 
 namespace soft::cli {
-
 namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
 
 double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
 
-std::string millimetres(double value_m) { return core::rounded_text(1e3 * value_m, 6) + " mm"; }
+/// "12.3 kPa", of a case without pressures and tractions "load factor 0.5".
+std::string load_text(double load, const model::Case& model) {
+    if (model::leading_load(model) == model::LeadingLoad::load_factor) return "load factor " + core::rounded_text(load, 5);
+    return core::rounded_text(1e-3 * load, 5) + " kPa";
+}
+
+std::string output_text(const model::Output& output, double value) {
+    const bool length = output.measure == model::Measure::displacement;
+    return output.name + " " +
+           (length ? core::rounded_text(1e3 * value, 6) + " mm" : core::rounded_text(value * degrees, 6) + " deg");
+}
+
+/// Load, outputs and volume of a row or of a point on the path.
+template <class Place>
+std::string place_text(const Place& place, const model::Case& model) {
+    std::string text = load_text(place.pressure_Pa, model);
+    for (std::size_t i = 0; i < place.outputs.size(); ++i) text += ", " + output_text(model.outputs[i], place.outputs[i]);
+    if (place.volume_m3) text += ", volume " + core::rounded_text(1e6 * *place.volume_m3, 6) + " mL";
+    return text;
+}
+
+template <class Place>
+void add_place(nlohmann::ordered_json& json, const Place& place, const model::Case& model) {
+    switch (model::leading_load(model)) {
+        case model::LeadingLoad::pressure: json["pressure_Pa"] = place.pressure_Pa; break;
+        case model::LeadingLoad::traction: json["traction_Pa"] = place.pressure_Pa; break;
+        case model::LeadingLoad::load_factor: json["load_factor"] = place.pressure_Pa; break;
+    }
+    if (place.volume_m3) json["volume_m3"] = *place.volume_m3;
+    for (std::size_t i = 0; i < place.outputs.size(); ++i) {
+        const bool length = model.outputs[i].measure == model::Measure::displacement;
+        json[model.outputs[i].name + (length ? "_m" : "_rad")] = place.outputs[i];
+    }
+}
+
+nlohmann::ordered_json end_json(const solution::Step& last, const model::Case& model) {
+    nlohmann::ordered_json json;
+    if (model.path.stages.size() > 1) json["stage"] = model.path.stages[static_cast<std::size_t>(last.stage)].name;
+    add_place(json, last, model);
+    for (std::size_t i = 0; i < last.pressures_Pa.size(); ++i)
+        json["pressures_Pa"][model.loads[i].name] = last.pressures_Pa[i];
+    const auto cavities = model::measured_cavities(model);
+    for (std::size_t i = 0; i < last.volumes_m3.size(); ++i) json["volumes_m3"][cavities[i]->name] = last.volumes_m3[i];
+    return json;
+}
 
 }  // namespace
 
@@ -43,33 +89,68 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
                                    {"peak_memory_MB", summary.peak_memory_MB},
                                    {"limit_points", nlohmann::ordered_json::array()}};
     for (const auto& limit : summary.end.limit_points) {
-        nlohmann::ordered_json point = {{"step", limit.step}, {"pressure_Pa", limit.pressure_Pa}};
-        if (limit.volume_m3) point["volume_m3"] = *limit.volume_m3;
-        for (std::size_t i = 0; i < limit.outputs_m.size(); ++i)
-            point[model.outputs[i].name + "_m"] = limit.outputs_m[i];
+        nlohmann::ordered_json point = {{"step", limit.step}};
+        add_place(point, limit, model);
         json["limit_points"].push_back(std::move(point));
     }
+    json["bifurcations"] = nlohmann::ordered_json::array();
+    for (const auto& bifurcation : summary.end.bifurcations) {
+        nlohmann::ordered_json point = {{"step", bifurcation.at.step}};
+        add_place(point, bifurcation.at, model);
+        point["modes"] = bifurcation.modes;
+        point["mode_stored"] = !bifurcation.mode.empty();
+        json["bifurcations"].push_back(std::move(point));
+    }
+    if (summary.last) json["end"] = end_json(*summary.last, model);
     return json;
 }
 
-std::string step_text(const solution::Step& step, const model::Case& model) {
-    std::string text = core::rounded_text(1e-3 * step.pressure_Pa, 5) + " kPa";
-    for (std::size_t i = 0; i < step.outputs_m.size(); ++i)
-        text += ", " + model.outputs[i].name + " " + millimetres(step.outputs_m[i]);
-    if (step.volume_m3) text += ", volume " + core::rounded_text(1e6 * *step.volume_m3, 6) + " mL";
-    return text;
+std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model) {
+    std::vector<std::string> lines;
+    for (const auto& bifurcation : end.bifurcations) {
+        const std::string leaving = bifurcation.modes == 1
+                                        ? "another branch leaves the path"
+                                        : std::to_string(bifurcation.modes) + " modes leave the path at once";
+        lines.push_back("bifurcation at " + place_text(bifurcation.at, model) + ": " + leaving +
+                        (bifurcation.mode.empty() ? "; no mode of it is stored" : "; its mode is in the file (/modes)"));
+    }
+    return lines;
 }
 
-double share_done(const solution::Step& first, const solution::Step& step, const model::Case& model) {
-    double share = step.load_factor;
-    for (const auto& until : model.path.until) {
-        if (until.quantity == "volume_ratio" && step.volume_m3 && until.value != 1.0)
-            share = std::max(share, (*step.volume_m3 / *first.volume_m3 - 1.0) / (until.value - 1.0));
-        for (std::size_t i = 0; i < step.outputs_m.size(); ++i)
-            if (model.outputs[i].name == until.quantity && until.value != 0.0)
-                share = std::max(share, step.outputs_m[i] / until.value);
+std::string step_text(const solution::Step& step, const model::Case& model) {
+    const auto& stages = model.path.stages;
+    const std::string stage = stages.size() > 1 ? stages[static_cast<std::size_t>(step.stage)].name + ": " : "";
+    return stage + place_text(step, model);
+}
+
+namespace {
+
+/// From where the stage began, `first`, to the goal.
+double share_of(double value, double first, double goal) { return goal == first ? 0 : (value - first) / (goal - first); }
+
+}  // namespace
+
+double Progress::advance(const solution::Step& step) {
+    if (!begun_) {
+        undeformed_m3_ = step.volume_m3;
+        start_ = step;
+        begun_ = true;
+    } else if (step.stage != last_.stage) {
+        start_ = last_;
     }
-    return std::clamp(share, 0.0, 1.0);
+    last_ = step;
+    const auto& stages = model_.path.stages;
+    double share = step.load_factor;
+    for (const auto& until : stages[static_cast<std::size_t>(step.stage)].until) {
+        const auto count = [&](double value, double first) { share = std::max(share, share_of(value, first, until.value)); };
+        if (until.quantity == "pressure") count(step.pressure_Pa, start_.pressure_Pa);
+        if (until.quantity == "volume_ratio" && step.volume_m3 && start_.volume_m3)
+            count(*step.volume_m3 / *undeformed_m3_, *start_.volume_m3 / *undeformed_m3_);
+        for (std::size_t i = 0; i < step.outputs.size(); ++i)
+            if (model_.outputs[i].name == until.quantity) count(step.outputs[i], start_.outputs[i]);
+    }
+    share_ = std::max(share_, (step.stage + std::clamp(share, 0.0, 1.0)) / static_cast<double>(stages.size()));
+    return share_;
 }
 
 }  // namespace soft::cli

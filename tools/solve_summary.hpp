@@ -1,7 +1,9 @@
 #pragma once
 /// What solve tells about a run: the end of the path, its cost. The numbers of --json.
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "cli.hpp"
 #include "model/case.hpp"
@@ -11,6 +13,7 @@ namespace soft::cli {
 
 struct SolveSummary {
     solution::PathEnd end;
+    std::optional<solution::Step> last;   ///< row of the path
     long long unknowns = 0;
     int steps = 0;                 ///< rows of the path after the undeformed state
     int ranks = 1;
@@ -25,10 +28,26 @@ void measure_process(SolveSummary& summary);
 [[nodiscard]] std::string summary_line(const SolveSummary& summary);
 [[nodiscard]] nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Case& model);
 
-/// "12.3 kPa, elongation 92.5 mm, volume 55.3 mL"
+/// One line a bifurcation: "bifurcation at 26.1 kPa, elongation 127 mm, volume 80 mL: another branch leaves the path ..."
+[[nodiscard]] std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model);
+
+/// "12.3 kPa, elongation 92.5 mm, volume 55.3 mL"; of a case with several stages "vent: 12.3 kPa, ...".
 [[nodiscard]] std::string step_text(const solution::Step& step, const model::Case& model);
 
-/// How much of the way to the nearest goal is done, from 0 to 1; `first` is the undeformed state.
-[[nodiscard]] double share_done(const solution::Step& first, const solution::Step& step, const model::Case& model);
+/// How much of the way is done, from 0 to 1: all stages alike, within a stage of the way to its nearest goal. The load may
+/// fall past a limit point; progress does not.
+class Progress {
+public:
+    explicit Progress(const model::Case& model) : model_(model) {}
+    /// After this row; rows in the order of the path, the undeformed state first.
+    double advance(const solution::Step& step);
+
+private:
+    const model::Case& model_;
+    std::optional<double> undeformed_m3_;
+    solution::Step start_, last_;   ///< where the stage began, and the row before
+    double share_ = 0;
+    bool begun_ = false;
+};
 
 }  // namespace soft::cli

@@ -72,74 +72,29 @@ int SurfaceTables::index_of(mesh::CellType type) {
     return static_cast<int>(tables_.size()) - 1;
 }
 
-namespace {
-
-/// int N_a dA over an undeformed face by node, and their sum.
-struct FaceWeights {
-    std::map<Index, double> node;   // ordered: the sums run in the same order on every rank
-    double area = 0;
-};
-
-FaceWeights face_weights(const model::Case& input, const std::string& face) {
-    const Mesh& mesh = input.mesh;
-    SurfaceTables tables;
-    FaceWeights weights;
-    for (const auto& facet : face_of(mesh, face)) {
-        const auto& reference = tables[tables.index_of(mesh::facet_type(mesh, facet))];
-        const auto nodes = mesh::facet_nodes(mesh, facet);
-        std::vector<double> X(reference.dofs()), share(reference.nodes, 0.0);
-        for (int i = 0; i < mesh.dimension; ++i)
-            for (int a = 0; a < reference.nodes; ++a) X[i * reference.nodes + a] = mesh.point(nodes[a])[i];
-        weights.area += element::facet_area(reference, input.kinematics, X, share);
-        for (int a = 0; a < reference.nodes; ++a) weights.node[nodes[a]] += share[a];
-    }
-    return weights;
-}
-
-SparseVector weighted(const std::map<Index, double>& weights, const DofMap& map, const std::array<double, 3>& factor) {
-    SparseVector vector;
-    for (const auto& [node, weight] : weights)
-        for (int i = 0; i < map.dimension; ++i) {
-            const auto dof = map.displacement[node * map.dimension + i];
-            if (dof < 0 || factor[i] == 0.0) continue;
-            vector.dofs.push_back(dof);
-            vector.values.push_back(factor[i] * weight);
-        }
-    return vector;
-}
-
-}  // namespace
-
-SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
-                               const std::array<double, 3>& direction) {
-    const FaceWeights weights = face_weights(input, face);
-    SparseVector mean = weighted(weights.node, map, direction);
-    for (double& value : mean.values) value /= weights.area;
-    return mean;
-}
-
-SparseVector face_force(const model::Case& input, const DofMap& map, const std::string& face,
-                        const std::array<double, 3>& traction_Pa) {
-    return weighted(face_weights(input, face).node, map, traction_Pa);
+std::vector<SurfaceCell> face_cells(const model::Case& input, const DofMap& map, const std::string& face, int rank,
+                                    SurfaceTables& tables) {
+    return own_facets(input.mesh, map, face_of(input.mesh, face), rank, tables);
 }
 
 LoadSurface make_load_surface(const model::Case& input, const DofMap& map, const model::PressureLoad& load, int rank,
                               SurfaceTables& tables) {
     LoadSurface surface;
-    surface.pressure_Pa = load.pressure_Pa;
-    const auto cavity = std::ranges::find(input.cavities, load.target, &model::Cavity::name);
-    const bool is_cavity = cavity != input.cavities.end();
-    const auto facets = is_cavity && load.sealed ? model::cavity_facets(input, *cavity)
-                                                 : face_of(input.mesh, is_cavity ? cavity->wall : load.target);
-    if (is_cavity && load.sealed)
-        for (const auto& opening : cavity->openings) {
-            const auto mean = mean_displacement(input, map, opening.face, opening.direction);
-            for (std::size_t i = 0; i < mean.dofs.size(); ++i) {
-                surface.plug_force.dofs.push_back(mean.dofs[i]);
-                surface.plug_force.values.push_back(opening.area_m2 * input.model_fraction * mean.values[i]);
+    for (const auto& target : load.targets) {
+        const auto cavity = std::ranges::find(input.cavities, target, &model::Cavity::name);
+        const bool is_cavity = cavity != input.cavities.end();
+        const auto facets = is_cavity && load.sealed ? model::cavity_facets(input, *cavity)
+                                                     : face_of(input.mesh, is_cavity ? cavity->wall : target);
+        if (is_cavity && load.sealed)
+            for (const auto& opening : cavity->openings) {
+                const auto mean = mean_displacement(input, map, opening.face, opening.direction);
+                for (std::size_t i = 0; i < mean.dofs.size(); ++i) {
+                    surface.plug_force.dofs.push_back(mean.dofs[i]);
+                    surface.plug_force.values.push_back(opening.area_m2 * input.model_fraction * mean.values[i]);
+                }
             }
-        }
-    surface.facets = own_facets(input.mesh, map, facets, rank, tables);
+        for (auto& facet : own_facets(input.mesh, map, facets, rank, tables)) surface.facets.push_back(std::move(facet));
+    }
     return surface;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "assembly/dof_map.hpp"
+#include "assembly/nodal_forces.hpp"
 #include "element/pressure_kernel.hpp"
 #include "model/case.hpp"
 
@@ -21,7 +22,7 @@ namespace soft::assembly {
 struct SurfaceCell {
     int reference = 0;                       ///< index into SurfaceTables
     std::vector<mesh::Index> nodes;
-    std::vector<PetscInt> dofs;              ///< component-major, -1 where held
+    std::vector<PetscInt> dofs;              ///< component-major, negative where held or moved
     std::vector<int> local;                  ///< where System keeps their values; set by System
 };
 
@@ -41,14 +42,8 @@ private:
     std::vector<element::ReferenceFacet> tables_;
 };
 
-struct SparseVector {
-    std::vector<PetscInt> dofs;
-    std::vector<double> values;
-};
-
 /// One pressure load with everything its force needs. Facets are those this rank assembles.
 struct LoadSurface {
-    double pressure_Pa = 0;                  ///< at load factor 1
     std::vector<SurfaceCell> facets;
     SparseVector plug_force;                 ///< per unit pressure, whole mesh, the same on every rank
 };
@@ -59,17 +54,14 @@ struct EnclosedVolume {
     double model_fraction = 1;
 };
 
-/// Weights w with sum w_i x_i = area mean over the undeformed face of the displacement along `direction`.
-[[nodiscard]] SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
-                                             const std::array<double, 3>& direction);
-
-/// Nodal forces of a dead traction [Pa] on a face: sum of f_i x_i is its work [J].
-[[nodiscard]] SparseVector face_force(const model::Case& input, const DofMap& map, const std::string& face,
-                                      const std::array<double, 3>& traction_Pa);
+/// Facets of a face that this rank assembles. Throws Error (bad_input) for a face the mesh lacks.
+[[nodiscard]] std::vector<SurfaceCell> face_cells(const model::Case& input, const DofMap& map, const std::string& face,
+                                                  int rank, SurfaceTables& tables);
 
 [[nodiscard]] LoadSurface make_load_surface(const model::Case& input, const DofMap& map,
                                             const model::PressureLoad& load, int rank, SurfaceTables& tables);
 
+/// Of one cavity.
 [[nodiscard]] EnclosedVolume make_enclosed_volume(const model::Case& input, const DofMap& map,
                                                   const model::Cavity& cavity, int rank, SurfaceTables& tables);
 

@@ -11,19 +11,50 @@ namespace soft::assembly {
 
 namespace {
 
-std::vector<char> held_components(const model::Case& input) {
+constexpr PetscInt unnumbered = std::numeric_limits<PetscInt>::min(), is_free = unnumbered + 1;
+
+/// Calls visit(node) for every node of a face.
+template <class Visit>
+void for_each_node(const mesh::Mesh& mesh, const std::string& face, const std::string& place, Visit&& visit) {
+    const auto set = mesh.facet_sets.find(face);
+    if (set == mesh.facet_sets.end()) throw Error(ExitCode::bad_input, place, "no face is called '" + face + "'");
+    for (const auto& facet : set->second)
+        for (const auto node : mesh::facet_nodes(mesh, facet)) visit(node);
+}
+
+/// Of every component: is_free, or the negative number it gets.
+std::vector<PetscInt> fixed_components(const model::Case& input) {
     const auto& mesh = input.mesh;
-    std::vector<char> held(mesh.points.size() * mesh.dimension, 0);
-    for (const auto& support : input.supports) {
-        const auto set = mesh.facet_sets.find(support.face);
-        if (set == mesh.facet_sets.end())
-            throw Error(ExitCode::bad_input, "supports", "no face is called '" + support.face + "'");
-        for (const auto& facet : set->second)
-            for (const auto node : mesh::facet_nodes(mesh, facet))
-                for (int i = 0; i < mesh.dimension; ++i)
-                    if (support.fixed[i]) held[node * mesh.dimension + i] = 1;
+    std::vector<PetscInt> fixed(mesh.points.size() * mesh.dimension, is_free);
+    for (const auto& support : input.supports)
+        for_each_node(mesh, support.face, "supports", [&](mesh::Index node) {
+            for (int i = 0; i < mesh.dimension; ++i)
+                if (support.fixed[i]) fixed[node * mesh.dimension + i] = -1;
+        });
+    for (std::size_t m = 0; m < input.motions.size(); ++m) {
+        const auto& motion = input.motions[m];
+        const std::string place = "loads." + motion.face;
+        for_each_node(mesh, motion.face, place, [&](mesh::Index node) {
+            for (int i = 0; i < mesh.dimension; ++i) {
+                const auto& value = motion.displacement_m[i];
+                if (!value) continue;
+                PetscInt& number = fixed[node * mesh.dimension + i];
+                const int slot = number == is_free ? -1 : motion_slot(number), other = slot / 3;
+                if (number == -1 && *value != 0.0)
+                    throw Error(ExitCode::bad_input, place,
+                                std::string("over-constrained: some of its nodes are to move along ") + "xyz"[i] +
+                                    " and are held in that direction by a support",
+                                "take the direction out of supports, or hold another face");
+                if (slot >= 0 && static_cast<std::size_t>(other) != m && input.motions[other].displacement_m[i] != value)
+                    throw Error(ExitCode::bad_input, place,
+                                "over-constrained: nodes it shares with the face '" + input.motions[other].face +
+                                    "' are to move by two different lengths",
+                                "give both the same displacement");
+                if (number == is_free) number = -2 - static_cast<PetscInt>(3 * m + i);
+            }
+        });
     }
-    return held;
+    return fixed;
 }
 
 /// Lowest rank that uses a node, and lowest that uses it as a vertex of a Taylor-Hood cell.
@@ -49,14 +80,15 @@ Owners find_owners(const mesh::Mesh& mesh, std::span<const element::ReferenceCel
 
 /// Gives unknowns to one cell's nodes and pressures, in the cell's order: neighbours in space become neighbours in number.
 void number_cell(const model::Case& input, mesh::Index cell, const element::ReferenceCell& reference,
-                 const std::vector<char>& held, const Owners& owners, int rank, PetscInt& next, DofMap& map) {
-    constexpr PetscInt unnumbered = -2;
+                 const std::vector<PetscInt>& fixed, const Owners& owners, int rank, PetscInt& next, DofMap& map) {
     const auto nodes = input.mesh.cell_nodes(cell);
     for (const auto node : nodes) {
         if (owners.node[node] != rank) continue;
         for (int i = 0; i < map.dimension; ++i) {
             auto& number = map.displacement[node * map.dimension + i];
-            if (number == unnumbered) number = held[node * map.dimension + i] ? -1 : next++;
+            if (number != unnumbered) continue;
+            const PetscInt fate = fixed[node * map.dimension + i];
+            number = fate == is_free ? next++ : fate;
         }
     }
     if (reference.pressure == element::PressureSpace::discontinuous_linear) {
@@ -90,11 +122,11 @@ DofMap make_dof_map(const model::Case& input, std::span<const element::Reference
     DofMap map;
     map.dimension = mesh.dimension;
     map.pressure_scale_Pa = pressure_scale_Pa;
-    map.displacement.assign(mesh.points.size() * mesh.dimension, -2);
+    map.displacement.assign(mesh.points.size() * mesh.dimension, unnumbered);
     map.vertex_pressure.assign(mesh.points.size(), -1);
     map.cell_pressure.assign(mesh.cell_types.size(), -1);
     map.cell_rank = partition_cells(mesh, comm);
-    const auto held = held_components(input);
+    const auto fixed = fixed_components(input);
 
     const Owners owners = find_owners(mesh, references, map.cell_rank);
     PetscInt next = 0;
@@ -102,14 +134,14 @@ DofMap make_dof_map(const model::Case& input, std::span<const element::Reference
         const PetscInt first = next;
         for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell)
             if (map.cell_rank[cell] == rank)
-                number_cell(input, cell, reference_of(references, mesh.cell_type(cell)), held, owners, rank, next, map);
+                number_cell(input, cell, reference_of(references, mesh.cell_type(cell)), fixed, owners, rank, next, map);
         if (rank == my_rank) {
             map.begin = first;
             map.end = next;
         }
     }
     map.total = next;
-    std::ranges::replace(map.displacement, PetscInt{-2}, PetscInt{-1});   // points no cell uses
+    std::ranges::replace(map.displacement, unnumbered, PetscInt{-1});   // points no cell uses
     return map;
 }
 

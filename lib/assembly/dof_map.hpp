@@ -1,6 +1,7 @@
 #pragma once
 /// Numbers of the unknowns: free displacement components of all nodes and the pressures of mixed cells. Held
-/// components have number -1, which PETSc's insertion skips. Every rank builds the same map from the whole mesh (it is
+/// components have number -1, moved ones (model::Motion) -2 - slot with slot = 3 x motion + component; PETSc's insertion
+/// skips both. Every rank builds the same map from the whole mesh (it is
 /// cheap), owns a contiguous range of unknowns and assembles its own cells.
 /// A pressure unknown is p / pressure_scale, with pressure_scale = shear modulus / cell size, so that the rows of
 /// force and of volume have entries of like size and one norm serves both.
@@ -20,7 +21,7 @@ struct DofMap {
     PetscInt begin = 0, end = 0;               ///< this rank's range
     PetscInt pressures = 0;                    ///< pressure unknowns on all ranks
     double pressure_scale_Pa = 1;
-    std::vector<PetscInt> displacement;        ///< [node x dimension + component], -1 where held
+    std::vector<PetscInt> displacement;        ///< [node x dimension + component], negative where held or moved
     std::vector<PetscInt> vertex_pressure;     ///< [node], -1 where the node carries none
     std::vector<PetscInt> cell_pressure;       ///< [cell] first of its discontinuous pressures, -1 without
     std::vector<int> cell_rank;                ///< [cell] the rank that assembles it
@@ -32,6 +33,10 @@ struct DofMap {
     void node_dofs(std::span<const mesh::Index> nodes, std::vector<PetscInt>& out) const;
 };
 
+/// Slot of a moved component's number, -1 for any other.
+[[nodiscard]] constexpr int motion_slot(PetscInt number) noexcept { return number <= -2 ? static_cast<int>(-2 - number) : -1; }
+
+/// Throws Error (bad_input) for a face the mesh lacks and a component that is held and moved, or moved twice.
 /// `references` gives the element of each cell type present (index: mesh::CellType's value).
 [[nodiscard]] DofMap make_dof_map(const model::Case& input, std::span<const element::ReferenceCell> references,
                                   double pressure_scale_Pa, MPI_Comm comm);

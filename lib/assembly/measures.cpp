@@ -1,6 +1,7 @@
 /// What System reports of a state: volume, energy, stretches, fields.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "assembly/system.hpp"
@@ -9,31 +10,109 @@
 
 namespace soft::assembly {
 
-std::optional<double> System::enclosed_volume(Vec x, Vec gradient) {
-    if (gradient != nullptr) SOFT_PETSC(VecZeroEntries(gradient));
-    if (!volume_) return std::nullopt;
-    read_state(x);
-    double sum = 0;
-    std::vector<double> position, slope;
-    for (const auto& facet : volume_->facets) {
-        const auto& reference = tables_[facet.reference];
-        gather_surface(facet, position);
-        slope.assign(reference.dofs(), 0.0);
-        sum += element::swept_volume(reference, input_.kinematics, position, slope);
-        if (gradient == nullptr) continue;
-        for (double& s : slope) s /= volume_->model_fraction;
-        SOFT_PETSC(VecSetValues(gradient, reference.dofs(), facet.dofs.data(), slope.data(), ADD_VALUES));
-    }
-    add_rims(*volume_, gradient, sum);
-    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
+void System::add_slope(Vec gradient, std::span<double> by_motion, std::span<const PetscInt> dofs,
+                       std::span<const double> slope) const {
+    if (gradient != nullptr)
+        SOFT_PETSC(VecSetValues(gradient, static_cast<PetscInt>(dofs.size()), dofs.data(), slope.data(), ADD_VALUES));
+    for (std::size_t i = 0; i < dofs.size() && !by_motion.empty(); ++i)
+        if (const int slot = motion_slot(dofs[i]); slot >= 0)
+            by_motion[slot / 3] += slope[i] * input_.motions[slot / 3].displacement_m[slot % 3].value_or(0.0);
+}
+
+void System::finish_slope(Vec gradient, std::span<double> by_motion) const {
     if (gradient != nullptr) {
         SOFT_PETSC(VecAssemblyBegin(gradient));
         SOFT_PETSC(VecAssemblyEnd(gradient));
     }
-    return sum / volume_->model_fraction;
+    if (!by_motion.empty())
+        MPI_Allreduce(MPI_IN_PLACE, by_motion.data(), static_cast<int>(by_motion.size()), MPI_DOUBLE, MPI_SUM, comm_);
 }
 
-void System::add_rims(const EnclosedVolume& volume, Vec gradient, double& sum) const {
+double System::enclosed_volume(std::size_t cavity, Vec x, Vec gradient, std::span<double> by_motion) {
+    return add_volumes({&cavity, 1}, x, gradient, by_motion);
+}
+
+double System::load_volume(std::size_t load, Vec x, Vec gradient, std::span<double> by_motion) {
+    return add_volumes(load_cavities_.at(load), x, gradient, by_motion);
+}
+
+double System::add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gradient, std::span<double> by_motion) {
+    if (gradient != nullptr) SOFT_PETSC(VecZeroEntries(gradient));
+    std::ranges::fill(by_motion, 0.0);
+    read_state(x);
+    double total = 0;
+    std::vector<double> position, slope;
+    for (const std::size_t cavity : cavities) {
+        const EnclosedVolume& volume = volumes_.at(cavity);
+        double sum = 0;
+        for (const auto& facet : volume.facets) {
+            const auto& reference = tables_[facet.reference];
+            gather_surface(facet, position);
+            slope.assign(reference.dofs(), 0.0);
+            sum += element::swept_volume(reference, input_.kinematics, position, slope);
+            for (double& s : slope) s /= volume.model_fraction;
+            add_slope(gradient, by_motion, facet.dofs, slope);
+        }
+        add_rims(volume, gradient, by_motion, sum);
+        total += sum / volume.model_fraction;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &total, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    finish_slope(gradient, by_motion);
+    return total;
+}
+
+double System::output(std::size_t index, Vec x, Vec gradient, std::span<double> by_motion) {
+    const auto* linear = std::get_if<LinearOutput>(&outputs_.at(index));
+    if (linear == nullptr) return rotation(index, x, gradient, by_motion);
+    if (gradient != nullptr) linalg::copy(linear->weights, gradient);
+    if (!by_motion.empty()) std::ranges::copy(linear->by_motion, by_motion.begin());
+    double value = linalg::dot(linear->weights, x);
+    for (std::size_t m = 0; m < motion_levels_.size(); ++m) value += motion_levels_[m] * linear->by_motion[m];
+    return value;
+}
+
+double System::rotation(std::size_t output, Vec x, Vec gradient, std::span<double> by_motion) {
+    auto& rotation = std::get<Rotation>(outputs_[output]);
+    if (gradient != nullptr) SOFT_PETSC(VecZeroEntries(gradient));
+    std::ranges::fill(by_motion, 0.0);
+    read_state(x);
+    struct Share {
+        const SurfaceCell* facet;
+        std::array<std::vector<double>, 2> slopes;
+    };
+    std::vector<double> position, X;
+    double angle = 0;
+    for (const auto* face : {&rotation.face, &rotation.reference}) {
+        if (face == &rotation.reference && rotation.measure != model::Measure::bend) continue;
+        Phasor phasor{};
+        std::vector<Share> shares;
+        for (std::size_t f = 0; f < face->facets.size(); ++f) {
+            const auto& facet = face->facets[f];
+            gather_surface(facet, position);
+            const std::size_t n = facet.nodes.size();
+            X.resize(position.size());
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t a = 0; a < n; ++a) X[i * n + a] = input_.mesh.point(facet.nodes[a])[i];
+            Share& share = shares.emplace_back(Share{&facet, {}});
+            add_phasor(rotation, tables_[facet.reference], position, X, face->weights[f], phasor, share.slopes);
+        }
+        MPI_Allreduce(MPI_IN_PLACE, phasor.data(), 2, MPI_DOUBLE, MPI_SUM, comm_);
+        const double sign = face == &rotation.reference ? -1.0 : 1.0;
+        if (face == &rotation.reference)
+            for (double& component : phasor) component = -component;   // from the inward normal of the held face
+        const PhasorAngle turned = angle_of(phasor);
+        angle += sign * turned.angle;
+        for (auto& share : shares) {
+            for (std::size_t i = 0; i < share.slopes[0].size(); ++i)   // both signs of a reference face cancel
+                share.slopes[0][i] = turned.slope[0] * share.slopes[0][i] + turned.slope[1] * share.slopes[1][i];
+            add_slope(gradient, by_motion, share.facet->dofs, share.slopes[0]);
+        }
+    }
+    finish_slope(gradient, by_motion);
+    return std::remainder(angle - rotation.undeformed, 2.0 * std::numbers::pi);
+}
+
+void System::add_rims(const EnclosedVolume& volume, Vec gradient, std::span<double> by_motion, double& sum) const {
     std::vector<double> y, slope;
     for (const auto& rim : volume.rims) {
         Vector3 apex{};
@@ -57,15 +136,14 @@ void System::add_rims(const EnclosedVolume& volume, Vec gradient, double& sum) c
             gather_surface(edge, y);
             slope.assign(y.size(), 0.0);
             sum += element::cap_volume(tables_[edge.reference], y, apex, slope, apex_slope);
-            if (gradient == nullptr) continue;
             for (double& s : slope) s /= volume.model_fraction;
-            SOFT_PETSC(VecSetValues(gradient, static_cast<PetscInt>(slope.size()), edge.dofs.data(), slope.data(),
-                                    ADD_VALUES));
+            add_slope(gradient, by_motion, edge.dofs, slope);
         }
-        if (gradient == nullptr) continue;
         const double share = 1.0 / (static_cast<double>(rim.nodes.size()) * volume.model_fraction);
-        for (const auto& [dof, component] : rim_dofs)
-            SOFT_PETSC(VecSetValue(gradient, dof, share * apex_slope[component], ADD_VALUES));
+        for (const auto& [dof, component] : rim_dofs) {
+            const double part = share * apex_slope[component];
+            add_slope(gradient, by_motion, {&dof, 1}, {&part, 1});
+        }
     }
 }
 
@@ -157,9 +235,10 @@ System::Fields System::gather_fields(Vec x) {
     const std::size_t points = input_.mesh.points.size();
     fields.displacement_m.assign(3 * points, 0.0);
     for (std::size_t node = 0; node < points; ++node)
-        for (int i = 0; i < map_.dimension; ++i)
-            if (const auto dof = map_.displacement[node * map_.dimension + i]; dof >= 0)
-                fields.displacement_m[3 * node + i] = value[dof];
+        for (int i = 0; i < map_.dimension; ++i) {
+            const auto number = map_.displacement[node * map_.dimension + i];
+            fields.displacement_m[3 * node + i] = number >= 0 ? value[number] : moved_by(number, motion_levels_);
+        }
     if (map_.pressures > 0) {
         fields.pressure_Pa.assign(points, 0.0);
         std::vector<int> shares(points, 0);

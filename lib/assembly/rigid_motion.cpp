@@ -112,9 +112,9 @@ std::optional<std::string> free_rigid_motion(const model::Case& input) {
             high[part_of[node]][i] = std::max(high[part_of[node]][i], mesh.points[node][i]);
         }
     std::vector<std::vector<Row>> rows(parts);
-    for (const auto& support : input.supports) {
-        const auto set = mesh.facet_sets.find(support.face);
-        if (set == mesh.facet_sets.end()) continue;   // reported where the unknowns are numbered
+    const auto hold = [&](const std::string& face, const std::array<bool, 3>& fixed) {
+        const auto set = mesh.facet_sets.find(face);
+        if (set == mesh.facet_sets.end()) return;   // reported where the unknowns are numbered
         for (const auto& facet : set->second)
             for (const Index node : mesh::facet_nodes(mesh, facet)) {
                 const int part = part_of[node];
@@ -125,14 +125,18 @@ std::optional<std::string> free_rigid_motion(const model::Case& input) {
                     extent = std::max(extent, high[part][i] - low[part][i]);
                 }
                 for (int i = 0; i < mesh.dimension; ++i) {
-                    if (!support.fixed[i]) continue;
+                    if (!fixed[i]) continue;
                     Row row{};
                     for (std::size_t m = 0; m < modes.size(); ++m)
                         row[m] = motion(modes[m], mesh.point(node), centre, extent, i);
                     rows[part].push_back(row);
                 }
             }
-    }
+    };
+    for (const auto& support : input.supports) hold(support.face, support.fixed);
+    for (const auto& moving : input.motions)   // a prescribed displacement holds as well as a support
+        hold(moving.face, {moving.displacement_m[0].has_value(), moving.displacement_m[1].has_value(),
+                           moving.displacement_m[2].has_value()});
     for (int part = 0; part < parts; ++part)
         if (const int free = free_mode(std::move(rows[part]), modes.size()); free >= 0) {
             std::string text = modes[free].name;

@@ -63,35 +63,76 @@ System::System(const model::Case& input, MPI_Comm comm) : input_(input), comm_(c
     map_ = make_dof_map(input, references_, pressure_scale(input, rubbers_), comm);
     if (map_.total == 0) throw Error(ExitCode::bad_input, "supports", "every point is held", "free some face");
     make_groups();
-    for (const auto& load : input.loads) {
-        loads_.push_back(make_load_surface(input, map_, load, rank_, tables_));
-        const auto cavity = std::ranges::find(input.cavities, load.target, &model::Cavity::name);
-        if (cavity != input.cavities.end() && !volume_)
-            volume_ = make_enclosed_volume(input, map_, *cavity, rank_, tables_);
-    }
+    make_loads();
+    make_outputs();
     make_local_copy();
-    make_dead_load();
-    for (const auto& output : input.outputs) {
-        output_weights_.push_back(make_vector());
-        const auto mean = mean_displacement(input, map_, output.face, output.direction);
-        for (std::size_t i = 0; i < mean.dofs.size(); ++i)
-            if (mean.dofs[i] >= map_.begin && mean.dofs[i] < map_.end)
-                SOFT_PETSC(VecSetValue(output_weights_.back(), mean.dofs[i], mean.values[i], ADD_VALUES));
-        SOFT_PETSC(VecAssemblyBegin(output_weights_.back()));
-        SOFT_PETSC(VecAssemblyEnd(output_weights_.back()));
-    }
+    for (std::size_t i = 0; i < outputs_.size(); ++i)
+        if (auto* rotation = std::get_if<Rotation>(&outputs_[i])) {
+            const double undeformed = output(i, make_vector(), nullptr);
+            rotation->undeformed = undeformed;
+        }
 }
 
-void System::make_dead_load() {
-    dead_load_ = make_vector();
-    for (const auto& traction : input_.tractions) {
-        const auto force = face_force(input_, map_, traction.face, traction.traction_Pa);
-        if (rank_ == 0)   // known whole to every rank
-            for (std::size_t i = 0; i < force.dofs.size(); ++i)
-                SOFT_PETSC(VecSetValue(dead_load_, force.dofs[i], force.values[i], ADD_VALUES));
+/// A vector known whole to every rank.
+linalg::Vector System::assembled(const SparseVector& sparse) const {
+    linalg::Vector vector = make_vector();
+    for (std::size_t i = 0; i < sparse.dofs.size(); ++i)
+        if (sparse.dofs[i] >= map_.begin && sparse.dofs[i] < map_.end)
+            SOFT_PETSC(VecSetValue(vector, sparse.dofs[i], sparse.values[i], ADD_VALUES));
+    SOFT_PETSC(VecAssemblyBegin(vector));
+    SOFT_PETSC(VecAssemblyEnd(vector));
+    return vector;
+}
+
+void System::make_loads() {
+    for (const auto& load : input_.loads) {
+        loads_.push_back(make_load_surface(input_, map_, load, rank_, tables_));
+        auto& cavities = load_cavities_.emplace_back();
+        for (const auto& target : load.targets)   // the order of model::measured_cavities
+            if (const auto cavity = std::ranges::find(input_.cavities, target, &model::Cavity::name);
+                cavity != input_.cavities.end()) {
+                cavities.push_back(volumes_.size());
+                volumes_.push_back(make_enclosed_volume(input_, map_, *cavity, rank_, tables_));
+            }
     }
-    SOFT_PETSC(VecAssemblyBegin(dead_load_));
-    SOFT_PETSC(VecAssemblyEnd(dead_load_));
+    for (const auto& traction : input_.tractions)
+        tractions_.push_back(assembled(face_force(input_, map_, traction.face, traction.traction_Pa)));
+    for (const auto& force : input_.body_forces)
+        body_forces_.push_back(assembled(body_force(input_, map_, references_, force)));
+    motion_levels_.assign(input_.motions.size(), 0.0);
+}
+
+void System::make_outputs() {
+    for (const auto& output : input_.outputs) {
+        if (output.measure == model::Measure::displacement) {
+            const auto mean = mean_displacement(input_, map_, output.face, output.direction);
+            LinearOutput linear{assembled(mean), std::vector(input_.motions.size(), 0.0)};
+            for (std::size_t i = 0; i < mean.dofs.size(); ++i)
+                if (const int slot = motion_slot(mean.dofs[i]); slot >= 0)
+                    linear.by_motion[slot / 3] += mean.values[i] * *input_.motions[slot / 3].displacement_m[slot % 3];
+            outputs_.emplace_back(std::move(linear));
+            continue;
+        }
+        if (input_.kinematics != model::Kinematics::solid)
+            throw Error(ExitCode::bad_input, "outputs." + output.name, "a section does not bend or twist",
+                        "use model: solid, half or quarter");
+        Rotation rotation{output.measure, output.direction, {}, {}, 0.0};
+        const auto fill = [&](RotationFace& face, const std::string& name) {
+            face.facets = face_cells(input_, map_, name, rank_, tables_);
+            for (const auto& facet : face.facets) {
+                const auto& reference = tables_[facet.reference];
+                std::vector<double> X(reference.dofs()), weights(reference.nodes, 0.0);
+                for (int i = 0; i < 3; ++i)
+                    for (int a = 0; a < reference.nodes; ++a)
+                        X[i * reference.nodes + a] = input_.mesh.point(facet.nodes[a])[i];
+                (void)element::facet_area(reference, input_.kinematics, X, weights);
+                face.weights.push_back(std::move(weights));
+            }
+        };
+        fill(rotation.face, output.face);
+        if (output.measure == model::Measure::bend) fill(rotation.reference, output.reference);
+        outputs_.emplace_back(std::move(rotation));
+    }
 }
 
 void System::make_groups() {
@@ -111,28 +152,34 @@ void System::make_groups() {
     for (auto& [key, group] : groups) groups_.push_back(std::move(group));
 }
 
+template <class Visit>
+void System::for_each_surface_cell(Visit&& visit) {
+    for (auto& load : loads_)
+        for (auto& facet : load.facets) visit(facet);
+    for (auto& volume : volumes_) {
+        for (auto& facet : volume.facets) visit(facet);
+        for (auto& rim : volume.rims)
+            for (auto& edge : rim.edges) visit(edge);
+    }
+    for (auto& output : outputs_)
+        if (auto* rotation = std::get_if<Rotation>(&output))
+            for (RotationFace* face : {&rotation->face, &rotation->reference})
+                for (auto& facet : face->facets) visit(facet);
+}
+
 void System::make_local_copy() {
     const auto collect = [this](std::span<const PetscInt> dofs) {
         for (const auto dof : dofs)
             if (dof >= 0) ghosts_.push_back(dof);
     };
     for (const auto& group : groups_) collect(group.dofs);
-    if (volume_)
-        for (const auto& rim : volume_->rims)
-            for (const auto& edge : rim.edges) collect(edge.dofs);
+    for_each_surface_cell([&](const SurfaceCell& cell) { collect(cell.dofs); });   // rims reach beyond this rank's cells
     std::ranges::sort(ghosts_);
     const auto repeated = std::ranges::unique(ghosts_);
     ghosts_.erase(repeated.begin(), repeated.end());
-    local_.assign(ghosts_.size() + 1, 0.0);
-
+    local_.assign(ghosts_.size() + 1 + 3 * input_.motions.size(), 0.0);
     for (auto& group : groups_) group.local = local_positions(group.dofs);
-    for (auto& load : loads_)
-        for (auto& facet : load.facets) facet.local = local_positions(facet.dofs);
-    if (volume_) {
-        for (auto& facet : volume_->facets) facet.local = local_positions(facet.dofs);
-        for (auto& rim : volume_->rims)
-            for (auto& edge : rim.edges) edge.local = local_positions(edge.dofs);
-    }
+    for_each_surface_cell([&](SurfaceCell& cell) { cell.local = local_positions(cell.dofs); });
 
     linalg::IndexSet wanted;
     const auto count = static_cast<PetscInt>(ghosts_.size());
@@ -145,9 +192,16 @@ std::vector<int> System::local_positions(std::span<const PetscInt> dofs) const {
     const int held = static_cast<int>(ghosts_.size());
     std::vector<int> positions;
     for (const auto dof : dofs)
-        positions.push_back(dof < 0 ? held
+        positions.push_back(dof < 0 ? held + 1 + motion_slot(dof)
                                     : static_cast<int>(std::ranges::lower_bound(ghosts_, dof) - ghosts_.begin()));
     return positions;
+}
+
+void System::prescribe(const LoadLevels& levels) {
+    motion_levels_ = levels.motions;
+    double* value = local_.data() + ghosts_.size() + 1;
+    for (std::size_t m = 0; m < input_.motions.size(); ++m)
+        for (int i = 0; i < 3; ++i) *value++ = motion_levels_[m] * input_.motions[m].displacement_m[i].value_or(0.0);
 }
 
 linalg::Vector System::make_vector() const {
@@ -210,85 +264,6 @@ void System::gather_surface(const SurfaceCell& cell, std::vector<double>& x) con
     for (int i = 0; i < map_.dimension; ++i)
         for (std::size_t a = 0; a < n; ++a)
             x[i * n + a] = input_.mesh.point(cell.nodes[a])[i] + local_[cell.local[i * n + a]];
-}
-
-Evaluation System::evaluate(Vec x, double load_factor, Vec R, Vec load, Mat K) {
-    read_state(x);
-    SOFT_PETSC(VecZeroEntries(R));
-    SOFT_PETSC(VecZeroEntries(load));
-    if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
-    Evaluation result;
-    result.min_jacobian = std::numeric_limits<double>::max();
-    for (const auto& group : groups_) add_cells(group, R, K, result);
-
-    // The worst point and its cell, the same on every rank; ties go to the lower rank.
-    struct { double value; int rank; } mine{result.min_jacobian, rank_}, worst{};
-    MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MINLOC, comm_);
-    result.min_jacobian = worst.value;
-    MPI_Bcast(&result.worst_cell, 1, MPI_INT64_T, worst.rank, comm_);
-    MPI_Allreduce(MPI_IN_PLACE, &result.force_scale, 1, MPI_DOUBLE, MPI_SUM, comm_);
-    result.force_scale = std::sqrt(result.force_scale);
-
-    add_loads(load_factor, load, K);
-    for (Vec v : {R, load}) SOFT_PETSC(VecAssemblyBegin(v));
-    for (Vec v : {R, load}) SOFT_PETSC(VecAssemblyEnd(v));
-    linalg::add(load, 1.0, dead_load_);
-    linalg::add(R, -load_factor, load);
-    if (K != nullptr) {
-        SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
-        SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
-    }
-    return result;
-}
-
-void System::add_cells(const CellGroup& group, Vec R, Mat K, Evaluation& result) const {
-    const auto& reference = *group.reference;
-    const PetscInt size = reference.dofs();
-    const auto wanted = K != nullptr ? material::Wanted::stress_and_tangent : material::Wanted::stress;
-    LocalCell local(reference);
-    element::CellOutput out(reference);
-    std::visit(
-        [&](const auto& rubber) {
-            for (std::size_t c = 0; c < group.cells.size(); ++c) {
-                gather_cell(group, c, local);
-                element::integrate_cell(reference, input_.kinematics, rubber, local.input(map_.pressure_scale_Pa),
-                                        wanted, out);
-                if (out.min_jacobian < result.min_jacobian) {
-                    result.min_jacobian = out.min_jacobian;
-                    result.worst_cell = group.cells[c];
-                }
-                for (const double r : out.residual) result.force_scale += r * r;
-                const PetscInt* dofs = &group.dofs[c * size];
-                SOFT_PETSC(VecSetValues(R, size, dofs, out.residual.data(), ADD_VALUES));
-                if (K != nullptr)
-                    SOFT_PETSC(MatSetValues(K, size, dofs, size, dofs, out.stiffness.data(), ADD_VALUES));
-            }
-        },
-        *group.rubber);
-}
-
-void System::add_loads(double load_factor, Vec load, Mat K) {
-    std::vector<double> x, force, stiffness;
-    for (const auto& surface : loads_) {
-        for (const auto& facet : surface.facets) {
-            const auto& reference = tables_[facet.reference];
-            const PetscInt size = reference.dofs();
-            gather_surface(facet, x);
-            force.assign(size, 0.0);
-            stiffness.assign(K != nullptr ? static_cast<std::size_t>(size) * size : 0, 0.0);
-            element::pressure_force(reference, input_.kinematics, x, force, stiffness);
-            for (double& f : force) f *= surface.pressure_Pa;
-            for (double& k : stiffness) k *= -load_factor * surface.pressure_Pa;
-            SOFT_PETSC(VecSetValues(load, size, facet.dofs.data(), force.data(), ADD_VALUES));
-            if (K != nullptr)
-                SOFT_PETSC(MatSetValues(K, size, facet.dofs.data(), size, facet.dofs.data(), stiffness.data(),
-                                        ADD_VALUES));
-        }
-        if (rank_ != 0) continue;   // the plug's force is known whole to every rank
-        for (std::size_t i = 0; i < surface.plug_force.dofs.size(); ++i)
-            SOFT_PETSC(VecSetValue(load, surface.plug_force.dofs[i],
-                                   surface.pressure_Pa * surface.plug_force.values[i], ADD_VALUES));
-    }
 }
 
 }  // namespace soft::assembly

@@ -1,16 +1,19 @@
 #pragma once
-/// The equilibrium of a case on the free unknowns x = (displacements, scaled pressures) at a load factor:
-///   R(x, lambda) = internal forces - lambda x load(x),    K = dR/dx,
-/// with load(x) = sum over the case's loads of pressure x force per unit pressure, plus the dead tractions. Collective over the communicator.
-/// Held by assembly/system_test (Taylor remainders of K, rank independence) and the verification suite.
-#include <memory>
+/// The equilibrium of a case on the free unknowns x = (displacements, scaled pressures) under given load levels:
+///   R(x, levels) = internal forces - sum over the loads of level x force(x),    K = dR/dx,
+/// with pressure x force per unit pressure for the pressure loads, dead forces for tractions and body forces, and
+/// prescribed displacements that enter through the cells (and facets) they move. Collective over the communicator.
+/// Held by assembly/system_test, assembly/loads_test (Taylor remainders, rank independence) and the verification suite.
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "assembly/cavity.hpp"
 #include "assembly/dof_map.hpp"
+#include "assembly/load_levels.hpp"
 #include "assembly/materials.hpp"
+#include "assembly/rotation.hpp"
 #include "element/solid_kernel.hpp"
 
 namespace soft::assembly {
@@ -30,6 +33,12 @@ struct StretchSummary {
     double min_jacobian = 1;
 };
 
+/// A direction of the load levels, and the vector that gets -dR/d(direction).
+struct LoadColumn {
+    LoadLevels direction;
+    Vec out = nullptr;
+};
+
 class System {
 public:
     System(const model::Case& input, MPI_Comm comm);
@@ -37,12 +46,24 @@ public:
     [[nodiscard]] linalg::Vector make_vector() const;
     [[nodiscard]] linalg::Matrix make_matrix() const;
 
-    /// Fills R and load; with K also the tangent. Where the result is not admissible they are unfinished.
-    Evaluation evaluate(Vec x, double load_factor, Vec R, Vec load, Mat K);
+    /// Fills R and the columns; with K also the tangent (columns that move a face need it). Prescribes the levels' motions.
+    /// Where the result is not admissible they are unfinished.
+    Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
 
-    /// Volume [m^3] of the first loaded cavity, whole actuator, its gradient by x in `gradient` (may be null).
-    /// empty where no cavity is loaded.
-    std::optional<double> enclosed_volume(Vec x, Vec gradient);
+    /// Sets the prescribed displacements that the functions below see besides x; evaluate() does so too.
+    void prescribe(const LoadLevels& levels);
+
+    /// Volume [m^3] of one of model::measured_cavities, whole actuator. `gradient` by x and `by_motion` by the level of
+    /// each motion are overwritten; null and empty where they are not wanted.
+    double enclosed_volume(std::size_t cavity, Vec x, Vec gradient, std::span<double> by_motion = {});
+    [[nodiscard]] std::size_t cavity_count() const { return volumes_.size(); }
+    /// The same of all cavities of a pressure load together; 0 for a load on a face.
+    double load_volume(std::size_t load, Vec x, Vec gradient, std::span<double> by_motion = {});
+    [[nodiscard]] bool encloses_volume(std::size_t load) const { return !load_cavities_.at(load).empty(); }
+
+    /// Value of an output [m or rad]; the rest as for enclosed_volume. Angles lie in (-pi, pi].
+    double output(std::size_t index, Vec x, Vec gradient, std::span<double> by_motion = {});
+    [[nodiscard]] std::size_t output_count() const { return input_.outputs.size(); }
 
     /// False where a law is a stress without an energy; a pressure on a surface with a free rim does not count.
     [[nodiscard]] bool has_symmetric_tangent() const;
@@ -50,15 +71,11 @@ public:
     /// True where a law puts the undeformed body under stress: it is then no state of equilibrium without load.
     [[nodiscard]] bool starts_under_stress() const;
 
-    /// Value of output `index` is dot(output_weights(index), x).
-    [[nodiscard]] Vec output_weights(std::size_t index) const { return output_weights_[index]; }
-    [[nodiscard]] std::size_t output_count() const { return output_weights_.size(); }
-
     /// Energy stored in the rubber of the modelled part [J].
     [[nodiscard]] double stored_energy(Vec x);
     [[nodiscard]] StretchSummary stretches(Vec x);
 
-    /// Nodal displacements [point x 3] (axisymmetric: x, r, 0) and pressures [point] [Pa] (cell values averaged at
+    /// Nodal displacements [point x 3] (axisymmetric: x, r, 0), prescribed ones included, and pressures [point] [Pa] (cell values averaged at
     /// the nodes; empty without a pressure unknown) on rank 0, empty elsewhere.
     struct Fields {
         std::vector<double> displacement_m, pressure_Pa;
@@ -90,17 +107,31 @@ private:
     };
 
     void make_groups();
+    void make_loads();
+    void make_outputs();
     void make_local_copy();
-    void make_dead_load();
+    [[nodiscard]] linalg::Vector assembled(const SparseVector& sparse) const;
+    template <class Visit>
+    void for_each_surface_cell(Visit&& visit);
     [[nodiscard]] std::vector<int> local_positions(std::span<const PetscInt> dofs) const;
     void read_state(Vec x);
     void gather_cell(const CellGroup& group, std::size_t index, LocalCell& local) const;
     void gather_surface(const SurfaceCell& cell, std::vector<double>& x) const;
-    void add_cells(const CellGroup& group, Vec R, Mat K, Evaluation& result) const;
-    void add_loads(double load_factor, Vec load, Mat K);
+    void add_cells(const CellGroup& group, Vec R, Mat K, std::span<const LoadColumn> columns, Evaluation& result) const;
+    void add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) const;
+    void add_dead_loads(const LoadLevels& levels, Vec R, std::span<const LoadColumn> columns) const;
+    /// out += factor x matrix x (velocity of the moved components), for one cell or facet.
+    void add_moved(const LoadColumn& column, double factor, std::span<const PetscInt> dofs,
+                   std::span<const double> matrix) const;
+    void add_slope(Vec gradient, std::span<double> by_motion, std::span<const PetscInt> dofs,
+                   std::span<const double> slope) const;
+    void finish_slope(Vec gradient, std::span<double> by_motion) const;
+    [[nodiscard]] double moved_by(PetscInt number, std::span<const double> levels) const;
+    double rotation(std::size_t output, Vec x, Vec gradient, std::span<double> by_motion);
     void add_nodal_pressures(mesh::Index cell, const double* value, std::vector<double>& pressure_Pa,
                              std::vector<int>& shares) const;
-    void add_rims(const EnclosedVolume& volume, Vec gradient, double& sum) const;
+    double add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gradient, std::span<double> by_motion);
+    void add_rims(const EnclosedVolume& volume, Vec gradient, std::span<double> by_motion, double& sum) const;
 
     /// Calls visit(point, rubber) for every quadrature point of this rank's cells at the state last read.
     template <class Visit>
@@ -114,13 +145,20 @@ private:
     DofMap map_;
     SurfaceTables tables_;
     std::vector<CellGroup> groups_;
-    std::vector<LoadSurface> loads_;
-    std::optional<EnclosedVolume> volume_;
-    std::vector<linalg::Vector> output_weights_;
-    linalg::Vector dead_load_;                    // of the tractions, at load factor 1
+    std::vector<LoadSurface> loads_;              // by Case::loads
+    std::vector<EnclosedVolume> volumes_;         // by model::measured_cavities
+    std::vector<std::vector<std::size_t>> load_cavities_;   // of each load, into volumes_
+    std::vector<linalg::Vector> tractions_, body_forces_;   // at level 1
+    struct LinearOutput {
+        linalg::Vector weights;
+        std::vector<double> by_motion;
+    };
+    using OutputForm = std::variant<LinearOutput, Rotation>;
+    std::vector<OutputForm> outputs_;             // by Case::outputs
+    std::vector<double> motion_levels_;
 
     std::vector<PetscInt> ghosts_;                // unknowns this rank reads, sorted
-    std::vector<double> local_;                   // their values, then a zero for held components
+    std::vector<double> local_;                   // their values, a zero for held components, the prescribed values by slot
     linalg::Vector ghost_values_;
     linalg::Scatter ghost_scatter_;
 };

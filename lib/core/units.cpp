@@ -66,11 +66,18 @@ constexpr std::array units = {
     Unit{"g/mL", Dimension::density, 3},
     Unit{"kg/m\u00B3", Dimension::density},
     Unit{"g/cm\u00B3", Dimension::density, 3},
+    Unit{"kg", Dimension::mass},
+    Unit{"g", Dimension::mass, -3},
+    Unit{"mg", Dimension::mass, -6},
+    Unit{"ug", Dimension::mass, -9},
+    Unit{"m/s^2", Dimension::acceleration},
+    Unit{"m/s\u00B2", Dimension::acceleration},
 };
 
 /// Units of messages, coarse to fine within a dimension: the first that leaves a number of 1 or more is used.
-constexpr std::array<std::string_view, 14> message_units = {"m",   "mm", "um", "m^2", "mm^2", "m^3", "mL", "mm^3",
-                                                            "GPa", "MPa", "kPa", "Pa", "deg", "kg/m^3"};
+constexpr std::array<std::string_view, 18> message_units = {"m",   "mm", "um", "m^2", "mm^2", "m^3", "mL", "mm^3",
+                                                            "GPa", "MPa", "kPa", "Pa", "deg", "kg/m^3",
+                                                            "kg", "g", "mg", "m/s^2"};
 
 constexpr std::size_t longest_number = 40;  // in a message
 
@@ -179,6 +186,8 @@ std::string_view name(Dimension dimension) noexcept {
         case Dimension::pressure: return "pressure";
         case Dimension::angle: return "angle";
         case Dimension::density: return "density";
+        case Dimension::mass: return "mass";
+        case Dimension::acceleration: return "acceleration";
     }
     return "quantity";
 }
@@ -192,6 +201,8 @@ std::string_view example(Dimension dimension) noexcept {
         case Dimension::pressure: return "30 kPa";
         case Dimension::angle: return "30 deg";
         case Dimension::density: return "1080 kg/m^3";
+        case Dimension::mass: return "50 mg";
+        case Dimension::acceleration: return "9.81 m/s^2";
     }
     return "1";
 }

@@ -3,7 +3,8 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
-#include "design/loads.hpp"
+#include "design/load_keys.hpp"
+#include "design/load_names.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
 
@@ -29,40 +30,69 @@ void check_changeable(const Override& change) {
     throw Error(ExitCode::bad_input, place, "unknown key", "solve changes material, loads, path, solver");
 }
 
-/// The names the case has: its load targets stand in for the faces, which a design alone does not list.
-Schema schema_of(const Node& original, const Node& changed, Examples& examples) {
-    Schema schema;
-    if (const Node* loads = find(original, "loads"))
-        for (const Member& load : loads->members) schema.faces.faces.push_back(load.key);
-    const Node* model = find(original, "model");
-    const bool of_revolution = model != nullptr && model->text == "axisymmetric";
-    add_material_keys(schema, changed, case_source, examples, of_revolution ? "cylindrical" : "cartesian");
-    add_load_keys(schema, changed, Node{}, case_source, examples);
-    add_path_keys(schema, changed);
-    auto solver = solver_keys();
-    schema.keys.insert(schema.keys.end(), solver.begin(), solver.end());
-    schema.names["solver"];
-    return schema;
+/// The names the case has: its load targets stand in for the faces, which a design alone does not list, and the effective
+/// design holds the other names of faces.
+FaceNames faces_of(const Node& original) {
+    FaceNames faces;
+    for (const Member& name : members_of(original, "names")) faces.aliases[name.key] = name.value.text;
+    const auto add = [&](const std::string& name) {
+        const auto alias = faces.aliases.find(name);
+        faces.faces.push_back(alias == faces.aliases.end() ? name : alias->second);
+    };
+    for (const Member& load : members_of(original, "loads")) {
+        if (load.key == cavities_group || load.key == gravity_name) continue;
+        add(load.key);
+        if (load.key == cavity_name) faces.cavities.push_back(load.key);
+    }
+    for (const Member& cavity : members_of(original, "loads." + std::string{cavities_group})) {
+        add(cavity.key);
+        faces.cavities.push_back(faces.faces.back());
+    }
+    std::erase_if(faces.aliases, [&](const auto& alias) {   // of faces that the case does not load
+        return std::ranges::find(faces.faces, alias.second) == faces.faces.end();
+    });
+    return faces;
 }
 
-/// The mesh turned the direction of a traction into a vector, so only its size can still change.
-std::vector<TractionChange> traction_changes(const Node& original, std::span<const Design::TractionRequest> tractions,
-                                             const Values& values) {
-    std::vector<const Member*> built;  // in the order of Case::tractions
-    for (const Member& load : members_of(original, "loads"))
-        if (find(load.value, "traction") != nullptr) built.push_back(&load);
-    std::vector<TractionChange> changes;
-    for (const Design::TractionRequest& traction : tractions) {
-        const std::string path = "loads." + traction.face, remedy = "give the same --set to mesh-gen";
-        const auto own = std::find_if(built.begin(), built.end(), [&](const Member* m) { return m->key == traction.face; });
-        if (own == built.end())
-            throw values.refuse(path + ".traction", "the case has no traction on this face", remedy);
-        if (find((*own)->value, "along")->text != traction.along)
-            throw values.refuse(path + ".along", "the direction is built into the case", remedy);
-        const double built_Pa = check_value(load_traction_key(traction.face), *find((*own)->value, "traction"), {}).entry.number;
-        changes.push_back({static_cast<std::size_t>(own - built.begin()), traction.traction_Pa / built_Pa});
+/// What the tree holds, in the names of the case.
+struct Part {
+    Schema schema;
+    Examples examples;
+    std::vector<LoadEntry> loads;
+    std::vector<StageEntry> stages;
+};
+Part part_of(const Node& root, FaceNames faces) {
+    Part part;
+    part.schema.faces = std::move(faces);
+    const Node* model = find(root, "model");
+    const bool of_revolution = model != nullptr && model->text == "axisymmetric";
+    add_material_keys(part.schema, root, case_source, part.examples, of_revolution ? "cylindrical" : "cartesian");
+    part.loads = add_load_keys(part.schema, root, Node{}, case_source, part.examples);
+    part.stages = add_path_keys(part.schema, root, part.loads);
+    auto solver = solver_keys();
+    part.schema.keys.insert(part.schema.keys.end(), solver.begin(), solver.end());
+    part.schema.names["solver"];
+    return part;
+}
+
+/// The mesh turned the direction of a load into a vector, so only its size can still change.
+std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& was, const Part& part, const Values& values) {
+    const std::string remedy = "give the same --set to mesh-gen";
+    std::vector<const LoadEntry*> own;   // in the order of the case's list
+    for (const LoadEntry& load : built.loads)
+        if (load.kind == kind) own.push_back(&load);
+    std::vector<ScaledLoad> loads;
+    for (const LoadEntry& load : part.loads) {
+        if (load.kind != kind) continue;
+        const auto same = std::ranges::find(own, load.name, [](const LoadEntry* entry) { return entry->name; });
+        if (same == own.end())
+            throw values.refuse(load.value, "the case has no " + load.value.substr(load.path.size() + 1) +
+                                                (kind == LoadKind::gravity ? "" : " on this face"), remedy);
+        if (was.text((*same)->path + ".along") != values.text(load.path + ".along"))
+            throw values.refuse(load.path + ".along", "the direction is built into the case", remedy);
+        loads.push_back({static_cast<std::size_t>(same - own.begin()), values.number(load.value) / was.number((*same)->value)});
     }
-    return changes;
+    return loads;
 }
 
 Node only_changeable(const Node& root) {
@@ -78,19 +108,25 @@ Node only_changeable(const Node& root) {
 
 SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Override> overrides) {
     const Node original = parse_yaml(effective_yaml, case_source);
+    const FaceNames faces = faces_of(original);
     Node changed = original;
     for (const Override& change : overrides) check_changeable(change);
-    override_tree(changed, overrides);
-    Examples examples;
-    const Schema schema = schema_of(original, changed, examples);
-    const std::vector<Item> items = collect(only_changeable(changed), schema, case_source, examples);
+    override_tree(changed, in_names_of(original, overrides, faces));
+    name_empty_ends(changed);
+    const Part built = part_of(original, faces), part = part_of(changed, faces);
+    const Values was = values_of(collect(only_changeable(original), built.schema, case_source, built.examples));
+    const std::vector<Item> items = collect(only_changeable(changed), part.schema, case_source, part.examples);
     const Values values = values_of(items);
+    std::vector<std::string> outputs;
+    for (const Member& output : members_of(original, "outputs")) outputs.push_back(output.key);
     SolveChanges changes;
     changes.material = material_of(values);
-    Loads loads = loads_of(items, schema.faces, values);
+    Loads loads = loads_of(part.loads, values);
+    changes.path = path_of({part.stages, part.loads, loads, outputs}, items, values);
     changes.loads = std::move(loads.pressures);
-    changes.tractions = traction_changes(original, loads.tractions, values);
-    changes.path = path_of(items, values);
+    changes.tractions = scaled(LoadKind::traction, built, was, part, values);
+    changes.body_forces = scaled(LoadKind::gravity, built, was, part, values);
+    changes.motions = scaled(LoadKind::motion, built, was, part, values);
     changes.solver = solver_of(values);
     const Node canonical = tree_of(items);
     for (const std::string_view section : changeable) put(changed, section, *find(canonical, section));

@@ -18,6 +18,8 @@ std::optional<core::Dimension> dimension_of(Kind kind) {
         case Kind::pressure: return core::Dimension::pressure;
         case Kind::angle: return core::Dimension::angle;
         case Kind::density: return core::Dimension::density;
+        case Kind::mass: return core::Dimension::mass;
+        case Kind::acceleration: return core::Dimension::acceleration;
         case Kind::ratio: return core::Dimension::ratio;
         case Kind::count:
         case Kind::flag:
@@ -175,6 +177,8 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
         case Kind::pressure:
         case Kind::angle:
         case Kind::density:
+        case Kind::mass:
+        case Kind::acceleration:
         case Kind::ratio:
         case Kind::count: check_number(key, item, node); break;
         case Kind::list:

@@ -43,7 +43,9 @@ void check_group(const Schema& schema, const Node& node, const std::string& path
     if (node.kind == Node::Kind::empty) return;  // "solver:" with nothing below it
     if (node.kind != Node::Kind::map)
         refuse(node.place, path, "a group of keys is needed here",
-               path.empty() ? "write family: ..., material: ..." : "write {key: value}; known: " + core::join(known));
+               path.empty()    ? "write family: ..., material: ..."
+               : known.empty() ? "write {name: {...}}"
+                               : "write {key: value}; known: " + core::join(known));
     for (const Member& member : node.members) {
         if (member.key.find('.') != std::string::npos)
             refuse(member.place, child(path, member.key), "a dot in a key", "write nested groups; dots are for --set");
@@ -117,7 +119,10 @@ Node tree_of(std::span<const Item> items) {
     Node sorted;
     sorted.kind = Node::Kind::map;
     for (const SectionNote& section : section_notes()) {
-        if (find(root, section.name) == nullptr) add_empty(section.name);
+        if (find(root, section.name) == nullptr) {
+            if (section.name == "names") continue;   // few families have any
+            add_empty(section.name);
+        }
         sorted.members.push_back(*find_member(root, section.name));
     }
     return sorted;

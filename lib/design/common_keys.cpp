@@ -6,11 +6,8 @@
 #include "design/materials.hpp"
 
 namespace soft::design {
-namespace {
 
 std::vector<std::string> directions() { return {"axis", "x", "y", "z", "r", "normal"}; }
-
-}  // namespace
 
 std::vector<Key> head_keys(const FamilyKeys& family) {
     return {{.path = "family",
@@ -148,74 +145,70 @@ Key volumetric_key() {
         .choices = {"quadratic", "log", "mixed"}};
 }
 
-Key control_key(std::string fallback) {
-    return {.path = "path.control",
-            .kind = Kind::choice,
-            .fallback = std::move(fallback),
-            .meaning = "what is prescribed along the path; volume and arc-length pass limit points",
-            .choices = {"pressure", "volume", "displacement", "arc-length"}};
-}
-
 Key support_key(const std::string& component) {
     const std::string what =
         component == "fixed" ? "faces held in all components" : "faces held in component " + component;
     return {.path = "supports." + component, .kind = Kind::faces, .meaning = what};
 }
 
-Key load_pressure_key(const std::string& target) {
-    return {.path = "loads." + target + ".pressure",
-            .kind = Kind::pressure,
-            .meaning = "gauge pressure at full load; positive pushes on the rubber and inflates a cavity"};
-}
-
-Key load_traction_key(const std::string& face) {
-    return {.path = "loads." + face + ".traction",
-            .kind = Kind::pressure,
-            .meaning = "force per undeformed area at full load; its direction stays fixed in space"};
-}
-
-Key load_along_key(const std::string& face) {
-    return {.path = "loads." + face + ".along",
-            .kind = Kind::choice,
-            .meaning = "direction of a positive traction; normal points out of the undeformed face, axis makes longer",
-            .choices = directions()};
-}
-
-Key load_sealed_key(const std::string& target, std::string fallback) {
-    return {.path = "loads." + target + ".sealed",
-            .kind = Kind::flag,
-            .fallback = std::move(fallback),
-            .meaning = "the pressure also pushes on the plugs of the openings and on every closed inner face"};
-}
-
 Key output_face_key(const std::string& output) {
     return {.path = "outputs." + output + ".face",
             .kind = Kind::faces,
-            .meaning = "face whose mean displacement is measured"};
+            .meaning = "face that is measured"};
+}
+
+Key output_measure_key(const std::string& output) {
+    return {.path = "outputs." + output + ".measure",
+            .kind = Kind::choice,
+            .fallback = "displacement",
+            .meaning = "mean displacement of the face, the angle by which it bends away from another one, or the mean angle by "
+                       "which it turns about an axis through the origin",
+            .choices = {"displacement", "bend", "twist"}};
+}
+
+Key output_reference_key(const std::string& output) {
+    return {.path = "outputs." + output + ".reference",
+            .kind = Kind::faces,
+            .meaning = "face, mostly the held one, from whose normal the bend is measured"};
 }
 
 Key output_along_key(const std::string& output, std::string fallback) {
     return {.path = "outputs." + output + ".along",
             .kind = Kind::choice,
             .fallback = std::move(fallback),
-            .meaning = "direction; axis is positive when the actuator gets longer",
+            .meaning = "direction, or axis of a bend or twist; axis is positive when the actuator gets longer",
             .choices = directions()};
 }
 
-Key until_key(const std::string& quantity) {
-    const std::string path = "path.until." + quantity;
+Key until_key(const std::string& section, const std::string& quantity) {
+    const std::string path = section + "." + quantity;
     if (quantity == "pressure")
-        return {.path = path, .kind = Kind::pressure, .meaning = "the path ends at this pressure"};
+        return {.path = path, .kind = Kind::pressure, .meaning = "it ends at this pressure of the first load"};
     if (quantity == "volume_ratio")
         return {.path = path,
                 .kind = Kind::ratio,
-                .meaning = "the path ends at this cavity volume over its initial value",
+                .meaning = "it ends at this cavity volume over its undeformed value",
                 .min = 0,
                 .min_open = true};
-    if (quantity == "steps")
-        return {
-            .path = path, .kind = Kind::count, .meaning = "the path ends after this many steps", .min = 1, .max = 1e6};
-    return {.path = path, .kind = Kind::length, .meaning = "the path ends when this output is reached"};
+    return {.path = path, .kind = Kind::count, .meaning = "it ends after this many steps", .min = 1, .max = 1e6};
+}
+
+std::vector<Key> name_keys(const FamilyKeys& family) {
+    std::vector<Key> keys;
+    for (const auto& [alias, face] : family.aliases)
+        keys.push_back({.path = "names." + alias,
+                        .kind = Kind::choice,
+                        .fallback = face,
+                        .meaning = "another name of this face",
+                        .choices = {face}});
+    return keys;
+}
+
+bool is_own_name(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    return !text.empty() && is_letter(text.front()) && text.size() <= longest &&
+           std::ranges::all_of(text, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
 }
 
 const std::vector<std::string>& support_components() {
@@ -236,10 +229,13 @@ const std::vector<SectionNote>& section_notes() {
         {"material", "of the rubber"},
         {"model", ""},
         {"mesh", ""},
+        {"names", "other names of faces"},
         {"supports", "component: face or [face, face]; fixed holds all components, x, y, z or r one"},
-        {"loads", "cavity, or the name of a face: {pressure}; a face also {traction, along}"},
-        {"path", "from the unloaded state to the full load"},
-        {"outputs", "name: mean displacement of a face; becomes a column of the curve"},
+        {"loads",
+         "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: {pressure}, "
+         "{traction, along} or {displacement, along}; gravity: {acceleration, along}"},
+        {"path", "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
+        {"outputs", "name: displacement, bend or twist of a face; becomes a column of the curve"},
         {"solver", "tolerances and limits; the defaults are good"},
     };
     return notes;

@@ -16,15 +16,21 @@ namespace soft::design {
 [[nodiscard]] Key law_key();
 [[nodiscard]] Key kappa_key();
 [[nodiscard]] Key volumetric_key();
-[[nodiscard]] Key control_key(std::string fallback);
 [[nodiscard]] Key support_key(const std::string& component);
-[[nodiscard]] Key load_pressure_key(const std::string& target);
-[[nodiscard]] Key load_traction_key(const std::string& face);
-[[nodiscard]] Key load_along_key(const std::string& face);
-[[nodiscard]] Key load_sealed_key(const std::string& target, std::string fallback);
 [[nodiscard]] Key output_face_key(const std::string& output);
+[[nodiscard]] Key output_measure_key(const std::string& output);
+[[nodiscard]] Key output_reference_key(const std::string& output);
 [[nodiscard]] Key output_along_key(const std::string& output, std::string fallback);
-[[nodiscard]] Key until_key(const std::string& quantity);
+/// An end that is no output; `section` is "path.until" or that of a stage.
+[[nodiscard]] Key until_key(const std::string& section, const std::string& quantity);
+/// names.<other name>: face; one word, so that solve knows the other names too.
+[[nodiscard]] std::vector<Key> name_keys(const FamilyKeys& family);
+
+[[nodiscard]] std::vector<std::string> directions();   ///< axis, x, y, z, r, normal
+
+/// Whether the user may call an output or a stage so.
+[[nodiscard]] bool is_own_name(std::string_view text);
+inline constexpr std::string_view own_name_remedy = "letters, digits and _, a letter first, at most 40";
 
 [[nodiscard]] const std::vector<std::string>& support_components();  ///< fixed, x, y, z, r
 [[nodiscard]] const std::vector<std::string>&

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] bool given(std::string_view path) const;
     [[nodiscard]] const std::string& place(std::string_view path) const;
     [[nodiscard]] bool has(std::string_view path) const;
+    /// What stands directly below a group, by name: "left", "right" of "geometry.cavities".
+    [[nodiscard]] std::vector<std::string> names_below(std::string_view group) const;
     /// Error (bad_input) "file:line:col: path: problem; remedy" for a check across keys, for the families to throw.
     [[nodiscard]] Error refuse(std::string_view path, std::string_view problem, std::string_view remedy = {}) const;
     void set(std::string path, Entry entry);
@@ -47,11 +49,14 @@ struct FamilyKeys {
     std::vector<std::string> models;            ///< allowed values of `model`, default first
     std::vector<std::string> faces;             ///< named faces supports, loads and outputs may refer to
     std::map<std::string, std::string> aliases; ///< other names of faces, e.g. end_disc -> fixed
+    /// Names of its cavities, each that of its wall among `faces`; a cavity whose wall is no face is not there.
+    std::vector<std::string> cavities = {"cavity"};
     std::string defaults;                       ///< YAML of supports, loads, outputs where the design is silent
     std::vector<Key> mesh = {};                 ///< own defaults for keys under "mesh." (override the common ones)
     /// For a family whose mesh stands in a file: the names of the faces in it, from what `geometry.file` says and the
     /// place where it says so; throws Error. `faces` then are those of the template's file. Such a family has no
-    /// mesh.size, and `geometry.cavity: [face, face]` adds the face and cavity "cavity", their union.
+    /// mesh.size, and `geometry.cavity: [face, face]` adds the face and cavity "cavity", their union; `geometry.cavities:
+    /// {left: [face, face], ...}` adds several.
     std::function<std::vector<std::string>(const std::string& file, std::string_view place)> faces_of_file = {};
 };
 
@@ -70,8 +75,20 @@ struct Design {
     /// Dead traction along: axis | x | y | z | r | normal
     struct TractionRequest { std::string face; double traction_Pa; std::string along; };
     std::vector<TractionRequest> tractions;
-    /// along: axis | x | y | z | r | normal
-    struct OutputRequest { std::string name; std::string face; std::string along; };
+    /// along: axis | x | y | z, or one of these with a minus before it
+    struct BodyForceRequest { std::string name; double acceleration_m_s2; std::string along; };
+    std::vector<BodyForceRequest> body_forces;
+    /// A component of a face's displacement, along: axis | x | y | z | r | normal
+    struct MotionRequest { std::string face; double displacement_m; std::string along; };
+    std::vector<MotionRequest> motions;
+    /// along: axis | x | y | z | r | normal; `reference` of a bend alone
+    struct OutputRequest {
+        std::string name;
+        std::string face;
+        std::string along;
+        model::Measure measure = model::Measure::displacement;
+        std::string reference = {};
+    };
     std::vector<OutputRequest> outputs;
     model::PathSettings path;
     model::SolverSettings solver;
@@ -90,15 +107,16 @@ struct Design {
 
 /// Applies overrides to the keys solve may still change (material, loads, path, solver) of a case's effective design
 /// and returns the changed parts; geometry, mesh, model, supports, outputs and family are refused with the reason.
-/// A traction keeps its direction, which the mesh gave it: the changed one is `factor` times the case's.
-struct TractionChange {
-    std::size_t index;     ///< into Case::tractions; one that is not listed is taken away
+/// Loads may change in size and kind, but stay on the faces and cavities that the case loads, whatever these are called.
+/// What has a direction keeps the one the mesh gave it: the changed load is `factor` times the case's.
+struct ScaledLoad {
+    std::size_t index;     ///< into the case's list; one that is not listed is taken away
     double factor;
 };
 struct SolveChanges {
     model::Material material;
     std::vector<model::PressureLoad> loads;
-    std::vector<TractionChange> tractions;
+    std::vector<ScaledLoad> tractions, body_forces, motions;   ///< of Case::tractions, body_forces, motions
     model::PathSettings path;
     model::SolverSettings solver;
     std::string effective_yaml;

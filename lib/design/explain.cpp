@@ -2,6 +2,7 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
+#include "design/load_names.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
 
@@ -15,12 +16,14 @@ std::string annotated(std::span<const Item> items, auto&& note_of) {
     Node root = tree_of(items);
     for (const Item& item : items) find_path(root, item.key.path)->note = note_of(item);
     for (const SectionNote& section : section_notes())
-        if (!section.note.empty()) find_path(root, section.name)->note = section.note;
+        if (Node* group = find_path(root, section.name); group != nullptr && !section.note.empty()) group->note = section.note;
+    if (Node* stages = find_path(root, "path.stages"))
+        stages->note = "in the order written; a load is 0 until a stage names it and then keeps its value";
     std::vector<std::string> ends = until_quantities();
     for (const Item& item : items)
         if (item.key.path.starts_with("outputs.") && item.key.path.ends_with(".face"))
             ends.insert(ends.begin(), item.key.path.substr(8, item.key.path.size() - 8 - 5));
-    find_path(root, "path.until")->note = "the path also ends at the first of these: " + core::join(ends);
+    find_path(root, "path.until")->note = "the path, or each of its stages, also ends at the first of these: " + core::join(ends);
     return write_yaml(root, note_column);
 }
 
@@ -49,19 +52,13 @@ std::string example_design(const FamilyKeys& family) {
     put(root, "material.law", scalar_node(std::string{law.name}, place_default));
     for (const material::Parameter& parameter : law.parameters)
         put(root, parameter_key(parameter).path, scalar_node(std::string{parameter.example}, place_default));
+    if (const Node* loads = find(defaults, "loads"); loads != nullptr && !loads->members.empty()) {
+        put(root, "loads", *loads);
+        return write_yaml(root);
+    }
     const bool cavity = std::find(family.faces.begin(), family.faces.end(), cavity_name) != family.faces.end();
-    const Node* loads = find(defaults, "loads");
-    const bool usual = loads != nullptr && !loads->members.empty();
-    const std::string target = usual                            ? loads->members.front().key
-                               : cavity || family.faces.empty() ? std::string{cavity_name}
-                                                                : family.faces.back();
-    const bool traction = usual && find(loads->members.front().value, "traction") != nullptr;
-    const auto example = [&](const std::string& key, const char* otherwise) {
-        const Node* own = usual ? find(loads->members.front().value, key) : nullptr;
-        put(root, "loads." + target + "." + key, scalar_node(own == nullptr ? otherwise : own->text, place_default));
-    };
-    example(traction ? "traction" : "pressure", "30 kPa");
-    if (traction) example("along", "axis");
+    const std::string target = cavity || family.faces.empty() ? std::string{cavity_name} : family.faces.back();
+    put(root, "loads." + target + ".pressure", scalar_node("30 kPa", place_default));
     return write_yaml(root);
 }
 
@@ -82,8 +79,7 @@ std::string template_yaml(const FamilyKeys& family) {
 std::string explain_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
                            std::span<const Override> overrides) {
     static_cast<void>(read_design(text, source, families, overrides));  // for the checks across keys
-    Node root = parse_yaml(text, source);
-    override_tree(root, overrides);
+    Node root = overridden_design(text, source, families, overrides);
     const FamilyKeys& family = family_of(root, source, families);
     const Checked checked = check_design(std::move(root), source, family);
     return annotated(checked.items, [](const Item& item) {

@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::string_view usual_material = "{law: neo-hookean, mu: 0.1644 MPa}";
 constexpr const char *kappa_path = "material.kappa", *young_path = "material.young", *poisson_path = "material.poisson",
-                     *volumetric_path = "material.volumetric", *frame_path = "material.frame";
+                     *volumetric_path = "material.volumetric", *frame_path = "material.frame",
+                     *density_path = "material.density";
 
 Kind kind_of(material::Quantity quantity) {
     switch (quantity) {
@@ -42,6 +43,16 @@ Key poisson_key(const material::LawInfo& law) {
             .min = -1,
             .max = 0.5,
             .min_open = true};
+}
+
+Key density_key() {
+    return {.path = density_path,
+            .kind = Kind::density,
+            .fallback = "none",
+            .meaning = "of the undeformed rubber, for gravity",
+            .min = 0,
+            .min_open = true,
+            .choices = {"none"}};
 }
 
 Key bulk_key(const material::LawInfo& law) {
@@ -90,6 +101,7 @@ void add_law_keys(Schema& schema, const Node& material, const material::LawInfo&
         refuse(volumetric->place, volumetric_path,
                "the law " + std::string{law.name} + " states its own change of volume", "leave it out");
     }
+    schema.keys.push_back(density_key());
     if (law.fibers)
         schema.keys.push_back(
             {.path = frame_path,
@@ -167,6 +179,7 @@ model::Material material_of(const Values& values) {
             material.constants[std::string{parameter.name}] = values.numbers("material." + std::string{parameter.name});
         if (values.text(kappa_path) != "incompressible") material.bulk_modulus_Pa = values.number(kappa_path);
     }
+    if (values.text(density_path) != "none") material.density_kg_m3 = values.number(density_path);
     if (values.has(volumetric_path)) material.volumetric = volumetrics.at(values.text(volumetric_path));
     if (values.has(frame_path) && values.text(frame_path) == "cylindrical")
         material.fiber_frame = model::FiberFrame::cylindrical;

@@ -49,28 +49,50 @@ void check_law(const material::AnyRubber& rubber, double mu_Pa, std::vector<std:
                        core::rounded_text(range.least, 3) + " to " + core::rounded_text(range.most, 3) + ")");
 }
 
+void check_pressure(const std::string& path, double pressure_Pa, double mu_Pa, std::vector<std::string>& warnings) {
+    const double size_Pa = std::abs(pressure_Pa);
+    if (size_Pa > pressure_over_modulus * mu_Pa)
+        warnings.push_back(path + ": " + pressure_text(pressure_Pa) + " is far above the initial shear modulus " +
+                           pressure_text(mu_Pa));
+    if (size_Pa >= atmosphere_low_Pa && size_Pa <= atmosphere_high_Pa)
+        warnings.push_back(path + ": " + pressure_text(pressure_Pa) +
+                           " looks like an absolute pressure; pressures are gauge, above the surroundings");
+}
+
+/// An end between neither where the stage starts nor where it leads.
+void check_ends(const model::Stage& stage, const model::SupplyTarget& from, std::vector<std::string>& warnings) {
+    const model::SupplyTarget& to = stage.supplies.front();
+    constexpr auto pressure = model::Prescription::pressure;
+    if (from.what != pressure || to.what != pressure) return;
+    const std::string path = stage.name.empty() ? "path.until.pressure: " : "stage " + stage.name + ": until pressure: ";
+    for (const model::Until& until : stage.until)
+        if (until.quantity == "pressure" && (until.value - from.value) * (until.value - to.value) > 0)
+            warnings.push_back(path + pressure_text(until.value) + " is never reached, " +
+                               (stage.name.empty() ? "the path" : "the stage") + " ends at the full load " +
+                               pressure_text(to.value));
+}
+
+std::string load_path(const Design& design, const model::Stage& stage, const std::string& load) {
+    const std::string start = stage.name.empty() ? "" : "path.stages." + stage.name + ".", short_form = start + "loads." + load;
+    return (design.values.has(short_form + ".pressure") ? short_form : start + "loads.cavities." + load) + ".pressure";
+}
+
 void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& warnings) {
-    for (const model::PressureLoad& load : design.loads) {
-        const double size_Pa = std::abs(load.pressure_Pa);
-        const std::string path = "loads." + load.target + ".pressure: ";
-        if (size_Pa > pressure_over_modulus * mu_Pa)
-            warnings.push_back(path + pressure_text(load.pressure_Pa) + " is far above the initial shear modulus " +
-                               pressure_text(mu_Pa));
-        if (size_Pa >= atmosphere_low_Pa && size_Pa <= atmosphere_high_Pa)
-            warnings.push_back(path + pressure_text(load.pressure_Pa) +
-                               " looks like an absolute pressure; pressures are gauge, above the surroundings");
+    model::Stage before;
+    before.supplies.resize(design.loads.size());
+    for (const model::Stage& stage : design.path.stages) {
+        for (std::size_t i = 0; i < design.loads.size(); ++i) {
+            const model::SupplyTarget& target = stage.supplies[i];
+            if (target.what == model::Prescription::pressure && target.value != before.supplies[i].value)
+                check_pressure(load_path(design, stage, design.loads[i].name), target.value, mu_Pa, warnings);
+        }
+        if (!design.loads.empty()) check_ends(stage, before.supplies.front(), warnings);
+        before = stage;
     }
     for (const Design::TractionRequest& load : design.tractions)
         if (std::abs(load.traction_Pa) > pressure_over_modulus * mu_Pa)
             warnings.push_back("loads." + load.face + ".traction: " + pressure_text(load.traction_Pa) +
                                " is far above the initial shear modulus " + pressure_text(mu_Pa));
-    for (const model::Until& until : design.path.until) {
-        if (until.quantity != "pressure") continue;
-        const double full_Pa = design.loads.front().pressure_Pa;
-        if (until.value * full_Pa < 0 || std::abs(until.value) > std::abs(full_Pa))
-            warnings.push_back("path.until.pressure: " + pressure_text(until.value) +
-                               " is never reached, the path ends at the full load " + pressure_text(full_Pa));
-    }
 }
 
 std::string too_stiff(LockingChoice choice) {

@@ -3,7 +3,7 @@
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
 #include "design/formulation.hpp"
-#include "design/loads.hpp"
+#include "design/load_names.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
 
@@ -29,9 +29,26 @@ void fill_sections(Node& root, const Node& defaults) {
     }
 }
 
+FaceNames with_cavities(FaceNames names, const FamilyKeys& family) {
+    for (const std::string& cavity : family.cavities)
+        if (resolve_face(names, cavity) == cavity) names.cavities.push_back(cavity);
+    return names;
+}
+
+constexpr const char* cavities_path = "geometry.cavities";
+
+/// The cavities a design makes of the faces of its file.
+void add_cavity_keys(Schema& schema, const Node& root) {
+    for (const Member& cavity : members_of(root, cavities_path))
+        schema.keys.push_back({.path = std::string{cavities_path} + "." + cavity.key,
+                               .kind = Kind::faces,
+                               .meaning = "faces that together are the wall of this cavity, for loads.cavities"});
+    schema.names[cavities_path];
+}
+
 /// What supports, loads and outputs may name. Other checks need the faces, so a missing file is refused before them.
 FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys& family) {
-    if (!family.faces_of_file) return {family.faces, family.aliases};
+    if (!family.faces_of_file) return with_cavities({family.faces, family.aliases}, family);
     const Node* file = find_path(root, "geometry.file");
     if (file == nullptr || file->kind != Node::Kind::scalar)
         refuse(file == nullptr ? std::string{source} + ":1:1" : file->place, "geometry.file",
@@ -40,6 +57,15 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
     const Node* cavity = find_path(root, "geometry.cavity");
     const bool has_cavity = cavity != nullptr && (cavity->kind == Node::Kind::list || cavity->text != no_face);
     if (has_cavity && resolve_face(names, cavity_name).empty()) names.faces.emplace_back(cavity_name);
+    names = with_cavities(std::move(names), family);
+    for (const Member& own : members_of(root, cavities_path)) {
+        const std::string path = std::string{cavities_path} + "." + own.key;
+        if (!is_own_name(own.key)) refuse(own.place, path, "not a name of a cavity", own_name_remedy);
+        if (std::ranges::find(names.cavities, own.key) != names.cavities.end())
+            refuse(own.place, path, "there is a cavity of this name already", "call it otherwise");
+        if (resolve_face(names, own.key).empty()) names.faces.push_back(own.key);
+        names.cavities.push_back(own.key);
+    }
     return names;
 }
 
@@ -48,6 +74,17 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
 void override_tree(Node& root, std::span<const Override> overrides) {
     for (const Override& change : overrides)
         put(root, change.path, parse_fragment(change.value, "--set " + change.path));
+}
+
+Node overridden_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
+                       std::span<const Override> overrides) {
+    const Node written = parse_yaml(text, source);
+    Node root = written;
+    override_tree(root, overrides);
+    const FamilyKeys& family = family_of(root, source, families);   // an override may name it
+    root = written;
+    override_tree(root, in_names_of(written, overrides, {family.faces, family.aliases, {}}));
+    return root;
 }
 
 const FamilyKeys& family_of(const Node& root, std::string_view source, std::span<const FamilyKeys> families) {
@@ -74,23 +111,28 @@ const FamilyKeys& family_of(const Node& root, std::string_view source, std::span
 Checked check_design(Node root, std::string_view source, const FamilyKeys& family) {
     const Node defaults = parse_fragment(family.defaults, place_default);
     if (!family.faces_of_file) fill_sections(root, defaults);  // faces of a file have no usual roles
+    name_empty_ends(root);
+    Checked checked;
     Schema schema;
     schema.faces = face_names(root, source, family);
     Examples examples;
     append(schema.keys, head_keys(family));
     append(schema.keys, family.geometry);
+    if (family.faces_of_file) add_cavity_keys(schema, root);
     const bool of_revolution = std::ranges::find(family.models, "axisymmetric") != family.models.end();
     add_material_keys(schema, root, source, examples, of_revolution ? "cylindrical" : "cartesian");
     append(schema.keys, model_keys(family));
+    append(schema.keys, name_keys(family));
     add_support_keys(schema, root);
-    add_load_keys(schema, root, defaults, source, examples);
-    add_path_keys(schema, root);
+    checked.loads = add_load_keys(schema, root, defaults, source, examples);
+    checked.stages = add_path_keys(schema, root, checked.loads);
     add_output_keys(schema, root, defaults);
     append(schema.keys, solver_keys());
     for (const char* section : {"geometry", "supports", "loads", "outputs", "path.until", "solver"})
         schema.names[section];
-    std::vector<Item> items = collect(root, schema, source, examples);
-    return {std::move(items), std::move(schema.faces)};
+    checked.items = collect(root, schema, source, examples);
+    checked.faces = std::move(schema.faces);
+    return checked;
 }
 
 Values values_of(std::span<const Item> items) {
@@ -101,8 +143,7 @@ Values values_of(std::span<const Item> items) {
 
 Design read_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
                    std::span<const Override> overrides) {
-    Node root = parse_yaml(text, source);
-    override_tree(root, overrides);
+    Node root = overridden_design(text, source, families, overrides);
     const FamilyKeys& family = family_of(root, source, families);
     const Checked checked = check_design(std::move(root), source, family);
     Design design;
@@ -113,11 +154,15 @@ Design read_design(std::string_view text, std::string_view source, std::span<con
     design.supports = supports_of(checked.items, checked.faces, design.values);
     check_formulation(design.values);
     check_law_formulation(design.values, design.material);
-    Loads loads = loads_of(checked.items, checked.faces, design.values);
+    Loads loads = loads_of(checked.loads, design.values);
+    design.outputs = outputs_of(checked.items, checked.faces, design.values);
+    std::vector<std::string> outputs;
+    for (const Design::OutputRequest& output : design.outputs) outputs.push_back(output.name);
+    design.path = path_of({checked.stages, checked.loads, loads, outputs}, checked.items, design.values);
     design.loads = std::move(loads.pressures);
     design.tractions = std::move(loads.tractions);
-    design.path = path_of(checked.items, design.values);
-    design.outputs = outputs_of(checked.items, checked.faces, design.values);
+    design.body_forces = std::move(loads.body_forces);
+    design.motions = std::move(loads.motions);
     design.solver = solver_of(design.values);
     design.effective_yaml = write_yaml(tree_of(checked.items));
     design.warnings = plausibility(design);

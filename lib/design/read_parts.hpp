@@ -5,12 +5,17 @@
 #include <vector>
 
 #include "design/design.hpp"
+#include "design/path.hpp"
 #include "design/sections.hpp"
 
 namespace soft::design {
 
 /// Puts the overrides into the tree; their places are "--set path".
 void override_tree(Node& root, std::span<const Override> overrides);
+
+/// The design's tree with the overrides in it, those of loads under any name of the face.
+[[nodiscard]] Node overridden_design(std::string_view text, std::string_view source,
+                                     std::span<const FamilyKeys> families, std::span<const Override> overrides);
 
 /// The family a design names; Error(bad_input) with the nearest name.
 [[nodiscard]] const FamilyKeys& family_of(const Node& root, std::string_view source,
@@ -20,6 +25,8 @@ void override_tree(Node& root, std::span<const Override> overrides);
 struct Checked {
     std::vector<Item> items;
     FaceNames faces;
+    std::vector<LoadEntry> loads;
+    std::vector<StageEntry> stages;
 };
 [[nodiscard]] Checked check_design(Node root, std::string_view source, const FamilyKeys& family);
 

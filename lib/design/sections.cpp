@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
@@ -10,19 +11,16 @@ namespace soft::design {
 namespace {
 
 void check_output_name(const Member& output) {
-    constexpr std::size_t longest = 40;
-    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    const bool fine = is_letter(output.key.front()) && output.key.size() <= longest &&
-                      std::all_of(output.key.begin(), output.key.end(),
-                                  [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
-    if (!fine)
-        refuse(output.place, "outputs." + output.key, "not a name of an output",
-               "letters, digits and _, a letter first, at most 40");
+    if (!is_own_name(output.key))
+        refuse(output.place, "outputs." + output.key, "not a name of an output", own_name_remedy);
     const auto& taken = until_quantities();
     if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || output.key == "volume" ||
-        output.key == "step")
+        output.key == "step" || output.key == "stage")
         refuse(output.place, "outputs." + output.key, "the name is that of a quantity every path has",
                "call the output otherwise");
+    for (const char* word : {"first", "path", "none"})   // of path.controlled
+        if (output.key == word)
+            refuse(output.place, "outputs." + output.key, "the name is a word of the group path", "call the output otherwise");
 }
 
 /// Components of a support in the model's own coordinates (axisymmetric: x, r).
@@ -37,6 +35,30 @@ std::array<bool, 3> components_of(const std::string& component, const Values& va
     if (component == "r") return axisymmetric ? std::array{false, true, false} : std::array{false, true, true};
     if (axisymmetric) throw values.refuse(path, "an axisymmetric model has the components x and r", "use r, or fixed");
     return component == "y" ? std::array{false, true, false} : std::array{false, false, true};
+}
+
+const std::map<std::string, model::Measure>& measures() {
+    static const std::map<std::string, model::Measure> all = {{"displacement", model::Measure::displacement},
+                                                              {"bend", model::Measure::bend},
+                                                              {"twist", model::Measure::twist}};
+    return all;
+}
+
+std::string single_face(const Item& item, const FaceNames& faces, const Values& values) {
+    if (item.list.size() != 1)
+        throw values.refuse(item.key.path, "an output is measured on one face", "make one output a face");
+    return resolve_face(faces, item.list.front());
+}
+
+/// The axis of a bend or a twist: a section has none but its own z.
+void check_angle(const Values& values, const std::string& output) {
+    const std::string &model = values.text("model"), &along = values.text(output + ".along");
+    if (model == "axisymmetric")
+        throw values.refuse(output + ".measure", "the section of a body of revolution neither bends nor twists",
+                            "measure: displacement, or model: solid");
+    if (model == "plane-strain" && along != "z")
+        throw values.refuse(output + ".along", "in plane strain faces turn about z", "along: z");
+    if (along == "r") throw values.refuse(output + ".along", "r is no axis to turn about", "axis, x, y or z");
 }
 
 }  // namespace
@@ -55,7 +77,8 @@ std::string name_between(const std::string& path, std::string_view prefix, std::
 void check_direction(const Values& values, const std::string& path) {
     if (!values.has("model")) return;  // what solve changes: the direction is that of the case
     const std::string& model = values.text("model");
-    const std::string& along = values.text(path);
+    std::string along = values.text(path);
+    if (along.starts_with('-')) along.erase(0, 1);
     if (model == "axisymmetric" && (along == "y" || along == "z"))
         throw values.refuse(path, "an axisymmetric model has the directions x and r", "use axis, x or r");
     if (model == "plane-strain" && (along == "z" || along == "r"))
@@ -79,22 +102,16 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
     for (const Member& output : members_of(root, "outputs")) {
         check_output_name(output);
         schema.keys.push_back(output_face_key(output.key));
+        schema.keys.push_back(output_measure_key(output.key));
+        const Node* measure = find(output.value, "measure");
+        const bool bend = measure != nullptr && measure->text == "bend";
+        if (bend) schema.keys.push_back(output_reference_key(output.key));
+        if (const Member* reference = find_member(output.value, "reference"); reference != nullptr && !bend)
+            refuse(reference->place, "outputs." + output.key + ".reference", "only a bend is measured from another face",
+                   "leave it out, or write measure: bend");
         const Node* along = find_path(defaults, "outputs." + output.key + ".along");
-        schema.keys.push_back(output_along_key(output.key, along == nullptr ? "axis" : along->text));
+        schema.keys.push_back(output_along_key(output.key, bend ? "" : along == nullptr ? "axis" : along->text));
     }
-}
-
-void add_path_keys(Schema& schema, const Node& root) {
-    const auto& loads = members_of(root, "loads");
-    const bool cavity = std::any_of(loads.begin(), loads.end(), [&](const Member& load) {
-        return resolve_face(schema.faces, load.key) == cavity_name && find_member(load.value, "pressure") != nullptr;
-    });
-    schema.keys.push_back(control_key(cavity ? "volume" : "pressure"));
-    std::vector<std::string> ends = until_quantities();
-    for (const Member& output : members_of(root, "outputs")) ends.push_back(output.key);
-    for (const Member& until : members_of(root, "path.until"))
-        if (std::find(ends.begin(), ends.end(), until.key) != ends.end()) schema.keys.push_back(until_key(until.key));
-    schema.names["path.until"] = std::move(ends);
 }
 
 std::vector<model::Support> supports_of(std::span<const Item> items, const FaceNames& faces, const Values& values) {
@@ -120,40 +137,19 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
     for (const Item& item : items) {
         const std::string name = name_between(item.key.path, "outputs.", ".face");
         if (name.empty()) continue;
-        if (item.list.size() != 1)
-            throw values.refuse(item.key.path, "an output is measured on one face", "make one output a face");
-        const std::string along = "outputs." + name + ".along";
-        check_direction(values, along);
-        outputs.push_back({name, resolve_face(faces, item.list.front()), values.text(along)});
+        Design::OutputRequest output{name, single_face(item, faces, values), values.text("outputs." + name + ".along"),
+                                     measures().at(values.text("outputs." + name + ".measure")), {}};
+        if (output.measure == model::Measure::displacement)
+            check_direction(values, "outputs." + name + ".along");
+        else
+            check_angle(values, "outputs." + name);
+        for (const Item& other : items)
+            if (other.key.path == "outputs." + name + ".reference") output.reference = single_face(other, faces, values);
+        if (output.reference == output.face)
+            throw values.refuse("outputs." + name + ".reference", "a face does not bend away from itself", "name the held face");
+        outputs.push_back(std::move(output));
     }
     return outputs;
-}
-
-model::PathSettings path_of(std::span<const Item> items, const Values& values) {
-    static const std::map<std::string, model::Control> controls = {{"pressure", model::Control::pressure},
-                                                                   {"volume", model::Control::volume},
-                                                                   {"displacement", model::Control::displacement},
-                                                                   {"arc-length", model::Control::arc_length}};
-    const bool cavity = values.has("loads." + std::string{cavity_name} + ".pressure");
-    const bool pressed = std::any_of(items.begin(), items.end(), [](const Item& item) {
-        return !name_between(item.key.path, "loads.", ".pressure").empty();
-    });
-    model::PathSettings path;
-    path.control = controls.at(values.text("path.control"));
-    if (path.control == model::Control::volume && !cavity)
-        throw values.refuse("path.control", "no cavity is loaded, so there is no volume to prescribe", "use pressure");
-    for (const Item& item : items) {
-        const std::string quantity = name_between(item.key.path, "path.until.", "");
-        if (quantity.empty()) continue;
-        if (item.entry.number == 0)
-            throw values.refuse(item.key.path, "0 is where the path starts", "write where it shall end");
-        if (quantity == "volume_ratio" && !cavity)
-            throw values.refuse(item.key.path, "no cavity is loaded, so there is no volume", "use pressure or steps");
-        if (quantity == "pressure" && !pressed)
-            throw values.refuse(item.key.path, "no load is a pressure", "use an output or steps");
-        path.until.push_back({quantity, item.entry.number});
-    }
-    return path;
 }
 
 model::SolverSettings solver_of(const Values& values) {

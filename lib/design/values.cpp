@@ -34,6 +34,16 @@ bool Values::given(std::string_view path) const {
 
 bool Values::has(std::string_view path) const { return entries_.contains(path); }
 
+std::vector<std::string> Values::names_below(std::string_view group) const {
+    const std::string prefix = std::string{group} + ".";
+    std::vector<std::string> names;
+    for (auto entry = entries_.lower_bound(prefix); entry != entries_.end() && entry->first.starts_with(prefix); ++entry) {
+        std::string name = entry->first.substr(prefix.size(), entry->first.find('.', prefix.size()) - prefix.size());
+        if (names.empty() || names.back() != name) names.push_back(std::move(name));
+    }
+    return names;
+}
+
 Error Values::refuse(std::string_view path, std::string_view problem, std::string_view remedy) const {
     const auto entry = entries_.find(path);
     std::string place = entry == entries_.end() ? std::string{} : entry->second.place;

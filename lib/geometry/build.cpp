@@ -7,8 +7,8 @@
 
 #include "core/text.hpp"
 #include "element/reference_cell.hpp"
+#include "geometry/loading.hpp"
 #include "geometry/section_mesher.hpp"
-#include "mesh/cell_map.hpp"
 #include "mesh/raise_order.hpp"
 #include "mesh/refine.hpp"
 #include "mesh/split.hpp"
@@ -77,17 +77,6 @@ void add_middle_planes(Solid& solid) {
         if (!solid.symmetry_planes[c]) solid.mesh.facet_sets[names[c]] = facets_on_plane(solid.mesh, c);
 }
 
-bool holds(const mesh::Mesh& mesh, const std::string& face) { return mesh.facet_sets.contains(face); }
-
-void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& place, const Family& family) {
-    if (holds(mesh, face)) return;
-    std::vector<std::string> present;
-    for (const std::string& name : family.keys.faces)
-        if (holds(mesh, name)) present.push_back(name);
-    throw Error(ExitCode::bad_input, place, "face " + core::quoted(face) + " is not part of this model",
-                "faces it has: " + core::join(present));
-}
-
 /// What follows from the shape: symmetry planes, the axis, and the middle planes of a body nobody holds.
 std::vector<model::Support> own_supports(const Body& body, const Solid& solid) {
     if (std::holds_alternative<ReadyMesh>(body.sweep)) return {};   // its faces are the user's, whatever they are called
@@ -99,28 +88,12 @@ std::vector<model::Support> own_supports(const Body& body, const Solid& solid) {
                                                {axis_face, 1}, {"middle_y", 1}, {"middle_z", 2}}};
     std::vector<model::Support> supports;
     for (const Named& candidate : candidates) {
-        if (!holds(solid.mesh, candidate.face)) continue;
+        if (!solid.mesh.facet_sets.contains(candidate.face)) continue;
         model::Support support{candidate.face, {}};
         support.fixed[candidate.component] = true;
         supports.push_back(support);
     }
     return supports;
-}
-
-/// Area mean of the outward unit normal of a face; shorter than 1 where the face is not flat.
-std::array<double, 3> mean_normal(const Solid& solid, const std::string& face) {
-    std::array<double, 3> sum{};
-    double area = 0;
-    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(face)) {
-        const mesh::CellType type = facet_type(solid.mesh, facet);
-        for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
-            const auto n = mesh::facet_normal(solid.mesh, facet, mesh::shape_values(type, point.xi));
-            for (std::size_t i = 0; i < 3; ++i) sum[i] += point.weight * n[i];
-            area += point.weight * std::hypot(n[0], n[1], n[2]);
-        }
-    }
-    for (double& component : sum) component /= area;
-    return sum;
 }
 
 bool says(const design::Values& values, const char* path, std::string_view word) {
@@ -135,20 +108,6 @@ model::Formulation formulation_of(const design::Values& values, const mesh::Mesh
         if (const std::string reason = element::why_not(type, formulation); !reason.empty())
             throw values.refuse("mesh.formulation", reason);
     return formulation;
-}
-
-/// Loads of the whole actuator on its faces, with `along` turned into a vector.
-std::vector<model::TractionLoad> tractions_of(const design::Design& design, const Body& body, const Solid& solid,
-                                              const Family& family) {
-    std::vector<model::TractionLoad> tractions;
-    for (const auto& request : design.tractions) {
-        const std::string place = "loads." + request.face;
-        require_face(solid.mesh, request.face, place, family);
-        auto traction = direction_of({place + ".along", request.face, request.along}, body, solid);
-        for (double& component : traction) component *= request.traction_Pa;
-        tractions.push_back({request.face, traction});
-    }
-    return tractions;
 }
 
 /// The section meshed and swept, or the mesh that is there.
@@ -185,27 +144,6 @@ Solid mesh_body(const Body& body, const design::Values& values) {
     return solid;
 }
 
-std::array<double, 3> direction_of(const Heading& heading, const Body& body, const Solid& solid) {
-    const std::string &place = heading.place, &along = heading.along;
-    if (along == "axis") return body.axis;
-    if (along == "x") return {1, 0, 0};
-    if (along == "normal") {
-        constexpr double flat = 1 - 1e-9;   // rounding of the sums; a curved face falls far below
-        const auto n = mean_normal(solid, heading.face);
-        if (std::hypot(n[0], n[1], n[2]) < flat)
-            throw Error(ExitCode::bad_input, place, "face " + core::quoted(heading.face) + " is not flat", "axis, x, y or z");
-        return n;
-    }
-    // The mean of y or z over a whole turn says nothing of a section, and r is no fixed direction of a solid.
-    const bool revolved = solid.kinematics == model::Kinematics::axisymmetric;
-    const bool plane = solid.kinematics == model::Kinematics::plane_strain;
-    if (along == "r" && revolved) return {0, 1, 0};
-    if (along == "y" && !revolved) return {0, 1, 0};
-    if (along == "z" && !revolved && !plane) return {0, 0, 1};
-    throw Error(ExitCode::bad_input, place, core::quoted(along) + " is no direction of this model",
-                revolved ? "axis, x, r or normal" : plane ? "axis, x, y or normal" : "axis, x, y, z or normal");
-}
-
 std::vector<std::string> warnings_of(const design::Design& design, const model::Case& built) {
     std::vector<std::string> warnings = design.warnings;
     const auto locks = [](mesh::CellType type) { return type == mesh::CellType::triangle3 || type == mesh::CellType::tet4; };
@@ -219,13 +157,7 @@ model::Case build_case(const design::Design& design) {
     const Family& family = family_named(design.family);
     const Body body = family.build(design.values);
     Solid solid = mesh_body(body, design.values);
-    for (const model::Support& support : design.supports) require_face(solid.mesh, support.face, "supports", family);
-    for (const model::PressureLoad& load : design.loads) {
-        const auto named = [&](const model::Cavity& cavity) { return cavity.name == load.target; };
-        if (std::none_of(body.cavities.begin(), body.cavities.end(), named))
-            require_face(solid.mesh, load.target, "loads." + load.target, family);
-    }
-
+    for (const model::Support& support : design.supports) require_face(solid.mesh, support.face, "supports", family.keys);
     if (const std::string reason = model::why_not(design.material, solid.kinematics); !reason.empty())
         throw design.values.refuse("material.families", reason);
 
@@ -243,13 +175,8 @@ model::Case build_case(const design::Design& design) {
     for (model::Support& support : own_supports(body, solid)) result.supports.push_back(std::move(support));
     result.supports.insert(result.supports.end(), body.supports.begin(), body.supports.end());
     result.cavities = body.cavities;
-    result.loads = design.loads;
-    result.tractions = tractions_of(design, body, solid, family);
-    for (const auto& request : design.outputs) {
-        require_face(solid.mesh, request.face, "outputs." + request.name + ".face", family);
-        result.outputs.push_back({request.name, request.face,
-                                  direction_of({"outputs." + request.name + ".along", request.face, request.along}, body, solid)});
-    }
+    add_loads(result, design, {family.keys, body, solid});
+    add_outputs(result, design, {family.keys, body, solid});
     result.path = design.path;
     result.solver = design.solver;
     result.mesh = std::move(solid.mesh);

@@ -22,13 +22,4 @@ struct Solid {
 };
 [[nodiscard]] Solid mesh_body(const Body& body, const design::Values& values);
 
-/// A direction asked for at a face.
-struct Heading {
-    std::string place;   ///< of the key, for errors: "outputs.elongation.along"
-    std::string face;
-    std::string along;   ///< axis | x | y | z | r | normal
-};
-/// Its unit vector; `normal` points out of the undeformed face and needs a flat one.
-[[nodiscard]] std::array<double, 3> direction_of(const Heading& heading, const Body& body, const Solid& solid);
-
 }  // namespace soft::geometry

@@ -61,6 +61,8 @@ struct Family {
 [[nodiscard]] Family bellows();
 [[nodiscard]] Family panel();
 [[nodiscard]] Family ring();
+[[nodiscard]] Family two_spheres();
+[[nodiscard]] Family dome();
 [[nodiscard]] Family imported();
 
 /// All families, in the order of --list.

@@ -92,17 +92,25 @@ std::vector<std::string> listed(const std::string& text) {
     return names;
 }
 
+/// The key that says whether a cavity's load is sealed; one that shares its gas goes by the other's.
+std::string sealed_key(const design::Values& values, const std::string& cavity) {
+    const std::string named = "loads.cavities." + cavity;
+    if (values.has(named + ".shares")) return sealed_key(values, values.text(named + ".shares"));
+    return values.has(named + ".sealed") ? named + ".sealed" : "loads.cavity.sealed";
+}
+
 /// The plugs a sealed load would need. One that no single named face surrounds holds to the sides beside it.
-std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics) {
-    constexpr const char* sealed = "loads.cavity.sealed";
+std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values, const std::string& cavity,
+                                  Kinematics kinematics) {
+    const std::string sealed = sealed_key(values, cavity);
     const bool wanted = values.has(sealed) && values.text(sealed) == "true";
     std::vector<model::Opening> openings;
-    for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity_face), kinematics)) {
+    for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity), kinematics)) {
         if (found.opening.face.empty()) {
             if (wanted)
                 throw values.refuse(sealed, "no single named face surrounds an opening of the cavity, for its plug to hold to",
                                     "sealed: false, or name the face around the hole in the mesh");
-            found.opening.face = "cavity_rim_" + std::to_string(openings.size() + 1);
+            found.opening.face = cavity + "_rim_" + std::to_string(openings.size() + 1);
             mesh.facet_sets[found.opening.face] = std::move(found.around);
         }
         openings.push_back(std::move(found.opening));
@@ -110,27 +118,52 @@ std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values
     return openings;
 }
 
-/// The listed faces together become the face "cavity"; without a list a face of that name is the cavity.
-std::vector<model::Cavity> add_cavity(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics) {
-    constexpr const char* key = "geometry.cavity";
+/// The listed faces together become the cavity's wall, a face of its name; a face of the file may have that name itself.
+void add_wall(mesh::Mesh& mesh, const design::Values& values, const std::string& key, const std::string& cavity) {
     const std::string& text = values.text(key);
-    const bool named = mesh.facet_sets.contains(cavity_face);
-    if (text == "none" && !named) return {};
-    if (text != "none" && text != cavity_face) {
-        if (named)
-            throw values.refuse(key, "the file has a face called 'cavity' already", "rename it, or write cavity: cavity");
-        std::set<mesh::Facet> all;
-        for (const std::string& name : listed(text)) {
-            const auto face = mesh.facet_sets.find(name);
-            if (face == mesh.facet_sets.end())
-                throw values.refuse(key, "the file has no face " + core::quoted(name), "take it out of the list");
-            all.insert(face->second.begin(), face->second.end());
-        }
-        mesh.facet_sets[cavity_face].assign(all.begin(), all.end());
-    } else if (!named) {
-        throw values.refuse(key, "the file has no face 'cavity'", "list the faces of the cavity's wall");
+    const bool named = mesh.facet_sets.contains(cavity);
+    if (text == "none" || text == cavity) {
+        if (!named)
+            throw values.refuse(key, "the file has no face " + core::quoted(cavity), "list the faces of the cavity's wall");
+        return;
     }
-    return {{cavity_face, cavity_face, {}, plugs(mesh, values, kinematics)}};
+    if (named)
+        throw values.refuse(key, "the file has a face called " + core::quoted(cavity) + " already",
+                            "rename it, or write " + cavity + ": " + cavity);
+    std::set<mesh::Facet> all;
+    for (const std::string& name : listed(text)) {
+        const auto face = mesh.facet_sets.find(name);
+        if (face == mesh.facet_sets.end())
+            throw values.refuse(key, "the file has no face " + core::quoted(name), "take it out of the list");
+        all.insert(face->second.begin(), face->second.end());
+    }
+    mesh.facet_sets[cavity].assign(all.begin(), all.end());
+}
+
+/// Pressure on a side that two cavities claim would act twice.
+void refuse_common_walls(const mesh::Mesh& mesh, const design::Values& values, const std::vector<model::Cavity>& cavities) {
+    std::map<mesh::Facet, std::string> owners;
+    for (const model::Cavity& cavity : cavities)
+        for (const mesh::Facet& facet : mesh.facet_sets.at(cavity.wall))
+            if (const auto [owner, fresh] = owners.try_emplace(facet, cavity.name); !fresh)
+                throw values.refuse("geometry.cavities." + cavity.name, "its wall and that of " + core::quoted(owner->second) + " have sides in common",
+                                    "each face belongs to one cavity");
+}
+
+std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics) {
+    constexpr const char *key = "geometry.cavity", *group = "geometry.cavities";
+    std::vector<std::string> names = values.names_below(group);
+    for (const std::string& name : names) add_wall(mesh, values, std::string{group} + "." + name, name);
+    const bool own = std::ranges::find(names, cavity_face) == names.end();
+    if (own && (values.text(key) != "none" || mesh.facet_sets.contains(cavity_face))) {
+        add_wall(mesh, values, key, cavity_face);
+        names.insert(names.begin(), cavity_face);
+    }
+    std::vector<model::Cavity> cavities;
+    for (const std::string& name : names) cavities.push_back({name, name, {}, {}});
+    refuse_common_walls(mesh, values, cavities);
+    for (model::Cavity& cavity : cavities) cavity.openings = plugs(mesh, values, cavity.name, kinematics);
+    return cavities;
 }
 
 mesh::Mesh of_wished_order(mesh::Mesh mesh, const design::Values& values) {
@@ -148,7 +181,7 @@ Body build(const design::Values& values) {
     Body body;
     if (ready.kinematics == Kinematics::axisymmetric && ready.mesh.facet_sets.contains(axis_face))
         body.supports = {{axis_face, {false, true, false}}};
-    body.cavities = add_cavity(ready.mesh, values, ready.kinematics);
+    body.cavities = add_cavities(ready.mesh, values, ready.kinematics);
     ready.mesh = of_wished_order(std::move(ready.mesh), values);
     body.sweep = std::move(ready);
     return body;
@@ -165,7 +198,7 @@ std::vector<design::Key> geometry_keys() {
             {.path = "geometry.cavity",
              .kind = Kind::faces,
              .fallback = "none",
-             .meaning = "faces that together are the wall of a cavity, for loads.cavity",
+             .meaning = "faces that together are the wall of a cavity, for loads.cavity; cavities: {name: faces, ...} for several",
              .choices = {"none"}}};
 }
 

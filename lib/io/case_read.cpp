@@ -5,34 +5,16 @@
 #include "core/hash.hpp"
 #include "core/text.hpp"
 #include "io/case_check.hpp"
+#include "io/columns.hpp"
 #include "io/image.hpp"
 #include "io/names.hpp"
 #include "io/provenance_io.hpp"
+#include "io/solve_parts.hpp"
 
 namespace soft::io {
 namespace {
 
 constexpr std::int64_t most = std::int64_t{1} << 31;   // of points or cells: far beyond any mesh that can be solved
-
-template <class T>
-std::array<T, 3> triple(const auto& values, std::size_t row) {
-    return {static_cast<T>(values[3 * row]), static_cast<T>(values[3 * row + 1]), static_cast<T>(values[3 * row + 2])};
-}
-
-std::int64_t extent(std::size_t size) { return static_cast<std::int64_t>(size); }
-
-/// Members of a group in the order of their `order` datasets, which must be 0, 1, 2 ...
-std::vector<std::string> ordered_names(const GroupReader& group) {
-    const std::vector<std::string> names = group.names();
-    std::vector<std::string> ordered(names.size());
-    for (const std::string& name : names) {
-        const std::int64_t order = group.group(name).count("order", 0, extent(names.size()) - 1);
-        auto& slot = ordered[static_cast<std::size_t>(order)];
-        if (!slot.empty()) throw group.refuse(name + "/order", "is the same as that of " + core::quoted(slot));
-        slot = name;
-    }
-    return ordered;
-}
 
 void read_vtkhdf(const GroupReader& group, mesh::Mesh& mesh) {
     if (group.integer_attribute("Version", 2) != std::vector<std::int64_t>{1, 0})
@@ -89,23 +71,6 @@ void read_mesh(const GroupReader& group, model::Case& model) {
     for (const std::string& name : points.names()) mesh.point_sets[name] = points.array<std::int64_t>(name, {any});
 }
 
-std::vector<model::Material> read_materials(const GroupReader& group) {
-    std::vector<model::Material> materials;
-    for (const std::string& name : ordered_names(group)) {
-        const GroupReader one = group.group(name);
-        model::Material& material = materials.emplace_back();
-        material.name = name;
-        material.law = one.text("law");
-        material.volumetric = one.word("volumetric", volumetric_names);
-        // Absent in files from before laws with fibres.
-        if (one.has("fiber_frame")) material.fiber_frame = one.word("fiber_frame", fiber_frame_names);
-        if (one.has("bulk_modulus")) material.bulk_modulus_Pa = one.number("bulk_modulus");
-        const GroupReader constants = one.group("constants");
-        for (const std::string& key : constants.names()) material.constants[key] = constants.array<double>(key, {any});
-    }
-    return materials;
-}
-
 std::vector<model::Support> read_supports(const GroupReader& group) {
     const auto faces = group.texts("face");
     const auto fixed = group.flags("fixed", {extent(faces.size()), 3});
@@ -132,50 +97,31 @@ std::vector<model::Cavity> read_cavities(const GroupReader& group) {
     return cavities;
 }
 
-std::vector<model::PressureLoad> read_loads(const GroupReader& group) {
-    const auto targets = group.texts("target");
-    const auto pressures = group.array<double>("pressure", {extent(targets.size())});
-    const auto sealed = group.flags("sealed", {extent(targets.size())});
-    std::vector<model::PressureLoad> loads;
-    for (std::size_t i = 0; i < targets.size(); ++i) loads.push_back({targets[i], pressures[i], sealed[i] == 1});
-    return loads;
-}
-
-std::vector<model::TractionLoad> read_tractions(const GroupReader& group) {
-    const auto faces = group.texts("face");
-    const auto values = group.array<double>("traction", {extent(faces.size()), 3});
-    std::vector<model::TractionLoad> tractions;
-    for (std::size_t i = 0; i < faces.size(); ++i) tractions.push_back({faces[i], triple<double>(values, i)});
-    return tractions;
-}
-
 std::vector<model::Output> read_outputs(const GroupReader& group) {
     const auto names = group.texts("name");
     const auto faces = group.texts("face", extent(names.size()));
     const auto directions = group.array<double>("direction", {extent(names.size()), 3});
+    const auto measures = read_words(group, "measure", measure_names, extent(names.size()));
+    const auto references = group.texts("reference", extent(names.size()));
     std::vector<model::Output> outputs;
     for (std::size_t i = 0; i < names.size(); ++i)
-        outputs.push_back({names[i], faces[i], triple<double>(directions, i)});
+        outputs.push_back({names[i], faces[i], triple<double>(directions, i), measures[i], references[i]});
     return outputs;
 }
 
-void read_control(const GroupReader& group, model::PathSettings& path, model::SolverSettings& solver) {
-    path.control = group.word("control", control_names);
-    const GroupReader until = group.group("until");
-    const auto quantities = until.texts("quantity");
-    const auto values = until.array<double>("value", {extent(quantities.size())});
-    for (std::size_t i = 0; i < quantities.size(); ++i) path.until.push_back({quantities[i], values[i]});
-    const GroupReader settings = group.group("solver");
-    solver.residual_tolerance = settings.number("residual_tolerance");
-    solver.newton_limit = settings.small_count("newton_limit", 1);
-    solver.first_step = settings.number("first_step");
-    solver.largest_step = settings.number("largest_step");
-    solver.smallest_step = settings.number("smallest_step");
-    solver.step_limit = settings.small_count("step_limit", 1);
-    solver.step_accuracy = settings.number("step_accuracy");
-}
-
 }  // namespace
+
+std::vector<std::string> ordered_names(const GroupReader& group) {
+    const std::vector<std::string> names = group.names();
+    std::vector<std::string> ordered(names.size());
+    for (const std::string& name : names) {
+        const std::int64_t order = group.group(name).count("order", 0, extent(names.size()) - 1);
+        auto& slot = ordered[static_cast<std::size_t>(order)];
+        if (!slot.empty()) throw group.refuse(name + "/order", "is the same as that of " + core::quoted(slot));
+        slot = name;
+    }
+    return ordered;
+}
 
 DesignText read_design_text(const GroupReader& group) {
     DesignText design{group.has("family") ? group.text("family") : std::string{}, group.text("effective_yaml"),
@@ -193,14 +139,10 @@ CaseFile read_case_groups(const GroupReader& root) {
     model.name = design.text("name");
     read_vtkhdf(root.group("VTKHDF"), model.mesh);
     read_mesh(root.group("mesh"), model);
-    model.materials = read_materials(root.group("materials"));
     model.supports = read_supports(root.group("supports"));
-    const GroupReader loads = root.group("loads");
-    model.cavities = read_cavities(loads.group("cavities"));
-    model.loads = read_loads(loads);
-    if (loads.has("tractions")) model.tractions = read_tractions(loads.group("tractions"));
+    model.cavities = read_cavities(root.group("loads").group("cavities"));
+    read_solve_parts(root, model);
     model.outputs = read_outputs(root.group("outputs"));
-    read_control(root.group("control"), model.path, model.solver);
     file.provenance = read_provenance(root);
     check_case(model, root.origin().source, ExitCode::bad_input);
     return file;

@@ -1,9 +1,12 @@
 #include "io/journal.hpp"
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "core/error.hpp"
 
@@ -28,8 +31,9 @@ public:
 
 private:
     void append(const void* data, std::size_t size) {
-        const auto* first = static_cast<const std::byte*>(data);
-        bytes_.insert(bytes_.end(), first, first + size);
+        const std::size_t end = bytes_.size();
+        bytes_.resize(end + size);
+        if (size > 0) std::memcpy(bytes_.data() + end, data, size);
     }
     std::vector<std::byte> bytes_;
 };
@@ -42,6 +46,8 @@ public:
     T get() {
         T value;
         take(&value, sizeof value);
+        if constexpr (std::is_floating_point_v<T>)
+            if (!std::isfinite(value)) refuse();
         return value;
     }
     int get_count() {
@@ -59,6 +65,8 @@ public:
         if (size > bytes_.size() / sizeof(double)) refuse();
         std::vector<double> values(static_cast<std::size_t>(size));
         if (!values.empty()) take(values.data(), values.size() * sizeof(double));
+        for (const double value : values)
+            if (!std::isfinite(value)) refuse();
         return values;
     }
     std::optional<double> get_optional() {
@@ -84,25 +92,53 @@ private:
     std::string_view source_;
 };
 
+/// Of a step, in the order of the record.
+constexpr std::array numbers{&solution::Step::load_factor,     &solution::Step::pressure_Pa,
+                             &solution::Step::tangent_load_factor, &solution::Step::tangent_pressure,
+                             &solution::Step::tangent_volume,  &solution::Step::stretch_p99,
+                             &solution::Step::max_stretch,     &solution::Step::min_jacobian};
+constexpr std::array lists{&solution::Step::pressures_Pa,      &solution::Step::volumes_m3,
+                           &solution::Step::outputs,           &solution::Step::tangent_pressures,
+                           &solution::Step::tangent_volumes,   &solution::Step::tangent_outputs};
+constexpr std::array counts{&solution::Step::stage, &solution::Step::newton_iterations, &solution::Step::factorizations};
+
+/// Of a state of the solver, and of the loads where a stage begins.
+constexpr std::array state_lists{&solution::StatePoint::unknowns, &solution::StatePoint::tangent_unknowns,
+                                 &solution::StatePoint::pressures_Pa, &solution::StatePoint::tangent_pressures,
+                                 &solution::StatePoint::outputs};
+constexpr std::array state_numbers{&solution::StatePoint::load_factor, &solution::StatePoint::tangent_load_factor,
+                                   &solution::StatePoint::power, &solution::StatePoint::q};
+constexpr std::array start_lists{&solution::StageStart::pressures_Pa, &solution::StageStart::volumes_m3,
+                                 &solution::StageStart::masses_kg,    &solution::StageStart::tractions,
+                                 &solution::StageStart::body_forces,  &solution::StageStart::motions};
+constexpr std::array checkpoint_numbers{&solution::Checkpoint::step, &solution::Checkpoint::first_step,
+                                        &solution::Checkpoint::first_slope};
+constexpr std::array checkpoint_counts{&solution::Checkpoint::ranks, &solution::Checkpoint::rows,
+                                       &solution::Checkpoint::stage, &solution::Checkpoint::stage_first_row,
+                                       &solution::Checkpoint::control};
+constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &solution::Checkpoint::on_branch};
+
+/// Does not compile where a struct has a member more than is kept here: then a resumed path would not be the same.
+[[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
+    [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19] = step;
+    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, last, c10, c11, c12, end] = checkpoint;
+    [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6] = start;
+    [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10] = last;
+    [[maybe_unused]] const auto& [reason, detail, e1, bifurcations, e2, e3] = end;
+    [[maybe_unused]] const auto& [at, b1, b2] = bifurcations.front();
+    [[maybe_unused]] const auto& [a1, a2, a3, a4] = at;
+}
+
 }  // namespace
 
 std::vector<std::byte> encode_step(const solution::Step& step, std::span<const double> displacement,
                                    std::span<const double> pressure) {
     Packer packer;
-    packer.put(step.load_factor);
-    packer.put(step.pressure_Pa);
+    for (const auto member : counts) packer.put(std::int64_t{step.*member});
+    for (const auto member : numbers) packer.put(step.*member);
+    for (const auto member : lists) packer.put_list(step.*member);
     packer.put_optional(step.volume_m3);
-    packer.put_list(step.outputs_m);
-    packer.put(step.tangent_load_factor);
-    packer.put(step.tangent_pressure);
-    packer.put(step.tangent_volume);
-    packer.put_list(step.tangent_outputs);
-    packer.put(std::int64_t{step.newton_iterations});
-    packer.put(std::int64_t{step.factorizations});
     packer.put(std::uint64_t{step.stable});
-    packer.put(step.stretch_p99);
-    packer.put(step.max_stretch);
-    packer.put(step.min_jacobian);
     packer.put_list(displacement);
     packer.put_list(pressure);
     return packer.take();
@@ -112,20 +148,11 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     Unpacker unpacker{payload, source};
     JournalStep record;
     solution::Step& step = record.step;
-    step.load_factor = unpacker.get<double>();
-    step.pressure_Pa = unpacker.get<double>();
+    for (const auto member : counts) step.*member = unpacker.get_count();
+    for (const auto member : numbers) step.*member = unpacker.get<double>();
+    for (const auto member : lists) step.*member = unpacker.get_list();
     step.volume_m3 = unpacker.get_optional();
-    step.outputs_m = unpacker.get_list();
-    step.tangent_load_factor = unpacker.get<double>();
-    step.tangent_pressure = unpacker.get<double>();
-    step.tangent_volume = unpacker.get<double>();
-    step.tangent_outputs = unpacker.get_list();
-    step.newton_iterations = unpacker.get_count();
-    step.factorizations = unpacker.get_count();
     step.stable = unpacker.get_flag();
-    step.stretch_p99 = unpacker.get<double>();
-    step.max_stretch = unpacker.get<double>();
-    step.min_jacobian = unpacker.get<double>();
     record.displacement_m = unpacker.get_list();
     record.pressure_Pa = unpacker.get_list();
     unpacker.require_end();
@@ -134,67 +161,91 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
 
 namespace {
 
-void put_point(Packer& packer, const solution::StatePoint& point) {
-    packer.put_list(point.unknowns);
-    packer.put_list(point.tangent_unknowns);
-    for (const double value : {point.load_factor, point.tangent_load_factor, point.q}) packer.put(value);
-    packer.put_optional(point.excess_pivots ? std::optional<double>(*point.excess_pivots) : std::nullopt);
+void put_state(Packer& packer, const solution::StatePoint& point) {
+    for (const auto member : state_lists) packer.put_list(point.*member);
+    for (const auto member : state_numbers) packer.put(point.*member);
+    packer.put_optional(point.unstable_modes ? std::optional<double>(*point.unstable_modes) : std::nullopt);
 }
 
-solution::StatePoint get_point(Unpacker& unpacker) {
+solution::StatePoint get_state(Unpacker& unpacker) {
     solution::StatePoint point;
-    point.unknowns = unpacker.get_list();
-    point.tangent_unknowns = unpacker.get_list();
-    for (double* value : {&point.load_factor, &point.tangent_load_factor, &point.q}) *value = unpacker.get<double>();
-    if (const auto pivots = unpacker.get_optional()) point.excess_pivots = static_cast<int>(*pivots);
+    for (const auto member : state_lists) point.*member = unpacker.get_list();
+    for (const auto member : state_numbers) point.*member = unpacker.get<double>();
+    if (const auto modes = unpacker.get_optional()) point.unstable_modes = static_cast<int>(*modes);
     return point;
+}
+
+void put_place(Packer& packer, const solution::LimitPoint& point) {
+    packer.put(std::int64_t{point.step});
+    packer.put(point.pressure_Pa);
+    packer.put_optional(point.volume_m3);
+    packer.put_list(point.outputs);
+}
+
+solution::LimitPoint get_place(Unpacker& unpacker) {
+    solution::LimitPoint point;
+    point.step = unpacker.get_count();
+    point.pressure_Pa = unpacker.get<double>();
+    point.volume_m3 = unpacker.get_optional();
+    point.outputs = unpacker.get_list();
+    return point;
+}
+
+/// Without the reason, which a path that is still followed does not have.
+void put_end(Packer& packer, const solution::PathEnd& end) {
+    packer.put(std::int64_t{end.newton_iterations});
+    packer.put(std::int64_t{end.factorizations});
+    packer.put(static_cast<std::uint64_t>(end.limit_points.size()));
+    for (const auto& limit : end.limit_points) put_place(packer, limit);
+    packer.put(static_cast<std::uint64_t>(end.bifurcations.size()));
+    for (const auto& bifurcation : end.bifurcations) {
+        put_place(packer, bifurcation.at);
+        packer.put(std::int64_t{bifurcation.modes});
+        packer.put_list(bifurcation.mode);
+    }
+}
+
+solution::PathEnd get_end(Unpacker& unpacker) {
+    solution::PathEnd end;
+    end.newton_iterations = unpacker.get_count();
+    end.factorizations = unpacker.get_count();
+    for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) end.limit_points.push_back(get_place(unpacker));
+    for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) {
+        auto& bifurcation = end.bifurcations.emplace_back();
+        bifurcation.at = get_place(unpacker);
+        bifurcation.modes = unpacker.get_count();
+        bifurcation.mode = unpacker.get_list();
+    }
+    return end;
 }
 
 }  // namespace
 
 std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint) {
     Packer packer;
-    packer.put(std::int64_t{checkpoint.ranks});
-    packer.put(std::int64_t{checkpoint.rows});
-    packer.put(std::int64_t{checkpoint.control});
-    packer.put(checkpoint.control_output);
+    for (const auto member : checkpoint_counts) packer.put(std::int64_t{checkpoint.*member});
+    packer.put(checkpoint.controlled);
+    for (const auto member : checkpoint_flags) packer.put(std::uint64_t{checkpoint.*member});
+    for (const auto member : start_lists) packer.put_list(checkpoint.start.*member);
     packer.put(std::uint64_t{checkpoint.before.has_value()});
-    if (checkpoint.before) put_point(packer, *checkpoint.before);
-    put_point(packer, checkpoint.last);
-    packer.put(checkpoint.step);
-    packer.put(checkpoint.first_step);
-    packer.put(std::int64_t{checkpoint.so_far.newton_iterations});
-    packer.put(std::int64_t{checkpoint.so_far.factorizations});
-    packer.put(static_cast<std::uint64_t>(checkpoint.so_far.limit_points.size()));
-    for (const auto& limit : checkpoint.so_far.limit_points) {
-        packer.put(std::int64_t{limit.step});
-        packer.put(limit.pressure_Pa);
-        packer.put_optional(limit.volume_m3);
-        packer.put_list(limit.outputs_m);
-    }
+    if (checkpoint.before) put_state(packer, *checkpoint.before);
+    put_state(packer, checkpoint.last);
+    for (const auto member : checkpoint_numbers) packer.put(checkpoint.*member);
+    put_end(packer, checkpoint.so_far);
     return packer.take();
 }
 
 solution::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source) {
     Unpacker unpacker{payload, source};
     solution::Checkpoint checkpoint;
-    checkpoint.ranks = unpacker.get_count();
-    checkpoint.rows = unpacker.get_count();
-    checkpoint.control = unpacker.get_count();
-    checkpoint.control_output = unpacker.get_count();
-    if (unpacker.get_flag()) checkpoint.before = get_point(unpacker);
-    checkpoint.last = get_point(unpacker);
-    checkpoint.step = unpacker.get<double>();
-    checkpoint.first_step = unpacker.get<double>();
-    checkpoint.so_far.newton_iterations = unpacker.get_count();
-    checkpoint.so_far.factorizations = unpacker.get_count();
-    for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) {
-        auto& limit = checkpoint.so_far.limit_points.emplace_back();
-        limit.step = unpacker.get_count();
-        limit.pressure_Pa = unpacker.get<double>();
-        limit.volume_m3 = unpacker.get_optional();
-        limit.outputs_m = unpacker.get_list();
-    }
+    for (const auto member : checkpoint_counts) checkpoint.*member = unpacker.get_count();
+    checkpoint.controlled = unpacker.get_count();
+    for (const auto member : checkpoint_flags) checkpoint.*member = unpacker.get_flag();
+    for (const auto member : start_lists) checkpoint.start.*member = unpacker.get_list();
+    if (unpacker.get_flag()) checkpoint.before = get_state(unpacker);
+    checkpoint.last = get_state(unpacker);
+    for (const auto member : checkpoint_numbers) checkpoint.*member = unpacker.get<double>();
+    checkpoint.so_far = get_end(unpacker);
     unpacker.require_end();
     return checkpoint;
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// Steps and checkpoints as payloads of records behind the HDF5 data (image.hpp): how a running `solve -o` keeps them.
-/// Layout: doubles and 64-bit integers, little endian, in the order of the structs; lists with their length first.
+/// Layout: 64-bit integers and doubles, little endian, in the order of the tables in journal.cpp; lists with their length
+/// first. All doubles are finite. Held by io/journal_test.
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -19,7 +20,7 @@ struct JournalStep {
 
 [[nodiscard]] std::vector<std::byte> encode_step(const solution::Step& step, std::span<const double> displacement,
                                                  std::span<const double> pressure);
-/// Throws Error (bad_input) for a payload that is not of this layout.
+/// Throws Error (bad_input) for a payload that is not of this layout or holds values that are not finite.
 [[nodiscard]] JournalStep decode_step(std::span<const std::byte> payload, std::string_view source);
 
 [[nodiscard]] std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint);

@@ -35,10 +35,31 @@ inline constexpr std::array fiber_frame_names{
     Named{model::FiberFrame::cylindrical, std::string_view{"cylindrical"}},
 };
 inline constexpr std::array control_names{
+    Named{model::Control::automatic, std::string_view{"auto"}},
     Named{model::Control::pressure, std::string_view{"pressure"}},
     Named{model::Control::volume, std::string_view{"volume"}},
     Named{model::Control::displacement, std::string_view{"displacement"}},
     Named{model::Control::arc_length, std::string_view{"arc_length"}},
+};
+inline constexpr std::array measure_names{
+    Named{model::Measure::displacement, std::string_view{"displacement"}},
+    Named{model::Measure::bend, std::string_view{"bend"}},
+    Named{model::Measure::twist, std::string_view{"twist"}},
+};
+inline constexpr std::array prescription_names{
+    Named{model::Prescription::pressure, std::string_view{"pressure"}},
+    Named{model::Prescription::volume, std::string_view{"volume"}},
+    Named{model::Prescription::volume_ratio, std::string_view{"volume_ratio"}},
+    Named{model::Prescription::mass, std::string_view{"mass"}},
+    Named{model::Prescription::closed, std::string_view{"closed"}},
+};
+inline constexpr std::array branch_names{
+    Named{model::Branch::stay, std::string_view{"stay"}},
+    Named{model::Branch::follow, std::string_view{"follow"}},
+};
+inline constexpr std::array contact_names{
+    Named{model::Contact::stop, std::string_view{"stop"}},
+    Named{model::Contact::ignore, std::string_view{"ignore"}},
 };
 inline constexpr std::array stop_reason_names{
     Named{solution::StopReason::done, name(solution::StopReason::done)},

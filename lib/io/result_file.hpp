@@ -1,5 +1,5 @@
 #pragma once
-/// The result file: the case as it was given plus /path, /fields and /provenance/<solver> (schema: lib/io/README.md).
+/// The result file: the case as it was given plus /path, /modes, /fields and /provenance/<solver> (schema: lib/io/README.md).
 /// Held by io/result_file_test, io/damage_test.
 #include <cstddef>
 #include <cstdint>
@@ -37,6 +37,14 @@ struct ResultOptions {
     std::optional<DesignText> changed_design;   ///< where solve was given overrides of its own
 };
 
+/// What is solved: a file as read, seal included, how errors call it, and its case with solve's own overrides in place.
+/// All must outlive the call they are given to, no longer.
+struct Given {
+    std::span<const std::byte> image;
+    std::string_view source;
+    const model::Case& solved;
+};
+
 /// Takes converged steps one by one. The bytes of the result are the same whether it is kept in memory or on disk.
 ///
 /// On disk: FILE is the whole case (with an empty path) from the first moment on, and each append() adds one
@@ -48,16 +56,15 @@ struct ResultOptions {
 /// of every step until finish(); with none they hold no fields.
 class ResultWriter {
 public:
-    /// `case_image`: as read, seal included. Throws Error (bad_input) as read_case does, or if it already has a path.
-    ResultWriter(std::span<const std::byte> case_image, std::string_view source, const Provenance& provenance,
-                 const ResultOptions& options);
+    /// `given`: a case. Throws Error (bad_input) as read_case does, or if it already has a path.
+    ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options);
     /// The same on disk. Throws Error (cannot_create) as well.
-    ResultWriter(const std::filesystem::path& file, std::span<const std::byte> case_image, std::string_view source,
-                 const Provenance& provenance, const ResultOptions& options);
-    /// Goes on with the file of an interrupted solve: what is behind its last checkpoint is cut off, the steps before it
-    /// count as appended. `image` is the file as read. Throws Error (bad_input) for a file that is no such, Error
-    /// (cannot_create) where it cannot be written.
-    static ResultWriter resume(const std::filesystem::path& file, std::span<const std::byte> image);
+    ResultWriter(const std::filesystem::path& file, const Given& given, const Provenance& provenance,
+                 const ResultOptions& options);
+    /// Goes on with the file of an interrupted solve, `given` as read_interrupted gave it: what is behind its last
+    /// checkpoint is cut off, the steps before it count as appended. Throws Error (bad_input) for a file that is no such,
+    /// Error (cannot_create) where it cannot be written.
+    static ResultWriter resume(const std::filesystem::path& file, const Given& given);
 
     ResultWriter(ResultWriter&&) noexcept;
     ResultWriter& operator=(ResultWriter&&) noexcept;
@@ -70,6 +77,10 @@ public:
 
     /// Remembers what the solver needs to go on from the step last appended. Nothing to do in memory. Errors as append.
     void remember(const solution::Checkpoint& checkpoint);
+
+    /// False where FILE has been removed, or replaced by another file, since the writer made it: steps appended since then
+    /// are in no file that can be opened. finish() makes FILE anew.
+    [[nodiscard]] bool is_in_place() const;
 
     /// Writes path and end. Returns the whole result; on disk it is also FILE. Call it once, nothing after it.
     std::vector<std::byte> finish(const solution::PathEnd& end);
@@ -103,7 +114,7 @@ private:
 };
 
 struct Result {
-    model::Case model;
+    model::Case model;                            ///< as it was solved: solve's own overrides in place
     DesignText design;                            ///< of the case
     std::optional<DesignText> changed_design;     ///< solve's own overrides applied, where there were any
     FieldsPolicy fields_policy;
@@ -113,9 +124,9 @@ struct Result {
     FieldReader fields;
 };
 
-/// An interrupted `solve -o` as `solve --resume` wants it. The model is that of the case as mesh-gen wrote it.
+/// An interrupted `solve -o` as `solve --resume` wants it.
 struct Interrupted {
-    CaseFile file;
+    CaseFile file;                                        ///< its model as it was solved, solve's own overrides in place
     std::optional<DesignText> changed_design;
     std::vector<solution::Step> steps;                    ///< up to the checkpoint
     std::optional<solution::Checkpoint> checkpoint;       ///< empty: killed before the second row; start from the beginning

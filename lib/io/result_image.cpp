@@ -6,10 +6,12 @@
 
 #include "core/hash.hpp"
 #include "core/text.hpp"
+#include "io/case_check.hpp"
 #include "io/hdf5_read.hpp"
 #include "io/hdf5_write.hpp"
 #include "io/path_table.hpp"
 #include "io/provenance_io.hpp"
+#include "io/solve_parts.hpp"
 
 namespace soft::io {
 namespace {
@@ -25,12 +27,20 @@ void require_finite(std::span<const double> values, std::string_view place) {
         throw Error(ExitCode::internal, place, "a converged step has a value that is not finite");
 }
 
-void write_changed_design(hid_t root, const DesignText& design) {
+/// All of a case but its mesh, which is large and stays the same.
+model::Case without_mesh(const model::Case& input) {
+    return {input.name,        input.kinematics, input.formulation, input.model_fraction, input.symmetry_planes, {},
+            input.materials,   input.supports,   input.cavities,    input.loads,          input.tractions,
+            input.body_forces, input.motions,    input.outputs,     input.path,           input.solver};
+}
+
+void write_changed_design(hid_t root, const DesignText& design, const model::Case& solved) {
     const GroupHandle group = create_group(root, "solve_design", "the design with solve's own overrides in place");
     write_text(group.get(), {"effective_yaml", "1", "what was solved"}, design.effective_yaml);
     write_text(group.get(), {"sha256", "1", "SHA-256 of effective_yaml, hexadecimal"},
                core::sha256_hex(design.effective_yaml));
     write_texts(group.get(), {"overrides", "1", "key.path=value, as given to --set"}, design.overrides);
+    write_solve_parts(group.get(), solved);
 }
 
 }  // namespace
@@ -59,38 +69,42 @@ std::string to_text(const FieldsPolicy& policy) {
     return "all";
 }
 
-ResultImage ResultImage::open(std::span<const std::byte> hdf5, std::string_view source) {
+ResultImage ResultImage::open(const Given& given) {
     ResultImage image;
-    const Origin origin{std::string{source}, hdf5.size()};
-    image.file_ = open_memory_copy(hdf5);
-    if (!image.file_) throw Error(ExitCode::bad_input, source, "HDF5 cannot open it: " + hdf5_reason(), origin.remedy);
+    const Origin origin{std::string{given.source}, given.image.size()};
+    image.file_ = open_memory_copy(given.image);
+    if (!image.file_)
+        throw Error(ExitCode::bad_input, given.source, "HDF5 cannot open it: " + hdf5_reason(), origin.remedy);
     const GroupReader root{image.file_.get(), origin};
     const GroupReader mesh = root.group("VTKHDF");
     const std::int64_t points = mesh.array<std::int64_t>("NumberOfPoints", {1})[0];
     static_cast<void>(mesh.checked_rows("Points", {points, 3}));
     image.points_ = static_cast<std::size_t>(points);
-    image.outputs_ = root.group("outputs").texts("name");
+    image.solved_ = without_mesh(given.solved);
     return image;
 }
 
-ResultImage ResultImage::begin(std::span<const std::byte> hdf5, std::string_view source, const Provenance& provenance,
-                               const ResultOptions& options) {
-    ResultImage image = open(hdf5, source);
+ResultImage ResultImage::begin(const Given& given, const Provenance& provenance, const ResultOptions& options) {
+    ResultImage image = open(given);
     const GroupHandle root = open_group(image.file_.get(), "/");
     if (H5Lexists(root.get(), "path", H5P_DEFAULT) > 0)
-        throw Error(ExitCode::bad_input, source, "already holds a solution", "give solve the case from mesh-gen");
+        throw Error(ExitCode::bad_input, given.source, "already holds a solution", "give solve the case from mesh-gen");
+    if (options.changed_design) check_case(given.solved, "<case with --set>", ExitCode::internal);
     image.policy_ = options.fields;
     const GroupHandle path = create_group(root.get(), "path", "the equilibrium path, one row a step");
     const GroupHandle fields = create_group(root.get(), "fields", "nodal fields of the stored steps");
     write_attribute(fields.get(), "policy", to_text(options.fields));
-    if (options.changed_design) write_changed_design(root.get(), *options.changed_design);
+    if (options.changed_design) write_changed_design(root.get(), *options.changed_design, given.solved);
     write_provenance(open_group(root.get(), "provenance").get(), provenance);
-    return image;
+    // HDF5 places what follows by the gaps it remembers, which are forgotten on opening: like this a path that is
+    // interrupted and resumed gives the same bytes.
+    const auto begun = image.bytes();
+    return resume({begun, given.source, given.solved});
 }
 
-ResultImage ResultImage::resume(std::span<const std::byte> hdf5, std::string_view source) {
-    ResultImage image = open(hdf5, source);
-    const Origin origin{std::string{source}, hdf5.size(), "run solve again"};
+ResultImage ResultImage::resume(const Given& given) {
+    ResultImage image = open(given);
+    const Origin origin{std::string{given.source}, given.image.size(), "run solve again"};
     const GroupReader root{image.file_.get(), origin};
     const GroupReader path = root.group("path");
     if (!path.names().empty()) throw path.refuse("", "has rows already, and more come after the HDF5 data");
@@ -102,7 +116,7 @@ std::vector<std::byte> ResultImage::bytes() const { return memory_image(file_.ge
 
 void ResultImage::require_fitting(const solution::Step& step, std::span<const double> displacement,
                                   std::span<const double> pressure) const {
-    require_sound(step, outputs_.size());
+    require_sound(step, solved_);
     if (!steps_.empty() && step.volume_m3.has_value() != steps_[0].volume_m3.has_value())
         throw Error(ExitCode::internal, "/path/cavity_volume", "some steps have a volume, some have none");
     if (displacement.size() != 3 * points_)
@@ -119,7 +133,7 @@ void ResultImage::append(const solution::Step& step, std::span<const double> dis
                          std::span<const double> pressure) {
     using Keep = FieldsPolicy::Keep;
     if (policy_.keep == Keep::none) {
-        require_sound(step, outputs_.size());
+        require_sound(step, solved_);
     } else {
         require_fitting(step, displacement, pressure);
         if (steps_.empty()) has_pressure_ = !pressure.empty();
@@ -154,8 +168,10 @@ void ResultImage::finish(const std::optional<solution::PathEnd>& end) {
     write_array<std::int64_t>(fields.get(), {"steps", "1", "row of /path of each stored step"}, stored_rows_,
                               {stored_rows_.size()}, Growth::rows);
     const GroupHandle path = open_group(file_.get(), "/path");
-    write_steps(path.get(), steps_, outputs_);
-    if (end) write_end(path.get(), *end, outputs_, steps_.size());
+    write_steps(path.get(), steps_, solved_);
+    if (!end) return;
+    write_end(path.get(), *end, solved_, steps_.size());
+    write_modes(open_group(file_.get(), "/").get(), *end, points_);
 }
 
 }  // namespace soft::io

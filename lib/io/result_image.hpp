@@ -14,11 +14,11 @@ namespace soft::io {
 
 class ResultImage {
 public:
+    // The image of `given` is a bare HDF5 file here.
     /// A case to which the empty groups of a result are added.
-    static ResultImage begin(std::span<const std::byte> hdf5, std::string_view source, const Provenance& provenance,
-                             const ResultOptions& options);
+    static ResultImage begin(const Given& given, const Provenance& provenance, const ResultOptions& options);
     /// An image made by begin().
-    static ResultImage resume(std::span<const std::byte> hdf5, std::string_view source);
+    static ResultImage resume(const Given& given);
 
     [[nodiscard]] const FieldsPolicy& policy() const noexcept { return policy_; }
     /// The HDF5 file as it is now, not sealed.
@@ -30,14 +30,14 @@ public:
 
 private:
     ResultImage() = default;
-    static ResultImage open(std::span<const std::byte> hdf5, std::string_view source);
+    static ResultImage open(const Given& given);
     void require_fitting(const solution::Step& step, std::span<const double> displacement,
                          std::span<const double> pressure) const;
     void write_fields(std::int64_t row, std::span<const double> displacement, std::span<const double> pressure);
 
     FileHandle file_;
     std::size_t points_ = 0;
-    std::vector<std::string> outputs_;
+    model::Case solved_;                         ///< its mesh is empty
     FieldsPolicy policy_;
     std::vector<solution::Step> steps_;
     bool has_pressure_ = false;                  ///< decided by the first step

@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <limits>
 
+#include "io/case_check.hpp"
 #include "io/case_read.hpp"
 #include "io/image.hpp"
 #include "io/journal.hpp"
 #include "io/path_table.hpp"
 #include "io/result_file.hpp"
 #include "io/result_image.hpp"
+#include "io/solve_parts.hpp"
 
 namespace soft::io {
 
@@ -25,8 +27,8 @@ struct FieldReader::State {
 namespace {
 
 /// What a running or killed solve left: the case with an empty path, and steps behind the HDF5 data.
-std::vector<std::byte> folded(const ImageParts& parts, std::string_view source) {
-    ResultImage image = ResultImage::resume(parts.hdf5, source);
+std::vector<std::byte> folded(const ImageParts& parts, std::string_view source, const model::Case& solved) {
+    ResultImage image = ResultImage::resume({parts.hdf5, source, solved});
     try {
         for (const auto payload : parts.steps) {
             const JournalStep record = decode_step(payload, source);
@@ -66,6 +68,29 @@ void check_fields(FieldReader::State& state, const GroupReader& root, std::size_
     if (group.has("pressure")) state.pressure = group.checked_rows("pressure", {stored, state.points});
 }
 
+/// The case of a result and, where solve was given overrides of its own, what they changed.
+struct Solved {
+    CaseFile file;
+    std::optional<DesignText> changed_design;
+};
+
+Solved read_solved(const GroupReader& root) {
+    Solved solved{read_case_groups(root), std::nullopt};
+    if (!root.has("solve_design")) return solved;
+    const GroupReader changed = root.group("solve_design");
+    solved.changed_design = read_design_text(changed);
+    read_solve_parts(changed, solved.file.model);
+    check_case(solved.file.model, root.origin().source + ":/solve_design", ExitCode::bad_input);
+    return solved;
+}
+
+/// The same of a bare HDF5 file.
+Solved read_solved(std::span<const std::byte> hdf5, std::string_view source) {
+    const Origin origin{std::string{source}, hdf5.size(), "run solve again"};
+    const FileHandle file = open_image(hdf5, origin);
+    return read_solved(GroupReader{file.get(), origin});
+}
+
 FieldsPolicy read_policy(const GroupReader& fields) {
     try {
         return parse_fields_policy(fields.text_attribute("policy"));
@@ -103,17 +128,15 @@ Interrupted read_interrupted(std::span<const std::byte> image, std::string_view 
     const ImageParts parts = split_image(image, source);
     if (!lacks_rows(parts.hdf5, source))
         throw Error(ExitCode::bad_input, source, "is finished, there is nothing to resume", "postprocess reads it");
-    const Origin origin{std::string{source}, parts.hdf5.size(), "run solve again"};
-    const FileHandle file = open_image(parts.hdf5, origin);
-    const GroupReader root{file.get(), origin};
-    Interrupted interrupted;
-    interrupted.file = read_case_groups(root);
-    if (root.has("solve_design")) interrupted.changed_design = read_design_text(root.group("solve_design"));
+    Solved solved = read_solved(parts.hdf5, source);
+    Interrupted interrupted{std::move(solved.file), std::move(solved.changed_design), {}, std::nullopt};
     if (!parts.checkpoint) return interrupted;
     interrupted.checkpoint = decode_checkpoint(parts.checkpoint->payload, source);
     for (std::size_t i = 0; i < parts.checkpoint->steps; ++i)
         interrupted.steps.push_back(decode_step(parts.steps[i], source).step);
-    if (interrupted.steps.size() != static_cast<std::size_t>(interrupted.checkpoint->rows))
+    // Whether its states fit the unknowns is the solver's to say.
+    if (interrupted.steps.size() != static_cast<std::size_t>(interrupted.checkpoint->rows) ||
+        interrupted.steps.empty() || interrupted.steps.back().stage > interrupted.checkpoint->stage)
         throw Error(ExitCode::bad_input, source, "the last checkpoint does not fit the steps before it", "run solve again");
     return interrupted;
 }
@@ -123,7 +146,7 @@ Result read_result(std::vector<std::byte> image, std::string_view source) {
     const ImageParts parts = split_image(image, source);
     std::size_t hdf5_size = parts.hdf5.size();
     if (lacks_rows(parts.hdf5, source)) {
-        image = folded(parts, source);
+        image = folded(parts, source, read_solved(parts.hdf5, source).file.model);
         hdf5_size = image.size();
     }
     auto state = std::make_unique<FieldReader::State>();
@@ -131,19 +154,20 @@ Result read_result(std::vector<std::byte> image, std::string_view source) {
     state->origin = {std::string{source}, hdf5_size, "run solve again"};
     state->file = open_image(std::span{state->image}.first(hdf5_size), state->origin);
     const GroupReader root{state->file.get(), state->origin};
-    CaseFile file = read_case_groups(root);
-    std::vector<std::string> outputs;
-    for (const model::Output& output : file.model.outputs) outputs.push_back(output.name);
+    Solved solved = read_solved(root);
+    CaseFile& file = solved.file;
+    const std::size_t points = file.model.mesh.points.size();
     const GroupReader path = root.group("path");
-    auto steps = read_steps(path, outputs);
+    auto steps = read_steps(path, file.model);
     std::optional<solution::PathEnd> end;
-    if (path.has_attribute("stop_reason")) end = read_end(path, outputs, steps.size());
-    check_fields(*state, root, steps.size(), file.model.mesh.points.size());
+    if (path.has_attribute("stop_reason")) {
+        end = read_end(path, file.model, steps.size());
+        read_modes(root, *end, points);
+    }
+    check_fields(*state, root, steps.size(), points);
     const FieldsPolicy policy = read_policy(root.group("fields"));
-    std::optional<DesignText> changed;
-    if (root.has("solve_design")) changed = read_design_text(root.group("solve_design"));
-    return {std::move(file.model), std::move(file.design), std::move(changed), policy, std::move(file.provenance),
-            std::move(steps), std::move(end), FieldReader{std::move(state)}};
+    return {std::move(file.model), std::move(file.design), std::move(solved.changed_design), policy,
+            std::move(file.provenance), std::move(steps), std::move(end), FieldReader{std::move(state)}};
 }
 
 }  // namespace soft::io

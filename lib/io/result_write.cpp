@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -52,7 +53,17 @@ public:
             throw Error(ExitCode::cannot_create, name_, "cannot be cut: " + std::generic_category().message(errno));
     }
     void append(std::span<const std::byte> bytes) const {
-        static_cast<void>(core::write_all(descriptor_, bytes, name_));
+        try {
+            static_cast<void>(core::write_all(descriptor_, bytes, name_));
+        } catch (const Error& error) {
+            throw Error(error.code(), "", error.what(), "make room and go on with solve --resume " + name_);
+        }
+    }
+    /// Whether the name still leads to the file that was opened.
+    [[nodiscard]] bool is_in_place() const {
+        struct stat open_file{}, named{};
+        return ::fstat(descriptor_, &open_file) == 0 && ::stat(name_.c_str(), &named) == 0 &&
+               open_file.st_dev == named.st_dev && open_file.st_ino == named.st_ino;
     }
 
 private:
@@ -70,16 +81,16 @@ struct ResultWriter::State {
     std::optional<Tail> journal;   ///< open until finish(), where the file can be appended to
 };
 
-ResultWriter::ResultWriter(std::span<const std::byte> case_image, std::string_view source,
-                           const Provenance& provenance, const ResultOptions& options) {
-    const ImageParts parts = split_image(case_image, source);
+ResultWriter::ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options) {
+    const ImageParts parts = split_image(given.image, given.source);
     const QuietErrors quiet;
-    state_ = std::make_unique<State>(ResultImage::begin(parts.hdf5, source, provenance, options));
+    state_ = std::make_unique<State>(
+        ResultImage::begin({parts.hdf5, given.source, given.solved}, provenance, options));
 }
 
-ResultWriter::ResultWriter(const fs::path& file, std::span<const std::byte> case_image, std::string_view source,
-                           const Provenance& provenance, const ResultOptions& options)
-    : ResultWriter(case_image, source, provenance, options) {
+ResultWriter::ResultWriter(const fs::path& file, const Given& given, const Provenance& provenance,
+                           const ResultOptions& options)
+    : ResultWriter(given, provenance, options) {
     state_->file = file;
     if (!is_replaceable(file)) return;
     const QuietErrors quiet;
@@ -89,18 +100,18 @@ ResultWriter::ResultWriter(const fs::path& file, std::span<const std::byte> case
 
 ResultWriter::ResultWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-ResultWriter ResultWriter::resume(const fs::path& file, std::span<const std::byte> image) {
+ResultWriter ResultWriter::resume(const fs::path& file, const Given& given) {
     const QuietErrors quiet;
-    const ImageParts parts = split_image(image, file.string());
-    auto state = std::make_unique<State>(ResultImage::resume(parts.hdf5, file.string()));
+    const ImageParts parts = split_image(given.image, given.source);
+    auto state = std::make_unique<State>(ResultImage::resume({parts.hdf5, given.source, given.solved}));
     state->file = file;
     const std::size_t steps = parts.checkpoint ? parts.checkpoint->steps : 0;
     for (std::size_t i = 0; i < steps; ++i) {
-        const JournalStep record = decode_step(parts.steps[i], file.string());
+        const JournalStep record = decode_step(parts.steps[i], given.source);
         state->image.append(record.step, record.displacement_m, record.pressure_Pa);
     }
     state->journal.emplace(file);
-    state->journal->cut(parts.checkpoint ? parts.checkpoint->end : seal_end(image, file.string()));
+    state->journal->cut(parts.checkpoint ? parts.checkpoint->end : seal_end(given.image, given.source));
     return ResultWriter{std::move(state)};
 }
 
@@ -124,6 +135,8 @@ void ResultWriter::append(const solution::Step& step, std::span<const double> di
 void ResultWriter::remember(const solution::Checkpoint& checkpoint) {
     if (state_->journal) state_->journal->append(make_record(RecordKind::checkpoint, encode_checkpoint(checkpoint)));
 }
+
+bool ResultWriter::is_in_place() const { return !state_->journal || state_->journal->is_in_place(); }
 
 std::vector<std::byte> ResultWriter::finish(const solution::PathEnd& end) {
     const QuietErrors quiet;

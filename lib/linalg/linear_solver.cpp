@@ -42,7 +42,9 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry) : K_(K) {
     SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
     // ICNTL(14): work space beyond the estimate [%], small by default and pivoting of the saddle point needs more.
     // ICNTL(13) = 1: the root front is factorised on one rank, without which the count of negative pivots is partial.
-    for (const auto& [option, value] : {std::pair{"-mat_mumps_icntl_14", "80"}, std::pair{"-mat_mumps_icntl_13", "1"}}) {
+    // ICNTL(33) = 1: the determinant, whose sign is all that LU tells of the inertia.
+    for (const auto& [option, value] : {std::pair{"-mat_mumps_icntl_14", "80"}, std::pair{"-mat_mumps_icntl_13", "1"},
+                                        std::pair{"-mat_mumps_icntl_33", "1"}}) {
         PetscBool given = PETSC_FALSE;
         SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, option, &given));
         if (!given) SOFT_PETSC(PetscOptionsSetValue(nullptr, option, value));
@@ -61,19 +63,43 @@ Factorization LinearSolver::factorize() {
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
     PCFailedReason failed = PC_NOERROR;
     SOFT_PETSC(PCGetFailedReason(pc, &failed));
-    Factorization result{failed == PC_NOERROR, std::nullopt};
+    Factorization result{failed == PC_NOERROR, std::nullopt, std::nullopt};
     if (!is_mumps(pc)) return result;
     Mat factor = nullptr;
     SOFT_PETSC(PCFactorGetMatrix(pc, &factor));
     PetscInt status = 0;
     SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));   // a failed MUMPS factorisation returns no PETSc error
-    if (status < 0) return {false, std::nullopt};
+    if (status < 0) return {false, std::nullopt, std::nullopt};
     if (is_type(pc, PCCHOLESKY)) {
         PetscInt negative = 0;
         SOFT_PETSC(MatMumpsGetInfog(factor, 12, &negative));
         result.negative_pivots = negative;
+    } else if (is_type(pc, PCLU)) {
+        PetscReal mantissa = 0;
+        SOFT_PETSC(MatMumpsGetRinfog(factor, 12, &mantissa));
+        result.determinant_is_negative = mantissa < 0.0;
     }
     return result;
+}
+
+std::optional<bool> LinearSolver::determinant_is_negative() {
+    ++factorizations_;
+    Matrix factor;
+    IndexSet rows, columns;
+    MatFactorInfo info;
+    SOFT_PETSC(MatFactorInfoInitialize(&info));
+    SOFT_PETSC(MatGetFactor(K_, MATSOLVERMUMPS, MAT_FACTOR_LU, factor.out()));
+    SOFT_PETSC(MatMumpsSetIcntl(factor, 33, 1));   // the determinant is wanted
+    SOFT_PETSC(MatMumpsSetIcntl(factor, 14, 80));  // as in the constructor
+    SOFT_PETSC(MatGetOrdering(K_, MATORDERINGEXTERNAL, rows.out(), columns.out()));
+    SOFT_PETSC(MatLUFactorSymbolic(factor, K_, rows, columns, &info));
+    SOFT_PETSC(MatLUFactorNumeric(factor, K_, &info));
+    PetscInt status = 0;
+    PetscReal mantissa = 0;
+    SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));
+    if (status < 0) return std::nullopt;
+    SOFT_PETSC(MatMumpsGetRinfog(factor, 12, &mantissa));
+    return mantissa < 0.0;
 }
 
 LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {

@@ -13,6 +13,7 @@ namespace soft::linalg {
 struct Factorization {
     bool succeeded = false;
     std::optional<PetscInt> negative_pivots;   ///< empty where the preconditioner is no LDL^T factor
+    std::optional<bool> determinant_is_negative;   ///< of an LU factor; empty for any other preconditioner
 };
 
 struct LinearSolve {
@@ -32,6 +33,11 @@ public:
 
     /// Factorises K as it stands now. A failed factorisation (singular, out of memory) is a value, not an exception.
     [[nodiscard]] Factorization factorize();
+
+    /// Sign of det K by an LU factorisation of its own, whatever else K is solved with; nullopt where that fails. An LDL^T
+    /// factor sees one triangle of K: where K is not quite symmetric and nearly singular its inertia may be that of a
+    /// neighbour.
+    [[nodiscard]] std::optional<bool> determinant_is_negative();
 
     /// Solves with K as it stands now and the last factor. `x` is overwritten. Only a fresh LDL^T factor that needs many
     /// iterations is reason to go over to LU.

@@ -2,7 +2,6 @@
 /// The typed case: what mesh-gen writes, solve reads and the HDF5 file holds. Plain data, SI units, no behaviour.
 /// Loads are stated for the WHOLE actuator; `model_fraction` says how much of it the mesh holds (1, 1/2, 1/4).
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +25,7 @@ struct Material {
     std::string law;                                     ///< material::law name, e.g. "neo-hookean"
     std::map<std::string, std::vector<double>> constants;  ///< SI, by the law's own keys; scalars have one entry
     std::optional<double> bulk_modulus_Pa;               ///< kappa; nullopt = fully incompressible
+    std::optional<double> density_kg_m3 = {};            ///< undeformed; needed by body forces
     Volumetric volumetric = Volumetric::quadratic;
     FiberFrame fiber_frame = FiberFrame::cartesian;      ///< of laws with fibres; the others do not look at it
 };
@@ -51,37 +51,102 @@ struct Cavity {
     std::vector<Opening> openings;
 };
 
-/// Follower pressure, traction -p n on the DEFORMED area (n out of the rubber); positive inflates a cavity.
+/// The gas in a supply: barotropic air, p + ambient = ambient (density / ambient_density)^exponent with
+/// density = mass / (enclosed volume + dead volume). exponent 1: isothermal, 1.4: adiabatic air.
+/// Looked at only where a stage prescribes the mass or closes the valve.
+struct Gas {
+    double ambient_Pa = 101325;               ///< absolute pressure outside the body
+    double ambient_density_kg_m3 = 1.204;     ///< of the gas at ambient pressure (air at 20 degrees Celsius)
+    double dead_volume_m3 = 0;                ///< of the tubing, filled by the same gas; whole actuator
+    double exponent = 1;
+};
+
+/// A follower pressure, traction -p n on the DEFORMED area (n out of the rubber); positive inflates a cavity. The
+/// cavities of one load share one gas: one pressure, and their volumes add up. How much of it: Stage::supplies.
 struct PressureLoad {
-    std::string target;            ///< name of a Cavity, or of a face (then `sealed` is unused and no volume is measured)
-    double pressure_Pa = 0;        ///< value at load factor 1
-    bool sealed = true;
+    std::string name;                         ///< its key in the design: "cavity", "left"
+    std::vector<std::string> targets;         ///< names of cavities; or of one face (`sealed`, `gas` unused, no volume)
+    bool sealed = true;                       ///< openings are plugged; see assembly/cavity.hpp
+    Gas gas;
 };
 
 /// Dead traction: a force per UNDEFORMED area whose direction stays fixed in space.
 struct TractionLoad {
     std::string face;
-    std::array<double, 3> traction_Pa{};   ///< at load factor 1; axisymmetric: x, r, unused
+    std::array<double, 3> traction_Pa{};      ///< at level 1; axisymmetric: x, r, unused
 };
 
-/// Area mean, over the undeformed face, of the displacement along `direction` [m].
-struct Output {
-    std::string name;              ///< "elongation"; CSV column elongation_mm
+/// A force on the mass of the body, whose direction stays fixed in space. Every material needs its density.
+struct BodyForce {
+    std::string name = "gravity";
+    std::array<double, 3> acceleration_m_s2{};   ///< at level 1; axisymmetric: x alone
+};
+
+/// A prescribed displacement of a face; components without a value stay free.
+struct Motion {
     std::string face;
-    std::array<double, 3> direction{};
+    std::array<std::optional<double>, 3> displacement_m;   ///< at level 1; axisymmetric: x, r, unused
 };
 
-enum class Control { pressure, volume, displacement, arc_length };
+/// What an output measures on its face.
+///   displacement: area mean, over the undeformed face, of the displacement along `direction` [m]
+///   bend: angle, about `direction`, from the mean deformed normal of `reference` turned round to that of `face`; 0 in the
+///         undeformed state [rad]
+///   twist: mean rotation of the face about the axis `direction` through the origin [rad]
+enum class Measure { displacement, bend, twist };
 
-/// The path ends ("done") at the first of these that is reached.
+struct Output {
+    std::string name;                         ///< "elongation"; CSV column elongation_mm, or bend_deg
+    std::string face;
+    std::array<double, 3> direction{};        ///< unit vector
+    Measure measure = Measure::displacement;
+    std::string reference = {};               ///< the held face, measure bend only
+};
+
+/// What grows by itself while everything else follows. automatic: the load factor while the body is stiff, then the
+/// volume where one cavity is filled, else arc length; it passes limit points and goes on to the stage's end.
+enum class Control { automatic, pressure, volume, displacement, arc_length };
+
+/// A stage ends at the first of these that is reached.
 struct Until {
-    std::string quantity;          ///< "pressure" [Pa], "volume_ratio" [-], "steps" [-], or the name of an output [m]
+    std::string quantity;          ///< "pressure" [Pa], "volume_ratio" [-], "steps" [-], or the name of an output [m, rad]
     double value = 0;
 };
 
+enum class Prescription {
+    pressure,       ///< gauge pressure [Pa]
+    volume,         ///< enclosed by all cavities of the load [m^3], whole actuator
+    volume_ratio,   ///< the same over its undeformed value [-]
+    mass,           ///< of gas injected since the path began [kg]: beyond what fills the undeformed cavities at ambient pressure
+    closed,         ///< the valve is shut: the gas that is there stays; `value` is unused
+};
+struct SupplyTarget {
+    Prescription what = Prescription::pressure;
+    double value = 0;              ///< at the stage's end
+};
+
+/// A part of a load programme. Its load factor runs from 0 to 1 while every level goes in proportion from where the stage
+/// before has left it (0 at first) to the value here. Loads that do not change stay as they are; a stage in which nothing
+/// changes is one row (hold).
+struct Stage {
+    std::string name;                           ///< "inflate"; empty where a case has one stage
+    Control control = Control::automatic;
+    std::string controlled = {};                ///< load (volume) or output (displacement); empty: the first
+    std::vector<Until> until = {};              ///< besides load factor 1, which always ends the stage
+    std::vector<SupplyTarget> supplies = {};    ///< one for each of Case::loads
+    std::vector<double> tractions = {}, body_forces = {}, motions = {};   ///< levels, one for each of the case's lists
+};
+
+/// What happens where a branch leaves the path.
+enum class Branch { stay, follow };
+enum class Contact { stop, ignore };
+
 struct PathSettings {
-    Control control = Control::volume;
-    std::vector<Until> until;      ///< besides the full load (load factor 1), which always ends the path
+    std::vector<Stage> stages;
+    Branch branch = Branch::stay;               ///< follow: at the first bifurcation of the path
+    double imperfection_m = 1e-4;               ///< how far the body is pushed onto the branch: largest displacement of the mode
+    Contact contact = Contact::stop;            ///< where walls of the body touch
+    double stretch_limit = 10;                  ///< stretch_p99 beyond which a load that is never reached is given up
 };
 
 struct SolverSettings {
@@ -104,25 +169,31 @@ struct Case {
     std::vector<Material> materials;        ///< by region name; every region has exactly one
     std::vector<Support> supports;          ///< symmetry planes included
     std::vector<Cavity> cavities;
-    std::vector<PressureLoad> loads;        ///< scaled together by the load factor
-    std::vector<TractionLoad> tractions;    ///< scaled by the same load factor
+    std::vector<PressureLoad> loads;
+    std::vector<TractionLoad> tractions;
+    std::vector<BodyForce> body_forces;
+    std::vector<Motion> motions;
     std::vector<Output> outputs;
     PathSettings path;
     SolverSettings solver;
 };
 
-/// What the load factor scales, as a curve shows it: the pressure of the first load, or of a case without one the size of
-/// its first traction.
-struct LeadingLoad {
-    std::string quantity;          ///< "pressure" or "traction"
-    double value_Pa = 0;           ///< at load factor 1
-};
-/// value_Pa is 0 for a case without loads.
+/// The cavities whose volume is measured: those of all loads, in the order of the loads and their targets.
+[[nodiscard]] inline std::vector<const Cavity*> measured_cavities(const Case& input) {
+    std::vector<const Cavity*> found;
+    for (const auto& load : input.loads)
+        for (const auto& target : load.targets)
+            for (const auto& cavity : input.cavities)
+                if (cavity.name == target) found.push_back(&cavity);
+    return found;
+}
+
+/// What a curve shows as its load: the pressure of the first pressure load; of a case without one the size of its first
+/// traction [Pa]; of a case without either the load factor.
+enum class LeadingLoad { pressure, traction, load_factor };
 [[nodiscard]] inline LeadingLoad leading_load(const Case& input) {
-    if (!input.loads.empty()) return {"pressure", input.loads.front().pressure_Pa};
-    if (input.tractions.empty()) return {"pressure", 0.0};
-    const auto& t = input.tractions.front().traction_Pa;
-    return {"traction", std::hypot(t[0], t[1], t[2])};
+    if (!input.loads.empty()) return LeadingLoad::pressure;
+    return input.tractions.empty() ? LeadingLoad::load_factor : LeadingLoad::traction;
 }
 
 }  // namespace soft::model

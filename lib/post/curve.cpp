@@ -1,24 +1,34 @@
 #include "post/curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
+#include <numbers>
 
 #include "core/error.hpp"
 
 namespace soft::post {
 namespace {
 
-constexpr double kilopascal_Pa = 1e3, millimetre_m = 1e-3, millilitre_m3 = 1e-6;
+struct Unit {
+    const char* name;
+    core::Dimension dimension;
+    double SI_per_unit;
+};
+constexpr Unit kilopascal{"kPa", core::Dimension::pressure, 1e3}, millimetre{"mm", core::Dimension::length, 1e-3},
+    millilitre{"mL", core::Dimension::volume, 1e-6}, degree{"deg", core::Dimension::angle, std::numbers::pi / 180},
+    none{"", core::Dimension::ratio, 1};
 
-Column coordinate(std::string quantity, core::Dimension dimension, std::string unit, double SI_per_unit) {
+Column coordinate(const std::string& quantity, const Unit& unit, Source source, std::size_t index = 0) {
     Column column;
-    column.name = quantity + "_" + unit;
-    column.quantity = std::move(quantity);
-    column.unit = std::move(unit);
-    column.dimension = dimension;
-    column.SI_per_unit = SI_per_unit;
+    column.name = *unit.name == '\0' ? quantity : quantity + "_" + unit.name;
+    column.quantity = quantity;
+    column.unit = unit.name;
+    column.dimension = unit.dimension;
+    column.SI_per_unit = unit.SI_per_unit;
     column.role = Role::coordinate;
+    column.source = source;
+    column.index = index;
     return column;
 }
 
@@ -30,19 +40,71 @@ Column plain(std::string name, Role role) {
     return column;
 }
 
+Column leading_column(const model::Case& model) {
+    switch (model::leading_load(model)) {
+        case model::LeadingLoad::pressure: return coordinate("pressure", kilopascal, Source::load);
+        case model::LeadingLoad::traction: return coordinate("traction", kilopascal, Source::load);
+        case model::LeadingLoad::load_factor: break;
+    }
+    return coordinate("load_factor", none, Source::load);
+}
+
+/// Columns of the members of a step that are lists: outputs, and pressures and volumes where there are several.
+struct ListColumns {
+    std::vector<Column> columns;
+    std::vector<double> solution::Step::*values;
+    std::vector<double> solution::Step::*slopes;
+    const char* what;
+};
+
+ListColumns output_columns(const model::Case& model) {
+    ListColumns list{{}, &solution::Step::outputs, &solution::Step::tangent_outputs, "outputs"};
+    for (std::size_t i = 0; i < model.outputs.size(); ++i) {
+        const model::Output& output = model.outputs[i];
+        const bool length = output.measure == model::Measure::displacement;
+        list.columns.push_back(coordinate(output.name, length ? millimetre : degree, Source::output, i));
+    }
+    return list;
+}
+
+ListColumns pressure_columns(const model::Case& model) {
+    ListColumns list{{}, &solution::Step::pressures_Pa, &solution::Step::tangent_pressures, "pressures"};
+    if (model.loads.size() > 1)
+        for (const model::PressureLoad& load : model.loads)
+            list.columns.push_back(coordinate("pressure_" + load.name, kilopascal, Source::other));
+    return list;
+}
+
+ListColumns volume_columns(const model::Case& model) {
+    ListColumns list{{}, &solution::Step::volumes_m3, &solution::Step::tangent_volumes, "volumes"};
+    const auto cavities = model::measured_cavities(model);
+    if (cavities.size() > 1)
+        for (const model::Cavity* cavity : cavities)
+            list.columns.push_back(coordinate("volume_" + cavity->name, millilitre, Source::other));
+    return list;
+}
+
 void push(Column& column, double value_SI, double slope_SI) {
     column.values.push_back(in_column_unit(column, value_SI));
     column.slopes.push_back(in_column_unit(column, slope_SI));
 }
 
-void check(std::span<const solution::Step> steps, std::size_t output_count) {
+void push(ListColumns& list, const solution::Step& step) {
+    const auto& values = step.*list.values;
+    const auto& slopes = step.*list.slopes;
+    for (std::size_t i = 0; i < list.columns.size(); ++i)
+        push(list.columns[i], values[i], i < slopes.size() ? slopes[i] : 0);
+}
+
+void check(std::span<const solution::Step> steps, std::span<const ListColumns> lists) {
     for (std::size_t row = 0; row < steps.size(); ++row) {
         const solution::Step& step = steps[row];
         const std::string place = "path, step " + std::to_string(row);
-        if (step.outputs_m.size() != output_count)
-            throw Error(ExitCode::bad_input, place,
-                        std::to_string(step.outputs_m.size()) + " outputs are recorded, the case measures " +
-                            std::to_string(output_count));
+        for (const ListColumns& list : lists)
+            if ((step.*list.values).size() != list.columns.size())
+                throw Error(ExitCode::bad_input, place,
+                            std::to_string((step.*list.values).size()) + " " + list.what +
+                                " are recorded, the case has " + std::to_string(list.columns.size()));
         if (step.volume_m3.has_value() != steps.front().volume_m3.has_value())
             throw Error(ExitCode::bad_input, place, "the cavity volume is recorded at some of the steps only");
     }
@@ -70,26 +132,21 @@ std::string Curve::coordinate_names() const {
     return names;
 }
 
-Curve make_curve(std::span<const std::string> output_names, std::span<const solution::Step> steps,
-                 std::string_view load) {
-    check(steps, output_names.size());
+Curve make_curve(const model::Case& model, std::span<const solution::Step> steps) {
+    std::array lists{output_columns(model), pressure_columns(model), volume_columns(model)};
+    check(steps, lists);
     const bool has_volume = !steps.empty() && steps.front().volume_m3.has_value();
 
-    Column number = plain("step", Role::counter);
-    Column pressure = coordinate(std::string(load), core::Dimension::pressure, "kPa", kilopascal_Pa);
-    Column volume = coordinate("volume", core::Dimension::volume, "mL", millilitre_m3);
+    Column number = plain("step", Role::counter), stage = plain("stage", Role::stage);
+    Column load = leading_column(model), volume = coordinate("volume", millilitre, Source::volume);
     Column p99 = plain("stretch_p99", Role::follower), largest = plain("max_stretch", Role::follower);
     Column jacobian = plain("min_J", Role::follower), stable = plain("stable", Role::flag);
-    std::vector<Column> outputs;
-    for (const std::string& name : output_names)
-        outputs.push_back(coordinate(name, core::Dimension::length, "mm", millimetre_m));
-
     for (const solution::Step& step : steps) {
         number.values.push_back(static_cast<double>(number.values.size()));
-        push(pressure, step.pressure_Pa, step.tangent_pressure);
-        for (std::size_t i = 0; i < outputs.size(); ++i)
-            push(outputs[i], step.outputs_m[i], i < step.tangent_outputs.size() ? step.tangent_outputs[i] : 0);
+        stage.values.push_back(step.stage + 1);
+        push(load, step.pressure_Pa, step.tangent_pressure);
         if (has_volume) push(volume, *step.volume_m3, step.tangent_volume);
+        for (ListColumns& list : lists) push(list, step);
         p99.values.push_back(step.stretch_p99);
         largest.values.push_back(step.max_stretch);
         jacobian.values.push_back(step.min_jacobian);
@@ -97,11 +154,30 @@ Curve make_curve(std::span<const std::string> output_names, std::span<const solu
     }
 
     Curve curve;
-    curve.columns = {std::move(number), std::move(pressure)};
-    std::move(outputs.begin(), outputs.end(), std::back_inserter(curve.columns));
-    if (has_volume) curve.columns.push_back(std::move(volume));
-    for (Column* column : {&p99, &largest, &jacobian, &stable}) curve.columns.push_back(std::move(*column));
+    const auto add = [&](Column& column) { curve.columns.push_back(std::move(column)); };
+    add(number);
+    if (model.path.stages.size() > 1) add(stage);
+    add(load);
+    for (Column& column : lists[0].columns) add(column);
+    if (has_volume) add(volume);
+    for (std::size_t i = 1; i < lists.size(); ++i)
+        for (Column& column : lists[i].columns) add(column);
+    for (Column* column : {&p99, &largest, &jacobian, &stable}) add(*column);
     return curve;
+}
+
+std::optional<double> value_at(const Column& column, const solution::LimitPoint& point) {
+    switch (column.source) {
+        case Source::load: return in_column_unit(column, point.pressure_Pa);
+        case Source::output:
+            if (column.index >= point.outputs.size()) return std::nullopt;
+            return in_column_unit(column, point.outputs[column.index]);
+        case Source::volume:
+            if (!point.volume_m3) return std::nullopt;
+            return in_column_unit(column, *point.volume_m3);
+        case Source::other: break;
+    }
+    return std::nullopt;
 }
 
 }  // namespace soft::post

@@ -1,14 +1,18 @@
 #pragma once
 /// The equilibrium path as a table: one row a converged step, columns with the unit in their name.
-/// Columns: step, pressure_kPa, <output>_mm ..., volume_mL, stretch_p99, max_stretch, min_J, stable. What a case does
+/// Columns: step, stage (1, 2 ..., of a case with several), pressure_kPa (traction_kPa, load_factor: what leads the case,
+/// model::leading_load), <output>_mm or, of an angle, <output>_deg ..., volume_mL, then of a case with several loads or
+/// cavities pressure_<load>_kPa ... and volume_<cavity>_mL ..., stretch_p99, max_stretch, min_J, stable. What a case does
 /// not have (an output, a cavity volume) is left out, never filled with zeros. Held by post/curve_test.
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/units.hpp"
+#include "model/case.hpp"
 #include "solution/path.hpp"
 
 namespace soft::post {
@@ -19,7 +23,11 @@ enum class Role {
     coordinate,  ///< measured state that spans the path (pressure, outputs, volume); has slopes from the solver
     follower,    ///< other values of the state, known at the rows only
     flag,        ///< 0 or 1; between rows 1 only where both rows have 1
+    stage,       ///< number of the stage; what lies between two rows belongs to that of the second
 };
+
+/// Which number of a step, limit point or bifurcation a column shows.
+enum class Source { load, output, volume, other };
 
 struct Column {
     std::string name;      ///< "pressure_kPa"
@@ -28,6 +36,8 @@ struct Column {
     core::Dimension dimension = core::Dimension::ratio;
     double SI_per_unit = 1;  ///< SI value = value in this column x SI_per_unit
     Role role = Role::follower;
+    Source source = Source::other;
+    std::size_t index = 0;   ///< of the output, where the source is one
     std::vector<double> values;  ///< one a row
     std::vector<double> slopes;  ///< coordinates: derivative along the path, any positive scale a row; 0 in all
                                  ///< coordinates of a row: not known there
@@ -46,10 +56,11 @@ struct Curve {
     [[nodiscard]] std::string coordinate_names() const;
 };
 
-/// `output_names` in the order of Step::outputs_m. Throws Error(bad_input) where a step has another number of outputs
-/// or a volume is recorded at some of the steps only.
-/// `load` names what the path's load column holds: "pressure", or "traction" of a case without a pressure.
-[[nodiscard]] Curve make_curve(std::span<const std::string> output_names, std::span<const solution::Step> steps,
-                               std::string_view load = "pressure");
+/// `model` is the case as it was solved. Throws Error(bad_input) where a step does not have one value for each output (and
+/// for each load and cavity where there are several) or a volume is recorded at some of the steps only.
+[[nodiscard]] Curve make_curve(const model::Case& model, std::span<const solution::Step> steps);
+
+/// What a limit point or bifurcation has to say in this column, in its unit; nullopt where it says nothing.
+[[nodiscard]] std::optional<double> value_at(const Column& column, const solution::LimitPoint& point);
 
 }  // namespace soft::post

@@ -48,13 +48,16 @@ struct Metric {
     }
 };
 
+/// Speeds at the ends of the interval between two rows, and whether the direction recorded at the first counts.
 struct Speeds {
     double start, end;
+    enum class Directions { both, second, none } directions = Directions::both;
 };
 
-/// Speeds at both ends of the interval between two rows, see the header.
+constexpr double largest_ratio = 2;  // of a speed to the chord; beyond, the directions do not enclose it
+
+/// Speeds at both ends of the interval between two rows of one stage, see the header.
 Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) {
-    constexpr double largest_ratio = 2;  // of a speed to the chord; beyond, the two directions do not enclose it
     const double chord = metric.distance(row_a, row_b);
     const double norm_a = metric.norm(row_a), norm_b = metric.norm(row_b);
     if (!(chord > 0 && norm_a > 0 && norm_b > 0)) return {chord, chord};
@@ -64,6 +67,24 @@ Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_
     const Speeds speeds{(a - b * cosine) / determinant, (b - a * cosine) / determinant};
     const auto sound = [&](double v) { return v * largest_ratio > chord && v < chord * largest_ratio; };  // not for nan
     return sound(speeds.start) && sound(speeds.end) ? speeds : Speeds{chord, chord};
+}
+
+/// The first interval of a stage: the direction recorded at its first row is that of the stage before, see the header.
+Speeds first_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) {
+    constexpr double noise = 1e-6;  // of the chord: a coordinate that moves less does not tell
+    const double chord = metric.distance(row_a, row_b), norm = metric.norm(row_b);
+    const Speeds straight{chord, chord, Speeds::Directions::none};
+    if (!(chord > 0 && norm > 0)) return straight;
+    const double cosine = metric.along(row_b, row_a, row_b) / (norm * chord), speed = chord / cosine;
+    if (!(cosine * largest_ratio > 1)) return straight;
+    for (std::size_t i = 0; i < metric.columns.size(); ++i) {
+        const Column& column = *metric.columns[i];
+        const double d = (column.values[row_b] - column.values[row_a]) * metric.inverse_range[i];
+        const double end = column.slopes[row_b] * metric.inverse_range[i] * speed / norm, start = 2 * d - end;
+        for (const double slope : {start, end})
+            if (slope * d < 0 && std::abs(slope) > noise * chord) return straight;
+    }
+    return {speed, speed, Speeds::Directions::second};
 }
 
 /// Root of a monotone piece by bisection: as sharp as doubles allow, and nothing can go wrong.
@@ -126,11 +147,14 @@ std::vector<double> monotone_slopes(std::span<const double> s, std::span<const d
 Path::Path(const Curve& curve) : curve_(&curve) {
     if (curve.row_count() == 0) throw Error(ExitCode::bad_input, "path", "the result holds no step");
     const Metric metric(curve);
+    const auto stage = std::find_if(curve.columns.begin(), curve.columns.end(),
+                                    [](const Column& column) { return column.role == Role::stage; });
     std::vector<Speeds> speeds;
     rows_.push_back(0);
     s_.push_back(0);
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
-        const Speeds next = interval_speeds(metric, rows_.back(), row);
+        const bool enters = stage != curve.columns.end() && stage->values[row] != stage->values[rows_.back()];
+        const Speeds next = enters ? first_speeds(metric, rows_.back(), row) : interval_speeds(metric, rows_.back(), row);
         if (!(next.start + next.end > 0)) continue;
         rows_.push_back(row);
         speeds.push_back(next);
@@ -146,8 +170,14 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         };
         std::vector<Hermite>& pieces = pieces_.emplace_back();
         for (std::size_t i = 0; i < speeds.size(); ++i) {
-            const double ds = s_[i + 1] - s_[i];
-            pieces.push_back({q[i], q[i + 1], slope(i, speeds[i].start, ds), slope(i + 1, speeds[i].end, ds)});
+            const double ds = s_[i + 1] - s_[i], difference = q[i + 1] - q[i];
+            const bool known = column.role != Role::coordinate || speeds[i].directions == Speeds::Directions::both;
+            double start = slope(i, speeds[i].start, ds), end = slope(i + 1, speeds[i].end, ds);
+            if (!known) {
+                end = speeds[i].directions == Speeds::Directions::second ? end : difference;
+                start = 2 * difference - end;
+            }
+            pieces.push_back({q[i], q[i + 1], start, end});
         }
     }
 }
@@ -157,6 +187,7 @@ double Path::in_interval(std::size_t column, std::size_t interval, double t) con
     const double right = curve_->columns[column].values[rows_[interval + 1]];
     switch (curve_->columns[column].role) {
         case Role::counter: return left + t * (right - left);
+        case Role::stage: return t <= 0 ? left : right;
         case Role::flag: return t <= 0 ? left : t >= 1 ? right : std::min(left, right);
         case Role::coordinate:
         case Role::follower: break;

@@ -8,7 +8,12 @@
 /// so that a piece of any parabola is met exactly and any smooth path to fourth order (derived here). Where that has no
 /// sound answer (a straight piece, a point of inflection) both speeds are the length of the chord. Rows without
 /// slopes, and columns that have none, take slopes that keep each interval monotone (Fritsch and Butland 1984, as in
-/// PCHIP). Held by post/interpolate_test.
+/// PCHIP).
+/// A change of stage is a corner: the last row of a stage holds the direction in which that stage has arrived, and the way
+/// on to the next row belongs to the next stage. There the piece is the arc that leaves the chord as it arrives, known by
+/// u1 alone: m1 = v u1, m0 = 2 (q1 - q0) - m1, v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order;
+/// derived here). Where u1 is not within 60 degrees of the chord, or a coordinate would turn back on the way, it is a
+/// straight line. Held by post/interpolate_test.
 #include <span>
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "post/plot.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -27,9 +28,11 @@ std::string point(double x, double y) { return core::number_text(x) + " " + core
 
 /// A case without a cavity volume is loaded on a face: its pressure is no cavity's.
 std::string axis_label(const Curve& curve, const Column& column) {
-    const bool of_cavity = column.dimension == core::Dimension::volume ||
-                           (column.dimension == core::Dimension::pressure && curve.find("volume") != nullptr);
-    return gnuplot_text((of_cavity ? "cavity " : "") + column.quantity + " (" + column.unit + ")");
+    const bool of_cavity = column.source == Source::volume ||
+                           (column.quantity == "pressure" && curve.find("volume") != nullptr);
+    std::string text = (of_cavity ? "cavity " : "") + column.quantity;
+    if (column.source == Source::load) std::replace(text.begin(), text.end(), '_', ' ');   // "load factor"
+    return gnuplot_text(column.unit.empty() ? text : text + " (" + column.unit + ")");
 }
 
 /// SVG scales; the PNG has twice the pixels so that it prints well.
@@ -42,18 +45,27 @@ std::string terminal(PictureFormat format) {
            " else set terminal png size 1600,1120 font 'Sans,26' linewidth 2\n";
 }
 
-std::size_t abscissa(const Curve& curve) {
-    const auto hit = std::find_if(curve.columns.begin(), curve.columns.end(), [](const Column& column) {
-        return column.role == Role::coordinate && column.quantity != "pressure";  // outputs stand before the volume
-    });
+template <class Wanted>
+std::size_t first_column(const Curve& curve, Wanted wanted) {
+    const auto hit = std::find_if(curve.columns.begin(), curve.columns.end(), wanted);
     if (hit == curve.columns.end())
         throw Error(ExitCode::bad_input, "--plot", "the case measures neither an output nor a cavity volume",
                     "name one under 'outputs:' of the design");
     return static_cast<std::size_t>(hit - curve.columns.begin());
 }
 
+std::size_t abscissa(const Curve& curve) {   // outputs stand before the volume
+    return first_column(curve, [](const Column& column) {
+        return column.source == Source::output || column.source == Source::volume;
+    });
+}
+
+std::size_t ordinate(const Curve& curve) {
+    return first_column(curve, [](const Column& column) { return column.source == Source::load; });
+}
+
 struct Blocks {
-    std::string rows, stable, unstable, limits;
+    std::string rows, stable, unstable, limits, bifurcations;
 };
 
 /// Sampled path in two blocks; a change of stability between two rows is drawn half-way.
@@ -78,23 +90,23 @@ void sample_line(const Curve& curve, std::size_t x, std::size_t y, Blocks& block
         }
 }
 
-Blocks make_blocks(const Curve& curve, std::span<const solution::LimitPoint> limit_points, std::size_t x,
-                   std::size_t y) {
+/// A line "x y label" for a point with both coordinates.
+std::string labelled(const Column& x, const Column& y, const solution::LimitPoint& at) {
+    const auto along = value_at(x, at), load = value_at(y, at);
+    if (!along || !load) return {};
+    const std::string unit = y.unit.empty() ? "" : " " + y.unit;
+    return core::number_text(*along) + " " + core::number_text(*load) + " \"" + core::rounded_text(*load, 4) + unit +
+           "\"\n";
+}
+
+Blocks make_blocks(const Curve& curve, const solution::PathEnd& end, std::size_t x, std::size_t y) {
     Blocks blocks;
     const Column& along = curve.columns[x];
-    const Column& pressure = curve.columns[y];
-    for (std::size_t row = 0; row < curve.row_count(); ++row)
-        blocks.rows += point(along.values[row], pressure.values[row]);
+    const Column& load = curve.columns[y];
+    for (std::size_t row = 0; row < curve.row_count(); ++row) blocks.rows += point(along.values[row], load.values[row]);
     sample_line(curve, x, y, blocks);
-    for (const solution::LimitPoint& limit : limit_points) {
-        const auto output = x - y - 1;  // columns: step, pressure, outputs ..., volume
-        const double value_SI = along.quantity == "volume"        ? limit.volume_m3.value_or(0)
-                                : output < limit.outputs_m.size() ? limit.outputs_m[output]
-                                                                  : 0;
-        const double kilopascals = in_column_unit(pressure, limit.pressure_Pa);
-        blocks.limits += core::number_text(in_column_unit(along, value_SI)) + " " + core::number_text(kilopascals) +
-                         " \"" + core::rounded_text(kilopascals, 4) + " kPa\"\n";
-    }
+    for (const solution::LimitPoint& limit : end.limit_points) blocks.limits += labelled(along, load, limit);
+    for (const solution::Bifurcation& branch : end.bifurcations) blocks.bifurcations += labelled(along, load, branch.at);
     return blocks;
 }
 
@@ -107,17 +119,14 @@ PictureFormat picture_format(const std::filesystem::path& file) {
     throw Error(ExitCode::usage, file.string(), "pictures are written as .svg or .png");
 }
 
-std::string plot_script(const Curve& curve, std::span<const solution::LimitPoint> limit_points, const PlotText& text,
-                        PictureFormat format) {
+std::string plot_script(const Curve& curve, const solution::PathEnd& end, const PlotText& text, PictureFormat format) {
     std::string script = terminal(format);
-    const std::size_t x = abscissa(curve);
-    const Column* pressure = curve.find("pressure");
-    const auto y = static_cast<std::size_t>(pressure - curve.columns.data());
-    const Blocks blocks = make_blocks(curve, limit_points, x, y);
+    const std::size_t x = abscissa(curve), y = ordinate(curve);
+    const Blocks blocks = make_blocks(curve, end, x, y);
 
     script += "set encoding utf8\nset title " + gnuplot_text(text.title) + " noenhanced\n";
     script += "set xlabel " + axis_label(curve, curve.columns[x]) + " noenhanced\n";
-    script += "set ylabel " + axis_label(curve, *pressure) + " noenhanced\n";
+    script += "set ylabel " + axis_label(curve, curve.columns[y]) + " noenhanced\n";
     script += "set grid linecolor rgb '#b0b0b0' linewidth 0.5\nset border 3 linewidth 1\nset tics nomirror out\n";
     script +=
         "set key outside top center horizontal reverse Left samplen 3\nset offsets graph 0, graph 0.03, graph 0.08, 0\n";
@@ -133,13 +142,16 @@ std::string plot_script(const Curve& curve, std::span<const solution::LimitPoint
         "with lines linewidth 2 dashtype (8,6) linecolor rgb '#0b5394' title 'unstable part of the path'");
     add("rows", blocks.rows, "with points pointtype 6 pointsize 1 linecolor rgb '#202020' title 'converged steps'");
     add("limits", blocks.limits, "with points pointtype 9 pointsize 2.2 linecolor rgb '#b00000' title 'limit point'");
-    if (!blocks.limits.empty()) plots += ", $limits using 1:2:3 with labels offset 0,1.2 noenhanced notitle";
+    add("bifurcations", blocks.bifurcations,
+        "with points pointtype 5 pointsize 1.8 linecolor rgb '#b05a00' title 'bifurcation'");
+    for (const auto& [name, data] : {std::pair{"limits", &blocks.limits}, {"bifurcations", &blocks.bifurcations}})
+        if (!data->empty()) plots += std::string(", $") + name + " using 1:2:3 with labels offset 0,1.2 noenhanced notitle";
     return script + plots + "\n";
 }
 
-void draw_plot(const Curve& curve, std::span<const solution::LimitPoint> limit_points, const PlotText& text,
+void draw_plot(const Curve& curve, const solution::PathEnd& end, const PlotText& text,
                const std::filesystem::path& file) {
-    run_gnuplot(plot_script(curve, limit_points, text, picture_format(file)), file);
+    run_gnuplot(plot_script(curve, end, text, picture_format(file)), file);
 }
 
 }  // namespace soft::post

@@ -26,33 +26,45 @@ enum class StopReason { done, limit_point, diverged, inverted_element, self_cont
 /// One converged state. The tangent_* values are the derivatives along the path (any positive scale, direction of
 /// travel), all by the same path parameter, so that d(pressure)/d(volume) is their quotient.
 struct Step {
-    double load_factor = 0;
-    double pressure_Pa = 0;                      ///< of the first load; its traction where the case has no pressure
-    std::optional<double> volume_m3;             ///< enclosed by the first loaded cavity, whole actuator; empty without one
-    std::vector<double> outputs_m;               ///< in the order of Case::outputs
+    int stage = 0;                               ///< index into model::PathSettings::stages
+    double load_factor = 0;                      ///< how much of the stage's change of loads is done
+    double pressure_Pa = 0;                      ///< the leading load (model::leading_load)
+    std::optional<double> volume_m3;             ///< enclosed by the cavities of the first load, whole actuator; empty without
+    std::vector<double> pressures_Pa;            ///< of each pressure load, where there are several; else empty
+    std::vector<double> volumes_m3;              ///< of each of model::measured_cavities, where there are several; else empty
+    std::vector<double> outputs;                 ///< in the order of Case::outputs [m or rad]
     double tangent_load_factor = 0;
     double tangent_pressure = 0;
     double tangent_volume = 0;
-    std::vector<double> tangent_outputs;
+    std::vector<double> tangent_pressures, tangent_volumes, tangent_outputs;
     int newton_iterations = 0;
     int factorizations = 0;
-    bool stable = true;                          ///< for the controlled variable
+    bool stable = true;                          ///< under what is prescribed: pressure, volume or gas; see solver/stability.hpp
     double stretch_p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the rubber's volume
     double max_stretch = 1;
     double min_jacobian = 1;                     ///< least det F over the integration points
 };
 
+/// Where the leading load has an extremum along the path.
 struct LimitPoint {
-    int step = 0;                                ///< row of the path that holds it, or the row before it
+    int step = 0;                                ///< row of the path that holds it
     double pressure_Pa = 0;
     std::optional<double> volume_m3;
-    std::vector<double> outputs_m;
+    std::vector<double> outputs;
+};
+
+/// Where another branch of equilibria leaves the path.
+struct Bifurcation {
+    LimitPoint at;
+    int modes = 1;                               ///< eigenvalues of the tangent that change sign there
+    std::vector<double> mode;                    ///< [point x 3], largest displacement 1; empty where it was not found
 };
 
 struct PathEnd {
     StopReason reason = StopReason::done;
     std::string detail;                          ///< one sentence for the user, with the place where there is one
     std::vector<LimitPoint> limit_points;
+    std::vector<Bifurcation> bifurcations;
     int newton_iterations = 0;
     int factorizations = 0;
 };

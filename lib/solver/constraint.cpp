@@ -1,26 +1,54 @@
 #include "solver/constraint.hpp"
 
+#include <cmath>
+#include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 namespace soft::solver {
 
-double evaluate(const Constraint& constraint, assembly::System& system, Vec x, double load_factor, Vec gradient) {
+std::string_view name(ConstraintKind kind) {
+    switch (kind) {
+        case ConstraintKind::load_factor: return "load factor";
+        case ConstraintKind::volume: return "volume";
+        case ConstraintKind::output: return "output";
+        case ConstraintKind::arc: return "arc length";
+        case ConstraintKind::pressure: return "pressure";
+    }
+    throw std::logic_error("name: unknown constraint");
+}
+
+ConstraintValue evaluate(const Constraint& constraint, assembly::System& system, const StageLoads& loads,
+                         const State& state, Vec gradient) {
+    ConstraintValue result{0.0, 0.0, std::vector(loads.free_supplies().size(), 0.0)};
     SOFT_PETSC(VecZeroEntries(gradient));
+    std::vector<double> by_motion(loads.rate().motions.size(), 0.0);
     switch (constraint.kind) {
-        case ConstraintKind::load_factor: return load_factor;
-        case ConstraintKind::volume: {
-            const auto volume = system.enclosed_volume(x, gradient);
-            if (!volume) throw std::logic_error("volume constraint without a cavity");
-            return *volume;
-        }
+        case ConstraintKind::load_factor: return {state.load_factor, 1.0, result.by_pressures};
+        case ConstraintKind::pressure:
+            result.value = state.pressures_Pa.at(constraint.index);
+            result.by_pressures[constraint.index] = 1.0;
+            return result;
+        case ConstraintKind::volume:
+            result.value = system.load_volume(constraint.index, state.x, gradient, by_motion);
+            break;
         case ConstraintKind::output:
-            linalg::copy(system.output_weights(constraint.output), gradient);
-            return linalg::dot(gradient, x);
+            result.value = system.output(constraint.index, state.x, gradient, by_motion);
+            break;
         case ConstraintKind::arc:
             linalg::copy(constraint.arc_direction, gradient);
-            return linalg::dot(gradient, x) - linalg::dot(gradient, constraint.arc_origin);
+            result.value = linalg::dot(gradient, state.x) - linalg::dot(gradient, constraint.arc_origin);
+            return result;
     }
-    throw std::logic_error("evaluate: unknown constraint");
+    result.by_load_factor =
+        std::inner_product(by_motion.begin(), by_motion.end(), loads.rate().motions.begin(), 0.0);
+    return result;
+}
+
+double remaining(const Constraint& constraint, const model::Case& input, double target, double value) {
+    const bool angle = constraint.kind == ConstraintKind::output &&
+                       input.outputs.at(constraint.index).measure != model::Measure::displacement;
+    return angle ? std::remainder(target - value, 2.0 * std::numbers::pi) : target - value;
 }
 
 }  // namespace soft::solver

@@ -1,30 +1,51 @@
 #pragma once
-/// The scalar equation c(x, lambda) = target that picks one state on the equilibrium path. Together with R = 0 it
-/// makes the bordered system that is regular at limit points as long as c goes on growing along the path.
-///   load_factor: c = lambda        volume: c = enclosed volume [m^3]       output: c = w . x [m]
-///   arc: c = t . (x - x0) / |t|    projected length along a direction t from a state x0 (cylindrical: no load term)
+/// The scalar equation c(state) = target that picks one state on the equilibrium path. Together with R = 0 and the
+/// equations of the supplies it makes the bordered system that is regular at limit points as long as c goes on growing
+/// along the path.
+///   load_factor: c = lambda        pressure: c = the unknown pressure of a supply [Pa]
+///   volume: c = volume of a load's cavities [m^3]       output: c = an output [m or rad]
+///   arc: c = t . (x - x0)          projected length along a unit direction t from a state x0 (cylindrical: no load term)
 /// Held by solver/solver_test.
 #include <cstddef>
+#include <string_view>
+#include <vector>
 
-#include "assembly/system.hpp"
+#include "solver/stage_loads.hpp"
 
 namespace soft::solver {
 
-enum class ConstraintKind { load_factor, volume, output, arc };
+/// A state of the body under a stage's loads.
+struct State {
+    linalg::Vector x;
+    double load_factor = 0;
+    std::vector<double> pressures_Pa;   ///< of the free supplies (StageLoads)
+};
+
+enum class ConstraintKind { load_factor, volume, output, arc, pressure };
+
+/// For messages: "load factor", "arc length".
+[[nodiscard]] std::string_view name(ConstraintKind kind);
 
 struct Constraint {
     ConstraintKind kind = ConstraintKind::load_factor;
-    std::size_t output = 0;         ///< index of the output, kind output only
+    std::size_t index = 0;          ///< of the output, of the load (volume), of the free supply (pressure)
     Vec arc_origin = nullptr;       ///< x0, kind arc only; not owned
     Vec arc_direction = nullptr;    ///< t of unit length, kind arc only; not owned
+    double scale = 0;               ///< |c - target| is measured by the larger of this and |target|
 };
 
-/// Value of c; fills `gradient` = dc/dx (zero for load_factor). dc/dlambda is 1 for load_factor, else 0.
-[[nodiscard]] double evaluate(const Constraint& constraint, assembly::System& system, Vec x, double load_factor,
-                              Vec gradient);
+/// c with its derivatives besides that by x.
+struct ConstraintValue {
+    double value = 0;
+    double by_load_factor = 0;
+    std::vector<double> by_pressures;   ///< one a free supply
+};
 
-[[nodiscard]] inline double load_slope(const Constraint& constraint) noexcept {
-    return constraint.kind == ConstraintKind::load_factor ? 1.0 : 0.0;
-}
+/// Fills `gradient` = dc/dx. The system's prescribed motions are those of the state.
+[[nodiscard]] ConstraintValue evaluate(const Constraint& constraint, assembly::System& system, const StageLoads& loads,
+                                       const State& state, Vec gradient);
+
+/// target - value; of an angle the shorter way round.
+[[nodiscard]] double remaining(const Constraint& constraint, const model::Case& input, double target, double value);
 
 }  // namespace soft::solver

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -54,53 +56,68 @@ std::string with_unit(double value, double factor, const char* unit) {
     return text.str();
 }
 
-Goal make_goal(const model::Case& input, const model::Until& until, std::optional<double> undeformed_volume_m3) {
+Goal pressure_goal(const model::Case& input, const StageLoads& loads, double value, const std::string& place) {
+    if (model::leading_load(input) != model::LeadingLoad::pressure)
+        throw Error(ExitCode::bad_input, place, "no pressure loads the body", "give loads.cavity.pressure");
+    const std::string text = "pressure of " + with_unit(value, 1e-3, " kPa");
+    const auto& free = loads.free_supplies();
+    if (!free.empty() && free.front() == 0) return {{ConstraintKind::pressure}, value, text};
+    const double rate = loads.rate().pressures_Pa[0];
+    if (rate == 0.0)
+        throw Error(ExitCode::bad_input, place, "the first pressure does not change in this stage", "remove it");
+    return {{ConstraintKind::load_factor}, (value - loads.start().pressures_Pa[0]) / rate, text};
+}
+
+Goal make_goal(const model::Case& input, const model::Until& until, const StageLoads& loads,
+               const std::vector<double>& undeformed_volumes_m3) {
     const std::string place = "path.until." + until.quantity;
-    if (until.quantity == "pressure") {
-        const model::LeadingLoad load = model::leading_load(input);
-        if (load.quantity != "pressure" || load.value_Pa == 0.0)
-            throw Error(ExitCode::bad_input, place, "no pressure loads the body", "give loads.cavity.pressure");
-        return {{ConstraintKind::load_factor}, until.value / load.value_Pa,
-                "pressure of " + with_unit(until.value, 1e-3, " kPa")};
-    }
+    if (until.quantity == "pressure") return pressure_goal(input, loads, until.value, place);
     if (until.quantity == "volume_ratio") {
-        if (!undeformed_volume_m3)
+        if (undeformed_volumes_m3.empty() || undeformed_volumes_m3[0] == 0.0)
             throw Error(ExitCode::bad_input, place, "no cavity is loaded", "remove it, or load a cavity");
-        return {{ConstraintKind::volume}, until.value * *undeformed_volume_m3,
+        return {{ConstraintKind::volume}, until.value * undeformed_volumes_m3[0],
                 "volume ratio of " + with_unit(until.value, 1.0, "")};
     }
     const auto output = std::ranges::find(input.outputs, until.quantity, &model::Output::name);
     if (output == input.outputs.end())
         throw Error(ExitCode::bad_input, place, "there is no such output", "name one of outputs, pressure, volume_ratio, steps");
     Constraint constraint{ConstraintKind::output};
-    constraint.output = static_cast<std::size_t>(output - input.outputs.begin());
-    return {constraint, until.value, until.quantity + " of " + with_unit(until.value, 1e3, " mm")};
+    constraint.index = static_cast<std::size_t>(output - input.outputs.begin());
+    const bool length = output->measure == model::Measure::displacement;
+    return {constraint, until.value,
+            until.quantity + " of " + with_unit(until.value, length ? 1e3 : 180.0 / std::numbers::pi, length ? " mm" : " deg")};
 }
 
 }  // namespace
 
-std::vector<Goal> make_goals(const model::Case& input, std::optional<double> undeformed_volume_m3) {
+std::vector<Goal> make_goals(const model::Case& input, int stage, const StageLoads& loads,
+                             const std::vector<double>& undeformed_volumes_m3) {
     std::vector<Goal> goals{{{ConstraintKind::load_factor}, 1.0, "full load"}};
-    for (const auto& until : input.path.until)
-        if (until.quantity != "steps") goals.push_back(make_goal(input, until, undeformed_volume_m3));
+    for (const auto& until : input.path.stages.at(static_cast<std::size_t>(stage)).until)
+        if (until.quantity != "steps") goals.push_back(make_goal(input, until, loads, undeformed_volumes_m3));
+    for (auto& goal : goals) goal.constraint.scale = std::abs(goal.target);
     return goals;
 }
 
 double goal_value(const Goal& goal, const PathPoint& point) {
+    const std::size_t index = goal.constraint.index;
     switch (goal.constraint.kind) {
         case ConstraintKind::load_factor: return point.state.load_factor;
-        case ConstraintKind::volume: return point.volume_m3.value_or(0.0);
-        case ConstraintKind::output: return point.outputs_m[goal.constraint.output];
+        case ConstraintKind::pressure: return point.state.pressures_Pa[index];
+        case ConstraintKind::volume: return point.load_volumes_m3[index];
+        case ConstraintKind::output: return point.outputs[index];
         case ConstraintKind::arc: break;
     }
     throw std::logic_error("goal_value: an arc length is no goal");
 }
 
 double goal_slope(const Goal& goal, const PathPoint& point) {
+    const std::size_t index = goal.constraint.index;
     switch (goal.constraint.kind) {
         case ConstraintKind::load_factor: return point.tangent.load_factor;
-        case ConstraintKind::volume: return point.volume_slope;
-        case ConstraintKind::output: return point.output_slopes[goal.constraint.output];
+        case ConstraintKind::pressure: return point.tangent.pressures[index];
+        case ConstraintKind::volume: return point.load_volume_slopes[index];
+        case ConstraintKind::output: return point.output_slopes[index];
         case ConstraintKind::arc: break;
     }
     throw std::logic_error("goal_slope: an arc length is no goal");

@@ -1,6 +1,7 @@
 #pragma once
-/// Where a path is to end: the full load, and whatever `path.until` asks for.
+/// Where a stage is to end: its loads in place, and whatever `until` asks for. Held by solver/solver_test.
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "solver/history.hpp"
@@ -9,13 +10,14 @@ namespace soft::solver {
 
 /// A value that one quantity of the path has to reach.
 struct Goal {
-    Constraint constraint;      ///< holds the quantity at `target`: load_factor, volume or output
+    Constraint constraint;      ///< holds the quantity at `target`; no arc
     double target = 0;
     std::string text;           ///< "elongation of 130 mm", for the message
 };
 
 /// Throws Error (bad_input) for an `until` that the case cannot measure.
-[[nodiscard]] std::vector<Goal> make_goals(const model::Case& input, std::optional<double> undeformed_volume_m3);
+[[nodiscard]] std::vector<Goal> make_goals(const model::Case& input, int stage, const StageLoads& loads,
+                                           const std::vector<double>& undeformed_volumes_m3);
 
 /// Value and slope (per unit q) of a goal's quantity at a point.
 [[nodiscard]] double goal_value(const Goal& goal, const PathPoint& point);

@@ -2,6 +2,14 @@
 
 namespace soft::solver {
 
+void scale_slopes(PathPoint& point, double factor) {
+    SOFT_PETSC(VecScale(point.tangent.x, factor));
+    for (double* slope : {&point.tangent.load_factor, &point.tangent.power, &point.leading_slope}) *slope *= factor;
+    for (auto* list : {&point.tangent.pressures, &point.pressure_slopes, &point.volume_slopes, &point.load_volume_slopes,
+                       &point.output_slopes})
+        for (double& slope : *list) slope *= factor;
+}
+
 HermiteWeights hermite_weights(double q0, double q1, double q) {
     const double h = q1 - q0, s = (q - q0) / h;
     const double s2 = s * s, s3 = s2 * s;
@@ -13,11 +21,13 @@ double hermite(const HermiteWeights& weights, double y0, double slope0, double y
 }
 
 State predict(const PathPoint* before, const PathPoint& last, double q) {
-    State state{linalg::duplicate(last.state.x), 0.0};
+    State state{linalg::duplicate(last.state.x), 0.0, last.state.pressures_Pa};
     if (before == nullptr) {
+        const double step = q - last.q;
         linalg::copy(last.state.x, state.x);
-        linalg::add(state.x, q - last.q, last.tangent.x);
-        state.load_factor = last.state.load_factor + (q - last.q) * last.tangent.load_factor;
+        linalg::add(state.x, step, last.tangent.x);
+        state.load_factor = last.state.load_factor + step * last.tangent.load_factor;
+        for (std::size_t k = 0; k < state.pressures_Pa.size(); ++k) state.pressures_Pa[k] += step * last.tangent.pressures[k];
         return state;
     }
     const auto w = hermite_weights(before->q, last.q, q);
@@ -27,6 +37,9 @@ State predict(const PathPoint* before, const PathPoint& last, double q) {
     linalg::add(state.x, w.slope1, last.tangent.x);
     state.load_factor = hermite(w, before->state.load_factor, before->tangent.load_factor, last.state.load_factor,
                                 last.tangent.load_factor);
+    for (std::size_t k = 0; k < state.pressures_Pa.size(); ++k)
+        state.pressures_Pa[k] = hermite(w, before->state.pressures_Pa[k], before->tangent.pressures[k],
+                                        last.state.pressures_Pa[k], last.tangent.pressures[k]);
     return state;
 }
 

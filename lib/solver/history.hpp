@@ -9,16 +9,20 @@
 
 namespace soft::solver {
 
-/// A converged state with everything the path needs to know of it.
+/// A converged state with everything the path needs to know of it. Slopes are per unit q.
 struct PathPoint {
     State state;
-    PathTangent tangent;                ///< per unit q
-    double q = 0;                       ///< value of the controlled quantity
-    std::optional<double> volume_m3;
-    std::vector<double> outputs_m;
-    double volume_slope = 0;            ///< per unit q
-    std::vector<double> output_slopes;
+    PathTangent tangent;
+    double q = 0;                               ///< value of the controlled quantity
+    std::vector<double> pressures_Pa = {}, pressure_slopes = {};   ///< of all pressure loads
+    std::vector<double> volumes_m3 = {}, volume_slopes = {};       ///< of all measured cavities
+    std::vector<double> load_volumes_m3 = {}, load_volume_slopes = {};   ///< of the cavities of each pressure load together
+    std::vector<double> outputs = {}, output_slopes = {};
+    double leading = 0, leading_slope = 0;      ///< the load a curve shows (model::leading_load): [Pa], or the load factor
 };
+
+/// Changes the parameter of a point's slopes: all are multiplied by `factor`.
+void scale_slopes(PathPoint& point, double factor);
 
 /// Cubic Hermite weights of (y0, y0', y1, y1') at q.
 struct HermiteWeights {

@@ -10,28 +10,6 @@ namespace soft::solver {
 
 using solution::PathEnd;
 
-namespace {
-
-Constraint control_constraint(const model::Case& input, bool has_volume) {
-    switch (input.path.control) {
-        case model::Control::pressure: return {ConstraintKind::load_factor};
-        case model::Control::volume:
-            if (!has_volume)
-                throw Error(ExitCode::bad_input, "path.control", "volume control needs a loaded cavity",
-                            "use pressure, displacement or arc-length");
-            return {ConstraintKind::volume};
-        case model::Control::displacement:
-            if (input.outputs.empty())
-                throw Error(ExitCode::bad_input, "path.control", "displacement control needs an output",
-                            "name one under outputs");
-            return {ConstraintKind::output};
-        case model::Control::arc_length: return {ConstraintKind::arc};
-    }
-    return {};
-}
-
-}  // namespace
-
 double coarse(double step) {
     int exponent = 0;
     const double mantissa = std::frexp(step, &exponent);
@@ -45,10 +23,10 @@ PathEnd PathFollower::run(const solution::Checkpoint* from) {
         restore(*from);
     else
         start();
-    while (!finished()) {
+    while (!finished_) {
         const int rows = rows_;
         advance();
-        if (!finished() && rows_ > rows) keep_checkpoint();
+        if (!finished_ && rows_ > rows) keep_checkpoint();
     }
     end_.factorizations = factorizations_before_ + newton_.factorizations();
     return std::move(end_);
@@ -58,34 +36,25 @@ void PathFollower::prepare() {
     if (const auto motion = assembly::free_rigid_motion(input_))
         throw Error(ExitCode::bad_input, "supports", "nothing holds the body against a rigid " + *motion,
                     "hold a face in that direction");
-    const auto volume = system_.enclosed_volume(system_.make_vector(), nullptr);
-    control_ = control_constraint(input_, volume.has_value());
-    stop_at_limit_point_ = control_.kind == ConstraintKind::load_factor;
-    goals_ = make_goals(input_, volume);
+    if (input_.path.stages.empty()) throw Error(ExitCode::bad_input, "path", "there are no stages");
+    const auto undeformed = system_.make_vector();
+    for (std::size_t load = 0; load < input_.loads.size(); ++load)
+        undeformed_volumes_m3_.push_back(system_.load_volume(load, undeformed, nullptr));
 }
 
 void PathFollower::start() {
-    State state{system_.make_vector(), 0.0};
+    set_stage(0, unloaded(input_, undeformed_volumes_m3_));
+    if (!loads_->changes())
+        throw Error(ExitCode::bad_input, "loads", "nothing loads the body", "give loads.cavity.pressure");
+    State state{system_.make_vector(), 0.0, {}};
+    state.pressures_Pa.assign(loads_->free_supplies().size(), 0.0);
     if (system_.starts_under_stress()) {   // row 0 is the body free of load, not the undeformed one
         newton_result_ = newton_.correct({ConstraintKind::load_factor}, 0.0, state);
         if (newton_result_.end != NewtonEnd::converged)
             throw Error(ExitCode::bad_input, "materials", "no equilibrium without load under the law's initial stress",
                         "check the moduli of the materials");
     }
-    auto tangent = newton_.tangent({ConstraintKind::load_factor}, state);
-    if (!tangent || !std::isfinite(linalg::norm(tangent->x)))
-        throw Error(ExitCode::bad_input, "materials", "the undeformed body has a singular stiffness",
-                    "check the moduli of the materials");
-    // The linear response gives the first step: first_step of the full load.
-    last_ = measure(std::move(state), std::move(*tangent));
-    if (control_.kind != ConstraintKind::load_factor) {
-        auto along_control = newton_.tangent(bind(control_, *last_), last_->state);
-        if (!along_control) throw Error(ExitCode::bad_input, "path.control", "the load does not move the controlled quantity");
-        State undeformed = std::move(last_->state);
-        last_.reset();
-        last_ = measure(std::move(undeformed), std::move(*along_control));
-    }
-    first_step_ = step_ = coarse(settings_.first_step / last_->tangent.load_factor);
+    begin_stage(std::move(state));
     append(*last_);
 }
 
@@ -95,15 +64,7 @@ void PathFollower::finish(solution::StopReason reason, std::string detail) {
     finished_ = true;
 }
 
-int PathFollower::wanted_steps() const {
-    for (const auto& until : input_.path.until)
-        if (until.quantity == "steps") return static_cast<int>(until.value);
-    return settings_.step_limit;
-}
-
 PathEnd follow_path(assembly::System& system, const Listeners& listeners, const solution::Checkpoint* from) {
-    if (model::leading_load(system.input()).value_Pa == 0.0)
-        throw Error(ExitCode::bad_input, "loads", "nothing loads the body", "give loads.cavity.pressure");
     return PathFollower(system, listeners).run(from);
 }
 

@@ -1,13 +1,24 @@
 #pragma once
-/// Follows the equilibrium path of a case from the undeformed state, by steps that choose their own length, until the
-/// full load or a stated goal is reached, or the path ends for a physical or numerical reason.
+/// Follows the equilibrium path of a case from the undeformed state through the stages of its load programme, by steps
+/// that choose their own length, until the last stage's loads are in place or a stated goal is reached, or the path ends
+/// for a physical or numerical reason.
 ///
-/// The controlled quantity q (pressure, enclosed volume, an output, arc length) grows monotonically. Its step is chosen
+/// The controlled quantity q (load factor, enclosed volume, an output, arc length) grows monotonically. Its step is chosen
 /// so that the predictor (cubic through the last two states, history.hpp) errs by SolverSettings::step_accuracy of the
-/// step. Limit points of the load are located on the way (d load / d q = 0) and become rows of the path. When steps
-/// under pressure control fail, a few steps by arc length tell whether a limit point is the reason.
-/// Held by the verification suite (sphere, tube, bellows).
+/// step. On every step the inertia of the tangent is watched: limit points of the leading load (d load / d q = 0) and
+/// bifurcations (an eigenvalue passes zero that no limit point explains) are located and become rows of the path.
+///
+/// Control::automatic starts with the load factor and goes over to the volume (where one supply's pressure grows), or to
+/// arc length, when the body has become softer than at the beginning of the stage by `softening`, when the path is seen to
+/// be straighter there, or when a step fails. Where
+/// the user has chosen the control, a path that ends under it is followed by arc length just far enough to say why:
+/// a limit point of the controlled quantity.
+///
+/// Step::stable: no direction is left in which the body gives way under what is controlled. Under arc length and under
+/// the load factor that is every load as prescribed; under volume or output control the load may change to hold it.
+/// Held by solver/solver_test, solver/branch_test and the verification suite (sphere, tube, bellows, two spheres).
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "assembly/system.hpp"
@@ -16,7 +27,13 @@
 
 namespace soft::solver {
 
-/// What the caller does with each converged step (write it, show progress). Called on every rank, in order.
+/// Automatic control leaves the load factor when the body moves this much more per load than where the stage began.
+inline constexpr double softening = 3.0;
+/// ... or when its direction changes this much less over a step, per unit of the other control.
+inline constexpr double straighter = 0.5;
+
+/// What the caller does with each converged step (write it, show progress). Called on every rank, in order. The system's
+/// prescribed motions are those of the step.
 using StepSink = std::function<void(const solution::Step& step, Vec x)>;
 
 /// One line about what the solver is doing, for `--verbose`.
@@ -25,15 +42,20 @@ using Log = std::function<void(const std::string&)>;
 /// What it would take to go on from the row just passed to the sink. Collective; only rank 0 gets the vectors.
 using CheckpointSink = std::function<void(const solution::Checkpoint&)>;
 
+/// Where walls of the body touch in a state, in words ("the faces ... near x = ..."); empty where none do. Collective,
+/// the same answer on every rank.
+using ContactCheck = std::function<std::optional<std::string>(Vec x)>;
+
 struct Listeners {
     StepSink step;
     CheckpointSink checkpoint = {};   ///< may be empty
     Log log = {};                     ///< may be empty
+    ContactCheck contact = {};        ///< may be empty: walls pass through each other
 };
 
 /// `from`: goes on from there instead of the undeformed state; the rows before it are not passed to the sink again. The
-/// rows after it are those of the uninterrupted path. Throws Error (bad_input) for a checkpoint of another case or
-/// another number of ranks.
+/// rows after it are those of the uninterrupted path. Throws Error (bad_input) for a body that can move freely, a control
+/// or goal the case does not have, a checkpoint of another case or another number of ranks.
 [[nodiscard]] solution::PathEnd follow_path(assembly::System& system, const Listeners& listeners,
                                             const solution::Checkpoint* from = nullptr);
 

@@ -1,7 +1,8 @@
 #pragma once
 /// The state machine behind follow_path (path.hpp), internal to the room. One concern a file: path.cpp begins and ends,
-/// path_step.cpp takes steps and mends failed ones, path_points.cpp measures states and writes rows, limit_point.cpp
-/// locates limit points, path_resume.cpp keeps and restores checkpoints.
+/// stages.cpp begins and ends stages and changes the control, path_step.cpp takes steps and mends failed ones,
+/// path_points.cpp measures states and writes rows, events.cpp locates limit points, bifurcations and contact,
+/// path_resume.cpp keeps and restores checkpoints.
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,56 +17,104 @@ namespace soft::solver {
 /// Steps of few digits, so that rounding, which differs with the number of ranks, does not move the rows of the path.
 [[nodiscard]] double coarse(double step);
 
+/// Something that happens between two rows.
+struct Event {
+    PathPoint point;
+    bool is_limit_point = false;
+    int modes = 0;                              ///< eigenvalues that pass zero, of a bifurcation
+    std::optional<linalg::Vector> mode;
+};
+
 class PathFollower {
 public:
     PathFollower(assembly::System& system, const Listeners& listeners)
         : system_(system), input_(system.input()), settings_(input_.solver), newton_(system, settings_),
-          sink_(listeners.step), keep_(listeners.checkpoint), log_(listeners.log), scratch_(system.make_vector()) {}
+          listeners_(listeners), scratch_(system.make_vector()) {}
 
     solution::PathEnd run(const solution::Checkpoint* from);
 
 private:
+    // path.cpp
     void prepare();
     void start();
-    void restore(const solution::Checkpoint& from);
-    void keep_checkpoint();
-    [[nodiscard]] bool finished() const { return finished_; }
+    void finish(solution::StopReason reason, std::string detail);
+
+    // stages.cpp
+    [[nodiscard]] const model::Stage& stage() const { return input_.path.stages[static_cast<std::size_t>(stage_)]; }
+    void set_stage(int index, solution::StageStart start);
+    void begin_stage(State state);
+    void end_stage(const std::string& text);
+    [[nodiscard]] solution::StageStart stage_start(const PathPoint& point) const;
+    [[nodiscard]] Constraint stage_control() const;
+    [[nodiscard]] Constraint softer_control() const;
+    void change_control(const Constraint& control, const std::string& why);
+    [[nodiscard]] double control_slope(const Constraint& control, const PathPoint& point) const;
+    [[nodiscard]] double bend_under(const Constraint& control);
+    [[nodiscard]] double controlled_value(const PathPoint& point, double arc_length) const;
+    void soften();
+    [[nodiscard]] int wanted_steps() const;
+
+    // path_step.cpp
     void advance();
     [[nodiscard]] std::optional<PathPoint> solve_at(const Constraint& constraint, double target, State guess);
-    [[nodiscard]] PathPoint measure(State state, PathTangent tangent);
+    [[nodiscard]] std::optional<PathPoint> solve_between(const PathPoint& a, const PathPoint& b, double q);
     [[nodiscard]] Constraint bind(const Constraint& constraint, const PathPoint& origin) const;
-    void locate_limit_point(const PathPoint& from, const PathPoint& to);
     void accept(PathPoint point);
     void handle_failure();
-    void adapt_step(double predictor_error);
+    void give_up();
+    enum class Predictor { tangent, cubic };
+    void adapt_step(double predictor_error, Predictor predictor);
+
+    // path_points.cpp
+    [[nodiscard]] PathPoint measure(State state, PathTangent tangent);
     void read_values(PathPoint& point);
     void append(const PathPoint& point);
-    void finish(solution::StopReason reason, std::string detail);
-    void switch_to_arc_length();
     [[nodiscard]] bool is_stable(const PathPoint& point) const;
+    /// Along the direction of travel.
+    [[nodiscard]] bool load_falls(const PathPoint& point) const { return point.tangent.load_factor * step_ < 0.0; }
+    [[nodiscard]] solution::LimitPoint place_of(const PathPoint& point) const;
     [[nodiscard]] std::string describe(const PathPoint& point) const { return state_text(point, input_); }
-    [[nodiscard]] int wanted_steps() const;
+    void log(const std::string& line) const { if (listeners_.log) listeners_.log(line); }
+
+    // events.cpp
+    [[nodiscard]] std::optional<std::string> find_contact(PathPoint& point);
+    /// Appends what happens between two points in the order of the path; true where the path ends or turns there.
+    [[nodiscard]] bool pass_events(const PathPoint& from, const PathPoint& to);
+    [[nodiscard]] std::optional<PathPoint> locate_extremum(const PathPoint& from, const PathPoint& to,
+                                                           double (*slope)(const PathPoint&, std::size_t),
+                                                           std::size_t index);
+    [[nodiscard]] std::optional<Event> locate_bifurcation(const PathPoint& from, const PathPoint& to);
+    [[nodiscard]] std::optional<int> branch_index(const PathPoint& point) const;
+    [[nodiscard]] bool take_branch(const Event& event);
+
+    // path_resume.cpp
+    void restore(const solution::Checkpoint& from);
+    void keep_checkpoint();
 
     assembly::System& system_;
     const model::Case& input_;
     model::SolverSettings settings_;
     Newton newton_;
-    const StepSink& sink_;
-    const CheckpointSink& keep_;
-    const Log& log_;
+    const Listeners& listeners_;
     linalg::Vector scratch_;
+    std::vector<double> undeformed_volumes_m3_;   // by load
 
-    Constraint control_;
-    bool stop_at_limit_point_ = false;
+    int stage_ = 0, stage_first_row_ = 0;
+    std::optional<StageLoads> loads_;
     std::vector<Goal> goals_;
+    Constraint control_;
+    std::optional<Constraint> chosen_;          // by the user, where the path is followed by another control to see why it ends
     std::optional<PathPoint> before_, last_;
     double step_ = 0, first_step_ = 0;          // of q, signed
+    double stretch_p99_ = 1;                    // of the last row
+    double first_slope_ = 0;                    // |dx / d load factor| where the stage began
     int failures_ = 0;                          // in a row
     std::optional<double> rejected_error_;      // of the predictor, at the last attempt from here
     NewtonResult newton_result_;
     int iterations_since_row_ = 0, factorizations_at_row_ = 0;
     int factorizations_before_ = 0;             // of the run that was interrupted
     int rows_ = 0;
+    bool on_branch_ = false;
     bool finished_ = false;
     solution::PathEnd end_;
 };

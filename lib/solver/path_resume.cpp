@@ -1,54 +1,83 @@
-#include "solver/path_follower.hpp"
-
 #include "core/error.hpp"
+#include "solver/path_follower.hpp"
 
 namespace soft::solver {
 
 void PathFollower::keep_checkpoint() {
-    if (!keep_) return;
+    if (!listeners_.checkpoint) return;
     const auto stored = [](const PathPoint& point) {
         return solution::StatePoint{linalg::gather(point.state.x), linalg::gather(point.tangent.x),
+                                    point.state.pressures_Pa,      point.tangent.pressures,
                                     point.state.load_factor,       point.tangent.load_factor,
-                                    point.q,                       point.tangent.excess_pivots};
+                                    point.tangent.power,           point.outputs,
+                                    point.q,                       point.tangent.unstable_modes};
     };
     solution::Checkpoint checkpoint;
     MPI_Comm_size(system_.comm(), &checkpoint.ranks);
     checkpoint.rows = rows_;
+    checkpoint.stage = stage_;
+    checkpoint.stage_first_row = stage_first_row_;
+    checkpoint.start = loads_->start();
     checkpoint.control = static_cast<int>(control_.kind);
-    checkpoint.control_output = static_cast<std::int64_t>(control_.output);
+    checkpoint.controlled = static_cast<std::int64_t>(control_.index);
+    checkpoint.chosen_is_left = chosen_.has_value();
+    checkpoint.on_branch = on_branch_;
     if (before_) checkpoint.before = stored(*before_);
     checkpoint.last = stored(*last_);
     checkpoint.step = step_;
     checkpoint.first_step = first_step_;
+    checkpoint.first_slope = first_slope_;
     checkpoint.so_far = end_;
     checkpoint.so_far.factorizations = factorizations_before_ + newton_.factorizations();
-    keep_(checkpoint);
+    listeners_.checkpoint(checkpoint);
 }
 
 void PathFollower::restore(const solution::Checkpoint& from) {
     int ranks = 1;
     MPI_Comm_size(system_.comm(), &ranks);
+    const auto refuse = [](const std::string& problem, const char* remedy) {
+        throw Error(ExitCode::bad_input, "the interrupted path", problem, remedy);
+    };
     if (ranks != from.ranks)
-        throw Error(ExitCode::bad_input, "the interrupted path",
-                    "was followed by " + std::to_string(from.ranks) + " ranks, these are " + std::to_string(ranks),
-                    "use as many");
-    const auto size = static_cast<std::size_t>(system_.dofs().total);
+        refuse("was followed by " + std::to_string(from.ranks) + " ranks, these are " + std::to_string(ranks), "use as many");
+    const auto loads = input_.loads.size();
+    const bool fits = from.stage >= 0 && static_cast<std::size_t>(from.stage) < input_.path.stages.size() &&
+                      from.start.pressures_Pa.size() == loads && from.start.volumes_m3.size() == loads &&
+                      from.start.masses_kg.size() == loads && from.start.tractions.size() == input_.tractions.size() &&
+                      from.start.body_forces.size() == input_.body_forces.size() &&
+                      from.start.motions.size() == input_.motions.size() && from.control >= 0 &&
+                      from.control <= static_cast<int>(ConstraintKind::arc);
+    if (!fits) refuse("has other loads or stages than the case", "run solve again");
+    set_stage(from.stage, from.start);
+    const auto size = static_cast<std::size_t>(system_.dofs().total), free = loads_->free_supplies().size();
     const auto point_of = [&](const solution::StatePoint& stored) {
-        if (stored.unknowns.size() != size || stored.tangent_unknowns.size() != size)
-            throw Error(ExitCode::bad_input, "the interrupted path", "has another number of unknowns than the case",
-                        "run solve again");
-        PathPoint point{{system_.make_vector(), stored.load_factor}, {}, stored.q, std::nullopt, {}, 0, {}};
+        if (stored.unknowns.size() != size || stored.tangent_unknowns.size() != size ||
+            stored.pressures_Pa.size() != free || stored.tangent_pressures.size() != free ||
+            stored.outputs.size() != system_.output_count())
+            refuse("has another number of unknowns than the case", "run solve again");
+        PathPoint point;
+        point.state = {system_.make_vector(), stored.load_factor, stored.pressures_Pa};
         linalg::spread(stored.unknowns, point.state.x);
-        point.tangent = {system_.make_vector(), stored.tangent_load_factor, stored.excess_pivots};
+        point.tangent = {system_.make_vector(), stored.tangent_load_factor, stored.tangent_pressures,
+                         stored.unstable_modes, stored.power};
         linalg::spread(stored.tangent_unknowns, point.tangent.x);
+        point.q = stored.q;
         read_values(point);
+        point.outputs = stored.outputs;   // angles beyond 180 degrees
         return point;
     };
-    control_.kind = static_cast<ConstraintKind>(from.control);
+    if (static_cast<ConstraintKind>(from.control) != control_.kind && from.chosen_is_left) chosen_ = control_;
+    control_ = {static_cast<ConstraintKind>(from.control), static_cast<std::size_t>(from.controlled)};
+    if (control_.kind == ConstraintKind::volume ? control_.index >= loads
+                                                : control_.kind == ConstraintKind::output && control_.index >= system_.output_count())
+        refuse("has other loads or outputs than the case", "run solve again");
+    on_branch_ = from.on_branch;
     if (from.before) before_ = point_of(*from.before);
     last_ = point_of(from.last);
     step_ = from.step;
     first_step_ = from.first_step;
+    first_slope_ = from.first_slope;
+    stage_first_row_ = from.stage_first_row;
     rows_ = from.rows;
     end_ = from.so_far;
     factorizations_before_ = from.so_far.factorizations;

@@ -1,8 +1,7 @@
-#include "solver/path_follower.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "solver/path_follower.hpp"
 
 namespace soft::solver {
 
@@ -13,16 +12,40 @@ namespace {
 /// A step whose predictor errs by more than this part of the step is taken again, shorter: the corrector may have
 /// landed on another branch.
 constexpr double predictor_error_limit = 0.5;
+/// Below this the state is the path's next one.
+constexpr double predictor_error_without_jump = 0.05;
 /// Of a smooth path the tangent's error falls with the step, which is cut to 0.4 between two attempts.
 constexpr double error_at_a_kink = 0.8;
 /// Step changes from one step to the next.
 constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure = 0.4;
 /// Newton iterations beyond which the step does not grow.
 constexpr int many_iterations = 7;
-/// Failures in a row under pressure control before the path is followed by arc length instead.
-constexpr int failures_before_arc = 3;
+/// Failures in a row before the path is followed by another control.
+constexpr int failures_before_other_control = 3;
+
+std::string_view text_of(NewtonEnd end) {
+    switch (end) {
+        case NewtonEnd::converged: return "converged to a state that is not the path's next";
+        case NewtonEnd::inverted: return "a cell turns inside out";
+        case NewtonEnd::iteration_limit: return "the iterations do not settle";
+        case NewtonEnd::no_descent: return "the line search finds no descent";
+        case NewtonEnd::singular: return "the tangent is singular";
+        case NewtonEnd::not_finite: return "forces that are not finite";
+    }
+    return "";
+}
 
 }  // namespace
+
+/// The arc constraint of a step runs along the tangent of the state it starts from.
+Constraint PathFollower::bind(const Constraint& constraint, const PathPoint& origin) const {
+    Constraint bound = constraint;
+    if (constraint.kind == ConstraintKind::arc) {
+        bound.arc_origin = origin.state.x;
+        bound.arc_direction = origin.tangent.x;
+    }
+    return bound;
+}
 
 std::optional<PathPoint> PathFollower::solve_at(const Constraint& constraint, double target, State guess) {
     newton_result_ = newton_.correct(constraint, target, guess);
@@ -37,55 +60,77 @@ std::optional<PathPoint> PathFollower::solve_at(const Constraint& constraint, do
     return measure(std::move(guess), std::move(*tangent));
 }
 
+/// The state at q between two points of the path.
+std::optional<PathPoint> PathFollower::solve_between(const PathPoint& a, const PathPoint& b, double q) {
+    State guess = predict(&a, b, q);
+    Constraint constraint = bind(control_, a);
+    constraint.scale = std::abs(b.q - a.q);
+    const double target = constraint.kind == ConstraintKind::arc
+                              ? evaluate(constraint, system_, *loads_, guess, scratch_).value
+                              : q;
+    auto point = solve_at(constraint, target, std::move(guess));
+    if (point && control_.kind == ConstraintKind::arc) point->q = q;
+    return point;
+}
+
 void PathFollower::advance() {
     if (rows_ > settings_.step_limit)
         return finish(StopReason::step_limit, std::to_string(settings_.step_limit) + " steps were not enough");
-    if (rows_ > wanted_steps()) return finish(StopReason::done, "number of steps reached");
+    if (rows_ > wanted_steps()) return end_stage("number of steps");
     const PathPoint* before = before_ ? &*before_ : nullptr;
+    const bool cubic = before_.has_value();
     const auto crossing = first_predicted(goals_, before, *last_, last_->q + step_);
     State guess = predict(before, *last_, crossing ? crossing->q : last_->q + step_);
-    linalg::Vector predicted = linalg::duplicate(guess.x);
-    linalg::copy(guess.x, predicted);
+    linalg::Vector change = linalg::duplicate(guess.x);
+    linalg::copy(guess.x, change);
     Constraint constraint = crossing ? crossing->goal->constraint : bind(control_, *last_);
     double target = crossing ? crossing->goal->target : last_->q + step_;
+    if (!crossing) constraint.scale = std::abs(step_);
     if (constraint.kind == ConstraintKind::arc)
-        target = evaluate(constraint, system_, guess.x, guess.load_factor, scratch_);
+        target = evaluate(constraint, system_, *loads_, guess, scratch_).value;
     auto point = solve_at(constraint, target, std::move(guess));
     if (!point) return handle_failure();
 
-    linalg::add(predicted, -1.0, point->state.x);
-    const double error = linalg::norm(predicted);
-    linalg::copy(point->state.x, predicted);
-    linalg::add(predicted, -1.0, last_->state.x);
-    const double relative_error = error / linalg::norm(predicted);
-    const bool jumped = control_.kind == ConstraintKind::load_factor && point->tangent.excess_pivots &&
-                        last_->tangent.excess_pivots && *point->tangent.excess_pivots != *last_->tangent.excess_pivots;
+    linalg::add(change, -1.0, point->state.x);
+    const double error = linalg::norm(change);
+    linalg::copy(point->state.x, change);
+    linalg::add(change, -1.0, last_->state.x);
+    const double relative_error = error / linalg::norm(change);
+    // Another inertia is another branch, unless the predictor says that the path has just passed a bifurcation.
+    const bool jumped = control_.kind == ConstraintKind::load_factor && relative_error > predictor_error_without_jump &&
+                        point->tangent.unstable_modes && last_->tangent.unstable_modes &&
+                        *point->tangent.unstable_modes != *last_->tangent.unstable_modes;
     // At a kink of the law (fibres that start to pull) the tangent is one-sided: the error does not fall with the step.
     const bool kink = !jumped && rejected_error_ && relative_error > error_at_a_kink * *rejected_error_;
     if ((relative_error > predictor_error_limit && !kink) || jumped) {
         rejected_error_ = relative_error;
-        newton_result_.end = NewtonEnd::no_descent;
         return handle_failure();
     }
     failures_ = 0;
     rejected_error_.reset();
-    if (log_)
-        log_("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " +
-             short_text(relative_error) + ", " + std::to_string(iterations_since_row_) + " iterations" +
-             (point->tangent.excess_pivots ? ", excess pivots " + std::to_string(*point->tangent.excess_pivots) : ""));
-    if (!crossing)
-        if (const auto passed = first_between(goals_, *last_, *point)) {
-            auto met = solve_at(passed->goal->constraint, passed->goal->target, predict(&*last_, *point, passed->q));
-            if (!met) return handle_failure();
-            locate_limit_point(*last_, *met);
-            append(*met);
-            return finish(StopReason::done, passed->goal->text + " reached");
-        }
-    locate_limit_point(*last_, *point);
-    if (finished()) return;
+    log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(relative_error) +
+        ", " + std::to_string(newton_result_.iterations) + " iterations" +
+        (point->tangent.unstable_modes ? ", unstable modes " + std::to_string(*point->tangent.unstable_modes) : ""));
+
+    const auto contact = find_contact(*point);
+    std::string reached = crossing ? crossing->goal->text : "";
+    if (contact) reached.clear();
+    if (const auto passed = crossing && !contact ? std::nullopt : first_between(goals_, *last_, *point)) {
+        auto met = solve_at(passed->goal->constraint, passed->goal->target, predict(&*last_, *point, passed->q));
+        if (!met) return handle_failure();
+        point = std::move(met);
+        reached = passed->goal->text;
+    }
+    if (pass_events(*last_, *point)) return;
     accept(std::move(*point));
-    if (crossing) return finish(StopReason::done, crossing->goal->text + " reached");
-    adapt_step(relative_error);
+    if (!reached.empty()) return end_stage(reached);
+    if (contact) return finish(StopReason::self_contact, *contact + " at " + describe(*last_));
+    if (!end_.limit_points.empty() && stretch_p99_ > input_.path.stretch_limit)
+        return finish(StopReason::limit_point,
+                      "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
+                      "path.stretch_limit at " + describe(*last_));
+    adapt_step(relative_error, cubic ? Predictor::cubic : Predictor::tangent);
+    soften();
 }
 
 void PathFollower::accept(PathPoint point) {
@@ -95,9 +140,8 @@ void PathFollower::accept(PathPoint point) {
 }
 
 /// The predictor's error goes with the fourth power of the step (tangent: second), the step itself divides it out once.
-void PathFollower::adapt_step(double predictor_error) {
-    const bool cubic = before_ && before_->q != last_->q && rows_ > 2;
-    const double order = cubic ? 3.0 : 1.0;
+void PathFollower::adapt_step(double predictor_error, Predictor predictor) {
+    const double order = predictor == Predictor::cubic ? 3.0 : 1.0;
     double factor = std::pow(settings_.step_accuracy / std::max(predictor_error, 1e-12), 1.0 / order);
     factor = std::clamp(0.9 * factor, smallest_shrink, largest_growth);
     if (newton_result_.iterations > many_iterations) factor = std::min(factor, 0.7);
@@ -108,35 +152,41 @@ void PathFollower::adapt_step(double predictor_error) {
     }
 }
 
+/// The ladder: a shorter step (the line search has had its turn inside each attempt), another control, and at last the
+/// reason with the place where smaller cells would help.
 void PathFollower::handle_failure() {
     ++failures_;
-    if (log_)
-        log_("row " + std::to_string(rows_) + ": step of " + short_text(step_) + " failed, residual " +
-             short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian));
-    step_ *= cut_after_failure;
+    const double next = step_ * cut_after_failure;
+    log("row " + std::to_string(rows_) + ": step of " + short_text(step_) + " failed (" +
+        std::string(text_of(newton_result_.end)) + ", " + std::to_string(newton_result_.iterations) + " iterations, " +
+        std::to_string(newton_result_.halvings) + " halvings of the line search, residual " +
+        short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian) +
+        "): cut to " + short_text(next));
+    step_ = next;
     const bool too_short = std::abs(step_) < settings_.smallest_step * std::abs(first_step_);
-    if (control_.kind == ConstraintKind::load_factor && (failures_ >= failures_before_arc || too_short))
-        return switch_to_arc_length();
+    const bool automatic = stage().control == model::Control::automatic;
+    if (control_.kind != ConstraintKind::arc && (too_short || failures_ >= failures_before_other_control ||
+                                                 (automatic && control_.kind == ConstraintKind::load_factor))) {
+        if (automatic && control_.kind == ConstraintKind::load_factor)
+            return change_control(softer_control(), "a step under the load factor fails");
+        if (!automatic) chosen_ = control_;
+        return change_control({ConstraintKind::arc}, "steps under the " + std::string(name(control_.kind)) + " fail");
+    }
     if (failures_ > 1) before_.reset();   // a bad extrapolation: go back to the tangent
-    if (!too_short) return;
-    if (newton_result_.end == NewtonEnd::inverted)
-        return finish(StopReason::inverted_element,
-                      "a cell turns inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " +
-                          place_text(newton_result_.worst_cell, input_) + "; use a finer mesh there");
-    finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_));
+    if (too_short) give_up();
 }
 
-void PathFollower::switch_to_arc_length() {
-    const double load_step = step_;
-    control_ = {ConstraintKind::arc};
-    before_.reset();
-    failures_ = 0;
-    const double length = linalg::norm(last_->tangent.x);
-    PathPoint origin = std::move(*last_);
-    last_.reset();
-    last_ = measure(std::move(origin.state), std::move(origin.tangent));
-    first_step_ = step_ = coarse(std::abs(load_step) * length);
-    if (log_) log_("pressure steps fail: following the path by arc length to see why");
+void PathFollower::give_up() {
+    const std::string place = place_text(newton_result_.worst_cell, input_);
+    log("no step goes on: smaller cells (mesh.size) would be next");
+    if (newton_result_.end == NewtonEnd::inverted)
+        return finish(StopReason::inverted_element, "a cell turns inside out (det F = " +
+                                                        short_text(newton_result_.min_jacobian) + ") " + place +
+                                                        "; use smaller cells there (mesh.size)");
+    finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + " (" +
+                                     std::string(text_of(newton_result_.end)) + "); the most distorted cell is " + place +
+                                     ", det F = " + short_text(newton_result_.min_jacobian) +
+                                     "; smaller cells there (mesh.size) may go on");
 }
 
 }  // namespace soft::solver

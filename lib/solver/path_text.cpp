@@ -1,6 +1,7 @@
 #include "solver/path_text.hpp"
 
 #include <locale>
+#include <numbers>
 #include <sstream>
 
 namespace soft::solver {
@@ -14,10 +15,15 @@ std::string short_text(double value) {
 }
 
 std::string state_text(const PathPoint& point, const model::Case& input) {
-    std::string text = short_text(1e-3 * point.state.load_factor * model::leading_load(input).value_Pa) + " kPa";
-    for (std::size_t i = 0; i < point.outputs_m.size(); ++i)
-        text += ", " + input.outputs[i].name + " " + short_text(1e3 * point.outputs_m[i]) + " mm";
-    if (point.volume_m3) text += ", volume " + short_text(1e6 * *point.volume_m3) + " mL";
+    const bool is_factor = model::leading_load(input) == model::LeadingLoad::load_factor;
+    std::string text = is_factor ? "load factor " + short_text(point.leading) : short_text(1e-3 * point.leading) + " kPa";
+    for (std::size_t i = 0; i < point.outputs.size(); ++i) {
+        const bool length = input.outputs[i].measure == model::Measure::displacement;
+        text += ", " + input.outputs[i].name + " " +
+                (length ? short_text(1e3 * point.outputs[i]) + " mm"
+                        : short_text(180.0 / std::numbers::pi * point.outputs[i]) + " deg");
+    }
+    if (!point.volumes_m3.empty()) text += ", volume " + short_text(1e6 * point.load_volumes_m3[0]) + " mL";
     return text;
 }
 

@@ -13,6 +13,8 @@ target_include_directories(soft_petsc SYSTEM INTERFACE ${PETSC_PC_INCLUDE_DIRS})
 target_link_libraries(soft_petsc INTERFACE ${PETSC_PC_LINK_LIBRARIES} MPI::MPI_C)
 target_compile_definitions(soft_petsc INTERFACE OMPI_SKIP_MPICXX)
 
+find_library(LAPACK_LIBRARY NAMES lapack flexiblas openblas REQUIRED)   # comes with PETSc
+
 # HDF5: the flavour PETSc was built with; two flavours in one process do not share identifiers.
 pkg_search_module(HDF5_PC REQUIRED hdf5-openmpi hdf5)
 find_library(HDF5_HL_LIBRARY NAMES hdf5_openmpi_hl hdf5_hl HINTS ${HDF5_PC_LIBRARY_DIRS} REQUIRED)

@@ -55,9 +55,9 @@ void solve_upper(const Dense& L, double* x) {
 /// K of the undeformed block, dense.
 Dense stiffness_at_rest(const model::Case& input, std::vector<PetscInt>& pressures, std::vector<double>& constant) {
     System system(input, PETSC_COMM_WORLD);
-    auto x = system.make_vector(), R = system.make_vector(), load = system.make_vector();
+    auto x = system.make_vector(), R = system.make_vector();
     const auto K = system.make_matrix();
-    system.evaluate(x, 0.0, R, load, K);
+    system.evaluate(x, no_loads(system.input()), R, K);
     const auto& map = system.dofs();
     Dense dense(static_cast<int>(map.total));
     for (PetscInt i = 0; i < map.total; ++i) {

@@ -91,11 +91,11 @@ linalg::Vector start(const System& system, const Patch& p, const std::vector<Pet
 
 /// Newton's method for the unknowns that are not held.
 void solve_inside(System& system, const std::vector<PetscInt>& held, Vec x) {
-    auto R = system.make_vector(), load = system.make_vector(), step = system.make_vector();
+    auto R = system.make_vector(), step = system.make_vector();
     const auto count = static_cast<PetscInt>(held.size());
     for (int iteration = 0; iteration < 8; ++iteration) {
         const auto K = system.make_matrix();
-        ASSERT_TRUE(system.evaluate(x, 0.0, R, load, K).admissible());
+        ASSERT_TRUE(system.evaluate(x, no_loads(system.input()), R, K).admissible());
         SOFT_PETSC(MatZeroRowsColumns(K, count, held.data(), 1.0, nullptr, nullptr));
         const std::vector<double> zeros(held.size(), 0.0);
         SOFT_PETSC(VecSetValues(R, count, held.data(), zeros.data(), INSERT_VALUES));

@@ -32,6 +32,16 @@ void name_boundary(mesh::Mesh& mesh, Name&& name_of) {
     }
 }
 
+/// One stage that brings the pressures to these values and everything else to level 1.
+inline model::Stage full_load(const model::Case& input, const std::vector<double>& pressures_Pa) {
+    model::Stage stage;
+    for (const double pressure : pressures_Pa) stage.supplies.push_back({model::Prescription::pressure, pressure});
+    stage.tractions.assign(input.tractions.size(), 1.0);
+    stage.body_forces.assign(input.body_forces.size(), 1.0);
+    stage.motions.assign(input.motions.size(), 1.0);
+    return stage;
+}
+
 /// Thick sphere, inner radius 10 mm, outer 20 mm, as the quarter section x >= 0, r >= 0: `layers` quad9 through the
 /// wall, `sectors` along the quarter circle. Loaded by a cavity pressure of mu at load factor 1.
 inline model::Case sphere_case(int layers, int sectors) {
@@ -67,7 +77,41 @@ inline model::Case sphere_case(int layers, int sectors) {
     input.supports = {{"axis", {false, true, false}}, {"symmetry_x", {true, false, false}}};
     input.cavities = {{"cavity", "cavity", {}, {}}};
     input.materials = {sample_material(true)};
-    input.loads = {{"cavity", sample_mu_Pa, true}};
+    input.loads = {{.name = "cavity", .targets = {"cavity"}, .gas = {}}};
+    input.path.stages = {full_load(input, {sample_mu_Pa})};
+    return input;
+}
+
+/// Two such spheres, apart from each other as bodies (no node in common, though drawn at the same place), on one gas: a
+/// volume of `ratio` times both cavities at load factor 1. Cavities "left" and "right".
+inline model::Case two_spheres_case(int layers, int sectors, double ratio) {
+    model::Case input = sphere_case(layers, sectors);
+    auto& mesh = input.mesh;
+    const auto points = mesh.points;
+    const auto first = static_cast<mesh::Index>(points.size()), cells = mesh.cell_count();
+    mesh.points.insert(mesh.points.end(), points.begin(), points.end());
+    for (mesh::Index cell = 0; cell < cells; ++cell) {
+        std::vector<mesh::Index> nodes(mesh.cell_nodes(cell).begin(), mesh.cell_nodes(cell).end());
+        for (auto& node : nodes) node += first;
+        mesh::add_cell(mesh, mesh.cell_type(cell), nodes, 0);
+    }
+    for (auto& [name, facets] : mesh.facet_sets) {
+        if (name == "cavity") continue;
+        const auto one = facets;
+        for (auto facet : one) {
+            facet.cell += cells;
+            facets.push_back(facet);
+        }
+    }
+    auto& right = mesh.facet_sets["right"];
+    for (auto facet : mesh.facet_sets.at("cavity")) {
+        facet.cell += cells;
+        right.push_back(facet);
+    }
+    mesh.facet_sets["left"] = mesh.facet_sets.at("cavity");
+    input.cavities = {{"left", "left", {}, {}}, {"right", "right", {}, {}}};
+    input.loads = {{.name = "left", .targets = {"left", "right"}, .gas = {}}};
+    input.path.stages[0].supplies = {{model::Prescription::volume_ratio, ratio}};
     return input;
 }
 
@@ -103,9 +147,10 @@ inline model::Case box_case(int n, bool incompressible) {
     });
     input.supports = {{"fixed", {true, false, false}}, {"left", {false, true, false}}, {"bottom", {false, false, true}}};
     input.materials = {sample_material(incompressible)};
-    input.loads = {{"end", -sample_mu_Pa, true}};
+    input.loads = {{.name = "end", .targets = {"end"}, .gas = {}}};
     input.outputs = {{"elongation", "end", {1, 0, 0}}};
-    input.path.control = model::Control::pressure;
+    input.path.stages = {full_load(input, {-sample_mu_Pa})};
+    input.path.stages[0].control = model::Control::pressure;
     return input;
 }
 

@@ -32,6 +32,8 @@ TEST(Units, PrefixesGiveTheDoubleNearestToTheDecimalValue) {
     EXPECT_EQ(si("1.05 bar", Dimension::pressure), 105000.0);
     EXPECT_EQ(si("1080 kg/m^3", Dimension::density), 1080.0);
     EXPECT_EQ(si("1.08 g/cm^3", Dimension::density), 1080.0);
+    EXPECT_EQ(si("50 mg", Dimension::mass), 5e-5);
+    EXPECT_EQ(si("9.81 m/s^2", Dimension::acceleration), 9.81);
     EXPECT_EQ(si("10 mL", Dimension::volume), 1e-5);
     EXPECT_EQ(si("10 mm^2", Dimension::area), 1e-5);
     EXPECT_EQ(si("150 %", Dimension::ratio), 1.5);

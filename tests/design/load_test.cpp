@@ -53,7 +53,7 @@ TEST(Traction, IsALoadByItself) {
     EXPECT_EQ(design.tractions[0].face, "end");
     EXPECT_EQ(design.tractions[0].traction_Pa, 62500.0);
     EXPECT_EQ(design.tractions[0].along, "y");
-    EXPECT_EQ(design.path.control, model::Control::pressure);   // the load factor
+    EXPECT_EQ(design.path.stages.at(0).tractions, std::vector{1.0});   // all of it at the end
     EXPECT_TRUE(design.warnings.empty());
 }
 
@@ -63,14 +63,14 @@ TEST(Traction, StandsBesidePressuresOnOtherFaces) {
     EXPECT_EQ(design.tractions[0].face, "end");   // tip is another name of it
     EXPECT_EQ(design.tractions[0].traction_Pa, -3000.0);
     ASSERT_EQ(design.loads.size(), 1u);
-    EXPECT_EQ(design.loads[0].target, "top");
+    EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"top"});
     expect_refusal("loads: {tip: {traction: 3 kPa, along: x}, end: {pressure: 2 kPa}}\n",
                    "p.yaml:3:59: loads.end.pressure: face 'end' is loaded twice", "keep one of its names");
 }
 
 TEST(Traction, WhatContradictsItselfIsRefused) {
     expect_refusal("loads: {end: {traction: 3 kPa, pressure: 3 kPa, along: y}}\n",
-                   "p.yaml:3:15: loads.end.traction: the load has a pressure already", "keep one");
+                   "p.yaml:3:32: loads.end.pressure: the load has a traction already", "keep one of pressure, traction, displacement");
     expect_refusal("loads: {end: {pressure: 3 kPa, along: y}}\n",
                    "p.yaml:3:32: loads.end.along: a pressure acts along the normal", "write traction");
     expect_refusal("loads: {end: {traction: 3 kPa}}\n", "p.yaml:3:9: loads.end.along: missing", "add along: y");
@@ -85,7 +85,7 @@ TEST(Traction, WhatContradictsItselfIsRefused) {
                    "p.yaml:3:42: loads.end.sealed: a face has no openings", "leave it out");
     expect_refusal(pulled + "path: {until: {pressure: 3 kPa}}\n", "p.yaml:4:26: path.until.pressure: no load is a pressure",
                    "use an output or steps");
-    expect_refusal(pulled + "path: {control: volume}\n", "p.yaml:4:17: path.control: no cavity is loaded", "use pressure");
+    expect_refusal(pulled + "path: {control: volume}\n", "p.yaml:4:17: path.control: no cavity is loaded", "use auto");
     const std::string cavity =
         refusal("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: {traction: 1 kPa, along: x}}\n");
     EXPECT_EQ(cavity.find("p.yaml:3:18: loads.cavity.traction: a cavity is loaded by a pressure; write pressure"), 0u) << cavity;
@@ -169,6 +169,117 @@ TEST_F(ApplyToTractions, RefusesNewOnesAndNewDirections) {
               "--set loads.end.along: the direction is built into the case; give the same --set to mesh-gen");
     EXPECT_EQ(refusal_of("loads.top", "{traction: 3 kPa, along: x}"),
               "--set loads.top: loads.top.traction: the case has no traction on this face; give the same --set to mesh-gen");
+}
+
+TEST(Motion, IsThatOfAComponentOfAFace) {
+    const Design design = read_sheet("loads: {tip: {displacement: -10 mm, along: x}}\n");
+    ASSERT_EQ(design.motions.size(), 1u);
+    EXPECT_EQ(design.motions[0].face, "end");
+    EXPECT_EQ(design.motions[0].displacement_m, -0.01);
+    EXPECT_EQ(design.motions[0].along, "x");
+    EXPECT_EQ(design.path.stages.at(0).motions, std::vector{1.0});
+    expect_refusal("loads: {end: {displacement: 10 mm, traction: 3 kPa, along: y}}\n",
+                   "p.yaml:3:36: loads.end.traction: the load has a displacement already", "keep one of");
+    expect_refusal("loads: {end: {displacement: 10 mm, along: z}}\n", "p.yaml:3:43: loads.end.along: a plane strain model", "");
+    expect_refusal("loads: {end: {displacement: 0 mm, along: x}}\n", "p.yaml:3:29: loads.end.displacement: a load of 0",
+                   "write the displacement at full load, for example 10 mm");
+}
+
+TEST(Gravity, NeedsADensityAndADirection) {
+    const std::string weight = "loads: {gravity: {acceleration: 9.81 m/s^2, along: -y}}\n";
+    const Design design = read_sheet(weight, {{"material.density", "1080 kg/m^3"}});
+    ASSERT_EQ(design.body_forces.size(), 1u);
+    EXPECT_EQ(design.body_forces[0].name, "gravity");
+    EXPECT_EQ(design.body_forces[0].acceleration_m_s2, 9.81);
+    EXPECT_EQ(design.body_forces[0].along, "-y");
+    EXPECT_EQ(design.material.density_kg_m3, 1080.0);
+    expect_refusal(weight, "p.yaml:3:33: loads.gravity.acceleration: the rubber has no density", "material: {density: 1080 kg/m^3}");
+    expect_refusal("loads: {gravity: {acceleration: 9.81 m/s^2}}\n", "p.yaml:3:9: loads.gravity.along: missing", "add along: -x");
+    expect_refusal("loads: {gravity: {acceleration: 9.81 m, along: x}}\n",
+                   "p.yaml:3:33: loads.gravity.acceleration: '9.81 m' is a length where an acceleration is needed", "");
+}
+
+TEST(Stages, OfTractionsWeightAndMotionsAreLevels) {
+    const Design design = read_sheet(
+        "loads: {end: {traction: 50 kPa, along: y}, top: {displacement: 4 mm, along: x}, gravity: {acceleration: 10 m/s^2, along: x}}\n"
+        "path: {stages: {a: {loads: {tip: {traction: 20 kPa}, gravity: {acceleration: 5 m/s^2}}},"
+        " b: {loads: {top: {displacement: -1 mm}, end: {traction: 0 kPa}}}}}\n",
+        {{"material.density", "1 g/cm^3"}});
+    const auto& stages = design.path.stages;
+    ASSERT_EQ(stages.size(), 2u);
+    EXPECT_EQ(stages[0].tractions, std::vector{0.4});
+    EXPECT_EQ(stages[0].motions, std::vector{0.0});
+    EXPECT_EQ(stages[0].body_forces, std::vector{0.5});
+    EXPECT_EQ(stages[1].tractions, std::vector{0.0});
+    EXPECT_EQ(stages[1].motions, std::vector{-0.25});
+    EXPECT_EQ(stages[1].body_forces, std::vector{0.5});
+}
+
+TEST(Overrides, FindALoadUnderEveryNameOfItsFace) {
+    const std::string tip = "loads: {tip: {displacement: 10 mm, along: x}}\n", end = "loads: {end: {displacement: 10 mm, along: x}}\n";
+    for (const std::string& design : {tip, end})
+        for (const char* path : {"loads.tip.displacement", "loads.end.displacement"}) {
+            const std::vector<Override> changes = {{path, "5 mm"}};
+            const Design changed = read_sheet(design, changes);
+            ASSERT_EQ(changed.motions.size(), 1u);
+            EXPECT_EQ(changed.motions[0].displacement_m, 5e-3);
+            const SolveChanges part = apply_overrides(read_sheet(design).effective_yaml, changes);
+            ASSERT_EQ(part.motions.size(), 1u);
+            EXPECT_EQ(part.motions[0].factor, 0.5);
+            EXPECT_EQ(part.effective_yaml, changed.effective_yaml);
+        }
+}
+
+TEST_F(ApplyToTractions, RefusesFacesThatTheCaseDoesNotLoad) {
+    EXPECT_TRUE(holds(refusal_of("loads.tip.traction", "5 kPa"), "accepted"));   // another name of end
+    EXPECT_TRUE(holds(refusal_of("loads.bottom.pressure", "5 kPa"), "--set loads.bottom.pressure: loads.bottom: unknown key; known: "));
+    EXPECT_TRUE(holds(refusal_of("loads.gravity", "{acceleration: 9.81 m/s^2, along: x}"), "the rubber has no density"));
+    EXPECT_EQ(refusal_of("loads.cavity.pressure", "5 kPa"),
+              "--set loads.cavity.pressure: loads.cavity: there is no cavity to load; faces: top, end, fixed, tip");
+}
+
+class Angles : public testing::Test {
+protected:
+    std::string refusal_of(const std::string& model, const std::string& output) {
+        try {
+            static_cast<void>(read("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: {pressure: 1 kPa}}\nmodel: " +
+                                   model + "\noutputs: {a: {" + output + "}}\n"));
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "accepted";
+    }
+};
+
+TEST_F(Angles, AreBendsFromAReferenceAndTwists) {
+    const Design design = read(std::string{least} +
+                               "model: solid\noutputs: {b: {face: inlet, measure: bend, reference: end_disc, along: y}, "
+                               "t: {face: inlet, measure: twist, along: axis}, d: {face: inlet}}\n");
+    ASSERT_EQ(design.outputs.size(), 3u);
+    EXPECT_EQ(design.outputs[0].measure, model::Measure::bend);
+    EXPECT_EQ(design.outputs[0].reference, "fixed");
+    EXPECT_EQ(design.outputs[1].measure, model::Measure::twist);
+    EXPECT_EQ(design.outputs[2].measure, model::Measure::displacement);
+    EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
+}
+
+TEST_F(Angles, WhatDoesNotTurnIsRefused) {
+    const std::string bend = "face: inlet, measure: bend, ";
+    EXPECT_TRUE(holds(refusal_of("solid", bend + "along: y"), "outputs.a.reference: missing"));
+    EXPECT_TRUE(holds(refusal_of("solid", bend + "reference: fixed"), "outputs.a.along: missing"));
+    EXPECT_TRUE(holds(refusal_of("solid", bend + "reference: inlet, along: y"), "a face does not bend away from itself"));
+    EXPECT_TRUE(holds(refusal_of("solid", bend + "reference: fixed, along: r"), "r is no axis to turn about"));
+    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, reference: fixed"), "only a bend is measured from another face"));
+    EXPECT_TRUE(holds(refusal_of("axisymmetric", bend + "reference: fixed, along: x"), "neither bends nor twists"));
+    EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: twist"), "neither bends nor twists"));
+}
+
+TEST(PlaneStrain, FacesTurnAboutZ) {
+    const Design design =
+        read_sheet(pulled + "outputs: {a: {face: end, measure: bend, reference: fixed, along: z}}\n");
+    EXPECT_EQ(design.outputs.at(0).along, "z");
+    expect_refusal(pulled + "outputs: {a: {face: end, measure: bend, reference: fixed, along: y}}\n",
+                   "p.yaml:4:66: outputs.a.along: in plane strain faces turn about z", "along: z");
 }
 
 }  // namespace

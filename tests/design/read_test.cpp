@@ -24,14 +24,17 @@ TEST(ReadDesign, FamilyMaterialAndAPressureAreEnough) {
     EXPECT_EQ(design.material.constants.at("mu"), std::vector{164400.0});
     EXPECT_EQ(design.material.bulk_modulus_Pa, std::nullopt);  // incompressible unless kappa says otherwise
     ASSERT_EQ(design.loads.size(), 1u);
-    EXPECT_EQ(design.loads[0].pressure_Pa, 30000.0);
+    EXPECT_EQ(design.loads[0].name, "cavity");
+    EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"cavity"});
+    EXPECT_EQ(supply(design).what, model::Prescription::pressure);
+    EXPECT_EQ(supply(design).value, 30000.0);
     EXPECT_TRUE(design.loads[0].sealed);
     ASSERT_EQ(design.supports.size(), 1u);
     EXPECT_EQ(design.supports[0].face, "fixed");  // end_disc is another name of it
     EXPECT_EQ(design.supports[0].fixed, (std::array{true, true, false}));
     ASSERT_EQ(design.outputs.size(), 1u);
     EXPECT_EQ(design.outputs[0].name, "elongation");
-    EXPECT_EQ(design.path.control, model::Control::volume);
+    EXPECT_EQ(design.path.stages.at(0).control, model::Control::automatic);
     EXPECT_TRUE(design.warnings.empty());
 }
 
@@ -67,27 +70,29 @@ solver: {residual_tolerance: 1e-8, newton_limit: 20}
     EXPECT_EQ(design.supports[1].fixed, (std::array{false, true, false}));
     EXPECT_EQ(design.supports[2].fixed, (std::array{false, true, true}));  // y and z of one face come together
     ASSERT_EQ(design.loads.size(), 2u);
-    EXPECT_EQ(design.loads[0].target, "cavity");
+    EXPECT_EQ(design.loads[0].name, "cavity");
     EXPECT_FALSE(design.loads[0].sealed);
-    EXPECT_EQ(design.loads[1].pressure_Pa, -2000.0);
-    EXPECT_EQ(design.path.control, model::Control::arc_length);
-    ASSERT_EQ(design.path.until.size(), 4u);
-    EXPECT_EQ(design.path.until[0].quantity, "elongation");
-    EXPECT_EQ(design.path.until[0].value, 0.13);
-    EXPECT_EQ(design.path.until[1].value, 5.0);
-    EXPECT_EQ(design.path.until[2].value, 20000.0);
-    EXPECT_EQ(design.path.until[3].value, 40.0);
+    EXPECT_EQ(design.path.stages.at(0).supplies.at(1).value, -2000.0);
+    const model::Stage& stage = design.path.stages.at(0);
+    EXPECT_EQ(stage.control, model::Control::arc_length);
+    ASSERT_EQ(stage.until.size(), 4u);
+    EXPECT_EQ(stage.until[0].quantity, "elongation");
+    EXPECT_EQ(stage.until[0].value, 0.13);
+    EXPECT_EQ(stage.until[1].value, 5.0);
+    EXPECT_EQ(stage.until[2].value, 20000.0);
+    EXPECT_EQ(stage.until[3].value, 40.0);
     EXPECT_EQ(design.outputs[1].along, "z");
     EXPECT_EQ(design.solver.residual_tolerance, 1e-8);
     EXPECT_EQ(design.solver.newton_limit, 20);
     EXPECT_EQ(design.solver.step_limit, model::SolverSettings{}.step_limit);
 }
 
-TEST(ReadDesign, WithoutACavityThePathIsControlledByPressure) {
+TEST(ReadDesign, WithoutACavityThePressureIsThatOfAFace) {
     const Design design =
         read("family: bar\nmaterial: {law: neo-hookean, mu: 100 kPa}\nloads: {end: {pressure: -50 kPa}}\n");
-    EXPECT_EQ(design.path.control, model::Control::pressure);
-    EXPECT_EQ(design.loads[0].target, "end");
+    EXPECT_EQ(design.path.stages.at(0).control, model::Control::automatic);
+    EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"end"});
+    EXPECT_EQ(supply(design).value, -50000.0);
 }
 
 TEST(ReadDesign, AnEmptySectionIsNotAMissingOne) {

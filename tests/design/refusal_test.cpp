@@ -88,7 +88,7 @@ TEST(Refusal, AValueAndAGroupAreNotTheSame) {
     expect(base + "geometry: {wall: [1 mm]}\n", "p.yaml:4:18: geometry.wall: a single value", "");
     expect(base + "geometry: {wall: }\n", "p.yaml:4:", "geometry.wall: has no value");
     expect("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: 30 kPa}\n",
-           "p.yaml:3:17: loads.cavity: a group of keys", "known: pressure, sealed");
+           "p.yaml:3:17: loads.cavity: a group of keys", "known: pressure, sealed, gas, volume, volume_ratio, mass, valve, shares");
     expect("family: {a: b}\n", "p.yaml:1:9: family: a single value", "");
     expect("- family\n", "p.yaml:1:1: a design is a group of keys", "");
     expect("just text\n", "p.yaml:1:1: a design is a group of keys", "");
@@ -98,7 +98,7 @@ TEST(Refusal, AValueAndAGroupAreNotTheSame) {
 
 TEST(Refusal, WhatContradictsItselfIsRefused) {
     const std::string bar = "family: bar\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {end: {pressure: -1 kPa}}\n";
-    expect(bar + "path: {control: volume}\n", "p.yaml:4:17: path.control: no cavity", "use pressure");
+    expect(bar + "path: {control: volume}\n", "p.yaml:4:17: path.control: no cavity", "use auto");
     expect(bar + "path: {until: {volume_ratio: 2}}\n", "p.yaml:4:30: path.until.volume_ratio: no cavity", "");
     expect("family: bar\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {end: {pressure: -1 kPa, sealed: true}}\n",
            "p.yaml:3:33: loads.end.sealed: a face has no openings", "");

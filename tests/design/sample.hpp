@@ -99,6 +99,9 @@ inline Design read(std::string_view text, const std::vector<Override>& overrides
     return read_design(text, "p.yaml", families(), overrides);
 }
 
+/// What a design without stages prescribes of its first pressure load.
+inline model::SupplyTarget supply(const Design& design) { return design.path.stages.at(0).supplies.at(0); }
+
 /// The one-line error of a refused design; a test failure if it is accepted.
 inline std::string refusal(std::string_view text, const std::vector<Override>& overrides = {}) {
     try {

@@ -12,7 +12,7 @@ design::Design design_of(const std::string& family, const std::string& model, co
     d.family = family;
     d.name = "a " + family;
     d.values = sample::values(family, model, changes);
-    d.material = {"rubber", "neo-hookean", {{"mu", {0.1644e6}}}, std::nullopt, model::Volumetric::quadratic};
+    d.material = {"rubber", "neo-hookean", {{"mu", {0.1644e6}}}, std::nullopt, std::nullopt, model::Volumetric::quadratic};
     return d;
 }
 
@@ -29,9 +29,9 @@ using Held = std::array<bool, 3>;
 TEST(BuildCase, CarriesTheDesignsOwnParts) {
     design::Design d = design_of("bellows", "axisymmetric");
     d.supports = {{"fixed", {true, true, true}}};
-    d.loads = {{"cavity", 30e3, true}};
+    d.loads = {{.name = "cavity", .targets = {"cavity"}, .gas = {}}};
     d.outputs = {{"elongation", "inlet", "axis"}};
-    d.path.until = {{"elongation", 0.13}};
+    d.path.stages = {{.name = "", .until = {{"elongation", 0.13}}}};
     const model::Case c = build_case(d);
     EXPECT_EQ(c.name, "a bellows");
     EXPECT_EQ(c.kinematics, model::Kinematics::axisymmetric);
@@ -41,10 +41,10 @@ TEST(BuildCase, CarriesTheDesignsOwnParts) {
     EXPECT_EQ(held(c, "fixed"), (Held{true, true, true}));
     EXPECT_EQ(held(c, "axis"), (Held{false, true, false}));
     ASSERT_EQ(c.loads.size(), 1u);
-    EXPECT_EQ(c.loads[0].target, "cavity");
+    EXPECT_EQ(c.loads[0].targets, std::vector<std::string>{"cavity"});
     ASSERT_EQ(c.outputs.size(), 1u);
     EXPECT_EQ(c.outputs[0].direction, (std::array<double, 3>{-1, 0, 0}));   // the inlet moves towards -x
-    EXPECT_EQ(c.path.until.size(), 1u);
+    EXPECT_EQ(c.path.stages.at(0).until.size(), 1u);
 }
 
 TEST(BuildCase, TheBellowsCavityOpensThroughTheBore) {
@@ -123,7 +123,7 @@ TEST(BuildCase, FacesThatAreCutAwayAreRefused) {
     d.supports = {{"left", {false, true, false}}};
     EXPECT_EQ(refusal(d), "supports: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
     d.supports.clear();
-    d.loads = {{"left", 1e3, true}};
+    d.loads = {{.name = "left", .targets = {"left"}, .gas = {}}};
     EXPECT_EQ(refusal(d), "loads.left: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
     d.loads.clear();
     d.outputs = {{"shift", "left", "y"}};

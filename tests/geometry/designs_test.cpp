@@ -24,6 +24,12 @@ std::string file_text(const std::filesystem::path& path) {
     return text.str();
 }
 
+/// GoogleTest takes letters, digits and _ only.
+std::string test_name(std::string words) {
+    std::replace(words.begin(), words.end(), '-', '_');
+    return words;
+}
+
 class EveryFamily : public testing::TestWithParam<std::string> {
 protected:
     const std::filesystem::path path = std::filesystem::path{SOFT_SOURCE_DIR} / "designs" / (GetParam() + ".yaml");
@@ -53,19 +59,38 @@ TEST_P(EveryFamily, HasATemplateThatBecomesACase) {
 }
 
 TEST_P(EveryFamily, IsRunnableWithFamilyMaterialAndAPressureAlone) {
-    const std::set<std::string> hollow_ones{"sphere", "tube", "bellows", "ring"}, silent{"sphere", "ring"};
+    const std::set<std::string> hollow_ones{"sphere", "tube", "bellows", "ring", "two-spheres"}, silent{"sphere", "ring", "two-spheres"};
     const bool hollow = hollow_ones.contains(GetParam());
-    const std::string target = hollow ? "cavity" : GetParam() == "rod" ? "end" : "bottom";
+    const std::string target = GetParam() == "two-spheres" ? "cavities: {left" : hollow ? "cavity"
+                               : GetParam() == "rod"       ? "end"
+                               : GetParam() == "dome"      ? "outer"
+                                                           : "bottom";
+    const std::string end = GetParam() == "two-spheres" ? "}" : "";
     const model::Case c = build_case(read("family: " + GetParam() + "\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\nloads: {" +
-                                              target + ": {pressure: 5 kPa}}\n",
+                                              target + ": {pressure: 5 kPa}" + end + "}\n",
                                           "short.yaml"));
     ASSERT_EQ(c.loads.size(), 1u);
-    EXPECT_EQ(c.cavities.size(), hollow ? 1u : 0u);
+    EXPECT_EQ(c.cavities.size(), !hollow ? 0u : GetParam() == "two-spheres" ? 2u : 1u);
     EXPECT_EQ(c.outputs.size(), silent.contains(GetParam()) ? 0u : 1u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily, testing::Values("rod", "panel", "plate", "sphere", "ring", "tube", "bellows"),
-                         [](const auto& test) { return test.param; });
+INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily, testing::Values("rod", "panel", "plate", "sphere", "two-spheres", "ring", "tube", "dome", "bellows"),
+                         [](const auto& test) { return test_name(test.param); });
+
+/// Designs that show a path rather than a family.
+class Shown : public testing::TestWithParam<std::string> {
+protected:
+    const std::filesystem::path path = std::filesystem::path{SOFT_SOURCE_DIR} / "designs" / (GetParam() + ".yaml");
+};
+
+TEST_P(Shown, BecomesACaseWithoutWarning) {
+    const design::Design design = read(file_text(path), path.string());
+    EXPECT_TRUE(design.warnings.empty()) << design.warnings.front();
+    EXPECT_GT(mesh::quality(build_case(design).mesh).min_scaled_jacobian, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome"),
+                         [](const auto& test) { return test_name(test.param); });
 
 }  // namespace
 }  // namespace soft::geometry

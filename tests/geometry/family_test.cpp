@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <ostream>
 #include <set>
 
@@ -110,6 +111,7 @@ std::vector<Volumes> closed_forms() {
     for (const char* model : {"axisymmetric", "solid", "half", "quarter"}) {
         all.push_back({"sphere", model, 4 * pi / 3 * (8e-6 - 1e-6), 4 * pi / 3 * 1e-6});
         all.push_back({"tube", model, pi * (1e-4 * 0.1 - 0.49e-4 * 0.09), pi * 0.49e-4 * 0.09});
+        all.push_back({"dome", model, 2 * pi / 3 * (51e-3 * 51e-3 * 51e-3 - 49e-3 * 49e-3 * 49e-3) * (1 - std::cos(pi / 6)), 0});
     }
     for (const char* model : {"solid", "half", "quarter"}) {
         all.push_back({"rod", model, 1e-5, 0});
@@ -131,6 +133,32 @@ TEST(Sphere, AreasMatch) {
     EXPECT_NEAR(sample::area_m2(shell, "cavity") / (4 * pi * 1e-4), 1, curved);
     EXPECT_NEAR(sample::area_m2(shell, "outer") / (4 * pi * 4e-4), 1, curved);
     EXPECT_EQ(shell.fraction, 1.0 / 8);
+}
+
+TEST(TwoSpheres, StandApartAndHaveTheVolumesOfWholeOnes) {
+    const Solid pair = sample::solid("two-spheres", "axisymmetric", {{"geometry.gap", "4 mm"}, {"geometry.right_scale", "2"}});
+    const double cavity_m3 = 4 * pi / 3 * 1e-6;
+    EXPECT_NEAR(sample::cavity_m3(pair, 0, "left") / cavity_m3, 1, curved);
+    EXPECT_NEAR(sample::cavity_m3(pair, 0, "right") / cavity_m3, 1, curved);
+    EXPECT_NEAR(sample::rubber_m3(pair) / (4 * pi / 3 * (1.331e-6 + 1.728e-6 - 2e-6)), 1, curved);   // radii 11 and 12 mm
+    EXPECT_NEAR(sample::area_m2(pair, "outer_left") / (4 * pi * 1.21e-4), 1, curved);
+    EXPECT_NEAR(sample::area_m2(pair, "outer_right") / (4 * pi * 1.44e-4), 1, curved);
+    for (const auto& [face, x_m] : std::map<std::string, double>{{"plane_left", -2e-3}, {"plane_right", 2e-3}})
+        for (const mesh::Facet& facet : pair.mesh.facet_sets.at(face))
+            for (const mesh::Index n : mesh::facet_nodes(pair.mesh, facet)) EXPECT_NEAR(pair.mesh.point(n)[0], x_m, 1e-15);
+    for (const mesh::Point& p : pair.mesh.points) EXPECT_GE(std::abs(p[0]), 2e-3 - 1e-15);
+}
+
+TEST(Dome, AreasOfItsFacesMatch) {
+    const double angle = pi / 6, inner_m = 49e-3, outer_m = 51e-3;
+    const auto cap = [](double radius_m, double at) { return 2 * pi * radius_m * radius_m * (1 - std::cos(at)); };
+    for (const char* model : {"axisymmetric", "quarter"}) {
+        const Solid dome = sample::solid("dome", model);
+        EXPECT_NEAR(sample::area_m2(dome, "inner") / cap(inner_m, angle), 1, curved);
+        EXPECT_NEAR(sample::area_m2(dome, "outer") / cap(outer_m, angle), 1, curved);
+        EXPECT_NEAR(sample::area_m2(dome, "crown") / cap(inner_m, 0.1 * angle), 1, curved);
+        EXPECT_NEAR(sample::area_m2(dome, "rim") / (pi * std::sin(angle) * (outer_m * outer_m - inner_m * inner_m)), 1, curved);
+    }
 }
 
 TEST(Tube, AreasOfItsFacesMatch) {
@@ -264,6 +292,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "test: geometry.cap: 50 mm is not smaller than half the length 50 mm; smaller than 50 mm"},
         Refusal{"sphere", "axisymmetric", {{"geometry.inner_radius", "20 mm"}},
                 "test: geometry.inner_radius: 20 mm is not smaller than outer_radius 20 mm; smaller than 20 mm"},
+        Refusal{"two-spheres", "axisymmetric", {{"geometry.inner_radius", "11 mm"}},
+                "test: geometry.inner_radius: 11 mm is not smaller than outer_radius 11 mm; smaller than 11 mm"},
+        Refusal{"dome", "axisymmetric", {{"geometry.thickness", "50 mm"}},
+                "test: geometry.thickness: 50 mm is not smaller than radius 50 mm; smaller than 50 mm"},
         Refusal{"ring", "plane-strain", {{"geometry.inner_radius", "20 mm"}},
                 "test: geometry.inner_radius: 20 mm is not smaller than outer_radius 20 mm; smaller than 20 mm"},
         Refusal{"panel", "plane-strain", {{"geometry.loaded_top", "50 mm"}},

@@ -87,12 +87,32 @@ TEST_F(ImportedSolid, ListedFacesAreACavity) {
     ASSERT_EQ(c.cavities.size(), 1u);
     EXPECT_EQ(c.cavities[0].name, "cavity");
     EXPECT_FALSE(c.loads[0].sealed);
-    EXPECT_EQ(c.path.control, model::Control::volume);
+    EXPECT_EQ(c.path.stages.at(0).control, model::Control::automatic);
     EXPECT_EQ(c.mesh.facet_sets.at("cavity").size(), c.mesh.facet_sets.at("inner").size() + c.mesh.facet_sets.at("ends").size());
     EXPECT_NO_THROW((void)built(design_text(file.path, loads + ", sealed: true}}\n", ", cavity: [inner, outer, ends, bottom, top]")));
     EXPECT_EQ(refusal(design_text(file.path, loads + "}}\n", ", cavity: [inner, end]")),
               "part.yaml:2:" + std::to_string(18 + file.path.string().size() + 18) + ": geometry.cavity: no face is called 'end'; did you mean 'ends'?");
-    EXPECT_EQ(refusal(design_text(file.path, loads + "}}\n")).substr(0, 52), "part.yaml:6:9: loads.cavity: unknown key; known: bot");
+    EXPECT_EQ(refusal(design_text(file.path, loads + "}}\n")).substr(0, 63), "part.yaml:6:9: loads.cavity: there is no cavity to load; faces:");
+}
+
+TEST_F(ImportedSolid, CavitiesByNameHaveWallsOfTheirOwn) {
+    const std::string physics = "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\n";
+    const std::string loads = physics + "loads: {cavities: {west: {pressure: 5 kPa, sealed: false}, east: {shares: west}}}\n";
+    const model::Case c = built(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
+    ASSERT_EQ(c.cavities.size(), 2u);
+    EXPECT_EQ(c.mesh.facet_sets.at("east"), c.mesh.facet_sets.at("outer"));
+    EXPECT_EQ(c.mesh.facet_sets.at("west").size(), c.mesh.facet_sets.at("inner").size() + c.mesh.facet_sets.at("ends").size());
+    ASSERT_EQ(c.loads.size(), 1u);
+    EXPECT_EQ(c.loads[0].targets, (std::vector<std::string>{"west", "east"}));
+    const auto refused = [&](const std::string& cavities) { return refusal(design_text(file.path, loads, ", cavities: " + cavities)); };
+    EXPECT_NE(refused("{west: [inner, ends], east: [outer, inner]}").find(" have sides in common"), std::string::npos);
+    EXPECT_NE(refused("{west: [inner, ends], east: outr}").find("geometry.cavities.east: no face is called 'outr'; did you mean 'outer'?"),
+              std::string::npos);
+    EXPECT_NE(refused("{west: inner, 2nd: outer}").find("geometry.cavities.2nd: not a name of a cavity"), std::string::npos);
+    EXPECT_NE(refused("{west: inner}").find("loads.cavities.east: unknown key"), std::string::npos);
+    EXPECT_NE(refused("{west: inner, east: top, outer: ends}").find("the file has a face called 'outer' already"), std::string::npos);
+    const design::Design design = read(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
+    EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
 }
 
 /// The wall of a quarter ring without bottom and top: two openings of the ring's area, up and down.
@@ -165,7 +185,7 @@ TEST_F(ImportedSolid, ItsEffectiveDesignReadsBackTheSame) {
     const design::Design design = read(design_text(file.path, usual, ", cavity: [inner, ends]"));
     EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
     const auto changes = design::apply_overrides(design.effective_yaml, std::vector<design::Override>{{"loads.inner.pressure", "7 kPa"}});
-    EXPECT_NEAR(changes.loads.at(0).pressure_Pa, 7e3, 1e-9);
+    EXPECT_NEAR(changes.path.stages.at(0).supplies.at(0).value, 7e3, 1e-9);
     EXPECT_FALSE(design::explain_design(design.effective_yaml, "part.yaml", catalogue_keys(), {}).empty());
 }
 

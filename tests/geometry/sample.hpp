@@ -23,7 +23,9 @@ inline double number_of(const design::Key& key, const std::string& text) {
     if (std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end()) return 0;   // a word in its place
     switch (key.kind) {
         case design::Kind::length: return core::quantity_or_throw(text, core::Dimension::length, ExitCode::bad_input, key.path);
-        case design::Kind::count: return std::stod(text);
+        case design::Kind::angle: return core::quantity_or_throw(text, core::Dimension::angle, ExitCode::bad_input, key.path);
+        case design::Kind::count:
+        case design::Kind::ratio: return std::stod(text);
         default: throw std::logic_error("a kind no family uses");
     }
 }
@@ -67,9 +69,9 @@ inline double rubber_m3(const Solid& s) {
 
 /// Flux out of the cavity of half the position across the axis (0 x, 2 z), whose divergence is 1: planes across the axis,
 /// plugs among them, add nothing.
-inline double cavity_m3(const Solid& s, std::size_t axis = 0) {
+inline double cavity_m3(const Solid& s, std::size_t axis = 0, const std::string& wall = "cavity") {
     double sum = 0;
-    for (const mesh::Facet& facet : s.mesh.facet_sets.at("cavity")) {
+    for (const mesh::Facet& facet : s.mesh.facet_sets.at(wall)) {
         const mesh::CellType type = mesh::facet_type(s.mesh, facet);
         const auto nodes = mesh::facet_nodes(s.mesh, facet);
         for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {

@@ -31,6 +31,7 @@ TEST(CaseFile, EmptyTextsAndListsReadBackEmpty) {
     model.outputs.clear();
     model.supports.clear();
     model.loads.clear();
+    model.path.stages = {{}};
     const auto image = write_case(model, {"", "", {}}, {"mesh-gen", "", "", {}, ""});
     const CaseFile file = read_case_file(image, "case.h5");
     expect_equal(file.model, model);
@@ -95,9 +96,9 @@ TEST(CaseFile, EveryDatasetHasUnitsAndDescriptionAndNoTime) {
 
 TEST(CaseFile, FileChangedByAnotherProgramIsReadWithoutItsSeal) {
     const auto image = tampered(section_image(), [](hid_t file) {
-        overwrite(file, "/loads/pressure", 0, std::vector{12345.0});
+        overwrite(file, "/control/stages/0/value", 1, std::vector{12345.0});
     });
-    EXPECT_EQ(read_case(image, "case.h5").loads[0].pressure_Pa, 12345.0);
+    EXPECT_EQ(read_case(image, "case.h5").path.stages[0].supplies[1].value, 12345.0);
 }
 
 TEST(CaseFile, WriterRefusesACaseThatItsReaderWouldRefuse) {

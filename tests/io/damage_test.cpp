@@ -20,7 +20,7 @@ Image bytes_of(std::string_view text) {
 }
 
 Image result_image() {
-    ResultWriter writer{section_image(), "case.h5", example_provenance("solve"), {}};
+    ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     for (int i = 0; i < 4; ++i) writer.append(example_step(i), example_displacement(i), example_pressure(i));
     return writer.finish(example_end());
 }

@@ -47,18 +47,31 @@ model::Case section_case() {
     model.mesh.facet_sets = {{"cavity", {{0, 0}, {1, 0}}}, {"end_disc", {{1, 1}}}, {"inlet", {{0, 3}}}, {"unused", {}}};
     model.mesh.point_sets = {{"tip", {4, 9, 14}}, {"none", {}}};
     model.materials = {
-        {"rubber", "neo-hookean", {{"mu", {164400.0}}}, 16.44e6, model::Volumetric::log},
+        {"rubber", "neo-hookean", {{"mu", {164400.0}}}, 16.44e6, 1080.0, model::Volumetric::log},
         {"collar", "ogden", {{"mu", {1e5, 2e3, -1e4}}, {"alpha", {1.3, 5.0, -2.0}}}, std::nullopt,
-         model::Volumetric::quadratic, model::FiberFrame::cylindrical},
+         1200.5, model::Volumetric::quadratic, model::FiberFrame::cylindrical},
     };
     model.supports = {{"end_disc", {true, true, false}}, {"inlet", {false, true, false}}};
     model.cavities = {{"main", "cavity", {"end_disc"}, {{"inlet", 1.9634954084936207e-5, {-1, 0, 0}}}},
                       {"annex", "cavity", {}, {}}};
-    model.loads = {{"main", 30e3, true}, {"inlet", -500.0, false}};
+    model.loads = {{"supply", {"main", "annex"}, true, {0.9e5, 1.1, 5e-6, 1.4}}, {"outside", {"inlet"}, false, {}}};
     model.tractions = {{"inlet", {-1.5e3, 0, 0}}, {"end_disc", {0, 250.0, 0}}};
-    model.outputs = {{"elongation", "inlet", {-1, 0, 0}}, {"bulge", "cavity", {0.6, 0.8, 0}}};
-    model.path.control = model::Control::arc_length;
-    model.path.until = {{"elongation", 0.13}, {"volume_ratio", 5}};
+    model.body_forces = {{"gravity", {-9.81, 0, 0}}};
+    model.motions = {{"inlet", {-2e-3, std::nullopt, std::nullopt}}, {"end_disc", {0.0, 1e-3, std::nullopt}}};
+    model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
+                     {"bend", "cavity", {0.6, 0.8, 0}, model::Measure::bend, "end_disc"}};
+    model.path.stages = {
+        {"inflate", model::Control::arc_length, "supply", {{"elongation", 0.13}, {"volume_ratio", 5}},
+         {{model::Prescription::volume_ratio, 3}, {model::Prescription::pressure, -500}}, {1, 0.5}, {1}, {0, 0}},
+        {"hold", model::Control::volume, "supply", {}, {{model::Prescription::closed, 0}, {model::Prescription::pressure, 0}},
+         {1, -0.5}, {1}, {0.25, 1}},
+        {"vent", model::Control::displacement, "bend", {{"bend", 0.5}},
+         {{model::Prescription::mass, -2e-5}, {model::Prescription::pressure, 0}}, {0, 0}, {0}, {1, 0}},
+    };
+    model.path.branch = model::Branch::follow;
+    model.path.imperfection_m = 2.5e-5;
+    model.path.contact = model::Contact::ignore;
+    model.path.stretch_limit = 7.5;
     model.solver = {3e-10, 11, 0.05, 0.25, 2e-5, 77, 0.004};
     return model;
 }
@@ -73,10 +86,11 @@ model::Case solid_case() {
     model.mesh.region_names = {"rubber"};
     model.mesh.facet_sets = {{"fixed", {{0, 0}}}, {"end", {{1, 1}}}};
     model.materials = {{"rubber", "yeoh", {{"c1", {1e5}}, {"c2", {0.0}}, {"c3", {-7.25}}}, std::nullopt,
-                        model::Volumetric::mixed}};
+                        std::nullopt, model::Volumetric::mixed}};
     model.supports = {{"fixed", {true, true, true}}};
-    model.loads = {{"end", -2.5e4, true}};
+    model.loads = {{"end", {"end"}, true, {}}};
     model.outputs = {{"elongation", "end", {1, 0, 0}}};
+    model.path.stages.emplace_back().supplies = {{model::Prescription::pressure, -2.5e4}};
     return model;
 }
 
@@ -95,13 +109,18 @@ std::vector<std::byte> section_image() {
 solution::Step example_step(int number) {
     const double t = 0.1 * number;
     solution::Step step;
+    step.stage = std::min(number / 2, 2);
     step.load_factor = t;
     step.pressure_Pa = 3e4 * t;
+    step.pressures_Pa = {3e4 * t, -500 * t};
+    step.volumes_m3 = {1e-5 * (1 + t), 0.49627e-5 * (1 + t)};
     step.volume_m3 = 1.49627e-5 * (1 + t);
-    step.outputs_m = {0.013 * t, -0.002 * t * t};
+    step.outputs = {0.013 * t, -0.002 * t * t};
     step.tangent_load_factor = 1 - t;
     step.tangent_pressure = 3e4 * (1 - t);
     step.tangent_volume = 1.49627e-5;
+    step.tangent_pressures = {3e4 * (1 - t), -500};
+    step.tangent_volumes = {1e-5, 0.49627e-5};
     step.tangent_outputs = {0.013, -0.004 * t};
     step.newton_iterations = 3 + number;
     step.factorizations = 2 + number;
@@ -125,8 +144,14 @@ std::vector<double> example_pressure(int number) {
 }
 
 solution::PathEnd example_end() {
-    return {solution::StopReason::limit_point, "the pressure has a maximum", {{1, 44338.7, 2e-5, {0.01345, 0}}},
-            21, 17};
+    solution::PathEnd end{solution::StopReason::limit_point, "the pressure has a maximum", {}, {}, 21, 17};
+    end.limit_points = {{1, 44338.7, 2e-5, {0.01345, 0}}};
+    end.bifurcations.resize(2);
+    end.bifurcations[0].at = {0, 26e3, 1.8e-5, {0.011, 0.1}};
+    end.bifurcations[0].modes = 2;
+    end.bifurcations[1].at = {1, 27e3, 1.9e-5, {0.012, 0.2}};
+    end.bifurcations[1].mode = example_displacement(7);
+    return end;
 }
 
 namespace {
@@ -136,6 +161,7 @@ void expect_equal(const model::Material& left, const model::Material& right) {
     EXPECT_EQ(left.law, right.law);
     EXPECT_EQ(left.constants, right.constants);
     EXPECT_EQ(left.bulk_modulus_Pa, right.bulk_modulus_Pa);
+    EXPECT_EQ(left.density_kg_m3, right.density_kg_m3);
     EXPECT_EQ(left.volumetric, right.volumetric);
     EXPECT_EQ(left.fiber_frame, right.fiber_frame);
 }
@@ -180,6 +206,30 @@ void expect_all(const List& left, const List& right, Same same) {
     for (std::size_t i = 0; i < left.size(); ++i) same(left[i], right[i]);
 }
 
+void expect_equal(const model::Stage& left, const model::Stage& right) {
+    EXPECT_EQ(left.name, right.name);
+    EXPECT_EQ(left.control, right.control);
+    EXPECT_EQ(left.controlled, right.controlled);
+    expect_all(left.until, right.until, [](const auto& a, const auto& b) {
+        EXPECT_EQ(a.quantity, b.quantity);
+        EXPECT_EQ(a.value, b.value);
+    });
+    expect_all(left.supplies, right.supplies, [](const auto& a, const auto& b) {
+        EXPECT_EQ(a.what, b.what);
+        EXPECT_EQ(a.value, b.value);
+    });
+    EXPECT_EQ(left.tractions, right.tractions);
+    EXPECT_EQ(left.body_forces, right.body_forces);
+    EXPECT_EQ(left.motions, right.motions);
+}
+
+void expect_equal(const solution::LimitPoint& left, const solution::LimitPoint& right) {
+    EXPECT_EQ(left.step, right.step);
+    EXPECT_EQ(left.pressure_Pa, right.pressure_Pa);
+    EXPECT_EQ(left.volume_m3, right.volume_m3);
+    EXPECT_EQ(left.outputs, right.outputs);
+}
+
 }  // namespace
 
 void expect_equal(const model::Case& left, const model::Case& right) {
@@ -196,32 +246,51 @@ void expect_equal(const model::Case& left, const model::Case& right) {
     });
     expect_all(left.cavities, right.cavities, [](const auto& a, const auto& b) { expect_equal(a, b); });
     expect_all(left.loads, right.loads, [](const auto& a, const auto& b) {
-        EXPECT_EQ(a.target, b.target);
-        EXPECT_EQ(a.pressure_Pa, b.pressure_Pa);
+        EXPECT_EQ(a.name, b.name);
+        EXPECT_EQ(a.targets, b.targets);
         EXPECT_EQ(a.sealed, b.sealed);
+        EXPECT_EQ(a.gas.ambient_Pa, b.gas.ambient_Pa);
+        EXPECT_EQ(a.gas.ambient_density_kg_m3, b.gas.ambient_density_kg_m3);
+        EXPECT_EQ(a.gas.dead_volume_m3, b.gas.dead_volume_m3);
+        EXPECT_EQ(a.gas.exponent, b.gas.exponent);
     });
     expect_all(left.tractions, right.tractions, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.face, b.face);
         EXPECT_EQ(a.traction_Pa, b.traction_Pa);
     });
+    expect_all(left.body_forces, right.body_forces, [](const auto& a, const auto& b) {
+        EXPECT_EQ(a.name, b.name);
+        EXPECT_EQ(a.acceleration_m_s2, b.acceleration_m_s2);
+    });
+    expect_all(left.motions, right.motions, [](const auto& a, const auto& b) {
+        EXPECT_EQ(a.face, b.face);
+        EXPECT_EQ(a.displacement_m, b.displacement_m);
+    });
     expect_all(left.outputs, right.outputs, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.name, b.name);
         EXPECT_EQ(a.face, b.face);
         EXPECT_EQ(a.direction, b.direction);
+        EXPECT_EQ(a.measure, b.measure);
+        EXPECT_EQ(a.reference, b.reference);
     });
-    EXPECT_EQ(left.path.control, right.path.control);
-    expect_all(left.path.until, right.path.until, [](const auto& a, const auto& b) {
-        EXPECT_EQ(a.quantity, b.quantity);
-        EXPECT_EQ(a.value, b.value);
-    });
+    expect_all(left.path.stages, right.path.stages, [](const auto& a, const auto& b) { expect_equal(a, b); });
+    EXPECT_EQ(left.path.branch, right.path.branch);
+    EXPECT_EQ(left.path.imperfection_m, right.path.imperfection_m);
+    EXPECT_EQ(left.path.contact, right.path.contact);
+    EXPECT_EQ(left.path.stretch_limit, right.path.stretch_limit);
     expect_equal(left.solver, right.solver);
 }
 
 void expect_equal(const solution::Step& left, const solution::Step& right) {
+    EXPECT_EQ(left.stage, right.stage);
+    EXPECT_EQ(left.pressures_Pa, right.pressures_Pa);
+    EXPECT_EQ(left.volumes_m3, right.volumes_m3);
+    EXPECT_EQ(left.tangent_pressures, right.tangent_pressures);
+    EXPECT_EQ(left.tangent_volumes, right.tangent_volumes);
     EXPECT_EQ(left.load_factor, right.load_factor);
     EXPECT_EQ(left.pressure_Pa, right.pressure_Pa);
     EXPECT_EQ(left.volume_m3, right.volume_m3);
-    EXPECT_EQ(left.outputs_m, right.outputs_m);
+    EXPECT_EQ(left.outputs, right.outputs);
     EXPECT_EQ(left.tangent_load_factor, right.tangent_load_factor);
     EXPECT_EQ(left.tangent_pressure, right.tangent_pressure);
     EXPECT_EQ(left.tangent_volume, right.tangent_volume);
@@ -239,11 +308,11 @@ void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right)
     EXPECT_EQ(left.detail, right.detail);
     EXPECT_EQ(left.newton_iterations, right.newton_iterations);
     EXPECT_EQ(left.factorizations, right.factorizations);
-    expect_all(left.limit_points, right.limit_points, [](const auto& a, const auto& b) {
-        EXPECT_EQ(a.step, b.step);
-        EXPECT_EQ(a.pressure_Pa, b.pressure_Pa);
-        EXPECT_EQ(a.volume_m3, b.volume_m3);
-        EXPECT_EQ(a.outputs_m, b.outputs_m);
+    expect_all(left.limit_points, right.limit_points, [](const auto& a, const auto& b) { expect_equal(a, b); });
+    expect_all(left.bifurcations, right.bifurcations, [](const auto& a, const auto& b) {
+        expect_equal(a.at, b.at);
+        EXPECT_EQ(a.modes, b.modes);
+        EXPECT_EQ(a.mode, b.mode);
     });
 }
 

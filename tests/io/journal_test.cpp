@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "core/files.hpp"
 #include "example_case.hpp"
@@ -32,7 +33,7 @@ protected:
     void TearDown() override { fs::remove_all(folder_); }
 
     [[nodiscard]] ResultWriter writer(const ResultOptions& options = {}) const {
-        return {file_, section_image(), "case.h5", example_provenance("solve"), options};
+        return {file_, {section_image(), "case.h5", section_case()}, example_provenance("solve"), options};
     }
 
     fs::path folder_;
@@ -113,7 +114,7 @@ TEST_F(Journal, FinishedFileIsTheSameAsTheResultInMemory) {
     for (const auto keep : {FieldsPolicy::Keep::all, FieldsPolicy::Keep::last, FieldsPolicy::Keep::none}) {
         const ResultOptions options{{keep}, {}};
         ResultWriter disk = writer(options);
-        ResultWriter memory{section_image(), "<stdin>", example_provenance("solve"), options};
+        ResultWriter memory{{section_image(), "<stdin>", section_case()}, example_provenance("solve"), options};
         for (int i = 0; i < 5; ++i) {
             append(disk, i);
             append(memory, i);
@@ -164,8 +165,195 @@ TEST_F(Journal, RecordThatDoesNotFitTheCaseIsRefused) {
     EXPECT_TRUE(refused(payload));
 }
 
+std::vector<double> numbers(int count, double first) {
+    std::vector<double> list;
+    for (int i = 0; i < count; ++i) list.push_back(first + i / 3.0);
+    return list;
+}
+
+solution::StatePoint example_state(double first) {
+    return {numbers(9, first), numbers(9, -first), numbers(2, first),  numbers(2, 3 * first), 0.25,
+            -0.5,              -1e-3 * first,      numbers(2, 2 * first), 1e-7 * first,       3};
+}
+
+/// Of section_case(); every member has a value of its own.
+solution::Checkpoint example_checkpoint(int rows) {
+    solution::Checkpoint checkpoint;
+    checkpoint.ranks = 2;
+    checkpoint.rows = rows;
+    checkpoint.stage = 1;
+    checkpoint.stage_first_row = 2;
+    checkpoint.start = {numbers(2, 5), numbers(2, 6), numbers(2, 7), numbers(2, 8), numbers(1, 9), numbers(2, 10)};
+    checkpoint.control = 3;
+    checkpoint.controlled = 1;
+    checkpoint.chosen_is_left = true;
+    checkpoint.before = example_state(11);
+    checkpoint.last = example_state(12);
+    checkpoint.last.unstable_modes.reset();
+    checkpoint.step = 0.125;
+    checkpoint.first_step = 0.0625;
+    checkpoint.first_slope = 17.5;
+    checkpoint.so_far = example_end();
+    return checkpoint;
+}
+
+void expect_equal(const solution::StatePoint& left, const solution::StatePoint& right) {
+    EXPECT_EQ(left.unknowns, right.unknowns);
+    EXPECT_EQ(left.tangent_unknowns, right.tangent_unknowns);
+    EXPECT_EQ(left.pressures_Pa, right.pressures_Pa);
+    EXPECT_EQ(left.tangent_pressures, right.tangent_pressures);
+    EXPECT_EQ(left.load_factor, right.load_factor);
+    EXPECT_EQ(left.tangent_load_factor, right.tangent_load_factor);
+    EXPECT_EQ(left.q, right.q);
+    EXPECT_EQ(left.power, right.power);
+    EXPECT_EQ(left.outputs, right.outputs);
+    EXPECT_EQ(left.unstable_modes, right.unstable_modes);
+}
+
+void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& right) {
+    EXPECT_EQ(left.ranks, right.ranks);
+    EXPECT_EQ(left.rows, right.rows);
+    EXPECT_EQ(left.stage, right.stage);
+    EXPECT_EQ(left.start.pressures_Pa, right.start.pressures_Pa);
+    EXPECT_EQ(left.start.volumes_m3, right.start.volumes_m3);
+    EXPECT_EQ(left.start.masses_kg, right.start.masses_kg);
+    EXPECT_EQ(left.start.tractions, right.start.tractions);
+    EXPECT_EQ(left.start.body_forces, right.start.body_forces);
+    EXPECT_EQ(left.start.motions, right.start.motions);
+    EXPECT_EQ(left.control, right.control);
+    EXPECT_EQ(left.controlled, right.controlled);
+    EXPECT_EQ(left.stage_first_row, right.stage_first_row);
+    EXPECT_EQ(left.chosen_is_left, right.chosen_is_left);
+    EXPECT_EQ(left.on_branch, right.on_branch);
+    ASSERT_EQ(left.before.has_value(), right.before.has_value());
+    if (left.before) expect_equal(*left.before, *right.before);
+    expect_equal(left.last, right.last);
+    EXPECT_EQ(left.step, right.step);
+    EXPECT_EQ(left.first_step, right.first_step);
+    EXPECT_EQ(left.first_slope, right.first_slope);
+}
+
+TEST(Checkpoint, ReadsBackEqualInEveryField) {
+    for (const bool first : {false, true}) {
+        solution::Checkpoint checkpoint = example_checkpoint(3);
+        if (first) {
+            checkpoint.before.reset();
+            checkpoint.chosen_is_left = false;
+            checkpoint.on_branch = true;
+        }
+        const auto read = decode_checkpoint(encode_checkpoint(checkpoint), "result.h5");
+        expect_equal(read, checkpoint);
+        checkpoint.so_far.reason = {};   // no meaning yet
+        checkpoint.so_far.detail.clear();
+        test::expect_equal(read.so_far, checkpoint.so_far);
+    }
+}
+
+TEST(Checkpoint, IsRefusedWhenCutOrNotFinite) {
+    const Image whole = encode_checkpoint(example_checkpoint(3));
+    for (std::size_t size = 0; size < whole.size(); size += 7)
+        EXPECT_THROW(static_cast<void>(decode_checkpoint(std::span{whole}.first(size), "result.h5")), Error) << size;
+    solution::Checkpoint wild = example_checkpoint(3);
+    wild.last.unknowns[2] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THROW(static_cast<void>(decode_checkpoint(encode_checkpoint(wild), "result.h5")), Error);
+}
+
+std::string refusal_to_resume(const Image& image) {
+    try {
+        static_cast<void>(read_interrupted(image, "result.h5"));
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        return error.what();
+    }
+    return "";
+}
+
+TEST_F(Journal, GoesOnBehindTheLastCheckpointAsIfNothingHadHappened) {
+    ResultWriter whole = writer();
+    for (int i = 0; i < 5; ++i) append(whole, i);
+    static_cast<void>(whole.finish(example_end()));
+    const Image expected = core::read_file(file_);
+
+    ResultWriter killed = writer();
+    for (int i = 0; i < 4; ++i) {
+        append(killed, i);
+        if (i < 3) killed.remember(example_checkpoint(i + 1));   // row 3 has no checkpoint behind it
+    }
+    Image left = core::read_file(file_);
+    left.resize(left.size() - 5);   // and was cut short
+    core::AtomicFile cut{file_};
+    static_cast<void>(cut.write(left));
+    cut.commit();
+
+    const Interrupted from = read_interrupted(left, "result.h5");
+    test::expect_equal(from.file.model, section_case());
+    ASSERT_EQ(from.steps.size(), 3U);
+    for (int i = 0; i < 3; ++i) test::expect_equal(from.steps[static_cast<std::size_t>(i)], example_step(i));
+    ASSERT_TRUE(from.checkpoint.has_value());
+    expect_equal(*from.checkpoint, example_checkpoint(3));
+    ResultWriter resumed = ResultWriter::resume(file_, {left, "result.h5", from.file.model});
+    expect_steps(read_result(core::read_file(file_), "result.h5"), 3);
+    for (int i = 3; i < 5; ++i) append(resumed, i);
+    static_cast<void>(resumed.finish(example_end()));
+    EXPECT_EQ(core::read_file(file_), expected);
+}
+
+TEST_F(Journal, WithoutACheckpointItStartsFromTheBeginning) {
+    ResultWriter killed = writer();
+    append(killed, 0);
+    const Image left = core::read_file(file_);
+    const Interrupted from = read_interrupted(left, "result.h5");
+    EXPECT_TRUE(from.steps.empty());
+    EXPECT_FALSE(from.checkpoint.has_value());
+    ResultWriter resumed = ResultWriter::resume(file_, {left, "result.h5", from.file.model});
+    for (int i = 0; i < 2; ++i) append(resumed, i);
+    expect_steps(read_result(core::read_file(file_), "result.h5"), 2);
+}
+
+TEST_F(Journal, FileThatIsRemovedOrReplacedIsMadeAnewAtTheEnd) {
+    for (const bool replaced : {false, true}) {
+        ResultWriter running = writer();
+        append(running, 0);
+        append(running, 1);
+        EXPECT_TRUE(running.is_in_place());
+        fs::remove(file_);
+        if (replaced) {
+            core::AtomicFile other{file_};
+            static_cast<void>(other.write(section_image()));
+            other.commit();
+        }
+        EXPECT_FALSE(running.is_in_place());
+        append(running, 2);
+        static_cast<void>(running.finish(example_end()));
+        expect_steps(read_result(core::read_file(file_), "result.h5"), 3);
+    }
+}
+
+TEST_F(Journal, ResumesNothingThatIsNoInterruptedSolve) {
+    EXPECT_NE(refusal_to_resume(section_image()).find("a case without solution"), std::string::npos);
+    ResultWriter done = writer();
+    append(done, 0);
+    append(done, 1);
+    EXPECT_NE(refusal_to_resume(done.finish(example_end())).find("is finished, there is nothing to resume"), std::string::npos);
+}
+
+TEST_F(Journal, CheckpointThatDoesNotFitItsStepsIsRefused) {
+    const auto left_by = [&](const solution::Checkpoint& checkpoint) {
+        ResultWriter running = writer();
+        append(running, 0);
+        append(running, 1);
+        running.remember(checkpoint);
+        return core::read_file(file_);
+    };
+    EXPECT_EQ(refusal_to_resume(left_by(example_checkpoint(2))), "");
+    EXPECT_NE(refusal_to_resume(left_by(example_checkpoint(3))), "");
+    solution::Checkpoint other = example_checkpoint(2);
+    other.stage = -1;
+    EXPECT_NE(refusal_to_resume(left_by(other)), "");
+}
+
 TEST_F(Journal, DeviceIsWrittenToAndStaysADevice) {
-    ResultWriter null{"/dev/null", section_image(), "case.h5", example_provenance("solve"), {}};
+    ResultWriter null{"/dev/null", {section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     append(null, 0);
     static_cast<void>(null.finish({}));
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
@@ -173,7 +361,7 @@ TEST_F(Journal, DeviceIsWrittenToAndStaysADevice) {
 
 TEST_F(Journal, FolderThatIsNotThereIsReported) {
     try {
-        ResultWriter lost{folder_ / "no" / "result.h5", section_image(), "case.h5", example_provenance("solve"), {}};
+        ResultWriter lost{folder_ / "no" / "result.h5", {section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::cannot_create);

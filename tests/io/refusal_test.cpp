@@ -35,6 +35,12 @@ void replace_text(hid_t file, const std::string& group, const std::string& name,
     write_text(parent.get(), {name, "1", "tampered"}, text);
 }
 
+void replace_texts(hid_t file, const std::string& group, const std::string& name, const std::vector<std::string>& texts) {
+    const GroupHandle parent{H5Gopen2(file, group.c_str(), H5P_DEFAULT)};
+    unlink(parent.get(), name.c_str());
+    write_texts(parent.get(), {name, "1", "tampered"}, texts);
+}
+
 /// A dataset with creation properties of the test's making; nothing is written into it.
 void declare(hid_t file, const char* name, hid_t type, hsize_t count, hid_t properties) {
     unlink(file, name);
@@ -54,7 +60,7 @@ void declare_chunked(hid_t file, const char* name, hsize_t count, hsize_t chunk)
 void declare_external(hid_t file) {
     const PropertiesHandle properties{H5Pcreate(H5P_DATASET_CREATE)};
     H5Pset_external(properties.get(), "/etc/passwd", 0, 16);
-    declare(file, "/loads/pressure", H5T_IEEE_F64LE, 2, properties.get());
+    declare(file, "/loads/exponent", H5T_IEEE_F64LE, 2, properties.get());
 }
 
 void declare_virtual(hid_t file) {
@@ -62,7 +68,7 @@ void declare_virtual(hid_t file) {
     const hsize_t count = 2;
     const SpaceHandle space{H5Screate_simple(1, &count, nullptr)};
     H5Pset_virtual(properties.get(), space.get(), "other.h5", "/secret", space.get());
-    declare(file, "/loads/pressure", H5T_IEEE_F64LE, 2, properties.get());
+    declare(file, "/loads/exponent", H5T_IEEE_F64LE, 2, properties.get());
 }
 
 void declare_variable_text(hid_t file) {
@@ -144,7 +150,75 @@ const std::vector<Lie>& lies() {
         {"TractionNotFinite", [](hid_t f) { overwrite(f, "/loads/tractions/traction", 4, Numbers{nan}); },
          "/loads/tractions/traction"},
         {"TractionOnNoFace", [](hid_t f) { replace_text(f, "/loads/tractions", "face", "nowhere"); }, "/loads/tractions/face"},
-        {"PressureNotFinite", [](hid_t f) { overwrite(f, "/loads/pressure", 1, Numbers{nan}); }, "/loads/pressure[1]"},
+        {"TargetThatIsNothing", [](hid_t f) { replace_texts(f, "/loads/targets", "name", {"main", "annex", "nowhere"}); },
+         "/loads/targets/name: there is no cavity or face named 'nowhere'"},
+        {"TargetThatIsEmpty", [](hid_t f) { replace_texts(f, "/loads/targets", "name", {"main", "annex", "unused"}); },
+         "/loads/targets/name: the face 'unused' is empty"},
+        {"FaceAmongCavities", [](hid_t f) { replace_texts(f, "/loads/targets", "name", {"main", "inlet", "inlet"}); },
+         "'inlet' of the load 'supply' is no cavity"},
+        {"CavityLoadedTwice", [](hid_t f) { replace_texts(f, "/loads/targets", "name", {"main", "main", "inlet"}); },
+         "the cavity 'main' is loaded twice"},
+        {"TargetOfNoLoad", [](hid_t f) { overwrite(f, "/loads/targets/load", 2, Integers{2}); }, "/loads/targets/load[2]"},
+        {"LoadWithoutTarget", [](hid_t f) { overwrite(f, "/loads/targets/load", 2, Integers{0}); },
+         "/loads/targets/name: "},
+        {"TwoLoadsOfOneName", [](hid_t f) { replace_texts(f, "/loads", "name", {"supply", "supply"}); },
+         "/loads/name[1]: 'supply' stands there twice"},
+        {"LoadThatHasNoName", [](hid_t f) { replace_texts(f, "/loads", "name", {"supply", "a/b"}); }, "/loads/name[1]"},
+        {"VacuumOutside", [](hid_t f) { overwrite(f, "/loads/ambient_pressure", 1, Numbers{0}); },
+         "/loads/ambient_pressure[1]"},
+        {"GasWithoutDensity", [](hid_t f) { overwrite(f, "/loads/ambient_density", 0, Numbers{-1}); },
+         "/loads/ambient_density[0]"},
+        {"GasWithoutExponent", [](hid_t f) { overwrite(f, "/loads/exponent", 0, Numbers{0}); }, "/loads/exponent[0]"},
+        {"NegativeTubing", [](hid_t f) { overwrite(f, "/loads/dead_volume", 0, Numbers{-1e-9}); }, "/loads/dead_volume[0]"},
+        {"BodyForceAcrossTheAxis", [](hid_t f) { overwrite(f, "/loads/body_forces/acceleration", 1, Numbers{1}); },
+         "/loads/body_forces/acceleration[0]: does not point along the axis"},
+        {"BodyForceWithoutDensity", [](hid_t f) { unlink(f, "/materials/collar/density"); },
+         "/materials/collar/density: is missing, and a body force acts"},
+        {"DensityZero", [](hid_t f) { overwrite(f, "/materials/rubber/density", 0, Numbers{0}); },
+         "/materials/rubber/density"},
+        {"MotionOfNoFace", [](hid_t f) { replace_texts(f, "/loads/motions", "face", {"inlet", "no"}); },
+         "/loads/motions/face[1]"},
+        {"MotionOfNoComponent", [](hid_t f) { replace<std::uint8_t>(f, "/loads/motions", "moved", {0, 0, 0, 1, 1, 0}, {2, 3}); },
+         "/loads/motions/moved[0]: moves no component"},
+        {"MotionNotFinite", [](hid_t f) { overwrite(f, "/loads/motions/displacement", 0, Numbers{infinity}); },
+         "/loads/motions/displacement"},
+        {"BendFromNoFace", [](hid_t f) { replace_texts(f, "/outputs", "reference", {"", ""}); }, "/outputs/reference[1]"},
+        {"DisplacementFromAFace", [](hid_t f) { replace_texts(f, "/outputs", "reference", {"inlet", "end_disc"}); },
+         "/outputs/reference[0]"},
+        {"UnknownMeasure", [](hid_t f) { replace_texts(f, "/outputs", "measure", {"displacement", "colour"}); },
+         "/outputs/measure[1]: 'colour'"},
+        {"NoStage", [](hid_t f) { for (const char* name : {"/control/stages/0", "/control/stages/1", "/control/stages/2"}) unlink(f, name); },
+         "/control/stages: there is no stage"},
+        {"StageThatIsMissing", [](hid_t f) { unlink(f, "/control/stages/1"); }, "/control/stages/"},
+        {"TwoStagesOfOneName", [](hid_t f) { replace_text(f, "/control/stages/2", "name", "inflate"); },
+         "/control/stages[2]: 'inflate' stands there twice"},
+        {"StageWithoutAName", [](hid_t f) { replace_text(f, "/control/stages/2", "name", ""); }, "/control/stages[2]"},
+        {"UnknownControl", [](hid_t f) { replace_text(f, "/control/stages/0", "control", "hope"); },
+         "/control/stages/0/control: 'hope'"},
+        {"ControlledByNothing", [](hid_t f) { replace_text(f, "/control/stages/1", "controlled", "bend"); },
+         "/control/stages/1/controlled: there is no load named 'bend'"},
+        {"ControlledOutputThatIsNone", [](hid_t f) { replace_text(f, "/control/stages/2", "controlled", "supply"); },
+         "/control/stages/2/controlled: there is no output named 'supply'"},
+        {"UnknownPrescription", [](hid_t f) { replace_texts(f, "/control/stages/0", "prescription", {"taste", "pressure"}); },
+         "/control/stages/0/prescription[0]: 'taste'"},
+        {"GasOnAFace", [](hid_t f) { replace_texts(f, "/control/stages/0", "prescription", {"pressure", "closed"}); },
+         "/control/stages/0/value[1]: the load 'outside' is on a face"},
+        {"VolumeRatioOfZero", [](hid_t f) { overwrite(f, "/control/stages/0/value", 0, Numbers{0}); },
+         "/control/stages/0/value[0]: must be positive"},
+        {"FewerSupplies", [](hid_t f) { replace_texts(f, "/control/stages/0", "prescription", {"pressure"});
+             replace<double>(f, "/control/stages/0", "value", {1}); }, "/control/stages/0/prescription: must be one a load"},
+        {"FewerTractions", [](hid_t f) { replace<double>(f, "/control/stages/1", "tractions", {1}); },
+         "/control/stages/1/tractions: must be one a load"},
+        {"MoreBodyForces", [](hid_t f) { replace<double>(f, "/control/stages/1", "body_forces", {1, 2}); },
+         "/control/stages/1/body_forces"},
+        {"MotionLevelNotFinite", [](hid_t f) { overwrite(f, "/control/stages/1/motions", 0, Numbers{nan}); },
+         "/control/stages/1/motions"},
+        {"UntilOfNoOutput", [](hid_t f) { replace_texts(f, "/control/stages/2/until", "quantity", {"bulge"}); },
+         "/control/stages/2/until/quantity[0]: there is no output named 'bulge'"},
+        {"UnknownBranch", [](hid_t f) { replace_text(f, "/control", "branch", "saw"); }, "/control/branch: 'saw'"},
+        {"UnknownContact", [](hid_t f) { replace_text(f, "/control", "contact", "first"); }, "/control/contact: 'first'"},
+        {"ImperfectionZero", [](hid_t f) { overwrite(f, "/control/imperfection", 0, Numbers{0}); }, "/control/imperfection"},
+        {"StretchLimitOne", [](hid_t f) { overwrite(f, "/control/stretch_limit", 0, Numbers{1}); }, "/control/stretch_limit"},
         {"SupportOfNoFace",
          [](hid_t f) {
              unlink(f, "/supports/face");
@@ -159,14 +233,14 @@ const std::vector<Lie>& lies() {
          "/loads/cavities/main/wall"},
         {"DirectionNotUnit", [](hid_t f) { overwrite(f, "/outputs/direction", 0, Numbers{2}); },
          "/outputs/direction[0]"},
-        {"UntilNotFinite", [](hid_t f) { overwrite(f, "/control/until/value", 0, Numbers{nan}); },
-         "/control/until/value[0]"},
+        {"UntilNotFinite", [](hid_t f) { overwrite(f, "/control/stages/0/until/value", 0, Numbers{nan}); },
+         "/control/stages/0/until/value[0]"},
         {"ToleranceZero", [](hid_t f) { overwrite(f, "/control/solver/residual_tolerance", 0, Numbers{0}); },
          "/control/solver/residual_tolerance"},
         {"LimitBeyondInt", [](hid_t f) { overwrite(f, "/control/solver/newton_limit", 0, Integers{1LL << 32}); },
          "/control/solver/newton_limit"},
-        {"ListsOfDifferentLength", [](hid_t f) { replace<double>(f, "/loads", "pressure", {1, 2, 3}); },
-         "/loads/pressure"},
+        {"ListsOfDifferentLength", [](hid_t f) { replace<double>(f, "/loads", "exponent", {1, 2, 3}); },
+         "/loads/exponent"},
         {"MissingGroup", [](hid_t f) { unlink(f, "/supports"); }, "case.h5:/supports: is missing"},
         {"MissingDataset", [](hid_t f) { unlink(f, "/mesh/formulation"); }, "case.h5:/mesh/formulation: is missing"},
         {"MissingFormat", [](hid_t f) { H5Adelete(f, "format"); }, "not one of soft-actuator"},
@@ -174,8 +248,8 @@ const std::vector<Lie>& lies() {
         {"ChangedDesignText", [](hid_t f) { replace_text(f, "/design", "effective_yaml", "family: rod"); },
          "/design/effective_yaml"},
         {"GroupForADataset",
-         [](hid_t f) { unlink(f, "/loads/pressure"); static_cast<void>(create_group(f, "/loads/pressure", "")); },
-         "/loads/pressure"},
+         [](hid_t f) { unlink(f, "/loads/exponent"); static_cast<void>(create_group(f, "/loads/exponent", "")); },
+         "/loads/exponent"},
         {"DatasetForAGroup", [](hid_t f) { unlink(f, "/supports"); write_count(f, {"supports", "1", ""}, 1); },
          "/supports"},
         {"ExternalLink",
@@ -183,14 +257,14 @@ const std::vector<Lie>& lies() {
              H5Lcreate_external("other.h5", "/x", f, "supports", H5P_DEFAULT, H5P_DEFAULT); },
          "case.h5:/supports: is a soft or external link"},
         {"SoftLink",
-         [](hid_t f) { unlink(f, "/loads/pressure");
-             H5Lcreate_soft("/outputs/direction", f, "/loads/pressure", H5P_DEFAULT, H5P_DEFAULT); },
-         "case.h5:/loads/pressure: is a soft or external link"},
+         [](hid_t f) { unlink(f, "/loads/exponent");
+             H5Lcreate_soft("/outputs/direction", f, "/loads/exponent", H5P_DEFAULT, H5P_DEFAULT); },
+         "case.h5:/loads/exponent: is a soft or external link"},
         {"DanglingSoftLinkAmongFaces",
          [](hid_t f) { H5Lcreate_soft("/nowhere", f, "/mesh/facets/x", H5P_DEFAULT, H5P_DEFAULT); },
          "/mesh/facets/x"},
-        {"ExternalStorage", declare_external, "/loads/pressure: keeps its data in another file"},
-        {"VirtualStorage", declare_virtual, "/loads/pressure: is stored in a way that is not supported"},
+        {"ExternalStorage", declare_external, "/loads/exponent: keeps its data in another file"},
+        {"VirtualStorage", declare_virtual, "/loads/exponent: is stored in a way that is not supported"},
         {"VariableLengthText", declare_variable_text, "/design/family: is not text of fixed length"},
         {"DeclaredButNotStored", [](hid_t f) { declare_chunked(f, "/mesh/points/tip", 1ULL << 28, 1024); },
          "/mesh/points/tip: is declared larger than its stored data can be"},

@@ -21,17 +21,16 @@ void append_steps(ResultWriter& writer, int count) {
 }
 
 Image result_image(int steps, const ResultOptions& options = {}) {
-    ResultWriter writer{section_image(), "case.h5", example_provenance("solve"), options};
+    ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), options};
     append_steps(writer, steps);
     return writer.finish(example_end());
 }
 
 TEST(ResultFile, ReadsBackEqualInEveryField) {
-    const ResultOptions options{{Keep::all}, DesignText{"", "solved: otherwise\n", {"load.pressure=1kPa"}}};
-    const Result result = read_result(result_image(4, options), "result.h5");
+    const Result result = read_result(result_image(4), "result.h5");
     expect_equal(result.model, section_case());
     EXPECT_EQ(result.design, example_design());
-    EXPECT_EQ(result.changed_design, options.changed_design);
+    EXPECT_FALSE(result.changed_design.has_value());
     EXPECT_EQ(result.provenance, (std::vector{example_provenance("mesh-gen"), example_provenance("solve")}));
     ASSERT_EQ(result.steps.size(), 4U);
     for (int i = 0; i < 4; ++i) expect_equal(result.steps[static_cast<std::size_t>(i)], example_step(i));
@@ -46,8 +45,60 @@ TEST(ResultFile, ReadsBackEqualInEveryField) {
     }
 }
 
+/// The section with other loads, as `solve --set` may make it: a path of it has other columns.
+model::Case changed_case() {
+    model::Case model = section_case();
+    model.materials[0].law = "yeoh";
+    model.materials[0].constants = {{"c1", {1e5}}};
+    model.loads = {{"left", {"main"}, true, {}}, {"right", {"annex"}, true, {}}, {"outside", {"inlet"}, false, {}}};
+    model.tractions.pop_back();
+    model.body_forces.clear();
+    model.motions.clear();
+    const model::SupplyTarget full{model::Prescription::pressure, 3e4};
+    model.path.stages.resize(1);
+    model.path.stages[0].supplies = {full, full, full};
+    model.path.stages[0].tractions = {0};
+    model.path.stages[0].body_forces.clear();
+    model.path.stages[0].motions.clear();
+    model.path.stages[0].controlled = "left";
+    model.solver.step_limit = 5;
+    return model;
+}
+
+solution::Step changed_step() {
+    solution::Step step = example_step(1);
+    step.pressures_Pa = step.tangent_pressures = {1, 2, 3};
+    return step;
+}
+
+TEST(ResultFile, HoldsTheCaseAsItWasSolved) {
+    const model::Case solved = changed_case();
+    const ResultOptions options{{Keep::all}, DesignText{"", "solved: otherwise\n", {"load.pressure=1kPa"}}};
+    ResultWriter writer{{section_image(), "case.h5", solved}, example_provenance("solve"), options};
+    writer.append(changed_step(), example_displacement(1), example_pressure(1));
+    const Image image = writer.finish({});
+    const Result result = read_result(image, "result.h5");
+    expect_equal(result.model, solved);
+    expect_equal(result.steps.at(0), changed_step());
+    EXPECT_EQ(result.changed_design, options.changed_design);
+    EXPECT_EQ(result.design, example_design());
+    expect_equal(read_case(image, "result.h5"), section_case());   // as mesh-gen wrote it
+}
+
+TEST(ResultFile, CaseThatItsReaderWouldRefuseIsABug) {
+    model::Case solved = changed_case();
+    solved.path.stages.clear();
+    const ResultOptions options{{Keep::all}, DesignText{}};
+    try {
+        const ResultWriter writer{{section_image(), "case.h5", solved}, example_provenance("solve"), options};
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::internal);
+    }
+}
+
 TEST(ResultFile, WithoutVolumesPressuresAndStepsReadsBack) {
-    ResultWriter writer{section_image(), "case.h5", example_provenance("solve"), {}};
+    ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     solution::Step step = example_step(1);
     step.volume_m3.reset();
     step.tangent_volume = 0;
@@ -55,7 +106,7 @@ TEST(ResultFile, WithoutVolumesPressuresAndStepsReadsBack) {
     const Result one = read_result(writer.finish({}), "result.h5");
     expect_equal(one.steps.at(0), step);
     EXPECT_TRUE(one.fields.read(0)->pressure_Pa.empty());
-    ResultWriter idle{section_image(), "case.h5", example_provenance("solve"), {}};
+    ResultWriter idle{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     const Result none = read_result(idle.finish({}), "result.h5");
     EXPECT_TRUE(none.steps.empty());
     EXPECT_TRUE(none.fields.steps().empty());
@@ -111,13 +162,13 @@ TEST(ResultFile, CaseWithoutSolutionSaysWhatToDo) {
 }
 
 TEST(ResultFile, ResultIsNotSolvedTwice) {
-    EXPECT_THROW((ResultWriter{result_image(1), "result.h5", example_provenance("solve"), {}}), Error);
+    EXPECT_THROW((ResultWriter{{result_image(2), "result.h5", section_case()}, example_provenance("solve"), {}}), Error);
 }
 
 TEST(ResultFile, StepsThatDoNotFitAreABug) {
     const auto refused = [](const solution::Step& step, const std::vector<double>& displacement,
                             const std::vector<double>& pressure) {
-        ResultWriter writer{section_image(), "case.h5", example_provenance("solve"), {}};
+        ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
         writer.append(example_step(0), example_displacement(0), example_pressure(0));
         try {
             writer.append(step, displacement, pressure);
@@ -130,7 +181,19 @@ TEST(ResultFile, StepsThatDoNotFitAreABug) {
     const auto pressure = example_pressure(1);
     EXPECT_FALSE(refused(example_step(1), displacement, pressure));
     solution::Step step = example_step(1);
-    step.outputs_m.pop_back();
+    step.outputs.pop_back();
+    EXPECT_TRUE(refused(step, displacement, pressure));
+    step = example_step(1);
+    step.pressures_Pa.clear();
+    EXPECT_TRUE(refused(step, displacement, pressure));
+    step = example_step(1);
+    step.tangent_volumes.push_back(0);
+    EXPECT_TRUE(refused(step, displacement, pressure));
+    step = example_step(1);
+    step.volumes_m3[1] = nan;
+    EXPECT_TRUE(refused(step, displacement, pressure));
+    step = example_step(1);
+    step.stage = 3;
     EXPECT_TRUE(refused(step, displacement, pressure));
     step = example_step(1);
     step.min_jacobian = nan;
@@ -146,9 +209,22 @@ TEST(ResultFile, StepsThatDoNotFitAreABug) {
 }
 
 TEST(ResultFile, LimitPointBeyondThePathIsABug) {
-    ResultWriter writer{section_image(), "case.h5", example_provenance("solve"), {}};
+    ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     append_steps(writer, 1);   // the limit point of example_end() is at row 1
     EXPECT_THROW(static_cast<void>(writer.finish(example_end())), Error);
+}
+
+TEST(ResultFile, ModeThatDoesNotFitTheMeshIsABug) {
+    for (const bool finite : {false, true}) {
+        ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
+        append_steps(writer, 2);
+        solution::PathEnd end = example_end();
+        if (finite)
+            end.bifurcations[1].mode.pop_back();
+        else
+            end.bifurcations[1].mode[4] = nan;
+        EXPECT_THROW(static_cast<void>(writer.finish(end)), Error);
+    }
 }
 
 struct Lie {
@@ -165,9 +241,22 @@ TEST(ResultFile, LiesAreRefusedWithTheirPlace) {
         {"pressure", [](hid_t f) { overwrite(f, "/path/pressure", 2, std::vector{nan}); }, "/path/pressure[2]"},
         {"iterations", [](hid_t f) { overwrite(f, "/path/newton_iterations", 2, Integers{-1}); },
          "/path/newton_iterations[2]"},
-        {"missing output", [&](hid_t f) { drop(f, "/path/outputs/bulge"); }, "/path/outputs/bulge"},
+        {"missing output", [&](hid_t f) { drop(f, "/path/outputs/bend"); }, "/path/outputs/bend"},
         {"limit point", [](hid_t f) { overwrite(f, "/path/limit_points/step", 0, Integers{3}); },
          "/path/limit_points/step[0]"},
+        {"stage", [](hid_t f) { overwrite(f, "/path/stage", 1, Integers{3}); }, "/path/stage[1]"},
+        {"pressure of a load", [&](hid_t f) { drop(f, "/path/pressures/outside"); }, "/path/pressures/outside"},
+        {"volume of a cavity", [](hid_t f) { overwrite(f, "/path/volumes/annex", 0, std::vector{nan}); },
+         "/path/volumes/annex[0]"},
+        {"its slope", [&](hid_t f) { drop(f, "/path/tangents/volumes/annex"); }, "/path/tangents/volumes/annex"},
+        {"bifurcation", [](hid_t f) { overwrite(f, "/path/bifurcations/step", 1, Integers{-1}); },
+         "/path/bifurcations/step[1]"},
+        {"number of modes", [](hid_t f) { overwrite(f, "/path/bifurcations/modes", 0, Integers{0}); },
+         "/path/bifurcations/modes[0]"},
+        {"owner of a mode", [](hid_t f) { overwrite(f, "/modes/bifurcation", 0, Integers{2}); },
+         "/modes/bifurcation[0]"},
+        {"mode", [](hid_t f) { overwrite(f, "/modes/displacement", 3, std::vector{nan}); }, "/modes/displacement"},
+        {"missing mode", [&](hid_t f) { drop(f, "/modes/displacement"); }, "/modes/displacement"},
         {"stored step", [](hid_t f) { overwrite(f, "/fields/steps", 2, Integers{3}); }, "/fields/steps[2]"},
         {"order", [](hid_t f) { overwrite(f, "/fields/steps", 1, Integers{0}); }, "/fields/steps[1]"},
         {"field", [&](hid_t f) { drop(f, "/fields/displacement"); }, "/fields/displacement"},

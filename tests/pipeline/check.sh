@@ -67,9 +67,27 @@ column() {   # column NAME FILE.csv: its numbers
     awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; if (!c) exit 1; next } { print $c }' "$2"
 }
 table() {   # table FILE.csv: a header, two rows or more, as many finite numbers in each
-    awk -F, 'NR == 1 { n = NF; if ($0 !~ /^step,(pressure|traction)_kPa,.*,stable$/) bad = 1; next }
+    awk -F, 'NR == 1 { n = NF; if ($0 !~ /^step,(stage,)?(pressure_kPa|traction_kPa|load_factor),.*,stable$/) bad = 1; next }
              { if (NF != n) bad = 1; for (i = 1; i <= NF; ++i) if ($i !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) bad = 1 }
              END { exit bad || NR < 3 }' "$1"
+}
+near() {   # near A.csv B.csv TOLERANCE: same header and rows; all columns agree, relative to the largest number of each
+    awk -F, -v tolerance="$3" '
+        { if (NF != fields && NR > 1) bad = 1; fields = NF }
+        NR == FNR { line[FNR] = $0; rows = FNR
+                    if (FNR > 1) for (i = 1; i <= NF; ++i) { size = $i < 0 ? -$i : +$i; if (size > largest[i]) largest[i] = size }
+                    next }
+        FNR == 1 { if ($0 != line[1]) bad = 1 }
+        FNR > 1 {
+            split(line[FNR], a)
+            for (i = 1; i <= NF; ++i) {
+                ++compared
+                if (a[i] !~ /^[-+.0-9]/ || $i !~ /^[-+.0-9]/) bad = 1   # nan
+                off = a[i] < $i ? $i - a[i] : a[i] - $i
+                if (!(off <= tolerance * largest[i])) { bad = 1; print "row " FNR - 1 ", column " i ": " a[i] " and " $i }
+            }
+        }
+        END { exit bad || !compared || FNR != rows }' "$1" "$2"
 }
 agree() {   # agree A.csv B.csv TOLERANCE [COLUMN...]: same header and rows; all, or these, columns agree relatively
     awk -F, -v tolerance="$3" -v only=" ${*:4} " '

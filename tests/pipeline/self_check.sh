@@ -68,6 +68,17 @@ expect fails 'runs "curve | head -n 2 > a; curve > b"; claim "agree" agree a b 1
 expect fails 'runs "curve > a; curve | sed s/x_mm/y_mm/ > b"; claim "agree" agree a b 1e-8'
 expect fails 'runs "curve > a; : > b"; claim "agree" agree a b 1e-8'
 
+expect passes 'runs "curve > a; curve 2.0000000001 > b"; claim "near" near a b 1e-8'
+expect fails 'runs "curve > a; curve 2.0000001 > b"; claim "near" near a b 1e-8'
+expect passes 'printf "x\\n1\\n1e-12\\n" >a; printf "x\\n1\\n-1e-12\\n" >b; claim "near" near a b 1e-10'
+expect fails 'printf "x\\n1e-12\\n" >a; printf "x\\n-1e-12\\n" >b; claim "near" near a b 1e-10'
+expect fails 'runs "curve > a; curve nan > b"; claim "near" near a b 1e-8'
+expect fails 'runs "curve > a; curve 2,2 > b"; claim "near" near a b 1e-8'
+expect fails 'runs "curve > a; curve | head -n 2 > b"; claim "near" near a b 1e-8'
+expect fails 'runs "curve | head -n 2 > a; curve > b"; claim "near" near a b 1e-8'
+expect fails 'runs "curve > a; curve | sed s/x_mm/y_mm/ > b"; claim "near" near a b 1e-8'
+expect fails 'runs "curve > a; : > b"; claim "near" near a b 1e-8'
+
 expect passes 'claim "in" within 5 4 6'
 expect fails 'claim "out" within 7 4 6'
 expect fails 'claim "nothing" within "" -1 1'

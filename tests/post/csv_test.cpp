@@ -26,8 +26,7 @@ std::vector<std::vector<double>> parse_rows(const std::string& text) {
 }
 
 TEST(Csv, EveryNumberReadsBackToTheSameDouble) {
-    const std::vector<std::string> outputs{"growth"};
-    const Curve curve = make_curve(outputs, test::sphere_path(23, 2.9));
+    const Curve curve = make_curve(test::sample_case({"growth"}), test::sphere_path(23, 2.9));
     const auto rows = parse_rows(csv_text(curve));
     ASSERT_EQ(rows.size(), 23u);
     for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -41,13 +40,13 @@ TEST(Csv, CountsAndFlagsAreWholeNumbersAndLinesEndInOneByte) {
     step.pressure_Pa = 100;
     step.stable = false;
     const std::vector<solution::Step> steps{step};
-    EXPECT_EQ(csv_text(make_curve({}, steps)),
+    EXPECT_EQ(csv_text(make_curve(test::sample_case(), steps)),
               "step,pressure_kPa,stretch_p99,max_stretch,min_J,stable\n0,0.1,1,1,1,0\n");
 }
 
 TEST(Csv, CommentsPrecedeTheHeaderAndNoneEscapesItsSign) {
     const std::vector<std::string> comments{"solve 0.1.0", "design:\nfamily: tube"};
-    const std::string text = csv_text(make_curve({}, std::vector<solution::Step>(1)), comments);
+    const std::string text = csv_text(make_curve(test::sample_case(), std::vector<solution::Step>(1)), comments);
     EXPECT_TRUE(text.starts_with("# solve 0.1.0\n# design:\n# family: tube\nstep,")) << text;
 }
 

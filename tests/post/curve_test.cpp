@@ -2,10 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/error.hpp"
+#include "path_samples.hpp"
 
 namespace soft::post {
 namespace {
+
+using test::Loaded;
+using test::sample_case;
 
 std::vector<std::string> names(const Curve& curve) {
     std::vector<std::string> out;
@@ -13,32 +19,78 @@ std::vector<std::string> names(const Curve& curve) {
     return out;
 }
 
-solution::Step step_with(double pressure_Pa, std::vector<double> outputs_m, std::optional<double> volume_m3) {
+solution::Step step_with(double pressure_Pa, std::vector<double> outputs, std::optional<double> volume_m3) {
     solution::Step step;
     step.pressure_Pa = pressure_Pa;
-    step.outputs_m = std::move(outputs_m);
+    step.outputs = std::move(outputs);
     step.volume_m3 = volume_m3;
     return step;
 }
 
 TEST(Curve, HasTheColumnsOfTheContractInItsOrder) {
-    const std::vector<std::string> outputs{"elongation"};
     const std::vector<solution::Step> steps{step_with(0, {0.0}, 1e-5)};
-    EXPECT_EQ(names(make_curve(outputs, steps)),
+    EXPECT_EQ(names(make_curve(sample_case({"elongation"}), steps)),
               (std::vector<std::string>{"step", "pressure_kPa", "elongation_mm", "volume_mL", "stretch_p99",
                                         "max_stretch", "min_J", "stable"}));
 }
 
 TEST(Curve, LeavesOutWhatTheCaseDoesNotMeasure) {
     const std::vector<solution::Step> steps{step_with(0, {}, std::nullopt)};
-    EXPECT_EQ(names(make_curve({}, steps)),
+    EXPECT_EQ(names(make_curve(sample_case(), steps)),
               (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable"}));
 }
 
+TEST(Curve, CallsItsLoadByWhatLeadsTheCase) {
+    const std::vector<solution::Step> steps{step_with(500, {}, std::nullopt)};
+    model::Case model = sample_case({}, Loaded::nothing);
+    const Curve factor = make_curve(model, steps);
+    EXPECT_EQ(factor.columns[1].name, "load_factor");
+    EXPECT_EQ(factor.columns[1].values[0], 500.0);
+    EXPECT_EQ(factor.coordinate_names(), "load_factor");
+    model.tractions = {{"tip", {1e3, 0, 0}}};
+    EXPECT_EQ(make_curve(model, steps).columns[1].name, "traction_kPa");
+    EXPECT_EQ(make_curve(model, steps).columns[1].values[0], 0.5);
+}
+
+TEST(Curve, TellsAnglesInDegrees) {
+    model::Case model = sample_case({"bend", "turn", "reach"});
+    model.outputs[0].measure = model::Measure::bend;
+    model.outputs[1].measure = model::Measure::twist;
+    const std::vector<solution::Step> steps{step_with(0, {std::numbers::pi / 6, -std::numbers::pi, 0.1}, std::nullopt)};
+    const Curve curve = make_curve(model, steps);
+    EXPECT_EQ(curve.columns[2].name, "bend_deg");
+    EXPECT_NEAR(curve.columns[2].values[0], 30, 1e-13);
+    EXPECT_EQ(curve.columns[3].name, "turn_deg");
+    EXPECT_NEAR(curve.columns[3].values[0], -180, 1e-12);
+    EXPECT_EQ(curve.columns[4].name, "reach_mm");
+}
+
+TEST(Curve, HasEachPressureAndVolumeOfACaseWithSeveral) {
+    model::Case model = sample_case({"elongation"});
+    model.cavities = {{"left", "a", {}, {}}, {"right", "b", {}, {}}};
+    model.loads = {{"both", {"left", "right"}, true, {}}, {"outside", {"outer"}, true, {}}};
+    model.path.stages.resize(2);
+    solution::Step step = step_with(3e4, {0.01}, 3e-6);
+    step.stage = 1;
+    step.pressures_Pa = {3e4, -1e3};
+    step.volumes_m3 = {1e-6, 2e-6};
+    step.tangent_pressures = {1, 2};
+    step.tangent_volumes = {3, 4};
+    const Curve curve = make_curve(model, std::vector{step});
+    EXPECT_EQ(names(curve), (std::vector<std::string>{"step", "stage", "pressure_kPa", "elongation_mm", "volume_mL",
+                                                      "pressure_both_kPa", "pressure_outside_kPa", "volume_left_mL",
+                                                      "volume_right_mL", "stretch_p99", "max_stretch", "min_J", "stable"}));
+    EXPECT_EQ(curve.find("stage")->values[0], 2.0);
+    EXPECT_EQ(curve.find("pressure_outside")->values[0], -1.0);
+    EXPECT_EQ(curve.find("volume_right")->values[0], 2.0);
+    EXPECT_EQ(curve.find("volume_left")->slopes[0], 3e6);
+    EXPECT_EQ(curve.coordinate_names(),
+              "pressure, elongation, volume, pressure_both, pressure_outside, volume_left, volume_right");
+}
+
 TEST(Curve, RoundValuesInSIStayRoundInTheUnitOfTheColumn) {
-    const std::vector<std::string> outputs{"elongation"};
     const std::vector<solution::Step> steps{step_with(30000, {0.13}, 1.5e-5)};
-    const Curve curve = make_curve(outputs, steps);
+    const Curve curve = make_curve(sample_case({"elongation"}), steps);
     EXPECT_EQ(curve.find("pressure")->values[0], 30.0);
     EXPECT_EQ(curve.find("elongation")->values[0], 130.0);
     EXPECT_EQ(curve.find("volume")->values[0], 15.0);
@@ -46,13 +98,27 @@ TEST(Curve, RoundValuesInSIStayRoundInTheUnitOfTheColumn) {
 
 TEST(Curve, RefusesAStepWithoutItsVolume) {
     const std::vector<solution::Step> steps{step_with(0, {}, 1e-5), step_with(1, {}, std::nullopt)};
-    EXPECT_THROW((void)make_curve({}, steps), Error);
+    EXPECT_THROW((void)make_curve(sample_case(), steps), Error);
 }
 
 TEST(Curve, RefusesAStepWithTooFewOutputs) {
-    const std::vector<std::string> outputs{"elongation", "twist"};
     const std::vector<solution::Step> steps{step_with(0, {0.0}, std::nullopt)};
-    EXPECT_THROW((void)make_curve(outputs, steps), Error);
+    EXPECT_THROW((void)make_curve(sample_case({"elongation", "twist"}), steps), Error);
+}
+
+TEST(Curve, RefusesAStepWithoutThePressuresOfSeveralLoads) {
+    model::Case model = sample_case();
+    model.loads.push_back({"outside", {"outer"}, true, {}});
+    EXPECT_THROW((void)make_curve(model, std::vector{step_with(0, {}, 1e-5)}), Error);
+}
+
+TEST(ValueAt, IsThatOfTheColumnInItsUnit) {
+    const Curve curve = make_curve(sample_case({"elongation"}), std::vector{step_with(0, {0.0}, 1e-5)});
+    const solution::LimitPoint point{.step = 0, .pressure_Pa = 44e3, .volume_m3 = 2e-5, .outputs = {0.0135}};
+    EXPECT_EQ(value_at(*curve.find("pressure"), point), 44.0);
+    EXPECT_EQ(value_at(*curve.find("elongation"), point), 13.5);
+    EXPECT_EQ(value_at(*curve.find("volume"), point), 20.0);
+    EXPECT_FALSE(value_at(*curve.find("min_J"), point).has_value());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace soft::post {
 namespace {
 
-const std::vector<std::string> growth{"growth"};
+const model::Case growth = test::sample_case({"growth"});
 
 std::size_t index_of(const Curve& curve, std::string_view quantity) {
     return static_cast<std::size_t>(curve.find(quantity) - curve.columns.data());
@@ -22,7 +22,7 @@ Curve planar(const std::vector<std::array<double, 4>>& points_and_slopes) {
     std::vector<solution::Step> steps;
     for (const auto& [x, y, dx, dy] : points_and_slopes) {
         solution::Step step;
-        step.outputs_m = {x * 1e-3};
+        step.outputs = {x * 1e-3};
         step.pressure_Pa = y * 1e3;
         step.tangent_outputs = {dx * 1e-3};
         step.tangent_pressure = dy * 1e3;
@@ -126,6 +126,111 @@ TEST(Path, FindsTheLimitPressureBetweenTheRows) {
     EXPECT_NEAR(path.range(index_of(curve, "pressure")).highest, 0.816424e-3, 0.816424e-3 * 5e-5);
     EXPECT_GT(path.range(index_of(curve, "pressure")).highest,
               *std::max_element(curve.find("pressure")->values.begin(), curve.find("pressure")->values.end()));
+}
+
+/// Up the branch p = 2 x - x^2 to x = 0.8 in stage 0 and down p = x^2 in stage 1 from there, as from another supply:
+/// rows end the stages, and each row has the direction of its own.
+std::vector<solution::Step> two_stages(int rows_a_stage) {
+    std::vector<solution::Step> steps;
+    const auto add = [&](int stage, double x, double p, double dx, double dp) {
+        solution::Step step;
+        step.stage = stage;
+        step.outputs = {x};
+        step.pressure_Pa = p;
+        step.tangent_outputs = {dx};
+        step.tangent_pressure = dp;
+        steps.push_back(step);
+    };
+    constexpr double turn = 0.8;
+    for (int i = 0; i <= rows_a_stage; ++i) {
+        const double x = turn * i / rows_a_stage;
+        add(0, x, 2 * x - x * x, 1, 2 - 2 * x);
+    }
+    constexpr double slope = (2 * turn - turn * turn) / (turn * turn);   // both meet at the turn
+    for (int i = 1; i <= rows_a_stage; ++i) {
+        const double x = turn * (1 - static_cast<double>(i) / rows_a_stage);
+        add(1, x, slope * x * x, -1, -2 * slope * x);
+    }
+    return steps;
+}
+
+Curve two_stage_curve(int rows_a_stage) {
+    model::Case model = growth;
+    model.path.stages.resize(2);
+    return make_curve(model, two_stages(rows_a_stage));
+}
+
+/// Largest error of the pressure on the first piece of the second stage, by its exact curve.
+double error_behind_the_turn(int rows_a_stage) {
+    const Curve curve = two_stage_curve(rows_a_stage);
+    const Path path(curve);
+    const auto s = path.row_parameters();
+    const auto turn = static_cast<std::size_t>(rows_a_stage);
+    double worst = 0;
+    for (int k = 1; k < 50; ++k) {
+        const auto row = path.at(s[turn] + (s[turn + 1] - s[turn]) * k / 50);
+        const double x = row[index_of(curve, "growth")] / 1e3, p = row[index_of(curve, "pressure")] * 1e3;
+        worst = std::max(worst, std::abs(p - 1.5 * x * x));
+    }
+    return worst;
+}
+
+TEST(Path, TurnsAtAStageWithoutTheDirectionOfTheOneBefore) {
+    const Curve curve = two_stage_curve(4);
+    const Path path(curve);
+    // no coordinate goes beyond the turn, where a cubic with the old direction would
+    EXPECT_EQ(path.range(index_of(curve, "growth")).highest, 800);
+    EXPECT_EQ(path.range(index_of(curve, "pressure")).highest, curve.find("pressure")->values[4]);
+    EXPECT_EQ(path.crossings(index_of(curve, "growth"), 700).size(), 2u);
+    EXPECT_EQ(path.crossings(index_of(curve, "growth"), 800).size(), 1u);
+}
+
+TEST(Path, GoesOnBehindATurnWithThirdOrder) {
+    constexpr double step = 0.1, straight = 1.5 * step * step / 4;   // what the chord would err by
+    EXPECT_LT(error_behind_the_turn(8), straight / 10);
+    const double order = std::log2(error_behind_the_turn(8) / error_behind_the_turn(16));
+    EXPECT_GT(order, 2.7);
+}
+
+TEST(Path, PutsWhatLiesBehindATurnIntoTheNextStage) {
+    const Curve curve = two_stage_curve(4);
+    const Path path(curve);
+    const auto s = path.row_parameters();
+    const std::size_t stage = index_of(curve, "stage");
+    EXPECT_EQ(path.at(s[3] * 0.5 + s[4] * 0.5)[stage], 1);
+    EXPECT_EQ(path.at(s[4])[stage], 1);
+    EXPECT_EQ(path.at(s[4] * 0.999 + s[5] * 0.001)[stage], 2);
+}
+
+TEST(Path, IsStraightBehindATurnWhereTheDirectionDoesNotFit) {
+    auto steps = two_stages(4);
+    steps[5].tangent_outputs = {1};   // away from the turn
+    steps[5].tangent_pressure = 0.1;
+    model::Case model = growth;
+    model.path.stages.resize(2);
+    const Curve curve = make_curve(model, steps);
+    const Path path(curve);
+    const auto s = path.row_parameters();
+    const auto middle = path.at((s[4] + s[5]) / 2);
+    for (const char* quantity : {"growth", "pressure"}) {
+        const auto& values = curve.find(quantity)->values;
+        EXPECT_NEAR(middle[index_of(curve, quantity)], (values[4] + values[5]) / 2, 1e-12);
+    }
+}
+
+TEST(Path, LeavesOutAStageInWhichNothingChanges) {
+    auto steps = two_stages(4);
+    steps.insert(steps.begin() + 5, steps[4]);
+    steps[5].stage = 1;
+    for (std::size_t i = 6; i < steps.size(); ++i) steps[i].stage = 2;
+    model::Case model = growth;
+    model.path.stages.resize(3);
+    const Curve with_hold = make_curve(model, steps), without = two_stage_curve(4);
+    const Path a(with_hold), b(without);
+    ASSERT_EQ(a.row_parameters().size(), 9u);
+    for (int i = 0; i <= 40; ++i)
+        EXPECT_EQ(a.at(a.length() * i / 40)[index_of(with_hold, "pressure")],
+                  b.at(b.length() * i / 40)[index_of(without, "pressure")]);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 /// (verification.md: 0.551869 at l_a = 1.25, 0.755433 at 1.5, 0.806927 at 2; limit point 0.816424 at l_a = 1.8281).
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
+#include "model/case.hpp"
 #include "solution/path.hpp"
 
 namespace soft::post::test {
@@ -24,6 +26,18 @@ inline double sphere_pressure_slope_Pa(double stretch_a) {
 
 inline double ball_m3(double radius_m) { return 4 * std::numbers::pi / 3 * std::pow(radius_m, 3); }
 
+/// A case with one cavity, loaded unless told otherwise, and these outputs, displacements.
+enum class Loaded { cavity, face, nothing };
+inline model::Case sample_case(const std::vector<std::string>& outputs = {}, Loaded loaded = Loaded::cavity) {
+    model::Case model;
+    model.cavities = {{"cavity", "inner", {}, {}}};
+    if (loaded == Loaded::cavity) model.loads.push_back({"cavity", {"cavity"}, true, {}});
+    if (loaded == Loaded::face) model.loads.push_back({"outside", {"outer"}, true, {}});
+    for (const std::string& name : outputs) model.outputs.push_back({name, "tip", {1, 0, 0}});
+    model.path.stages.resize(1);
+    return model;
+}
+
 enum class Slopes { recorded, missing };
 
 /// Rows evenly spaced in the inner stretch; output 0 is the growth of the inner radius [m].
@@ -35,7 +49,7 @@ inline std::vector<solution::Step> sphere_path(int rows, double last_stretch, Sl
         solution::Step step;
         step.pressure_Pa = sphere_pressure_Pa(stretch);
         step.volume_m3 = ball_m3(stretch);
-        step.outputs_m = {stretch - 1};
+        step.outputs = {stretch - 1};
         step.tangent_outputs = {0};
         if (slopes == Slopes::recorded) {
             const double speed = 1 + 0.7 * row;  // the scale of the slopes is free at each row

@@ -11,9 +11,15 @@
 namespace soft::post {
 namespace {
 
-const std::vector<std::string> growth{"growth"};
-const std::vector<solution::LimitPoint> limit{
-    {.step = 10, .pressure_Pa = 0.816424 * 55e3, .volume_m3 = test::ball_m3(1.8281), .outputs_m = {0.8281}}};
+const model::Case growth = test::sample_case({"growth"});
+
+solution::PathEnd with_limit(const solution::LimitPoint& point) {
+    solution::PathEnd end;
+    end.limit_points = {point};
+    return end;
+}
+const solution::PathEnd limit =
+    with_limit({.step = 10, .pressure_Pa = 0.816424 * 55e3, .volume_m3 = test::ball_m3(1.8281), .outputs = {0.8281}});
 
 /// The sphere with mu = 55 kPa: numbers of the size an actuator has.
 Curve sphere_curve(int rows, double last_stretch) {
@@ -47,6 +53,32 @@ TEST(PlotScript, DashesTheUnstablePartAndMarksTheLimitPoint) {
     EXPECT_EQ(count(script, "\"44.9 kPa\"\n"), 1u);
 }
 
+TEST(PlotScript, MarksABifurcationWithItsPressure) {
+    solution::PathEnd end;
+    end.bifurcations.resize(1);
+    end.bifurcations[0].at = {.step = 3, .pressure_Pa = 26e3, .volume_m3 = 2.0, .outputs = {0.3}};
+    const std::string script = plot_script(sphere_curve(25, 3), end, {}, PictureFormat::svg);
+    EXPECT_EQ(count(script, "\n300 26 \"26 kPa\"\n"), 1u) << script;
+    EXPECT_EQ(count(script, "title 'bifurcation'"), 1u);
+}
+
+TEST(PlotScript, CallsTheLoadByItsName) {
+    model::Case model = test::sample_case({"growth"}, test::Loaded::nothing);
+    auto steps = test::sphere_path(9, 3);
+    for (auto& step : steps) step.volume_m3.reset();
+    EXPECT_EQ(count(plot_script(make_curve(model, steps), {}, {}, PictureFormat::svg), "set ylabel 'load factor'"), 1u);
+    model.tractions = {{"tip", {1e3, 0, 0}}};
+    EXPECT_EQ(count(plot_script(make_curve(model, steps), {}, {}, PictureFormat::svg), "set ylabel 'traction (kPa)'"),
+              1u);
+}
+
+TEST(PlotScript, HasAnAngleForItsAxis) {
+    model::Case model = test::sample_case({"bend"});
+    model.outputs[0].measure = model::Measure::bend;
+    const std::string script = plot_script(make_curve(model, test::sphere_path(9, 3)), {}, {}, PictureFormat::svg);
+    EXPECT_EQ(count(script, "set xlabel 'bend (deg)'"), 1u);
+}
+
 TEST(PlotScript, HasNeitherWhereThePathIsStable) {
     const std::string script = plot_script(sphere_curve(9, 1.5), {}, {}, PictureFormat::svg);
     EXPECT_EQ(count(script, "unstable"), 0u);
@@ -55,10 +87,9 @@ TEST(PlotScript, HasNeitherWhereThePathIsStable) {
 
 TEST(PlotScript, TakesTheVolumeWhereTheCaseHasNoOutput) {
     auto steps = test::sphere_path(9, 3);
-    for (auto& step : steps) step.outputs_m.clear();
-    const auto limits =
-        std::vector<solution::LimitPoint>{{.step = 3, .pressure_Pa = 1000, .volume_m3 = 2e-6, .outputs_m = {}}};
-    const std::string script = plot_script(make_curve({}, steps), limits, {}, PictureFormat::svg);
+    for (auto& step : steps) step.outputs.clear();
+    const auto limits = with_limit({.step = 3, .pressure_Pa = 1000, .volume_m3 = 2e-6, .outputs = {}});
+    const std::string script = plot_script(make_curve(test::sample_case(), steps), limits, {}, PictureFormat::svg);
     EXPECT_EQ(count(script, "set xlabel 'cavity volume (mL)'"), 1u);
     EXPECT_EQ(count(script, "\n2 1 \"1 kPa\"\n"), 1u);
 }

@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "core/error.hpp"
 #include "path_samples.hpp"
 
 namespace soft::post {
 namespace {
 
-const std::vector<std::string> growth{"growth"};
+const model::Case growth = test::sample_case({"growth"});
 
 std::string usage_error(const std::string& text) {
     try {
@@ -32,6 +34,19 @@ TEST(ParseRequests, KnowsTheUnitsOfOutputsAndVolumes) {
     const Curve curve = make_curve(growth, test::sphere_path(5, 2));
     EXPECT_EQ(parse_requests("growth=4cm", curve).at(0).value_SI, 0.04);
     EXPECT_EQ(parse_requests("volume=20mL", curve).at(0).value_SI, 2e-5);
+}
+
+TEST(ParseRequests, KnowsAnglesAndPureNumbers) {
+    model::Case model = test::sample_case({"bend"}, test::Loaded::nothing);
+    model.outputs[0].measure = model::Measure::bend;
+    const Curve curve = make_curve(model, test::sphere_path(5, 2));
+    EXPECT_NEAR(parse_requests("bend=30deg", curve).at(0).value_SI, std::numbers::pi / 6, 1e-15);
+    EXPECT_EQ(parse_requests("bend=0.25rad", curve).at(0).value_SI, 0.25);
+    EXPECT_EQ(parse_requests("load_factor=0.5", curve).at(0).value_SI, 0.5);
+    EXPECT_THROW((void)parse_requests("bend=3mm", curve), Error);
+    const Curve rows = rows_at(curve, parse_requests("bend=30deg", curve));
+    EXPECT_NEAR(rows.find("bend")->values.at(0), 30, 1e-13);
+    EXPECT_NEAR(rows.find("load_factor")->values.at(0), test::sphere_pressure_Pa(1 + std::numbers::pi / 6), 1e-3);
 }
 
 TEST(ParseRequests, RefusesABareNumberAndAForeignUnit) {

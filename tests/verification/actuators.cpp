@@ -50,7 +50,7 @@ Outcome solve_tube() {
         outcome.rows.push_back({.quantity = "elongation at " + core::number_text(pressure_kPa) + " kPa [mm]",
                                 .reference = elongation_mm,
                                 .source = source,
-                                .ours = 1e3 * run.at("pressure", 1e3 * pressure_kPa).outputs_m.at(0),
+                                .ours = 1e3 * run.at("pressure", 1e3 * pressure_kPa).outputs.at(0),
                                 .mesh = run.mesh,
                                 .seconds = run.seconds});
     const auto& limit = run.end.limit_points.at(0);
@@ -63,7 +63,7 @@ Outcome solve_tube() {
     outcome.rows.push_back({.quantity = "elongation at the limit [mm]",
                             .reference = 13.45,
                             .source = source,
-                            .ours = 1e3 * limit.outputs_m.at(0),
+                            .ours = 1e3 * limit.outputs.at(0),
                             .mesh = run.mesh,
                             .seconds = run.seconds});
     outcome.rows.push_back(work_row(run));

@@ -65,7 +65,7 @@ Row stretch_row(const Law& law, Mode mode, const std::string& cells) {
     return {.quantity = "stretch at " + core::number_text(1e-3 * law.stress_Pa) + " kPa, " + word + " [-]",
             .reference = stretches_at(run.model.materials.front(), pull, other)[0],
             .source = "equilibrium of the closed form",
-            .ours = 1.0 + run.steps.back().outputs_m.at(0) / length_m,
+            .ours = 1.0 + run.steps.back().outputs.at(0) / length_m,
             .mesh = run.mesh,
             .seconds = run.seconds,
             .tolerance = homogeneous};
@@ -130,7 +130,7 @@ Problem table_rod(const RodLaw& law) {
                         {.quantity = "strain at " + core::number_text(0.25 * t) + " MPa [%]",
                          .reference = 100 * (stretches_at(run.model.materials.front(), {stress_Pa}, {})[0] - 1),
                          .source = "closed form",
-                         .ours = 1e3 * point.outputs_m.at(0),  // 100 mm long
+                         .ours = 1e3 * point.outputs.at(0),  // 100 mm long
                          .mesh = run.mesh,
                          .seconds = run.seconds,
                          .tolerance = homogeneous});
@@ -151,7 +151,7 @@ Problem kraken_shrink() {
                 return Outcome{{{.quantity = "strain [%]",
                                  .reference = 100 * (l - 1),
                                  .source = "closed form",
-                                 .ours = 1e3 * run.steps.front().outputs_m.at(0),
+                                 .ours = 1e3 * run.steps.front().outputs.at(0),
                                  .mesh = run.mesh,
                                  .seconds = run.seconds}},
                                {}};

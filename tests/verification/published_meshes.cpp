@@ -35,7 +35,7 @@ void add_rows(const Choice& choice, const Run& run, std::vector<Row>& rows) {
             {.quantity = "elongation at " + core::number_text(pressures_kPa[i]) + " kPa, " + choice.name + " [mm]",
              .reference = choice.elongations_mm[i],
              .source = "two independent codes",
-             .ours = -1e3 * run.at("pressure", 1e3 * pressures_kPa[i]).outputs_m.at(0),
+             .ours = -1e3 * run.at("pressure", 1e3 * pressures_kPa[i]).outputs.at(0),
              .mesh = run.mesh,
              .seconds = run.seconds,
              .tolerance = choice.tolerance,

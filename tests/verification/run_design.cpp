@@ -33,10 +33,16 @@ std::string describe(const model::Case& input, PetscInt unknowns) {
     return text + ", " + std::to_string(unknowns) + " unknowns";
 }
 
-post::Curve curve_of(const Run& run) {
-    std::vector<std::string> names;
-    for (const auto& output : run.model.outputs) names.push_back(output.name);
-    return post::make_curve(names, run.steps, model::leading_load(run.model).quantity);
+post::Curve curve_of(const Run& run) { return post::make_curve(run.model, run.steps); }
+
+/// What the leading load's column is called.
+std::string leading_quantity(const model::Case& input) {
+    switch (model::leading_load(input)) {
+        case model::LeadingLoad::pressure: return "pressure";
+        case model::LeadingLoad::traction: return "traction";
+        case model::LeadingLoad::load_factor: return "load_factor";
+    }
+    throw std::logic_error("leading_quantity");
 }
 
 }  // namespace
@@ -85,8 +91,8 @@ Run::Point Run::at(const std::string& quantity, double value) const {
         const post::Column* wanted = curve.find(name);
         return row[static_cast<std::size_t>(wanted - curve.columns.data())] * wanted->SI_per_unit;
     };
-    Point point{.pressure_Pa = SI(model::leading_load(model).quantity), .outputs_m = {}, .volume_m3 = {}};
-    for (const auto& output : model.outputs) point.outputs_m.push_back(SI(output.name));
+    Point point{.pressure_Pa = SI(leading_quantity(model)), .outputs = {}, .volume_m3 = {}};
+    for (const auto& output : model.outputs) point.outputs.push_back(SI(output.name));
     if (curve.find("volume") != nullptr) point.volume_m3 = SI("volume");
     return point;
 }

@@ -21,13 +21,13 @@ struct Run {
     double seconds = 0;                  ///< mesh and path, wall clock
 
     [[nodiscard]] double pressure_kPa() const { return 1e-3 * steps.back().pressure_Pa; }
-    [[nodiscard]] double output_mm(std::size_t output = 0) const { return 1e3 * steps.back().outputs_m.at(output); }
+    [[nodiscard]] double output_mm(std::size_t output = 0) const { return 1e3 * steps.back().outputs.at(output); }
 
     /// Where the path, smooth between its rows, first has `value` (SI) of the quantity; all quantities there, SI.
     /// Throws std::runtime_error if it never does.
     struct Point {
         double pressure_Pa = 0;
-        std::vector<double> outputs_m;
+        std::vector<double> outputs;
         std::optional<double> volume_m3;
     };
     [[nodiscard]] Point at(const std::string& quantity, double value) const;

@@ -43,7 +43,7 @@ struct Measure {
 Measure measure(const Run& run, const Sample& sample, double mu_Pa) {
     constexpr int points = 20;
     const auto exact_kPa = [&](double l) { return 1e-3 * mu_Pa * (l * l - std::pow(l, -sample.compression)); };
-    const auto stretch = [&](std::size_t i) { return 1 + 10 * run.steps[i].outputs_m.at(0); };
+    const auto stretch = [&](std::size_t i) { return 1 + 10 * run.steps[i].outputs.at(0); };
     const auto difference = [&](std::size_t i) { return -1e-3 * run.steps[i].pressure_Pa - exact_kPa(stretch(i)); };
     const double last = std::min(1 + sample.strain, stretch(run.steps.size() - 1));
     Measure m;
@@ -72,7 +72,7 @@ Outcome compare(const std::string& problem, const Sample& sample) {
     for (const Law& law : laws()) {
         const auto run = run_design(sample.design, law.sets);
         const double mu = run.model.materials.front().constants.at("mu").front();
-        const double l = 1 + 10 * run.steps.back().outputs_m.at(0);
+        const double l = 1 + 10 * run.steps.back().outputs.at(0);
         const auto m = measure(run, sample, mu);
         table.lines.push_back({law.name, printed_number(100 * (l - 1)), printed_number(-run.pressure_kPa()),
                                printed_number(1e-3 * mu * (l * l - std::pow(l, -sample.compression))),

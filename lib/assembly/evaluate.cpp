@@ -1,0 +1,131 @@
+/// Residual, tangent and load columns of a state: the element loops.
+#include <cmath>
+#include <limits>
+
+#include "assembly/system.hpp"
+
+namespace soft::assembly {
+
+Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) {
+    prescribe(levels);
+    read_state(x);
+    SOFT_PETSC(VecZeroEntries(R));
+    for (const auto& column : columns) SOFT_PETSC(VecZeroEntries(column.out));
+    if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
+    Evaluation result;
+    result.min_jacobian = std::numeric_limits<double>::max();
+    for (const auto& group : groups_) add_cells(group, R, K, columns, result);
+
+    // The worst point and its cell, the same on every rank; ties go to the lower rank.
+    struct { double value; int rank; } mine{result.min_jacobian, rank_}, worst{};
+    MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MINLOC, comm_);
+    result.min_jacobian = worst.value;
+    MPI_Bcast(&result.worst_cell, 1, MPI_INT64_T, worst.rank, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, &result.force_scale, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    result.force_scale = std::sqrt(result.force_scale);
+
+    for (std::size_t load = 0; load < loads_.size(); ++load) add_pressures(load, levels, R, K, columns);
+    SOFT_PETSC(VecAssemblyBegin(R));
+    SOFT_PETSC(VecAssemblyEnd(R));
+    for (const auto& column : columns) {
+        SOFT_PETSC(VecAssemblyBegin(column.out));
+        SOFT_PETSC(VecAssemblyEnd(column.out));
+    }
+    add_dead_loads(levels, R, columns);
+    if (K != nullptr) {
+        SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
+        SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    }
+    return result;
+}
+
+void System::add_cells(const CellGroup& group, Vec R, Mat K, std::span<const LoadColumn> columns, Evaluation& result) const {
+    const auto& reference = *group.reference;
+    const PetscInt size = reference.dofs();
+    const auto wanted = K != nullptr ? material::Wanted::stress_and_tangent : material::Wanted::stress;
+    LocalCell local(reference);
+    element::CellOutput out(reference);
+    std::visit(
+        [&](const auto& rubber) {
+            for (std::size_t c = 0; c < group.cells.size(); ++c) {
+                gather_cell(group, c, local);
+                element::integrate_cell(reference, input_.kinematics, rubber, local.input(map_.pressure_scale_Pa),
+                                        wanted, out);
+                if (out.min_jacobian < result.min_jacobian) {
+                    result.min_jacobian = out.min_jacobian;
+                    result.worst_cell = group.cells[c];
+                }
+                for (const double r : out.residual) result.force_scale += r * r;
+                const PetscInt* dofs = &group.dofs[c * size];
+                SOFT_PETSC(VecSetValues(R, size, dofs, out.residual.data(), ADD_VALUES));
+                if (K == nullptr) continue;
+                SOFT_PETSC(MatSetValues(K, size, dofs, size, dofs, out.stiffness.data(), ADD_VALUES));
+                for (const auto& column : columns)
+                    add_moved(column, -1.0, {dofs, static_cast<std::size_t>(size)}, out.stiffness);
+            }
+        },
+        *group.rubber);
+}
+
+double System::moved_by(PetscInt number, std::span<const double> levels) const {
+    const int slot = motion_slot(number);
+    return slot < 0 ? 0.0 : levels[slot / 3] * input_.motions[slot / 3].displacement_m[slot % 3].value_or(0.0);
+}
+
+void System::add_moved(const LoadColumn& column, double factor, std::span<const PetscInt> dofs,
+                       std::span<const double> matrix) const {
+    if (input_.motions.empty()) return;
+    std::vector<double> force;
+    for (std::size_t j = 0; j < dofs.size(); ++j) {
+        const double velocity = moved_by(dofs[j], column.direction.motions);
+        if (velocity == 0.0) continue;
+        force.resize(dofs.size(), 0.0);
+        for (std::size_t i = 0; i < dofs.size(); ++i) force[i] += factor * matrix[i * dofs.size() + j] * velocity;
+    }
+    if (!force.empty())
+        SOFT_PETSC(VecSetValues(column.out, static_cast<PetscInt>(dofs.size()), dofs.data(), force.data(), ADD_VALUES));
+}
+
+void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Mat K,
+                           std::span<const LoadColumn> columns) const {
+    const LoadSurface& surface = loads_[load];
+    const double pressure = levels.pressures_Pa[load];
+    std::vector<double> x, force, scaled, stiffness;
+    const auto add = [&](Vec out, double factor, std::span<const PetscInt> dofs, std::span<const double> values) {
+        if (factor == 0.0) return;
+        scaled.assign(values.begin(), values.end());
+        for (double& value : scaled) value *= factor;
+        SOFT_PETSC(VecSetValues(out, static_cast<PetscInt>(dofs.size()), dofs.data(), scaled.data(), ADD_VALUES));
+    };
+    for (const auto& facet : surface.facets) {
+        const auto& reference = tables_[facet.reference];
+        const PetscInt size = reference.dofs();
+        gather_surface(facet, x);
+        force.assign(size, 0.0);
+        stiffness.assign(K != nullptr && pressure != 0.0 ? static_cast<std::size_t>(size) * size : 0, 0.0);
+        element::pressure_force(reference, input_.kinematics, x, force, stiffness);
+        add(R, -pressure, facet.dofs, force);
+        for (const auto& column : columns) add(column.out, column.direction.pressures_Pa[load], facet.dofs, force);
+        if (stiffness.empty()) continue;
+        for (double& k : stiffness) k *= -pressure;
+        SOFT_PETSC(MatSetValues(K, size, facet.dofs.data(), size, facet.dofs.data(), stiffness.data(), ADD_VALUES));
+        for (const auto& column : columns) add_moved(column, -1.0, facet.dofs, stiffness);
+    }
+    if (rank_ != 0) return;   // the plug's force is known whole to every rank
+    add(R, -pressure, surface.plug_force.dofs, surface.plug_force.values);
+    for (const auto& column : columns)
+        add(column.out, column.direction.pressures_Pa[load], surface.plug_force.dofs, surface.plug_force.values);
+}
+
+void System::add_dead_loads(const LoadLevels& levels, Vec R, std::span<const LoadColumn> columns) const {
+    const auto add = [&](std::span<const linalg::Vector> forces, std::vector<double> LoadLevels::*list) {
+        for (std::size_t i = 0; i < forces.size(); ++i) {
+            linalg::add(R, -(levels.*list)[i], forces[i]);
+            for (const auto& column : columns) linalg::add(column.out, (column.direction.*list)[i], forces[i]);
+        }
+    };
+    add(tractions_, &LoadLevels::tractions);
+    add(body_forces_, &LoadLevels::body_forces);
+}
+
+}  // namespace soft::assembly

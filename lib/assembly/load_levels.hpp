@@ -1,0 +1,20 @@
+#pragma once
+/// How much of each load acts: the numbers that multiply a case's loads. One entry a load, in the order of the case.
+/// Held by assembly/system_test.
+#include <vector>
+
+#include "model/case.hpp"
+
+namespace soft::assembly {
+
+struct LoadLevels {
+    std::vector<double> pressures_Pa;                      ///< gauge
+    std::vector<double> tractions, body_forces, motions;   ///< 1: as the case states them
+};
+
+[[nodiscard]] LoadLevels no_loads(const model::Case& input);
+
+/// levels + share x direction
+[[nodiscard]] LoadLevels moved(const LoadLevels& levels, double share, const LoadLevels& direction);
+
+}  // namespace soft::assembly

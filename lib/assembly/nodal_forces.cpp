@@ -1,0 +1,112 @@
+#include "assembly/nodal_forces.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/error.hpp"
+#include "element/pressure_kernel.hpp"
+#include "element/solid_kernel.hpp"
+
+namespace soft::assembly {
+
+namespace {
+
+using mesh::Index;
+
+SparseVector weighted(std::span<const Index> nodes, std::span<const double> weights, const DofMap& map,
+                      const std::array<double, 3>& factor) {
+    SparseVector vector;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        for (int i = 0; i < map.dimension; ++i) {
+            const auto dof = map.displacement[nodes[k] * map.dimension + i];
+            if (dof == -1 || factor[i] == 0.0) continue;   // moved components count: their motion is known
+            vector.dofs.push_back(dof);
+            vector.values.push_back(factor[i] * weights[k]);
+        }
+    return vector;
+}
+
+/// Ascending, so that sums run in the same order on every rank.
+FaceWeights listed(const std::map<Index, double>& shares) {
+    FaceWeights weights;
+    for (const auto& [node, share] : shares) {
+        weights.nodes.push_back(node);
+        weights.weights_m2.push_back(share);
+    }
+    return weights;
+}
+
+std::vector<double> densities(const model::Case& input, const std::string& load) {
+    std::vector<double> density;
+    for (const auto& region : input.mesh.region_names) {
+        const auto material = std::ranges::find(input.materials, region, &model::Material::name);
+        if (material == input.materials.end() || !material->density_kg_m3)
+            throw Error(ExitCode::bad_input, "loads." + load, "the material has no density",
+                        "add material.density, for example 1080 kg/m^3");
+        density.push_back(*material->density_kg_m3);
+    }
+    return density;
+}
+
+}  // namespace
+
+FaceWeights face_weights(const model::Case& input, const std::string& face) {
+    const mesh::Mesh& mesh = input.mesh;
+    const auto set = mesh.facet_sets.find(face);
+    if (set == mesh.facet_sets.end() || set->second.empty())
+        throw Error(ExitCode::bad_input, "loads", "no face is called '" + face + "'");
+    std::map<Index, double> shares;
+    double area = 0;
+    for (const auto& facet : set->second) {
+        const auto reference = element::make_reference_facet(mesh::facet_type(mesh, facet));
+        const auto nodes = mesh::facet_nodes(mesh, facet);
+        std::vector<double> X(reference.dofs()), share(reference.nodes, 0.0);
+        for (int i = 0; i < mesh.dimension; ++i)
+            for (int a = 0; a < reference.nodes; ++a) X[i * reference.nodes + a] = mesh.point(nodes[a])[i];
+        area += element::facet_area(reference, input.kinematics, X, share);
+        for (int a = 0; a < reference.nodes; ++a) shares[nodes[a]] += share[a];
+    }
+    FaceWeights weights = listed(shares);
+    weights.area_m2 = area;
+    return weights;
+}
+
+SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
+                               const std::array<double, 3>& direction) {
+    const FaceWeights weights = face_weights(input, face);
+    SparseVector mean = weighted(weights.nodes, weights.weights_m2, map, direction);
+    for (double& value : mean.values) value /= weights.area_m2;
+    return mean;
+}
+
+SparseVector face_force(const model::Case& input, const DofMap& map, const std::string& face,
+                        const std::array<double, 3>& traction_Pa) {
+    const FaceWeights weights = face_weights(input, face);
+    return weighted(weights.nodes, weights.weights_m2, map, traction_Pa);
+}
+
+SparseVector body_force(const model::Case& input, const DofMap& map, std::span<const element::ReferenceCell> references,
+                        const model::BodyForce& force) {
+    const mesh::Mesh& mesh = input.mesh;
+    const auto density = densities(input, force.name);
+    std::map<Index, double> mass;
+    std::vector<element::PointState> points;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        const auto& reference = reference_of(references, mesh.cell_type(cell));
+        const auto nodes = mesh.cell_nodes(cell);
+        std::vector<double> X(reference.displacement_dofs()), rest(reference.dofs(), 0.0);
+        for (int i = 0; i < mesh.dimension; ++i)
+            for (int a = 0; a < reference.nodes; ++a) X[i * reference.nodes + a] = mesh.point(nodes[a])[i];
+        points.clear();
+        const std::size_t moving = X.size();
+        element::sample_cell(reference, input.kinematics, material::FiberFrame::cartesian,
+                             {X, {rest.data(), moving}, {rest.data() + moving, rest.size() - moving}, 1.0}, points);
+        for (std::size_t q = 0; q < points.size(); ++q)
+            for (int a = 0; a < reference.nodes; ++a)
+                mass[nodes[a]] += density[mesh.cell_regions[cell]] * points[q].weight_m3 * reference.N[q * reference.nodes + a];
+    }
+    const FaceWeights weights = listed(mass);
+    return weighted(weights.nodes, weights.weights_m2, map, force.acceleration_m_s2);
+}
+
+}  // namespace soft::assembly

@@ -1,0 +1,66 @@
+#include "assembly/rotation.hpp"
+
+#include <cmath>
+
+#include "core/tensor.hpp"
+
+namespace soft::assembly {
+
+namespace {
+
+/// Two unit vectors across the axis, right-handed with it.
+std::array<std::array<double, 3>, 2> across(const std::array<double, 3>& e) {
+    int least = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(e[i]) < std::abs(e[least])) least = i;
+    std::array<double, 3> first{};
+    first[least] = 1.0;
+    double norm = 0;
+    for (int i = 0; i < 3; ++i) first[i] -= e[least] * e[i];
+    for (const double f : first) norm += f * f;
+    for (double& f : first) f /= std::sqrt(norm);
+    return {first, {e[1] * first[2] - e[2] * first[1], e[2] * first[0] - e[0] * first[2], e[0] * first[1] - e[1] * first[0]}};
+}
+
+}  // namespace
+
+PhasorAngle angle_of(const Phasor& phasor) {
+    const double square = phasor[0] * phasor[0] + phasor[1] * phasor[1];
+    return {std::atan2(phasor[1], phasor[0]), {-phasor[1] / square, phasor[0] / square}};
+}
+
+void add_phasor(const Rotation& rotation, const element::ReferenceFacet& facet, std::span<const double> x,
+                std::span<const double> X, std::span<const double> weights, Phasor& phasor,
+                std::array<std::vector<double>, 2>& slopes) {
+    const auto basis = across(rotation.axis);
+    const auto n = static_cast<std::size_t>(facet.nodes), size = static_cast<std::size_t>(facet.dofs());
+    for (auto& slope : slopes) slope.assign(size, 0.0);
+    if (rotation.measure == model::Measure::twist) {
+        for (std::size_t a = 0; a < n; ++a) {
+            Phasor here{}, there{};
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t k = 0; k < 2; ++k) {
+                    there[k] += basis[k][i] * X[i * n + a];
+                    here[k] += basis[k][i] * x[i * n + a];
+                }
+            phasor[0] += weights[a] * (there[0] * here[0] + there[1] * here[1]);
+            phasor[1] += weights[a] * (there[0] * here[1] - there[1] * here[0]);
+            for (std::size_t i = 0; i < 3; ++i) {
+                slopes[0][i * n + a] = weights[a] * (there[0] * basis[0][i] + there[1] * basis[1][i]);
+                slopes[1][i * n + a] = weights[a] * (there[0] * basis[1][i] - there[1] * basis[0][i]);
+            }
+        }
+        return;
+    }
+    // The force of a unit pressure is -int N_a n da and the N_a add up to 1.
+    std::vector<double> force(size, 0.0), stiffness(size * size, 0.0);
+    element::pressure_force(facet, model::Kinematics::solid, x, force, stiffness);
+    for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t row = 0; row < size; ++row) {
+            const double share = -basis[k][row / n];
+            phasor[k] += share * force[row];
+            for (std::size_t column = 0; column < size; ++column) slopes[k][column] += share * stiffness[row * size + column];
+        }
+}
+
+}  // namespace soft::assembly

@@ -1,0 +1,141 @@
+#include "design/load_keys.hpp"
+
+#include <array>
+
+#include "core/units.hpp"
+#include "design/common_keys.hpp"
+
+namespace soft::design {
+namespace {
+
+using model::Prescription;
+
+constexpr std::array<SupplyWord, 5> words{{{"pressure", Prescription::pressure},
+                                           {"volume", Prescription::volume},
+                                           {"volume_ratio", Prescription::volume_ratio},
+                                           {"mass", Prescription::mass},
+                                           {"valve", Prescription::closed}}};
+
+std::string at(When when) { return when == When::full_load ? " at full load" : " at the stage's end"; }
+
+std::string si_text(double value, core::Dimension dimension) { return core::quantity_text(value, dimension); }
+
+}  // namespace
+
+std::span<const SupplyWord> supply_words() { return words; }
+
+Key supply_key(const std::string& load, const SupplyWord& word, When when) {
+    Key key{.path = load + "." + std::string{word.name}};
+    switch (word.what) {
+        case Prescription::pressure:
+            key.kind = Kind::pressure;
+            key.meaning = "gauge pressure" + at(when) + "; positive pushes on the rubber and inflates a cavity; a cavity may "
+                          "have volume, volume_ratio, mass or valve instead";
+            break;
+        case Prescription::volume:
+            key.kind = Kind::volume;
+            key.meaning = "enclosed volume" + at(when) + ", of all cavities that share the gas";
+            key.min = 0;
+            key.min_open = true;
+            break;
+        case Prescription::volume_ratio:
+            key.kind = Kind::ratio;
+            key.meaning = "enclosed volume over its undeformed value" + at(when) + ", of all cavities that share the gas";
+            key.min = 0;
+            key.min_open = true;
+            break;
+        case Prescription::mass:
+            key.kind = Kind::mass;
+            key.meaning = "gas injected" + at(when) + ", counted since the path began, beyond what fills the undeformed cavity";
+            break;
+        case Prescription::closed:
+            key.kind = Kind::choice;
+            key.meaning = "closed: the gas that is there stays";
+            key.choices = {"closed"};
+            break;
+    }
+    return key;
+}
+
+Key shares_key(const std::string& load, std::vector<std::string> cavities) {
+    return {.path = load + ".shares",
+            .kind = Kind::choice,
+            .meaning = "cavity whose gas this one shares: one pressure, and the volumes add up",
+            .choices = std::move(cavities)};
+}
+
+Key sealed_key(const std::string& load, std::string fallback) {
+    return {.path = load + ".sealed",
+            .kind = Kind::flag,
+            .fallback = std::move(fallback),
+            .meaning = "the pressure also pushes on the plugs of the openings and on every closed inner face"};
+}
+
+std::vector<Key> gas_keys(const std::string& load) {
+    const model::Gas gas;
+    const std::string path = load + ".gas.";
+    return {{.path = path + "ambient",
+             .kind = Kind::pressure,
+             .fallback = si_text(gas.ambient_Pa, core::Dimension::pressure),
+             .meaning = "absolute pressure outside the body; the gas matters to mass and valve alone",
+             .min = 0,
+             .min_open = true},
+            {.path = path + "density",
+             .kind = Kind::density,
+             .fallback = si_text(gas.ambient_density_kg_m3, core::Dimension::density),
+             .meaning = "of the gas at ambient pressure; air at 20 degrees Celsius",
+             .min = 0,
+             .min_open = true},
+            {.path = path + "dead_volume",
+             .kind = Kind::volume,
+             .fallback = "0 mL",
+             .meaning = "of the tubing, filled by the same gas",
+             .min = 0},
+            {.path = path + "process",
+             .kind = Kind::choice,
+             .fallback = "isothermal",
+             .meaning = "how pressure follows density: in proportion, or to the power 1.4 (adiabatic air)",
+             .choices = {"isothermal", "adiabatic"}}};
+}
+
+Key traction_key(const std::string& load, When when) {
+    return {.path = load + ".traction",
+            .kind = Kind::pressure,
+            .meaning = "force per undeformed area" + at(when) + "; its direction stays fixed in space"};
+}
+
+Key traction_along_key(const std::string& load) {
+    return {.path = load + ".along",
+            .kind = Kind::choice,
+            .meaning = "direction of a positive traction; normal points out of the undeformed face, axis makes longer",
+            .choices = directions()};
+}
+
+Key acceleration_key(const std::string& load, When when) {
+    return {.path = load + ".acceleration",
+            .kind = Kind::acceleration,
+            .meaning = "force per mass of the rubber" + at(when) + "; needs material.density"};
+}
+
+Key gravity_along_key(const std::string& load, std::string fallback) {
+    return {.path = load + ".along",
+            .kind = Kind::choice,
+            .fallback = std::move(fallback),
+            .meaning = "direction in which the weight pulls; axis is that which makes longer",
+            .choices = {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"}};
+}
+
+Key displacement_key(const std::string& load, When when) {
+    return {.path = load + ".displacement",
+            .kind = Kind::length,
+            .meaning = "prescribed motion of the whole face" + at(when) + "; its other components stay free"};
+}
+
+Key motion_along_key(const std::string& load) {
+    return {.path = load + ".along",
+            .kind = Kind::choice,
+            .meaning = "component that moves; normal and axis where they point along one",
+            .choices = directions()};
+}
+
+}  // namespace soft::design

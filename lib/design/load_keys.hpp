@@ -1,0 +1,38 @@
+#pragma once
+/// The keys of a load, in `loads` and in a stage. Private to the room. `load` is the path of the load, "loads.cavity" or
+/// "path.stages.vent.loads.cavity".
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "design/schema.hpp"
+#include "model/case.hpp"
+
+namespace soft::design {
+
+/// How much gas a cavity gets; one of these stands in its load.
+struct SupplyWord {
+    std::string_view name;   ///< of the key: "volume_ratio"
+    model::Prescription what;
+};
+[[nodiscard]] std::span<const SupplyWord> supply_words();
+
+/// At the full load, or at the end of a stage.
+enum class When { full_load, stage_end };
+
+[[nodiscard]] Key supply_key(const std::string& load, const SupplyWord& word, When when);
+[[nodiscard]] Key shares_key(const std::string& load, std::vector<std::string> cavities);
+[[nodiscard]] Key sealed_key(const std::string& load, std::string fallback);
+[[nodiscard]] std::vector<Key> gas_keys(const std::string& load);   ///< defaults are model::Gas's
+
+[[nodiscard]] Key traction_key(const std::string& load, When when);
+[[nodiscard]] Key traction_along_key(const std::string& load);
+[[nodiscard]] Key acceleration_key(const std::string& load, When when);
+[[nodiscard]] Key gravity_along_key(const std::string& load, std::string fallback);
+[[nodiscard]] Key displacement_key(const std::string& load, When when);
+[[nodiscard]] Key motion_along_key(const std::string& load);
+
+inline constexpr double adiabatic_exponent = 1.4;   ///< of air, ratio of its specific heats
+
+}  // namespace soft::design

@@ -1,0 +1,183 @@
+#include "design/path.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/text.hpp"
+
+namespace soft::design {
+namespace {
+
+using model::Control;
+using model::Prescription;
+
+constexpr const char* controlled_path = "path.controlled";
+
+class StageReader {
+public:
+    StageReader(const PathParts& parts, std::span<const Item> items, const Values& values)
+        : parts_(parts), items_(items), values_(values) {}
+
+    [[nodiscard]] model::Stage read(const StageEntry& entry, const model::Stage& before) {
+        model::Stage stage = before;
+        stage.name = entry.name;
+        for (const StageLoad& load : entry.loads) take(load, stage);
+        control(entry, stage);
+        stage.until = until(entry);
+        return stage;
+    }
+
+    /// Whether path.controlled, where it is given, is what some stage controls.
+    [[nodiscard]] bool uses_controlled() const { return uses_controlled_; }
+
+    [[noreturn]] void refuse_controlled(const std::string& key) const {
+        throw values_.refuse(key, core::quoted(values_.text(key)) + " is not what this control lets grow",
+                             "control: displacement with an output, or control: volume with a cavity");
+    }
+
+private:
+    void take(const StageLoad& load, model::Stage& stage) const {
+        const LoadSlot& slot = parts_.loads.slots[load.index];
+        const double value = load.what == Prescription::closed ? 0 : values_.number(load.value);
+        switch (slot.kind) {
+            case LoadKind::gas:
+            case LoadKind::face_pressure: stage.supplies[slot.index] = {load.what, value}; break;
+            case LoadKind::shared_gas: break;
+            case LoadKind::traction: stage.tractions[slot.index] = value / slot.value; break;
+            case LoadKind::gravity: stage.body_forces[slot.index] = value / slot.value; break;
+            case LoadKind::motion: stage.motions[slot.index] = value / slot.value; break;
+        }
+    }
+
+    /// The key of the stage, or that of the path where the stage leaves it to the path.
+    [[nodiscard]] std::string own_or_path(const StageEntry& entry, const char* key) const {
+        const std::string own = entry.path + "." + key;
+        return values_.text(own) == "path" ? std::string{"path."} + key : own;
+    }
+
+    void control(const StageEntry& entry, model::Stage& stage) {
+        static const std::map<std::string, Control> controls = {{"auto", Control::automatic},
+                                                                {"pressure", Control::pressure},
+                                                                {"volume", Control::volume},
+                                                                {"displacement", Control::displacement},
+                                                                {"arc-length", Control::arc_length}};
+        const std::string key = own_or_path(entry, "control");
+        stage.control = controls.at(values_.text(key));
+        stage.controlled.clear();
+        if (stage.control == Control::volume) check_volume(key);
+        if (stage.control == Control::displacement && parts_.outputs.empty())
+            throw values_.refuse(key, "there is no output to prescribe", "add one under outputs, or use auto");
+        controlled(entry, stage);
+        if (stage.control == Control::volume) check_not_prescribed(key, stage);
+    }
+
+    void check_volume(const std::string& key) const {
+        if (!has(LoadKind::gas))
+            throw values_.refuse(key, "no cavity is loaded, so there is no volume to prescribe", "use auto");
+    }
+
+    /// A stage's own word must fit; what the path says is taken where it fits.
+    void controlled(const StageEntry& entry, model::Stage& stage) {
+        const std::string key = own_or_path(entry, "controlled");
+        const std::string& name = values_.text(key);
+        if (name == "first") return;
+        const bool output = std::ranges::find(parts_.outputs, name) != parts_.outputs.end();
+        const bool cavity = std::ranges::any_of(parts_.entries, [&](const LoadEntry& load) {
+            return load.kind == LoadKind::gas && load.name == name;
+        });
+        const bool fits = (stage.control == Control::displacement && output) || (stage.control == Control::volume && cavity);
+        if (fits) {
+            stage.controlled = name;
+            uses_controlled_ = uses_controlled_ || key == controlled_path;
+        } else if (key != controlled_path) {
+            refuse_controlled(key);
+        }
+    }
+
+    void check_not_prescribed(const std::string& key, const model::Stage& stage) const {
+        for (std::size_t i = 0; i < parts_.entries.size(); ++i) {
+            if (parts_.entries[i].kind != LoadKind::gas) continue;
+            const std::string& name = parts_.entries[i].name;
+            if (!stage.controlled.empty() && name != stage.controlled) continue;
+            const Prescription what = stage.supplies[parts_.loads.slots[i].index].what;
+            if (what == Prescription::volume || what == Prescription::volume_ratio)
+                throw values_.refuse(key, "the volume of " + core::quoted(name) + " is prescribed by its load already",
+                                     "use auto, or give the load a pressure");
+            return;   // the first, or the named one
+        }
+    }
+
+    [[nodiscard]] bool has(LoadKind kind) const {
+        return std::ranges::find(parts_.entries, kind, &LoadEntry::kind) != parts_.entries.end();
+    }
+
+    [[nodiscard]] std::vector<model::Until> until(const StageEntry& entry) const {
+        const std::string own = entry.path + ".until";
+        if (values_.has(own) && values_.text(own) == "none") return {};
+        const std::string section = (values_.has(own) ? "path.until" : own) + ".";
+        std::vector<model::Until> ends;
+        for (const Item& item : items_) {
+            const std::string quantity = name_between(item.key.path, section, "");
+            if (quantity.empty()) continue;
+            check_end(item, quantity, section == "path.until.");
+            ends.push_back({quantity, item.entry.number});
+        }
+        return ends;
+    }
+
+    void check_end(const Item& item, const std::string& quantity, bool of_path) const {
+        if (of_path && item.entry.number == 0)
+            throw values_.refuse(item.key.path, "0 is where the path starts", "write where it shall end");
+        if (quantity == "volume_ratio" && !has(LoadKind::gas))
+            throw values_.refuse(item.key.path, "no cavity is loaded, so there is no volume", "use pressure or steps");
+        if (quantity == "pressure" && parts_.loads.pressures.empty())
+            throw values_.refuse(item.key.path, "no load is a pressure", "use an output or steps");
+    }
+
+    const PathParts& parts_;
+    std::span<const Item> items_;
+    const Values& values_;
+    bool uses_controlled_ = false;
+};
+
+model::Stage unloaded(const Loads& loads) {
+    model::Stage stage;
+    stage.supplies.resize(loads.pressures.size());
+    stage.tractions.resize(loads.tractions.size());
+    stage.body_forces.resize(loads.body_forces.size());
+    stage.motions.resize(loads.motions.size());
+    return stage;
+}
+
+void check_all_named(const PathParts& parts, const Values& values) {
+    for (std::size_t i = 0; i < parts.entries.size(); ++i) {
+        const LoadEntry& load = parts.entries[i];
+        const bool named = std::ranges::any_of(parts.stages, [&](const StageEntry& stage) {
+            return std::ranges::find(stage.loads, i, &StageLoad::index) != stage.loads.end();
+        });
+        if (!named && load.kind != LoadKind::shared_gas)
+            throw values.refuse(load.value, "no stage names this load, so it would never act",
+                                "name it in one of path.stages, or take it out");
+    }
+}
+
+}  // namespace
+
+model::PathSettings path_of(const PathParts& parts, std::span<const Item> items, const Values& values) {
+    model::PathSettings path;
+    check_all_named(parts, values);
+    StageReader reader{parts, items, values};
+    model::Stage before = unloaded(parts.loads);
+    for (const StageEntry& entry : parts.stages) {
+        path.stages.push_back(reader.read(entry, before));
+        before = path.stages.back();
+    }
+    if (values.text(controlled_path) != "first" && !reader.uses_controlled()) reader.refuse_controlled(controlled_path);
+    if (values.text("path.branch") == "follow") path.branch = model::Branch::follow;
+    path.imperfection_m = values.number("path.imperfection");
+    if (values.text("path.contact") == "ignore") path.contact = model::Contact::ignore;
+    path.stretch_limit = values.number("path.stretch_limit");
+    return path;
+}
+
+}  // namespace soft::design

@@ -1,0 +1,150 @@
+/// The keys of `path`.
+#include <algorithm>
+
+#include "core/units.hpp"
+#include "design/common_keys.hpp"
+#include "design/path.hpp"
+
+namespace soft::design {
+namespace {
+
+constexpr const char *as_path = "path", *no_end = "none", *stages_path = "path.stages";
+
+std::vector<std::string> controls() { return {"auto", "pressure", "volume", "displacement", "arc-length"}; }
+
+Key control_key(const std::string& path) {
+    const bool of_stage = path != "path";
+    std::vector<std::string> choices = controls();
+    if (of_stage) choices.insert(choices.begin(), as_path);
+    return {.path = path + ".control",
+            .kind = Kind::choice,
+            .fallback = of_stage ? as_path : "auto",
+            .meaning = of_stage ? "as path.control, or what grows by itself in this stage"
+                                : "what grows by itself along the path; auto takes the load while the body is stiff, then volume "
+                                  "or arc length, and passes limit points",
+            .choices = std::move(choices)};
+}
+
+Key controlled_key(const std::string& path, std::vector<std::string> choices) {
+    const bool of_stage = path != "path";
+    choices.insert(choices.begin(), of_stage ? as_path : "first");
+    return {.path = path + ".controlled",
+            .kind = Kind::choice,
+            .fallback = choices.front(),
+            .meaning = of_stage ? "as path.controlled, or another output or cavity"
+                                : "output (control: displacement) or cavity (control: volume) that grows",
+            .choices = std::move(choices)};
+}
+
+std::vector<Key> branch_keys() {
+    const model::PathSettings defaults;
+    return {{.path = "path.branch",
+             .kind = Kind::choice,
+             .fallback = "stay",
+             .meaning = "where another branch leaves the path: stay on it, or follow the branch from the first such point on",
+             .choices = {"stay", "follow"}},
+            {.path = "path.imperfection",
+             .kind = Kind::length,
+             .fallback = "0.1 mm",
+             .meaning = "how far the body is pushed onto a branch that is followed, largest displacement",
+             .min = 0,
+             .min_open = true},
+            {.path = "path.contact",
+             .kind = Kind::choice,
+             .fallback = "stop",
+             .meaning = "where walls of the body touch: end the path, or let them pass through each other",
+             .choices = {"stop", "ignore"}},
+            {.path = "path.stretch_limit",
+             .kind = Kind::ratio,
+             .fallback = core::quantity_text(defaults.stretch_limit, core::Dimension::ratio),
+             .meaning = "stretch, exceeded in 1 % of the rubber, at which loads that are never reached are given up",
+             .min = 1,
+             .min_open = true}};
+}
+
+/// Outputs as the tree has them; an angle ends the path at an angle.
+struct NamedOutput {
+    std::string name;
+    Kind kind;
+};
+std::vector<NamedOutput> named_outputs(const Node& root) {
+    std::vector<NamedOutput> outputs;
+    for (const Member& output : members_of(root, "outputs")) {
+        const Node* measure = find(output.value, "measure");
+        const bool angle = measure != nullptr && (measure->text == "bend" || measure->text == "twist");
+        outputs.push_back({output.key, angle ? Kind::angle : Kind::length});
+    }
+    return outputs;
+}
+
+void add_until_keys(Schema& schema, const Node& root, const std::string& section, std::span<const NamedOutput> outputs) {
+    std::vector<std::string> ends = until_quantities();
+    for (const NamedOutput& output : outputs) ends.push_back(output.name);
+    for (const Member& until : members_of(root, section)) {
+        const auto output = std::ranges::find(outputs, until.key, &NamedOutput::name);
+        if (output != outputs.end())
+            schema.keys.push_back({.path = section + "." + until.key,
+                                   .kind = output->kind,
+                                   .meaning = "it ends when this output is reached"});
+        else if (std::ranges::find(ends, until.key) != ends.end())
+            schema.keys.push_back(until_key(section, until.key));
+    }
+    schema.names[section] = std::move(ends);
+}
+
+void check_stage_name(const Member& stage) {
+    if (!is_own_name(stage.key))
+        refuse(stage.place, std::string{stages_path} + "." + stage.key, "not a name of a stage", own_name_remedy);
+}
+
+StageEntry add_stage_keys(Schema& schema, const Node& root, const Member& stage, std::span<const LoadEntry> loads) {
+    check_stage_name(stage);
+    StageEntry entry{stage.key, std::string{stages_path} + "." + stage.key, {}};
+    entry.loads = add_stage_load_keys(schema, root, entry.path, loads);
+    const Key controlled = *std::ranges::find(schema.keys, "path.controlled", &Key::path);
+    schema.keys.push_back(control_key(entry.path));
+    schema.keys.push_back(controlled_key(entry.path, {controlled.choices.begin() + 1, controlled.choices.end()}));
+    const std::string until = entry.path + ".until";
+    const Node* own = find_path(root, until);
+    if (own != nullptr && own->kind == Node::Kind::map)
+        add_until_keys(schema, root, until, named_outputs(root));
+    else
+        schema.keys.push_back({.path = until,
+                               .kind = Kind::choice,
+                               .fallback = as_path,
+                               .meaning = "as path.until, none, or a group {quantity: value} of its own",
+                               .choices = {as_path, no_end}});
+    return entry;
+}
+
+}  // namespace
+
+void name_empty_ends(Node& root) {
+    for (const Member& stage : members_of(root, stages_path)) {
+        Node* until = find_path(root, std::string{stages_path} + "." + stage.key + ".until");
+        if (until == nullptr || until->kind == Node::Kind::scalar || until->kind == Node::Kind::list) continue;
+        if (until->members.empty()) *until = scalar_node(no_end, until->place);
+    }
+}
+
+std::vector<StageEntry> add_path_keys(Schema& schema, const Node& root, std::span<const LoadEntry> loads) {
+    const std::vector<NamedOutput> outputs = named_outputs(root);
+    std::vector<std::string> controlled;
+    for (const NamedOutput& output : outputs) controlled.push_back(output.name);
+    for (const LoadEntry& load : loads)
+        if (load.kind == LoadKind::gas) controlled.push_back(load.name);
+    schema.keys.push_back(control_key("path"));
+    schema.keys.push_back(controlled_key("path", std::move(controlled)));
+    add_until_keys(schema, root, "path.until", outputs);
+    for (Key& key : branch_keys()) schema.keys.push_back(std::move(key));
+    std::vector<StageEntry> stages;
+    for (const Member& stage : members_of(root, stages_path)) stages.push_back(add_stage_keys(schema, root, stage, loads));
+    schema.names[stages_path];
+    if (!stages.empty()) return stages;
+    StageEntry whole{"", "path", {}};
+    for (std::size_t i = 0; i < loads.size(); ++i)
+        if (loads[i].kind != LoadKind::shared_gas) whole.loads.push_back({i, loads[i].what, loads[i].value});
+    return {whole};
+}
+
+}  // namespace soft::design

@@ -1,0 +1,75 @@
+/// A spherical cap of constant thickness about x, clamped at its rim: the rim's middle lies at x = 0, the apex above it.
+#include <cmath>
+#include <numbers>
+
+#include "geometry/family.hpp"
+#include "geometry/keys.hpp"
+
+namespace soft::geometry {
+namespace {
+
+/// Where an output of the apex is measured: a part of the angle small enough to be a point of the dome, large enough for
+/// a cell.
+constexpr double crown_share = 0.1;
+
+Body build(const design::Values& values) {
+    const double radius_m = values.number("geometry.radius"), thickness_m = values.number("geometry.thickness");
+    const double angle = values.number("geometry.angle"), size_m = values.number("mesh.size");
+    if (!(thickness_m < radius_m))
+        throw values.refuse("geometry.thickness", not_smaller(thickness_m, "radius", radius_m), smaller_than(radius_m));
+    const double inner_m = radius_m - 0.5 * thickness_m, outer_m = radius_m + 0.5 * thickness_m;
+    const int through = cells_through_wall(values, thickness_m);
+
+    Body body;
+    Section& s = body.section;
+    const double centre_m = -radius_m * std::cos(angle);
+    const int centre = add_point(s, {centre_m, 0});
+    struct Cut {
+        int inner, outer;
+    };
+    const auto add_cut = [&](double at, std::vector<std::string> faces) {
+        const auto point = [&](double r) { return add_point(s, {centre_m + r * std::cos(at), r * std::sin(at)}); };
+        const Cut cut{point(inner_m), point(outer_m)};
+        add_line(s, {cut.inner, cut.outer}, through, std::move(faces));
+        return cut;
+    };
+    const auto add_strip = [&](Cut from, Cut to, double turn, std::vector<std::string> inner_faces) {
+        const int along = divisions(turn * radius_m, size_m);
+        add_arc(s, {from.inner, to.inner}, centre, along, std::move(inner_faces));
+        add_arc(s, {from.outer, to.outer}, centre, along, {"outer"});
+        add_block(s, {{{from.inner, from.outer}, {from.outer, to.outer}, {to.outer, to.inner}, {to.inner, from.inner}}});
+    };
+    const Cut apex = add_cut(0, {axis_face}), crown = add_cut(crown_share * angle, {}), rim = add_cut(angle, {"rim"});
+    add_strip(apex, crown, crown_share * angle, {"inner", "crown"});
+    add_strip(crown, rim, (1 - crown_share) * angle, {"inner"});
+    body.sweep = Revolution{values.count("mesh.sectors")};
+    return body;
+}
+
+}  // namespace
+
+Family dome() {
+    design::FamilyKeys keys;
+    keys.name = "dome";
+    keys.summary = "a clamped spherical cap that snaps through under pressure";
+    constexpr double degree = std::numbers::pi / 180;
+    design::Key angle{.path = "geometry.angle",
+                      .kind = design::Kind::angle,
+                      .fallback = "30 deg",
+                      .meaning = "half the opening, from the axis to the rim",
+                      .min = degree,
+                      .max = 150 * degree};
+    keys.geometry = {length_key("radius", "50 mm", "radius of the middle surface"),
+                     length_key("thickness", "2 mm", "of the cap"), std::move(angle)};
+    keys.models = {"axisymmetric", "solid", "half", "quarter"};
+    keys.faces = {"rim", "inner", "crown", "outer"};
+    keys.defaults = "supports: {fixed: rim}\n"
+                    "loads:\n"
+                    "  outer: {pressure: 5 kPa}                  # on the convex side\n"
+                    "outputs:\n"
+                    "  apex: {face: crown, along: axis}          # about the axis, on the concave side\n";
+    keys.mesh = {size_key("1 mm"), through_wall_key(), sectors_key()};
+    return {std::move(keys), build};
+}
+
+}  // namespace soft::geometry

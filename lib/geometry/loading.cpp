@@ -1,0 +1,182 @@
+#include "geometry/loading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/text.hpp"
+#include "mesh/cell_map.hpp"
+
+namespace soft::geometry {
+namespace {
+
+using Vector = std::array<double, 3>;
+using core::quoted;
+
+/// Area mean of the outward unit normal of a face; shorter than 1 where the face is not flat.
+Vector mean_normal(const Solid& solid, const std::string& face) {
+    Vector sum{};
+    double area = 0;
+    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(face)) {
+        const mesh::CellType type = facet_type(solid.mesh, facet);
+        for (const mesh::QuadraturePoint& point : mesh::volume_rule(type)) {
+            const auto n = mesh::facet_normal(solid.mesh, facet, mesh::shape_values(type, point.xi));
+            for (std::size_t i = 0; i < 3; ++i) sum[i] += point.weight * n[i];
+            area += point.weight * std::hypot(n[0], n[1], n[2]);
+        }
+    }
+    for (double& component : sum) component /= area;
+    return sum;
+}
+
+const char* component_name(const Solid& solid, std::size_t component) {
+    constexpr std::array<const char*, 3> names{"x", "y", "z"};
+    return component == 1 && solid.kinematics == model::Kinematics::axisymmetric ? "r" : names[component];
+}
+
+void add_body_forces(model::Case& result, const design::Design& design, const Meshed& meshed) {
+    for (const auto& request : design.body_forces) {
+        const std::string path = "loads." + request.name + ".along";
+        const bool against = request.along.starts_with('-');
+        Vector acceleration = direction_of({path, "", request.along.substr(against ? 1 : 0)}, meshed.body, meshed.solid);
+        for (double& component : acceleration) component *= against ? -request.acceleration_m_s2 : request.acceleration_m_s2;
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (acceleration[i] == 0) continue;
+            if (meshed.solid.symmetry_planes[i])
+                throw design.values.refuse(path, std::string{"the model is mirrored at "} + component_name(meshed.solid, i) +
+                                                     " = 0, and with it the weight would be",
+                                           "a model that is not cut there, or another direction");
+            if (meshed.body.anchoring == Anchoring::middle_planes && i > 0)
+                throw design.values.refuse(path, "nothing holds the body against its weight", "leave gravity out");
+        }
+        result.body_forces.push_back({request.name, acceleration});
+    }
+}
+
+/// The component along which `direction` points, or 3.
+std::size_t component_along(const Vector& direction) {
+    constexpr double rounding = 1e-9;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (std::abs(std::abs(direction[i]) - 1) <= rounding) return i;
+    return 3;
+}
+
+void add_motions(model::Case& result, const design::Design& design, const Meshed& meshed) {
+    for (const auto& request : design.motions) {
+        const std::string place = "loads." + request.face, path = place + ".along";
+        require_face(meshed.solid.mesh, request.face, place, meshed.keys);
+        const Vector direction = direction_of({path, request.face, request.along}, meshed.body, meshed.solid);
+        const std::size_t component = component_along(direction);
+        if (component == 3)
+            throw design.values.refuse(path, "a motion is prescribed by component, and this direction lies between them",
+                                       "turn the part, or move it along x, y or z");
+        model::Motion motion{request.face, {}};
+        motion.displacement_m[component] = direction[component] < 0 ? -request.displacement_m : request.displacement_m;
+        result.motions.push_back(std::move(motion));
+    }
+}
+
+std::set<mesh::Index> nodes_of(const Solid& solid, const std::string& face) {
+    std::set<mesh::Index> nodes;
+    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(face))
+        for (const mesh::Index node : mesh::facet_nodes(solid.mesh, facet)) nodes.insert(node);
+    return nodes;
+}
+
+bool share_a_node(const Solid& solid, const std::string& one, const std::string& other) {
+    const std::set<mesh::Index> nodes = nodes_of(solid, one), others = nodes_of(solid, other);
+    return std::ranges::any_of(others, [&](mesh::Index node) { return nodes.contains(node); });
+}
+
+/// A node cannot follow a motion in a component that a support or another motion prescribes too.
+void check_constraints(const model::Case& result, const design::Design& design, const Meshed& meshed) {
+    const auto refuse = [&](const model::Motion& motion, std::size_t component, const std::string& other) {
+        throw design.values.refuse("loads." + motion.face + ".displacement",
+                                   std::string{"over-constrained in "} + component_name(meshed.solid, component) + ": " + other +
+                                       (other.ends_with(quoted(motion.face))
+                                            ? ""
+                                            : ", with which " + quoted(motion.face) + " has nodes in common"),
+                                   "keep one of the two");
+    };
+    for (std::size_t m = 0; m < result.motions.size(); ++m) {
+        const model::Motion& motion = result.motions[m];
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!motion.displacement_m[i]) continue;
+            for (const model::Support& support : result.supports)
+                if (support.fixed[i] && share_a_node(meshed.solid, motion.face, support.face))
+                    refuse(motion, i, "a support holds " + quoted(support.face));
+            for (std::size_t k = 0; k < m; ++k) {
+                const model::Motion& other = result.motions[k];
+                if (other.displacement_m[i] && *other.displacement_m[i] != *motion.displacement_m[i] &&
+                    share_a_node(meshed.solid, motion.face, other.face))
+                    refuse(motion, i, "another motion is that of " + quoted(other.face));
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& place, const design::FamilyKeys& keys) {
+    if (mesh.facet_sets.contains(face)) return;
+    std::vector<std::string> present;
+    for (const std::string& name : keys.faces)
+        if (mesh.facet_sets.contains(name)) present.push_back(name);
+    throw Error(ExitCode::bad_input, place, "face " + quoted(face) + " is not part of this model",
+                "faces it has: " + core::join(present));
+}
+
+std::array<double, 3> direction_of(const Heading& heading, const Body& body, const Solid& solid) {
+    const std::string &place = heading.place, &along = heading.along;
+    if (along == "axis") return body.axis;
+    if (along == "x") return {1, 0, 0};
+    if (along == "normal") {
+        constexpr double flat = 1 - 1e-9;   // rounding of the sums; a curved face falls far below
+        const auto n = mean_normal(solid, heading.face);
+        if (std::hypot(n[0], n[1], n[2]) < flat)
+            throw Error(ExitCode::bad_input, place, "face " + quoted(heading.face) + " is not flat", "axis, x, y or z");
+        return n;
+    }
+    // The mean of y or z over a whole turn says nothing of a section, and r is no fixed direction of a solid.
+    const bool revolved = solid.kinematics == model::Kinematics::axisymmetric;
+    const bool plane = solid.kinematics == model::Kinematics::plane_strain;
+    if (along == "r" && revolved) return {0, 1, 0};
+    if (along == "y" && !revolved) return {0, 1, 0};
+    if (along == "z" && !revolved && !plane) return {0, 0, 1};
+    throw Error(ExitCode::bad_input, place, quoted(along) + " is no direction of this model",
+                revolved ? "axis, x, r or normal" : plane ? "axis, x, y or normal" : "axis, x, y, z or normal");
+}
+
+void add_loads(model::Case& result, const design::Design& design, const Meshed& meshed) {
+    result.loads = design.loads;
+    for (const model::PressureLoad& load : result.loads)
+        for (const std::string& target : load.targets)
+            if (std::ranges::find(result.cavities, target, &model::Cavity::name) == result.cavities.end())
+                require_face(meshed.solid.mesh, target, "loads." + target, meshed.keys);
+    for (const auto& request : design.tractions) {
+        const std::string place = "loads." + request.face;
+        require_face(meshed.solid.mesh, request.face, place, meshed.keys);
+        Vector traction = direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
+        for (double& component : traction) component *= request.traction_Pa;
+        result.tractions.push_back({request.face, traction});
+    }
+    add_body_forces(result, design, meshed);
+    add_motions(result, design, meshed);
+    check_constraints(result, design, meshed);
+}
+
+void add_outputs(model::Case& result, const design::Design& design, const Meshed& meshed) {
+    for (const auto& request : design.outputs) {
+        const std::string place = "outputs." + request.name;
+        require_face(meshed.solid.mesh, request.face, place + ".face", meshed.keys);
+        const bool bend = request.measure == model::Measure::bend;
+        if (bend) require_face(meshed.solid.mesh, request.reference, place + ".reference", meshed.keys);
+        const bool about_z = request.measure != model::Measure::displacement && request.along == "z" &&
+                             meshed.solid.kinematics == model::Kinematics::plane_strain;
+        const Vector direction = about_z ? Vector{0, 0, 1}
+                                         : direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
+        result.outputs.push_back({request.name, request.face, direction, request.measure, bend ? request.reference : ""});
+    }
+}
+
+}  // namespace soft::geometry

@@ -1,0 +1,88 @@
+/// Two thick spherical shells apart, side by side on the axis x, each as the half beside its own plane of symmetry: left
+/// of x = -gap/2 and right of x = gap/2. What they share is at most their gas.
+#include "geometry/family.hpp"
+#include "geometry/keys.hpp"
+
+#include <numbers>
+
+namespace soft::geometry {
+namespace {
+
+constexpr std::array<const char*, 2> plane_faces{"plane_left", "plane_right"};
+
+struct Half {
+    double plane_m;          ///< x of its plane of symmetry
+    int sign;                ///< -1: it lies at lower x
+    double inner_m, outer_m;
+    const char *wall, *outside, *plane;
+};
+
+struct Counts {
+    int through, around;
+};
+
+void add_half(Section& s, const Half& half, Counts n) {
+    const auto at = [&](double x, double r) { return add_point(s, {half.plane_m + half.sign * x, r}); };
+    const int centre = at(0, 0);
+    const int a = at(half.inner_m, 0), b = at(half.outer_m, 0), c = at(0, half.outer_m), d = at(0, half.inner_m);
+    add_line(s, {a, b}, n.through, {axis_face});
+    add_arc(s, {b, c}, centre, n.around, {half.outside});
+    add_line(s, {c, d}, n.through, {half.plane});
+    add_arc(s, {d, a}, centre, n.around, {half.wall});
+    add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
+}
+
+Body build(const design::Values& values) {
+    const double inner_m = values.number("geometry.inner_radius"), outer_m = values.number("geometry.outer_radius");
+    if (!(inner_m < outer_m))
+        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m), smaller_than(outer_m));
+    constexpr int least_around = 4;   // per quarter turn, as for mesh.sectors
+    const double wall_m = outer_m - inner_m, right_wall_m = wall_m * values.number("geometry.right_scale");
+    const double half_gap_m = 0.5 * values.number("geometry.gap");
+    // The same cells on both: a difference of their meshes would be an imperfection of its own.
+    const Counts n{cells_through_wall(values, wall_m),
+                   divisions(0.25 * std::numbers::pi * (inner_m + outer_m), values.number("mesh.size"), least_around)};
+
+    Body body;
+    add_half(body.section, {-half_gap_m, -1, inner_m, outer_m, "left", "outer_left", plane_faces[0]}, n);
+    add_half(body.section, {half_gap_m, 1, inner_m, inner_m + right_wall_m, "right", "outer_right", plane_faces[1]}, n);
+    body.sweep = Revolution{};
+    // Each cavity goes on beyond its plane; the plug that stands for that pushes on a face held against it.
+    const double hole_m2 = std::numbers::pi * inner_m * inner_m;
+    body.cavities = {{"left", "left", {}, {{plane_faces[0], hole_m2, {1, 0, 0}}}},
+                     {"right", "right", {}, {{plane_faces[1], hole_m2, {-1, 0, 0}}}}};
+    body.fraction = 0.5;
+    for (const char* plane : plane_faces) body.supports.push_back({plane, {true, false, false}});
+    return body;
+}
+
+}  // namespace
+
+Family two_spheres() {
+    design::FamilyKeys keys;
+    keys.name = "two-spheres";
+    keys.summary = "two spherical shells that share one gas";
+    design::Key right_scale{.path = "geometry.right_scale",
+                            .kind = design::Kind::ratio,
+                            .fallback = "1",
+                            .meaning = "thickness of the right wall over that of the left one",
+                            .min = 0,
+                            .max = 10,
+                            .min_open = true};
+    keys.geometry = {length_key("inner_radius", "10 mm", "radius of both cavities"),
+                     length_key("outer_radius", "11 mm", "radius of the outer faces; the model holds the outward half of each shell"),
+                     length_key("gap", "10 mm", "between the two planes of symmetry"), std::move(right_scale)};
+    keys.models = {"axisymmetric"};
+    keys.faces = {"left", "right", "outer_left", "outer_right", plane_faces[0], plane_faces[1]};
+    keys.cavities = {"left", "right"};
+    keys.defaults = "supports: {}                    # the planes of symmetry hold the shells\n"
+                    "loads:\n"
+                    "  cavities:\n"
+                    "    left: {volume_ratio: 10}    # of both volumes together\n"
+                    "    right: {shares: left}\n"
+                    "outputs: {}                     # the volumes are in every curve\n";
+    keys.mesh = {size_key("0.5 mm"), through_wall_key()};
+    return {std::move(keys), build};
+}
+
+}  // namespace soft::geometry

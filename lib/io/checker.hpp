@@ -1,0 +1,73 @@
+#pragma once
+/// What the checks of a case share: the case, how to speak of its file, and how to refuse. Internal to the room.
+#include <array>
+#include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "io/case_check.hpp"
+#include "model/case.hpp"
+
+namespace soft::io {
+
+class Checker {
+public:
+    Checker(const model::Case& model, std::string_view source, ExitCode code)
+        : case_(model), source_(source), code_(code) {}
+
+    [[nodiscard]] const model::Case& model() const noexcept { return case_; }
+
+    [[noreturn]] void refuse(const std::string& place, const std::string& problem) const {
+        throw Error(code_, std::string{source_} + ":" + place, problem, "rebuild the case with mesh-gen");
+    }
+    void require(bool condition, const std::string& place, const std::string& problem) const {
+        if (!condition) refuse(place, problem);
+    }
+    static std::string item(const std::string& list, std::size_t i) { return list + "[" + std::to_string(i) + "]"; }
+
+    void require_finite(double value, const std::string& place) const {
+        require(std::isfinite(value), place, "is not a finite number");
+    }
+    void require_positive(double value, const std::string& place) const {
+        require(std::isfinite(value) && value > 0, place, "must be positive");
+    }
+    void require_name(const std::string& text, const std::string& place) const {
+        require(is_name(text), place, core::quoted(text) + " is not a name (letters, digits, '_', '-', '.')");
+    }
+    void require_face(const std::string& face, const std::string& place) const {
+        const auto found = case_.mesh.facet_sets.find(face);
+        require(found != case_.mesh.facet_sets.end(), place, "there is no face named " + core::quoted(face));
+        require(!found->second.empty(), place, "the face " + core::quoted(face) + " is empty");
+    }
+    void require_unit(const std::array<double, 3>& direction, const std::string& place) const {
+        // Directions are written with 16 digits by us; by hand three or four are usual. A millionth turns no force noticeably.
+        constexpr double unit_length_tolerance = 1e-6;
+        const double length = std::hypot(direction[0], direction[1], direction[2]);
+        require(std::abs(length - 1) <= unit_length_tolerance, place, "is not a unit vector");
+    }
+    template <class List, class NameOf>
+    void require_unique(const List& list, const std::string& place, NameOf name_of_item) const {
+        std::set<std::string> seen;
+        for (const auto& entry : list) {
+            const std::string& text = name_of_item(entry);
+            require_name(text, item(place, seen.size()));
+            if (!seen.insert(text).second)
+                refuse(item(place, seen.size()), core::quoted(text) + " stands there twice");
+        }
+    }
+
+private:
+    const model::Case& case_;
+    std::string_view source_;
+    ExitCode code_;
+};
+
+/// Cavities, pressures, tractions, body forces, prescribed motions and outputs.
+void check_loads(const Checker& check);
+/// Stages, and how the path is followed.
+void check_path(const Checker& check);
+
+}  // namespace soft::io

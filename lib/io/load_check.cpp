@@ -1,0 +1,208 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "io/checker.hpp"
+
+namespace soft::io {
+namespace {
+
+using core::quoted;
+
+template <class List>
+bool has_name(const List& list, const std::string& name) {
+    return std::any_of(list.begin(), list.end(), [&](const auto& entry) { return entry.name == name; });
+}
+
+bool acts_on_cavities(const model::Case& input, const model::PressureLoad& load) {
+    return has_name(input.cavities, load.targets.front());
+}
+
+void check_cavities(const Checker& check) {
+    const auto& cavities = check.model().cavities;
+    check.require_unique(cavities, "/loads/cavities", [](const model::Cavity& cavity) { return cavity.name; });
+    for (const model::Cavity& cavity : cavities) {
+        const std::string place = "/loads/cavities/" + cavity.name;
+        check.require_face(cavity.wall, place + "/wall");
+        for (std::size_t i = 0; i < cavity.inner_faces.size(); ++i)
+            check.require_face(cavity.inner_faces[i], Checker::item(place + "/inner_faces", i));
+        for (std::size_t i = 0; i < cavity.openings.size(); ++i) {
+            const model::Opening& opening = cavity.openings[i];
+            check.require_face(opening.face, Checker::item(place + "/openings/face", i));
+            check.require_positive(opening.area_m2, Checker::item(place + "/openings/area", i));
+            check.require_unit(opening.direction, Checker::item(place + "/openings/direction", i));
+        }
+    }
+}
+
+/// All are cavities, which no other load has, or there is one and it is a face.
+void check_targets(const Checker& check, const model::PressureLoad& load, std::vector<std::string>& taken) {
+    const std::string place = "/loads/targets/name";
+    const model::Case& input = check.model();
+    if (load.targets.empty()) check.refuse(place, "the load " + quoted(load.name) + " acts on nothing");
+    for (const std::string& target : load.targets) {
+        const bool cavity = has_name(input.cavities, target);
+        check.require(cavity || input.mesh.facet_sets.contains(target), place,
+                      "there is no cavity or face named " + quoted(target));
+        check.require(cavity || load.targets.size() == 1, place,
+                      quoted(target) + " of the load " + quoted(load.name) + " is no cavity");
+        if (!cavity) check.require_face(target, place);
+        if (cavity && std::find(taken.begin(), taken.end(), target) != taken.end())
+            check.refuse(place, "the cavity " + quoted(target) + " is loaded twice");
+        taken.push_back(target);
+    }
+}
+
+void check_pressures(const Checker& check) {
+    const auto& loads = check.model().loads;
+    check.require_unique(loads, "/loads/name", [](const model::PressureLoad& load) { return load.name; });
+    std::vector<std::string> taken;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        check_targets(check, loads[i], taken);
+        const model::Gas& gas = loads[i].gas;
+        check.require_positive(gas.ambient_Pa, Checker::item("/loads/ambient_pressure", i));
+        check.require_positive(gas.ambient_density_kg_m3, Checker::item("/loads/ambient_density", i));
+        check.require_positive(gas.exponent, Checker::item("/loads/exponent", i));
+        check.require(std::isfinite(gas.dead_volume_m3) && gas.dead_volume_m3 >= 0, Checker::item("/loads/dead_volume", i),
+                      "must not be negative");
+    }
+}
+
+void check_forces(const Checker& check) {
+    const model::Case& input = check.model();
+    for (std::size_t i = 0; i < input.tractions.size(); ++i) {
+        check.require_face(input.tractions[i].face, Checker::item("/loads/tractions/face", i));
+        for (const double component : input.tractions[i].traction_Pa)
+            check.require_finite(component, Checker::item("/loads/tractions/traction", i));
+    }
+    check.require_unique(input.body_forces, "/loads/body_forces/name",
+                         [](const model::BodyForce& force) { return force.name; });
+    for (std::size_t i = 0; i < input.body_forces.size(); ++i) {
+        const std::string place = Checker::item("/loads/body_forces/acceleration", i);
+        const auto& acceleration = input.body_forces[i].acceleration_m_s2;
+        for (const double component : acceleration) check.require_finite(component, place);
+        if (input.kinematics == model::Kinematics::axisymmetric)
+            check.require(acceleration[1] == 0 && acceleration[2] == 0, place, "does not point along the axis");
+    }
+}
+
+void check_motions(const Checker& check) {
+    const auto& motions = check.model().motions;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        check.require_face(motions[i].face, Checker::item("/loads/motions/face", i));
+        const auto& components = motions[i].displacement_m;
+        for (const auto& component : components)
+            check.require_finite(component.value_or(0), Checker::item("/loads/motions/displacement", i));
+        check.require(std::any_of(components.begin(), components.end(), [](const auto& c) { return c.has_value(); }),
+                      Checker::item("/loads/motions/moved", i), "moves no component");
+    }
+}
+
+void check_outputs(const Checker& check) {
+    const auto& outputs = check.model().outputs;
+    check.require_unique(outputs, "/outputs/name", [](const model::Output& output) { return output.name; });
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const model::Output& output = outputs[i];
+        check.require_face(output.face, Checker::item("/outputs/face", i));
+        check.require_unit(output.direction, Checker::item("/outputs/direction", i));
+        const std::string place = Checker::item("/outputs/reference", i);
+        if (output.measure == model::Measure::bend)
+            check.require_face(output.reference, place);
+        else
+            check.require(output.reference.empty(), place, "only a bend is measured from another face");
+    }
+}
+
+void check_goals(const Checker& check, const model::Stage& stage, const std::string& place) {
+    constexpr std::array<std::string_view, 3> quantities{"pressure", "volume_ratio", "steps"};
+    const model::Case& input = check.model();
+    for (std::size_t i = 0; i < stage.until.size(); ++i) {
+        const model::Until& until = stage.until[i];
+        const bool known = std::find(quantities.begin(), quantities.end(), until.quantity) != quantities.end() ||
+                           has_name(input.outputs, until.quantity);
+        check.require(known, Checker::item(place + "/until/quantity", i),
+                      "there is no output named " + quoted(until.quantity));
+        check.require_finite(until.value, Checker::item(place + "/until/value", i));
+    }
+    const std::string controlled = place + "/controlled";
+    if (stage.controlled.empty()) return;
+    const bool load = has_name(input.loads, stage.controlled), output = has_name(input.outputs, stage.controlled);
+    switch (stage.control) {
+        case model::Control::volume:
+            check.require(load, controlled, "there is no load named " + quoted(stage.controlled));
+            return;
+        case model::Control::displacement:
+            check.require(output, controlled, "there is no output named " + quoted(stage.controlled));
+            return;
+        case model::Control::automatic:
+        case model::Control::pressure:
+        case model::Control::arc_length:
+            check.require(load || output, controlled, "there is no load or output named " + quoted(stage.controlled));
+    }
+}
+
+void check_supply(const Checker& check, const model::PressureLoad& load, const model::SupplyTarget& supply,
+                  const std::string& place) {
+    check.require_finite(supply.value, place);
+    const bool gas = supply.what == model::Prescription::mass || supply.what == model::Prescription::closed;
+    const bool volume = supply.what == model::Prescription::volume || supply.what == model::Prescription::volume_ratio;
+    check.require(!(gas || volume) || acts_on_cavities(check.model(), load), place,
+                  "the load " + quoted(load.name) + " is on a face, which has a pressure alone");
+    if (volume) check.require_positive(supply.value, place);
+}
+
+void check_levels(const Checker& check, const std::vector<double>& levels, std::size_t loads, const std::string& place) {
+    check.require(levels.size() == loads, place, "must be one a load");
+    for (std::size_t i = 0; i < levels.size(); ++i) check.require_finite(levels[i], Checker::item(place, i));
+}
+
+void check_stage(const Checker& check, const model::Stage& stage, const std::string& place) {
+    const model::Case& input = check.model();
+    check_goals(check, stage, place);
+    check.require(stage.supplies.size() == input.loads.size(), place + "/prescription", "must be one a load");
+    for (std::size_t i = 0; i < stage.supplies.size(); ++i)
+        check_supply(check, input.loads[i], stage.supplies[i], Checker::item(place + "/value", i));
+    check_levels(check, stage.tractions, input.tractions.size(), place + "/tractions");
+    check_levels(check, stage.body_forces, input.body_forces.size(), place + "/body_forces");
+    check_levels(check, stage.motions, input.motions.size(), place + "/motions");
+}
+
+void check_solver(const Checker& check) {
+    const model::SolverSettings& solver = check.model().solver;
+    check.require(solver.residual_tolerance > 0 && solver.residual_tolerance < 1, "/control/solver/residual_tolerance",
+                  "must lie between 0 and 1");
+    check.require(solver.newton_limit >= 1, "/control/solver/newton_limit", "must be at least 1");
+    check.require(solver.step_limit >= 1, "/control/solver/step_limit", "must be at least 1");
+    check.require_positive(solver.first_step, "/control/solver/first_step");
+    check.require_positive(solver.smallest_step, "/control/solver/smallest_step");
+    check.require_positive(solver.step_accuracy, "/control/solver/step_accuracy");
+    check.require(std::isfinite(solver.largest_step) && solver.largest_step >= 0, "/control/solver/largest_step",
+                  "must not be negative");
+}
+
+}  // namespace
+
+void check_loads(const Checker& check) {
+    check_cavities(check);
+    check_pressures(check);
+    check_forces(check);
+    check_motions(check);
+    check_outputs(check);
+}
+
+void check_path(const Checker& check) {
+    const model::PathSettings& path = check.model().path;
+    check.require(!path.stages.empty(), "/control/stages", "there is no stage");
+    if (path.stages.size() > 1)
+        check.require_unique(path.stages, "/control/stages", [](const model::Stage& stage) { return stage.name; });
+    for (std::size_t i = 0; i < path.stages.size(); ++i)
+        check_stage(check, path.stages[i], "/control/stages/" + std::to_string(i));
+    check.require_positive(path.imperfection_m, "/control/imperfection");
+    check.require(std::isfinite(path.stretch_limit) && path.stretch_limit > 1, "/control/stretch_limit",
+                  "must be greater than 1");
+    check_solver(check);
+}
+
+}  // namespace soft::io

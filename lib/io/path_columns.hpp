@@ -1,0 +1,77 @@
+#pragma once
+/// Rows of the path and points on it as columns. Internal to the room.
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/columns.hpp"
+#include "model/case.hpp"
+
+namespace soft::io {
+
+/// A group with one column for each entry of a list that every row has. A group without columns is not written.
+struct ListColumns {
+    struct Name {
+        std::string name, units;
+    };
+    std::string group, description;
+    std::vector<Name> names;
+};
+
+/// Of each pressure load, and of each measured cavity, where the case has several.
+[[nodiscard]] ListColumns pressure_columns(const model::Case& model);
+[[nodiscard]] ListColumns volume_columns(const model::Case& model);
+/// Of each output, m or rad.
+[[nodiscard]] ListColumns output_columns(const model::Case& model);
+/// Pa, or 1 of a case whose rows hold the load factor itself.
+[[nodiscard]] const char* load_units(const model::Case& model);
+
+[[nodiscard]] bool all_finite(std::span<const double> values);
+
+template <class Pick>
+void write_column(hid_t group, const Label& label, std::size_t rows, Pick pick) {
+    std::vector<decltype(pick(std::size_t{}))> values(rows);
+    for (std::size_t i = 0; i < rows; ++i) values[i] = pick(i);
+    using T = typename decltype(values)::value_type;
+    write_array<T>(group, label, values, {rows}, Growth::rows);
+}
+
+template <class Row>
+void write_lists(hid_t parent, const ListColumns& columns, std::span<const Row> rows,
+                 std::vector<double> Row::*member) {
+    if (columns.names.empty()) return;
+    const GroupHandle group = create_group(parent, columns.group, columns.description);
+    for (std::size_t k = 0; k < columns.names.size(); ++k)
+        write_column(group.get(), {columns.names[k].name, columns.names[k].units, columns.description}, rows.size(),
+                     [&](std::size_t i) { return (rows[i].*member)[k]; });
+}
+
+template <class Row>
+void read_lists(const GroupReader& parent, const ListColumns& columns, std::vector<Row>& rows,
+                std::vector<double> Row::*member) {
+    if (columns.names.empty()) return;
+    const GroupReader group = parent.group(columns.group);
+    for (Row& row : rows) (row.*member).reserve(columns.names.size());
+    for (const auto& column : columns.names) {
+        const auto values = group.array<double>(column.name, {extent(rows.size())});
+        for (std::size_t i = 0; i < rows.size(); ++i) (rows[i].*member).push_back(values[i]);
+    }
+}
+
+template <class Row>
+void write_volumes(hid_t group, std::span<const Row> rows) {
+    if (rows.empty() || !rows[0].volume_m3) return;
+    write_column(group, {"cavity_volume", "m3", "enclosed by the cavities of the first load, whole actuator"},
+                 rows.size(), [&](std::size_t i) { return rows[i].volume_m3.value_or(0); });
+}
+
+template <class Row>
+bool read_volumes(const GroupReader& group, std::vector<Row>& rows) {
+    if (!group.has("cavity_volume")) return false;
+    const auto values = group.array<double>("cavity_volume", {extent(rows.size())});
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].volume_m3 = values[i];
+    return true;
+}
+
+}  // namespace soft::io

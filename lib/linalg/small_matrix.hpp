@@ -1,0 +1,24 @@
+#pragma once
+/// Dense matrices of the border (a row and column a free supply, and one for the constraint): LAPACK on plain vectors.
+/// Held by linalg/small_matrix_test.
+#include <optional>
+#include <vector>
+
+namespace soft::linalg {
+
+struct SmallMatrix {
+    int size = 0;
+    std::vector<double> values;   ///< [row x size + column]
+
+    explicit SmallMatrix(int n = 0) : size(n), values(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), 0.0) {}
+    [[nodiscard]] double& at(int row, int column) { return values[static_cast<std::size_t>(row * size + column)]; }
+    [[nodiscard]] double at(int row, int column) const { return values[static_cast<std::size_t>(row * size + column)]; }
+};
+
+/// A^-1 b; nullopt for a singular matrix or a result that is not finite. Rows are scaled first.
+[[nodiscard]] std::optional<std::vector<double>> solve(SmallMatrix A, std::vector<double> b);
+
+/// Number of negative eigenvalues of the symmetric part.
+[[nodiscard]] int negative_eigenvalues(const SmallMatrix& A);
+
+}  // namespace soft::linalg

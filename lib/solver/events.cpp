@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <cmath>
+
+#include "solver/path_follower.hpp"
+
+namespace soft::solver {
+
+using solution::StopReason;
+
+namespace {
+
+/// A limit point is located until its load is known to this relative accuracy (estimated from the slope's parabola).
+constexpr double limit_point_tolerance = 1e-8;
+constexpr int limit_point_solves = 12;
+/// A bifurcation is located until the load changes by less than this part of itself over what is left of the bracket.
+constexpr double bifurcation_tolerance = 1e-6;
+constexpr int bifurcation_solves = 30;
+/// Inverse iterations for the mode: the eigenvalue that passes zero is by far the least there.
+constexpr int mode_iterations = 3;
+/// Contact is located to this part of the step in which it happens.
+constexpr int contact_halvings = 8;
+
+double leading_slope(const PathPoint& point, std::size_t) { return point.leading_slope; }
+double volume_slope(const PathPoint& point, std::size_t load) { return point.load_volume_slopes[load]; }
+double output_slope(const PathPoint& point, std::size_t output) { return point.output_slopes[output]; }
+double load_factor_slope(const PathPoint& point, std::size_t) { return point.tangent.load_factor; }
+
+/// A vector without any symmetry, the same in every run and on any number of ranks.
+linalg::Vector generic_vector(const assembly::System& system) {
+    auto b = system.make_vector();
+    for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i) {
+        const double phase = 0.618033988749895 * static_cast<double>(i + 1);
+        SOFT_PETSC(VecSetValue(b, i, 2.0 * (phase - std::floor(phase)) - 1.0, INSERT_VALUES));
+    }
+    SOFT_PETSC(VecAssemblyBegin(b));
+    SOFT_PETSC(VecAssemblyEnd(b));
+    return b;
+}
+
+}  // namespace
+
+/// Halves the step between the last row and `point` down to where the walls just do not touch yet.
+std::optional<std::string> PathFollower::find_contact(PathPoint& point) {
+    if (!listeners_.contact || input_.path.contact == model::Contact::ignore) return std::nullopt;
+    const auto look = [&](const PathPoint& at) {
+        system_.prescribe(loads_->levels(at.state.load_factor, at.state.pressures_Pa));
+        return listeners_.contact(at.state.x);
+    };
+    auto touching = look(point);
+    if (!touching) return std::nullopt;
+    log("walls touch before row " + std::to_string(rows_) + ": looking for where they begin to");
+    double free_q = last_->q, touching_q = point.q;
+    std::optional<PathPoint> free;
+    for (int i = 0; i < contact_halvings; ++i) {
+        const double q = 0.5 * (free_q + touching_q);
+        auto middle = solve_between(*last_, point, q);
+        if (!middle) break;
+        if (auto text = look(*middle)) {
+            touching = std::move(text);
+            touching_q = q;
+        } else {
+            free = std::move(middle);
+            free_q = q;
+        }
+    }
+    if (free) point = std::move(*free);
+    return touching;
+}
+
+/// Eigenvalues that pass zero between two points and are no limit point of the load change this number.
+std::optional<int> PathFollower::branch_index(const PathPoint& point) const {
+    if (!point.tangent.unstable_modes) return std::nullopt;
+    return *point.tangent.unstable_modes - (load_falls(point) ? 1 : 0);
+}
+
+bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
+    std::vector<Event> events;
+    std::string ends;   // why the user's own control cannot go on
+    const auto watch = [&](double (*slope)(const PathPoint&, std::size_t), std::size_t index) -> PathPoint* {
+        if (slope(from, index) * slope(to, index) >= 0.0) return nullptr;
+        auto point = locate_extremum(from, to, slope, index);
+        if (!point) return nullptr;   // the sign change stays in the rows
+        events.push_back({std::move(*point), slope == leading_slope, 0, std::nullopt});
+        return &events.back().point;
+    };
+    (void)watch(leading_slope, 0);
+    if (chosen_) {
+        const bool loads = chosen_->kind == ConstraintKind::load_factor;
+        const auto slope = loads ? load_factor_slope : chosen_->kind == ConstraintKind::volume ? volume_slope : output_slope;
+        const bool same = loads && model::leading_load(input_) == model::LeadingLoad::pressure &&
+                          loads_->rate().pressures_Pa[0] != 0.0;
+        if (same ? !events.empty() : watch(slope, chosen_->index) != nullptr)
+            ends = (loads ? std::string("the load") : "the " + std::string(name(chosen_->kind)));
+    }
+    const auto before = branch_index(from), after = branch_index(to);
+    if (before && after && *before != *after)
+        if (auto event = locate_bifurcation(from, to)) {
+            event->modes = std::abs(*after - *before);
+            events.push_back(std::move(*event));
+        }
+    const double sense = step_ < 0.0 ? -1.0 : 1.0;
+    std::ranges::stable_sort(events, [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });
+    for (auto& event : events) {
+        if (event.modes > 0) {
+            solution::Bifurcation bifurcation{place_of(event.point), event.modes, {}};
+            if (event.mode) {
+                system_.prescribe(assembly::no_loads(input_));
+                bifurcation.mode = system_.gather_fields(*event.mode).displacement_m;
+            }
+            end_.bifurcations.push_back(std::move(bifurcation));
+            append(event.point);
+            if (take_branch(event)) return true;
+            continue;
+        }
+        if (event.is_limit_point) end_.limit_points.push_back(place_of(event.point));
+        append(event.point);
+        if (ends.empty()) continue;
+        finish(StopReason::limit_point, ends + " has a maximum at " + describe(event.point) +
+                                            ": no equilibrium beyond under this control; path.control: auto goes on");
+        return true;
+    }
+    return false;
+}
+
+std::optional<PathPoint> PathFollower::locate_extremum(const PathPoint& from, const PathPoint& to,
+                                                       double (*slope_of)(const PathPoint&, std::size_t),
+                                                       std::size_t index) {
+    std::optional<PathPoint> left, right;
+    for (int solve = 0; solve < limit_point_solves; ++solve) {
+        const PathPoint& a = left ? *left : from;
+        const PathPoint& b = right ? *right : to;
+        // Zero of the slope by the secant through both ends; bisection where that would hug an end.
+        const double span = b.q - a.q;
+        const double share = std::clamp(slope_of(a, index) / (slope_of(a, index) - slope_of(b, index)), 0.02, 0.98);
+        auto point = solve_between(a, b, a.q + share * span);
+        if (!point) return std::nullopt;
+        const double curvature = (slope_of(b, index) - slope_of(a, index)) / span, slope = slope_of(*point, index);
+        const double gain = std::abs(slope_of(from, index) * (to.q - from.q));   // what the quantity itself is compared to
+        const double size = std::max(slope_of == leading_slope ? std::abs(point->leading) : 0.0, gain);
+        const bool located = slope * slope <= 2.0 * limit_point_tolerance * std::abs(curvature) * size;
+        if (located || solve + 1 == limit_point_solves) return point;
+        (slope * slope_of(from, index) > 0.0 ? left : right) = std::move(point);
+    }
+    return std::nullopt;
+}
+
+/// Brackets the change of branch_index by its count; the secant on 1 / (b . M^-1 b), which passes zero with the
+/// eigenvalue (Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, 3.3), shortens the bracket as
+/// soon as b is near the mode.
+std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, const PathPoint& to) {
+    const int index = *branch_index(from);
+    std::optional<PathPoint> left, right;
+    std::optional<double> left_test, right_test;
+    linalg::Vector b = generic_vector(system_);
+    SOFT_PETSC(VecScale(b, 1.0 / linalg::norm(b)));
+    std::optional<linalg::Vector> mode;
+    for (int solve = 0; solve < bifurcation_solves; ++solve) {
+        const PathPoint& a = left ? *left : from;
+        const PathPoint& c = right ? *right : to;
+        double share = 0.5;
+        if (left_test && right_test && *left_test * *right_test < 0.0)
+            share = std::clamp(*left_test / (*left_test - *right_test), 0.05, 0.95);
+        auto point = solve_between(a, c, a.q + share * (c.q - a.q));
+        if (!point) break;
+        const auto here = branch_index(*point);
+        if (!here) break;
+        std::optional<double> test;
+        for (int i = 0; i < mode_iterations; ++i) {
+            auto v = newton_.bordered_solve(b);
+            if (!v) break;
+            test = 1.0 / linalg::dot(b, *v);
+            SOFT_PETSC(VecScale(*v, 1.0 / linalg::norm(*v)));
+            if (linalg::dot(*v, b) < 0.0) SOFT_PETSC(VecScale(*v, -1.0));
+            if (i + 1 < mode_iterations || solve == 0) linalg::copy(*v, b);
+            mode = std::move(*v);
+        }
+        const bool before = *here == index;
+        (before ? left : right) = std::move(point);
+        (before ? left_test : right_test) = test;
+        if (!left || !right) continue;
+        const double change = std::abs(right->leading - left->leading) + std::abs(right->state.load_factor - left->state.load_factor) *
+                              std::abs(left->leading);
+        if (change <= bifurcation_tolerance * std::max(std::abs(left->leading), std::abs(right->leading))) break;
+    }
+    if (!left && !right) return std::nullopt;
+    Event event{std::move(left ? *left : *right), false, 1, std::move(mode)};
+    if (event.mode) {
+        system_.prescribe(assembly::no_loads(input_));
+        double largest = 0;
+        for (const double u : system_.gather_fields(*event.mode).displacement_m) largest = std::max(largest, std::abs(u));
+        MPI_Bcast(&largest, 1, MPI_DOUBLE, 0, system_.comm());
+        if (largest > 0.0) SOFT_PETSC(VecScale(*event.mode, 1.0 / largest));
+    }
+    return event;
+}
+
+/// Pushes the body out of the path along the mode, its largest displacement `imperfection`, and goes on by arc length
+/// from the equilibrium found there: a point of the branch.
+bool PathFollower::take_branch(const Event& event) {
+    if (input_.path.branch != model::Branch::follow || on_branch_ || !event.mode) return false;
+    const double length = linalg::norm(*event.mode);
+    const auto saved_control = control_;
+    auto saved_last = std::move(last_);
+    auto saved_before = std::move(before_);
+    const double saved_step = step_;
+    PathPoint origin;
+    origin.state = {linalg::duplicate(event.point.state.x), event.point.state.load_factor, event.point.state.pressures_Pa};
+    linalg::copy(event.point.state.x, origin.state.x);
+    origin.tangent.x = linalg::duplicate(*event.mode);
+    linalg::add(origin.tangent.x, 1.0 / length, *event.mode);
+    origin.outputs = event.point.outputs;
+    control_ = {ConstraintKind::arc};
+    last_ = std::move(origin);
+    before_.reset();
+    step_ = input_.path.imperfection_m * length;
+    State guess{linalg::duplicate(last_->state.x), last_->state.load_factor, last_->state.pressures_Pa};
+    linalg::copy(last_->state.x, guess.x);
+    linalg::add(guess.x, input_.path.imperfection_m, *event.mode);
+    Constraint push = bind(control_, *last_);
+    push.scale = step_;
+    auto point = solve_at(push, step_, std::move(guess));
+    if (!point) {
+        log("the branch is not found at path.imperfection from the bifurcation: the path goes on without it");
+        control_ = saved_control;
+        last_ = std::move(saved_last);
+        before_ = std::move(saved_before);
+        step_ = saved_step;
+        return false;
+    }
+    log("on the branch: " + describe(*point));
+    on_branch_ = true;
+    first_step_ = step_;
+    append(*point);
+    last_ = std::move(point);
+    return true;
+}
+
+}  // namespace soft::solver

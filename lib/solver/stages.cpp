@@ -1,0 +1,200 @@
+#include <cmath>
+#include <stdexcept>
+
+#include "core/error.hpp"
+#include "solver/path_follower.hpp"
+
+namespace soft::solver {
+
+using model::Control;
+using solution::StopReason;
+
+void PathFollower::set_stage(int index, solution::StageStart start) {
+    stage_ = index;
+    loads_.emplace(input_, index, std::move(start), undeformed_volumes_m3_);
+    newton_.set_loads(*loads_);
+    goals_ = make_goals(input_, index, *loads_, undeformed_volumes_m3_);
+    control_ = stage_control();
+    chosen_.reset();
+}
+
+/// The control that a stage begins with.
+Constraint PathFollower::stage_control() const {
+    const auto refuse = [](const char* problem, const char* remedy) {
+        throw Error(ExitCode::bad_input, "path.control", problem, remedy);
+    };
+    switch (stage().control) {
+        case Control::automatic:
+        case Control::pressure: return {ConstraintKind::load_factor};
+        case Control::arc_length: return {ConstraintKind::arc};
+        case Control::volume: {
+            Constraint constraint{ConstraintKind::volume};
+            for (std::size_t load = 0; load < input_.loads.size(); ++load)
+                if (stage().controlled.empty() ? system_.encloses_volume(load) : input_.loads[load].name == stage().controlled) {
+                    if (!system_.encloses_volume(load)) break;
+                    constraint.index = load;
+                    return constraint;
+                }
+            refuse("volume control needs a loaded cavity", "use pressure, displacement or arc-length");
+            break;
+        }
+        case Control::displacement: {
+            Constraint constraint{ConstraintKind::output};
+            for (std::size_t output = 0; output < input_.outputs.size(); ++output)
+                if (stage().controlled.empty() || input_.outputs[output].name == stage().controlled) {
+                    constraint.index = output;
+                    return constraint;
+                }
+            refuse("displacement control needs an output", "name one under outputs");
+        }
+    }
+    return {};
+}
+
+/// What automatic control goes over to: the volume where the pressure of a single cavity is what grows.
+Constraint PathFollower::softer_control() const {
+    std::size_t growing = 0, others = loads_->free_supplies().size();
+    std::optional<std::size_t> load;
+    const LoadLevels& rate = loads_->rate();
+    for (std::size_t i = 0; i < rate.pressures_Pa.size(); ++i)
+        if (rate.pressures_Pa[i] != 0.0) {
+            ++growing;
+            load = i;
+        }
+    for (const auto* list : {&rate.tractions, &rate.body_forces, &rate.motions})
+        for (const double r : *list) others += r != 0.0 ? 1 : 0;
+    if (growing != 1 || others > 0 || !system_.encloses_volume(*load)) return {ConstraintKind::arc};
+    Constraint volume{ConstraintKind::volume};
+    volume.index = *load;
+    return volume;
+}
+
+solution::StageStart PathFollower::stage_start(const PathPoint& point) const {
+    const LoadLevels levels = loads_->levels(point.state.load_factor, point.state.pressures_Pa);
+    solution::StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.tractions, levels.body_forces,
+                               levels.motions};
+    for (std::size_t i = 0; i < input_.loads.size(); ++i)
+        start.masses_kg.push_back(gas_mass_kg(input_.loads[i].gas, start.volumes_m3[i], start.pressures_Pa[i]));
+    return start;
+}
+
+/// d q / d(parameter of the point's slopes) for a control; an arc grows in the direction of the slopes.
+double PathFollower::control_slope(const Constraint& control, const PathPoint& point) const {
+    switch (control.kind) {
+        case ConstraintKind::load_factor: return point.tangent.load_factor;
+        case ConstraintKind::volume: return point.load_volume_slopes[control.index];
+        case ConstraintKind::output: return point.output_slopes[control.index];
+        case ConstraintKind::arc: return linalg::norm(point.tangent.x);
+        case ConstraintKind::pressure: break;   // never a control
+    }
+    throw std::logic_error("control_slope: not a control");
+}
+
+/// How much the path's direction per unit of a control turns and stretches over the last step, relative to itself.
+double PathFollower::bend_under(const Constraint& control) {
+    const double slope = control_slope(control, *last_), before = control_slope(control, *before_);
+    linalg::copy(last_->tangent.x, scratch_);
+    linalg::add(scratch_, -slope / before, before_->tangent.x);
+    return linalg::norm(scratch_) / linalg::norm(last_->tangent.x);
+}
+
+double PathFollower::controlled_value(const PathPoint& point, double arc_length) const {
+    switch (control_.kind) {
+        case ConstraintKind::load_factor: return point.state.load_factor;
+        case ConstraintKind::volume: return point.load_volumes_m3[control_.index];
+        case ConstraintKind::output: return point.outputs[control_.index];
+        case ConstraintKind::arc: return arc_length;
+        case ConstraintKind::pressure: break;
+    }
+    throw std::logic_error("controlled_value: not a control");
+}
+
+/// Finds the direction of the path and the first step: `first_step` of the stage's loads in the linear response. Of the
+/// two directions the one in which the growing loads do work; in a stable state the load factor grows in it.
+void PathFollower::begin_stage(State state) {
+    stage_first_row_ = rows_;
+    before_.reset();
+    last_.reset();
+    failures_ = 0;
+    auto by_load = newton_.tangent({ConstraintKind::load_factor}, state);
+    if (!by_load || !std::isfinite(linalg::norm(by_load->x))) {
+        if (rows_ == 0)
+            throw Error(ExitCode::bad_input, "materials", "the undeformed body has a singular stiffness",
+                        "check the moduli of the materials");
+        return finish(StopReason::diverged, "the tangent is singular where stage '" + stage().name + "' begins");
+    }
+    first_slope_ = linalg::norm(by_load->x);
+    const bool unstable = by_load->unstable_modes.value_or(0) > 0 || by_load->power < 0.0;
+    if (unstable && stage().control == Control::automatic) control_ = softer_control();
+    PathPoint point{std::move(state), std::move(*by_load)};
+    read_values(point);
+    const double sense = control_.kind != ConstraintKind::load_factor && point.tangent.power < 0.0 ? -1.0 : 1.0;
+    if (control_.kind == ConstraintKind::arc) scale_slopes(point, sense);
+    const double slope = control_slope(control_, point);
+    if (loads_->changes() && !std::isfinite(1.0 / slope))
+        throw Error(ExitCode::bad_input, "path.control", "the load does not move the controlled quantity",
+                    "control another one, or use auto");
+    first_step_ = step_ = coarse(settings_.first_step * (control_.kind == ConstraintKind::arc ? 1.0 : sense) * slope);
+    if (loads_->changes()) scale_slopes(point, 1.0 / slope);
+    point.q = controlled_value(point, 0.0);
+    last_ = std::move(point);
+}
+
+void PathFollower::end_stage(const std::string& text) {
+    if (static_cast<std::size_t>(stage_) + 1 == input_.path.stages.size())
+        return finish(StopReason::done, text + " reached");
+    log("stage " + stage().name + " ends: " + text + " reached at " + describe(*last_));
+    const solution::StageStart start = stage_start(*last_);
+    State state = std::move(last_->state);
+    set_stage(stage_ + 1, start);
+    state.load_factor = 0.0;
+    state.pressures_Pa.clear();
+    for (const std::size_t load : loads_->free_supplies()) state.pressures_Pa.push_back(start.pressures_Pa[load]);
+    begin_stage(std::move(state));
+    if (finished_ || loads_->changes()) return;
+    last_->state.load_factor = 1.0;   // hold: the same state once more
+    append(*last_);
+    end_stage("end of the hold");
+}
+
+/// Goes on from the last point under another control, in the same direction.
+void PathFollower::change_control(const Constraint& control, const std::string& why) {
+    log(why + ": following the path by " + std::string(name(control.kind)));
+    const double sense = step_ < 0.0 ? -1.0 : 1.0, reach = std::abs(step_) * linalg::norm(last_->tangent.x);
+    for (auto* point : {&before_, &last_})
+        if (*point) scale_slopes(**point, sense);   // now in the direction of travel
+    control_ = control;
+    double span = 0;
+    if (before_) {
+        linalg::copy(last_->state.x, scratch_);
+        linalg::add(scratch_, -1.0, before_->state.x);
+        span = linalg::norm(scratch_);
+        if (control_slope(control_, *before_) * control_slope(control_, *last_) <= 0.0) before_.reset();
+    }
+    const double direction = control_slope(control_, *last_) < 0.0 ? -1.0 : 1.0;
+    for (auto* point : {&before_, &last_})
+        if (*point) {
+            scale_slopes(**point, 1.0 / control_slope(control_, **point));
+            (*point)->q = controlled_value(**point, point == &before_ ? -span : 0.0);
+        }
+    step_ = first_step_ = coarse(direction * reach / linalg::norm(last_->tangent.x));
+    failures_ = 0;
+    rejected_error_.reset();
+}
+
+/// Automatic control: away from the load factor while the path is still easy under it.
+void PathFollower::soften() {
+    if (stage().control != Control::automatic || control_.kind != ConstraintKind::load_factor) return;
+    const Constraint other = softer_control();
+    const bool softer = linalg::norm(last_->tangent.x) > softening * first_slope_;
+    if (!softer && !(bend_under(other) < straighter * bend_under(control_))) return;
+    change_control(other, softer ? "the body softens" : "the path is straighter there");
+}
+
+int PathFollower::wanted_steps() const {
+    for (const auto& until : stage().until)
+        if (until.quantity == "steps") return stage_first_row_ + static_cast<int>(until.value);
+    return settings_.step_limit;
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,112 @@
+/// Weight, prescribed motions and angles from words to vectors.
+#include <gtest/gtest.h>
+
+#include "geometry/loading.hpp"
+#include "sample.hpp"
+
+namespace soft::geometry {
+namespace {
+
+design::Design design_of(const std::string& family, const std::string& model) {
+    design::Design d;
+    d.family = family;
+    d.values = sample::values(family, model);
+    d.material = {"rubber", "neo-hookean", {{"mu", {0.1644e6}}}, std::nullopt, 1080.0};
+    return d;
+}
+
+std::string refusal(const design::Design& d) {
+    try {
+        (void)build_case(d);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(Weight, PullsTheWayItIsTold) {
+    design::Design d = design_of("bellows", "axisymmetric");
+    for (const auto& [along, x] : std::map<std::string, double>{{"x", 9.81}, {"-x", -9.81}, {"axis", -9.81}, {"-axis", 9.81}}) {
+        d.body_forces = {{"gravity", 9.81, along}};   // the bellows' axis runs from the held disc to the inlet, along -x
+        EXPECT_EQ(build_case(d).body_forces.at(0).acceleration_m_s2, (std::array<double, 3>{x, 0, 0})) << along;
+    }
+    d.body_forces = {{"gravity", 9.81, "-y"}};
+    EXPECT_EQ(refusal(d), "loads.gravity.along: 'y' is no direction of this model; axis, x, r or normal");
+    d = design_of("rod", "solid");
+    d.body_forces = {{"gravity", 9.81, "-z"}};
+    EXPECT_EQ(build_case(d).body_forces.at(0).acceleration_m_s2, (std::array<double, 3>{0, 0, -9.81}));
+}
+
+TEST(Weight, IsNotMirrored) {
+    design::Design d = design_of("rod", "quarter");
+    d.body_forces = {{"gravity", 9.81, "-z"}};
+    EXPECT_EQ(refusal(d), "loads.gravity.along: the model is mirrored at z = 0, and with it the weight would be; a model that is not "
+                          "cut there, or another direction");
+    d.body_forces = {{"gravity", 9.81, "x"}};
+    EXPECT_EQ(refusal(d), "accepted");
+    d = design_of("rod", "half");
+    d.body_forces = {{"gravity", 9.81, "-z"}};
+    EXPECT_EQ(refusal(d), "accepted");
+    d = design_of("sphere", "solid");
+    d.body_forces = {{"gravity", 9.81, "-z"}};
+    EXPECT_EQ(refusal(d), "loads.gravity.along: nothing holds the body against its weight; leave gravity out");
+}
+
+TEST(Motions, MoveOneComponentOfAFace) {
+    design::Design d = design_of("rod", "solid");
+    d.motions = {{"end", 10e-3, "axis"}, {"left", 1e-3, "normal"}};
+    const model::Case c = build_case(d);
+    ASSERT_EQ(c.motions.size(), 2u);
+    EXPECT_EQ(c.motions[0].displacement_m[0], 10e-3);
+    EXPECT_FALSE(c.motions[0].displacement_m[1] || c.motions[0].displacement_m[2]);
+    EXPECT_EQ(c.motions[1].displacement_m[1], -1e-3);   // left is y = 0
+    d = design_of("tube", "axisymmetric");
+    d.motions = {{"outer", 2e-3, "r"}};
+    EXPECT_EQ(build_case(d).motions.at(0).displacement_m[1], 2e-3);
+    d = design_of("panel", "plane-strain");
+    d.values.set("geometry.rise", {48e-3, "48 mm", "test", true});
+    d.motions = {{"bottom", 1e-3, "normal"}};
+    EXPECT_EQ(refusal(d), "loads.bottom.along: a motion is prescribed by component, and this direction lies between them; turn the "
+                          "part, or move it along x, y or z");
+}
+
+TEST(Motions, OfWhatIsHeldAreRefusedWithBothNames) {
+    design::Design d = design_of("rod", "solid");
+    d.supports = {{"fixed", {true, true, true}}};
+    d.motions = {{"fixed", 1e-3, "x"}};
+    EXPECT_EQ(refusal(d), "loads.fixed.displacement: over-constrained in x: a support holds 'fixed'; keep one of the two");
+    d.motions = {{"top", 1e-3, "z"}};   // meets the held face in an edge
+    EXPECT_EQ(refusal(d), "loads.top.displacement: over-constrained in z: a support holds 'fixed', with which 'top' has nodes in common; "
+                          "keep one of the two");
+    d.supports = {{"fixed", {true, false, false}}};
+    EXPECT_EQ(refusal(d), "accepted");
+    d.motions = {{"top", 1e-3, "z"}, {"left", 2e-3, "z"}};
+    EXPECT_EQ(refusal(d), "loads.left.displacement: over-constrained in z: another motion is that of 'top', with which 'left' has nodes "
+                          "in common; keep one of the two");
+    d.motions = {{"top", 1e-3, "z"}, {"left", 1e-3, "z"}};
+    EXPECT_EQ(refusal(d), "accepted");   // they agree
+    d = design_of("tube", "axisymmetric");
+    d.motions = {{"inlet", 1e-3, "r"}};
+    EXPECT_EQ(refusal(d), "loads.inlet.displacement: over-constrained in r: a support holds 'axis', with which 'inlet' has nodes in "
+                          "common; keep one of the two");
+}
+
+TEST(Angles, HaveAnAxisAndABendItsReference) {
+    design::Design d = design_of("rod", "solid");
+    d.outputs = {{"tilt", "end", "y", model::Measure::bend, "fixed"}, {"turn", "end", "axis", model::Measure::twist}};
+    const model::Case c = build_case(d);
+    EXPECT_EQ(c.outputs.at(0).measure, model::Measure::bend);
+    EXPECT_EQ(c.outputs[0].reference, "fixed");
+    EXPECT_EQ(c.outputs[0].direction, (std::array<double, 3>{0, 1, 0}));
+    EXPECT_EQ(c.outputs.at(1).measure, model::Measure::twist);
+    EXPECT_EQ(c.outputs[1].reference, "");
+    d = design_of("panel", "plane-strain");
+    d.outputs = {{"tilt", "end", "z", model::Measure::bend, "fixed"}};
+    EXPECT_EQ(build_case(d).outputs.at(0).direction, (std::array<double, 3>{0, 0, 1}));
+    d.outputs = {{"tilt", "end", "z", model::Measure::bend, "left"}};
+    EXPECT_EQ(refusal(d), "outputs.tilt.reference: face 'left' is not part of this model; faces it has: fixed, end, bottom, top");
+}
+
+}  // namespace
+}  // namespace soft::geometry

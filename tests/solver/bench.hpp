@@ -1,0 +1,45 @@
+#pragma once
+/// A case with the loads of its first stage and a Newton that sees them; and whole paths without files.
+#include "assembly/system.hpp"
+#include "solver/newton.hpp"
+#include "solver/path.hpp"
+#include "solver/stage_loads.hpp"
+
+namespace soft::solver {
+
+struct Bench {
+    explicit Bench(const model::Case& input, const model::SolverSettings& settings)
+        : system(input, PETSC_COMM_WORLD), loads(input, 0, unloaded(input, volumes(input)), volumes(input)),
+          newton(system, settings) {
+        newton.set_loads(loads);
+    }
+    std::vector<double> volumes(const model::Case& input) {
+        std::vector<double> undeformed;
+        for (std::size_t i = 0; i < input.loads.size(); ++i)
+            undeformed.push_back(system.load_volume(i, system.make_vector(), nullptr));
+        return undeformed;
+    }
+    [[nodiscard]] State rest() const {
+        return {system.make_vector(), 0.0, std::vector(loads.free_supplies().size(), 0.0)};
+    }
+    assembly::System system;
+    StageLoads loads;
+    Newton newton;
+};
+
+struct Run {
+    std::vector<solution::Step> steps;
+    solution::PathEnd end;
+    std::vector<std::string> log;
+};
+
+inline Run run(const model::Case& input, const ContactCheck& contact = {}) {
+    assembly::System system(input, PETSC_COMM_WORLD);
+    Run result;
+    result.end = follow_path(system, {.step = [&](const solution::Step& step, Vec) { result.steps.push_back(step); },
+                                      .log = [&](const std::string& line) { result.log.push_back(line); },
+                                      .contact = contact});
+    return result;
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,46 @@
+#include "solve_changes.hpp"
+
+#include "design/design.hpp"
+
+namespace soft::cli {
+namespace {
+
+double scaled(double value, double factor) { return value * factor; }
+std::optional<double> scaled(const std::optional<double>& value, double factor) {
+    return value ? std::optional{*value * factor} : std::nullopt;
+}
+
+/// The loads that stay, each by its factor; `vector_of` is the member that has the direction.
+template <class Load, class Vector>
+void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& changes, Vector Load::*vector_of) {
+    std::vector<Load> changed;
+    for (const design::ScaledLoad& change : changes) {
+        changed.push_back(loads.at(change.index));
+        for (auto& component : changed.back().*vector_of) component = scaled(component, change.factor);
+    }
+    loads = std::move(changed);
+}
+
+}  // namespace
+
+std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, io::CaseFile& file) {
+    if (sets.empty()) return std::nullopt;
+    std::vector<design::Override> overrides;
+    for (const std::string& set : sets) overrides.push_back(design::parse_override(set));
+    design::SolveChanges changes = design::apply_overrides(file.design.effective_yaml, overrides);
+    model::Case& model = file.model;
+    for (model::Material& material : model.materials) {   // the mesh decides names and fibre frame
+        changes.material.name = material.name;
+        changes.material.fiber_frame = material.fiber_frame;
+        material = changes.material;
+    }
+    model.loads = std::move(changes.loads);
+    scale(model.tractions, changes.tractions, &model::TractionLoad::traction_Pa);
+    scale(model.body_forces, changes.body_forces, &model::BodyForce::acceleration_m_s2);
+    scale(model.motions, changes.motions, &model::Motion::displacement_m);
+    model.path = std::move(changes.path);
+    model.solver = changes.solver;
+    return io::DesignText{file.design.family, std::move(changes.effective_yaml), sets};
+}
+
+}  // namespace soft::cli

@@ -1,0 +1,112 @@
+#include "solve_run.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "contact_check.hpp"
+#include "io/result_file.hpp"
+#include "ranks.hpp"
+#include "solve_changes.hpp"
+#include "solve_summary.hpp"
+#include "solver/path.hpp"
+
+namespace soft::cli {
+namespace {
+
+/// A case with its --set applied, or what an interrupted solve has left.
+struct Task {
+    Input input;
+    std::string output;
+    io::Interrupted from;                         ///< of a new path the case alone
+    std::optional<io::DesignText> changed;        ///< by this run's --set
+    bool resumes = false;
+};
+
+Task read_task(const SolveOptions& options, int rank) {
+    Task task;
+    task.resumes = !options.resume.empty();
+    task.output = task.resumes ? options.resume : options.common.output;
+    task.input = read_input_on_first_rank(task.resumes ? options.resume : options.input, rank);
+    if (task.resumes) {
+        task.from = io::read_interrupted(task.input.bytes, task.input.source);
+    } else {
+        task.from.file = io::read_case_file(task.input.bytes, task.input.source);
+        task.changed = apply_sets(options.sets, task.from.file);
+    }
+    return task;
+}
+
+io::ResultWriter make_writer(const SolveOptions& options, const About& about, const Task& task) {
+    const io::Given given{task.input.bytes, task.input.source, task.from.file.model};
+    if (task.resumes) return io::ResultWriter::resume(task.output, given);
+    const io::Provenance provenance{std::string{about.tool}, std::string{version()}, std::string{revision()},
+                                    library_lines(about), options.common.command_line};
+    const io::ResultOptions result{io::parse_fields_policy(options.fields), task.changed};
+    if (task.output == "-") return {given, provenance, result};
+    return {task.output, given, provenance, result};
+}
+
+/// Follows the path; the first rank has a writer.
+SolveSummary follow(assembly::System& system, const Task& task, io::ResultWriter* writer, Console& console) {
+    const model::Case& model = task.from.file.model;
+    SolveSummary summary;
+    Progress progress{model};
+    const auto count = [&](const solution::Step& step) {
+        summary.last = step;
+        ++summary.steps;
+        return progress.advance(step);
+    };
+    const auto sink = [&](const solution::Step& step, Vec x) {
+        const auto fields = system.gather_fields(x);
+        if (writer == nullptr) return;
+        writer->append(step, fields.displacement_m, fields.pressure_Pa);
+        console.progress(count(step), step_text(step, model));
+    };
+    const auto keep = [&](const solution::Checkpoint& checkpoint) {
+        if (writer != nullptr) writer->remember(checkpoint);
+    };
+    const solver::Log log = [&](const std::string& line) { console.detail(line); };
+    const StdoutKeptForData kept;
+    const auto& from = task.from;
+    if (from.checkpoint)
+        console.say("goes on from row " + std::to_string(from.checkpoint->rows - 1) + ", " +
+                    step_text(from.steps.back(), model));
+    for (const solution::Step& step : from.steps) static_cast<void>(count(step));
+    summary.end = solver::follow_path(
+        system,
+        {sink, task.output == "-" ? solver::CheckpointSink() : solver::CheckpointSink(keep), log, contact_check(system)},
+        from.checkpoint ? &*from.checkpoint : nullptr);
+    --summary.steps;   // the undeformed state is no step
+    summary.unknowns = system.dofs().total;
+    return summary;
+}
+
+}  // namespace
+
+ExitCode run_solve(const SolveOptions& options, const About& about, const linalg::Session& session) {
+    const auto start = std::chrono::steady_clock::now();
+    const bool first = session.rank() == 0;
+    Console console{about.tool, first ? options.common.verbosity : Verbosity::quiet};
+    const Task task = read_task(options, session.rank());
+    const model::Case& model = task.from.file.model;
+    assembly::System system{model, PETSC_COMM_WORLD};
+    std::optional<io::ResultWriter> writer;
+    if (first) writer = make_writer(options, about, task);
+    SolveSummary summary = follow(system, task, writer ? &*writer : nullptr, console);
+    summary.ranks = session.size();
+    if (first) {
+        if (!writer->is_in_place()) console.warn(task.output + " was removed or replaced meanwhile; it is written anew");
+        const auto bytes = writer->finish(summary.end);
+        if (task.output == "-") write_output("-", bytes, Content::binary);
+        measure_process(summary);
+        summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
+        console.say(summary_line(summary));
+        for (const std::string& option : session.unused_options()) console.warn("PETSc knows no option -" + option);
+        if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));
+    }
+    return summary.end.reason == solution::StopReason::done ? ExitCode::ok : ExitCode::stopped_early;
+}
+
+}  // namespace soft::cli

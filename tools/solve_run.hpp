@@ -1,0 +1,23 @@
+#pragma once
+/// What solve does once its options are read: the case or the interrupted path in, the path followed, the result out.
+#include <string>
+#include <vector>
+
+#include "cli.hpp"
+#include "linalg/session.hpp"
+
+namespace soft::cli {
+
+struct SolveOptions {
+    CommonOptions common;
+    std::string input;
+    std::vector<std::string> sets;
+    std::string resume;               ///< file of an interrupted solve; then there is no input
+    std::string fields = "all";
+    std::vector<std::string> petsc;   ///< what stands behind --
+};
+
+/// On every rank. ExitCode::stopped_early for a path that ended before its goal.
+[[nodiscard]] ExitCode run_solve(const SolveOptions& options, const About& about, const linalg::Session& session);
+
+}  // namespace soft::cli
