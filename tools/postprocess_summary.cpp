@@ -19,7 +19,8 @@ nlohmann::ordered_json place_json(const post::Curve& curve, const solution::Limi
 std::string place_line(const nlohmann::ordered_json& place) {
     std::vector<std::string> words;
     for (const auto& [name, value] : place.items())
-        if (name != "step" && value.is_number_float()) words.push_back(name + " " + core::rounded_text(value.get<double>(), 6));
+        if (name != "step" && value.is_number_float())
+            words.push_back(name + " " + core::rounded_text(value.get<double>(), 6));
     return core::join(words);
 }
 

@@ -10,6 +10,7 @@
 
 #include "cli.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 #include "design/design.hpp"
 #include "io/result_file.hpp"
 #include "library_versions.hpp"
@@ -29,10 +30,19 @@ const cli::About about{
     .summary = "follows the equilibrium path of a case, through limit points, to its full load or goal",
     .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv", "the whole way from design to curve"},
                  {"mpirun -n 2 solve case.h5 -o result.h5 --set path.control=pressure -- -log_view",
-                  "two ranks, another control, and an option of PETSc behind --"}},
+                  "two ranks, another control, and an option of PETSc behind --"},
+                 {"mesh-gen designs/bellows.yaml | solve --tolerance 0.1% | postprocess > curve.csv",
+                  "finer meshes until the pressure is within 0.1 %; the curve has error bars"}},
     .libraries = libraries};
 
 using cli::SolveOptions;
+
+double parse_tolerance(const std::string& text) {
+    const double tolerance = core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::usage, "--tolerance");
+    if (!(tolerance > 0.0 && tolerance < 1.0))
+        throw Error(ExitCode::usage, "--tolerance", core::quoted(text) + " is not between 0 and 1", "for example 0.1% or 0.001");
+    return tolerance;
+}
 
 std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     SolveOptions options;
@@ -41,6 +51,10 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     cli::add_input(app, options.input, "CASE", "case written by mesh-gen");
     app.add_option("--fields", options.fields, "Steps that keep their displacements and pressures: all, last, none or every=N")
         ->type_name("WHICH")->capture_default_str();
+    std::string tolerance;
+    app.add_option("--tolerance", tolerance,
+                   "Halves all cells until the error bars of the load are within this part of it (0.1% or 0.001), and writes them")
+        ->type_name("PART");
     app.add_option("--resume", options.resume, "Goes on with the file that an interrupted `solve -o FILE` has left; no CASE")
         ->type_name("FILE");
     cli::add_set_option(app, options.sets);
@@ -51,6 +65,10 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
                                     app.count("--fields") > 0))
         throw Error(ExitCode::usage, "--resume", "the file holds its case, its settings and its place",
                     "leave out CASE, --set, --fields and -o");
+    if (app.count("--tolerance") > 0) options.tolerance = parse_tolerance(tolerance);
+    if (!options.resume.empty() && options.tolerance)
+        throw Error(ExitCode::usage, "--tolerance", "an interrupted path cannot be judged: only its whole has error bars",
+                    "solve the case again with --tolerance");
     for (const std::string& set : options.sets) static_cast<void>(design::parse_override(set));
     if (!options.petsc.empty() && !options.petsc.front().starts_with('-'))
         throw Error(ExitCode::usage, "", core::quoted(options.petsc.front()) + " behind -- is no option of PETSc",

@@ -9,6 +9,7 @@
 #include "ranks.hpp"
 #include "solve_changes.hpp"
 #include "solve_summary.hpp"
+#include "solver/accuracy.hpp"
 #include "solver/path.hpp"
 
 namespace soft::cli {
@@ -47,8 +48,26 @@ io::ResultWriter make_writer(const SolveOptions& options, const About& about, co
     return {task.output, given, provenance, result};
 }
 
+/// Solves the path again on finer meshes and writes its rows with their error bars.
+void judge(assembly::System& system, std::vector<solver::RowState> rows, double tolerance, io::ResultWriter* writer,
+           Console& console, SolveSummary& summary) {
+    const solver::Log say = [&](const std::string& line) { console.say(line); };
+    const solver::Accuracy accuracy = solver::refine_path(system, std::move(rows), summary.end, {.tolerance = tolerance}, say);
+    summary.end.newton_iterations += accuracy.newton_iterations;
+    summary.end.factorizations += accuracy.factorizations;
+    summary.accuracy = {tolerance, accuracy.reached, accuracy.level, accuracy.unknowns, accuracy.has_bars, accuracy.obstacle};
+    summary.last = accuracy.rows.back().step;
+    if (writer == nullptr) return;
+    // Finer meshes keep the numbers of the points they were made from.
+    const std::size_t points = system.input().mesh.points.size();
+    for (const solver::RowState& row : accuracy.rows)
+        writer->append(row.step, std::span(row.displacement_m).first(3 * points),
+                       std::span(row.pressure_Pa).first(row.pressure_Pa.empty() ? 0 : points));
+}
+
 /// Follows the path; the first rank has a writer.
-SolveSummary follow(assembly::System& system, const Task& task, io::ResultWriter* writer, Console& console) {
+SolveSummary follow(assembly::System& system, const Task& task, std::optional<double> tolerance, io::ResultWriter* writer,
+                    Console& console) {
     const model::Case& model = task.from.file.model;
     SolveSummary summary;
     Progress progress{model};
@@ -57,12 +76,18 @@ SolveSummary follow(assembly::System& system, const Task& task, io::ResultWriter
         ++summary.steps;
         return progress.advance(step);
     };
+    std::vector<solver::RowState> rows;   // kept for --tolerance, whose curve is written when all is known
     const auto sink = [&](const solution::Step& step, Vec x) {
+        if (tolerance) {
+            if (writer != nullptr) console.progress(count(step), step_text(step, model));
+            return;
+        }
         const auto fields = system.gather_fields(x);
         if (writer == nullptr) return;
         writer->append(step, fields.displacement_m, fields.pressure_Pa);
         console.progress(count(step), step_text(step, model));
     };
+    const solver::RowSink keep_row = [&](const solver::RowState& row) { rows.push_back(row); };
     const auto keep = [&](const solution::Checkpoint& checkpoint) {
         if (writer != nullptr) writer->remember(checkpoint);
     };
@@ -75,10 +100,12 @@ SolveSummary follow(assembly::System& system, const Task& task, io::ResultWriter
     for (const solution::Step& step : from.steps) static_cast<void>(count(step));
     summary.end = solver::follow_path(
         system,
-        {sink, task.output == "-" ? solver::CheckpointSink() : solver::CheckpointSink(keep), log, contact_check(system)},
+        {sink, task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep), log,
+         contact_check(system), tolerance ? keep_row : solver::RowSink()},
         from.checkpoint ? &*from.checkpoint : nullptr);
     --summary.steps;   // the undeformed state is no step
     summary.unknowns = system.dofs().total;
+    if (tolerance) judge(system, std::move(rows), *tolerance, writer, console, summary);
     return summary;
 }
 
@@ -93,7 +120,7 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
     assembly::System system{model, PETSC_COMM_WORLD};
     std::optional<io::ResultWriter> writer;
     if (first) writer = make_writer(options, about, task);
-    SolveSummary summary = follow(system, task, writer ? &*writer : nullptr, console);
+    SolveSummary summary = follow(system, task, options.tolerance, writer ? &*writer : nullptr, console);
     summary.ranks = session.size();
     if (first) {
         if (!writer->is_in_place()) console.warn(task.output + " was removed or replaced meanwhile; it is written anew");
@@ -103,10 +130,12 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
         summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
         console.say(summary_line(summary));
+        if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
         for (const std::string& option : session.unused_options()) console.warn("PETSc knows no option -" + option);
         if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));
     }
-    return summary.end.reason == solution::StopReason::done ? ExitCode::ok : ExitCode::stopped_early;
+    if (summary.end.reason != solution::StopReason::done) return ExitCode::stopped_early;
+    return summary.accuracy && !summary.accuracy->met() ? ExitCode::check_failed : ExitCode::ok;
 }
 
 }  // namespace soft::cli

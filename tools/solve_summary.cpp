@@ -93,6 +93,12 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
         add_place(point, limit, model);
         json["limit_points"].push_back(std::move(point));
     }
+    if (summary.accuracy) {
+        const AccuracySummary& accuracy = *summary.accuracy;
+        json["accuracy"] = {{"tolerance", accuracy.asked}, {"met", accuracy.met()}, {"level", accuracy.level},
+                            {"finest_unknowns", accuracy.unknowns}};
+        if (accuracy.has_bars) json["accuracy"]["reached"] = accuracy.reached;
+    }
     json["bifurcations"] = nlohmann::ordered_json::array();
     for (const auto& bifurcation : summary.end.bifurcations) {
         nlohmann::ordered_json point = {{"step", bifurcation.at.step}};
@@ -103,6 +109,13 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
     }
     if (summary.last) json["end"] = end_json(*summary.last, model);
     return json;
+}
+
+std::string accuracy_line(const AccuracySummary& accuracy) {
+    const auto percent = [](double share) { return core::rounded_text(100 * share, 3) + " %"; };
+    return "the tolerance of " + percent(accuracy.asked) + " is missed: " +
+           (accuracy.has_bars ? "the error bars of the load reach " + percent(accuracy.reached) : "there are no error bars") +
+           "; " + accuracy.obstacle;
 }
 
 std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model) {

@@ -11,9 +11,20 @@
 
 namespace soft::cli {
 
+/// What `--tolerance` has come to.
+struct AccuracySummary {
+    double asked = 0, reached = 0;   ///< largest error bar of the load, relative
+    int level = 0;                   ///< how often the cells of the reported curve's mesh were halved
+    long long unknowns = 0;          ///< of the finest mesh
+    bool has_bars = false;
+    std::string obstacle;            ///< why no finer mesh was tried
+    [[nodiscard]] bool met() const { return has_bars && reached <= asked; }
+};
+
 struct SolveSummary {
     solution::PathEnd end;
     std::optional<solution::Step> last;   ///< row of the path
+    std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;                 ///< rows of the path after the undeformed state
     int ranks = 1;
@@ -27,6 +38,9 @@ void measure_process(SolveSummary& summary);
 /// "done: elongation of 130 mm reached; 9 steps, 25 iterations, 36 factorizations; 6858 unknowns, 0.9 s"
 [[nodiscard]] std::string summary_line(const SolveSummary& summary);
 [[nodiscard]] nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Case& model);
+
+/// "the tolerance of 0.1 % is missed: the error bars reach 0.3 %; the next mesh would have ..."
+[[nodiscard]] std::string accuracy_line(const AccuracySummary& accuracy);
 
 /// One line a bifurcation: "bifurcation at 26.1 kPa, elongation 127 mm, volume 80 mL: another branch leaves the path ..."
 [[nodiscard]] std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model);

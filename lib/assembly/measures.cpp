@@ -251,6 +251,20 @@ System::Fields System::gather_fields(Vec x) {
     return fields;
 }
 
+void System::spread_displacements(std::span<const double> nodal, Vec x) const {
+    std::vector<double> all(3 * input_.mesh.points.size());
+    if (rank_ == 0) std::ranges::copy(nodal.first(all.size()), all.begin());
+    MPI_Bcast(all.data(), static_cast<int>(all.size()), MPI_DOUBLE, 0, comm_);
+    PetscScalar* value = nullptr;
+    SOFT_PETSC(VecGetArray(x, &value));
+    for (std::size_t node = 0; node < input_.mesh.points.size(); ++node)
+        for (int i = 0; i < map_.dimension; ++i) {
+            const auto number = map_.displacement[node * map_.dimension + i];
+            if (number >= map_.begin && number < map_.end) value[number - map_.begin] = all[3 * node + i];
+        }
+    SOFT_PETSC(VecRestoreArray(x, &value));
+}
+
 void System::add_nodal_pressures(mesh::Index cell, const double* value, std::vector<double>& pressure_Pa,
                                  std::vector<int>& shares) const {
     const auto& reference = reference_of(references_, input_.mesh.cell_type(cell));

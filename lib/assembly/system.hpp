@@ -81,6 +81,9 @@ public:
         std::vector<double> displacement_m, pressure_Pa;
     };
     [[nodiscard]] Fields gather_fields(Vec x);
+    /// The other way: gives the displacement unknowns of x the values of a nodal field [point x 3], which rank 0 has;
+    /// pressures stay, and so does what is held or prescribed.
+    void spread_displacements(std::span<const double> nodal, Vec x) const;
 
     [[nodiscard]] const DofMap& dofs() const noexcept { return map_; }
     [[nodiscard]] const model::Case& input() const noexcept { return input_; }

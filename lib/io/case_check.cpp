@@ -34,7 +34,8 @@ void check_points(const Checker& check) {
         least = std::min(least, points[i][1]);
     }
     if (input.kinematics == model::Kinematics::axisymmetric)
-        check.require(least >= -axis_tolerance * largest, "/VTKHDF/Points", "a section has points at a negative radius");
+        check.require(least >= -axis_tolerance * largest, "/VTKHDF/Points",
+                      "a section has points at a negative radius");
 }
 
 void require_point(const Checker& check, mesh::Index point, const std::string& list, std::size_t i) {
@@ -55,12 +56,15 @@ void check_cells(const Checker& check) {
     for (std::size_t c = 0; c < cells; ++c) {
         const auto& topology = mesh::topology(mesh.cell_types[c]);
         if (topology.dimension != mesh.dimension)
-            check.refuse(Checker::item("/VTKHDF/Types", c), std::string{topology.name} + " has not the dimension of the mesh");
+            check.refuse(Checker::item("/VTKHDF/Types", c),
+                         std::string{topology.name} + " has not the dimension of the mesh");
         if (mesh.offsets[c] > nodes || mesh.offsets[c + 1] != mesh.offsets[c] + topology.node_count)
-            check.refuse(Checker::item("/VTKHDF/Offsets", c + 1), "does not fit the nodes of a " + std::string{topology.name});
+            check.refuse(Checker::item("/VTKHDF/Offsets", c + 1),
+                         "does not fit the nodes of a " + std::string{topology.name});
         const auto region = mesh.cell_regions[c];
         if (region < 0 || static_cast<std::size_t>(region) >= mesh.region_names.size())
-            check.refuse(Checker::item("/mesh/cell_regions", c), "region " + std::to_string(region) + " does not exist");
+            check.refuse(Checker::item("/mesh/cell_regions", c),
+                         "region " + std::to_string(region) + " does not exist");
     }
     check.require(mesh.offsets.back() == nodes, "/VTKHDF/Connectivity", "its length does not fit the offsets");
     for (std::size_t i = 0; i < mesh.connectivity.size(); ++i)
@@ -70,7 +74,8 @@ void check_cells(const Checker& check) {
 void check_facet(const Checker& check, const mesh::Facet& facet, const std::string& list, std::size_t i) {
     const mesh::Mesh& mesh = check.model().mesh;
     const std::string cell = "cell " + std::to_string(facet.cell);
-    if (facet.cell < 0 || facet.cell >= mesh.cell_count()) check.refuse(Checker::item(list, i), cell + " does not exist");
+    if (facet.cell < 0 || facet.cell >= mesh.cell_count())
+        check.refuse(Checker::item(list, i), cell + " does not exist");
     const auto count = static_cast<int>(mesh::topology(mesh.cell_type(facet.cell)).facets.size());
     if (facet.local < 0 || facet.local >= count)
         check.refuse(Checker::item(list, i), cell + " has no facet " + std::to_string(facet.local));

@@ -99,8 +99,10 @@ constexpr std::array numbers{&solution::Step::load_factor,     &solution::Step::
                              &solution::Step::max_stretch,     &solution::Step::min_jacobian};
 constexpr std::array lists{&solution::Step::pressures_Pa,      &solution::Step::volumes_m3,
                            &solution::Step::outputs,           &solution::Step::tangent_pressures,
-                           &solution::Step::tangent_volumes,   &solution::Step::tangent_outputs};
-constexpr std::array counts{&solution::Step::stage, &solution::Step::newton_iterations, &solution::Step::factorizations};
+                           &solution::Step::tangent_volumes,   &solution::Step::tangent_outputs,
+                           &solution::Step::output_errors};
+constexpr std::array counts{&solution::Step::stage, &solution::Step::newton_iterations,
+                            &solution::Step::factorizations};
 
 /// Of a state of the solver, and of the loads where a stage begins.
 constexpr std::array state_lists{&solution::StatePoint::unknowns, &solution::StatePoint::tangent_unknowns,
@@ -115,13 +117,15 @@ constexpr std::array checkpoint_numbers{&solution::Checkpoint::step, &solution::
                                         &solution::Checkpoint::first_slope};
 constexpr std::array checkpoint_counts{&solution::Checkpoint::ranks, &solution::Checkpoint::rows,
                                        &solution::Checkpoint::stage, &solution::Checkpoint::stage_first_row,
-                                       &solution::Checkpoint::control};
+                                       &solution::Checkpoint::control, &solution::Checkpoint::confirmed_pivots,
+                                       &solution::Checkpoint::pending_factorizations};
 constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &solution::Checkpoint::on_branch};
 
 /// Does not compile where a struct has a member more than is kept here: then a resumed path would not be the same.
 [[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
-    [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19] = step;
-    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, last, c10, c11, c12, end] = checkpoint;
+    [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18,
+                                  s19, s20, s21] = step;
+    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, end] = checkpoint;
     [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6] = start;
     [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10] = last;
     [[maybe_unused]] const auto& [reason, detail, e1, bifurcations, e2, e3] = end;
@@ -138,6 +142,7 @@ std::vector<std::byte> encode_step(const solution::Step& step, std::span<const d
     for (const auto member : numbers) packer.put(step.*member);
     for (const auto member : lists) packer.put_list(step.*member);
     packer.put_optional(step.volume_m3);
+    packer.put_optional(step.pressure_error_Pa);
     packer.put(std::uint64_t{step.stable});
     packer.put_list(displacement);
     packer.put_list(pressure);
@@ -152,6 +157,7 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     for (const auto member : numbers) step.*member = unpacker.get<double>();
     for (const auto member : lists) step.*member = unpacker.get_list();
     step.volume_m3 = unpacker.get_optional();
+    step.pressure_error_Pa = unpacker.get_optional();
     step.stable = unpacker.get_flag();
     record.displacement_m = unpacker.get_list();
     record.pressure_Pa = unpacker.get_list();

@@ -27,6 +27,13 @@ ListColumns output_columns(const model::Case& model) {
     return columns;
 }
 
+ListColumns output_error_columns(const model::Case& model) {
+    ListColumns columns = output_columns(model);
+    columns.group = "output_errors";
+    columns.description = "half width of the discretisation error of each output at equal load";
+    return columns;
+}
+
 const char* load_units(const model::Case& model) {
     return model::leading_load(model) == model::LeadingLoad::load_factor ? "1" : "Pa";
 }

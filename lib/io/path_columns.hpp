@@ -24,6 +24,8 @@ struct ListColumns {
 [[nodiscard]] ListColumns volume_columns(const model::Case& model);
 /// Of each output, m or rad.
 [[nodiscard]] ListColumns output_columns(const model::Case& model);
+/// Half width of the error of each output, m or rad; of rows that have them.
+[[nodiscard]] ListColumns output_error_columns(const model::Case& model);
 /// Pa, or 1 of a case whose rows hold the load factor itself.
 [[nodiscard]] const char* load_units(const model::Case& model);
 

@@ -70,6 +70,27 @@ void read_numbers(const GroupReader& group, const NumberColumn& column, std::vec
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].*column.member = values[i];
 }
 
+bool is_error(double value) { return std::isfinite(value) && value >= 0; }
+
+void write_errors(hid_t path, std::span<const Step> steps, const model::Case& model) {
+    if (steps.empty() || !steps[0].pressure_error_Pa) return;
+    write_column(path,
+                 {"pressure_error", load_units(model),
+                  "half width of the discretisation error of pressure, at an equal first output (else volume)"},
+                 steps.size(), [&](std::size_t i) { return steps[i].pressure_error_Pa.value_or(0); });
+    write_lists(path, output_error_columns(model), steps, &Step::output_errors);
+}
+
+void read_errors(const GroupReader& path, std::vector<Step>& steps, const model::Case& model) {
+    if (!path.has("pressure_error")) return;
+    const auto values = path.array<double>("pressure_error", {extent(steps.size())});
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i].pressure_error_Pa = values[i];
+    read_lists(path, output_error_columns(model), steps, &Step::output_errors);
+    for (std::size_t i = 0; i < steps.size(); ++i)
+        if (!is_error(values[i]) || !std::ranges::all_of(steps[i].output_errors, is_error))
+            throw path.refuse("pressure_error[" + std::to_string(i) + "]", "an error of step " + std::to_string(i) + " is negative");
+}
+
 }  // namespace
 
 void require_sound(const Step& step, const model::Case& model) {
@@ -83,6 +104,10 @@ void require_sound(const Step& step, const model::Case& model) {
         if (!all_finite(step.*list.values) || !all_finite(step.*list.tangents))
             refuse("a step has a value that is not finite");
     }
+    if (step.output_errors.size() != (step.pressure_error_Pa ? model.outputs.size() : 0))
+        refuse("a step does not have an error for each of the outputs");
+    if (!is_error(step.pressure_error_Pa.value_or(0)) || !std::ranges::all_of(step.output_errors, is_error))
+        refuse("an error of a step is negative or not finite");
     if (!std::isfinite(step.volume_m3.value_or(0))) refuse("a step has a value that is not finite");
     const auto require_finite = [&](const NumberColumn& column) {
         if (!std::isfinite(step.*column.member)) refuse(std::string{column.name} + " of a step is not finite");
@@ -105,6 +130,7 @@ void write_steps(hid_t path, std::span<const Step> steps, const model::Case& mod
     write_column(path, {"stable", "1", "1: stable under what is prescribed"}, steps.size(),
                  [&](std::size_t i) { return static_cast<std::uint8_t>(steps[i].stable); });
     write_volumes(path, steps);
+    write_errors(path, steps, model);
     const GroupHandle tangents =
         create_group(path, "tangents", "derivatives along the path by one parameter of any positive scale");
     write_numbers(tangents.get(), load_tangent, steps);
@@ -143,6 +169,7 @@ std::vector<Step> read_steps(const GroupReader& path, const model::Case& model) 
     check_stages(path, steps, model);
     const auto stable = path.flags("stable", {extent(steps.size())});
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].stable = stable[i] == 1;
+    read_errors(path, steps, model);
     const GroupReader tangents = path.group("tangents");
     read_numbers(tangents, load_tangent, steps);
     read_numbers(tangents, pressure_tangent(model), steps);

@@ -119,6 +119,8 @@ void ResultImage::require_fitting(const solution::Step& step, std::span<const do
     require_sound(step, solved_);
     if (!steps_.empty() && step.volume_m3.has_value() != steps_[0].volume_m3.has_value())
         throw Error(ExitCode::internal, "/path/cavity_volume", "some steps have a volume, some have none");
+    if (!steps_.empty() && step.pressure_error_Pa.has_value() != steps_[0].pressure_error_Pa.has_value())
+        throw Error(ExitCode::internal, "/path/pressure_error", "some steps have an error, some have none");
     if (displacement.size() != 3 * points_)
         throw Error(ExitCode::internal, "/fields/displacement", "a step does not have three values a point");
     if (!pressure.empty() && pressure.size() != points_)

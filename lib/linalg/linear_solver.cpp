@@ -43,8 +43,11 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry) : K_(K) {
     // ICNTL(14): work space beyond the estimate [%], small by default and pivoting of the saddle point needs more.
     // ICNTL(13) = 1: the root front is factorised on one rank, without which the count of negative pivots is partial.
     // ICNTL(33) = 1: the determinant, whose sign is all that LU tells of the inertia.
+    // ICNTL(12) = 1, ICNTL(6) = 0: the order of elimination follows from the pattern of K alone, not from the values of the
+    // first K that comes along, so that a path that is resumed in its middle is that of one run to the last digit.
     for (const auto& [option, value] : {std::pair{"-mat_mumps_icntl_14", "80"}, std::pair{"-mat_mumps_icntl_13", "1"},
-                                        std::pair{"-mat_mumps_icntl_33", "1"}}) {
+                                        std::pair{"-mat_mumps_icntl_33", "1"}, std::pair{"-mat_mumps_icntl_12", "1"},
+                                        std::pair{"-mat_mumps_icntl_6", "0"}}) {
         PetscBool given = PETSC_FALSE;
         SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, option, &given));
         if (!given) SOFT_PETSC(PetscOptionsSetValue(nullptr, option, value));

@@ -40,6 +40,16 @@ Column plain(std::string name, Role role) {
     return column;
 }
 
+/// Half width of the error of a coordinate: "pressure_error_kPa".
+Column error_column(const Column& of) {
+    Column column = of;
+    column.quantity += "_error";
+    column.name = of.unit.empty() ? column.quantity : column.quantity + "_" + of.unit;
+    column.role = Role::follower;
+    column.source = Source::other;
+    return column;
+}
+
 Column leading_column(const model::Case& model) {
     switch (model::leading_load(model)) {
         case model::LeadingLoad::pressure: return coordinate("pressure", kilopascal, Source::load);
@@ -107,6 +117,10 @@ void check(std::span<const solution::Step> steps, std::span<const ListColumns> l
                                 " are recorded, the case has " + std::to_string(list.columns.size()));
         if (step.volume_m3.has_value() != steps.front().volume_m3.has_value())
             throw Error(ExitCode::bad_input, place, "the cavity volume is recorded at some of the steps only");
+        const bool has_errors = steps.front().pressure_error_Pa.has_value();
+        if (step.pressure_error_Pa.has_value() != has_errors ||
+            step.output_errors.size() != (has_errors ? lists.front().columns.size() : 0))
+            throw Error(ExitCode::bad_input, place, "the errors are recorded at some of the steps only");
     }
 }
 
@@ -139,6 +153,11 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
 
     Column number = plain("step", Role::counter), stage = plain("stage", Role::stage);
     Column load = leading_column(model), volume = coordinate("volume", millilitre, Source::volume);
+    std::vector<Column> errors;
+    if (!steps.empty() && steps.front().pressure_error_Pa) {
+        errors.push_back(error_column(load));
+        for (const Column& output : lists[0].columns) errors.push_back(error_column(output));
+    }
     Column p99 = plain("stretch_p99", Role::follower), largest = plain("max_stretch", Role::follower);
     Column jacobian = plain("min_J", Role::follower), stable = plain("stable", Role::flag);
     for (const solution::Step& step : steps) {
@@ -147,6 +166,9 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
         push(load, step.pressure_Pa, step.tangent_pressure);
         if (has_volume) push(volume, *step.volume_m3, step.tangent_volume);
         for (ListColumns& list : lists) push(list, step);
+        for (std::size_t i = 0; i < errors.size(); ++i)
+            errors[i].values.push_back(
+                in_column_unit(errors[i], i == 0 ? *step.pressure_error_Pa : step.output_errors[i - 1]));
         p99.values.push_back(step.stretch_p99);
         largest.values.push_back(step.max_stretch);
         jacobian.values.push_back(step.min_jacobian);
@@ -162,6 +184,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     if (has_volume) add(volume);
     for (std::size_t i = 1; i < lists.size(); ++i)
         for (Column& column : lists[i].columns) add(column);
+    for (Column& column : errors) add(column);
     for (Column* column : {&p99, &largest, &jacobian, &stable}) add(*column);
     return curve;
 }

@@ -2,7 +2,8 @@
 /// The equilibrium path as a table: one row a converged step, columns with the unit in their name.
 /// Columns: step, stage (1, 2 ..., of a case with several), pressure_kPa (traction_kPa, load_factor: what leads the case,
 /// model::leading_load), <output>_mm or, of an angle, <output>_deg ..., volume_mL, then of a case with several loads or
-/// cavities pressure_<load>_kPa ... and volume_<cavity>_mL ..., stretch_p99, max_stretch, min_J, stable. What a case does
+/// cavities pressure_<load>_kPa ... and volume_<cavity>_mL ..., after `solve --tolerance` the half widths of the errors
+/// pressure_error_kPa (traction_, load_factor_) and <output>_error_mm or _deg ..., stretch_p99, max_stretch, min_J, stable. What a case does
 /// not have (an output, a cavity volume) is left out, never filled with zeros. Held by post/curve_test.
 #include <cstddef>
 #include <optional>

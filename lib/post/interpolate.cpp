@@ -209,6 +209,9 @@ std::vector<double> Path::at(double s) const {
     return row;
 }
 
+/// How near the solver takes a path to a goal, as a fraction of the goal (SolverSettings::residual_tolerance by default).
+constexpr double solved_to = 1e-9;
+
 std::vector<double> Path::crossings(std::size_t column, double value) const {
     std::vector<double> found;
     for (std::size_t interval = 0; interval + 1 < s_.size(); ++interval) {
@@ -223,7 +226,11 @@ std::vector<double> Path::crossings(std::size_t column, double value) const {
                 found.push_back(s_[interval] + ds * bisect(cubic, value, ends[i], ends[i + 1]));
         }
     }
-    if (curve_->columns[column].values[rows_.back()] == value) found.push_back(s_.back());
+    // A path that ends at this very value ends there to the solver's tolerance, a little before or beyond it.
+    const auto& values = curve_->columns[column].values;
+    const double last = values[rows_.back()], size = std::max(std::abs(last), std::abs(value));
+    const bool at_the_end = std::abs(last - value) <= solved_to * size;
+    if (at_the_end && (found.empty() || found.back() < s_.back() - solved_to * (s_.back() - s_.front()))) found.push_back(s_.back());
     return found;
 }
 

@@ -39,6 +39,8 @@ struct Checkpoint {
     std::int64_t controlled = 0;                ///< index of the output or load, where one is controlled
     bool chosen_is_left = false;                ///< the user's control has failed, another shows why
     bool on_branch = false;                     ///< a secondary branch has been taken
+    int pending_factorizations = 0;             ///< made since the last row, for the next one
+    int confirmed_pivots = 0;                   ///< what the inertia of the next tangent is compared to
     std::optional<StatePoint> before;
     StatePoint last;
     double step = 0, first_step = 0;            ///< of q

@@ -43,6 +43,10 @@ struct Step {
     double stretch_p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the rubber's volume
     double max_stretch = 1;
     double min_jacobian = 1;                     ///< least det F over the integration points
+    /// Half widths of the discretisation's error, where it was asked for (solver/accuracy.hpp): of pressure_Pa at an equal
+    /// value of the first output (of the volume without outputs), of each output at equal pressure_Pa.
+    std::optional<double> pressure_error_Pa;
+    std::vector<double> output_errors;
 };
 
 /// Where the leading load has an extremum along the path.

@@ -184,12 +184,15 @@ std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, con
     }
     if (!left && !right) return std::nullopt;
     Event event{std::move(left ? *left : *right), false, 1, std::move(mode)};
-    if (event.mode) {
+    if (event.mode) {   // largest displacement 1, positive where it first is large: the same on any number of ranks
         system_.prescribe(assembly::no_loads(input_));
-        double largest = 0;
-        for (const double u : system_.gather_fields(*event.mode).displacement_m) largest = std::max(largest, std::abs(u));
-        MPI_Bcast(&largest, 1, MPI_DOUBLE, 0, system_.comm());
-        if (largest > 0.0) SOFT_PETSC(VecScale(*event.mode, 1.0 / largest));
+        const auto u = system_.gather_fields(*event.mode).displacement_m;
+        double factor = 0;
+        for (const double component : u) factor = std::max(factor, std::abs(component));
+        const auto first = std::ranges::find_if(u, [&](double component) { return std::abs(component) > 0.5 * factor; });
+        if (first != u.end() && *first < 0.0) factor = -factor;
+        MPI_Bcast(&factor, 1, MPI_DOUBLE, 0, system_.comm());
+        if (factor != 0.0) SOFT_PETSC(VecScale(*event.mode, 1.0 / factor));
     }
     return event;
 }

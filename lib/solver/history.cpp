@@ -2,14 +2,6 @@
 
 namespace soft::solver {
 
-void scale_slopes(PathPoint& point, double factor) {
-    SOFT_PETSC(VecScale(point.tangent.x, factor));
-    for (double* slope : {&point.tangent.load_factor, &point.tangent.power, &point.leading_slope}) *slope *= factor;
-    for (auto* list : {&point.tangent.pressures, &point.pressure_slopes, &point.volume_slopes, &point.load_volume_slopes,
-                       &point.output_slopes})
-        for (double& slope : *list) slope *= factor;
-}
-
 HermiteWeights hermite_weights(double q0, double q1, double q) {
     const double h = q1 - q0, s = (q - q0) / h;
     const double s2 = s * s, s3 = s2 * s;

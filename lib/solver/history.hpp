@@ -21,9 +21,6 @@ struct PathPoint {
     double leading = 0, leading_slope = 0;      ///< the load a curve shows (model::leading_load): [Pa], or the load factor
 };
 
-/// Changes the parameter of a point's slopes: all are multiplied by `factor`.
-void scale_slopes(PathPoint& point, double factor);
-
 /// Cubic Hermite weights of (y0, y0', y1, y1') at q.
 struct HermiteWeights {
     double y0, slope0, y1, slope1;

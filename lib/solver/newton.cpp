@@ -24,6 +24,13 @@ linalg::Symmetry symmetry_of(const assembly::System& system) {
 
 }  // namespace
 
+void scale(PathTangent& tangent, double factor) {
+    SOFT_PETSC(VecScale(tangent.x, factor));
+    tangent.load_factor *= factor;
+    tangent.power *= factor;
+    for (double& pressure : tangent.pressures) pressure *= factor;
+}
+
 Newton::Newton(assembly::System& system, const model::SolverSettings& settings)
     : system_(system), settings_(settings), K_(system.make_matrix()), solver_(K_, symmetry_of(system)),
       R_(system.make_vector()), toward_equilibrium_(system.make_vector()) {}

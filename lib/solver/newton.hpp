@@ -39,6 +39,9 @@ struct PathTangent {
     double power = 0;
 };
 
+/// Changes the parameter of the path: everything per unit of it is multiplied by `factor`.
+void scale(PathTangent& tangent, double factor);
+
 class Newton {
 public:
     Newton(assembly::System& system, const model::SolverSettings& settings);
@@ -56,6 +59,11 @@ public:
 
     /// x part of M^-1 (b, 0) with the bordered matrix M of the state and constraint of the last tangent().
     [[nodiscard]] std::optional<linalg::Vector> bordered_solve(Vec b);
+
+    /// Negative pivots of K beyond one a pressure unknown at the last tangent(), which the next one is compared to. A path
+    /// that is resumed sets it.
+    [[nodiscard]] int confirmed_pivots() const noexcept { return confirmed_pivots_; }
+    void confirm_pivots(int pivots) noexcept { confirmed_pivots_ = pivots; }
 
     [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
 

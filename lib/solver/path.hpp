@@ -24,6 +24,7 @@
 #include "assembly/system.hpp"
 #include "solution/checkpoint.hpp"
 #include "solution/path.hpp"
+#include "solver/row_state.hpp"
 
 namespace soft::solver {
 
@@ -46,11 +47,15 @@ using CheckpointSink = std::function<void(const solution::Checkpoint&)>;
 /// the same answer on every rank.
 using ContactCheck = std::function<std::optional<std::string>(Vec x)>;
 
+/// A row with what it takes to solve it again on another mesh (refined_path.hpp).
+using RowSink = std::function<void(const RowState&)>;
+
 struct Listeners {
     StepSink step;
     CheckpointSink checkpoint = {};   ///< may be empty
     Log log = {};                     ///< may be empty
     ContactCheck contact = {};        ///< may be empty: walls pass through each other
+    RowSink row = {};                 ///< may be empty
 };
 
 /// `from`: goes on from there instead of the undeformed state; the rows before it are not passed to the sink again. The

@@ -68,6 +68,8 @@ private:
     // path_points.cpp
     [[nodiscard]] PathPoint measure(State state, PathTangent tangent);
     void read_values(PathPoint& point);
+    void rescale(PathPoint& point, double factor);
+    [[nodiscard]] double leading_of(const State& state) const;
     void append(const PathPoint& point);
     [[nodiscard]] bool is_stable(const PathPoint& point) const;
     /// Along the direction of travel.

@@ -22,6 +22,8 @@ void PathFollower::keep_checkpoint() {
     checkpoint.controlled = static_cast<std::int64_t>(control_.index);
     checkpoint.chosen_is_left = chosen_.has_value();
     checkpoint.on_branch = on_branch_;
+    checkpoint.pending_factorizations = newton_.factorizations() - factorizations_at_row_;
+    checkpoint.confirmed_pivots = newton_.confirmed_pivots();
     if (before_) checkpoint.before = stored(*before_);
     checkpoint.last = stored(*last_);
     checkpoint.step = step_;
@@ -72,6 +74,8 @@ void PathFollower::restore(const solution::Checkpoint& from) {
                                                 : control_.kind == ConstraintKind::output && control_.index >= system_.output_count())
         refuse("has other loads or outputs than the case", "run solve again");
     on_branch_ = from.on_branch;
+    factorizations_at_row_ = newton_.factorizations() - from.pending_factorizations;
+    newton_.confirm_pivots(from.confirmed_pivots);
     if (from.before) before_ = point_of(*from.before);
     last_ = point_of(from.last);
     step_ = from.step;

@@ -16,6 +16,10 @@ constexpr double predictor_error_limit = 0.5;
 constexpr double predictor_error_without_jump = 0.05;
 /// Of a smooth path the tangent's error falls with the step, which is cut to 0.4 between two attempts.
 constexpr double error_at_a_kink = 0.8;
+/// The curve between two rows is the cubic through them: its load is held as well, to as many times the error.
+constexpr double load_share = 0.45;
+/// Near a limit point the load's error is measured by this part of the load, not by its change.
+constexpr double flat_load = 0.1;
 /// Step changes from one step to the next.
 constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure = 0.4;
 /// Newton iterations beyond which the step does not grow.
@@ -81,6 +85,7 @@ void PathFollower::advance() {
     const bool cubic = before_.has_value();
     const auto crossing = first_predicted(goals_, before, *last_, last_->q + step_);
     State guess = predict(before, *last_, crossing ? crossing->q : last_->q + step_);
+    const double predicted_load = leading_of(guess);
     linalg::Vector change = linalg::duplicate(guess.x);
     linalg::copy(guess.x, change);
     Constraint constraint = crossing ? crossing->goal->constraint : bind(control_, *last_);
@@ -96,6 +101,8 @@ void PathFollower::advance() {
     linalg::copy(point->state.x, change);
     linalg::add(change, -1.0, last_->state.x);
     const double relative_error = error / linalg::norm(change);
+    const double load_error = std::abs(predicted_load - point->leading) /
+                              std::max(std::abs(point->leading - last_->leading), flat_load * std::abs(point->leading));
     // Another inertia is another branch, unless the predictor says that the path has just passed a bifurcation.
     const bool jumped = control_.kind == ConstraintKind::load_factor && relative_error > predictor_error_without_jump &&
                         point->tangent.unstable_modes && last_->tangent.unstable_modes &&
@@ -108,8 +115,8 @@ void PathFollower::advance() {
     }
     failures_ = 0;
     rejected_error_.reset();
-    log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(relative_error) +
-        ", " + std::to_string(newton_result_.iterations) + " iterations" +
+    log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(relative_error) + " (load " +
+        short_text(load_error) + "), " + std::to_string(newton_result_.iterations) + " iterations" +
         (point->tangent.unstable_modes ? ", unstable modes " + std::to_string(*point->tangent.unstable_modes) : ""));
 
     const auto contact = find_contact(*point);
@@ -129,7 +136,7 @@ void PathFollower::advance() {
         return finish(StopReason::limit_point,
                       "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
                       "path.stretch_limit at " + describe(*last_));
-    adapt_step(relative_error, cubic ? Predictor::cubic : Predictor::tangent);
+    adapt_step(std::max(relative_error, load_share * load_error), cubic ? Predictor::cubic : Predictor::tangent);
     soften();
 }
 

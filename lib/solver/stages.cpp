@@ -129,13 +129,13 @@ void PathFollower::begin_stage(State state) {
     PathPoint point{std::move(state), std::move(*by_load)};
     read_values(point);
     const double sense = control_.kind != ConstraintKind::load_factor && point.tangent.power < 0.0 ? -1.0 : 1.0;
-    if (control_.kind == ConstraintKind::arc) scale_slopes(point, sense);
+    if (control_.kind == ConstraintKind::arc) rescale(point, sense);
     const double slope = control_slope(control_, point);
     if (loads_->changes() && !std::isfinite(1.0 / slope))
         throw Error(ExitCode::bad_input, "path.control", "the load does not move the controlled quantity",
                     "control another one, or use auto");
     first_step_ = step_ = coarse(settings_.first_step * (control_.kind == ConstraintKind::arc ? 1.0 : sense) * slope);
-    if (loads_->changes()) scale_slopes(point, 1.0 / slope);
+    if (loads_->changes()) rescale(point, 1.0 / slope);
     point.q = controlled_value(point, 0.0);
     last_ = std::move(point);
 }
@@ -162,7 +162,7 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
     log(why + ": following the path by " + std::string(name(control.kind)));
     const double sense = step_ < 0.0 ? -1.0 : 1.0, reach = std::abs(step_) * linalg::norm(last_->tangent.x);
     for (auto* point : {&before_, &last_})
-        if (*point) scale_slopes(**point, sense);   // now in the direction of travel
+        if (*point) rescale(**point, sense);   // now in the direction of travel
     control_ = control;
     double span = 0;
     if (before_) {
@@ -174,7 +174,7 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
     const double direction = control_slope(control_, *last_) < 0.0 ? -1.0 : 1.0;
     for (auto* point : {&before_, &last_})
         if (*point) {
-            scale_slopes(**point, 1.0 / control_slope(control_, **point));
+            rescale(**point, 1.0 / control_slope(control_, **point));
             (*point)->q = controlled_value(**point, point == &before_ ? -span : 0.0);
         }
     step_ = first_step_ = coarse(direction * reach / linalg::norm(last_->tangent.x));

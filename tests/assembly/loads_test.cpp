@@ -8,18 +8,10 @@
 #include "assembly/system.hpp"
 #include "core/error.hpp"
 #include "sample_cases.hpp"
+#include "sample_states.hpp"
 
 namespace soft::assembly {
 namespace {
-
-linalg::Vector wavy(const System& system, double size, double phase) {
-    auto x = system.make_vector();
-    for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i)
-        SOFT_PETSC(VecSetValue(x, i, size * std::sin(phase + 0.37 * static_cast<double>(i)), INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
-    return x;
-}
 
 /// The box with its end moved along x and y, pressed on its top.
 model::Case moved_box() {

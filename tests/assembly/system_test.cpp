@@ -7,19 +7,10 @@
 
 #include "core/error.hpp"
 #include "sample_cases.hpp"
+#include "sample_states.hpp"
 
 namespace soft::assembly {
 namespace {
-
-/// A smooth vector: a displacement of about `size` [m] and pressures of order one unknown.
-linalg::Vector wavy(const System& system, double size, double phase) {
-    auto x = system.make_vector();
-    for (PetscInt i = system.dofs().begin; i < system.dofs().end; ++i)
-        SOFT_PETSC(VecSetValue(x, i, size * std::sin(phase + 0.37 * static_cast<double>(i)), INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(x));
-    SOFT_PETSC(VecAssemblyEnd(x));
-    return x;
-}
 
 /// Bellows-like opening in one solid cell: the box's right side as a cavity wall with a free rim and a plug.
 model::Case open_box() {

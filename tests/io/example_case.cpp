@@ -61,12 +61,30 @@ model::Case section_case() {
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
                      {"bend", "cavity", {0.6, 0.8, 0}, model::Measure::bend, "end_disc"}};
     model.path.stages = {
-        {"inflate", model::Control::arc_length, "supply", {{"elongation", 0.13}, {"volume_ratio", 5}},
-         {{model::Prescription::volume_ratio, 3}, {model::Prescription::pressure, -500}}, {1, 0.5}, {1}, {0, 0}},
-        {"hold", model::Control::volume, "supply", {}, {{model::Prescription::closed, 0}, {model::Prescription::pressure, 0}},
-         {1, -0.5}, {1}, {0.25, 1}},
-        {"vent", model::Control::displacement, "bend", {{"bend", 0.5}},
-         {{model::Prescription::mass, -2e-5}, {model::Prescription::pressure, 0}}, {0, 0}, {0}, {1, 0}},
+        {"inflate",
+         model::Control::arc_length,
+         "supply",
+         {{"elongation", 0.13}, {"volume_ratio", 5}},
+         {{model::Prescription::volume_ratio, 3}, {model::Prescription::pressure, -500}},
+         {1, 0.5},
+         {1},
+         {0, 0}},
+        {"hold",
+         model::Control::volume,
+         "supply",
+         {},
+         {{model::Prescription::closed, 0}, {model::Prescription::pressure, 0}},
+         {1, -0.5},
+         {1},
+         {0.25, 1}},
+        {"vent",
+         model::Control::displacement,
+         "bend",
+         {{"bend", 0.5}},
+         {{model::Prescription::mass, -2e-5}, {model::Prescription::pressure, 0}},
+         {0, 0},
+         {0},
+         {1, 0}},
     };
     model.path.branch = model::Branch::follow;
     model.path.imperfection_m = 2.5e-5;
@@ -301,6 +319,8 @@ void expect_equal(const solution::Step& left, const solution::Step& right) {
     EXPECT_EQ(left.stretch_p99, right.stretch_p99);
     EXPECT_EQ(left.max_stretch, right.max_stretch);
     EXPECT_EQ(left.min_jacobian, right.min_jacobian);
+    EXPECT_EQ(left.pressure_error_Pa, right.pressure_error_Pa);
+    EXPECT_EQ(left.output_errors, right.output_errors);
 }
 
 void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right) {

@@ -53,6 +53,13 @@ void expect_steps(const Result& result, int count) {
     }
 }
 
+TEST(JournalStep, KeepsTheErrorsOfARow) {
+    solution::Step step = example_step(1);
+    step.pressure_error_Pa = 12.5;
+    step.output_errors = {1e-5, 2e-6};
+    expect_equal(decode_step(encode_step(step, {}, {}), "result.h5").step, step);
+}
+
 TEST_F(Journal, FileOpensFromTheFirstMomentAndShowsEachStep) {
     ResultWriter running = writer();
     for (int count = 0; count < 4; ++count) {
@@ -187,6 +194,8 @@ solution::Checkpoint example_checkpoint(int rows) {
     checkpoint.control = 3;
     checkpoint.controlled = 1;
     checkpoint.chosen_is_left = true;
+    checkpoint.confirmed_pivots = 3;
+    checkpoint.pending_factorizations = 2;
     checkpoint.before = example_state(11);
     checkpoint.last = example_state(12);
     checkpoint.last.unstable_modes.reset();
@@ -225,6 +234,8 @@ void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& 
     EXPECT_EQ(left.stage_first_row, right.stage_first_row);
     EXPECT_EQ(left.chosen_is_left, right.chosen_is_left);
     EXPECT_EQ(left.on_branch, right.on_branch);
+    EXPECT_EQ(left.confirmed_pivots, right.confirmed_pivots);
+    EXPECT_EQ(left.pending_factorizations, right.pending_factorizations);
     ASSERT_EQ(left.before.has_value(), right.before.has_value());
     if (left.before) expect_equal(*left.before, *right.before);
     expect_equal(left.last, right.last);
@@ -334,7 +345,8 @@ TEST_F(Journal, ResumesNothingThatIsNoInterruptedSolve) {
     ResultWriter done = writer();
     append(done, 0);
     append(done, 1);
-    EXPECT_NE(refusal_to_resume(done.finish(example_end())).find("is finished, there is nothing to resume"), std::string::npos);
+    EXPECT_NE(refusal_to_resume(done.finish(example_end())).find("is finished, there is nothing to resume"),
+              std::string::npos);
 }
 
 TEST_F(Journal, CheckpointThatDoesNotFitItsStepsIsRefused) {
@@ -361,7 +373,10 @@ TEST_F(Journal, DeviceIsWrittenToAndStaysADevice) {
 
 TEST_F(Journal, FolderThatIsNotThereIsReported) {
     try {
-        ResultWriter lost{folder_ / "no" / "result.h5", {section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
+        ResultWriter lost{folder_ / "no" / "result.h5",
+                          {section_image(), "case.h5", section_case()},
+                          example_provenance("solve"),
+                          {}};
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::cannot_create);

@@ -35,7 +35,8 @@ void replace_text(hid_t file, const std::string& group, const std::string& name,
     write_text(parent.get(), {name, "1", "tampered"}, text);
 }
 
-void replace_texts(hid_t file, const std::string& group, const std::string& name, const std::vector<std::string>& texts) {
+void replace_texts(hid_t file, const std::string& group, const std::string& name,
+                   const std::vector<std::string>& texts) {
     const GroupHandle parent{H5Gopen2(file, group.c_str(), H5P_DEFAULT)};
     unlink(parent.get(), name.c_str());
     write_texts(parent.get(), {name, "1", "tampered"}, texts);
@@ -103,7 +104,10 @@ const std::vector<Lie>& lies() {
          "/mesh/facets/cavity[0]"},
         {"HugeLocalFacet", [](hid_t f) { overwrite(f, "/mesh/facets/cavity", 1, Integers{1LL << 40}); },
          "/mesh/facets/cavity[0]"},
-        {"FacetsOfThreeColumns", [](hid_t f) { replace<std::int64_t>(f, "/mesh/facets", "cavity", {0, 0, 0}, {1, 3}); },
+        {"FacetsOfThreeColumns",
+         [](hid_t f) {
+             replace<std::int64_t>(f, "/mesh/facets", "cavity", {0, 0, 0}, {1, 3});
+         },
          "/mesh/facets/cavity"},
         {"PointOfNoPoint", [](hid_t f) { overwrite(f, "/mesh/points/tip", 1, Integers{15}); }, "/mesh/points/tip[1]"},
         {"ConnectivityTooLarge", [](hid_t f) { overwrite(f, "/VTKHDF/Connectivity", 5, Integers{15}); },
@@ -114,11 +118,20 @@ const std::vector<Lie>& lies() {
         {"OffsetsOverflow",
          [](hid_t f) { overwrite(f, "/VTKHDF/Offsets", 1, Integers{std::numeric_limits<std::int64_t>::max()}); },
          "/VTKHDF/Offsets[1]"},
-        {"UnknownCellType", [](hid_t f) { replace<std::uint8_t>(f, "/VTKHDF", "Types", {28, 77}); },
+        {"UnknownCellType",
+         [](hid_t f) {
+             replace<std::uint8_t>(f, "/VTKHDF", "Types", {28, 77});
+         },
          "/VTKHDF/Types[1]"},
-        {"CellOfAnotherDimension", [](hid_t f) { replace<std::uint8_t>(f, "/VTKHDF", "Types", {28, 29}); },
+        {"CellOfAnotherDimension",
+         [](hid_t f) {
+             replace<std::uint8_t>(f, "/VTKHDF", "Types", {28, 29});
+         },
          "/VTKHDF/Types[1]"},
-        {"CellOfFewerNodes", [](hid_t f) { replace<std::uint8_t>(f, "/VTKHDF", "Types", {28, 9}); },
+        {"CellOfFewerNodes",
+         [](hid_t f) {
+             replace<std::uint8_t>(f, "/VTKHDF", "Types", {28, 9});
+         },
          "/VTKHDF/Offsets[2]"},
         {"NoCells", [](hid_t f) { replace<std::int64_t>(f, "/VTKHDF", "NumberOfCells", {0}); },
          "/VTKHDF/NumberOfCells"},
@@ -126,9 +139,15 @@ const std::vector<Lie>& lies() {
          "/VTKHDF/Points"},
         {"PointNotFinite", [](hid_t f) { overwrite(f, "/VTKHDF/Points", 4, Numbers{nan}); }, "/VTKHDF/Points[4]"},
         {"NegativeRadius", [](hid_t f) { overwrite(f, "/VTKHDF/Points", 1, Numbers{-0.1}); }, "/VTKHDF/Points"},
-        {"RegionOfNoName", [](hid_t f) { replace<std::int32_t>(f, "/mesh", "cell_regions", {0, 2}); },
+        {"RegionOfNoName",
+         [](hid_t f) {
+             replace<std::int32_t>(f, "/mesh", "cell_regions", {0, 2});
+         },
          "/mesh/cell_regions[1]"},
-        {"RegionsOfAnotherType", [](hid_t f) { replace<std::int64_t>(f, "/mesh", "cell_regions", {0, 1}); },
+        {"RegionsOfAnotherType",
+         [](hid_t f) {
+             replace<std::int64_t>(f, "/mesh", "cell_regions", {0, 1});
+         },
          "/mesh/cell_regions"},
         {"UnknownKinematics", [](hid_t f) { replace_text(f, "/mesh", "kinematics", "quantum"); },
          "/mesh/kinematics: 'quantum'"},
@@ -138,7 +157,10 @@ const std::vector<Lie>& lies() {
          "/mesh/dimension"},
         {"FractionBeyondOne", [](hid_t f) { overwrite(f, "/mesh/model_fraction", 0, Numbers{1.5}); },
          "/mesh/model_fraction"},
-        {"FlagOfTwo", [](hid_t f) { replace<std::uint8_t>(f, "/mesh", "symmetry_planes", {0, 2, 0}); },
+        {"FlagOfTwo",
+         [](hid_t f) {
+             replace<std::uint8_t>(f, "/mesh", "symmetry_planes", {0, 2, 0});
+         },
          "/mesh/symmetry_planes"},
         {"ConstantInfinite", [](hid_t f) { overwrite(f, "/materials/rubber/constants/mu", 0, Numbers{infinity}); },
          "/materials/rubber/constants/mu[0]"},
@@ -149,45 +171,86 @@ const std::vector<Lie>& lies() {
          "/materials/"},
         {"TractionNotFinite", [](hid_t f) { overwrite(f, "/loads/tractions/traction", 4, Numbers{nan}); },
          "/loads/tractions/traction"},
-        {"TractionOnNoFace", [](hid_t f) { replace_text(f, "/loads/tractions", "face", "nowhere"); }, "/loads/tractions/face"},
-        {"TargetThatIsNothing", [](hid_t f) { replace_texts(f, "/loads/targets", "name", {"main", "annex", "nowhere"}); },
+        {"TractionOnNoFace", [](hid_t f) { replace_text(f, "/loads/tractions", "face", "nowhere"); },
+         "/loads/tractions/face"},
+        {"TargetThatIsNothing",
+         [](hid_t f) {
+             replace_texts(f, "/loads/targets", "name", {"main", "annex", "nowhere"});
+         },
          "/loads/targets/name: there is no cavity or face named 'nowhere'"},
-        {"TargetThatIsEmpty", [](hid_t f) { replace_texts(f, "/loads/targets", "name", {"main", "annex", "unused"}); },
+        {"TargetThatIsEmpty",
+         [](hid_t f) {
+             replace_texts(f, "/loads/targets", "name", {"main", "annex", "unused"});
+         },
          "/loads/targets/name: the face 'unused' is empty"},
-        {"FaceAmongCavities", [](hid_t f) { replace_texts(f, "/loads/targets", "name", {"main", "inlet", "inlet"}); },
+        {"FaceAmongCavities",
+         [](hid_t f) {
+             replace_texts(f, "/loads/targets", "name", {"main", "inlet", "inlet"});
+         },
          "'inlet' of the load 'supply' is no cavity"},
-        {"CavityLoadedTwice", [](hid_t f) { replace_texts(f, "/loads/targets", "name", {"main", "main", "inlet"}); },
+        {"CavityLoadedTwice",
+         [](hid_t f) {
+             replace_texts(f, "/loads/targets", "name", {"main", "main", "inlet"});
+         },
          "the cavity 'main' is loaded twice"},
-        {"TargetOfNoLoad", [](hid_t f) { overwrite(f, "/loads/targets/load", 2, Integers{2}); }, "/loads/targets/load[2]"},
+        {"TargetOfNoLoad", [](hid_t f) { overwrite(f, "/loads/targets/load", 2, Integers{2}); },
+         "/loads/targets/load[2]"},
         {"LoadWithoutTarget", [](hid_t f) { overwrite(f, "/loads/targets/load", 2, Integers{0}); },
          "/loads/targets/name: "},
-        {"TwoLoadsOfOneName", [](hid_t f) { replace_texts(f, "/loads", "name", {"supply", "supply"}); },
+        {"TwoLoadsOfOneName",
+         [](hid_t f) {
+             replace_texts(f, "/loads", "name", {"supply", "supply"});
+         },
          "/loads/name[1]: 'supply' stands there twice"},
-        {"LoadThatHasNoName", [](hid_t f) { replace_texts(f, "/loads", "name", {"supply", "a/b"}); }, "/loads/name[1]"},
+        {"LoadThatHasNoName",
+         [](hid_t f) {
+             replace_texts(f, "/loads", "name", {"supply", "a/b"});
+         },
+         "/loads/name[1]"},
         {"VacuumOutside", [](hid_t f) { overwrite(f, "/loads/ambient_pressure", 1, Numbers{0}); },
          "/loads/ambient_pressure[1]"},
         {"GasWithoutDensity", [](hid_t f) { overwrite(f, "/loads/ambient_density", 0, Numbers{-1}); },
          "/loads/ambient_density[0]"},
         {"GasWithoutExponent", [](hid_t f) { overwrite(f, "/loads/exponent", 0, Numbers{0}); }, "/loads/exponent[0]"},
-        {"NegativeTubing", [](hid_t f) { overwrite(f, "/loads/dead_volume", 0, Numbers{-1e-9}); }, "/loads/dead_volume[0]"},
+        {"NegativeTubing", [](hid_t f) { overwrite(f, "/loads/dead_volume", 0, Numbers{-1e-9}); },
+         "/loads/dead_volume[0]"},
         {"BodyForceAcrossTheAxis", [](hid_t f) { overwrite(f, "/loads/body_forces/acceleration", 1, Numbers{1}); },
          "/loads/body_forces/acceleration[0]: does not point along the axis"},
         {"BodyForceWithoutDensity", [](hid_t f) { unlink(f, "/materials/collar/density"); },
          "/materials/collar/density: is missing, and a body force acts"},
         {"DensityZero", [](hid_t f) { overwrite(f, "/materials/rubber/density", 0, Numbers{0}); },
          "/materials/rubber/density"},
-        {"MotionOfNoFace", [](hid_t f) { replace_texts(f, "/loads/motions", "face", {"inlet", "no"}); },
+        {"MotionOfNoFace",
+         [](hid_t f) {
+             replace_texts(f, "/loads/motions", "face", {"inlet", "no"});
+         },
          "/loads/motions/face[1]"},
-        {"MotionOfNoComponent", [](hid_t f) { replace<std::uint8_t>(f, "/loads/motions", "moved", {0, 0, 0, 1, 1, 0}, {2, 3}); },
+        {"MotionOfNoComponent",
+         [](hid_t f) {
+             replace<std::uint8_t>(f, "/loads/motions", "moved", {0, 0, 0, 1, 1, 0}, {2, 3});
+         },
          "/loads/motions/moved[0]: moves no component"},
         {"MotionNotFinite", [](hid_t f) { overwrite(f, "/loads/motions/displacement", 0, Numbers{infinity}); },
          "/loads/motions/displacement"},
-        {"BendFromNoFace", [](hid_t f) { replace_texts(f, "/outputs", "reference", {"", ""}); }, "/outputs/reference[1]"},
-        {"DisplacementFromAFace", [](hid_t f) { replace_texts(f, "/outputs", "reference", {"inlet", "end_disc"}); },
+        {"BendFromNoFace",
+         [](hid_t f) {
+             replace_texts(f, "/outputs", "reference", {"", ""});
+         },
+         "/outputs/reference[1]"},
+        {"DisplacementFromAFace",
+         [](hid_t f) {
+             replace_texts(f, "/outputs", "reference", {"inlet", "end_disc"});
+         },
          "/outputs/reference[0]"},
-        {"UnknownMeasure", [](hid_t f) { replace_texts(f, "/outputs", "measure", {"displacement", "colour"}); },
+        {"UnknownMeasure",
+         [](hid_t f) {
+             replace_texts(f, "/outputs", "measure", {"displacement", "colour"});
+         },
          "/outputs/measure[1]: 'colour'"},
-        {"NoStage", [](hid_t f) { for (const char* name : {"/control/stages/0", "/control/stages/1", "/control/stages/2"}) unlink(f, name); },
+        {"NoStage",
+         [](hid_t f) {
+             for (const char* name : {"/control/stages/0", "/control/stages/1", "/control/stages/2"}) unlink(f, name);
+         },
          "/control/stages: there is no stage"},
         {"StageThatIsMissing", [](hid_t f) { unlink(f, "/control/stages/1"); }, "/control/stages/"},
         {"TwoStagesOfOneName", [](hid_t f) { replace_text(f, "/control/stages/2", "name", "inflate"); },
@@ -199,26 +262,42 @@ const std::vector<Lie>& lies() {
          "/control/stages/1/controlled: there is no load named 'bend'"},
         {"ControlledOutputThatIsNone", [](hid_t f) { replace_text(f, "/control/stages/2", "controlled", "supply"); },
          "/control/stages/2/controlled: there is no output named 'supply'"},
-        {"UnknownPrescription", [](hid_t f) { replace_texts(f, "/control/stages/0", "prescription", {"taste", "pressure"}); },
+        {"UnknownPrescription",
+         [](hid_t f) {
+             replace_texts(f, "/control/stages/0", "prescription", {"taste", "pressure"});
+         },
          "/control/stages/0/prescription[0]: 'taste'"},
-        {"GasOnAFace", [](hid_t f) { replace_texts(f, "/control/stages/0", "prescription", {"pressure", "closed"}); },
+        {"GasOnAFace",
+         [](hid_t f) {
+             replace_texts(f, "/control/stages/0", "prescription", {"pressure", "closed"});
+         },
          "/control/stages/0/value[1]: the load 'outside' is on a face"},
         {"VolumeRatioOfZero", [](hid_t f) { overwrite(f, "/control/stages/0/value", 0, Numbers{0}); },
          "/control/stages/0/value[0]: must be positive"},
-        {"FewerSupplies", [](hid_t f) { replace_texts(f, "/control/stages/0", "prescription", {"pressure"});
-             replace<double>(f, "/control/stages/0", "value", {1}); }, "/control/stages/0/prescription: must be one a load"},
+        {"FewerSupplies",
+         [](hid_t f) {
+             replace_texts(f, "/control/stages/0", "prescription", {"pressure"});
+             replace<double>(f, "/control/stages/0", "value", {1});
+         },
+         "/control/stages/0/prescription: must be one a load"},
         {"FewerTractions", [](hid_t f) { replace<double>(f, "/control/stages/1", "tractions", {1}); },
          "/control/stages/1/tractions: must be one a load"},
-        {"MoreBodyForces", [](hid_t f) { replace<double>(f, "/control/stages/1", "body_forces", {1, 2}); },
+        {"MoreBodyForces",
+         [](hid_t f) {
+             replace<double>(f, "/control/stages/1", "body_forces", {1, 2});
+         },
          "/control/stages/1/body_forces"},
         {"MotionLevelNotFinite", [](hid_t f) { overwrite(f, "/control/stages/1/motions", 0, Numbers{nan}); },
          "/control/stages/1/motions"},
         {"UntilOfNoOutput", [](hid_t f) { replace_texts(f, "/control/stages/2/until", "quantity", {"bulge"}); },
          "/control/stages/2/until/quantity[0]: there is no output named 'bulge'"},
         {"UnknownBranch", [](hid_t f) { replace_text(f, "/control", "branch", "saw"); }, "/control/branch: 'saw'"},
-        {"UnknownContact", [](hid_t f) { replace_text(f, "/control", "contact", "first"); }, "/control/contact: 'first'"},
-        {"ImperfectionZero", [](hid_t f) { overwrite(f, "/control/imperfection", 0, Numbers{0}); }, "/control/imperfection"},
-        {"StretchLimitOne", [](hid_t f) { overwrite(f, "/control/stretch_limit", 0, Numbers{1}); }, "/control/stretch_limit"},
+        {"UnknownContact", [](hid_t f) { replace_text(f, "/control", "contact", "first"); },
+         "/control/contact: 'first'"},
+        {"ImperfectionZero", [](hid_t f) { overwrite(f, "/control/imperfection", 0, Numbers{0}); },
+         "/control/imperfection"},
+        {"StretchLimitOne", [](hid_t f) { overwrite(f, "/control/stretch_limit", 0, Numbers{1}); },
+         "/control/stretch_limit"},
         {"SupportOfNoFace",
          [](hid_t f) {
              unlink(f, "/supports/face");
@@ -239,7 +318,10 @@ const std::vector<Lie>& lies() {
          "/control/solver/residual_tolerance"},
         {"LimitBeyondInt", [](hid_t f) { overwrite(f, "/control/solver/newton_limit", 0, Integers{1LL << 32}); },
          "/control/solver/newton_limit"},
-        {"ListsOfDifferentLength", [](hid_t f) { replace<double>(f, "/loads", "exponent", {1, 2, 3}); },
+        {"ListsOfDifferentLength",
+         [](hid_t f) {
+             replace<double>(f, "/loads", "exponent", {1, 2, 3});
+         },
          "/loads/exponent"},
         {"MissingGroup", [](hid_t f) { unlink(f, "/supports"); }, "case.h5:/supports: is missing"},
         {"MissingDataset", [](hid_t f) { unlink(f, "/mesh/formulation"); }, "case.h5:/mesh/formulation: is missing"},
@@ -248,21 +330,31 @@ const std::vector<Lie>& lies() {
         {"ChangedDesignText", [](hid_t f) { replace_text(f, "/design", "effective_yaml", "family: rod"); },
          "/design/effective_yaml"},
         {"GroupForADataset",
-         [](hid_t f) { unlink(f, "/loads/exponent"); static_cast<void>(create_group(f, "/loads/exponent", "")); },
+         [](hid_t f) {
+             unlink(f, "/loads/exponent");
+             static_cast<void>(create_group(f, "/loads/exponent", ""));
+         },
          "/loads/exponent"},
-        {"DatasetForAGroup", [](hid_t f) { unlink(f, "/supports"); write_count(f, {"supports", "1", ""}, 1); },
+        {"DatasetForAGroup",
+         [](hid_t f) {
+             unlink(f, "/supports");
+             write_count(f, {"supports", "1", ""}, 1);
+         },
          "/supports"},
         {"ExternalLink",
-         [](hid_t f) { unlink(f, "/supports");
-             H5Lcreate_external("other.h5", "/x", f, "supports", H5P_DEFAULT, H5P_DEFAULT); },
+         [](hid_t f) {
+             unlink(f, "/supports");
+             H5Lcreate_external("other.h5", "/x", f, "supports", H5P_DEFAULT, H5P_DEFAULT);
+         },
          "case.h5:/supports: is a soft or external link"},
         {"SoftLink",
-         [](hid_t f) { unlink(f, "/loads/exponent");
-             H5Lcreate_soft("/outputs/direction", f, "/loads/exponent", H5P_DEFAULT, H5P_DEFAULT); },
+         [](hid_t f) {
+             unlink(f, "/loads/exponent");
+             H5Lcreate_soft("/outputs/direction", f, "/loads/exponent", H5P_DEFAULT, H5P_DEFAULT);
+         },
          "case.h5:/loads/exponent: is a soft or external link"},
         {"DanglingSoftLinkAmongFaces",
-         [](hid_t f) { H5Lcreate_soft("/nowhere", f, "/mesh/facets/x", H5P_DEFAULT, H5P_DEFAULT); },
-         "/mesh/facets/x"},
+         [](hid_t f) { H5Lcreate_soft("/nowhere", f, "/mesh/facets/x", H5P_DEFAULT, H5P_DEFAULT); }, "/mesh/facets/x"},
         {"ExternalStorage", declare_external, "/loads/exponent: keeps its data in another file"},
         {"VirtualStorage", declare_virtual, "/loads/exponent: is stored in a way that is not supported"},
         {"VariableLengthText", declare_variable_text, "/design/family: is not text of fixed length"},

@@ -45,6 +45,40 @@ TEST(ResultFile, ReadsBackEqualInEveryField) {
     }
 }
 
+/// As `solve --tolerance` makes it.
+solution::Step step_with_errors(int number) {
+    solution::Step step = example_step(number);
+    step.pressure_error_Pa = 12.5 * number;
+    step.output_errors = {1e-5 * number, 2e-6};
+    return step;
+}
+
+TEST(ResultFile, KeepsTheErrorsOfRowsThatHaveThem) {
+    ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
+    for (int i = 0; i < 3; ++i) writer.append(step_with_errors(i), example_displacement(i), example_pressure(i));
+    EXPECT_THROW(writer.append(example_step(3), example_displacement(3), example_pressure(3)), Error);
+    const Result result = read_result(writer.finish(example_end()), "result.h5");
+    ASSERT_EQ(result.steps.size(), 3U);
+    for (int i = 0; i < 3; ++i) expect_equal(result.steps[static_cast<std::size_t>(i)], step_with_errors(i));
+}
+
+TEST(ResultFile, RefusesErrorsThatAreNone) {
+    ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
+    const auto refuses = [&](const solution::Step& step) {
+        EXPECT_THROW(writer.append(step, example_displacement(0), example_pressure(0)), Error);
+    };
+    solution::Step step = step_with_errors(1);
+    step.pressure_error_Pa = -1;
+    refuses(step);
+    step = step_with_errors(1);
+    step.output_errors = {1e-5, nan};
+    refuses(step);
+    step.output_errors.pop_back();
+    refuses(step);
+    step.pressure_error_Pa.reset();
+    refuses(step);
+}
+
 /// The section with other loads, as `solve --set` may make it: a path of it has other columns.
 model::Case changed_case() {
     model::Case model = section_case();

@@ -4,7 +4,7 @@
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 runs 'mesh-gen -q designs/tube.yaml -o case.h5'
 
-refuses 2 'solve: limit_point: the pressure has a maximum at 44.3* kPa, *path.control: volume *' \
+refuses 2 'solve: limit_point: the load has a maximum at 44.3* kPa, *path.control: auto *' \
     'solve case.h5 --set path.control=pressure --json limit.json -o limit.h5 2>&1 | grep -v "solve: [0-9]* %" >&2'
 claim "the cause is in the summary" has limit_point limit.json stop_reason
 claim "with the limit pressure 44.34 kPa" within "$(json limit.json limit_points 0 pressure_Pa)" 44317 44361

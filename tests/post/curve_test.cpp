@@ -52,6 +52,25 @@ TEST(Curve, CallsItsLoadByWhatLeadsTheCase) {
     EXPECT_EQ(make_curve(model, steps).columns[1].values[0], 0.5);
 }
 
+TEST(Curve, HasTheErrorsOfRowsThatHaveThem) {
+    model::Case model = sample_case({"elongation", "bend"});
+    model.outputs[1].measure = model::Measure::bend;
+    solution::Step step = step_with(3e4, {0.01, 1}, std::nullopt);
+    step.pressure_error_Pa = 30;
+    step.output_errors = {2e-5, std::numbers::pi / 1800};
+    std::vector steps{step, step};
+    const Curve curve = make_curve(model, steps);
+    EXPECT_EQ(names(curve), (std::vector<std::string>{"step", "pressure_kPa", "elongation_mm", "bend_deg",
+                                                      "pressure_error_kPa", "elongation_error_mm", "bend_error_deg",
+                                                      "stretch_p99", "max_stretch", "min_J", "stable"}));
+    EXPECT_EQ(curve.find("pressure_error")->values[1], 0.03);
+    EXPECT_EQ(curve.find("elongation_error")->values[1], 0.02);
+    EXPECT_NEAR(curve.find("bend_error")->values[1], 0.1, 1e-14);
+    EXPECT_EQ(curve.coordinate_names(), "pressure, elongation, bend");
+    steps[1].pressure_error_Pa.reset();
+    EXPECT_THROW(static_cast<void>(make_curve(model, steps)), Error);
+}
+
 TEST(Curve, TellsAnglesInDegrees) {
     model::Case model = sample_case({"bend", "turn", "reach"});
     model.outputs[0].measure = model::Measure::bend;

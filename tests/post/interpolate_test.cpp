@@ -46,6 +46,15 @@ TEST(Hermite, SplitsWhereTheSlopeVanishes) {
     EXPECT_NEAR(ends[2], (3 + std::sqrt(3.0)) / 6, 1e-15);
 }
 
+// A goal of 130 mm ends a path at 130 mm to rounding, a bit before or beyond it: asked for, it is there once.
+TEST(Crossings, FindTheValueThePathWasToEndAt) {
+    for (const double end : {129.99999999999997, 130.0, 130.00000000000003}) {
+        const auto curve = planar({{0, 0, 1, 1}, {60, 0.5, 1, 1}, {end, 1, 1, 1}});
+        EXPECT_EQ(Path(curve).crossings(index_of(curve, "growth"), 130).size(), 1u) << end;
+        EXPECT_TRUE(Path(curve).crossings(index_of(curve, "growth"), 130.001).empty());
+    }
+}
+
 TEST(MonotoneSlopes, NeverLeaveTheRangeOfTheNeighbours) {
     const std::vector<double> s{0, 0.1, 0.5, 0.6, 2, 2.1}, q{1, 1.01, 1.02, 3, 3, 2.5};
     const auto slopes = monotone_slopes(s, q);

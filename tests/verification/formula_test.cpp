@@ -5,6 +5,8 @@
 
 #include "inflation_formula.hpp"
 #include "principal_law.hpp"
+#include "snapping_cap.hpp"
+#include "two_phase_tube.hpp"
 
 namespace soft::verification {
 namespace {
@@ -111,6 +113,74 @@ TEST(Formula, LongClosedTubeHasTheSpecificationsLimitPoint) {
     EXPECT_NEAR(1e-3 * peak.value, 43.9467, 1e-4);
     EXPECT_NEAR(1e-3 * closed_tube(pulls, 7e-3, 10e-3, 1.796).pressure_Pa, 43.9467, 1e-4);
     EXPECT_NEAR(closed_tube(pulls, 7e-3, 10e-3, 1.796).axial_stretch, 1.1778, 1e-4);
+}
+
+constexpr GentTube balloon{1, 30, 9, 10};
+
+TEST(Formula, MaxwellLineCutsEqualAreasFromTheCurve) {
+    const auto pressure = [](double l) { return even_tube(balloon, l).pressure_Pa; };
+    const auto maximum = first_peak(pressure, 1.001, 2.5);
+    const auto minimum = first_peak([&](double l) { return -pressure(l); }, maximum.place + 0.1, 4);
+    const auto line = coexistence(balloon, maximum.place, minimum.place);
+    EXPECT_NEAR(line.thin.pressure_Pa / line.pressure_Pa, 1, 1e-9);
+    EXPECT_NEAR(line.bulge.pressure_Pa / line.pressure_Pa, 1, 1e-9);
+    // int p dV by Simpson's rule in the volume between equidistant stretches, each by its own parabola V(l)
+    constexpr int intervals = 200;
+    double work = 0;
+    EvenTube left = line.thin;
+    const double h = (line.bulge.inner_stretch - line.thin.inner_stretch) / intervals;
+    for (int i = 0; i < intervals; ++i) {
+        const auto middle = even_tube(balloon, line.thin.inner_stretch + (i + 0.5) * h);
+        const auto right = even_tube(balloon, line.thin.inner_stretch + (i + 1) * h);
+        const double at_left = -3 * left.volume_m2 + 4 * middle.volume_m2 - right.volume_m2;
+        const double in_middle = right.volume_m2 - left.volume_m2;
+        const double at_right = left.volume_m2 - 4 * middle.volume_m2 + 3 * right.volume_m2;
+        work += (left.pressure_Pa * at_left + 4 * middle.pressure_Pa * in_middle + right.pressure_Pa * at_right) / 6;
+        left = right;
+    }
+    EXPECT_NEAR(work / (line.pressure_Pa * (line.bulge.volume_m2 - line.thin.volume_m2)), 1, 1e-7);
+}
+
+TEST(Formula, TubeWhoseChainsNeverLockIsNeoHookean) {
+    const Pulls pulls = unit_neo_hookean();
+    for (const double l : {1.2, 1.8, 2.5}) {
+        const auto even = even_tube({1, 1e9, 7, 10}, l);
+        EXPECT_NEAR(even.pressure_Pa, closed_tube(pulls, 7, 10, l).pressure_Pa, 1e-7);
+        EXPECT_NEAR(even.axial_stretch, closed_tube(pulls, 7, 10, l).axial_stretch, 1e-7);
+    }
+}
+
+TEST(Formula, UnequalSpheresHaveOnePressureAndTheGivenVolume) {
+    const auto curve = [](double l) { return neo_hookean_sphere_pressure_Pa(1, l, 1.1); };
+    const auto peak = first_peak(curve, 1.001, 3);
+    const auto pair = sphere_pair(curve, curve, peak.place, 5);
+    EXPECT_NEAR(curve(pair.small_stretch), curve(pair.large_stretch), 1e-12);
+    EXPECT_NEAR(std::pow(pair.small_stretch, 3) + std::pow(pair.large_stretch, 3), 10, 1e-12);
+    EXPECT_GT(pair.large_stretch, peak.place);
+    EXPECT_LT(pair.small_stretch, peak.place);
+}
+
+// Of small angle the cap is a plate, and for small loads the plate is linear: w = p a^4 / (64 D), a its radius.
+TEST(Formula, NearlyFlatCapIsTheClampedPlate) {
+    const Cap plate{1e4, 1, 2e-3, 1, 0.3};  // a = 20, rise 0.02 thicknesses
+    const double stiffness = 1 / (12 * (1 - 0.09)), a = 20, sink = 1e-3;
+    EXPECT_NEAR(cap_path(plate, sink, 1).back().pressure_Pa / (64 * stiffness * sink / std::pow(a, 4)), 1, 2e-3);
+}
+
+// Shallow caps have one curve p/p_classical over lambda: caps of another thickness, and finer steps, have the same.
+TEST(Formula, SnapPressuresOfShallowCapsDependOnLambdaAlone) {
+    const auto relative = [](double thickness_m, int states) {
+        Cap cap{1, thickness_m, 1, 2, 1.0 / 3};
+        cap.angle = 4 / cap.shallowness();
+        const auto snap = snap_pressures(cap, states);
+        return std::array{snap.upper.pressure_Pa / cap.classical_pressure_Pa(),
+                          snap.lower.pressure_Pa / cap.classical_pressure_Pa()};
+    };
+    const auto thin = relative(1e-4, 100), thinner = relative(1e-5, 100), finer = relative(1e-4, 200);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(thin[i] / thinner[i], 1, 1e-3);
+        EXPECT_NEAR(thin[i] / finer[i], 1, 1e-4);
+    }
 }
 
 }  // namespace

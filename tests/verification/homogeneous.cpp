@@ -105,7 +105,7 @@ Problem simple_shear() {
                          .reference = 1e-3 * shear_stress_Pa(material, shear),
                          .source = "closed form",
                          .ours = 1e-3 * material::cauchy_stress_Pa(state.value(), material::Mode::simple_shear),
-                         .mesh = "none: no load of a design shears a body evenly",
+                         .mesh = "none: a material point",
                          .seconds = 0,
                          .tolerance = homogeneous});
                 }

@@ -64,7 +64,8 @@ double hoop_stress_Pa(const Pulls& pulls, double hoop_stretch, double radial_str
     return radial_stress_Pa + s[1] - s[2];
 }
 
-TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double inner_stretch) {
+TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double inner_stretch,
+                      double largest_axial_stretch) {
     // Axial force of the wall less that of the pressure on the caps, over pi; sigma_r = -p + int (sigma_t - sigma_r) dr/r.
     // With 2 sigma_z = (2 sigma_z - sigma_t - sigma_r) + (sigma_t + sigma_r) and equilibrium, int (sigma_t + sigma_r) r dr
     // = p a^2, so the balance 2 int sigma_z r dr = p a^2 reads int (2 s_z - s_t - s_r) r dr = 0: no pressure in it.
@@ -78,8 +79,16 @@ TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double
             },
             inner_m, outer_m);
     };
-    const double lz = root_of(surplus, 0.7, 3.0);
+    const double lz = root_of(surplus, 0.7, largest_axial_stretch);
     return {cylinder_pressure_Pa(pulls, {inner_m, outer_m, lz}, inner_stretch), lz};
+}
+
+PairState sphere_pair(const std::function<double(double)>& small, const std::function<double(double)>& large,
+                      double small_limit, double volume_ratio) {
+    const auto other = [&](double l) { return std::cbrt(2 * volume_ratio - l * l * l); };
+    constexpr double rest = 1 + 1e-9;
+    const double l = root_of([&](double x) { return small(x) - large(other(x)); }, rest, small_limit);
+    return {l, other(l), small(l)};
 }
 
 Peak first_peak(const std::function<double(double)>& f, double low, double high) {
@@ -102,6 +111,7 @@ Peak first_peak(const std::function<double(double)>& f, double low, double high)
 double root_of(const std::function<double(double)>& f, double low, double high) {
     for (int i = 0; i < 200; ++i) {
         const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high) break;  // no number is left between them
         (f(middle) < 0 ? low : high) = middle;
     }
     return 0.5 * (low + high);

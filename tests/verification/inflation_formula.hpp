@@ -32,11 +32,23 @@ struct Cylinder {
 /// Hoop stress [Pa] at a radius R of the wall in plane strain, where the radial stress is given.
 [[nodiscard]] double hoop_stress_Pa(const Pulls& pulls, double hoop_stretch, double radial_stress_Pa);
 
-/// A long tube with closed ends: the axial stretch at which the wall carries p pi a^2, and the pressure.
+/// A long tube with closed ends: the axial stretch at which the wall carries p pi a^2, and the pressure. A law that locks
+/// says how far the axial stretch may be sought.
 struct TubeState {
     double pressure_Pa, axial_stretch;
 };
-[[nodiscard]] TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double inner_stretch);
+[[nodiscard]] TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double inner_stretch,
+                                    double largest_axial_stretch = 3.0);
+
+/// The state of two spheres of one gas: one has hardly grown, the other is beyond its limit.
+struct PairState {
+    double small_stretch, large_stretch;  ///< of the inner walls
+    double pressure_Pa;
+};
+/// `small`, `large`: pressure [Pa] by inner stretch; `small_limit`: stretch of the first one's maximum; `volume_ratio`: of
+/// both volumes together, equal when undeformed. One root of small(a) = large((2 ratio - a^3)^(1/3)) in (1, small_limit).
+[[nodiscard]] PairState sphere_pair(const std::function<double(double)>& small,
+                                    const std::function<double(double)>& large, double small_limit, double volume_ratio);
 
 /// The first maximum of a function on (low, high), sampled and then by golden section.
 struct Peak {

@@ -1,7 +1,10 @@
 // How paths end and what meshes converge to; the numbers themselves are in the table (verification_test).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <stdexcept>
 
 #include "inflation_formula.hpp"
 #include "run_design.hpp"
@@ -27,18 +30,122 @@ TEST(Tube, PressureControlEndsAtTheLimitPointWithTheCurveUpToIt) {
 
 // At rest every fibre is about to pull: the first tangent is one-sided and errs by the same part of a step of any length.
 TEST(Tube, FibresThatBeginToPullDoNotStopThePath) {
-    const auto run = run_design("tube.yaml", {"material={law: holzapfel-gasser-ogden, mu: 0.1644 MPa, k1: 0.1 MPa, k2: 1, "
-                                              "angle: 30 deg}",
-                                              "loads.cavity.pressure=20 kPa"});
+    const auto run =
+        run_design("tube.yaml", {"material={law: holzapfel-gasser-ogden, mu: 0.1644 MPa, k1: 0.1 MPa, k2: 1, "
+                                 "angle: 30 deg}",
+                                 "loads.cavity.pressure=20 kPa"});
     EXPECT_EQ(run.end.reason, solution::StopReason::done);
     EXPECT_NEAR(run.pressure_kPa(), 20.0, 1e-9);
-    EXPECT_LT(run.output_mm(), 0.0);   // fibres nearer to the axis than the magic angle 54.74 degrees: it shortens
+    EXPECT_LT(run.output_mm(), 0.0);  // fibres nearer to the axis than the magic angle 54.74 degrees: it shortens
 }
 
 TEST(Bellows, AnElongationAsGoalIsMetExactly) {
     const auto run = run_design("bellows.yaml", {"mesh.size=3 mm", "path.until.elongation=20 mm"});
     EXPECT_EQ(run.end.reason, solution::StopReason::done);
     EXPECT_NEAR(run.output_mm(), 20.0, 1e-6);
+}
+
+/// Greatest relative difference of the pressure between the smooth curves of two runs, from 5 to 130 mm.
+double curve_difference(const Run& a, const Run& b) {
+    double worst = 0;
+    for (int mm = 5; mm < 130; ++mm)
+        worst = std::max(
+            worst, std::abs(a.at("elongation", 1e-3 * mm).pressure_Pa / b.at("elongation", 1e-3 * mm).pressure_Pa - 1));
+    return worst;
+}
+
+class BellowsTo130mm : public ::testing::TestWithParam<const char*> {};
+
+// The densely stepped path is the same code under the other control and with steps of a millimetre or so.
+TEST_P(BellowsTo130mm, TakesFewFactorizationsAndItsSmoothCurveIsTheDenselySteppedOne) {
+    static const verification::Run dense =
+        run_design("bellows.yaml", {"path.control=volume", "solver.step_accuracy=1e-6"});
+    const auto run = run_design("bellows.yaml", {std::string("path.control=") + GetParam()});
+    EXPECT_EQ(run.end.reason, solution::StopReason::done);
+    EXPECT_NEAR(run.output_mm(), 130.0, 1e-6);
+    EXPECT_LE(run.end.factorizations, 25);
+    EXPECT_GT(dense.steps.size(), 5 * run.steps.size());
+    EXPECT_LT(curve_difference(run, dense), 5e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Control, BellowsTo130mm, ::testing::Values("auto", "volume"),
+                         [](const auto& each) { return std::string(each.param); });
+
+/// Deformed places of the nodes.
+std::vector<mesh::Point> deformed_points(const Run& run) {
+    std::vector<mesh::Point> points = run.model.mesh.points;
+    for (std::size_t node = 0; node < points.size(); ++node)
+        for (std::size_t i = 0; i < 3; ++i) points[node][i] += run.displacement_m[3 * node + i];
+    return points;
+}
+
+double distance_m(const mesh::Point& a, const mesh::Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
+
+/// Distance from a point to the straight piece a b, in the section.
+double distance_m(const mesh::Point& p, const mesh::Point& a, const mesh::Point& b) {
+    const double x = b[0] - a[0], y = b[1] - a[1];
+    const double t = std::clamp(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y), 0.0, 1.0);
+    return distance_m(p, {a[0] + t * x, a[1] + t * y, 0});
+}
+
+/// The nodes of the cavity's wall in their order along it.
+std::vector<std::size_t> along_cavity(const Run& run) {
+    std::map<std::size_t, std::vector<std::size_t>> beside;
+    for (const auto& facet : run.model.mesh.facet_sets.at("cavity")) {
+        const auto nodes = mesh::facet_nodes(run.model.mesh, facet);  // ends, then the middle
+        for (const std::size_t end : {0, 1}) {
+            beside[static_cast<std::size_t>(nodes[end])].push_back(static_cast<std::size_t>(nodes[2]));
+            beside[static_cast<std::size_t>(nodes[2])].push_back(static_cast<std::size_t>(nodes[end]));
+        }
+    }
+    const auto first = std::ranges::find_if(beside, [](const auto& node) { return node.second.size() == 1; });
+    std::vector<std::size_t> chain{first->first, first->second.front()};
+    while (beside.at(chain.back()).size() == 2) {
+        const auto& next = beside.at(chain.back());
+        chain.push_back(next[0] == chain[chain.size() - 2] ? next[1] : next[0]);
+    }
+    return chain;
+}
+
+/// The least deformed distance between two places of the cavity's wall that are `apart_m` or more from each other along
+/// the undeformed wall.
+double least_gap_m(const Run& run, double apart_m) {
+    const auto now = deformed_points(run);
+    const auto chain = along_cavity(run);
+    std::vector<double> along_m{0};
+    for (std::size_t i = 1; i < chain.size(); ++i)
+        along_m.push_back(along_m.back() +
+                          distance_m(run.model.mesh.points[chain[i - 1]], run.model.mesh.points[chain[i]]));
+    double least = 1;
+    for (std::size_t i = 0; i < chain.size(); ++i)
+        for (std::size_t k = 1; k < chain.size(); ++k)
+            if (along_m[k - 1] - along_m[i] >= apart_m || along_m[i] - along_m[k] >= apart_m)
+                least = std::min(least, distance_m(now[chain[i]], now[chain[k - 1]], now[chain[k]]));
+    return least;
+}
+
+TEST(BellowsUnderVacuum, EndsWhereTheFoldsOfTheCavityMeetOnAnyMesh) {
+    const auto run = run_design("vacuum.yaml", {}), finer = run_design("vacuum.yaml", {"mesh.size=1 mm"});
+    constexpr double apart_m = 1.5e-3, cell_m = 1e-3;  // the bends of the folds are 0.8 mm long
+    for (const verification::Run* each : {&run, &finer}) {
+        EXPECT_EQ(each->end.reason, solution::StopReason::self_contact);
+        EXPECT_NE(each->end.detail.find("the face cavity touches itself at x = "), std::string::npos)
+            << each->end.detail;
+        EXPECT_LT(least_gap_m(*each, apart_m), 0.05 * cell_m);
+    }
+    EXPECT_NEAR(finer.pressure_kPa() / run.pressure_kPa(), 1, 5e-3);
+    EXPECT_NEAR(finer.output_mm() / run.output_mm(), 1, 2e-3);
+}
+
+// A problem whose path diverges fails: run_design refuses to give it.
+TEST(Problems, APathThatDivergesIsRefused) {
+    try {
+        static_cast<void>(run_design(
+            "tube.yaml", {"path.control=volume", "solver.newton_limit=2", "solver.residual_tolerance=1e-14"}));
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_NE(std::string(error.what()).find("tube.yaml: the path diverged: "), std::string::npos) << error.what();
+    }
 }
 
 // The same section swept over a quarter turn: what differs is the discretisation around the axis alone.

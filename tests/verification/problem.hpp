@@ -58,12 +58,18 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> homogeneous_problems();
 [[nodiscard]] std::vector<Problem> inflation_problems();
 [[nodiscard]] std::vector<Problem> long_tube_problems();
+[[nodiscard]] std::vector<Problem> limit_point_problems();
+[[nodiscard]] std::vector<Problem> branch_problems();
+[[nodiscard]] std::vector<Problem> snap_problems();
 [[nodiscard]] std::vector<Problem> actuator_problems();
 [[nodiscard]] std::vector<Problem> work_problems();
+[[nodiscard]] std::vector<Problem> contact_problems();
 [[nodiscard]] std::vector<Problem> panel_problems();
+[[nodiscard]] std::vector<Problem> sheared_layer_problems();
 [[nodiscard]] std::vector<Problem> sample_problems();
 [[nodiscard]] std::vector<Problem> locking_problems();
 [[nodiscard]] std::vector<Problem> published_mesh_problems();
+[[nodiscard]] std::vector<Problem> error_bar_problems();
 
 /// All of them, in the order of the README.
 [[nodiscard]] std::vector<Problem> all_problems();

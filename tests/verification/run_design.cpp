@@ -3,6 +3,7 @@
 #include <chrono>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@
 #include "post/curve.hpp"
 #include "post/interpolate.hpp"
 #include "solver/path.hpp"
+#include "surface/contact.hpp"
 
 namespace soft::verification {
 namespace {
@@ -45,6 +47,17 @@ std::string leading_quantity(const model::Case& input) {
     throw std::logic_error("leading_quantity");
 }
 
+/// On one rank, as the verification runs.
+solver::ContactCheck contact_check(assembly::System& system) {
+    if (system.input().path.contact == model::Contact::ignore) return {};
+    // std::function copies what it holds; a finder is made once and cannot be copied.
+    const auto finder = std::make_shared<const surface::ContactFinder>(system.input());
+    return [&system, finder](Vec x) -> std::optional<std::string> {
+        const auto contact = finder->find(system.gather_fields(x).displacement_m);
+        return contact ? std::optional(contact->text) : std::nullopt;
+    };
+}
+
 }  // namespace
 
 model::Case read_case(const std::string& design, const std::vector<std::string>& sets) {
@@ -64,7 +77,9 @@ Run run_design(const std::string& design, const std::vector<std::string>& sets, 
         run.displacement_m = system.gather_fields(x).displacement_m;
         if (energy == Energy::recorded) run.energy_J.push_back(system.stored_energy(x) / run.model.model_fraction);
     };
-    run.end = solver::follow_path(system, {.step = sink});
+    run.end = solver::follow_path(system, {.step = sink, .contact = contact_check(system)});
+    if (run.end.reason == solution::StopReason::diverged)
+        throw std::runtime_error(design + ": the path diverged: " + run.end.detail);
     run.mesh = describe(run.model, system.dofs().total);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return run;
@@ -91,9 +106,12 @@ Run::Point Run::at(const std::string& quantity, double value) const {
         const post::Column* wanted = curve.find(name);
         return row[static_cast<std::size_t>(wanted - curve.columns.data())] * wanted->SI_per_unit;
     };
-    Point point{.pressure_Pa = SI(leading_quantity(model)), .outputs = {}, .volume_m3 = {}};
+    Point point{.pressure_Pa = SI(leading_quantity(model)), .outputs = {}, .volume_m3 = {}, .volumes_m3 = {}};
     for (const auto& output : model.outputs) point.outputs.push_back(SI(output.name));
     if (curve.find("volume") != nullptr) point.volume_m3 = SI("volume");
+    const auto cavities = model::measured_cavities(model);
+    if (cavities.size() > 1)
+        for (const auto* cavity : cavities) point.volumes_m3.push_back(SI("volume_" + cavity->name));
     return point;
 }
 

@@ -29,6 +29,7 @@ struct Run {
         double pressure_Pa = 0;
         std::vector<double> outputs;
         std::optional<double> volume_m3;
+        std::vector<double> volumes_m3;  ///< of each cavity, where there are several
     };
     [[nodiscard]] Point at(const std::string& quantity, double value) const;
     [[nodiscard]] bool reaches(const std::string& quantity, double value) const;
@@ -36,7 +37,8 @@ struct Run {
 
 enum class Energy { ignored, recorded };
 
-/// `design`: file in designs/; `sets`: "key.path=value", as after --set.
+/// `design`: file in designs/; `sets`: "key.path=value", as after --set. Walls that touch end the path, as in `solve`. Throws
+/// std::runtime_error where the path ends as diverged: no problem may.
 [[nodiscard]] Run run_design(const std::string& design, const std::vector<std::string>& sets,
                              Energy energy = Energy::ignored);
 

@@ -1,0 +1,205 @@
+#include "solver/accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "solver/error_bar.hpp"
+#include "solver/refined_path.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+using Rows = std::vector<RowState>;
+
+/// Below this part of the largest load errors are no longer relative to the load itself.
+constexpr double small_load = 0.1;
+
+void require_refinable(const model::Case& input, const solution::Step& step) {
+    for (const auto type : input.mesh.cell_types)
+        if (mesh::topology(type).order < 2)
+            throw Error(ExitCode::bad_input, "--tolerance",
+                        "the straight edges of first-order cells do not come nearer to a bent body when they are halved",
+                        "set mesh.order=2");
+    if (step.outputs.empty() && !step.volume_m3)
+        throw Error(ExitCode::bad_input, "--tolerance", "the case measures nothing that an error could be stated of",
+                    "give it an output");
+}
+
+/// A mesh finer than the given one, with everything that stands on it.
+struct Level {
+    Level(const model::Case& coarse, MPI_Comm comm)
+        : refined(mesh::refine_once(coarse.mesh, mesh::Curve::circle)), input(with_mesh(coarse, refined.mesh)),
+          system(input, comm) {}
+    static model::Case with_mesh(model::Case input, const mesh::Mesh& mesh) {
+        input.mesh = mesh;
+        return input;
+    }
+    mesh::Refined refined;
+    model::Case input;
+    assembly::System system;
+};
+
+RowPlace place_of(const Rows& rows, std::size_t i, const solution::PathEnd& end) {
+    if (i == 0) return RowPlace::first;
+    const bool last = i + 1 == rows.size() ? end.reason == solution::StopReason::done
+                                           : rows[i + 1].step.stage != rows[i].step.stage;
+    return last ? RowPlace::ends_stage : RowPlace::inside;
+}
+
+/// What stands for the measure of a row: an output, or the volume.
+struct Measure {
+    static constexpr std::size_t volume = static_cast<std::size_t>(-1);
+    std::size_t output;
+    [[nodiscard]] CurvePoint point(const solution::Step& step) const {
+        return {step.pressure_Pa, output == volume ? step.volume_m3.value_or(0.0) : step.outputs[output]};
+    }
+    [[nodiscard]] CurvePoint tangent(const solution::Step& step) const {
+        return {step.tangent_pressure, output == volume ? step.tangent_volume : step.tangent_outputs[output]};
+    }
+};
+
+std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, const Rows& finer, const Rows& before) {
+    std::vector<LevelRow> rows;
+    for (std::size_t i = 0; i < reported.size(); ++i) {
+        rows.push_back({measure.point(reported[i].step), measure.point(finer[i].step), {}, measure.tangent(reported[i].step)});
+        if (!before.empty()) rows.back().before = measure.point(before[i].step);
+    }
+    return error_bars(rows);
+}
+
+/// Puts the bars into the reported rows; `before` is empty for the given mesh.
+void set_bars(Rows& reported, const Rows& finer, const Rows& before) {
+    const std::size_t outputs = reported.front().step.outputs.size();
+    for (RowState& row : reported) row.step.output_errors.clear();
+    for (std::size_t k = 0; k < std::max<std::size_t>(outputs, 1); ++k) {
+        const Measure measure{outputs > 0 ? k : Measure::volume};
+        const auto bars = bars_of(measure, reported, finer, before);
+        for (std::size_t i = 0; i < bars.size(); ++i) {
+            if (k == 0) reported[i].step.pressure_error_Pa = bars[i].load;
+            if (outputs > 0) reported[i].step.output_errors.push_back(bars[i].measure);
+        }
+    }
+}
+
+double largest_relative_bar(const Rows& rows) {
+    double largest_load = 0, worst = 0;
+    for (const RowState& row : rows) largest_load = std::max(largest_load, std::abs(row.step.pressure_Pa));
+    if (!(largest_load > 0.0)) return 0;
+    for (const RowState& row : rows)
+        worst = std::max(worst, *row.step.pressure_error_Pa /
+                                    std::max(std::abs(row.step.pressure_Pa), small_load * largest_load));
+    return worst;
+}
+
+/// All rows on a finer level; a sentence about the row that failed, if one did.
+struct Solved {
+    Rows rows;
+    std::string failure;
+};
+
+Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end, RefinedPath::Keep keep, Accuracy& counts) {
+    Solved solved;
+    RefinedPath path(level.system, level.refined);
+    for (std::size_t i = 0; i < coarse.size() && solved.failure.empty(); ++i) {
+        auto row = path.solve(coarse[i], place_of(coarse, i, end), keep);
+        if (row)
+            solved.rows.push_back(std::move(*row));
+        else
+            solved.failure = "row " + std::to_string(i) + " does not converge on the mesh with " +
+                             std::to_string(level.system.dofs().total) + " unknowns";
+    }
+    counts.newton_iterations += path.iterations();
+    counts.factorizations += path.factorizations();
+    return solved;
+}
+
+/// Load, volume and outputs of a row, moved along its tangent by `way` of the tangent's parameter; the load by half of its
+/// slope, which falls to zero on the way.
+solution::LimitPoint moved(int row, const solution::Step& step, double way) {
+    solution::LimitPoint point{row, step.pressure_Pa + 0.5 * way * step.tangent_pressure, step.volume_m3, step.outputs};
+    if (point.volume_m3) *point.volume_m3 += way * step.tangent_volume;
+    for (std::size_t k = 0; k < point.outputs.size(); ++k) point.outputs[k] += way * step.tangent_outputs[k];
+    return point;
+}
+
+/// The extremum of the load beside row i: where the slope by the volume (else the first output), linear to the neighbour on
+/// the side of the sign change, vanishes.
+solution::LimitPoint limit_beside(const Rows& rows, std::size_t i) {
+    const solution::Step& at = rows[i].step;
+    const Measure measure{at.volume_m3 ? Measure::volume : 0};
+    const auto slope = [&](const solution::Step& step) {
+        const CurvePoint tangent = measure.tangent(step);
+        return tangent.load / tangent.measure;
+    };
+    for (const std::size_t other : {i - 1, i + 1}) {   // i - 1 of the first row is beyond the last
+        if (other >= rows.size() || rows[other].step.stage != at.stage) continue;
+        const solution::Step& neighbour = rows[other].step;
+        const double here = slope(at), there = slope(neighbour);
+        if (!(here * there < 0.0)) continue;
+        const double distance = measure.point(neighbour).measure - measure.point(at).measure;
+        return moved(static_cast<int>(i), at, here / (here - there) * distance / measure.tangent(at).measure);
+    }
+    return moved(static_cast<int>(i), at, 0.0);
+}
+
+void move_points(const Rows& rows, solution::PathEnd& end) {
+    for (auto& point : end.limit_points) point = limit_beside(rows, static_cast<std::size_t>(point.step));
+    for (auto& bifurcation : end.bifurcations)
+        bifurcation.at = moved(bifurcation.at.step, rows[static_cast<std::size_t>(bifurcation.at.step)].step, 0.0);
+}
+
+std::string percent(double share) { return core::rounded_text(100 * share, 3) + " %"; }
+
+std::string bound_text(std::int64_t needed, std::int64_t bound) {
+    return "the next mesh would have about " + std::to_string(needed) + " unknowns, more than the bound of " +
+           std::to_string(bound);
+}
+
+}  // namespace
+
+Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end, const AccuracyTarget& target,
+                     const Log& log) {
+    const model::Case& input = given.input();
+    require_refinable(input, rows.front().step);
+    const bool solid = input.mesh.dimension == 3;
+    const std::int64_t bound = solid ? target.largest_unknowns_3d : target.largest_unknowns_2d, growth = solid ? 8 : 4;
+    Accuracy result;
+    result.unknowns = given.dofs().total;
+    const model::Case* coarse = &input;
+    std::unique_ptr<Level> level;
+    Rows before, finer = std::move(rows);   // the reported rows lie between them
+    for (;;) {
+        const std::int64_t needed = growth * result.unknowns;
+        if (needed > bound) result.obstacle = bound_text(needed, bound);
+        if (!result.obstacle.empty()) break;
+        auto next = std::make_unique<Level>(*coarse, given.comm());
+        const auto keep = growth * needed > bound ? RefinedPath::Keep::values : RefinedPath::Keep::fields;
+        Solved solved = solve_rows(*next, finer, end, keep, result);
+        if (!(result.obstacle = solved.failure).empty()) break;
+        if (result.has_bars) {   // one level on
+            before = std::move(result.rows);
+            ++result.level;
+        }
+        result.rows = std::move(finer);
+        finer = std::move(solved.rows);
+        result.unknowns = next->system.dofs().total;
+        set_bars(result.rows, finer, before);
+        result.has_bars = true;
+        result.reached = largest_relative_bar(result.rows);
+        if (log)
+            log("mesh " + std::to_string(result.level) + ", judged by one with " + std::to_string(result.unknowns) +
+                " unknowns: error bars up to " + percent(result.reached));
+        if (result.reached <= target.tolerance) break;
+        level = std::move(next);
+        coarse = &level->input;
+    }
+    if (!result.has_bars) result.rows = std::move(finer);
+    if (result.level > 0) move_points(result.rows, end);
+    return result;
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,130 @@
+#include "solver/refined_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/goals.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+/// A stage has ended by the goal that the carried state meets up to this part of it: what the mesh changes at most.
+constexpr double meets_goal = 5e-3;
+
+StageStart start_after(const model::Case& input, const StageLoads& loads, const PathPoint& point) {
+    const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);
+    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.tractions, levels.body_forces, levels.motions};
+    for (std::size_t i = 0; i < input.loads.size(); ++i)
+        start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, start.volumes_m3[i], start.pressures_Pa[i]));
+    return start;
+}
+
+}  // namespace
+
+RefinedPath::RefinedPath(assembly::System& fine, const mesh::Refined& refined)
+    : system_(fine), refined_(refined), newton_(fine, fine.input().solver), origin_(fine.make_vector()),
+      direction_(fine.make_vector()), pressures_(fine.make_vector()) {
+    for (std::size_t load = 0; load < fine.input().loads.size(); ++load)
+        undeformed_volumes_m3_.push_back(fine.load_volume(load, origin_, nullptr));
+}
+
+void RefinedPath::set_stage(int stage) {
+    if (stage == stage_) return;
+    const model::Case& input = system_.input();
+    StageStart start = last_ ? start_after(input, *loads_, *last_) : unloaded(input, undeformed_volumes_m3_);
+    stage_ = stage;
+    loads_.emplace(input, stage, std::move(start), undeformed_volumes_m3_);
+    newton_.set_loads(*loads_);
+}
+
+State RefinedPath::carry_over(const RowState& coarse) {
+    const auto carried = [&](const std::vector<double>& field) {
+        return field.empty() ? field : mesh::prolong(refined_, field, 3);
+    };
+    const auto displacement = carried(coarse.displacement_m);
+    SOFT_PETSC(VecZeroEntries(origin_));
+    system_.spread_displacements(displacement, origin_);
+    SOFT_PETSC(VecZeroEntries(direction_));
+    system_.spread_displacements(carried(coarse.tangent), direction_);
+    nearest_ = {};
+    if (const double length = linalg::norm(direction_); length > 0.0) {
+        SOFT_PETSC(VecScale(direction_, 1.0 / length));
+        nearest_ = {ConstraintKind::arc, 0, origin_, direction_, linalg::norm(origin_)};
+    }
+    State state{linalg::duplicate(origin_), coarse.step.load_factor, coarse.free_pressures_Pa};
+    linalg::copy(pressures_, state.x);
+    system_.spread_displacements(displacement, state.x);
+    return state;
+}
+
+bool RefinedPath::converges(const Constraint& constraint, double target, State& state) {
+    const NewtonResult result = newton_.correct(constraint, target, state);
+    iterations_ += result.iterations;
+    return result.end == NewtonEnd::converged;
+}
+
+/// Holds the goal that the coarse path has met, if it can be told and held.
+bool RefinedPath::end_stage(State& state) {
+    const auto goals = make_goals(system_.input(), stage_, *loads_, undeformed_volumes_m3_);
+    system_.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
+    const linalg::Vector gradient = system_.make_vector();
+    const Goal* met = nullptr;
+    double least = meets_goal;
+    for (const Goal& goal : goals) {
+        const double value = evaluate(goal.constraint, system_, *loads_, state, gradient).value;
+        const double off = std::abs(remaining(goal.constraint, system_.input(), goal.target, value) / goal.target);
+        if (!(off < least)) continue;
+        least = off;
+        met = &goal;
+    }
+    return met != nullptr && converges(nearest_, 0.0, state) && converges(met->constraint, met->target, state);
+}
+
+std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPlace place) {
+    if (place == RowPlace::first) {
+        State state = carry_over(coarse);
+        SOFT_PETSC(VecZeroEntries(state.x));
+        if (system_.starts_under_stress() && !converges({ConstraintKind::load_factor}, 0.0, state)) return std::nullopt;
+        return state;
+    }
+    State state = carry_over(coarse);
+    if (nearest_.kind != ConstraintKind::arc) {   // a hold
+        if (converges(nearest_, coarse.step.load_factor, state)) return state;
+        return std::nullopt;
+    }
+    if (place == RowPlace::ends_stage) {
+        if (end_stage(state)) return state;
+        state = carry_over(coarse);
+    }
+    if (converges(nearest_, 0.0, state)) return state;
+    SOFT_PETSC(VecZeroEntries(pressures_));   // once more, without those of the row before
+    state = carry_over(coarse);
+    if (converges(nearest_, 0.0, state)) return state;
+    return std::nullopt;
+}
+
+std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPlace place, Keep keep) {
+    set_stage(coarse.step.stage);
+    const int iterations = iterations_, factorizations = newton_.factorizations();
+    auto state = equilibrium(coarse, place);
+    if (!state) return std::nullopt;
+    auto tangent = newton_.tangent(nearest_, *state);
+    if (!tangent) return std::nullopt;
+    linalg::copy(state->x, pressures_);
+    PathPoint point{std::move(*state), std::move(*tangent)};
+    PathPoint near;
+    near.outputs = coarse.step.outputs;
+    read_values(system_, *loads_, &near, point);
+    RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
+    row.step.stage = coarse.step.stage;
+    row.step.stable = coarse.step.stable;
+    row.step.newton_iterations = iterations_ - iterations;
+    row.step.factorizations = newton_.factorizations() - factorizations;
+    read_stretches(system_, point.state.x, row.step);
+    if (keep == Keep::fields) row = row_state(system_, point, 1.0, std::move(row.step));
+    last_ = std::move(point);
+    return row;
+}
+
+}  // namespace soft::solver

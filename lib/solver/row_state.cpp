@@ -1,0 +1,119 @@
+#include "solver/row_state.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace soft::solver {
+
+namespace {
+
+double traction_size_Pa(const model::Case& input) {
+    const auto& t = input.tractions[0].traction_Pa;
+    return std::hypot(t[0], t[1], t[2]);
+}
+
+}  // namespace
+
+double leading_of(const model::Case& input, const StageLoads& loads, const State& state) {
+    const LoadLevels levels = loads.levels(state.load_factor, state.pressures_Pa);
+    switch (model::leading_load(input)) {
+        case model::LeadingLoad::pressure: return levels.pressures_Pa[0];
+        case model::LeadingLoad::traction: return levels.tractions[0] * traction_size_Pa(input);
+        case model::LeadingLoad::load_factor: return state.load_factor;
+    }
+    throw std::logic_error("leading_of: unknown load");
+}
+
+void read_values(assembly::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point) {
+    const model::Case& input = system.input();
+    const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);
+    const LoadLevels& rate = loads.rate();
+    system.prescribe(levels);
+    const linalg::Vector gradient = system.make_vector();
+    std::vector<double> by_motion(rate.motions.size());
+    const auto slope_along = [&] {
+        double slope = linalg::dot(gradient, point.tangent.x);
+        for (std::size_t m = 0; m < by_motion.size(); ++m) slope += by_motion[m] * rate.motions[m] * point.tangent.load_factor;
+        return slope;
+    };
+    for (auto* list : {&point.pressure_slopes, &point.volumes_m3, &point.volume_slopes, &point.load_volumes_m3,
+                       &point.load_volume_slopes, &point.outputs, &point.output_slopes})
+        list->clear();
+    point.pressures_Pa = levels.pressures_Pa;
+    for (const double r : rate.pressures_Pa) point.pressure_slopes.push_back(r * point.tangent.load_factor);
+    const auto& free = loads.free_supplies();
+    for (std::size_t k = 0; k < free.size(); ++k) point.pressure_slopes[free[k]] = point.tangent.pressures[k];
+    for (std::size_t cavity = 0; cavity < system.cavity_count(); ++cavity) {
+        point.volumes_m3.push_back(system.enclosed_volume(cavity, point.state.x, gradient, by_motion));
+        point.volume_slopes.push_back(slope_along());
+    }
+    for (std::size_t load = 0, cavity = 0; load < input.loads.size(); ++load) {
+        point.load_volumes_m3.push_back(0.0);
+        point.load_volume_slopes.push_back(0.0);
+        for (std::size_t n = 0; n < input.loads[load].targets.size() && system.encloses_volume(load); ++n, ++cavity) {
+            point.load_volumes_m3.back() += point.volumes_m3[cavity];
+            point.load_volume_slopes.back() += point.volume_slopes[cavity];
+        }
+    }
+    for (std::size_t i = 0; i < system.output_count(); ++i) {
+        double value = system.output(i, point.state.x, gradient, by_motion);
+        if (input.outputs[i].measure != model::Measure::displacement && before != nullptr)   // a turn goes on beyond 180 degrees
+            value = before->outputs[i] + std::remainder(value - before->outputs[i], 2.0 * std::numbers::pi);
+        point.outputs.push_back(value);
+        point.output_slopes.push_back(slope_along());
+    }
+    point.leading = leading_of(input, loads, point.state);
+    switch (model::leading_load(input)) {
+        case model::LeadingLoad::pressure: point.leading_slope = point.pressure_slopes[0]; break;
+        case model::LeadingLoad::traction:
+            point.leading_slope = rate.tractions[0] * traction_size_Pa(input) * point.tangent.load_factor;
+            break;
+        case model::LeadingLoad::load_factor: point.leading_slope = point.tangent.load_factor; break;
+    }
+}
+
+solution::Step step_of(const assembly::System& system, const PathPoint& point, double direction) {
+    const model::Case& input = system.input();
+    const auto travelling = [direction](std::vector<double> slopes) {
+        for (double& slope : slopes) slope *= direction;
+        return slopes;
+    };
+    solution::Step step;
+    step.load_factor = point.state.load_factor;
+    step.pressure_Pa = point.leading;
+    if (!input.loads.empty() && system.encloses_volume(0)) {
+        step.volume_m3 = point.load_volumes_m3[0];
+        step.tangent_volume = direction * point.load_volume_slopes[0];
+    }
+    if (input.loads.size() > 1) {
+        step.pressures_Pa = point.pressures_Pa;
+        step.tangent_pressures = travelling(point.pressure_slopes);
+    }
+    if (system.cavity_count() > 1) {
+        step.volumes_m3 = point.volumes_m3;
+        step.tangent_volumes = travelling(point.volume_slopes);
+    }
+    step.outputs = point.outputs;
+    step.tangent_outputs = travelling(point.output_slopes);
+    step.tangent_load_factor = direction * point.tangent.load_factor;
+    step.tangent_pressure = direction * point.leading_slope;
+    return step;
+}
+
+void read_stretches(assembly::System& system, Vec x, solution::Step& step) {
+    const auto stretch = system.stretches(x);
+    step.stretch_p99 = stretch.p99;
+    step.max_stretch = stretch.largest;
+    step.min_jacobian = stretch.min_jacobian;
+}
+
+RowState row_state(assembly::System& system, const PathPoint& point, double direction, solution::Step step) {
+    auto fields = system.gather_fields(point.state.x);
+    RowState row{std::move(step), std::move(fields.displacement_m), system.gather_fields(point.tangent.x).displacement_m,
+                 std::move(fields.pressure_Pa), point.state.pressures_Pa};
+    for (double& component : row.tangent) component *= direction;
+    return row;
+}
+
+}  // namespace soft::solver

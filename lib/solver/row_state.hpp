@@ -1,0 +1,36 @@
+#pragma once
+/// What a converged state says of itself, and a row of the path with its fields, free of the numbering of unknowns: what
+/// carries a row to another mesh. Held by solver/solver_test, solver/accuracy_test.
+#include <vector>
+
+#include "solution/path.hpp"
+#include "solver/history.hpp"
+
+namespace soft::solver {
+
+/// A row of the path. The fields are on rank 0 alone.
+struct RowState {
+    solution::Step step;                     ///< as it is reported
+    std::vector<double> displacement_m;      ///< [point x 3]
+    std::vector<double> tangent;             ///< [point x 3] displacement along the path, any positive scale
+    std::vector<double> pressure_Pa;         ///< [point], empty without pressure unknowns
+    std::vector<double> free_pressures_Pa;   ///< of the supplies whose pressure is unknown, on all ranks
+};
+
+/// The load that a curve shows (model::leading_load), at a state.
+[[nodiscard]] double leading_of(const model::Case& input, const StageLoads& loads, const State& state);
+
+/// Fills the pressures, volumes and outputs of a point with their slopes along its tangent. Angles go on from `before`
+/// beyond half a turn, where there is one. Prescribes the motions of the state.
+void read_values(assembly::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point);
+
+/// Loads, volumes and outputs of a point that has been read, its slopes times `direction` (1 or -1).
+[[nodiscard]] solution::Step step_of(const assembly::System& system, const PathPoint& point, double direction);
+
+/// The motions prescribed are those of the state.
+void read_stretches(assembly::System& system, Vec x, solution::Step& step);
+
+/// `step` with the fields of the point. The motions prescribed are those of the state.
+[[nodiscard]] RowState row_state(assembly::System& system, const PathPoint& point, double direction, solution::Step step);
+
+}  // namespace soft::solver

@@ -1,0 +1,97 @@
+/// Load programmes: several kinds of loads, in sequence and together, and control by a rotation.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../assembly/sample_cases.hpp"
+#include "bench.hpp"
+#include "core/error.hpp"
+
+namespace soft::solver {
+namespace {
+
+using solution::StopReason;
+
+/// A block held on one side under its own weight, a pressure on its top and a pull on its end.
+model::Case loaded_block() {
+    auto input = box_case(2, true);
+    input.supports = {{"fixed", {true, true, true}}};
+    input.materials[0].density_kg_m3 = 1080;
+    input.loads = {{.name = "top", .targets = {"top"}, .gas = {}}};
+    input.tractions = {{"end", {2e4, 0, 5e3}}};
+    input.body_forces = {{"gravity", {0, 0, -300}}};   // thirty times the earth's: to be seen at all
+    input.outputs = {{"sag", "end", {0, 0, 1}}, {"bend", "end", {0, 1, 0}, model::Measure::bend, "fixed"}};
+    input.path.stages = {full_load(input, {1e4})};
+    return input;
+}
+
+// An elastic body does not remember the way.
+TEST(Programme, TheSameLoadsGiveTheSameStateInWhateverOrderTheyCome) {
+    auto input = loaded_block();
+    const auto together = run(input);
+    ASSERT_EQ(together.end.reason, StopReason::done);
+    auto weight = full_load(input, {0.0}), pull = weight, all = full_load(input, {1e4});
+    weight.tractions = {0.0};
+    input.path.stages = {weight, pull, all};
+    const auto in_turn = run(input);
+    ASSERT_EQ(in_turn.end.reason, StopReason::done);
+    EXPECT_EQ(in_turn.steps.back().stage, 2);
+    for (const std::size_t output : {0, 1})
+        EXPECT_NEAR(in_turn.steps.back().outputs[output], together.steps.back().outputs[output],
+                    1e-7 * std::abs(together.steps.back().outputs[output]));
+    // There and back again.
+    auto none = full_load(input, {0.0});
+    none.tractions = none.body_forces = {0.0};
+    input.path.stages.push_back(none);
+    const auto back = run(input);
+    EXPECT_NEAR(back.steps.back().outputs[0], 0.0, 1e-9 * 0.01);
+}
+
+TEST(Programme, AnAngleCanBeControlledAndBeTheGoal) {
+    auto input = loaded_block();
+    input.tractions.clear();
+    input.body_forces.clear();
+    input.path.stages = {full_load(input, {2e5})};
+    auto& stage = input.path.stages[0];
+    stage.control = model::Control::displacement;
+    stage.controlled = "bend";
+    const auto free_run = run(input);
+    const double bend = free_run.steps.back().outputs[1];
+    ASSERT_GT(std::abs(bend), 0.05);
+    stage.until = {{"bend", 0.4 * bend}};
+    const auto [steps, end, log] = run(input);
+    EXPECT_EQ(end.reason, StopReason::done);
+    EXPECT_NE(end.detail.find("deg"), std::string::npos);
+    EXPECT_NEAR(steps.back().outputs[1], 0.4 * bend, 1e-8 * std::abs(bend));
+    for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_GT(steps[i].outputs[1] / bend, steps[i - 1].outputs[1] / bend);
+}
+
+// Uniaxial: pulled by a motion, a block between smooth planes thins by 1/sqrt(l) and its energy is mu/2 (l^2 + 2/l - 3).
+TEST(Programme, APrescribedMotionStretchesTheBlockAsTheClosedFormSays) {
+    auto input = box_case(1, true);
+    input.loads.clear();
+    input.motions = {{"end", {0.005, std::nullopt, std::nullopt}}};
+    input.outputs = {{"width", "right", {0, 1, 0}}};
+    input.path.stages = {full_load(input, {})};
+    assembly::System system(input, PETSC_COMM_WORLD);
+    double energy = 0;
+    std::vector<solution::Step> steps;
+    const auto end = follow_path(system, {.step = [&](const solution::Step& step, Vec x) {
+                                     steps.push_back(step);
+                                     energy = system.stored_energy(x);
+                                 }});
+    EXPECT_EQ(end.reason, StopReason::done);
+    const double l = 1.5;
+    EXPECT_NEAR(steps.back().outputs[0], 0.01 * (1 / std::sqrt(l) - 1), 1e-10);
+    EXPECT_NEAR(energy, 0.5 * sample_mu_Pa * (l * l + 2 / l - 3) * 1e-6, 1e-9 * energy);
+    EXPECT_DOUBLE_EQ(steps.back().pressure_Pa, 1.0);   // without pressures and tractions a curve shows the load factor
+}
+
+TEST(Programme, ACaseInWhichNothingGrowsIsRefused) {
+    auto input = box_case(1, true);
+    input.path.stages = {full_load(input, {0.0})};
+    EXPECT_THROW((void)run(input), Error);
+}
+
+}  // namespace
+}  // namespace soft::solver

@@ -1,0 +1,24 @@
+// The bellows under vacuum: where its walls touch, by mesh. No formula knows this; path_test holds the place to the
+// deformed walls themselves and the meshes to each other.
+#include "core/text.hpp"
+#include "problem.hpp"
+#include "table.hpp"
+
+namespace soft::verification {
+
+std::vector<Problem> contact_problems() {
+    return {{"Actuators", "bellows under vacuum until walls touch", [] {
+                 Table table{"bellows under vacuum: mesh study",
+                             "The last state before two places of the wall meet.",
+                             {"cells", "pressure [kPa]", "elongation [mm]", "stop reason"},
+                             {}};
+                 for (const char* size : {"2 mm", "1.5 mm", "1 mm"}) {
+                     const auto run = run_design("vacuum.yaml", {std::string("mesh.size=") + size});
+                     table.lines.push_back({size, printed_number(run.pressure_kPa()), printed_number(run.output_mm()),
+                                            std::string(solution::name(run.end.reason))});
+                 }
+                 return Outcome{{}, {table}};
+             }}};
+}
+
+}  // namespace soft::verification
