@@ -193,7 +193,8 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
         if (log)
             log("mesh " + std::to_string(result.level) + ", judged by one with " + std::to_string(result.unknowns) +
                 " unknowns: error bars up to " + percent(result.reached));
-        if (result.reached <= target.tolerance) break;
+        const bool third_fits = growth * result.unknowns <= bound;
+        if (result.reached <= target.tolerance && (result.level > 0 || !third_fits)) break;
         level = std::move(next);
         coarse = &level->input;
     }

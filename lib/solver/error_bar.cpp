@@ -9,7 +9,7 @@ namespace {
 /// Of the difference to the next level: any rate above 0.87.
 constexpr double widest = 2.2;
 /// Of measured differences, and never less than.
-constexpr double safety = 1.05, narrowest = 1.2;
+constexpr double safety = 1.2, narrowest = 1.2;
 constexpr double slow = 2, fast = 16;   ///< ratios of differences at rates 1 and 4
 /// Of the neighbourhood's difference, where the row's own is smaller.
 constexpr double least_share = 0.5;

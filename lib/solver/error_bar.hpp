@@ -12,10 +12,11 @@
 ///     2.2 |d|           covers every r >= 0.87, at most 2.1 times the error.
 /// Where the level before gives d' and it has the sign of d all about, rho = |d'| / |d| is known, and with it how much of d
 /// may be slow: rho / (rho - 1) is convex, so that its chord from rho = 2 (r = 1) to 16 (r = 4) covers every sum of parts of
-/// one sign that fall at rates from 1 to 4. The bar is 1.05 times that, at least 1.2 |d|: it only ever narrows.
+/// one sign that fall at rates from 1 to 4. The bar is 1.2 times that: it only ever narrows.
 /// Parts of opposite sign that nearly cancel in d over a whole neighbourhood make the bar of two meshes too short: measured
 /// 0.36 of the error (closed tube of verification/tube.yaml with 3 mm cells). So does a mesh too coarse for any rate: 0.37 of
-/// the error (verification/bellows.yaml with 3 mm cells, one through the bent wall). Both are covered once halved.
+/// the error (verification/bellows.yaml with 3 mm cells, one through the bent wall). Both are covered once halved, which is why
+/// refine_path (accuracy.hpp) reports the given mesh itself only where no third mesh is possible.
 /// |d| is not trusted where it passes through zero: at least half of its root mean square over the neighbourhood in the
 /// path (a quarter of its length either way, relative to the distance from the path's start) is taken.
 ///

@@ -37,6 +37,11 @@ model::Case inflated_sphere(int layers, int sectors) {
 
 AccuracyTarget tolerance(double value) { return {.tolerance = value}; }
 
+/// Room for one finer mesh, not for two: the given mesh itself is then what is reported.
+AccuracyTarget two_meshes(const model::Case& input, double value) {
+    return {.tolerance = value, .largest_unknowns_2d = 4 * assembly::System(input, PETSC_COMM_WORLD).dofs().total};
+}
+
 /// Largest |p - exact p| of the rows, and by how much of it a bar falls short at most.
 double largest_error(const std::vector<RowState>& rows) {
     double largest = 0;
@@ -47,7 +52,8 @@ double largest_error(const std::vector<RowState>& rows) {
 
 TEST(Accuracy, BarsOfTheSphereCoverTheClosedFormAtEveryRow) {
     for (const double wanted : {0.5, 1e-3, 1e-4}) {   // levels 0, 1, 2
-        const auto [accuracy, given, end] = judge(inflated_sphere(1, 2), tolerance(wanted));
+        const auto input = inflated_sphere(1, 2);
+        const auto [accuracy, given, end] = judge(input, wanted == 0.5 ? two_meshes(input, wanted) : tolerance(wanted));
         ASSERT_TRUE(accuracy.has_bars);
         EXPECT_TRUE(accuracy.obstacle.empty()) << accuracy.obstacle;
         EXPECT_LE(accuracy.reached, wanted);
@@ -64,7 +70,8 @@ TEST(Accuracy, BarsOfTheSphereCoverTheClosedFormAtEveryRow) {
 }
 
 TEST(Accuracy, FinerMeshesAreNearerToTheClosedFormAndSoIsTheLimitPoint) {
-    const auto coarse = judge(inflated_sphere(1, 2), tolerance(0.5)), fine = judge(inflated_sphere(1, 2), tolerance(1e-3));
+    const auto input = inflated_sphere(1, 2);
+    const auto coarse = judge(input, two_meshes(input, 0.5)), fine = judge(input, tolerance(1e-3));
     EXPECT_EQ(coarse.accuracy.level, 0);
     ASSERT_GE(fine.accuracy.level, 1);
     EXPECT_LT(largest_error(fine.accuracy.rows), 0.2 * largest_error(coarse.accuracy.rows));
@@ -77,12 +84,18 @@ TEST(Accuracy, FinerMeshesAreNearerToTheClosedFormAndSoIsTheLimitPoint) {
 }
 
 TEST(Accuracy, RowsOfTheGivenMeshStayAsTheyWere) {
-    const auto [accuracy, given, end] = judge(inflated_sphere(1, 2), tolerance(0.5));
+    const auto input = inflated_sphere(1, 2);
+    const auto [accuracy, given, end] = judge(input, two_meshes(input, 0.5));
     ASSERT_EQ(accuracy.level, 0);
     for (std::size_t i = 0; i < given.size(); ++i) {
         EXPECT_EQ(accuracy.rows[i].step.pressure_Pa, given[i].step.pressure_Pa);
         EXPECT_EQ(accuracy.rows[i].displacement_m, given[i].displacement_m);
     }
+}
+
+// Two meshes may hide what is not in its rate yet: where a third one fits, the given mesh is never the reported one.
+TEST(Accuracy, TakesAThirdMeshWhereItFits) {
+    EXPECT_EQ(judge(inflated_sphere(1, 2), tolerance(0.5)).accuracy.level, 1);
 }
 
 /// The points of the given mesh keep their numbers, so that its displacements are the first of the finer one's.
@@ -119,11 +132,11 @@ TEST(Accuracy, StagesEndAtTheirLoadsAndClosedGasKeepsItsMass) {
 }
 
 TEST(Accuracy, SaysWhichBoundStopsIt) {
-    const auto unknowns = judge(inflated_sphere(1, 2), tolerance(0.5)).accuracy.unknowns;   // of level 1
-    const auto one = judge(inflated_sphere(1, 2), {.tolerance = 1e-9, .largest_unknowns_2d = 2 * unknowns});
+    const auto bound = two_meshes(inflated_sphere(1, 2), 1e-9);
+    const auto one = judge(inflated_sphere(1, 2), bound);
     EXPECT_TRUE(one.accuracy.has_bars);
     EXPECT_EQ(one.accuracy.level, 0);
-    EXPECT_NE(one.accuracy.obstacle.find(std::to_string(2 * unknowns)), std::string::npos) << one.accuracy.obstacle;
+    EXPECT_NE(one.accuracy.obstacle.find(std::to_string(bound.largest_unknowns_2d)), std::string::npos) << one.accuracy.obstacle;
     const auto none = judge(inflated_sphere(1, 2), {.tolerance = 1e-9, .largest_unknowns_2d = 10});
     EXPECT_FALSE(none.accuracy.has_bars);
     EXPECT_EQ(none.accuracy.rows.size(), none.given.size());
