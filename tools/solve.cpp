@@ -30,9 +30,7 @@ const cli::About about{
     .summary = "follows the equilibrium path of a case, through limit points, to its full load or goal",
     .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv", "the whole way from design to curve"},
                  {"mpirun -n 2 solve case.h5 -o result.h5 --set path.control=pressure -- -log_view",
-                  "two ranks, another control, and an option of PETSc behind --"},
-                 {"mesh-gen designs/bellows.yaml | solve --tolerance 0.1% | postprocess > curve.csv",
-                  "finer meshes until the pressure is within 0.1 %; the curve has error bars"}},
+                  "two ranks, another control, and an option of PETSc behind --"}},
     .libraries = libraries};
 
 using cli::SolveOptions;
