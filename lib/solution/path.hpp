@@ -39,7 +39,7 @@ struct Step {
     std::vector<double> tangent_pressures, tangent_volumes, tangent_outputs;
     int newton_iterations = 0;
     int factorizations = 0;
-    bool stable = true;                          ///< under what is prescribed: pressure, volume or gas; see solver/stability.hpp
+    bool stable = true;                          ///< under what is prescribed: pressure, volume or gas; see solver/path.hpp
     double stretch_p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the rubber's volume
     double max_stretch = 1;
     double min_jacobian = 1;                     ///< least det F over the integration points

@@ -132,7 +132,8 @@ void PathFollower::advance() {
     accept(std::move(*point));
     if (!reached.empty()) return end_stage(reached);
     if (contact) return finish(StopReason::self_contact, *contact + " at " + describe(*last_));
-    if (!end_.limit_points.empty() && stretch_p99_ > input_.path.stretch_limit)
+    const bool past_a_maximum = !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
+    if (past_a_maximum && stretch_p99_ > input_.path.stretch_limit)
         return finish(StopReason::limit_point,
                       "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
                       "path.stretch_limit at " + describe(*last_));

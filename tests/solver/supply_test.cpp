@@ -93,6 +93,19 @@ TEST(Supply, VentingBeyondTheLimitPointLetsTheGasOut) {
     EXPECT_NEAR(inner_stretch(steps.back()), 1.0, 1e-4);
 }
 
+// Given up is a load that falls behind its maximum, not a volume that is on its way to what was asked for.
+TEST(Supply, TheStretchLimitEndsALoadThatIsNeverReachedAndNothingElse) {
+    auto input = sphere_case(3, 6);
+    input.path.stretch_limit = 1.5;
+    auto never = input;
+    never.path.stages = {full_load(input, {2 * sample_mu_Pa})};
+    const auto given_up = run(never);
+    EXPECT_EQ(given_up.end.reason, solution::StopReason::limit_point);
+    EXPECT_NE(given_up.end.detail.find("stretch_limit"), std::string::npos);
+    input.path.stages[0].supplies = {{Prescription::volume_ratio, 8.0}};
+    EXPECT_EQ(run(input).end.reason, solution::StopReason::done);
+}
+
 // Two equal spheres on one gas stay equal until the pressure has its maximum; there one grows at the other's cost
 // (Weinitschke and others; here by p(V1) = p(V2), V1 + V2 given, of the closed form).
 TEST(Supply, TwoSpheresOnOneGasBranchAtTheMaximumOfThePressure) {
