@@ -37,9 +37,7 @@ void PathFollower::prepare() {
         throw Error(ExitCode::bad_input, "supports", "nothing holds the body against a rigid " + *motion,
                     "hold a face in that direction");
     if (input_.path.stages.empty()) throw Error(ExitCode::bad_input, "path", "there are no stages");
-    const auto undeformed = system_.make_vector();
-    for (std::size_t load = 0; load < input_.loads.size(); ++load)
-        undeformed_volumes_m3_.push_back(system_.load_volume(load, undeformed, nullptr));
+    undeformed_volumes_m3_ = undeformed_volumes_m3(system_);
 }
 
 void PathFollower::start() {

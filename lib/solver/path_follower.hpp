@@ -44,7 +44,6 @@ private:
     void set_stage(int index, solution::StageStart start);
     void begin_stage(State state);
     void end_stage(const std::string& text);
-    [[nodiscard]] solution::StageStart stage_start(const PathPoint& point) const;
     [[nodiscard]] Constraint stage_control() const;
     [[nodiscard]] Constraint softer_control() const;
     void change_control(const Constraint& control, const std::string& why);

@@ -12,27 +12,17 @@ namespace {
 /// A stage has ended by the goal that the carried state meets up to this part of it: what the mesh changes at most.
 constexpr double meets_goal = 5e-3;
 
-StageStart start_after(const model::Case& input, const StageLoads& loads, const PathPoint& point) {
-    const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);
-    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.tractions, levels.body_forces, levels.motions};
-    for (std::size_t i = 0; i < input.loads.size(); ++i)
-        start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, start.volumes_m3[i], start.pressures_Pa[i]));
-    return start;
-}
-
 }  // namespace
 
 RefinedPath::RefinedPath(assembly::System& fine, const mesh::Refined& refined)
     : system_(fine), refined_(refined), newton_(fine, fine.input().solver), origin_(fine.make_vector()),
-      direction_(fine.make_vector()), pressures_(fine.make_vector()) {
-    for (std::size_t load = 0; load < fine.input().loads.size(); ++load)
-        undeformed_volumes_m3_.push_back(fine.load_volume(load, origin_, nullptr));
-}
+      direction_(fine.make_vector()), pressures_(fine.make_vector()),
+      undeformed_volumes_m3_(undeformed_volumes_m3(fine)) {}
 
 void RefinedPath::set_stage(int stage) {
     if (stage == stage_) return;
     const model::Case& input = system_.input();
-    StageStart start = last_ ? start_after(input, *loads_, *last_) : unloaded(input, undeformed_volumes_m3_);
+    StageStart start = last_ ? stage_start_at(input, *loads_, *last_) : unloaded(input, undeformed_volumes_m3_);
     stage_ = stage;
     loads_.emplace(input, stage, std::move(start), undeformed_volumes_m3_);
     newton_.set_loads(*loads_);

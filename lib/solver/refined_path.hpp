@@ -42,10 +42,10 @@ private:
     assembly::System& system_;
     const mesh::Refined& refined_;
     Newton newton_;
-    std::vector<double> undeformed_volumes_m3_;   // by load
     int stage_ = -1;
     std::optional<StageLoads> loads_;
     linalg::Vector origin_, direction_, pressures_;   // pressures_: the row before, a guess of the pressure unknowns
+    std::vector<double> undeformed_volumes_m3_;       // by load
     Constraint nearest_;
     std::optional<PathPoint> last_;
     int iterations_ = 0;

@@ -25,6 +25,22 @@ double leading_of(const model::Case& input, const StageLoads& loads, const State
     throw std::logic_error("leading_of: unknown load");
 }
 
+StageStart stage_start_at(const model::Case& input, const StageLoads& loads, const PathPoint& point) {
+    const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);
+    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.tractions, levels.body_forces, levels.motions};
+    for (std::size_t i = 0; i < input.loads.size(); ++i)
+        start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, start.volumes_m3[i], start.pressures_Pa[i]));
+    return start;
+}
+
+std::vector<double> undeformed_volumes_m3(assembly::System& system) {
+    const linalg::Vector undeformed = system.make_vector();
+    std::vector<double> volumes;
+    for (std::size_t load = 0; load < system.input().loads.size(); ++load)
+        volumes.push_back(system.load_volume(load, undeformed, nullptr));
+    return volumes;
+}
+
 void read_values(assembly::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point) {
     const model::Case& input = system.input();
     const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);

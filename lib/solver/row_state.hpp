@@ -20,6 +20,12 @@ struct RowState {
 /// The load that a curve shows (model::leading_load), at a state.
 [[nodiscard]] double leading_of(const model::Case& input, const StageLoads& loads, const State& state);
 
+/// Where the stage after this one starts: loads, volumes and gas of a point that has been read.
+[[nodiscard]] StageStart stage_start_at(const model::Case& input, const StageLoads& loads, const PathPoint& point);
+
+/// Of each pressure load, 0 for one on a face.
+[[nodiscard]] std::vector<double> undeformed_volumes_m3(assembly::System& system);
+
 /// Fills the pressures, volumes and outputs of a point with their slopes along its tangent. Angles go on from `before`
 /// beyond half a turn, where there is one. Prescribes the motions of the state.
 void read_values(assembly::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point);

@@ -69,15 +69,6 @@ Constraint PathFollower::softer_control() const {
     return volume;
 }
 
-solution::StageStart PathFollower::stage_start(const PathPoint& point) const {
-    const LoadLevels levels = loads_->levels(point.state.load_factor, point.state.pressures_Pa);
-    solution::StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.tractions, levels.body_forces,
-                               levels.motions};
-    for (std::size_t i = 0; i < input_.loads.size(); ++i)
-        start.masses_kg.push_back(gas_mass_kg(input_.loads[i].gas, start.volumes_m3[i], start.pressures_Pa[i]));
-    return start;
-}
-
 /// d q / d(parameter of the point's slopes) for a control; an arc grows in the direction of the slopes.
 double PathFollower::control_slope(const Constraint& control, const PathPoint& point) const {
     switch (control.kind) {
@@ -144,7 +135,7 @@ void PathFollower::end_stage(const std::string& text) {
     if (static_cast<std::size_t>(stage_) + 1 == input_.path.stages.size())
         return finish(StopReason::done, text + " reached");
     log("stage " + stage().name + " ends: " + text + " reached at " + describe(*last_));
-    const solution::StageStart start = stage_start(*last_);
+    const solution::StageStart start = stage_start_at(input_, *loads_, *last_);
     State state = std::move(last_->state);
     set_stage(stage_ + 1, start);
     state.load_factor = 0.0;

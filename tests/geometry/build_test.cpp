@@ -7,6 +7,8 @@
 namespace soft::geometry {
 namespace {
 
+using sample::refusal;
+
 design::Design design_of(const std::string& family, const std::string& model, const sample::Changes& changes = {}) {
     design::Design d;
     d.family = family;
@@ -106,16 +108,6 @@ TEST(BuildCase, DirectionsFollowTheRequest) {
     const std::vector<std::array<double, 3>> expected{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}};
     for (std::size_t k = 0; k < expected.size(); ++k)
         for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
-}
-
-std::string refusal(const design::Design& d) {
-    try {
-        (void)build_case(d);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::bad_input);
-        return error.what();
-    }
-    return "accepted";
 }
 
 TEST(BuildCase, FacesThatAreCutAwayAreRefused) {

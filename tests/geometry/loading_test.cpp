@@ -7,22 +7,14 @@
 namespace soft::geometry {
 namespace {
 
+using sample::refusal;
+
 design::Design design_of(const std::string& family, const std::string& model) {
     design::Design d;
     d.family = family;
     d.values = sample::values(family, model);
     d.material = {"rubber", "neo-hookean", {{"mu", {0.1644e6}}}, std::nullopt, 1080.0};
     return d;
-}
-
-std::string refusal(const design::Design& d) {
-    try {
-        (void)build_case(d);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::bad_input);
-        return error.what();
-    }
-    return "accepted";
 }
 
 TEST(Weight, PullsTheWayItIsTold) {

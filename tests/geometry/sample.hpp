@@ -1,5 +1,7 @@
 #pragma once
 /// A family's default values, as the parser would give them, with some replaced; and what the tests measure on a mesh.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -7,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "geometry/build.hpp"
 #include "mesh/cell_map.hpp"
@@ -104,6 +107,17 @@ inline double area_m2(const Solid& s, const std::string& face) {
         }
     }
     return sum / s.fraction;
+}
+
+/// What is wrong with a design, or "accepted".
+inline std::string refusal(const design::Design& design) {
+    try {
+        (void)build_case(design);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        return error.what();
+    }
+    return "accepted";
 }
 
 }  // namespace soft::geometry::sample

@@ -3,21 +3,16 @@
 #include "assembly/system.hpp"
 #include "solver/newton.hpp"
 #include "solver/path.hpp"
+#include "solver/row_state.hpp"
 #include "solver/stage_loads.hpp"
 
 namespace soft::solver {
 
 struct Bench {
     explicit Bench(const model::Case& input, const model::SolverSettings& settings)
-        : system(input, PETSC_COMM_WORLD), loads(input, 0, unloaded(input, volumes(input)), volumes(input)),
+        : system(input, PETSC_COMM_WORLD), loads(input, 0, unloaded(input, undeformed_volumes_m3(system)), undeformed_volumes_m3(system)),
           newton(system, settings) {
         newton.set_loads(loads);
-    }
-    std::vector<double> volumes(const model::Case& input) {
-        std::vector<double> undeformed;
-        for (std::size_t i = 0; i < input.loads.size(); ++i)
-            undeformed.push_back(system.load_volume(i, system.make_vector(), nullptr));
-        return undeformed;
     }
     [[nodiscard]] State rest() const {
         return {system.make_vector(), 0.0, std::vector(loads.free_supplies().size(), 0.0)};
