@@ -48,9 +48,10 @@ std::optional<PostprocessOptions> parse_options(int argc, char** argv) {
     app.add_flag("--comments", options.comments, "Lines '# ...' before the header: how the result was made");
     cli::add_common_options(app, options.common, about);
     app.footer(
-        "Columns (those a case does not have are left out): step, stage (1, 2 ..., where there are several), pressure_kPa\n"
+        "Columns (those a case does not have are left out): step, time_s, stage (1, 2 ..., where there are several), pressure_kPa\n"
         "(of the first load; traction_kPa or load_factor where nothing is under pressure), <output>_mm (an angle: _deg),\n"
-        "volume_mL, pressure_<load>_kPa and volume_<cavity>_mL (where there are several), stretch_p99 (largest principal\n"
+        "volume_mL, pressure_<load>_kPa and volume_<cavity>_mL (where there are several), of a motion kinetic_energy_mJ,\n"
+        "stored_energy_mJ, load_work_mJ (done by the loads) and damping_work_mJ (taken by damping), stretch_p99 (largest principal\n"
         "stretch exceeded in 1 % of the rubber: converges under refinement), max_stretch (at a sharp corner it does not),\n"
         "min_J (least ratio of volumes), stable (1 or 0).\n"
         "--at takes what has a unit in the table, by its name without the unit: pressure, elongation, volume, bend=30deg. It\n"

@@ -17,6 +17,7 @@ void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& chan
     for (const design::ScaledLoad& change : changes) {
         changed.push_back(loads.at(change.index));
         for (auto& component : changed.back().*vector_of) component = scaled(component, change.factor);
+        if constexpr (requires(Load load) { load.course; }) changed.back().course = change.course;
     }
     loads = std::move(changed);
 }
@@ -40,6 +41,7 @@ std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, i
     scale(model.motions, changes.motions, &model::Motion::displacement_m);
     model.path = std::move(changes.path);
     model.solver = changes.solver;
+    model.dynamics = changes.dynamics;
     return io::DesignText{file.design.family, std::move(changes.effective_yaml), sets};
 }
 

@@ -10,6 +10,7 @@
 #include "solve_changes.hpp"
 #include "solve_summary.hpp"
 #include "solver/accuracy.hpp"
+#include "solver/dynamics.hpp"
 #include "solver/path.hpp"
 
 namespace soft::cli {
@@ -36,6 +37,15 @@ Task read_task(const SolveOptions& options, int rank) {
         task.changed = apply_sets(options.sets, task.from.file);
     }
     return task;
+}
+
+void check_motion(const SolveOptions& options, const model::Case& model) {
+    if (!model.dynamics) return;
+    if (!options.resume.empty())
+        throw Error(ExitCode::usage, "--resume", "a motion in time cannot be resumed", "solve the case again");
+    if (options.tolerance)
+        throw Error(ExitCode::usage, "--tolerance", "the curve of a motion in time gets no error bars",
+                    "leave it out and compare with a finer mesh (mesh.refine) and shorter steps (dynamics.accuracy)");
 }
 
 io::ResultWriter make_writer(const SolveOptions& options, const About& about, const Task& task) {
@@ -74,6 +84,7 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     const auto count = [&](const solution::Step& step) {
         summary.last = step;
         ++summary.steps;
+        if (step.motion) summary.energy.add(*step.motion);
         return progress.advance(step);
     };
     std::vector<solver::RowState> rows;   // kept for --tolerance, whose curve is written when all is known
@@ -98,11 +109,11 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         console.say("goes on from row " + std::to_string(from.checkpoint->rows - 1) + ", " +
                     step_text(from.steps.back(), model));
     for (const solution::Step& step : from.steps) static_cast<void>(count(step));
-    summary.end = solver::follow_path(
-        system,
-        {sink, task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep), log,
-         contact_check(system), tolerance ? keep_row : solver::RowSink()},
-        from.checkpoint ? &*from.checkpoint : nullptr);
+    const solver::Listeners listeners{
+        sink, task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep), log,
+        contact_check(system), tolerance ? keep_row : solver::RowSink()};
+    summary.end = model.dynamics ? solver::integrate_motion(system, listeners)
+                                 : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
     --summary.steps;   // the undeformed state is no step
     summary.unknowns = system.dofs().total;
     if (tolerance) judge(system, std::move(rows), *tolerance, writer, console, summary);
@@ -117,6 +128,7 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
     Console console{about.tool, first ? options.common.verbosity : Verbosity::quiet};
     const Task task = read_task(options, session.rank());
     const model::Case& model = task.from.file.model;
+    check_motion(options, model);
     assembly::System system{model, PETSC_COMM_WORLD};
     std::optional<io::ResultWriter> writer;
     if (first) writer = make_writer(options, about, task);
@@ -129,7 +141,7 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
         measure_process(summary);
         summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
-        console.say(summary_line(summary));
+        console.say(summary_line(summary, model));
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
         for (const std::string& option : session.unused_options()) console.warn("PETSc knows no option -" + option);
         if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));

@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "core/text.hpp"
+#include "core/units.hpp"
+#include "io/names.hpp"
 
 namespace soft::cli {
 namespace {
@@ -52,6 +54,35 @@ void add_place(nlohmann::ordered_json& json, const Place& place, const model::Ca
     }
 }
 
+/// A word of the file as a design writes it: "generalized-alpha".
+std::string design_word(std::string_view word) {
+    std::string text{word};
+    std::replace(text.begin(), text.end(), '_', '-');
+    return text;
+}
+
+std::string time_text(double time_s) { return core::quantity_text(time_s, core::Dimension::time); }
+
+nlohmann::ordered_json motion_json(const SolveSummary& summary, const model::Dynamics& dynamics) {
+    nlohmann::ordered_json json = {{"integrator", design_word(io::name_of(io::integrator_names, dynamics.integrator))},
+                                   {"duration_s", dynamics.duration_s}};
+    if (summary.last && summary.last->motion) {
+        json["time_s"] = summary.last->motion->time_s;
+        json["kinetic_energy_J"] = summary.last->motion->kinetic_energy_J;
+        json["stored_energy_J"] = summary.last->motion->stored_energy_J;
+        json["load_work_J"] = summary.last->motion->load_work_J;
+        json["damping_work_J"] = summary.last->motion->damping_work_J;
+    }
+    if (const auto error = summary.energy.error()) json["energy_balance_error"] = *error;
+    return json;
+}
+
+std::string motion_text(const SolveSummary& summary, const model::Dynamics& dynamics) {
+    std::string text = design_word(io::name_of(io::integrator_names, dynamics.integrator)) + " over " + time_text(dynamics.duration_s);
+    if (const auto error = summary.energy.error()) text += ", energy balance within " + core::rounded_text(100 * *error, 2) + " %";
+    return text + "; ";
+}
+
 nlohmann::ordered_json end_json(const solution::Step& last, const model::Case& model) {
     nlohmann::ordered_json json;
     if (model.path.stages.size() > 1) json["stage"] = model.path.stages[static_cast<std::size_t>(last.stage)].name;
@@ -65,6 +96,18 @@ nlohmann::ordered_json end_json(const solution::Step& last, const model::Case& m
 
 }  // namespace
 
+void EnergyBalance::add(const solution::Step::Motion& row) {
+    if (!first_) first_ = row;
+    const double work = row.load_work_J - first_->load_work_J, stored = row.stored_energy_J - first_->stored_energy_J;
+    const double kinetic = row.kinetic_energy_J - first_->kinetic_energy_J, damping = row.damping_work_J - first_->damping_work_J;
+    for (const double part : {work, stored, kinetic, damping}) largest_J_ = std::max(largest_J_, std::abs(part));
+    gap_J_ = std::max(gap_J_, std::abs(work - stored - kinetic - damping));
+}
+
+std::optional<double> EnergyBalance::error() const {
+    return largest_J_ > 0 ? std::optional{gap_J_ / largest_J_} : std::nullopt;
+}
+
 void measure_process(SolveSummary& summary) {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -72,10 +115,11 @@ void measure_process(SolveSummary& summary) {
     summary.peak_memory_MB = static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-std::string summary_line(const SolveSummary& summary) {
+std::string summary_line(const SolveSummary& summary, const model::Case& model) {
     return std::string{solution::name(summary.end.reason)} + ": " + summary.end.detail + "; " +
            std::to_string(summary.steps) + " steps, " + std::to_string(summary.end.newton_iterations) + " iterations, " +
-           std::to_string(summary.end.factorizations) + " factorizations; " + std::to_string(summary.unknowns) +
+           std::to_string(summary.end.factorizations) + " factorizations; " +
+           (model.dynamics ? motion_text(summary, *model.dynamics) : std::string{}) + std::to_string(summary.unknowns) +
            " unknowns, " + core::rounded_text(summary.wall_s, 3) + " s";
 }
 
@@ -85,6 +129,7 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
                                    {"detail", summary.end.detail}, {"steps", summary.steps},
                                    {"newton_iterations", summary.end.newton_iterations},
                                    {"factorizations", summary.end.factorizations}, {"unknowns", summary.unknowns},
+                                   {"linear_solver", design_word(io::name_of(io::linear_names, model.solver.linear.method))},
                                    {"ranks", summary.ranks}, {"wall_s", summary.wall_s}, {"cpu_s", summary.cpu_s},
                                    {"peak_memory_MB", summary.peak_memory_MB},
                                    {"limit_points", nlohmann::ordered_json::array()}};
@@ -93,6 +138,7 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
         add_place(point, limit, model);
         json["limit_points"].push_back(std::move(point));
     }
+    if (model.dynamics) json["dynamics"] = motion_json(summary, *model.dynamics);
     if (summary.accuracy) {
         const AccuracySummary& accuracy = *summary.accuracy;
         json["accuracy"] = {{"tolerance", accuracy.asked}, {"met", accuracy.met()}, {"level", accuracy.level},
@@ -133,7 +179,8 @@ std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const m
 std::string step_text(const solution::Step& step, const model::Case& model) {
     const auto& stages = model.path.stages;
     const std::string stage = stages.size() > 1 ? stages[static_cast<std::size_t>(step.stage)].name + ": " : "";
-    return stage + place_text(step, model);
+    const std::string time = step.motion ? time_text(step.motion->time_s) + ", " : "";
+    return time + stage + place_text(step, model);
 }
 
 namespace {

@@ -21,12 +21,25 @@ struct AccuracySummary {
     [[nodiscard]] bool met() const { return has_bars && reached <= asked; }
 };
 
+/// How well the rows of a motion keep their energy: work of the loads - stored - kinetic - taken by damping, all since the
+/// first row, over the largest of the four that any row has.
+class EnergyBalance {
+public:
+    void add(const solution::Step::Motion& row);
+    [[nodiscard]] std::optional<double> error() const;   ///< empty where nothing has moved
+
+private:
+    std::optional<solution::Step::Motion> first_;
+    double largest_J_ = 0, gap_J_ = 0;
+};
+
 struct SolveSummary {
     solution::PathEnd end;
     std::optional<solution::Step> last;   ///< row of the path
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;                 ///< rows of the path after the undeformed state
+    EnergyBalance energy;          ///< of a motion
     int ranks = 1;
     double wall_s = 0, cpu_s = 0;  ///< of this process
     double peak_memory_MB = 0;
@@ -36,7 +49,8 @@ struct SolveSummary {
 void measure_process(SolveSummary& summary);
 
 /// "done: elongation of 130 mm reached; 9 steps, 25 iterations, 36 factorizations; 6858 unknowns, 0.9 s"
-[[nodiscard]] std::string summary_line(const SolveSummary& summary);
+/// Of a motion besides "generalized-alpha over 2 s, energy balance within 0.01 %".
+[[nodiscard]] std::string summary_line(const SolveSummary& summary, const model::Case& model);
 [[nodiscard]] nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Case& model);
 
 /// "the tolerance of 0.1 % is missed: the error bars reach 0.3 %; the next mesh would have ..."
@@ -45,7 +59,8 @@ void measure_process(SolveSummary& summary);
 /// One line a bifurcation: "bifurcation at 26.1 kPa, elongation 127 mm, volume 80 mL: another branch leaves the path ..."
 [[nodiscard]] std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model);
 
-/// "12.3 kPa, elongation 92.5 mm, volume 55.3 mL"; of a case with several stages "vent: 12.3 kPa, ...".
+/// "12.3 kPa, elongation 92.5 mm, volume 55.3 mL"; of a case with several stages "vent: 12.3 kPa, ...", of a motion
+/// "50 ms, 12.3 kPa, ...".
 [[nodiscard]] std::string step_text(const solution::Step& step, const model::Case& model);
 
 /// How much of the way is done, from 0 to 1: all stages alike, within a stage of the way to its nearest goal. The load may

@@ -1,4 +1,5 @@
 /// Residual, tangent and load columns of a state: the element loops.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -6,9 +7,13 @@
 
 namespace soft::assembly {
 
+/// Enough of them to outweigh the start of a batch.
+constexpr std::size_t cells_per_thread = 16;
+
 Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) {
     prescribe(levels);
     read_state(x);
+    SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));   // it may be a vector of PETSc's own solvers
     SOFT_PETSC(VecZeroEntries(R));
     for (const auto& column : columns) SOFT_PETSC(VecZeroEntries(column.out));
     if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
@@ -43,28 +48,43 @@ void System::add_cells(const CellGroup& group, Vec R, Mat K, std::span<const Loa
     const auto& reference = *group.reference;
     const PetscInt size = reference.dofs();
     const auto wanted = K != nullptr ? material::Wanted::stress_and_tangent : material::Wanted::stress;
-    LocalCell local(reference);
-    element::CellOutput out(reference);
+    // Cells are computed a batch at a time, by all threads, and added in their order, by one: the sums do not depend on threads.
+    const int threads = input_.solver.threads;
+    const std::size_t batch = threads > 1 ? cells_per_thread * static_cast<std::size_t>(threads) : 1;
+    std::vector<LocalCell> local(batch, LocalCell(reference));
+    std::vector<element::CellOutput> out(batch, element::CellOutput(reference));
     std::visit(
         [&](const auto& rubber) {
-            for (std::size_t c = 0; c < group.cells.size(); ++c) {
-                gather_cell(group, c, local);
-                element::integrate_cell(reference, input_.kinematics, rubber, local.input(map_.pressure_scale_Pa),
-                                        wanted, out);
-                if (out.min_jacobian < result.min_jacobian) {
-                    result.min_jacobian = out.min_jacobian;
-                    result.worst_cell = group.cells[c];
+            for (std::size_t begin = 0; begin < group.cells.size(); begin += batch) {
+                const int count = static_cast<int>(std::min(batch, group.cells.size() - begin));
+#pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
+                for (int i = 0; i < count; ++i) {
+                    gather_cell(group, begin + i, local[i]);
+                    element::integrate_cell(reference, input_.kinematics, rubber, local[i].input(map_.pressure_scale_Pa),
+                                            wanted, out[i]);
                 }
-                for (const double r : out.residual) result.force_scale += r * r;
-                const PetscInt* dofs = &group.dofs[c * size];
-                SOFT_PETSC(VecSetValues(R, size, dofs, out.residual.data(), ADD_VALUES));
-                if (K == nullptr) continue;
-                SOFT_PETSC(MatSetValues(K, size, dofs, size, dofs, out.stiffness.data(), ADD_VALUES));
-                for (const auto& column : columns)
-                    add_moved(column, -1.0, {dofs, static_cast<std::size_t>(size)}, out.stiffness);
+                for (int i = 0; i < count; ++i) {
+                    const PetscInt* dofs = &group.dofs[(begin + i) * size];
+                    add_cell(group.cells[begin + i], {dofs, static_cast<std::size_t>(size)}, out[i], R, K, result);
+                    if (K == nullptr) continue;
+                    for (const auto& column : columns)
+                        add_moved(column, -1.0, {dofs, static_cast<std::size_t>(size)}, out[i].stiffness);
+                }
             }
         },
         *group.rubber);
+}
+
+void System::add_cell(mesh::Index cell, std::span<const PetscInt> dofs, const element::CellOutput& out, Vec R, Mat K,
+                      Evaluation& result) {
+    if (out.min_jacobian < result.min_jacobian) {
+        result.min_jacobian = out.min_jacobian;
+        result.worst_cell = cell;
+    }
+    for (const double r : out.residual) result.force_scale += r * r;
+    const auto size = static_cast<PetscInt>(dofs.size());
+    SOFT_PETSC(VecSetValues(R, size, dofs.data(), out.residual.data(), ADD_VALUES));
+    if (K != nullptr) SOFT_PETSC(MatSetValues(K, size, dofs.data(), size, dofs.data(), out.stiffness.data(), ADD_VALUES));
 }
 
 double System::moved_by(PetscInt number, std::span<const double> levels) const {
@@ -90,6 +110,7 @@ void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Ma
                            std::span<const LoadColumn> columns) const {
     const LoadSurface& surface = loads_[load];
     const double pressure = levels.pressures_Pa[load];
+    const bool follows = input_.loads[load].shape == model::LoadShape::deformed;
     std::vector<double> x, force, scaled, stiffness;
     const auto add = [&](Vec out, double factor, std::span<const PetscInt> dofs, std::span<const double> values) {
         if (factor == 0.0) return;
@@ -100,9 +121,12 @@ void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Ma
     for (const auto& facet : surface.facets) {
         const auto& reference = tables_[facet.reference];
         const PetscInt size = reference.dofs();
-        gather_surface(facet, x);
+        if (follows)
+            gather_surface(facet, x);
+        else
+            gather_undeformed(facet, x);
         force.assign(size, 0.0);
-        stiffness.assign(K != nullptr && pressure != 0.0 ? static_cast<std::size_t>(size) * size : 0, 0.0);
+        stiffness.assign(follows && K != nullptr && pressure != 0.0 ? static_cast<std::size_t>(size) * size : 0, 0.0);
         element::pressure_force(reference, input_.kinematics, x, force, stiffness);
         add(R, -pressure, facet.dofs, force);
         for (const auto& column : columns) add(column.out, column.direction.pressures_Pa[load], facet.dofs, force);

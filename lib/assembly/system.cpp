@@ -38,6 +38,7 @@ std::vector<AnyRubber> make_rubbers(const model::Case& input) {
 
 /// shear modulus / cell size: see assembly/dof_map.hpp. Any value gives the same solution.
 double pressure_scale(const model::Case& input, std::span<const AnyRubber> rubbers) {
+    if (!input.solver.scaling) return 1.0;
     double modulus_Pa = 0;
     for (const auto& rubber : rubbers) modulus_Pa = std::max(modulus_Pa, material::initial_shear_modulus_Pa(rubber));
     double extent_m = 0;
@@ -258,12 +259,16 @@ void System::gather_cell(const CellGroup& group, std::size_t index, LocalCell& l
     for (int k = 0; k < size; ++k) local.unknowns[k] = local_[group.local[index * size + k]];
 }
 
-void System::gather_surface(const SurfaceCell& cell, std::vector<double>& x) const {
+void System::gather_undeformed(const SurfaceCell& cell, std::vector<double>& X) const {
     const std::size_t n = cell.nodes.size();
-    x.resize(cell.local.size());
+    X.resize(cell.local.size());
     for (int i = 0; i < map_.dimension; ++i)
-        for (std::size_t a = 0; a < n; ++a)
-            x[i * n + a] = input_.mesh.point(cell.nodes[a])[i] + local_[cell.local[i * n + a]];
+        for (std::size_t a = 0; a < n; ++a) X[i * n + a] = input_.mesh.point(cell.nodes[a])[i];
+}
+
+void System::gather_surface(const SurfaceCell& cell, std::vector<double>& x) const {
+    gather_undeformed(cell, x);
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += local_[cell.local[k]];
 }
 
 }  // namespace soft::assembly

@@ -119,8 +119,11 @@ private:
     [[nodiscard]] std::vector<int> local_positions(std::span<const PetscInt> dofs) const;
     void read_state(Vec x);
     void gather_cell(const CellGroup& group, std::size_t index, LocalCell& local) const;
+    void gather_undeformed(const SurfaceCell& cell, std::vector<double>& X) const;
     void gather_surface(const SurfaceCell& cell, std::vector<double>& x) const;
     void add_cells(const CellGroup& group, Vec R, Mat K, std::span<const LoadColumn> columns, Evaluation& result) const;
+    static void add_cell(mesh::Index cell, std::span<const PetscInt> dofs, const element::CellOutput& out, Vec R, Mat K,
+                         Evaluation& result);
     void add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) const;
     void add_dead_loads(const LoadLevels& levels, Vec R, std::span<const LoadColumn> columns) const;
     /// out += factor x matrix x (velocity of the moved components), for one cell or facet.

@@ -72,12 +72,35 @@ constexpr std::array units = {
     Unit{"ug", Dimension::mass, -9},
     Unit{"m/s^2", Dimension::acceleration},
     Unit{"m/s\u00B2", Dimension::acceleration},
+    Unit{"s", Dimension::time},
+    Unit{"ms", Dimension::time, -3},
+    Unit{"us", Dimension::time, -6},
+    Unit{"\u00B5s", Dimension::time, -6},
+    Unit{"\u03BCs", Dimension::time, -6},
+    Unit{"min", Dimension::time, 0, 60.0},
+    Unit{"1/s", Dimension::rate},
+    Unit{"1/ms", Dimension::rate, 3},
+    Unit{"Hz", Dimension::rate},
+    Unit{"kHz", Dimension::rate, 3},
+    Unit{"Pa.s/m^3", Dimension::flow_resistance},
+    Unit{"kPa.s/m^3", Dimension::flow_resistance, 3},
+    Unit{"MPa.s/m^3", Dimension::flow_resistance, 6},
+    Unit{"Pa.s/L", Dimension::flow_resistance, 3},
+    Unit{"kPa.s/L", Dimension::flow_resistance, 6},
+    Unit{"Pa.s/mL", Dimension::flow_resistance, 6},
+    Unit{"kPa.s/mL", Dimension::flow_resistance, 9},
+    Unit{"mbar.s/mL", Dimension::flow_resistance, 8},
+    Unit{"Pa.s/m\u00B3", Dimension::flow_resistance},
+    Unit{"kPa.s/m\u00B3", Dimension::flow_resistance, 3},
+    Unit{"J", Dimension::energy},
+    Unit{"mJ", Dimension::energy, -3},
+    Unit{"uJ", Dimension::energy, -6},
 };
 
 /// Units of messages, coarse to fine within a dimension: the first that leaves a number of 1 or more is used.
-constexpr std::array<std::string_view, 18> message_units = {"m",   "mm", "um", "m^2", "mm^2", "m^3", "mL", "mm^3",
-                                                            "GPa", "MPa", "kPa", "Pa", "deg", "kg/m^3",
-                                                            "kg", "g", "mg", "m/s^2"};
+constexpr auto message_units = std::to_array<std::string_view>(
+    {"m", "mm", "um", "m^2", "mm^2", "m^3", "mL", "mm^3", "GPa", "MPa", "kPa", "Pa", "deg", "kg/m^3", "kg", "g", "mg", "m/s^2",
+     "s", "ms", "us", "1/s", "kPa.s/mL", "Pa.s/mL", "Pa.s/L", "Pa.s/m^3", "J", "mJ", "uJ"});
 
 constexpr std::size_t longest_number = 40;  // in a message
 
@@ -135,6 +158,10 @@ std::optional<double> value_of(const Parts& parts, int power) {
     return value;
 }
 
+std::string with_article(std::string_view noun) {
+    return (std::string_view{"aeiou"}.find(noun.front()) == std::string_view::npos ? "a " : "an ") + std::string{noun};
+}
+
 std::vector<std::string> unit_names(std::optional<Dimension> dimension) {
     std::vector<std::string> names;
     for (const Unit& unit : units) {
@@ -162,17 +189,13 @@ Refusal not_a_number(std::string_view text, Dimension dimension) {
 }
 
 Refusal unknown_unit(const Parts& parts, Dimension dimension) {
-    const std::string problem = "unknown unit " + quoted(parts.unit) + " in a " + std::string{name(dimension)};
+    const std::string problem = "unknown unit " + quoted(parts.unit) + " in " + with_article(name(dimension));
     const std::string number = one_line(parts.number, longest_number);
     if (parts.unit.starts_with(','))
         return {"a comma is not a decimal point", "write " + number + "." + one_line(parts.unit.substr(1))};
     if (const auto near = nearest(parts.unit, unit_names(dimension)); near && dimension != Dimension::ratio)
         return {problem, "did you mean " + number + " " + *near + "?"};
     return {problem, advice(dimension)};
-}
-
-std::string with_article(std::string_view noun) {
-    return (std::string_view{"aeiou"}.find(noun.front()) == std::string_view::npos ? "a " : "an ") + std::string{noun};
 }
 
 }  // namespace
@@ -188,6 +211,10 @@ std::string_view name(Dimension dimension) noexcept {
         case Dimension::density: return "density";
         case Dimension::mass: return "mass";
         case Dimension::acceleration: return "acceleration";
+        case Dimension::time: return "time";
+        case Dimension::rate: return "rate";
+        case Dimension::flow_resistance: return "flow resistance";
+        case Dimension::energy: return "energy";
     }
     return "quantity";
 }
@@ -203,6 +230,10 @@ std::string_view example(Dimension dimension) noexcept {
         case Dimension::density: return "1080 kg/m^3";
         case Dimension::mass: return "50 mg";
         case Dimension::acceleration: return "9.81 m/s^2";
+        case Dimension::time: return "0.5 s";
+        case Dimension::rate: return "10 Hz";
+        case Dimension::flow_resistance: return "1e8 Pa.s/m^3";
+        case Dimension::energy: return "5 mJ";
     }
     return "1";
 }
@@ -213,7 +244,7 @@ Parsed<double> parse_quantity(std::string_view text, Dimension dimension) {
     const std::string shown = quoted(trimmed(text));
     if (parts.unit.empty() && dimension != Dimension::ratio) {
         const std::string_view unit = split(example(dimension)).unit;
-        return Refusal{shown + " has no unit, a " + std::string{name(dimension)} + " is needed",
+        return Refusal{shown + " has no unit, " + with_article(name(dimension)) + " is needed",
                        "write for example " + one_line(parts.number, longest_number) + " " + std::string{unit}};
     }
     const Unit* unit = find_unit(parts.unit);

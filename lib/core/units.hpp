@@ -10,7 +10,7 @@
 
 namespace soft::core {
 
-enum class Dimension { ratio, length, area, volume, pressure, angle, density, mass, acceleration };
+enum class Dimension { ratio, length, area, volume, pressure, angle, density, mass, acceleration, time, rate, flow_resistance, energy };
 
 /// Why a text was refused and what would be right; the caller knows the place.
 struct Refusal {

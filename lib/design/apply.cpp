@@ -3,10 +3,13 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
+#include "design/course_keys.hpp"
+#include "design/dynamics_keys.hpp"
 #include "design/load_keys.hpp"
 #include "design/load_names.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
+#include "design/solver_keys.hpp"
 
 namespace soft::design {
 namespace {
@@ -14,7 +17,8 @@ namespace {
 constexpr std::string_view case_source = "/design";  // the group of the case that holds the text
 
 /// Sections that solve may still change; the mesh and its named faces depend on none of them.
-constexpr std::array<std::string_view, 4> changeable = {"material", "loads", "path", "solver"};
+constexpr std::array<std::string_view, 5> changeable = {"material", "loads", "path", "dynamics", "solver"};
+constexpr std::string_view changeable_remedy = "solve changes material, loads, path, dynamics, solver";
 
 void check_changeable(const Override& change) {
     const std::string section = change.path.substr(0, change.path.find('.'));
@@ -26,8 +30,8 @@ void check_changeable(const Override& change) {
     if (exists)
         throw Error(ExitCode::usage, place,
                     core::quoted(section) + " is built into the case and solve cannot change it",
-                    "give the same --set to mesh-gen; solve changes material, loads, path, solver");
-    throw Error(ExitCode::bad_input, place, "unknown key", "solve changes material, loads, path, solver");
+                    "give the same --set to mesh-gen; " + std::string{changeable_remedy});
+    throw Error(ExitCode::bad_input, place, "unknown key", changeable_remedy);
 }
 
 /// The names the case has: its load targets stand in for the faces, which a design alone does not list, and the effective
@@ -64,14 +68,15 @@ struct Part {
 Part part_of(const Node& root, FaceNames faces) {
     Part part;
     part.schema.faces = std::move(faces);
+    part.schema.dynamic = is_dynamic(root);
     const Node* model = find(root, "model");
     const bool of_revolution = model != nullptr && model->text == "axisymmetric";
     add_material_keys(part.schema, root, case_source, part.examples, of_revolution ? "cylindrical" : "cartesian");
     part.loads = add_load_keys(part.schema, root, Node{}, case_source, part.examples);
     part.stages = add_path_keys(part.schema, root, part.loads);
-    auto solver = solver_keys();
-    part.schema.keys.insert(part.schema.keys.end(), solver.begin(), solver.end());
-    part.schema.names["solver"];
+    for (const auto& keys : {dynamics_keys(), solver_keys()})
+        part.schema.keys.insert(part.schema.keys.end(), keys.begin(), keys.end());
+    for (const char* section : {"dynamics", "solver"}) part.schema.names[section];
     return part;
 }
 
@@ -90,7 +95,8 @@ std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& w
                                                 (kind == LoadKind::gravity ? "" : " on this face"), remedy);
         if (was.text((*same)->path + ".along") != values.text(load.path + ".along"))
             throw values.refuse(load.path + ".along", "the direction is built into the case", remedy);
-        loads.push_back({static_cast<std::size_t>(same - own.begin()), values.number(load.value) / was.number((*same)->value)});
+        loads.push_back({static_cast<std::size_t>(same - own.begin()), values.number(load.value) / was.number((*same)->value),
+                         course_of(values, load.path)});
     }
     return loads;
 }
@@ -122,6 +128,9 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
     SolveChanges changes;
     changes.material = material_of(values);
     Loads loads = loads_of(part.loads, values);
+    const Node* formulation = find_path(original, "mesh.formulation");
+    changes.dynamics =
+        dynamics_of({part.loads, items, formulation == nullptr ? std::string_view{} : std::string_view{formulation->text}}, values);
     changes.path = path_of({part.stages, part.loads, loads, outputs}, items, values);
     changes.loads = std::move(loads.pressures);
     changes.tractions = scaled(LoadKind::traction, built, was, part, values);

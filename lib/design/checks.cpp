@@ -20,6 +20,9 @@ std::optional<core::Dimension> dimension_of(Kind kind) {
         case Kind::density: return core::Dimension::density;
         case Kind::mass: return core::Dimension::mass;
         case Kind::acceleration: return core::Dimension::acceleration;
+        case Kind::time: return core::Dimension::time;
+        case Kind::rate: return core::Dimension::rate;
+        case Kind::flow_resistance: return core::Dimension::flow_resistance;
         case Kind::ratio: return core::Dimension::ratio;
         case Kind::count:
         case Kind::flag:
@@ -179,6 +182,9 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
         case Kind::density:
         case Kind::mass:
         case Kind::acceleration:
+        case Kind::time:
+        case Kind::rate:
+        case Kind::flow_resistance:
         case Kind::ratio:
         case Kind::count: check_number(key, item, node); break;
         case Kind::list:

@@ -70,58 +70,6 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
     return keys;
 }
 
-std::vector<Key> solver_keys() {
-    const model::SolverSettings defaults;
-    const auto text = core::number_text;
-    return {
-        {.path = "solver.residual_tolerance",
-         .kind = Kind::ratio,
-         .fallback = text(defaults.residual_tolerance),
-         .meaning = "equilibrium is reached when the residual is below this share of the nodal forces",
-         .min = 1e-14,
-         .max = 1e-2},
-        {.path = "solver.newton_limit",
-         .kind = Kind::count,
-         .fallback = std::to_string(defaults.newton_limit),
-         .meaning = "Newton iterations before a step is cut",
-         .min = 2,
-         .max = 1000},
-        {.path = "solver.first_step",
-         .kind = Kind::ratio,
-         .fallback = text(defaults.first_step),
-         .meaning = "first step as a share of the full load",
-         .min = 0,
-         .max = 1,
-         .min_open = true},
-        {.path = "solver.largest_step",
-         .kind = Kind::ratio,
-         .fallback = text(defaults.largest_step),
-         .meaning = "longest step as a share of the path so far; 0 leaves it to the solver",
-         .min = 0,
-         .max = 1},
-        {.path = "solver.smallest_step",
-         .kind = Kind::ratio,
-         .fallback = text(defaults.smallest_step),
-         .meaning = "a step cut below this share of the first step ends the path",
-         .min = 0,
-         .max = 1,
-         .min_open = true},
-        {.path = "solver.step_limit",
-         .kind = Kind::count,
-         .fallback = std::to_string(defaults.step_limit),
-         .meaning = "steps after which the path ends with stop reason step_limit",
-         .min = 1,
-         .max = 1e6},
-        {.path = "solver.step_accuracy",
-         .kind = Kind::ratio,
-         .fallback = text(defaults.step_accuracy),
-         .meaning = "wanted relative error of a step's prediction; smaller gives denser steps",
-         .min = 0,
-         .max = 1,
-         .min_open = true},
-    };
-}
-
 Key law_key() {
     return {.path = "material.law", .kind = Kind::choice, .meaning = "law of the rubber", .choices = law_names()};
 }
@@ -233,10 +181,12 @@ const std::vector<SectionNote>& section_notes() {
         {"supports", "component: face or [face, face]; fixed holds all components, x, y, z or r one"},
         {"loads",
          "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: {pressure}, "
-         "{traction, along} or {displacement, along}; gravity: {acceleration, along}"},
+         "{traction, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also course: {kind: ramp, rise | "
+         "step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
         {"path", "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
         {"outputs", "name: displacement, bend or twist of a face; becomes a column of the curve"},
-        {"solver", "tolerances and limits; the defaults are good"},
+        {"dynamics", "motion in time from rest in the undeformed state; needs material.density"},
+        {"solver", "methods, tolerances and limits; the defaults are good"},
     };
     return notes;
 }

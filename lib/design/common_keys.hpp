@@ -11,7 +11,6 @@ namespace soft::design {
 
 [[nodiscard]] std::vector<Key> head_keys(const FamilyKeys& family);   ///< family, name
 [[nodiscard]] std::vector<Key> model_keys(const FamilyKeys& family);  ///< model, mesh.* with the family's own defaults
-[[nodiscard]] std::vector<Key> solver_keys();                         ///< solver.*; defaults are model::SolverSettings'
 
 [[nodiscard]] Key law_key();
 [[nodiscard]] Key kappa_key();

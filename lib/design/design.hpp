@@ -73,10 +73,10 @@ struct Design {
     std::vector<model::Support> supports;       ///< by face name (aliases resolved); symmetry planes not included
     std::vector<model::PressureLoad> loads;
     /// Dead traction along: axis | x | y | z | r | normal
-    struct TractionRequest { std::string face; double traction_Pa; std::string along; };
+    struct TractionRequest { std::string face; double traction_Pa; std::string along; model::TimeCourse course = {}; };
     std::vector<TractionRequest> tractions;
     /// along: axis | x | y | z, or one of these with a minus before it
-    struct BodyForceRequest { std::string name; double acceleration_m_s2; std::string along; };
+    struct BodyForceRequest { std::string name; double acceleration_m_s2; std::string along; model::TimeCourse course = {}; };
     std::vector<BodyForceRequest> body_forces;
     /// A component of a face's displacement, along: axis | x | y | z | r | normal
     struct MotionRequest { std::string face; double displacement_m; std::string along; };
@@ -92,6 +92,7 @@ struct Design {
     std::vector<OutputRequest> outputs;
     model::PathSettings path;
     model::SolverSettings solver;
+    std::optional<model::Dynamics> dynamics;    ///< nullopt: a static path
     std::string effective_yaml;                 ///< canonical, defaults and overrides in place; reads back the same
     std::vector<std::string> warnings;          ///< plausibility, one line each
 };
@@ -105,13 +106,14 @@ struct Design {
 [[nodiscard]] Design read_design(std::string_view text, std::string_view source,
                                  std::span<const FamilyKeys> families, std::span<const Override> overrides);
 
-/// Applies overrides to the keys solve may still change (material, loads, path, solver) of a case's effective design
+/// Applies overrides to the keys solve may still change (material, loads, path, dynamics, solver) of a case's effective design
 /// and returns the changed parts; geometry, mesh, model, supports, outputs and family are refused with the reason.
 /// Loads may change in size and kind, but stay on the faces and cavities that the case loads, whatever these are called.
 /// What has a direction keeps the one the mesh gave it: the changed load is `factor` times the case's.
 struct ScaledLoad {
     std::size_t index;     ///< into the case's list; one that is not listed is taken away
     double factor;
+    model::TimeCourse course = {};   ///< in place of the case's
 };
 struct SolveChanges {
     model::Material material;
@@ -119,6 +121,7 @@ struct SolveChanges {
     std::vector<ScaledLoad> tractions, body_forces, motions;   ///< of Case::tractions, body_forces, motions
     model::PathSettings path;
     model::SolverSettings solver;
+    std::optional<model::Dynamics> dynamics;
     std::string effective_yaml;
 };
 [[nodiscard]] SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Override> overrides);

@@ -71,13 +71,21 @@ Key sealed_key(const std::string& load, std::string fallback) {
             .meaning = "the pressure also pushes on the plugs of the openings and on every closed inner face"};
 }
 
+Key shape_key(const std::string& load) {
+    return {.path = load + ".acts_on",
+            .kind = Kind::choice,
+            .fallback = "deformed",
+            .meaning = "shape of the body that the pressure pushes on; on the undeformed one it is a dead load",
+            .choices = {"deformed", "undeformed"}};
+}
+
 std::vector<Key> gas_keys(const std::string& load) {
     const model::Gas gas;
     const std::string path = load + ".gas.";
     return {{.path = path + "ambient",
              .kind = Kind::pressure,
              .fallback = si_text(gas.ambient_Pa, core::Dimension::pressure),
-             .meaning = "absolute pressure outside the body; the gas matters to mass and valve alone",
+             .meaning = "absolute pressure outside the body; the gas matters to mass, valve and line alone",
              .min = 0,
              .min_open = true},
             {.path = path + "density",

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "design/course_keys.hpp"
 #include "design/load_keys.hpp"
 #include "design/load_names.hpp"
 
@@ -79,7 +80,7 @@ LoadEntry add_cavity(Schema& schema, const NamedLoad& load, const Node& defaults
     const std::string_view value = only_one_of(load, words);
     schema.names[load.path] = words;
     if (value == "shares") {
-        std::vector<std::string> own = {"sealed", "gas"};
+        std::vector<std::string> own = {"sealed", "gas", "acts_on", "course", "line"};
         refuse_keys(load, own, "a cavity that shares its gas has no supply of its own", "leave it out");
         schema.keys.push_back(shares_key(load.path, schema.faces.cavities));
         return entry_of(load, LoadKind::shared_gas, value);
@@ -88,7 +89,9 @@ LoadEntry add_cavity(Schema& schema, const NamedLoad& load, const Node& defaults
     schema.keys.push_back(supply_key(load.path, word, When::full_load));
     const Node* sealed = find_path(defaults, load.path + ".sealed");
     schema.keys.push_back(sealed_key(load.path, sealed == nullptr ? "true" : sealed->text));
+    schema.keys.push_back(shape_key(load.path));
     for (Key& key : gas_keys(load.path)) schema.keys.push_back(std::move(key));
+    if (schema.dynamic) schema.keys.push_back(line_key(load.path));
     LoadEntry entry = entry_of(load, LoadKind::gas, word.name);
     entry.what = word.what;
     return entry;
@@ -102,7 +105,7 @@ LoadEntry add_gravity(Schema& schema, const NamedLoad& load) {
 
 /// A pressure, a traction or a motion; each kind has keys that mean nothing for the others.
 LoadEntry add_face(Schema& schema, const NamedLoad& load) {
-    refuse_keys(load, std::vector<std::string>{"volume", "volume_ratio", "mass", "valve", "shares", "gas"},
+    refuse_keys(load, std::vector<std::string>{"volume", "volume_ratio", "mass", "valve", "shares", "gas", "line"},
                 "a face encloses no gas", "write pressure; only a cavity takes this");
     refuse_keys(load, std::vector<std::string>{"sealed"}, "a face has no openings to seal", "leave it out");
     const std::vector<std::string> words = {"pressure", "traction", "displacement"};
@@ -121,6 +124,7 @@ LoadEntry add_face(Schema& schema, const NamedLoad& load) {
     refuse_keys(load, std::vector<std::string>{"along"}, "a pressure acts along the normal of the deformed face",
                 "leave it out, or write traction in place of pressure");
     schema.keys.push_back(supply_key(load.path, supply_words().front(), When::full_load));
+    schema.keys.push_back(shape_key(load.path));
     return entry_of(load, LoadKind::face_pressure, "pressure");
 }
 
@@ -153,6 +157,9 @@ model::PressureLoad pressure_load(const LoadEntry& entry, const Values& values) 
     model::PressureLoad load;
     load.name = entry.name;
     load.targets = {entry.name};
+    load.shape = values.text(entry.path + ".acts_on") == "undeformed" ? model::LoadShape::undeformed : model::LoadShape::deformed;
+    load.course = course_of(values, entry.path);
+    load.line = line_of(values, entry.path);
     if (entry.kind != LoadKind::gas) return load;
     load.sealed = values.text(entry.path + ".sealed") == "true";
     const std::string gas = entry.path + ".gas.";
@@ -186,13 +193,13 @@ LoadSlot take(const LoadEntry& entry, double value, Loads& loads, const Values& 
         case LoadKind::shared_gas: break;
         case LoadKind::traction:
             check_direction(values, entry.path + ".along");
-            loads.tractions.push_back({entry.name, value, values.text(entry.path + ".along")});
+            loads.tractions.push_back({entry.name, value, values.text(entry.path + ".along"), course_of(values, entry.path)});
             return {entry.kind, loads.tractions.size() - 1, value};
         case LoadKind::gravity:
             if (values.text("material.density") == "none")
                 throw values.refuse(entry.value, "the rubber has no density",
                                     "add material: {density: 1080 kg/m^3}, that of the undeformed rubber");
-            loads.body_forces.push_back({entry.name, value, values.text(entry.path + ".along")});
+            loads.body_forces.push_back({entry.name, value, values.text(entry.path + ".along"), course_of(values, entry.path)});
             return {entry.kind, loads.body_forces.size() - 1, value};
         case LoadKind::motion:
             check_direction(values, entry.path + ".along");
@@ -214,14 +221,20 @@ std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Nod
     add_load_names(schema, "loads");
     std::vector<LoadEntry> entries;
     for (const NamedLoad& load : named_loads(root, "loads", schema.faces)) {
+        if (!schema.dynamic)
+            refuse_keys(load, std::vector<std::string>{"course", "line"}, "a static path does not go with time",
+                        "add dynamics: {duration: 1 s}, or leave it out");
         switch (load.target) {
             case LoadTarget::cavity: entries.push_back(add_cavity(schema, load, defaults)); break;
             case LoadTarget::gravity: entries.push_back(add_gravity(schema, load)); break;
             case LoadTarget::face: entries.push_back(add_face(schema, load)); break;
         }
+        const LoadKind kind = entries.back().kind;
+        if (schema.dynamic && kind != LoadKind::shared_gas && kind != LoadKind::motion)
+            add_course_keys(schema, load.path, load.member->value, examples);
         examples.try_emplace(entries.back().path + ".pressure", "30 kPa");
         examples.try_emplace(entries.back().path + ".acceleration", "9.81 m/s^2");
-        examples.try_emplace(entries.back().path + ".along", entries.back().kind == LoadKind::gravity ? "-x" : "y");
+        examples.try_emplace(entries.back().path + ".along", kind == LoadKind::gravity ? "-x" : "y");
     }
     return entries;
 }

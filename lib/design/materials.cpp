@@ -9,7 +9,7 @@ namespace {
 constexpr std::string_view usual_material = "{law: neo-hookean, mu: 0.1644 MPa}";
 constexpr const char *kappa_path = "material.kappa", *young_path = "material.young", *poisson_path = "material.poisson",
                      *volumetric_path = "material.volumetric", *frame_path = "material.frame",
-                     *density_path = "material.density";
+                     *density_path = "material.density", *strain_path = "material.strain";
 
 Kind kind_of(material::Quantity quantity) {
     switch (quantity) {
@@ -49,10 +49,18 @@ Key density_key() {
     return {.path = density_path,
             .kind = Kind::density,
             .fallback = "none",
-            .meaning = "of the undeformed rubber, for gravity",
+            .meaning = "of the undeformed rubber, for gravity and dynamics",
             .min = 0,
             .min_open = true,
             .choices = {"none"}};
+}
+
+Key strain_key() {
+    return {.path = strain_path,
+            .kind = Kind::choice,
+            .fallback = "finite",
+            .meaning = "finite: the law as it is; small: Hooke's law with its moduli, linear in the displacements",
+            .choices = {"finite", "small"}};
 }
 
 Key bulk_key(const material::LawInfo& law) {
@@ -102,6 +110,7 @@ void add_law_keys(Schema& schema, const Node& material, const material::LawInfo&
                "the law " + std::string{law.name} + " states its own change of volume", "leave it out");
     }
     schema.keys.push_back(density_key());
+    schema.keys.push_back(strain_key());
     if (law.fibers)
         schema.keys.push_back(
             {.path = frame_path,
@@ -181,6 +190,7 @@ model::Material material_of(const Values& values) {
     }
     if (values.text(density_path) != "none") material.density_kg_m3 = values.number(density_path);
     if (values.has(volumetric_path)) material.volumetric = volumetrics.at(values.text(volumetric_path));
+    if (values.text(strain_path) == "small") material.strain = model::Strain::small;
     if (values.has(frame_path) && values.text(frame_path) == "cylindrical")
         material.fiber_frame = model::FiberFrame::cylindrical;
     try {

@@ -2,10 +2,12 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
+#include "design/dynamics_keys.hpp"
 #include "design/formulation.hpp"
 #include "design/load_names.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
+#include "design/solver_keys.hpp"
 
 namespace soft::design {
 namespace {
@@ -115,6 +117,7 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
     Checked checked;
     Schema schema;
     schema.faces = face_names(root, source, family);
+    schema.dynamic = is_dynamic(root);
     Examples examples;
     append(schema.keys, head_keys(family));
     append(schema.keys, family.geometry);
@@ -127,8 +130,9 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
     checked.loads = add_load_keys(schema, root, defaults, source, examples);
     checked.stages = add_path_keys(schema, root, checked.loads);
     add_output_keys(schema, root, defaults);
+    append(schema.keys, dynamics_keys());
     append(schema.keys, solver_keys());
-    for (const char* section : {"geometry", "supports", "loads", "outputs", "path.until", "solver"})
+    for (const char* section : {"geometry", "supports", "loads", "outputs", "path.until", "dynamics", "solver"})
         schema.names[section];
     checked.items = collect(root, schema, source, examples);
     checked.faces = std::move(schema.faces);
@@ -155,6 +159,9 @@ Design read_design(std::string_view text, std::string_view source, std::span<con
     check_formulation(design.values);
     check_law_formulation(design.values, design.material);
     Loads loads = loads_of(checked.loads, design.values);
+    const bool has_formulation = design.values.has("mesh.formulation");
+    design.dynamics = dynamics_of(
+        {checked.loads, checked.items, has_formulation ? std::string_view{design.values.text("mesh.formulation")} : ""}, design.values);
     design.outputs = outputs_of(checked.items, checked.faces, design.values);
     std::vector<std::string> outputs;
     for (const Design::OutputRequest& output : design.outputs) outputs.push_back(output.name);

@@ -8,7 +8,10 @@
 namespace soft::design {
 
 /// What a value is. Quantities carry a unit in the text and are SI once read; a bare number for them is refused.
-enum class Kind { length, area, volume, pressure, angle, density, mass, acceleration, ratio, count, flag, text, choice, faces, list };
+enum class Kind {
+    length, area, volume, pressure, angle, density, mass, acceleration, time, rate, flow_resistance, ratio,
+    count, flag, text, choice, faces, list
+};
 
 struct Key {
     std::string path;             ///< "geometry.wall"

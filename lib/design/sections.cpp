@@ -15,7 +15,7 @@ void check_output_name(const Member& output) {
         refuse(output.place, "outputs." + output.key, "not a name of an output", own_name_remedy);
     const auto& taken = until_quantities();
     if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || output.key == "volume" ||
-        output.key == "step" || output.key == "stage")
+        output.key == "step" || output.key == "stage" || output.key == "time")
         refuse(output.place, "outputs." + output.key, "the name is that of a quantity every path has",
                "call the output otherwise");
     for (const char* word : {"first", "path", "none"})   // of path.controlled
@@ -150,16 +150,6 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
         outputs.push_back(std::move(output));
     }
     return outputs;
-}
-
-model::SolverSettings solver_of(const Values& values) {
-    return {.residual_tolerance = values.number("solver.residual_tolerance"),
-            .newton_limit = values.count("solver.newton_limit"),
-            .first_step = values.number("solver.first_step"),
-            .largest_step = values.number("solver.largest_step"),
-            .smallest_step = values.number("solver.smallest_step"),
-            .step_limit = values.count("solver.step_limit"),
-            .step_accuracy = values.number("solver.step_accuracy")};
 }
 
 }  // namespace soft::design

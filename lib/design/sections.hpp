@@ -22,7 +22,6 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults);
                                                       const Values& values);
 [[nodiscard]] std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const FaceNames& faces,
                                                             const Values& values);
-[[nodiscard]] model::SolverSettings solver_of(const Values& values);
 
 /// Members of the group at `path`; none where there is no such group.
 [[nodiscard]] const std::vector<Member>& members_of(const Node& root, std::string_view path);

@@ -179,6 +179,7 @@ model::Case build_case(const design::Design& design) {
     add_outputs(result, design, {family.keys, body, solid});
     result.path = design.path;
     result.solver = design.solver;
+    result.dynamics = design.dynamics;
     result.mesh = std::move(solid.mesh);
     return result;
 }

@@ -49,7 +49,7 @@ void add_body_forces(model::Case& result, const design::Design& design, const Me
             if (meshed.body.anchoring == Anchoring::middle_planes && i > 0)
                 throw design.values.refuse(path, "nothing holds the body against its weight", "leave gravity out");
         }
-        result.body_forces.push_back({request.name, acceleration});
+        result.body_forces.push_back({request.name, acceleration, request.course});
     }
 }
 
@@ -158,7 +158,7 @@ void add_loads(model::Case& result, const design::Design& design, const Meshed& 
         require_face(meshed.solid.mesh, request.face, place, meshed.keys);
         Vector traction = direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
         for (double& component : traction) component *= request.traction_Pa;
-        result.tractions.push_back({request.face, traction});
+        result.tractions.push_back({request.face, traction, request.course});
     }
     add_body_forces(result, design, meshed);
     add_motions(result, design, meshed);

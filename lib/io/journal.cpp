@@ -104,6 +104,10 @@ constexpr std::array lists{&solution::Step::pressures_Pa,      &solution::Step::
 constexpr std::array counts{&solution::Step::stage, &solution::Step::newton_iterations,
                             &solution::Step::factorizations};
 
+using Motion = solution::Step::Motion;
+constexpr std::array motion_numbers{&Motion::time_s, &Motion::kinetic_energy_J, &Motion::stored_energy_J, &Motion::load_work_J,
+                                    &Motion::damping_work_J};
+
 /// Of a state of the solver, and of the loads where a stage begins.
 constexpr std::array state_lists{&solution::StatePoint::unknowns, &solution::StatePoint::tangent_unknowns,
                                  &solution::StatePoint::pressures_Pa, &solution::StatePoint::tangent_pressures,
@@ -124,7 +128,8 @@ constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &so
 /// Does not compile where a struct has a member more than is kept here: then a resumed path would not be the same.
 [[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18,
-                                  s19, s20, s21] = step;
+                                  s19, motion, s20, s21] = step;
+    [[maybe_unused]] const auto& [m1, m2, m3, m4, m5] = *motion;
     [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, end] = checkpoint;
     [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6] = start;
     [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10] = last;
@@ -144,6 +149,9 @@ std::vector<std::byte> encode_step(const solution::Step& step, std::span<const d
     packer.put_optional(step.volume_m3);
     packer.put_optional(step.pressure_error_Pa);
     packer.put(std::uint64_t{step.stable});
+    packer.put(std::uint64_t{step.motion.has_value()});
+    if (step.motion)
+        for (const auto member : motion_numbers) packer.put((*step.motion).*member);
     packer.put_list(displacement);
     packer.put_list(pressure);
     return packer.take();
@@ -159,6 +167,10 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     step.volume_m3 = unpacker.get_optional();
     step.pressure_error_Pa = unpacker.get_optional();
     step.stable = unpacker.get_flag();
+    if (unpacker.get_flag()) {
+        step.motion.emplace();
+        for (const auto member : motion_numbers) (*step.motion).*member = unpacker.get<double>();
+    }
     record.displacement_m = unpacker.get_list();
     record.pressure_Pa = unpacker.get_list();
     unpacker.require_end();

@@ -67,6 +67,11 @@ void check_pressures(const Checker& check) {
         check.require_positive(gas.exponent, Checker::item("/loads/exponent", i));
         check.require(std::isfinite(gas.dead_volume_m3) && gas.dead_volume_m3 >= 0, Checker::item("/loads/dead_volume", i),
                       "must not be negative");
+        check_course(check, loads[i].course, "/loads", i);
+        if (!loads[i].line) continue;
+        check.require_positive(loads[i].line->resistance_Pa_s_m3, Checker::item("/loads/line_resistance", i));
+        check.require(acts_on_cavities(check.model(), loads[i]), Checker::item("/loads/line_resistance", i),
+                      "the load " + quoted(loads[i].name) + " is on a face, which no tube fills");
     }
 }
 
@@ -76,6 +81,7 @@ void check_forces(const Checker& check) {
         check.require_face(input.tractions[i].face, Checker::item("/loads/tractions/face", i));
         for (const double component : input.tractions[i].traction_Pa)
             check.require_finite(component, Checker::item("/loads/tractions/traction", i));
+        check_course(check, input.tractions[i].course, "/loads/tractions", i);
     }
     check.require_unique(input.body_forces, "/loads/body_forces/name",
                          [](const model::BodyForce& force) { return force.name; });
@@ -85,6 +91,7 @@ void check_forces(const Checker& check) {
         for (const double component : acceleration) check.require_finite(component, place);
         if (input.kinematics == model::Kinematics::axisymmetric)
             check.require(acceleration[1] == 0 && acceleration[2] == 0, place, "does not point along the axis");
+        check_course(check, input.body_forces[i].course, "/loads/body_forces", i);
     }
 }
 
@@ -169,19 +176,6 @@ void check_stage(const Checker& check, const model::Stage& stage, const std::str
     check_levels(check, stage.motions, input.motions.size(), place + "/motions");
 }
 
-void check_solver(const Checker& check) {
-    const model::SolverSettings& solver = check.model().solver;
-    check.require(solver.residual_tolerance > 0 && solver.residual_tolerance < 1, "/control/solver/residual_tolerance",
-                  "must lie between 0 and 1");
-    check.require(solver.newton_limit >= 1, "/control/solver/newton_limit", "must be at least 1");
-    check.require(solver.step_limit >= 1, "/control/solver/step_limit", "must be at least 1");
-    check.require_positive(solver.first_step, "/control/solver/first_step");
-    check.require_positive(solver.smallest_step, "/control/solver/smallest_step");
-    check.require_positive(solver.step_accuracy, "/control/solver/step_accuracy");
-    check.require(std::isfinite(solver.largest_step) && solver.largest_step >= 0, "/control/solver/largest_step",
-                  "must not be negative");
-}
-
 }  // namespace
 
 void check_loads(const Checker& check) {
@@ -202,7 +196,7 @@ void check_path(const Checker& check) {
     check.require_positive(path.imperfection_m, "/control/imperfection");
     check.require(std::isfinite(path.stretch_limit) && path.stretch_limit > 1, "/control/stretch_limit",
                   "must be greater than 1");
-    check_solver(check);
+    check_settings(check);
 }
 
 }  // namespace soft::io

@@ -61,6 +61,74 @@ inline constexpr std::array contact_names{
     Named{model::Contact::stop, std::string_view{"stop"}},
     Named{model::Contact::ignore, std::string_view{"ignore"}},
 };
+inline constexpr std::array strain_names{
+    Named{model::Strain::finite, std::string_view{"finite"}},
+    Named{model::Strain::small, std::string_view{"small"}},
+};
+inline constexpr std::array load_shape_names{
+    Named{model::LoadShape::deformed, std::string_view{"deformed"}},
+    Named{model::LoadShape::undeformed, std::string_view{"undeformed"}},
+};
+inline constexpr std::array course_names{
+    Named{model::Course::ramp, std::string_view{"ramp"}},
+    Named{model::Course::step, std::string_view{"step"}},
+    Named{model::Course::sine, std::string_view{"sine"}},
+    Named{model::Course::table, std::string_view{"table"}},
+};
+inline constexpr std::array newton_names{
+    Named{model::NewtonMethod::full, std::string_view{"full"}},
+    Named{model::NewtonMethod::modified, std::string_view{"modified"}},
+    Named{model::NewtonMethod::bfgs, std::string_view{"bfgs"}},
+};
+inline constexpr std::array line_search_names{
+    Named{model::LineSearch::backtracking, std::string_view{"backtracking"}},
+    Named{model::LineSearch::secant, std::string_view{"secant"}},
+    Named{model::LineSearch::none, std::string_view{"none"}},
+};
+inline constexpr std::array tangent_names{
+    Named{model::TangentSource::exact, std::string_view{"exact"}},
+    Named{model::TangentSource::finite_difference, std::string_view{"finite_difference"}},
+};
+inline constexpr std::array linear_names{
+    Named{model::LinearMethod::automatic, std::string_view{"auto"}},
+    Named{model::LinearMethod::mumps_ldlt, std::string_view{"mumps_ldlt"}},
+    Named{model::LinearMethod::mumps_lu, std::string_view{"mumps_lu"}},
+    Named{model::LinearMethod::superlu_dist, std::string_view{"superlu_dist"}},
+    Named{model::LinearMethod::cholmod, std::string_view{"cholmod"}},
+    Named{model::LinearMethod::krylov, std::string_view{"krylov"}},
+    Named{model::LinearMethod::jacobian_free, std::string_view{"jacobian_free"}},
+};
+inline constexpr std::array preconditioner_names{
+    Named{model::Preconditioner::lu, std::string_view{"lu"}},
+    Named{model::Preconditioner::asm_lu, std::string_view{"asm_lu"}},
+    Named{model::Preconditioner::asm_ilu, std::string_view{"asm_ilu"}},
+    Named{model::Preconditioner::asm_boomeramg, std::string_view{"asm_boomeramg"}},
+    Named{model::Preconditioner::boomeramg, std::string_view{"boomeramg"}},
+    Named{model::Preconditioner::gamg, std::string_view{"gamg"}},
+    Named{model::Preconditioner::jacobi, std::string_view{"jacobi"}},
+    Named{model::Preconditioner::none, std::string_view{"none"}},
+};
+inline constexpr std::array step_rule_names{
+    Named{model::StepRule::error_adaptive, std::string_view{"error_adaptive"}},
+    Named{model::StepRule::iteration_adaptive, std::string_view{"iteration_adaptive"}},
+    Named{model::StepRule::constant, std::string_view{"constant"}},
+};
+inline constexpr std::array predictor_names{
+    Named{model::Predictor::cubic, std::string_view{"cubic"}},
+    Named{model::Predictor::tangent, std::string_view{"tangent"}},
+    Named{model::Predictor::none, std::string_view{"none"}},
+};
+inline constexpr std::array integrator_names{
+    Named{model::Integrator::generalized_alpha, std::string_view{"generalized_alpha"}},
+    Named{model::Integrator::hht, std::string_view{"hht"}},
+    Named{model::Integrator::newmark, std::string_view{"newmark"}},
+    Named{model::Integrator::implicit_euler, std::string_view{"implicit_euler"}},
+    Named{model::Integrator::ark4, std::string_view{"ark4"}},
+    Named{model::Integrator::rosenbrock, std::string_view{"rosenbrock"}},
+    Named{model::Integrator::heun, std::string_view{"heun"}},
+    Named{model::Integrator::explicit_euler, std::string_view{"explicit_euler"}},
+    Named{model::Integrator::central_difference, std::string_view{"central_difference"}},
+};
 inline constexpr std::array stop_reason_names{
     Named{solution::StopReason::done, name(solution::StopReason::done)},
     Named{solution::StopReason::limit_point, name(solution::StopReason::limit_point)},

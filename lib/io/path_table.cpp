@@ -37,6 +37,21 @@ NumberColumn pressure_tangent(const model::Case& model) {
     return {"pressure", load_units(model), "derivative along the path", &Step::tangent_pressure};
 }
 
+/// Of a dynamic path. /path/time is pseudo time without them.
+struct MotionColumn {
+    const char* name;
+    const char* units;
+    const char* description;
+    double Step::Motion::*member;
+};
+constexpr std::array motion_columns{
+    MotionColumn{"time", "s", "since the body was at rest, undeformed", &Step::Motion::time_s},
+    MotionColumn{"kinetic_energy", "J", "of the whole actuator", &Step::Motion::kinetic_energy_J},
+    MotionColumn{"stored_energy", "J", "of the whole actuator", &Step::Motion::stored_energy_J},
+    MotionColumn{"load_work", "J", "done by the loads since time 0", &Step::Motion::load_work_J},
+    MotionColumn{"damping_work", "J", "taken by damping since time 0", &Step::Motion::damping_work_J},
+};
+
 struct CountColumn {
     const char* name;
     const char* description;
@@ -68,6 +83,32 @@ void write_numbers(hid_t group, const NumberColumn& column, std::span<const Step
 void read_numbers(const GroupReader& group, const NumberColumn& column, std::vector<Step>& steps) {
     const auto values = group.array<double>(column.name, {extent(steps.size())});
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].*column.member = values[i];
+}
+
+void write_times(hid_t path, std::span<const Step> steps, const model::Case& model) {
+    if (!model.dynamics) {
+        write_column(path, {"time", "1", "pseudo time: number of the stage and the load parameter in it"}, steps.size(),
+                     [&](std::size_t i) { return steps[i].stage + steps[i].load_factor; });
+        return;
+    }
+    for (const MotionColumn& column : motion_columns)
+        write_column(path, {column.name, column.units, column.description}, steps.size(),
+                     [&](std::size_t i) { return (*steps[i].motion).*column.member; });
+}
+
+void read_times(const GroupReader& path, std::vector<Step>& steps, const model::Case& model) {
+    if (!model.dynamics) return;
+    for (Step& step : steps) step.motion.emplace();
+    for (const MotionColumn& column : motion_columns) {
+        const auto values = path.array<double>(column.name, {extent(steps.size())});
+        for (std::size_t i = 0; i < steps.size(); ++i) (*steps[i].motion).*column.member = values[i];
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const auto row = [&](const char* name) { return std::string{name} + "[" + std::to_string(i) + "]"; };
+        if (steps[i].motion->time_s < 0 || (i > 0 && !(steps[i].motion->time_s > steps[i - 1].motion->time_s)))
+            throw path.refuse(row("time"), "must ascend from 0 on");
+        if (steps[i].motion->kinetic_energy_J < 0) throw path.refuse(row("kinetic_energy"), "is negative");
+    }
 }
 
 bool is_error(double value) { return std::isfinite(value) && value >= 0; }
@@ -115,13 +156,17 @@ void require_sound(const Step& step, const model::Case& model) {
     std::for_each(number_columns.begin(), number_columns.end(), require_finite);
     for (const NumberColumn& column : {pressure_column(model), pressure_tangent(model), load_tangent, volume_tangent})
         require_finite(column);
+    if (step.motion.has_value() != model.dynamics.has_value())
+        refuse("a step lacks its time and energies, or has them in a static case");
+    for (const MotionColumn& column : motion_columns)
+        if (step.motion && !std::isfinite((*step.motion).*column.member))
+            refuse(std::string{column.name} + " of a step is not finite");
 }
 
 void write_steps(hid_t path, std::span<const Step> steps, const model::Case& model) {
     write_column(path, {"step", "1", "row number"}, steps.size(),
                  [](std::size_t i) { return static_cast<std::int64_t>(i); });
-    write_column(path, {"time", "1", "pseudo time: number of the stage and the load parameter in it"}, steps.size(),
-                 [&](std::size_t i) { return steps[i].stage + steps[i].load_factor; });
+    write_times(path, steps, model);
     for (const NumberColumn& column : number_columns) write_numbers(path, column, steps);
     write_numbers(path, pressure_column(model), steps);
     for (const CountColumn& column : count_columns)
@@ -170,6 +215,7 @@ std::vector<Step> read_steps(const GroupReader& path, const model::Case& model) 
     const auto stable = path.flags("stable", {extent(steps.size())});
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].stable = stable[i] == 1;
     read_errors(path, steps, model);
+    read_times(path, steps, model);
     const GroupReader tangents = path.group("tangents");
     read_numbers(tangents, load_tangent, steps);
     read_numbers(tangents, pressure_tangent(model), steps);

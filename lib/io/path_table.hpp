@@ -10,7 +10,7 @@
 namespace soft::io {
 
 /// Throws Error (internal) unless the step fits the case (its stage exists, one value for each output, and for each load
-/// and cavity where there are several) and has only finite values.
+/// and cavity where there are several, a time and energies just where it is dynamic) and has only finite values.
 void require_sound(const solution::Step& step, const model::Case& model);
 
 /// Volumes are written if the first step has one.

@@ -1,6 +1,7 @@
 #include "core/text.hpp"
 #include "io/columns.hpp"
 #include "io/names.hpp"
+#include "io/settings_io.hpp"
 #include "io/solve_parts.hpp"
 
 namespace soft::io {
@@ -14,6 +15,7 @@ std::vector<model::Material> read_materials(const GroupReader& group) {
         material.name = name;
         material.law = one.text("law");
         material.volumetric = one.word("volumetric", volumetric_names);
+        material.strain = one.word("strain", strain_names);
         material.fiber_frame = one.word("fiber_frame", fiber_frame_names);
         if (one.has("bulk_modulus")) material.bulk_modulus_Pa = one.number("bulk_modulus");
         if (one.has("density")) material.density_kg_m3 = one.number("density");
@@ -31,9 +33,15 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
     const auto densities = group.array<double>("ambient_density", {count});
     const auto dead_volumes = group.array<double>("dead_volume", {count});
     const auto exponents = group.array<double>("exponent", {count});
+    const auto shapes = read_words(group, "shape", load_shape_names, count);
+    const auto resistances = group.array<double>("line_resistance", {count});
+    const auto courses = read_courses(group, count);
     std::vector<model::PressureLoad> loads;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        loads.push_back({names[i], {}, sealed[i] == 1, {ambients[i], densities[i], dead_volumes[i], exponents[i]}});
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        loads.push_back({names[i], {}, sealed[i] == 1, {ambients[i], densities[i], dead_volumes[i], exponents[i]}, shapes[i],
+                         courses[i], {}});
+        if (resistances[i] != 0) loads.back().line = model::SupplyLine{resistances[i]};
+    }
     const GroupReader targets = group.group("targets");
     const auto targeted = targets.texts("name");
     const auto owners = targets.array<std::int64_t>("load", {extent(targeted.size())});
@@ -48,16 +56,18 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
 std::vector<model::TractionLoad> read_tractions(const GroupReader& group) {
     const auto faces = group.texts("face");
     const auto values = group.array<double>("traction", {extent(faces.size()), 3});
+    const auto courses = read_courses(group, extent(faces.size()));
     std::vector<model::TractionLoad> tractions;
-    for (std::size_t i = 0; i < faces.size(); ++i) tractions.push_back({faces[i], triple<double>(values, i)});
+    for (std::size_t i = 0; i < faces.size(); ++i) tractions.push_back({faces[i], triple<double>(values, i), courses[i]});
     return tractions;
 }
 
 std::vector<model::BodyForce> read_body_forces(const GroupReader& group) {
     const auto names = group.texts("name");
     const auto values = group.array<double>("acceleration", {extent(names.size()), 3});
+    const auto courses = read_courses(group, extent(names.size()));
     std::vector<model::BodyForce> forces;
-    for (std::size_t i = 0; i < names.size(); ++i) forces.push_back({names[i], triple<double>(values, i)});
+    for (std::size_t i = 0; i < names.size(); ++i) forces.push_back({names[i], triple<double>(values, i), courses[i]});
     return forces;
 }
 
@@ -104,18 +114,6 @@ model::PathSettings read_path(const GroupReader& group) {
     return path;
 }
 
-model::SolverSettings read_solver(const GroupReader& settings) {
-    model::SolverSettings solver;
-    solver.residual_tolerance = settings.number("residual_tolerance");
-    solver.newton_limit = settings.small_count("newton_limit", 1);
-    solver.first_step = settings.number("first_step");
-    solver.largest_step = settings.number("largest_step");
-    solver.smallest_step = settings.number("smallest_step");
-    solver.step_limit = settings.small_count("step_limit", 1);
-    solver.step_accuracy = settings.number("step_accuracy");
-    return solver;
-}
-
 }  // namespace
 
 void read_solve_parts(const GroupReader& parent, model::Case& model) {
@@ -127,7 +125,7 @@ void read_solve_parts(const GroupReader& parent, model::Case& model) {
     model.motions = read_motions(loads.group("motions"));
     const GroupReader control = parent.group("control");
     model.path = read_path(control);
-    model.solver = read_solver(control.group("solver"));
+    read_settings(control, model);
 }
 
 }  // namespace soft::io

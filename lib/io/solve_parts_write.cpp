@@ -1,5 +1,6 @@
 #include "io/columns.hpp"
 #include "io/names.hpp"
+#include "io/settings_io.hpp"
 #include "io/solve_parts.hpp"
 
 namespace soft::io {
@@ -14,12 +15,13 @@ void write_materials(hid_t parent, const std::vector<model::Material>& materials
         write_text(one.get(), {"law", "1", "name of the law"}, material.law);
         write_text(one.get(), {"volumetric", "1", "volumetric energy: quadratic | log | mixed"},
                    name_of(volumetric_names, material.volumetric));
+        write_text(one.get(), {"strain", "1", "finite | small"}, name_of(strain_names, material.strain));
         write_text(one.get(), {"fiber_frame", "1", "directions of fibres: cartesian x, y | cylindrical x, hoop"},
                    name_of(fiber_frame_names, material.fiber_frame));
         if (material.bulk_modulus_Pa)
             write_number(one.get(), {"bulk_modulus", "Pa", "kappa; absent: incompressible"}, *material.bulk_modulus_Pa);
         if (material.density_kg_m3)
-            write_number(one.get(), {"density", "kg/m3", "undeformed; absent: no body force acts"},
+            write_number(one.get(), {"density", "kg/m3", "undeformed; absent: no body force acts, and the path is static"},
                          *material.density_kg_m3);
         const GroupHandle constants = create_group(one.get(), "constants", "by the law's own keys");
         for (const auto& [key, values] : material.constants)
@@ -40,6 +42,11 @@ void write_targets(hid_t loads_group, const std::vector<model::PressureLoad>& lo
     write_texts(group.get(), {"name", "1", "cavity, or one named face"}, names);
 }
 
+template <class Load>
+std::vector<model::TimeCourse> courses_of(const std::vector<Load>& loads) {
+    return column(loads, [](const auto& load) { return load.course; });
+}
+
 void write_pressures(hid_t group, const std::vector<model::PressureLoad>& loads) {
     write_texts(group, {"name", "1", "name of the load"}, column(loads, [](const auto& l) { return l.name; }));
     write_list(group, {"sealed", "1", "1: plugs and inner faces are loaded too"},
@@ -51,6 +58,11 @@ void write_pressures(hid_t group, const std::vector<model::PressureLoad>& loads)
     gas({"ambient_density", "kg/m3", "of the gas at ambient pressure"}, &model::Gas::ambient_density_kg_m3);
     gas({"dead_volume", "m3", "of the tubing, filled by the same gas; whole actuator"}, &model::Gas::dead_volume_m3);
     gas({"exponent", "1", "p + ambient goes with density to this power; 1: isothermal"}, &model::Gas::exponent);
+    write_texts(group, {"shape", "1", "deformed | undeformed: what the pressure pushes on"},
+                column(loads, [](const auto& l) { return std::string{name_of(load_shape_names, l.shape)}; }));
+    write_list(group, {"line_resistance", "Pa.s/m3", "of the tube that fills the cavities in a dynamic case; 0: none"},
+               column(loads, [](const auto& l) { return l.line ? l.line->resistance_Pa_s_m3 : 0.0; }));
+    write_courses(group, courses_of(loads));
     write_targets(group, loads);
 }
 
@@ -60,11 +72,13 @@ void write_forces(hid_t loads_group, const model::Case& model) {
     write_texts(dead.get(), {"face", "1", "named face"}, column(tractions, [](const auto& t) { return t.face; }));
     write_list(dead.get(), {"traction", "Pa", "force per undeformed area: x, y, z (axisymmetric: x, r, unused)"},
                rows_of_three<double>(tractions, [](const auto& t) { return t.traction_Pa; }), {tractions.size(), 3});
+    write_courses(dead.get(), courses_of(tractions));
     const auto& forces = model.body_forces;
     const GroupHandle body = create_group(loads_group, "body_forces", "forces on the mass at level 1, one row a load");
     write_texts(body.get(), {"name", "1", "name of the load"}, column(forces, [](const auto& f) { return f.name; }));
     write_list(body.get(), {"acceleration", "m/s2", "force per mass: x, y, z (axisymmetric: x alone)"},
                rows_of_three<double>(forces, [](const auto& f) { return f.acceleration_m_s2; }), {forces.size(), 3});
+    write_courses(body.get(), courses_of(forces));
 }
 
 void write_motions(hid_t loads_group, const std::vector<model::Motion>& motions) {
@@ -110,19 +124,8 @@ void write_stage(hid_t stages_group, const model::Stage& stage, std::size_t numb
     write_until(id, stage.until);
 }
 
-void write_solver(hid_t control_group, const model::SolverSettings& solver) {
-    const GroupHandle settings = create_group(control_group, "solver", "tolerances and limits");
-    const hid_t id = settings.get();
-    write_number(id, {"residual_tolerance", "1", "relative to the nodal forces"}, solver.residual_tolerance);
-    write_count(id, {"newton_limit", "1", "iterations a step"}, solver.newton_limit);
-    write_number(id, {"first_step", "1", "fraction of the full load in the linear response"}, solver.first_step);
-    write_number(id, {"largest_step", "1", "fraction of the path; 0: chosen by the solver"}, solver.largest_step);
-    write_number(id, {"smallest_step", "1", "fraction of the first step"}, solver.smallest_step);
-    write_count(id, {"step_limit", "1", "most steps of a path"}, solver.step_limit);
-    write_number(id, {"step_accuracy", "1", "wanted relative error of the predictor"}, solver.step_accuracy);
-}
-
-void write_control(hid_t parent, const model::PathSettings& path, const model::SolverSettings& solver) {
+void write_control(hid_t parent, const model::Case& model) {
+    const model::PathSettings& path = model.path;
     const GroupHandle group = create_group(parent, "control", "how the path is followed");
     write_text(group.get(), {"branch", "1", "stay | follow, where another branch leaves the path"},
                name_of(branch_names, path.branch));
@@ -134,7 +137,7 @@ void write_control(hid_t parent, const model::PathSettings& path, const model::S
                  path.stretch_limit);
     const GroupHandle stages = create_group(group.get(), "stages", "the load programme, one group a stage: 0, 1 ...");
     for (std::size_t i = 0; i < path.stages.size(); ++i) write_stage(stages.get(), path.stages[i], i);
-    write_solver(group.get(), solver);
+    write_settings(group.get(), model);
 }
 
 }  // namespace
@@ -147,7 +150,7 @@ void write_solve_parts(hid_t parent, const model::Case& model) {
         write_forces(loads.get(), model);
         write_motions(loads.get(), model.motions);
     }
-    write_control(parent, model.path, model.solver);
+    write_control(parent, model);
 }
 
 }  // namespace soft::io

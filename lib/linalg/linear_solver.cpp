@@ -1,69 +1,72 @@
 #include "linalg/linear_solver.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <string_view>
+
+#include "linalg/preconditioner.hpp"
 
 namespace soft::linalg {
 
 namespace {
 
-/// Relative residual of a linear solve. Newton's own tolerance is 1e-9 of the forces; a correction solved to 1e-8
-/// of the present residual keeps its quadratic convergence.
-constexpr double linear_tolerance = 1e-8;
-/// A good factor needs 1 to 5 iterations, a stale one more; beyond this a new factorisation is cheaper.
-constexpr int linear_iteration_limit = 40;
+using model::LinearMethod;
+
+/// Vectors of GMRES kept at most before it starts again.
+constexpr int longest_restart = 300;
 
 /// An LDL^T factor that needs more than this misses too much of K: LU costs twice the factorisation, once a matrix.
 constexpr int many_iterations_for_ldlt = 6;
 
-bool is_type(PC pc, PCType type) {
-    PetscBool same = PETSC_FALSE;
-    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), type, &same));
-    return same == PETSC_TRUE;
-}
-
-bool is_mumps(PC pc) {
-    if (!is_type(pc, PCCHOLESKY) && !is_type(pc, PCLU)) return false;
-    MatSolverType type = nullptr;
-    SOFT_PETSC(PCFactorGetMatSolverType(pc, &type));
-    return type != nullptr && std::string_view(type) == MATSOLVERMUMPS;
-}
-
 }  // namespace
 
-LinearSolver::LinearSolver(Mat K, Symmetry symmetry) : K_(K) {
+LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings& settings) : K_(K), settings_(settings) {
     SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
-    SOFT_PETSC(KSPGMRESSetRestart(ksp_, linear_iteration_limit));
-    SOFT_PETSC(KSPSetTolerances(ksp_, linear_tolerance, PETSC_DEFAULT, PETSC_DEFAULT, linear_iteration_limit));
+    SOFT_PETSC(KSPGMRESSetRestart(ksp_, std::min(settings.iteration_limit, longest_restart)));
+    SOFT_PETSC(KSPSetTolerances(ksp_, settings.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, settings.iteration_limit));
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    SOFT_PETSC(PCSetType(pc, symmetry == Symmetry::symmetric ? PCCHOLESKY : PCLU));
-    SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-    // ICNTL(14): work space beyond the estimate [%], small by default and pivoting of the saddle point needs more.
-    // ICNTL(13) = 1: the root front is factorised on one rank, without which the count of negative pivots is partial.
-    // ICNTL(33) = 1: the determinant, whose sign is all that LU tells of the inertia.
-    // ICNTL(12) = 1, ICNTL(6) = 0: the order of elimination follows from the pattern of K alone, not from the values of the
-    // first K that comes along, so that a path that is resumed in its middle is that of one run to the last digit.
-    for (const auto& [option, value] : {std::pair{"-mat_mumps_icntl_14", "80"}, std::pair{"-mat_mumps_icntl_13", "1"},
-                                        std::pair{"-mat_mumps_icntl_33", "1"}, std::pair{"-mat_mumps_icntl_12", "1"},
-                                        std::pair{"-mat_mumps_icntl_6", "0"}}) {
-        PetscBool given = PETSC_FALSE;
-        SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, option, &given));
-        if (!given) SOFT_PETSC(PetscOptionsSetValue(nullptr, option, value));
-    }
+    set_type(pc, settings, symmetry);
     SOFT_PETSC(KSPSetFromOptions(ksp_));
-    SOFT_PETSC(KSPSetOperators(ksp_, K_, K_));
+    set_operators();
+}
+
+void LinearSolver::set_operators() {
+    const bool given = settings_.method == LinearMethod::jacobian_free && operator_ != nullptr;
+    SOFT_PETSC(KSPSetOperators(ksp_, given ? operator_ : K_, K_));
+}
+
+PetscErrorCode LinearSolver::set_up() {
+    const PetscErrorCode code = KSPSetUp(ksp_);
+    PC pc = nullptr;
+    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    if (code != 0 || !is_type(pc, PCASM)) return code;
+    set_block_type(pc, settings_.preconditioner);
+    return KSPSetUpOnBlocks(ksp_);
+}
+
+/// PETSc raises an error where CHOLMOD meets a pivot that is not positive, or a multigrid a spectrum that is not.
+bool LinearSolver::is_numerical_failure(PetscErrorCode code, const char* call) const {
+    if (code == 0) return false;
+    const bool may_fail = is_krylov() || settings_.method == LinearMethod::cholmod;
+    const bool of_the_program = code == PETSC_ERR_MEM || code == PETSC_ERR_ARG_UNKNOWN_TYPE ||
+                                code == PETSC_ERR_MISSING_FACTOR || code == PETSC_ERR_USER;
+    if (!may_fail || of_the_program) check(code, call);
+    return true;
 }
 
 Factorization LinearSolver::factorize() {
     ++factorizations_;
-    SOFT_PETSC(KSPSetOperators(ksp_, K_, K_));
+    set_operators();
     SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_FALSE));
-    SOFT_PETSC(KSPSetUp(ksp_));
+    const bool raised = is_numerical_failure(set_up(), "KSPSetUp");
     SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_TRUE));
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    if (raised) {
+        SOFT_PETSC(PCReset(pc));   // half made
+        return {};
+    }
     PCFailedReason failed = PC_NOERROR;
     SOFT_PETSC(PCGetFailedReason(pc, &failed));
     Factorization result{failed == PC_NOERROR, std::nullopt, std::nullopt};
@@ -109,7 +112,9 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
     const LinearSolve first = solve_once(b, x);
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    if (factor == Factor::stale || first.iterations <= many_iterations_for_ldlt || !is_type(pc, PCCHOLESKY)) return first;
+    if (settings_.method != LinearMethod::automatic || factor == Factor::stale ||
+        first.iterations <= many_iterations_for_ldlt || !is_type(pc, PCCHOLESKY))
+        return first;
     SOFT_PETSC(PCSetType(pc, PCLU));
     SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
     SOFT_PETSC(PCSetFromOptions(pc));
@@ -117,13 +122,22 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
     return solve_once(b, x);
 }
 
+LinearSolve LinearSolver::improve(Vec b, Vec x) {
+    SOFT_PETSC(KSPSetInitialGuessNonzero(ksp_, PETSC_TRUE));
+    const LinearSolve result = solve_once(b, x);
+    SOFT_PETSC(KSPSetInitialGuessNonzero(ksp_, PETSC_FALSE));
+    return result;
+}
+
 LinearSolve LinearSolver::solve_once(Vec b, Vec x) {
-    SOFT_PETSC(KSPSolve(ksp_, b, x));
+    if (is_numerical_failure(KSPSolve(ksp_, b, x), "KSPSolve")) return {};
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     PetscInt iterations = 0;
     SOFT_PETSC(KSPGetConvergedReason(ksp_, &reason));
     SOFT_PETSC(KSPGetIterationNumber(ksp_, &iterations));
-    return {reason > 0 && std::isfinite(norm(x)), static_cast<int>(iterations)};
+    iterations_ += iterations;
+    const bool finite = std::isfinite(norm(x));
+    return {reason > 0 && finite, static_cast<int>(iterations), reason == KSP_DIVERGED_ITS && finite && is_krylov()};
 }
 
 }  // namespace soft::linalg

@@ -42,6 +42,7 @@ using Matrix = Owned<Mat, MatDestroy>;
 using KrylovSolver = Owned<KSP, KSPDestroy>;
 using Scatter = Owned<VecScatter, VecScatterDestroy>;
 using IndexSet = Owned<IS, ISDestroy>;
+using NullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 
 [[nodiscard]] Vector duplicate(Vec like);   ///< same layout, zero
 [[nodiscard]] double dot(Vec a, Vec b);

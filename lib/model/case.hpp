@@ -9,6 +9,7 @@
 
 #include "material/form.hpp"
 #include "mesh/mesh.hpp"
+#include "model/settings.hpp"
 
 namespace soft::model {
 
@@ -19,14 +20,16 @@ enum class Kinematics { axisymmetric, plane_strain, solid };
 using Formulation = material::Form;
 using Volumetric = material::VolumetricLaw;
 using FiberFrame = material::FiberFrame;
+enum class Strain { finite, small };
 
 struct Material {
     std::string name;                                    ///< region it belongs to
     std::string law;                                     ///< material::law name, e.g. "neo-hookean"
     std::map<std::string, std::vector<double>> constants;  ///< SI, by the law's own keys; scalars have one entry
     std::optional<double> bulk_modulus_Pa;               ///< kappa; nullopt = fully incompressible
-    std::optional<double> density_kg_m3 = {};            ///< undeformed; needed by body forces
+    std::optional<double> density_kg_m3 = {};            ///< undeformed; needed by body forces and dynamics
     Volumetric volumetric = Volumetric::quadratic;
+    Strain strain = Strain::finite;                      ///< small: the law's tangent at the undeformed state, linear in grad u
     FiberFrame fiber_frame = FiberFrame::cartesian;      ///< of laws with fibres; the others do not look at it
 };
 
@@ -61,25 +64,51 @@ struct Gas {
     double exponent = 1;
 };
 
-/// A follower pressure, traction -p n on the DEFORMED area (n out of the rubber); positive inflates a cavity. The
-/// cavities of one load share one gas: one pressure, and their volumes add up. How much of it: Stage::supplies.
+/// How a load goes with time in a dynamic case: its level is the value of the (only) stage times the share f(t).
+///   ramp: f grows from 0 to 1 over `time_s` and stays        step: 1 from the start (t = 0 included)
+///   sine: sin(2 pi frequency t)                               table: linear between (times_s, shares), held beyond its ends
+enum class Course { ramp, step, sine, table };
+struct TimeCourse {
+    Course kind = Course::ramp;
+    double time_s = 0;                        ///< of the ramp; 0: the duration of the path
+    double frequency_Hz = 0;                  ///< of the sine
+    std::vector<double> times_s, shares;      ///< of the table, times ascending
+};
+
+/// A tube between a source of pressure and the cavity: dm/dt = ambient density (source - cavity pressure) / resistance.
+struct SupplyLine {
+    double resistance_Pa_s_m3 = 0;            ///< pressure drop per volume flow, the volume measured at ambient pressure
+};
+
+/// Which shape of the body a pressure pushes on. undeformed: traction -p N on the undeformed area, a dead load.
+enum class LoadShape { deformed, undeformed };
+
+/// A pressure, traction -p n on the DEFORMED area (unless `shape` says otherwise; n out of the rubber); positive inflates a
+/// cavity. The cavities of one load share one gas: one pressure, and their volumes add up. How much of it: Stage::supplies.
 struct PressureLoad {
     std::string name;                         ///< its key in the design: "cavity", "left"
     std::vector<std::string> targets;         ///< names of cavities; or of one face (`sealed`, `gas` unused, no volume)
     bool sealed = true;                       ///< openings are plugged; see assembly/cavity.hpp
     Gas gas;
+    LoadShape shape = LoadShape::deformed;
+    TimeCourse course = {};                   ///< of its pressure, where the case is dynamic
+    /// Where the case is dynamic: the pressure of the course feeds the cavities through this resistance, and what is in
+    /// them follows the gas law (dead volume included). nullopt: the course is the pressure in the cavity.
+    std::optional<SupplyLine> line = {};
 };
 
 /// Dead traction: a force per UNDEFORMED area whose direction stays fixed in space.
 struct TractionLoad {
     std::string face;
     std::array<double, 3> traction_Pa{};      ///< at level 1; axisymmetric: x, r, unused
+    TimeCourse course = {};
 };
 
 /// A force on the mass of the body, whose direction stays fixed in space. Every material needs its density.
 struct BodyForce {
     std::string name = "gravity";
     std::array<double, 3> acceleration_m_s2{};   ///< at level 1; axisymmetric: x alone
+    TimeCourse course = {};
 };
 
 /// A prescribed displacement of a face; components without a value stay free.
@@ -149,16 +178,6 @@ struct PathSettings {
     double stretch_limit = 10;                  ///< stretch_p99 beyond which a load that is never reached is given up
 };
 
-struct SolverSettings {
-    double residual_tolerance = 1e-9;   ///< |residual| <= tolerance x scale of the nodal forces
-    int newton_limit = 16;              ///< iterations a step
-    double first_step = 0.02;           ///< first step, fraction of the full load in the linear response
-    double largest_step = 0.0;          ///< 0: chosen by the solver; else a bound on the step as a fraction of the path so far
-    double smallest_step = 1e-4;        ///< a step cut below this fraction of the first step ends the path
-    int step_limit = 1000;              ///< stop_reason step_limit beyond
-    double step_accuracy = 2e-3;        ///< wanted relative error of the predictor; smaller = denser steps
-};
-
 struct Case {
     std::string name;
     Kinematics kinematics = Kinematics::solid;
@@ -176,6 +195,7 @@ struct Case {
     std::vector<Output> outputs;
     PathSettings path;
     SolverSettings solver;
+    std::optional<Dynamics> dynamics;       ///< nullopt: a static path
 };
 
 /// The cavities whose volume is measured: those of all loads, in the order of the loads and their targets.

@@ -5,7 +5,7 @@
 
 namespace soft::model {
 
-/// Errors of material::make_rubber: bad_input, with the constant's name as place.
+/// Errors of material::make_rubber: bad_input, with the constant's name as place; "strain" for a law without a linear form.
 [[nodiscard]] material::AnyRubber make_rubber(const Material& material);
 
 /// Why a case of these kinematics cannot show what the material does ("problem; remedy"); empty where it can. A single

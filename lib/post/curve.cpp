@@ -17,7 +17,7 @@ struct Unit {
 };
 constexpr Unit kilopascal{"kPa", core::Dimension::pressure, 1e3}, millimetre{"mm", core::Dimension::length, 1e-3},
     millilitre{"mL", core::Dimension::volume, 1e-6}, degree{"deg", core::Dimension::angle, std::numbers::pi / 180},
-    none{"", core::Dimension::ratio, 1};
+    second{"s", core::Dimension::time, 1}, millijoule{"mJ", core::Dimension::energy, 1e-3}, none{"", core::Dimension::ratio, 1};
 
 Column coordinate(const std::string& quantity, const Unit& unit, Source source, std::size_t index = 0) {
     Column column;
@@ -58,6 +58,34 @@ Column leading_column(const model::Case& model) {
     }
     return coordinate("load_factor", none, Source::load);
 }
+
+/// What only a motion has: its time, which spans the path, and its energies.
+struct MotionColumns {
+    using Motion = solution::Step::Motion;
+    struct Energy {
+        Column column;
+        double Motion::*value;
+    };
+    Column time = coordinate("time", second, Source::time);
+    std::vector<Energy> energies;
+
+    MotionColumns() {
+        const auto add = [&](const char* name, double Motion::*value) {
+            energies.push_back({coordinate(name, millijoule, Source::other), value});
+            energies.back().column.role = Role::follower;
+        };
+        add("kinetic_energy", &Motion::kinetic_energy_J);
+        add("stored_energy", &Motion::stored_energy_J);
+        add("load_work", &Motion::load_work_J);
+        add("damping_work", &Motion::damping_work_J);
+    }
+    void push(const Motion& motion) {
+        time.values.push_back(motion.time_s);
+        time.slopes.push_back(1);   // the other slopes are derivatives by time
+        for (Energy& energy : energies)
+            energy.column.values.push_back(in_column_unit(energy.column, motion.*energy.value));
+    }
+};
 
 /// Columns of the members of a step that are lists: outputs, and pressures and volumes where there are several.
 struct ListColumns {
@@ -117,6 +145,8 @@ void check(std::span<const solution::Step> steps, std::span<const ListColumns> l
                                 " are recorded, the case has " + std::to_string(list.columns.size()));
         if (step.volume_m3.has_value() != steps.front().volume_m3.has_value())
             throw Error(ExitCode::bad_input, place, "the cavity volume is recorded at some of the steps only");
+        if (step.motion.has_value() != steps.front().motion.has_value())
+            throw Error(ExitCode::bad_input, place, "the time is recorded at some of the steps only");
         const bool has_errors = steps.front().pressure_error_Pa.has_value();
         if (step.pressure_error_Pa.has_value() != has_errors ||
             step.output_errors.size() != (has_errors ? lists.front().columns.size() : 0))
@@ -150,6 +180,8 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     std::array lists{output_columns(model), pressure_columns(model), volume_columns(model)};
     check(steps, lists);
     const bool has_volume = !steps.empty() && steps.front().volume_m3.has_value();
+    const bool moves = !steps.empty() && steps.front().motion.has_value();
+    MotionColumns motion;
 
     Column number = plain("step", Role::counter), stage = plain("stage", Role::stage);
     Column load = leading_column(model), volume = coordinate("volume", millilitre, Source::volume);
@@ -162,6 +194,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     Column jacobian = plain("min_J", Role::follower), stable = plain("stable", Role::flag);
     for (const solution::Step& step : steps) {
         number.values.push_back(static_cast<double>(number.values.size()));
+        if (moves) motion.push(*step.motion);
         stage.values.push_back(step.stage + 1);
         push(load, step.pressure_Pa, step.tangent_pressure);
         if (has_volume) push(volume, *step.volume_m3, step.tangent_volume);
@@ -178,6 +211,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     Curve curve;
     const auto add = [&](Column& column) { curve.columns.push_back(std::move(column)); };
     add(number);
+    if (moves) add(motion.time);
     if (model.path.stages.size() > 1) add(stage);
     add(load);
     for (Column& column : lists[0].columns) add(column);
@@ -185,6 +219,8 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     for (std::size_t i = 1; i < lists.size(); ++i)
         for (Column& column : lists[i].columns) add(column);
     for (Column& column : errors) add(column);
+    if (moves)
+        for (auto& energy : motion.energies) add(energy.column);
     for (Column* column : {&p99, &largest, &jacobian, &stable}) add(*column);
     return curve;
 }
@@ -198,6 +234,7 @@ std::optional<double> value_at(const Column& column, const solution::LimitPoint&
         case Source::volume:
             if (!point.volume_m3) return std::nullopt;
             return in_column_unit(column, *point.volume_m3);
+        case Source::time:
         case Source::other: break;
     }
     return std::nullopt;

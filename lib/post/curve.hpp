@@ -1,9 +1,10 @@
 #pragma once
 /// The equilibrium path as a table: one row a converged step, columns with the unit in their name.
-/// Columns: step, stage (1, 2 ..., of a case with several), pressure_kPa (traction_kPa, load_factor: what leads the case,
+/// Columns: step, time_s (of a dynamic case), stage (1, 2 ..., of a case with several), pressure_kPa (traction_kPa, load_factor: what leads the case,
 /// model::leading_load), <output>_mm or, of an angle, <output>_deg ..., volume_mL, then of a case with several loads or
 /// cavities pressure_<load>_kPa ... and volume_<cavity>_mL ..., after `solve --tolerance` the half widths of the errors
-/// pressure_error_kPa (traction_, load_factor_) and <output>_error_mm or _deg ..., stretch_p99, max_stretch, min_J, stable. What a case does
+/// pressure_error_kPa (traction_, load_factor_) and <output>_error_mm or _deg ..., of a dynamic case kinetic_energy_mJ,
+/// stored_energy_mJ, load_work_mJ and damping_work_mJ, then stretch_p99, max_stretch, min_J, stable. What a case does
 /// not have (an output, a cavity volume) is left out, never filled with zeros. Held by post/curve_test.
 #include <cstddef>
 #include <optional>
@@ -28,7 +29,7 @@ enum class Role {
 };
 
 /// Which number of a step, limit point or bifurcation a column shows.
-enum class Source { load, output, volume, other };
+enum class Source { time, load, output, volume, other };
 
 struct Column {
     std::string name;      ///< "pressure_kPa"
@@ -58,7 +59,7 @@ struct Curve {
 };
 
 /// `model` is the case as it was solved. Throws Error(bad_input) where a step does not have one value for each output (and
-/// for each load and cavity where there are several) or a volume is recorded at some of the steps only.
+/// for each load and cavity where there are several) or a volume or a time is recorded at some of the steps only.
 [[nodiscard]] Curve make_curve(const model::Case& model, std::span<const solution::Step> steps);
 
 /// What a limit point or bifurcation has to say in this column, in its unit; nullopt where it says nothing.

@@ -144,21 +144,39 @@ std::vector<double> monotone_slopes(std::span<const double> s, std::span<const d
     return slopes;
 }
 
+namespace {
+
+/// Of a motion: slopes are derivatives by time, so that the speed of a row is the length of its own.
+Speeds motion_speeds(const Metric& metric, const Column& time, std::size_t row_a, std::size_t row_b) {
+    const double duration = time.values[row_b] - time.values[row_a];
+    return {metric.norm(row_a) * duration, metric.norm(row_b) * duration};
+}
+
+const Column* first_of(const Curve& curve, auto is_wanted) {
+    const auto column = std::find_if(curve.columns.begin(), curve.columns.end(), is_wanted);
+    return column == curve.columns.end() ? nullptr : &*column;
+}
+
+}  // namespace
+
 Path::Path(const Curve& curve) : curve_(&curve) {
     if (curve.row_count() == 0) throw Error(ExitCode::bad_input, "path", "the result holds no step");
     const Metric metric(curve);
-    const auto stage = std::find_if(curve.columns.begin(), curve.columns.end(),
-                                    [](const Column& column) { return column.role == Role::stage; });
+    const Column* stage = first_of(curve, [](const Column& column) { return column.role == Role::stage; });
+    const Column* time = first_of(curve, [](const Column& column) { return column.source == Source::time; });
     std::vector<Speeds> speeds;
     rows_.push_back(0);
     s_.push_back(0);
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
-        const bool enters = stage != curve.columns.end() && stage->values[row] != stage->values[rows_.back()];
-        const Speeds next = enters ? first_speeds(metric, rows_.back(), row) : interval_speeds(metric, rows_.back(), row);
+        const std::size_t before = rows_.back();
+        const bool enters = stage != nullptr && stage->values[row] != stage->values[before];
+        const Speeds next = time != nullptr ? motion_speeds(metric, *time, before, row)
+                            : enters        ? first_speeds(metric, before, row)
+                                            : interval_speeds(metric, before, row);
         if (!(next.start + next.end > 0)) continue;
         rows_.push_back(row);
         speeds.push_back(next);
-        s_.push_back(s_.back() + (next.start + next.end) / 2);
+        s_.push_back(s_.back() + (time != nullptr ? time->values[row] - time->values[before] : (next.start + next.end) / 2));
     }
     for (const Column& column : curve.columns) {
         std::vector<double> q;

@@ -13,7 +13,9 @@
 /// on to the next row belongs to the next stage. There the piece is the arc that leaves the chord as it arrives, known by
 /// u1 alone: m1 = v u1, m0 = 2 (q1 - q0) - m1, v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order;
 /// derived here). Where u1 is not within 60 degrees of the chord, or a coordinate would turn back on the way, it is a
-/// straight line. Held by post/interpolate_test.
+/// straight line.
+/// Of a motion the parameter is time itself, and the slopes, which are derivatives by time, stand for themselves: the cubic
+/// through two rows meets values and velocities. Held by post/interpolate_test.
 #include <span>
 #include <vector>
 

@@ -26,6 +26,8 @@ std::string gnuplot_text(std::string_view text) {
 
 std::string point(double x, double y) { return core::number_text(x) + " " + core::number_text(y) + "\n"; }
 
+bool is_motion(const Curve& curve) { return curve.find("time") != nullptr && curve.find("time")->source == Source::time; }
+
 /// A case without a cavity volume is loaded on a face: its pressure is no cavity's.
 std::string axis_label(const Curve& curve, const Column& column) {
     const bool of_cavity = column.source == Source::volume ||
@@ -54,15 +56,19 @@ std::size_t first_column(const Curve& curve, Wanted wanted) {
     return static_cast<std::size_t>(hit - curve.columns.begin());
 }
 
-std::size_t abscissa(const Curve& curve) {   // outputs stand before the volume
+std::size_t measured(const Curve& curve) {   // outputs stand before the volume
     return first_column(curve, [](const Column& column) {
         return column.source == Source::output || column.source == Source::volume;
     });
 }
 
-std::size_t ordinate(const Curve& curve) {
-    return first_column(curve, [](const Column& column) { return column.source == Source::load; });
+std::size_t column_of(const Curve& curve, Source source) {
+    return first_column(curve, [&](const Column& column) { return column.source == source; });
 }
+
+/// The load over what is measured; of a motion what is measured over time.
+std::size_t abscissa(const Curve& curve) { return is_motion(curve) ? column_of(curve, Source::time) : measured(curve); }
+std::size_t ordinate(const Curve& curve) { return is_motion(curve) ? measured(curve) : column_of(curve, Source::load); }
 
 struct Blocks {
     std::string rows, stable, unstable, limits, bifurcations;
@@ -137,7 +143,8 @@ std::string plot_script(const Curve& curve, const solution::PathEnd& end, const 
         script += std::string("$") + name + " << END\n" + data + "END\n";
         plots += (plots.empty() ? "plot $" : ", $") + std::string(name) + " " + how;
     };
-    add("stable", blocks.stable, "with lines linewidth 2 linecolor rgb '#0b5394' title 'equilibrium path'");
+    add("stable", blocks.stable,
+        std::string{"with lines linewidth 2 linecolor rgb '#0b5394' title '"} + (is_motion(curve) ? "motion" : "equilibrium path") + "'");
     add("unstable", blocks.unstable,
         "with lines linewidth 2 dashtype (8,6) linecolor rgb '#0b5394' title 'unstable part of the path'");
     add("rows", blocks.rows, "with points pointtype 6 pointsize 1 linecolor rgb '#202020' title 'converged steps'");

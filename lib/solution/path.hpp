@@ -43,6 +43,13 @@ struct Step {
     double stretch_p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the rubber's volume
     double max_stretch = 1;
     double min_jacobian = 1;                     ///< least det F over the integration points
+    /// Of a dynamic path; its load_factor is the time over the duration, its tangents are derivatives by time.
+    struct Motion {
+        double time_s = 0;
+        double kinetic_energy_J = 0, stored_energy_J = 0;   ///< of the whole actuator
+        double load_work_J = 0, damping_work_J = 0;         ///< done by the loads, taken by damping, since time 0
+    };
+    std::optional<Motion> motion;
     /// Half widths of the discretisation's error, where it was asked for (solver/accuracy.hpp): of pressure_Pa at an equal
     /// value of the first output (of the volume without outputs), of each output at equal pressure_Pa.
     std::optional<double> pressure_error_Pa;

@@ -37,6 +37,21 @@ linalg::Vector generic_vector(const assembly::System& system) {
     return b;
 }
 
+/// A place on the path and the value of a function there.
+struct Sample {
+    double q, value;
+};
+
+/// Where to look next for the zero between two samples of opposite sign: at the secant's root, moved on by as much as it has
+/// moved since the last one towards the farther end, so that the bracket closes from both sides. `last` is the root before.
+double next_between(const Sample& a, const Sample& b, std::optional<double>& last) {
+    const double root = a.q + (b.q - a.q) * a.value / (a.value - b.value);
+    const double moved = last ? std::abs(root - *last) : 0.0;
+    last = root;
+    const double toward_farther = std::abs(root - a.q) > std::abs(b.q - root) ? a.q - root : b.q - root;
+    return root + std::clamp(moved / std::abs(toward_farther), 0.0, 0.5) * toward_farther;
+}
+
 }  // namespace
 
 /// Halves the step between the last row and `point` down to where the walls just do not touch yet.
@@ -154,13 +169,14 @@ std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, con
     linalg::Vector b = generic_vector(system_);
     SOFT_PETSC(VecScale(b, 1.0 / linalg::norm(b)));
     std::optional<linalg::Vector> mode;
+    std::optional<double> root;
     for (int solve = 0; solve < bifurcation_solves; ++solve) {
         const PathPoint& a = left ? *left : from;
         const PathPoint& c = right ? *right : to;
-        double share = 0.5;
-        if (left_test && right_test && *left_test * *right_test < 0.0)
-            share = std::clamp(*left_test / (*left_test - *right_test), 0.05, 0.95);
-        auto point = solve_between(a, c, a.q + share * (c.q - a.q));
+        const double q = left_test && right_test && *left_test * *right_test < 0.0
+                             ? next_between({a.q, *left_test}, {c.q, *right_test}, root)
+                             : 0.5 * (a.q + c.q);
+        auto point = solve_between(a, c, q);
         if (!point) break;
         const auto here = branch_index(*point);
         if (!here) break;

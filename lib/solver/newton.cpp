@@ -2,25 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace soft::solver {
 
 namespace {
 
-/// Armijo's constant: any decrease proportional to the step is accepted.
-constexpr double sufficient_decrease = 1e-4;
-constexpr int line_search_limit = 6;
 /// Where a correction ends in a state without any stress (a prestressed body set free) its forces are no scale any more.
 constexpr double vanishing_forces = 1e-3;
-/// A tangent solved with the last correction's factor takes 2 or 3 iterations; beyond this a new factor is cheaper.
-constexpr int many_iterations_for_a_recent_factor = 5;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
-
-linalg::Symmetry symmetry_of(const assembly::System& system) {
-    return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
-}
 
 }  // namespace
 
@@ -31,211 +21,140 @@ void scale(PathTangent& tangent, double factor) {
     for (double& pressure : tangent.pressures) pressure *= factor;
 }
 
-Newton::Newton(assembly::System& system, const model::SolverSettings& settings)
-    : system_(system), settings_(settings), K_(system.make_matrix()), solver_(K_, symmetry_of(system)),
-      R_(system.make_vector()), toward_equilibrium_(system.make_vector()) {}
-
-void Newton::set_loads(const StageLoads& loads) {
-    loads_ = &loads;
-    const std::size_t count = loads.free_supplies().size() + 1;
-    for (auto* list : {&forces_, &columns_, &gradients_})
-        while (list->size() < count) list->push_back(system_.make_vector());
-    wanted_.clear();
-    for (std::size_t k = 0; k + 1 < count; ++k) wanted_.push_back({loads.unit_pressure(k), forces_[k]});
-    wanted_.push_back({loads.rate(), forces_[count - 1]});
-    factor_is_recent_ = false;
-}
-
-assembly::Evaluation Newton::evaluate_at(const State& state) {
-    return system_.evaluate(state.x, loads_->levels(state.load_factor, state.pressures_Pa), R_, K_, wanted_);
-}
-
-void Newton::evaluate_rows(const Constraint& constraint, const State& state) {
-    const auto& free = loads_->free_supplies();
-    supply_.clear();
-    volume_by_load_factor_.clear();
-    const auto& motions = loads_->rate().motions;
-    for (std::size_t k = 0; k < free.size(); ++k) {
-        std::vector<double> by_motion(motions.size(), 0.0);
-        const double volume = system_.load_volume(free[k], state.x, gradients_[k], by_motion);
-        supply_.push_back(loads_->equation(k, volume, state.pressures_Pa[k], state.load_factor));
-        volume_by_load_factor_.push_back(std::inner_product(by_motion.begin(), by_motion.end(), motions.begin(), 0.0));
-    }
-    constraint_ = evaluate(constraint, system_, *loads_, state, gradients_[free.size()]);
-}
-
-std::vector<double> Newton::rows_times(Vec x) const {
-    std::vector<double> product;
-    for (std::size_t k = 0; k < supply_.size(); ++k)
-        product.push_back(supply_[k].by_volume * linalg::dot(gradients_[k], x));
-    product.push_back(linalg::dot(gradients_[supply_.size()], x));
-    return product;
-}
-
-void Newton::fill_border() {
-    const int n = static_cast<int>(wanted_.size()), last = n - 1;
-    border_ = linalg::SmallMatrix(n);
-    for (int j = 0; j < n; ++j) {
-        const auto column = rows_times(columns_[static_cast<std::size_t>(j)]);
-        for (int i = 0; i < n; ++i) border_.at(i, j) = column[static_cast<std::size_t>(i)];
-    }
-    for (std::size_t k = 0; k < supply_.size(); ++k) {
-        const int row = static_cast<int>(k);
-        border_.at(row, row) += supply_[k].by_pressure;
-        border_.at(row, last) += supply_[k].by_load_factor + supply_[k].by_volume * volume_by_load_factor_[k];
-        border_.at(last, row) += constraint_.by_pressures[k];
-    }
-    border_.at(last, last) += constraint_.by_load_factor;
-}
-
-bool Newton::solve_columns(linalg::Factor factor) {
-    for (std::size_t j = 0; j < wanted_.size(); ++j) {
-        if (linalg::norm(wanted_[j].out) == 0.0) {   // only volumes or masses change with the load factor
-            SOFT_PETSC(VecZeroEntries(columns_[j]));
-            continue;
-        }
-        const auto solve = solver_.solve(wanted_[j].out, columns_[j], factor);
-        if (!solve.converged) return false;
-        if (factor == linalg::Factor::stale && solve.iterations > many_iterations_for_a_recent_factor) return false;
-    }
-    return true;
-}
-
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
-    NewtonResult result;
-    factor_is_recent_ = false;
-    auto evaluation = evaluate_at(state);
-    State trial{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
+    Correction now;
+    factor_is_recent_ = linear_limit_met_ = false;
+    updates_.clear();
+    now.evaluation = evaluate_at(state);
     const auto report = [&](NewtonEnd end) {
-        result.end = end;
-        result.worst_cell = evaluation.worst_cell;
-        result.min_jacobian = evaluation.min_jacobian;
-        return result;
+        const bool inexact = linear_limit_met_ && (end == NewtonEnd::iteration_limit || end == NewtonEnd::no_descent);
+        now.result.end = inexact ? NewtonEnd::linear_solver : end;
+        now.result.worst_cell = now.evaluation.worst_cell;
+        now.result.min_jacobian = now.evaluation.min_jacobian;
+        return now.result;
     };
-    if (!evaluation.admissible()) return report(NewtonEnd::inverted);
-    double residual = linalg::norm(R_);
-    const double first_force_scale = evaluation.force_scale;
-    const double constraint_scale = std::max(std::abs(target), constraint.scale);
+    if (!now.evaluation.admissible()) return report(NewtonEnd::inverted);
+    State trial{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
+    now.residual = linalg::norm(R_);
+    now.first_force_scale = now.evaluation.force_scale;
+    now.constraint_scale = std::max(std::abs(target), constraint.scale);
     for (;;) {
         evaluate_rows(constraint, state);
-        const double missing = remaining(constraint, system_.input(), target, constraint_.value);
-        const double load_scale = std::abs(state.load_factor) * linalg::norm(wanted_.back().out);
-        const double scale = std::max({evaluation.force_scale, load_scale, vanishing_forces * first_force_scale});
-        result.residual = scale > 0.0 ? residual / scale : 0.0;
-        const bool supplied = std::ranges::all_of(supply_, [&](const SupplyEquation& equation) {
-            return std::abs(equation.value) <= settings_.residual_tolerance;
-        });
-        if (!std::isfinite(residual) || !std::isfinite(missing)) return report(NewtonEnd::not_finite);
-        if (residual <= settings_.residual_tolerance * scale && supplied &&
-            std::abs(missing) <= settings_.residual_tolerance * constraint_scale)
-            return report(NewtonEnd::converged);
-        if (result.iterations == settings_.newton_limit) return report(NewtonEnd::iteration_limit);
-        ++result.iterations;
-
-        factor_ = solver_.factorize();
-        if (!factor_.succeeded) return report(NewtonEnd::singular);
-        factor_is_recent_ = true;
-        SOFT_PETSC(VecScale(R_, -1.0));
-        if (!solver_.solve(R_, toward_equilibrium_).converged || !solve_columns(linalg::Factor::fresh))
-            return report(NewtonEnd::singular);
-        fill_border();
-        std::vector<double> wanted;   // what the rows still lack, then what `a` leaves of it
-        for (const auto& equation : supply_) wanted.push_back(-equation.value);
-        wanted.push_back(missing);
-        const auto far = linalg::solve(border_, wanted);
-        const auto done = rows_times(toward_equilibrium_);
-        for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] -= done[i];
-        const auto step = linalg::solve(border_, wanted);
-        if (!far || !step) return report(NewtonEnd::singular);
-        // What is still to be done, as a force: the residual, and the loads that move the rows to their targets.
-        double pending = residual;
-        for (std::size_t j = 0; j < far->size(); ++j)
-            pending = std::hypot(pending, (*far)[j] * linalg::norm(wanted_[j].out));
-        for (std::size_t j = 0; j < step->size(); ++j) linalg::add(toward_equilibrium_, (*step)[j], columns_[j]);   // now dx
-
-        double length = 1.0;
-        const double allowed_rise = result.iterations == 1 ? first_iteration_rise : 1.0;
-        for (int attempt = 0;; ++attempt, length *= 0.5) {
-            if (attempt == line_search_limit)
-                return report(evaluation.admissible() ? NewtonEnd::no_descent : NewtonEnd::inverted);
-            if (attempt > 0) ++result.halvings;
-            linalg::copy(state.x, trial.x);
-            linalg::add(trial.x, length, toward_equilibrium_);
-            trial.load_factor = state.load_factor + length * step->back();
-            for (std::size_t k = 0; k < trial.pressures_Pa.size(); ++k)
-                trial.pressures_Pa[k] = state.pressures_Pa[k] + length * (*step)[k];
-            evaluation = evaluate_at(trial);
-            if (!evaluation.admissible()) continue;
-            const double next = linalg::norm(R_);
-            const double floor = settings_.residual_tolerance * evaluation.force_scale;
-            if (next <= std::max(floor, allowed_rise * pending * (1.0 - sufficient_decrease * length))) {
-                residual = next;
-                break;
-            }
+        now.missing = remaining(constraint, system_.input(), target, constraint_.value);
+        if (const auto end = judge(state, now)) {
+            // The inertia of a kept factor is that of the state where the correction began.
+            if (settings_.newton != model::NewtonMethod::full && now.result.iterations > 1) factor_is_recent_ = false;
+            return report(*end);
         }
+        ++now.result.iterations;
+        if (const auto failed = solve_blocks(state, now.result.iterations)) return report(*failed);
+        const auto step = increment(now);
+        if (!step) return report(NewtonEnd::singular);
+        const Search found = move(*step, state, trial, now);
+        now.result.halvings += found.halvings;
+        if (found.end != SearchEnd::found)
+            return report(found.end == SearchEnd::inverted ? NewtonEnd::inverted : NewtonEnd::no_descent);
+        now.residual = found.trial.residual;
+        if (settings_.newton == model::NewtonMethod::bfgs) learn(found.length);
         std::swap(state, trial);
     }
 }
 
-std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const State& state) {
-    if (!evaluate_at(state).admissible()) return std::nullopt;
-    if (!factor_is_recent_ || !solve_columns(linalg::Factor::stale)) {
-        factor_ = solver_.factorize();
-        factor_is_recent_ = factor_.succeeded;
-        if (!factor_.succeeded || !solve_columns(linalg::Factor::fresh)) return std::nullopt;
-    }
-    evaluate_rows(constraint, state);
-    fill_border();
-    std::vector<double> unit(wanted_.size(), 0.0);
-    unit.back() = 1.0;
-    auto rates = linalg::solve(border_, unit);
-    if (!rates) return std::nullopt;
-    PathTangent tangent;
-    tangent.x = linalg::duplicate(R_);
-    for (std::size_t j = 0; j < rates->size(); ++j) linalg::add(tangent.x, (*rates)[j], columns_[j]);
-    tangent.load_factor = rates->back();
-    rates->pop_back();
-    tangent.pressures = std::move(*rates);
-    tangent.unstable_modes = unstable_modes();
-    tangent.power = linalg::dot(wanted_.back().out, tangent.x);
-    return tangent;
-}
-
-std::optional<int> Newton::excess_pivots() {
-    const auto pressures = system_.dofs().pressures;   // one negative pivot each belongs to the saddle point
-    if (factor_.negative_pivots) {
-        const int count = static_cast<int>(*factor_.negative_pivots - pressures);
-        if (count != confirmed_pivots_) {
-            const auto negative = solver_.determinant_is_negative();
-            const auto agrees = [&](int pivots) { return *negative == ((pressures + pivots) % 2 != 0); };
-            if (negative && !agrees(count) && agrees(confirmed_pivots_)) return confirmed_pivots_;
-        }
-        return confirmed_pivots_ = count;
-    }
-    if (factor_.determinant_is_negative) return *factor_.determinant_is_negative != (pressures % 2 == 1) ? 1 : 0;
+/// Whether the correction ends at the state last evaluated, and how.
+std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
+    const double load_scale = std::abs(state.load_factor) * linalg::norm(wanted_.back().out);
+    const double scale = std::max({now.evaluation.force_scale, load_scale, vanishing_forces * now.first_force_scale});
+    now.result.residual = scale > 0.0 ? now.residual / scale : 0.0;
+    const bool supplied = std::ranges::all_of(supply_, [&](const SupplyEquation& equation) {
+        return std::abs(equation.value) <= settings_.residual_tolerance;
+    });
+    if (!std::isfinite(now.residual) || !std::isfinite(now.missing)) return NewtonEnd::not_finite;
+    if (now.residual <= settings_.residual_tolerance * scale && supplied &&
+        std::abs(now.missing) <= settings_.residual_tolerance * now.constraint_scale)
+        return NewtonEnd::converged;
+    if (now.result.iterations == settings_.newton_limit) return NewtonEnd::iteration_limit;
     return std::nullopt;
 }
 
-std::optional<int> Newton::unstable_modes() {
-    const auto modes = excess_pivots();
-    if (!modes) return std::nullopt;
-    const int free = static_cast<int>(supply_.size());
-    linalg::SmallMatrix held(free);   // compliance of the gas + grad V . K^-1 f
-    for (int i = 0; i < free; ++i)
-        for (int j = 0; j < free; ++j) held.at(i, j) = border_.at(i, j) / supply_[static_cast<std::size_t>(i)].by_volume;
-    const int freed = linalg::negative_eigenvalues(held);
-    return factor_.negative_pivots ? *modes - freed : (*modes + freed) % 2;
+linalg::LinearSolve Newton::solve_updated(Vec b, Vec x) {
+    linalg::LinearSolve last;
+    const bool usable = updates_.apply(b, x, [&](Vec q, Vec r) {
+        last = solver_.solve(q, r);
+        linear_limit_met_ = linear_limit_met_ || last.at_limit;
+        return last.usable();
+    });
+    return usable ? last : linalg::LinearSolve{};
 }
 
-std::optional<linalg::Vector> Newton::bordered_solve(Vec b) {
-    linalg::Vector v = linalg::duplicate(b);
-    if (!solver_.solve(b, v, linalg::Factor::stale).converged) return std::nullopt;
-    auto rows = rows_times(v);
-    for (double& row : rows) row = -row;
-    const auto border = linalg::solve(border_, rows);
-    if (!border) return std::nullopt;
-    for (std::size_t j = 0; j < border->size(); ++j) linalg::add(v, (*border)[j], columns_[j]);
-    return v;
+/// a = K^-1 (-R) and the columns, with a new K or that of the first iteration. R_ is -R afterwards.
+std::optional<NewtonEnd> Newton::solve_blocks(const State& state, int iteration) {
+    linear_limit_met_ = false;
+    if (iteration == 1 || settings_.newton == model::NewtonMethod::full)
+        if (const auto failed = linearize(state)) return failed;
+    SOFT_PETSC(VecScale(R_, -1.0));
+    if (!solve_updated(R_, correction_).usable() || !solve_columns([this](Vec b, Vec x) { return solve_updated(b, x); }))
+        return solve_failure();
+    return std::nullopt;
+}
+
+/// Eliminates the border; nullopt where it is singular.
+std::optional<Newton::Increment> Newton::increment(const Correction& now) {
+    fill_border();
+    std::vector<double> wanted;   // what the rows still lack, then what `a` leaves of it
+    for (const auto& equation : supply_) wanted.push_back(-equation.value);
+    wanted.push_back(now.missing);
+    const auto far = linalg::solve(border_, wanted);
+    const auto done = rows_times(correction_);
+    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] -= done[i];
+    auto step = linalg::solve(border_, wanted);
+    if (!far || !step) return std::nullopt;
+    // What is still to be done, as a force: the residual, and the loads that move the rows to their targets.
+    double pending = now.residual;
+    for (std::size_t j = 0; j < far->size(); ++j)
+        pending = std::hypot(pending, (*far)[j] * linalg::norm(wanted_[j].out));
+    for (std::size_t j = 0; j < step->size(); ++j) linalg::add(correction_, (*step)[j], columns_[j]);   // now dx
+    return Increment{std::move(*step), pending};
+}
+
+/// Takes as much of the increment as the line search says; the state reached is in `trial`.
+Search Newton::move(const Increment& step, const State& state, State& trial, Correction& now) {
+    const auto work_of_loads = [&] {
+        double work = 0;
+        for (std::size_t j = 0; j < step.loads.size(); ++j) work += step.loads[j] * linalg::dot(wanted_[j].out, correction_);
+        return work;
+    };
+    const bool slopes = settings_.line_search == model::LineSearch::secant;
+    SearchStart start{step.pending, now.result.iterations == 1 ? first_iteration_rise : 1.0, 0.0};
+    if (slopes) start.slope = -linalg::dot(R_, correction_) - work_of_loads();
+    if (settings_.newton == model::NewtonMethod::bfgs) {
+        linalg::copy(R_, minus_R_before_);
+        SOFT_PETSC(VecZeroEntries(load_change_));
+        for (std::size_t j = 0; j < step.loads.size(); ++j) linalg::add(load_change_, step.loads[j], wanted_[j].out);
+    }
+    const Assemble what = settings_.newton == model::NewtonMethod::full ? Assemble::tangent : Assemble::forces;
+    return search(settings_.line_search, start, [&](double length) {
+        linalg::copy(state.x, trial.x);
+        linalg::add(trial.x, length, correction_);
+        trial.load_factor = state.load_factor + length * step.loads.back();
+        for (std::size_t k = 0; k < trial.pressures_Pa.size(); ++k)
+            trial.pressures_Pa[k] = state.pressures_Pa[k] + length * step.loads[k];
+        now.evaluation = evaluate_at(trial, what);
+        if (!now.evaluation.admissible()) return Trial{.admissible = false};
+        Trial there{true, linalg::norm(R_), settings_.residual_tolerance * now.evaluation.force_scale, 0.0};
+        // R is linear in the loads: those still to come are put in without another evaluation.
+        if (slopes) there.slope = linalg::dot(R_, correction_) - (1.0 - length) * work_of_loads();
+        return there;
+    });
+}
+
+/// The secant pair of a correction of which `length` has been taken.
+void Newton::learn(double length) {
+    linalg::Vector s = linalg::duplicate(R_), y = linalg::duplicate(R_);
+    linalg::add(s, length, correction_);
+    linalg::copy(R_, y);
+    linalg::add(y, 1.0, minus_R_before_);
+    linalg::add(y, length, load_change_);
+    updates_.add(std::move(s), std::move(y));
 }
 
 }  // namespace soft::solver

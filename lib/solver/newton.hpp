@@ -1,25 +1,36 @@
 #pragma once
 /// Newton's method on the bordered system
 ///   R(x, lambda, p) = 0,   e_k(V_k(x), p_k, lambda) = 0 for the free supplies (stage_loads.hpp),   c = target,
-/// with a line search on |R| that also keeps det F > 0. Each iteration factorises K once and eliminates blocks:
+/// with a line search (line_search.hpp) that also keeps det F > 0. Each iteration factorises K once and eliminates blocks:
 ///   K a = -R,  K b_k = f_k (force of 1 Pa in supply k),  K b_l = -dR/dlambda;   dx = a + sum dp_k b_k + dlambda b_l,
-/// where (dp, dlambda) solve the small system of the e_k and c with dx put in.
+/// where (dp, dlambda) solve the small system of the e_k and c with dx put in. NewtonMethod::modified and bfgs keep the K of a
+/// correction's first iteration, and its factor, for all of it; right-hand sides and columns are new in each. bfgs learns from
+/// the pairs dx, R_new - R_old + sum dp_k f_k - dlambda dR/dlambda, which leaves the loads out (quasi_newton.hpp). Where
+/// TangentSource::finite_difference or LinearMethod::jacobian_free is chosen, K or K v are differences of R (differences.hpp).
+/// A Krylov solve that reaches its limit gives an inexact correction; the direction of the path may take ten times the limit.
 /// Source: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991) 9.3; Allgower and Georg,
-/// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/solver_test, solver/supply_test.
+/// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/solver_test, solver/supply_test,
+/// solver/newton_methods_test, solver/linear_methods_test.
+#include <functional>
 #include <optional>
 
 #include "linalg/linear_solver.hpp"
-#include "solver/constraint.hpp"
 #include "linalg/small_matrix.hpp"
+#include "solver/constraint.hpp"
+#include "solver/differences.hpp"
+#include "solver/line_search.hpp"
+#include "solver/quasi_newton.hpp"
 
 namespace soft::solver {
 
-enum class NewtonEnd { converged, inverted, iteration_limit, no_descent, singular, not_finite };
+/// not_definite: CHOLMOD has met a tangent with another than positive pivots. linear_solver: no solution of the linear systems
+/// to the wanted tolerance, and without it no equilibrium.
+enum class NewtonEnd { converged, inverted, iteration_limit, no_descent, singular, not_definite, linear_solver, not_finite };
 
 struct NewtonResult {
     NewtonEnd end = NewtonEnd::converged;
     int iterations = 0;
-    int halvings = 0;                   ///< of the line search, over all iterations
+    int halvings = 0;                   ///< of the line search (trials beyond the first), over all iterations
     double residual = 0;                ///< |R| over the force scale
     mesh::Index worst_cell = -1;        ///< cell with the least det F at the last evaluation
     double min_jacobian = 1;
@@ -33,7 +44,8 @@ struct PathTangent {
     /// Directions in which the body gives way at fixed load factor with every supply as prescribed: 0 = stable. From the
     /// negative pivots of K beyond one a pressure unknown, less what volume and gas of the free supplies hold back
     /// (Haynsworth: inertia of the bordered matrix). Where the count changes from one tangent to the next it must agree with
-    /// the sign of the determinant (linear_solver.hpp). With an LU factor only the parity is known: 0 or 1.
+    /// the sign of the determinant (linear_solver.hpp). With an LU factor only the parity is known: 0 or 1; nullopt where the
+    /// linear solver knows neither.
     std::optional<int> unstable_modes;
     /// Work of the stage's growing loads along the tangent, -dR/dlambda . x.
     double power = 0;
@@ -54,8 +66,10 @@ public:
 
     /// Direction of the path at a converged state, its inertia from the factor of the last correction where there was one
     /// (a state that the correction has moved by less than its own square), else from a new one. nullopt where K is
-    /// singular.
+    /// singular or the linear solver fails: tangent_end() says which.
     [[nodiscard]] std::optional<PathTangent> tangent(const Constraint& constraint, const State& state);
+
+    [[nodiscard]] NewtonEnd tangent_end() const noexcept { return tangent_end_; }
 
     /// x part of M^-1 (b, 0) with the bordered matrix M of the state and constraint of the last tangent().
     [[nodiscard]] std::optional<linalg::Vector> bordered_solve(Vec b);
@@ -66,15 +80,54 @@ public:
     void confirm_pivots(int pivots) noexcept { confirmed_pivots_ = pivots; }
 
     [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
+    [[nodiscard]] long linear_iterations() const noexcept { return solver_.iterations(); }
 
 private:
-    [[nodiscard]] assembly::Evaluation evaluate_at(const State& state);
+    /// A correction on its way.
+    struct Correction {
+        assembly::Evaluation evaluation;        // the last
+        double residual = 0;                    // |R| at the state
+        double first_force_scale = 0, constraint_scale = 0;
+        double missing = 0;                     // of the constraint
+        NewtonResult result;
+    };
+    /// dx is in correction_; and what the bordered system adds to it.
+    struct Increment {
+        std::vector<double> loads;              // of the free supplies' pressures and the load factor
+        double pending = 0;                     // what is still to be done, as a force
+    };
+    enum class Assemble { tangent, forces };
+    using SolveOne = std::function<linalg::LinearSolve(Vec, Vec)>;
+
+    // newton.cpp
+    [[nodiscard]] std::optional<NewtonEnd> judge(const State& state, Correction& now);
+    [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, int iteration);
+    [[nodiscard]] std::optional<Increment> increment(const Correction& now);
+    [[nodiscard]] Search move(const Increment& step, const State& state, State& trial, Correction& now);
+    void learn(double length);
+    [[nodiscard]] linalg::LinearSolve solve_updated(Vec b, Vec x);
+
+    // newton_system.cpp
+    [[nodiscard]] assembly::Evaluation evaluate_at(const State& state, Assemble what = Assemble::tangent);
+    [[nodiscard]] Mat matrix_for(Assemble what);
+    /// Brings K_, or the operator in its place, and its factor to the state last evaluated.
+    [[nodiscard]] std::optional<NewtonEnd> linearize(const State& state);
+    /// K_ or the operator alone.
+    void differentiate(const State& state);
+    [[nodiscard]] NewtonEnd factor_failure() const;
+    [[nodiscard]] NewtonEnd solve_failure() const;
     /// Values and gradients of e_k and c at the state last evaluated.
     void evaluate_rows(const Constraint& constraint, const State& state);
-    [[nodiscard]] bool solve_columns(linalg::Factor factor);
+    /// False at the first column that is not solved.
+    [[nodiscard]] bool solve_columns(const SolveOne& solve);
     /// Rows of the small system applied to a direction x.
     [[nodiscard]] std::vector<double> rows_times(Vec x) const;
     void fill_border();
+
+    // newton_tangent.cpp
+    /// Columns at the state of the last evaluation, by the last factor or, where that is not good enough, a new one.
+    [[nodiscard]] std::optional<NewtonEnd> solve_tangent_columns();
+    [[nodiscard]] linalg::LinearSolve solve_well(Vec b, Vec x, linalg::Factor factor);
     [[nodiscard]] std::optional<int> unstable_modes();
     /// Negative pivots of K beyond one a pressure unknown; with LU their parity.
     [[nodiscard]] std::optional<int> excess_pivots();
@@ -82,12 +135,18 @@ private:
     assembly::System& system_;
     model::SolverSettings settings_;
     const StageLoads* loads_ = nullptr;
-    linalg::Matrix K_;
+    bool loads_move_ = false;                   // a face, with the load factor
+    linalg::Matrix K_, spare_;                  // the spare is for columns that need a tangent while K_ stays
     linalg::LinearSolver solver_;
+    std::optional<ResidualDifferences> differences_;
     linalg::Factorization factor_;
     bool factor_is_recent_ = false;             // made in the last correction
+    bool linear_limit_met_ = false;             // in the last iteration
+    NewtonEnd tangent_end_ = NewtonEnd::converged;
     int confirmed_pivots_ = 0;                  // excess_pivots() of the tangent before
-    linalg::Vector R_, toward_equilibrium_;     // a
+    linalg::Vector R_, correction_;             // a, then dx
+    SecantUpdates updates_;
+    linalg::Vector minus_R_before_, load_change_;   // of the secant pair to come: sum of (dp_k, dlambda) f
     std::vector<linalg::Vector> forces_, columns_;   // f_k, -dR/dlambda; b_k, b_l
     std::vector<assembly::LoadColumn> wanted_;
     std::vector<linalg::Vector> gradients_;     // of e_k, c by x

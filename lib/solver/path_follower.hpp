@@ -14,6 +14,10 @@
 
 namespace soft::solver {
 
+/// What a path that ends for its linear solver says, after where.
+inline constexpr const char* linear_remedy =
+    "the linear solver does not converge; another solver.linear or solver.preconditioner, or a higher solver.linear_limit";
+
 /// Steps of few digits, so that rounding, which differs with the number of ranks, does not move the rows of the path.
 [[nodiscard]] double coarse(double step);
 
@@ -52,6 +56,8 @@ private:
     [[nodiscard]] double controlled_value(const PathPoint& point, double arc_length) const;
     void soften();
     [[nodiscard]] int wanted_steps() const;
+    [[nodiscard]] double first_step(double slope, double sense) const;
+    void begin_without_direction(State state);
 
     // path_step.cpp
     void advance();
@@ -61,8 +67,27 @@ private:
     void accept(PathPoint point);
     void handle_failure();
     void give_up();
-    enum class Predictor { tangent, cubic };
-    void adapt_step(double predictor_error, Predictor predictor);
+    /// Of the next step. The forecast is the predictor's state there, where Newton's method starts from or not.
+    struct Aim {
+        std::optional<Crossing> crossing = {};
+        bool straight = false;                      ///< by the tangent, not the cubic
+        State forecast = {};
+        Constraint constraint = {};
+        double target = 0;
+    };
+    /// Relative to the step: of the state, and of the leading load.
+    struct PredictorError {
+        double state = 0, load = 0;
+    };
+    [[nodiscard]] double next_q() const;
+    [[nodiscard]] Aim aim();
+    [[nodiscard]] State start_of(const Aim& aim) const;
+    [[nodiscard]] PredictorError error_of(const Aim& aim, const PathPoint& point) const;
+    [[nodiscard]] bool is_refused(const PredictorError& error, const PathPoint& point) const;
+    [[nodiscard]] bool arrive(PathPoint point, const Goal* goal);
+    [[nodiscard]] bool is_hopeless() const;
+    /// `order`: of the predictor's relative error in the step, 3 for the cubic and 1 for the tangent.
+    void adapt_step(double predictor_error, double order);
 
     // path_points.cpp
     [[nodiscard]] PathPoint measure(State state, PathTangent tangent);

@@ -26,6 +26,8 @@ constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure 
 constexpr int many_iterations = 7;
 /// Failures in a row before the path is followed by another control.
 constexpr int failures_before_other_control = 3;
+/// A part of a step that is rounding: far above that of sums, far below any step.
+constexpr double sliver = 1e-6;
 
 std::string_view text_of(NewtonEnd end) {
     switch (end) {
@@ -34,6 +36,8 @@ std::string_view text_of(NewtonEnd end) {
         case NewtonEnd::iteration_limit: return "the iterations do not settle";
         case NewtonEnd::no_descent: return "the line search finds no descent";
         case NewtonEnd::singular: return "the tangent is singular";
+        case NewtonEnd::not_definite: return "the tangent is not positive definite, as cholmod needs it";
+        case NewtonEnd::linear_solver: return "the linear solver does not converge";
         case NewtonEnd::not_finite: return "forces that are not finite";
     }
     return "";
@@ -77,68 +81,121 @@ std::optional<PathPoint> PathFollower::solve_between(const PathPoint& a, const P
     return point;
 }
 
+/// A constant step under the load factor ends on its multiples, also after one that had to be cut: rows at k x first_step.
+double PathFollower::next_q() const {
+    const double end = last_->q + step_;
+    if (settings_.steps != model::StepRule::constant || control_.kind != ConstraintKind::load_factor) return end;
+    const double on_grid = first_step_ * (std::floor(last_->q / first_step_ + sliver) + 1.0);
+    const bool shortened = std::abs(step_) < std::abs(first_step_);
+    return shortened && std::abs(end - last_->q) < (1.0 - sliver) * std::abs(on_grid - last_->q) ? end : on_grid;
+}
+
+/// Where the step is to end: by the cubic (or tangent) at the end of the step, or at the first goal it meets.
+PathFollower::Aim PathFollower::aim() {
+    const bool straight = !before_ || settings_.predictor == model::Predictor::tangent;
+    const PathPoint* before = straight ? nullptr : &*before_;
+    const double end = next_q();
+    // Of a constant step, rounding must not leave a sliver before a goal that lies on its grid.
+    const double reach = settings_.steps == model::StepRule::constant ? end + sliver * (end - last_->q) : end;
+    Aim aim{.crossing = first_predicted(goals_, before, *last_, reach), .straight = straight};
+    const double q = aim.crossing ? aim.crossing->q : end;
+    aim.forecast = predict(before, *last_, q);
+    aim.constraint = aim.crossing ? aim.crossing->goal->constraint : bind(control_, *last_);
+    aim.target = aim.crossing ? aim.crossing->goal->target : end;
+    if (!aim.crossing)
+        aim.constraint.scale = std::abs(settings_.steps == model::StepRule::constant ? end - last_->q : step_);
+    if (aim.constraint.kind == ConstraintKind::arc)
+        aim.target = evaluate(aim.constraint, system_, *loads_, aim.forecast, scratch_).value;
+    return aim;
+}
+
+/// What Newton's method starts from.
+State PathFollower::start_of(const Aim& aim) const {
+    const State& from = settings_.predictor == model::Predictor::none ? last_->state : aim.forecast;
+    State start{linalg::duplicate(from.x), from.load_factor, from.pressures_Pa};
+    linalg::copy(from.x, start.x);
+    return start;
+}
+
+PathFollower::PredictorError PathFollower::error_of(const Aim& aim, const PathPoint& point) const {
+    linalg::Vector change = linalg::duplicate(point.state.x);
+    linalg::copy(aim.forecast.x, change);
+    linalg::add(change, -1.0, point.state.x);
+    const double error = linalg::norm(change);
+    linalg::copy(point.state.x, change);
+    linalg::add(change, -1.0, last_->state.x);
+    return {error / linalg::norm(change),
+            std::abs(leading_of(aim.forecast) - point.leading) /
+                std::max(std::abs(point.leading - last_->leading), flat_load * std::abs(point.leading))};
+}
+
+/// Another inertia is another branch, unless the predictor says that the path has just passed a bifurcation. And steps that
+/// are chosen by the predictor's error are taken again where it is large.
+bool PathFollower::is_refused(const PredictorError& error, const PathPoint& point) const {
+    const bool jumped = control_.kind == ConstraintKind::load_factor && error.state > predictor_error_without_jump &&
+                        point.tangent.unstable_modes && last_->tangent.unstable_modes &&
+                        *point.tangent.unstable_modes != *last_->tangent.unstable_modes;
+    if (jumped) return true;
+    if (settings_.steps != model::StepRule::error_adaptive) return false;
+    // At a kink of the law (fibres that start to pull) the tangent is one-sided: the error does not fall with the step.
+    const bool kink = rejected_error_ && error.state > error_at_a_kink * *rejected_error_;
+    return error.state > predictor_error_limit && !kink;
+}
+
 void PathFollower::advance() {
     if (rows_ > settings_.step_limit)
         return finish(StopReason::step_limit, std::to_string(settings_.step_limit) + " steps were not enough");
     if (rows_ > wanted_steps()) return end_stage("number of steps");
-    const PathPoint* before = before_ ? &*before_ : nullptr;
-    const bool cubic = before_.has_value();
-    const auto crossing = first_predicted(goals_, before, *last_, last_->q + step_);
-    State guess = predict(before, *last_, crossing ? crossing->q : last_->q + step_);
-    const double predicted_load = leading_of(guess);
-    linalg::Vector change = linalg::duplicate(guess.x);
-    linalg::copy(guess.x, change);
-    Constraint constraint = crossing ? crossing->goal->constraint : bind(control_, *last_);
-    double target = crossing ? crossing->goal->target : last_->q + step_;
-    if (!crossing) constraint.scale = std::abs(step_);
-    if (constraint.kind == ConstraintKind::arc)
-        target = evaluate(constraint, system_, *loads_, guess, scratch_).value;
-    auto point = solve_at(constraint, target, std::move(guess));
+    const Aim aimed = aim();
+    auto point = solve_at(aimed.constraint, aimed.target, start_of(aimed));
     if (!point) return handle_failure();
-
-    linalg::add(change, -1.0, point->state.x);
-    const double error = linalg::norm(change);
-    linalg::copy(point->state.x, change);
-    linalg::add(change, -1.0, last_->state.x);
-    const double relative_error = error / linalg::norm(change);
-    const double load_error = std::abs(predicted_load - point->leading) /
-                              std::max(std::abs(point->leading - last_->leading), flat_load * std::abs(point->leading));
-    // Another inertia is another branch, unless the predictor says that the path has just passed a bifurcation.
-    const bool jumped = control_.kind == ConstraintKind::load_factor && relative_error > predictor_error_without_jump &&
-                        point->tangent.unstable_modes && last_->tangent.unstable_modes &&
-                        *point->tangent.unstable_modes != *last_->tangent.unstable_modes;
-    // At a kink of the law (fibres that start to pull) the tangent is one-sided: the error does not fall with the step.
-    const bool kink = !jumped && rejected_error_ && relative_error > error_at_a_kink * *rejected_error_;
-    if ((relative_error > predictor_error_limit && !kink) || jumped) {
-        rejected_error_ = relative_error;
+    const PredictorError error = error_of(aimed, *point);
+    if (is_refused(error, *point)) {
+        rejected_error_ = error.state;
         return handle_failure();
     }
     failures_ = 0;
     rejected_error_.reset();
-    log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(relative_error) + " (load " +
-        short_text(load_error) + "), " + std::to_string(newton_result_.iterations) + " iterations" +
+    log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(error.state) + " (load " +
+        short_text(error.load) + "), " + std::to_string(newton_result_.iterations) + " iterations" +
         (point->tangent.unstable_modes ? ", unstable modes " + std::to_string(*point->tangent.unstable_modes) : ""));
+    if (!arrive(std::move(*point), aimed.crossing ? aimed.crossing->goal : nullptr)) return;
+    adapt_step(std::max(error.state, load_share * error.load), aimed.straight ? 1.0 : 3.0);
+    soften();
+}
 
-    const auto contact = find_contact(*point);
-    std::string reached = crossing ? crossing->goal->text : "";
-    if (contact) reached.clear();
-    if (const auto passed = crossing && !contact ? std::nullopt : first_between(goals_, *last_, *point)) {
-        auto met = solve_at(passed->goal->constraint, passed->goal->target, predict(&*last_, *point, passed->q));
-        if (!met) return handle_failure();
-        point = std::move(met);
+/// The rest of a step that Newton's method has found: contact, goals passed by, events, the row. True where the path goes on
+/// from there in the same stage.
+bool PathFollower::arrive(PathPoint point, const Goal* goal) {
+    const auto contact = find_contact(point);
+    std::string reached = goal != nullptr && !contact ? goal->text : "";
+    if (const auto passed = goal != nullptr && !contact ? std::nullopt : first_between(goals_, *last_, point)) {
+        auto met = solve_at(passed->goal->constraint, passed->goal->target, predict(&*last_, point, passed->q));
+        if (!met) {
+            handle_failure();
+            return false;
+        }
+        point = std::move(*met);
         reached = passed->goal->text;
     }
-    if (pass_events(*last_, *point)) return;
-    accept(std::move(*point));
-    if (!reached.empty()) return end_stage(reached);
-    if (contact) return finish(StopReason::self_contact, *contact + " at " + describe(*last_));
+    if (pass_events(*last_, point)) return false;
+    accept(std::move(point));
+    if (!reached.empty())
+        end_stage(reached);
+    else if (contact)
+        finish(StopReason::self_contact, *contact + " at " + describe(*last_));
+    else if (is_hopeless())
+        finish(StopReason::limit_point,
+               "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
+               "path.stretch_limit at " + describe(*last_));
+    else
+        return true;
+    return false;
+}
+
+bool PathFollower::is_hopeless() const {
     const bool past_a_maximum = !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
-    if (past_a_maximum && stretch_p99_ > input_.path.stretch_limit)
-        return finish(StopReason::limit_point,
-                      "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
-                      "path.stretch_limit at " + describe(*last_));
-    adapt_step(std::max(relative_error, load_share * load_error), cubic ? Predictor::cubic : Predictor::tangent);
-    soften();
+    return past_a_maximum && stretch_p99_ > input_.path.stretch_limit;
 }
 
 void PathFollower::accept(PathPoint point) {
@@ -147,13 +204,24 @@ void PathFollower::accept(PathPoint point) {
     last_ = std::move(point);
 }
 
-/// The predictor's error goes with the fourth power of the step (tangent: second), the step itself divides it out once.
-void PathFollower::adapt_step(double predictor_error, Predictor predictor) {
-    const double order = predictor == Predictor::cubic ? 3.0 : 1.0;
-    double factor = std::pow(settings_.step_accuracy / std::max(predictor_error, 1e-12), 1.0 / order);
-    factor = std::clamp(0.9 * factor, smallest_shrink, largest_growth);
-    if (newton_result_.iterations > many_iterations) factor = std::min(factor, 0.7);
-    step_ = coarse(factor * (last_->q - before_->q));
+void PathFollower::adapt_step(double predictor_error, double order) {
+    const double taken = last_->q - before_->q;
+    switch (settings_.steps) {
+        case model::StepRule::constant:   // grows back where it had to be cut
+            step_ = std::abs(2.0 * step_) < std::abs(first_step_) ? 2.0 * step_ : first_step_;
+            return;
+        case model::StepRule::iteration_adaptive: {   // Ramm 1981; Crisfield 1991 9.5.1
+            const double iterations = std::max(newton_result_.iterations, 1);
+            step_ = coarse(std::clamp(std::sqrt(settings_.wanted_iterations / iterations), 0.5, 2.0) * taken);
+            break;
+        }
+        case model::StepRule::error_adaptive: {   // the error goes with the power order + 1 of the step
+            double factor = std::pow(settings_.step_accuracy / std::max(predictor_error, 1e-12), 1.0 / order);
+            factor = std::clamp(0.9 * factor, smallest_shrink, largest_growth);
+            if (newton_result_.iterations > many_iterations) factor = std::min(factor, 0.7);
+            step_ = coarse(factor * taken);
+        }
+    }
     if (settings_.largest_step > 0.0) {
         const double bound = settings_.largest_step * std::abs(last_->q);
         step_ = std::clamp(step_, -bound, bound);
@@ -191,6 +259,8 @@ void PathFollower::give_up() {
         return finish(StopReason::inverted_element, "a cell turns inside out (det F = " +
                                                         short_text(newton_result_.min_jacobian) + ") " + place +
                                                         "; use smaller cells there (mesh.size)");
+    if (newton_result_.end == NewtonEnd::linear_solver)
+        return finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + ": " + linear_remedy);
     finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + " (" +
                                      std::string(text_of(newton_result_.end)) + "); the most distorted cell is " + place +
                                      ", det F = " + short_text(newton_result_.min_jacobian) +

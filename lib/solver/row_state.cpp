@@ -13,16 +13,20 @@ double traction_size_Pa(const model::Case& input) {
     return std::hypot(t[0], t[1], t[2]);
 }
 
-}  // namespace
-
-double leading_of(const model::Case& input, const StageLoads& loads, const State& state) {
-    const LoadLevels levels = loads.levels(state.load_factor, state.pressures_Pa);
+/// Of levels, or of their slopes.
+double leading_of(const model::Case& input, const LoadLevels& levels, double load_factor) {
     switch (model::leading_load(input)) {
         case model::LeadingLoad::pressure: return levels.pressures_Pa[0];
         case model::LeadingLoad::traction: return levels.tractions[0] * traction_size_Pa(input);
-        case model::LeadingLoad::load_factor: return state.load_factor;
+        case model::LeadingLoad::load_factor: return load_factor;
     }
     throw std::logic_error("leading_of: unknown load");
+}
+
+}  // namespace
+
+double leading_of(const model::Case& input, const StageLoads& loads, const State& state) {
+    return leading_of(input, loads.levels(state.load_factor, state.pressures_Pa), state.load_factor);
 }
 
 StageStart stage_start_at(const model::Case& input, const StageLoads& loads, const PathPoint& point) {
@@ -42,24 +46,28 @@ std::vector<double> undeformed_volumes_m3(assembly::System& system) {
 }
 
 void read_values(assembly::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point) {
+    LoadLevels slopes = assembly::moved(assembly::no_loads(system.input()), point.tangent.load_factor, loads.rate());
+    const auto& free = loads.free_supplies();
+    for (std::size_t k = 0; k < free.size(); ++k) slopes.pressures_Pa[free[k]] = point.tangent.pressures[k];
+    read_values(system, loads.levels(point.state.load_factor, point.state.pressures_Pa), slopes, before, point);
+}
+
+void read_values(assembly::System& system, const LoadLevels& levels, const LoadLevels& slopes, const PathPoint* before,
+                 PathPoint& point) {
     const model::Case& input = system.input();
-    const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);
-    const LoadLevels& rate = loads.rate();
     system.prescribe(levels);
     const linalg::Vector gradient = system.make_vector();
-    std::vector<double> by_motion(rate.motions.size());
+    std::vector<double> by_motion(slopes.motions.size());
     const auto slope_along = [&] {
         double slope = linalg::dot(gradient, point.tangent.x);
-        for (std::size_t m = 0; m < by_motion.size(); ++m) slope += by_motion[m] * rate.motions[m] * point.tangent.load_factor;
+        for (std::size_t m = 0; m < by_motion.size(); ++m) slope += by_motion[m] * slopes.motions[m];
         return slope;
     };
     for (auto* list : {&point.pressure_slopes, &point.volumes_m3, &point.volume_slopes, &point.load_volumes_m3,
                        &point.load_volume_slopes, &point.outputs, &point.output_slopes})
         list->clear();
     point.pressures_Pa = levels.pressures_Pa;
-    for (const double r : rate.pressures_Pa) point.pressure_slopes.push_back(r * point.tangent.load_factor);
-    const auto& free = loads.free_supplies();
-    for (std::size_t k = 0; k < free.size(); ++k) point.pressure_slopes[free[k]] = point.tangent.pressures[k];
+    point.pressure_slopes = slopes.pressures_Pa;
     for (std::size_t cavity = 0; cavity < system.cavity_count(); ++cavity) {
         point.volumes_m3.push_back(system.enclosed_volume(cavity, point.state.x, gradient, by_motion));
         point.volume_slopes.push_back(slope_along());
@@ -79,14 +87,8 @@ void read_values(assembly::System& system, const StageLoads& loads, const PathPo
         point.outputs.push_back(value);
         point.output_slopes.push_back(slope_along());
     }
-    point.leading = leading_of(input, loads, point.state);
-    switch (model::leading_load(input)) {
-        case model::LeadingLoad::pressure: point.leading_slope = point.pressure_slopes[0]; break;
-        case model::LeadingLoad::traction:
-            point.leading_slope = rate.tractions[0] * traction_size_Pa(input) * point.tangent.load_factor;
-            break;
-        case model::LeadingLoad::load_factor: point.leading_slope = point.tangent.load_factor; break;
-    }
+    point.leading = leading_of(input, levels, point.state.load_factor);
+    point.leading_slope = leading_of(input, slopes, point.tangent.load_factor);
 }
 
 solution::Step step_of(const assembly::System& system, const PathPoint& point, double direction) {

@@ -30,6 +30,10 @@ struct RowState {
 /// beyond half a turn, where there is one. Prescribes the motions of the state.
 void read_values(assembly::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point);
 
+/// The same under loads that are known as `levels` and their `slopes`, per unit of what the tangent is per unit of.
+void read_values(assembly::System& system, const LoadLevels& levels, const LoadLevels& slopes, const PathPoint* before,
+                 PathPoint& point);
+
 /// Loads, volumes and outputs of a point that has been read, its slopes times `direction` (1 or -1).
 [[nodiscard]] solution::Step step_of(const assembly::System& system, const PathPoint& point, double direction);
 

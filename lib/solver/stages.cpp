@@ -109,6 +109,10 @@ void PathFollower::begin_stage(State state) {
     failures_ = 0;
     auto by_load = newton_.tangent({ConstraintKind::load_factor}, state);
     if (!by_load || !std::isfinite(linalg::norm(by_load->x))) {
+        if (newton_.tangent_end() == NewtonEnd::linear_solver) {
+            begin_without_direction(std::move(state));
+            return finish(StopReason::diverged, std::string("no direction of the path where it begins: ") + linear_remedy);
+        }
         if (rows_ == 0)
             throw Error(ExitCode::bad_input, "materials", "the undeformed body has a singular stiffness",
                         "check the moduli of the materials");
@@ -125,10 +129,23 @@ void PathFollower::begin_stage(State state) {
     if (loads_->changes() && !std::isfinite(1.0 / slope))
         throw Error(ExitCode::bad_input, "path.control", "the load does not move the controlled quantity",
                     "control another one, or use auto");
-    first_step_ = step_ = coarse(settings_.first_step * (control_.kind == ConstraintKind::arc ? 1.0 : sense) * slope);
+    first_step_ = step_ = first_step(slope, control_.kind == ConstraintKind::arc ? 1.0 : sense);
     if (loads_->changes()) rescale(point, 1.0 / slope);
     point.q = controlled_value(point, 0.0);
     last_ = std::move(point);
+}
+
+/// In units of the controlled quantity, which moves by `slope` per load factor.
+double PathFollower::first_step(double slope, double sense) const {
+    if (settings_.steps != model::StepRule::constant) return coarse(settings_.first_step * sense * slope);
+    return control_.kind == ConstraintKind::load_factor ? settings_.first_step : settings_.first_step * sense * slope;
+}
+
+/// The state as a row, for a path that ends where it begins.
+void PathFollower::begin_without_direction(State state) {
+    PathTangent none{linalg::duplicate(state.x), 0.0, std::vector(state.pressures_Pa.size(), 0.0), std::nullopt, 0.0};
+    last_ = PathPoint{std::move(state), std::move(none)};
+    read_values(*last_);
 }
 
 void PathFollower::end_stage(const std::string& text) {
@@ -168,7 +185,8 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
             rescale(**point, 1.0 / control_slope(control_, **point));
             (*point)->q = controlled_value(**point, point == &before_ ? -span : 0.0);
         }
-    step_ = first_step_ = coarse(direction * reach / linalg::norm(last_->tangent.x));
+    const double step = direction * reach / linalg::norm(last_->tangent.x);
+    step_ = first_step_ = settings_.steps == model::StepRule::constant ? step : coarse(step);
     failures_ = 0;
     rejected_error_.reset();
 }

@@ -29,4 +29,5 @@ add_library(soft_gmsh INTERFACE)
 target_include_directories(soft_gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
 target_link_libraries(soft_gmsh INTERFACE ${GMSH_LIBRARY})
 
+find_package(OpenMP REQUIRED COMPONENTS CXX)   # comes with the compiler; the threads of the element loops
 find_package(CGAL CONFIG REQUIRED)

@@ -34,6 +34,12 @@ TEST(Units, PrefixesGiveTheDoubleNearestToTheDecimalValue) {
     EXPECT_EQ(si("1.08 g/cm^3", Dimension::density), 1080.0);
     EXPECT_EQ(si("50 mg", Dimension::mass), 5e-5);
     EXPECT_EQ(si("9.81 m/s^2", Dimension::acceleration), 9.81);
+    EXPECT_EQ(si("50 ms", Dimension::time), 0.05);
+    EXPECT_EQ(si("2 kHz", Dimension::rate), 2000.0);
+    EXPECT_EQ(si("0.5 1/s", Dimension::rate), 0.5);
+    EXPECT_EQ(si("1e8 Pa.s/m^3", Dimension::flow_resistance), 1e8);
+    EXPECT_EQ(si("0.1 kPa.s/mL", Dimension::flow_resistance), 1e8);   // 100 Pa s over 1e-6 m^3
+    EXPECT_EQ(si("2.5 mJ", Dimension::energy), 2.5e-3);
     EXPECT_EQ(si("10 mL", Dimension::volume), 1e-5);
     EXPECT_EQ(si("10 mm^2", Dimension::area), 1e-5);
     EXPECT_EQ(si("150 %", Dimension::ratio), 1.5);
@@ -42,6 +48,7 @@ TEST(Units, PrefixesGiveTheDoubleNearestToTheDecimalValue) {
 TEST(Units, FactorsThatAreNotPowersOfTenFollowTheirDefinitions) {
     EXPECT_DOUBLE_EQ(si("30 deg", Dimension::angle), std::numbers::pi / 6);
     EXPECT_DOUBLE_EQ(si("2 in", Dimension::length), 0.0508);
+    EXPECT_DOUBLE_EQ(si("1.5 min", Dimension::time), 90.0);
     EXPECT_DOUBLE_EQ(si("1 psi", Dimension::pressure), 4.4482216152605 / (0.0254 * 0.0254));
 }
 
@@ -68,6 +75,7 @@ TEST(Units, AWrongDimensionNamesBoth) {
     const Refusal refusal = refused("3 kPa", Dimension::length);
     EXPECT_NE(refusal.problem.find("a pressure where a length"), std::string::npos) << refusal.problem;
     EXPECT_NE(refused("3 rad", Dimension::area).problem.find("an angle where an area"), std::string::npos);
+    EXPECT_NE(refused("3 Hz", Dimension::time).problem.find("a rate where a time"), std::string::npos);
     EXPECT_NE(refused("3 mm", Dimension::ratio).problem.find("a length where a ratio"), std::string::npos);
 }
 
@@ -122,6 +130,9 @@ TEST(Units, MessagesUseUnitsThatReadWell) {
     EXPECT_EQ(quantity_text(0, Dimension::pressure), "0 Pa");
     EXPECT_EQ(quantity_text(1e-12, Dimension::length), "1e-06 um");
     EXPECT_EQ(quantity_text(70285.1e-9, Dimension::volume), "70.2851 mL");
+    EXPECT_EQ(quantity_text(0.05, Dimension::time), "50 ms");
+    EXPECT_EQ(quantity_text(2e8, Dimension::flow_resistance), "200 Pa.s/mL");
+    EXPECT_EQ(quantity_text(1e3, Dimension::rate), "1000 1/s");
 }
 
 TEST(Units, ThrowingFormCarriesCodeAndPlace) {

@@ -7,6 +7,7 @@
 #include "example_case.hpp"
 #include "io/case_file.hpp"
 #include "io/hdf5_write.hpp"
+#include "tamper.hpp"
 
 namespace soft::io {
 namespace {
@@ -18,29 +19,6 @@ struct Lie {
     std::function<void(hid_t file)> change;
     const char* place;                           ///< what the message must name
 };
-
-void unlink(hid_t file, const char* name) { ASSERT_GE(H5Ldelete(file, name, H5P_DEFAULT), 0) << name; }
-
-template <class T>
-void replace(hid_t file, const std::string& group, const std::string& name, const std::vector<T>& values,
-             std::vector<hsize_t> shape = {}) {
-    const GroupHandle parent{H5Gopen2(file, group.c_str(), H5P_DEFAULT)};
-    unlink(parent.get(), name.c_str());
-    write_array<T>(parent.get(), {name, "1", "tampered"}, values, std::move(shape));
-}
-
-void replace_text(hid_t file, const std::string& group, const std::string& name, const std::string& text) {
-    const GroupHandle parent{H5Gopen2(file, group.c_str(), H5P_DEFAULT)};
-    unlink(parent.get(), name.c_str());
-    write_text(parent.get(), {name, "1", "tampered"}, text);
-}
-
-void replace_texts(hid_t file, const std::string& group, const std::string& name,
-                   const std::vector<std::string>& texts) {
-    const GroupHandle parent{H5Gopen2(file, group.c_str(), H5P_DEFAULT)};
-    unlink(parent.get(), name.c_str());
-    write_texts(parent.get(), {name, "1", "tampered"}, texts);
-}
 
 /// A dataset with creation properties of the test's making; nothing is written into it.
 void declare(hid_t file, const char* name, hid_t type, hsize_t count, hid_t properties) {

@@ -82,5 +82,137 @@ TEST(LinearSolver, ReportsASingularMatrixAsAValue) {
     EXPECT_FALSE(solver.factorize().succeeded && solver.solve(b, x).converged);
 }
 
+/// 1D Laplacian: positive definite, condition (n / pi)^2 / 4 or so.
+Matrix laplacian(PetscInt n) {
+    Matrix A;
+    SOFT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, n, n, 3, nullptr, A.out()));
+    for (PetscInt i = 0; i < n; ++i) {
+        SOFT_PETSC(MatSetValue(A, i, i, 2.0, INSERT_VALUES));
+        if (i > 0) SOFT_PETSC(MatSetValue(A, i, i - 1, -1.0, INSERT_VALUES));
+        if (i + 1 < n) SOFT_PETSC(MatSetValue(A, i, i + 1, -1.0, INSERT_VALUES));
+    }
+    SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+    return A;
+}
+
+model::LinearSettings settings_of(model::LinearMethod method,
+                                  model::Preconditioner preconditioner = model::Preconditioner::asm_lu) {
+    model::LinearSettings settings;
+    settings.method = method;
+    settings.preconditioner = preconditioner;
+    return settings;
+}
+
+using model::LinearMethod;
+using model::Preconditioner;
+
+TEST(LinearSolver, EveryFactorisationSolvesAPositiveDefiniteSystemAtOnce) {
+    const auto A = laplacian(200);
+    for (const auto method : {LinearMethod::automatic, LinearMethod::mumps_ldlt, LinearMethod::mumps_lu,
+                              LinearMethod::superlu_dist, LinearMethod::cholmod}) {
+        LinearSolver solver(A, Symmetry::symmetric, settings_of(method));
+        EXPECT_TRUE(solver.factorize().succeeded);
+        EXPECT_LT(residual_after_solve(solver, A), 1e-10);
+        EXPECT_LE(solver.iterations(), 2);
+    }
+}
+
+TEST(LinearSolver, EveryPreconditionerLeadsToTheSameSolution) {
+    const auto A = laplacian(200);
+    for (const auto preconditioner :
+         {Preconditioner::lu, Preconditioner::asm_lu, Preconditioner::asm_ilu, Preconditioner::asm_boomeramg,
+          Preconditioner::boomeramg, Preconditioner::gamg, Preconditioner::jacobi, Preconditioner::none}) {
+        auto settings = settings_of(LinearMethod::krylov, preconditioner);
+        settings.iteration_limit = 300;
+        LinearSolver solver(A, Symmetry::symmetric, settings);
+        EXPECT_TRUE(solver.factorize().succeeded);
+        EXPECT_LT(residual_after_solve(solver, A), 1e-8);
+        EXPECT_GT(solver.iterations(), 0);
+    }
+}
+
+TEST(LinearSolver, CholmodFailsAsAValueWhereTheMatrixIsNotPositiveDefiniteAndRecovers) {
+    auto A = laplacian(50);
+    LinearSolver solver(A, Symmetry::symmetric, settings_of(LinearMethod::cholmod));
+    SOFT_PETSC(MatSetValue(A, 20, 20, -2.0, INSERT_VALUES));
+    SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+    EXPECT_FALSE(solver.factorize().succeeded);
+    SOFT_PETSC(MatSetValue(A, 20, 20, 2.0, INSERT_VALUES));
+    SOFT_PETSC(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+    EXPECT_TRUE(solver.factorize().succeeded);
+    EXPECT_LT(residual_after_solve(solver, A), 1e-10);
+}
+
+TEST(LinearSolver, AnIncompleteFactorWithAZeroPivotFailsAsAValue) {
+    const auto A = dense(2, {0, 1, 1, 0});
+    LinearSolver solver(A, Symmetry::symmetric, settings_of(LinearMethod::krylov, Preconditioner::asm_ilu));
+    Vector x, b;
+    SOFT_PETSC(MatCreateVecs(A, x.out(), b.out()));
+    SOFT_PETSC(VecSet(b, 1.0));
+    EXPECT_FALSE(solver.factorize().succeeded && solver.solve(b, x).converged);
+}
+
+TEST(LinearSolver, MethodsChosenByNameDoNotGoOverToAnother) {
+    std::vector<double> values(400);   // as above: LDL^T sees one triangle of it
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 20; ++j) values[20 * i + j] = i == j ? 30.0 : (j > i ? 4.0 : -5.0 + (7 * i + 3 * j) % 11);
+    const auto A = dense(20, values);
+    LinearSolver solver(A, Symmetry::symmetric, settings_of(LinearMethod::mumps_ldlt));
+    EXPECT_TRUE(solver.factorize().succeeded);
+    EXPECT_LT(residual_after_solve(solver, A), 1e-8);
+    EXPECT_EQ(solver.factorizations(), 1);
+    EXPECT_GT(solver.iterations(), 6);
+}
+
+TEST(LinearSolver, AKrylovMethodAtItsLimitKeepsItsBestAndCanGoOn) {
+    const auto A = laplacian(100);
+    auto settings = settings_of(LinearMethod::krylov, Preconditioner::jacobi);
+    settings.iteration_limit = 60;
+    LinearSolver solver(A, Symmetry::symmetric, settings);
+    ASSERT_TRUE(solver.factorize().succeeded);
+    Vector x, b, r;
+    SOFT_PETSC(MatCreateVecs(A, x.out(), b.out()));
+    r = duplicate(b);
+    SOFT_PETSC(VecSet(b, 1.0));
+    const auto residual = [&] {
+        SOFT_PETSC(MatMult(A, x, r));
+        add(r, -1.0, b);
+        return norm(r) / norm(b);
+    };
+    const auto first = solver.solve(b, x);   // symmetric right-hand side: exact after 50
+    EXPECT_TRUE(first.converged);
+    SOFT_PETSC(VecSetValue(b, 3, 2.0, INSERT_VALUES));
+    SOFT_PETSC(VecAssemblyBegin(b));
+    SOFT_PETSC(VecAssemblyEnd(b));
+    const auto second = solver.solve(b, x);
+    EXPECT_TRUE(second.at_limit && second.usable());
+    EXPECT_FALSE(second.converged);
+    EXPECT_EQ(second.iterations, 60);
+    const double before = residual();
+    EXPECT_LT(before, 1.0);
+    auto more = solver.improve(b, x);
+    EXPECT_LT(residual(), before);
+    for (int i = 0; i < 200 && more.at_limit; ++i) more = solver.improve(b, x);
+    EXPECT_TRUE(more.converged);
+    EXPECT_LT(residual(), 1e-8);
+}
+
+TEST(LinearSolver, ItsToleranceIsTheOneThatIsSet) {
+    const auto A = laplacian(200);
+    long iterations = 0;
+    for (const double tolerance : {1e-2, 1e-10}) {
+        auto settings = settings_of(LinearMethod::krylov, Preconditioner::gamg);
+        settings.tolerance = tolerance;
+        LinearSolver solver(A, Symmetry::symmetric, settings);
+        ASSERT_TRUE(solver.factorize().succeeded);
+        EXPECT_LT(residual_after_solve(solver, A), tolerance);
+        EXPECT_GT(solver.iterations(), iterations);
+        iterations = solver.iterations();
+    }
+}
+
 }  // namespace
 }  // namespace soft::linalg

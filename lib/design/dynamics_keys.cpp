@@ -1,0 +1,153 @@
+#include "design/dynamics_keys.hpp"
+
+#include "core/text.hpp"
+#include "design/words.hpp"
+
+namespace soft::design {
+namespace {
+
+using model::Integrator;
+
+constexpr std::array integrator_words{Word<Integrator>{"generalized-alpha", Integrator::generalized_alpha},
+                                      Word<Integrator>{"hht", Integrator::hht},
+                                      Word<Integrator>{"newmark", Integrator::newmark},
+                                      Word<Integrator>{"implicit-euler", Integrator::implicit_euler},
+                                      Word<Integrator>{"ark4", Integrator::ark4},
+                                      Word<Integrator>{"rosenbrock", Integrator::rosenbrock},
+                                      Word<Integrator>{"heun", Integrator::heun},
+                                      Word<Integrator>{"explicit-euler", Integrator::explicit_euler},
+                                      Word<Integrator>{"central-difference", Integrator::central_difference}};
+
+constexpr const char *duration_path = "dynamics.duration", *integrator_path = "dynamics.integrator",
+                     *radius_path = "dynamics.spectral_radius";
+constexpr double least_hht_radius = 0.5;   // alpha = (1 - rho) / (1 + rho) <= 1/3
+
+bool is_explicit(Integrator integrator) {
+    return integrator == Integrator::heun || integrator == Integrator::explicit_euler ||
+           integrator == Integrator::central_difference;
+}
+
+Key time_key(std::string path, std::string word, std::string meaning) {
+    return {.path = std::move(path),
+            .kind = Kind::time,
+            .fallback = word,
+            .meaning = std::move(meaning),
+            .min = 0,
+            .min_open = true,
+            .choices = {word}};
+}
+
+void check_unused(const Values& values) {
+    for (const Key& key : dynamics_keys())
+        // The default itself may stand there: it does in every effective design.
+        if (key.path != duration_path && values.text(key.path) != key.fallback)
+            throw values.refuse(key.path, "without a duration nothing moves in time",
+                                "add dynamics: {duration: 1 s}, or leave it out");
+}
+
+void check_path_keys(const DynamicParts& parts, const Values& values) {
+    const std::string remedy = "leave it out, or leave out dynamics.duration";
+    for (const Item& item : parts.items) {
+        const std::string& path = item.key.path;
+        if (path.starts_with("path.stages."))
+            throw values.refuse(path, "a path in time has no stages", "give the load a course, or leave out dynamics.duration");
+        if (path.starts_with("path.until.") && path != "path.until.steps")
+            throw values.refuse(path, "a path in time ends after its duration, or after steps", remedy);
+    }
+    for (const char* path : {"path.control", "path.controlled"})
+        if (values.text(path) != (std::string_view{path} == "path.control" ? "auto" : "first"))
+            throw values.refuse(path, "in time nothing but time itself is controlled", remedy);
+    if (values.text("path.branch") == "follow")
+        throw values.refuse("path.branch", "a path in time has no branches: inertia decides where it goes", remedy);
+}
+
+void check_loads(const DynamicParts& parts, const Values& values) {
+    for (const LoadEntry& load : parts.loads) {
+        if (load.kind == LoadKind::motion)
+            throw values.refuse(load.value, "a prescribed displacement cannot move in time in this version",
+                                "load the face by a pressure or a traction");
+        if (load.kind == LoadKind::gas && load.what != model::Prescription::pressure)
+            throw values.refuse(load.value, "a path in time takes a pressure as its supply",
+                                "write pressure; with line: {resistance: 1e8 Pa.s/m^3} the cavity fills through a tube");
+    }
+}
+
+void check_integrator(const model::Dynamics& dynamics, std::string_view formulation, const Values& values) {
+    if (is_explicit(dynamics.integrator) && formulation == "mixed")
+        throw values.refuse(integrator_path, "an explicit integrator has no equation for the pressure unknowns of mixed cells",
+                            "mesh: {formulation: displacement} or f-bar with a finite kappa, or an implicit integrator");
+    if (dynamics.integrator == Integrator::hht && dynamics.spectral_radius < least_hht_radius)
+        throw values.refuse(radius_path, "hht is stable from " + core::rounded_text(least_hht_radius, 2) + " on only",
+                            "a larger radius, or integrator: generalized-alpha");
+}
+
+}  // namespace
+
+std::vector<Key> dynamics_keys() {
+    const model::Dynamics defaults;
+    std::vector<Key> keys = {
+        time_key(duration_path, "none", "how long the motion is followed from rest; none: a static path"),
+        {.path = integrator_path,
+         .kind = Kind::choice,
+         .fallback = word_for(integrator_words, defaults.integrator),
+         .meaning = "how time is stepped; heun, explicit-euler and central-difference are explicit",
+         .choices = words_of(integrator_words)},
+        time_key("dynamics.step", "auto", "length of the steps; auto: by accuracy, of an explicit integrator its stable step")};
+    const auto ratio = [&](const char* path, double fallback, const char* meaning) {
+        keys.push_back({.path = path, .kind = Kind::ratio, .fallback = core::number_text(fallback), .meaning = meaning,
+                        .min = 0, .max = 1});
+    };
+    ratio("dynamics.accuracy", defaults.accuracy, "wanted error of a step over the size of the motion, where step is auto");
+    keys.back().min_open = true;
+    ratio(radius_path, defaults.spectral_radius,
+          "what generalized-alpha and hht leave of motions too fast for the step, each step: 1 damps nothing");
+    keys.push_back({.path = "dynamics.mass_damping",
+                    .kind = Kind::rate,
+                    .fallback = core::number_text(defaults.mass_damping_1_s) + " 1/s",
+                    .meaning = "Rayleigh damping: a force of this times mass times velocity",
+                    .min = 0});
+    keys.push_back({.path = "dynamics.stiffness_damping",
+                    .kind = Kind::time,
+                    .fallback = core::number_text(defaults.stiffness_damping_s) + " s",
+                    .meaning = "Rayleigh damping: a force of this times the undeformed stiffness times velocity",
+                    .min = 0});
+    keys.push_back({.path = "dynamics.rows",
+                    .kind = Kind::count,
+                    .fallback = std::to_string(defaults.rows),
+                    .meaning = "steps that are kept at most",
+                    .min = 1,
+                    .max = 1e6});
+    return keys;
+}
+
+bool is_dynamic(const Node& root) {
+    const Node* duration = find_path(root, duration_path);
+    return duration != nullptr && duration->kind == Node::Kind::scalar && core::trimmed(duration->text) != "none";
+}
+
+std::optional<model::Dynamics> dynamics_of(const DynamicParts& parts, const Values& values) {
+    if (values.text(duration_path) == "none") {
+        check_unused(values);
+        return std::nullopt;
+    }
+    model::Dynamics dynamics;
+    dynamics.integrator = meant_by(integrator_words, values.text(integrator_path));
+    dynamics.duration_s = values.number(duration_path);
+    dynamics.step_s = values.number("dynamics.step");   // "auto" is 0
+    dynamics.accuracy = values.number("dynamics.accuracy");
+    dynamics.spectral_radius = values.number(radius_path);
+    dynamics.mass_damping_1_s = values.number("dynamics.mass_damping");
+    dynamics.stiffness_damping_s = values.number("dynamics.stiffness_damping");
+    dynamics.rows = values.count("dynamics.rows");
+    if (values.text("material.density") == "none")
+        throw values.refuse(duration_path, "the rubber has no density",
+                            "add material: {density: 1080 kg/m^3}, that of the undeformed rubber");
+    if (dynamics.step_s > dynamics.duration_s)
+        throw values.refuse("dynamics.step", "a step longer than the duration", "a shorter step, or auto");
+    check_path_keys(parts, values);
+    check_loads(parts, values);
+    check_integrator(dynamics, parts.formulation, values);
+    return dynamics;
+}
+
+}  // namespace soft::design

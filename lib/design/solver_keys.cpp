@@ -1,0 +1,166 @@
+#include "design/solver_keys.hpp"
+
+#include "core/text.hpp"
+#include "design/words.hpp"
+
+namespace soft::design {
+namespace {
+
+using model::LinearMethod, model::LineSearch, model::NewtonMethod, model::Preconditioner, model::Predictor;
+using model::StepRule, model::TangentSource;
+
+constexpr std::array newton_words{Word<NewtonMethod>{"full", NewtonMethod::full},
+                                  Word<NewtonMethod>{"modified", NewtonMethod::modified},
+                                  Word<NewtonMethod>{"bfgs", NewtonMethod::bfgs}};
+constexpr std::array line_search_words{Word<LineSearch>{"backtracking", LineSearch::backtracking},
+                                       Word<LineSearch>{"secant", LineSearch::secant},
+                                       Word<LineSearch>{"none", LineSearch::none}};
+constexpr std::array tangent_words{Word<TangentSource>{"exact", TangentSource::exact},
+                                   Word<TangentSource>{"finite-difference", TangentSource::finite_difference}};
+constexpr std::array linear_words{Word<LinearMethod>{"auto", LinearMethod::automatic},
+                                  Word<LinearMethod>{"mumps-ldlt", LinearMethod::mumps_ldlt},
+                                  Word<LinearMethod>{"mumps-lu", LinearMethod::mumps_lu},
+                                  Word<LinearMethod>{"superlu-dist", LinearMethod::superlu_dist},
+                                  Word<LinearMethod>{"cholmod", LinearMethod::cholmod},
+                                  Word<LinearMethod>{"krylov", LinearMethod::krylov},
+                                  Word<LinearMethod>{"jacobian-free", LinearMethod::jacobian_free}};
+constexpr std::array preconditioner_words{Word<Preconditioner>{"lu", Preconditioner::lu},
+                                          Word<Preconditioner>{"asm-lu", Preconditioner::asm_lu},
+                                          Word<Preconditioner>{"asm-ilu", Preconditioner::asm_ilu},
+                                          Word<Preconditioner>{"asm-boomeramg", Preconditioner::asm_boomeramg},
+                                          Word<Preconditioner>{"boomeramg", Preconditioner::boomeramg},
+                                          Word<Preconditioner>{"gamg", Preconditioner::gamg},
+                                          Word<Preconditioner>{"jacobi", Preconditioner::jacobi},
+                                          Word<Preconditioner>{"none", Preconditioner::none}};
+constexpr std::array step_words{Word<StepRule>{"error-adaptive", StepRule::error_adaptive},
+                                Word<StepRule>{"iteration-adaptive", StepRule::iteration_adaptive},
+                                Word<StepRule>{"constant", StepRule::constant}};
+constexpr std::array predictor_words{Word<Predictor>{"cubic", Predictor::cubic}, Word<Predictor>{"tangent", Predictor::tangent},
+                                     Word<Predictor>{"none", Predictor::none}};
+
+constexpr const char *linear_path = "solver.linear", *preconditioner_path = "solver.preconditioner";
+
+template <class Enum, std::size_t count>
+Key choice(std::string path, const std::array<Word<Enum>, count>& table, Enum fallback, std::string meaning) {
+    return {.path = std::move(path),
+            .kind = Kind::choice,
+            .fallback = word_for(table, fallback),
+            .meaning = std::move(meaning),
+            .choices = words_of(table)};
+}
+
+Key number(std::string path, double fallback, std::string meaning, double min, double max) {
+    return {.path = std::move(path),
+            .kind = Kind::ratio,
+            .fallback = core::number_text(fallback),
+            .meaning = std::move(meaning),
+            .min = min,
+            .max = max};
+}
+
+/// More than 0, at most 1.
+Key share(std::string path, double fallback, std::string meaning) {
+    Key key = number(std::move(path), fallback, std::move(meaning), 0, 1);
+    key.min_open = true;
+    return key;
+}
+
+Key count(std::string path, int fallback, std::string meaning, double max) {
+    return {.path = std::move(path),
+            .kind = Kind::count,
+            .fallback = std::to_string(fallback),
+            .meaning = std::move(meaning),
+            .min = 1,
+            .max = max};
+}
+
+std::vector<Key> newton_keys(const model::SolverSettings& defaults) {
+    return {
+        number("solver.residual_tolerance", defaults.residual_tolerance,
+               "equilibrium is reached when the residual is below this share of the nodal forces", 1e-14, 1e-2),
+        choice("solver.newton", newton_words, defaults.newton,
+               "tangent of every iteration, of a step's first alone, or that with the updates of BFGS"),
+        choice("solver.line_search", line_search_words, defaults.line_search,
+               "how far a correction is followed: halved until the residual falls, to where the residual has no part along it, "
+               "or whole"),
+        choice("solver.tangent", tangent_words, defaults.tangent, "exact derivatives, or differences of the residual"),
+        count("solver.newton_limit", defaults.newton_limit, "Newton iterations before a step is cut", 1000),
+        {.path = "solver.scaling",
+         .kind = Kind::flag,
+         .fallback = defaults.scaling ? "true" : "false",
+         .meaning = "pressure unknowns are scaled to the size of displacements"},
+    };
+}
+
+std::vector<Key> linear_keys(const model::SolverSettings& defaults) {
+    return {
+        choice(linear_path, linear_words, defaults.linear.method,
+               "how the linear systems are solved; auto is mumps-ldlt, and mumps-lu where the tangent is not symmetric"),
+        choice(preconditioner_path, preconditioner_words, defaults.linear.preconditioner,
+               "of krylov and jacobian-free; asm is additive Schwarz with one block a rank"),
+        number("solver.linear_tolerance", defaults.linear.tolerance,
+               "krylov and jacobian-free stop when the residual is below this share of the right-hand side", 1e-14, 0.5),
+        count("solver.linear_limit", defaults.linear.iteration_limit,
+              "iterations after which krylov and jacobian-free give their best correction so far", 1e5),
+        count("solver.threads", defaults.threads, "of a rank, in the loops over the elements; the results stay the same", 256),
+    };
+}
+
+std::vector<Key> step_keys(const model::SolverSettings& defaults) {
+    return {
+        choice("solver.steps", step_words, defaults.steps,
+               "length of the steps: by the error of the prediction, by the Newton iterations of the step before, or first_step"),
+        choice("solver.predictor", predictor_words, defaults.predictor,
+               "where a step starts: on the cubic through the last two states, on the tangent of the last, or at the last"),
+        share("solver.first_step", defaults.first_step, "first step as a share of the full load"),
+        number("solver.largest_step", defaults.largest_step,
+               "longest step as a share of the path so far; 0 leaves it to the solver", 0, 1),
+        share("solver.smallest_step", defaults.smallest_step, "a step cut below this share of the first step ends the path"),
+        count("solver.wanted_iterations", defaults.wanted_iterations, "Newton iterations a step aims at, iteration-adaptive", 100),
+        count("solver.step_limit", defaults.step_limit, "steps after which the path ends with stop reason step_limit", 1e6),
+        share("solver.step_accuracy", defaults.step_accuracy,
+              "wanted relative error of a step's prediction, error-adaptive; smaller gives denser steps"),
+    };
+}
+
+}  // namespace
+
+std::vector<Key> solver_keys() {
+    const model::SolverSettings defaults;
+    std::vector<Key> keys = newton_keys(defaults);
+    for (auto part : {linear_keys(defaults), step_keys(defaults)}) keys.insert(keys.end(), part.begin(), part.end());
+    return keys;
+}
+
+model::SolverSettings solver_of(const Values& values) {
+    const auto meant = [&](const auto& table, const char* path) { return meant_by(table, values.text(path)); };
+    model::SolverSettings solver;
+    solver.residual_tolerance = values.number("solver.residual_tolerance");
+    solver.newton = meant(newton_words, "solver.newton");
+    solver.line_search = meant(line_search_words, "solver.line_search");
+    solver.tangent = meant(tangent_words, "solver.tangent");
+    solver.newton_limit = values.count("solver.newton_limit");
+    solver.linear.method = meant(linear_words, linear_path);
+    const bool krylov = solver.linear.method == LinearMethod::krylov || solver.linear.method == LinearMethod::jacobian_free;
+    const Preconditioner usual = solver.linear.preconditioner;
+    solver.linear.preconditioner = meant(preconditioner_words, preconditioner_path);
+    // The default itself may stand there: it does in every effective design.
+    if (!krylov && solver.linear.preconditioner != usual)
+        throw values.refuse(preconditioner_path, "linear: " + values.text(linear_path) + " takes no preconditioner",
+                            "linear: krylov or jacobian-free, or leave it out");
+    solver.linear.tolerance = values.number("solver.linear_tolerance");
+    solver.linear.iteration_limit = values.count("solver.linear_limit");
+    solver.scaling = values.text("solver.scaling") == "true";
+    solver.threads = values.count("solver.threads");
+    solver.steps = meant(step_words, "solver.steps");
+    solver.predictor = meant(predictor_words, "solver.predictor");
+    solver.first_step = values.number("solver.first_step");
+    solver.largest_step = values.number("solver.largest_step");
+    solver.smallest_step = values.number("solver.smallest_step");
+    solver.wanted_iterations = values.count("solver.wanted_iterations");
+    solver.step_limit = values.count("solver.step_limit");
+    solver.step_accuracy = values.number("solver.step_accuracy");
+    return solver;
+}
+
+}  // namespace soft::design

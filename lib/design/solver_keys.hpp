@@ -1,0 +1,16 @@
+#pragma once
+/// The keys of `solver`. Private to the room. Held by design/solver_test.
+#include <vector>
+
+#include "design/design.hpp"
+#include "design/schema.hpp"
+
+namespace soft::design {
+
+/// Defaults are those of model::SolverSettings.
+[[nodiscard]] std::vector<Key> solver_keys();
+
+/// Refuses a preconditioner other than the default for a method that takes none.
+[[nodiscard]] model::SolverSettings solver_of(const Values& values);
+
+}  // namespace soft::design

@@ -1,0 +1,146 @@
+#include "linalg/preconditioner.hpp"
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "core/error.hpp"
+
+namespace soft::linalg {
+
+namespace {
+
+using model::LinearMethod;
+using model::Preconditioner;
+
+/// Work space of MUMPS beyond its estimate [%]: small by default, and the pivoting of a saddle point needs more.
+constexpr int mumps_work_space = 80;
+
+struct Default {
+    const char* option;
+    const char* value;
+};
+
+/// What the user has given behind -- stays.
+void set_defaults(std::initializer_list<Default> defaults) {
+    for (const auto& [option, value] : defaults) {
+        PetscBool given = PETSC_FALSE;
+        SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, option, &given));
+        if (!given) SOFT_PETSC(PetscOptionsSetValue(nullptr, option, value));
+    }
+}
+
+[[noreturn]] void refuse_library(const std::string& place, const std::string& library) {
+    throw Error(ExitCode::bad_input, place, "this PETSc was built without " + library, "choose another, or automatic");
+}
+
+void set_factorization(PC pc, PCType type, MatSolverType library, const char* name) {
+    PetscBool found = PETSC_FALSE;
+    const MatFactorType factor = std::string_view(type) == PCLU ? MAT_FACTOR_LU : MAT_FACTOR_CHOLESKY;
+    SOFT_PETSC(MatSolverTypeGet(library, MATSEQAIJ, factor, &found, nullptr, nullptr));
+    if (!found) refuse_library("solver.linear", name);
+    SOFT_PETSC(PCSetType(pc, type));
+    SOFT_PETSC(PCFactorSetMatSolverType(pc, library));
+}
+
+void set_mumps(PC pc, PCType type) {
+    set_factorization(pc, type, MATSOLVERMUMPS, "MUMPS");
+    // ICNTL(14): work space beyond the estimate [%], small by default and pivoting of the saddle point needs more.
+    // ICNTL(13) = 1: the root front is factorised on one rank, without which the count of negative pivots is partial.
+    // ICNTL(33) = 1: the determinant, whose sign is all that LU tells of the inertia.
+    // ICNTL(12) = 1, ICNTL(6) = 0: the order of elimination follows from the pattern of K alone, not from the values of the
+    // first K that comes along, so that a path that is resumed in its middle is that of one run to the last digit.
+    set_defaults({{"-mat_mumps_icntl_14", "80"}, {"-mat_mumps_icntl_13", "1"}, {"-mat_mumps_icntl_33", "1"},
+                  {"-mat_mumps_icntl_12", "1"}, {"-mat_mumps_icntl_6", "0"}});
+}
+
+void set_cholmod(PC pc) {
+    int ranks = 1;
+    MPI_Comm_size(PetscObjectComm(reinterpret_cast<PetscObject>(pc)), &ranks);
+    if (ranks > 1)
+        throw Error(ExitCode::bad_input, "solver.linear", "cholmod runs on one rank, these are " + std::to_string(ranks),
+                    "use mumps-ldlt, or one rank");
+    set_factorization(pc, PCCHOLESKY, MATSOLVERCHOLMOD, "CHOLMOD (SuiteSparse)");
+    set_defaults({{"-mat_cholmod_print", "0"},   // its warnings go to stdout, which is for data
+                  {"-mat_cholmod_factor", "supernodal"}});   // LL^T: the simplicial LDL^T of small matrices takes any sign
+}
+
+void set_boomeramg(PC pc) {
+    const PetscErrorCode code = PCSetType(pc, PCHYPRE);
+    if (code == PETSC_ERR_ARG_UNKNOWN_TYPE) refuse_library("solver.preconditioner", "hypre");
+    check(code, "PCSetType(pc, PCHYPRE)");
+    SOFT_PETSC(PCHYPRESetType(pc, "boomeramg"));
+}
+
+void set_krylov(PC pc, Preconditioner preconditioner) {
+    switch (preconditioner) {
+        case Preconditioner::lu: return set_mumps(pc, PCLU);
+        case Preconditioner::asm_lu:
+        case Preconditioner::asm_ilu:
+        case Preconditioner::asm_boomeramg: return SOFT_PETSC(PCSetType(pc, PCASM));
+        case Preconditioner::boomeramg: return set_boomeramg(pc);
+        case Preconditioner::gamg: return SOFT_PETSC(PCSetType(pc, PCGAMG));
+        case Preconditioner::jacobi: return SOFT_PETSC(PCSetType(pc, PCJACOBI));
+        case Preconditioner::none: return SOFT_PETSC(PCSetType(pc, PCNONE));
+    }
+}
+
+void set_block_lu(PC pc) {
+    SOFT_PETSC(PCSetType(pc, PCLU));
+    SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+    SOFT_PETSC(PCFactorSetUpMatSolverType(pc));
+    Mat factor = nullptr;
+    SOFT_PETSC(PCFactorGetMatrix(pc, &factor));
+    SOFT_PETSC(MatMumpsSetIcntl(factor, 14, mumps_work_space));
+}
+
+}  // namespace
+
+void set_type(PC pc, const model::LinearSettings& settings, Symmetry symmetry) {
+    switch (settings.method) {
+        case LinearMethod::automatic: return set_mumps(pc, symmetry == Symmetry::symmetric ? PCCHOLESKY : PCLU);
+        case LinearMethod::mumps_ldlt: return set_mumps(pc, PCCHOLESKY);
+        case LinearMethod::mumps_lu: return set_mumps(pc, PCLU);
+        case LinearMethod::superlu_dist: return set_factorization(pc, PCLU, MATSOLVERSUPERLU_DIST, "SuperLU_DIST");
+        case LinearMethod::cholmod: return set_cholmod(pc);
+        case LinearMethod::krylov:
+        case LinearMethod::jacobian_free: return set_krylov(pc, settings.preconditioner);
+    }
+}
+
+void set_block_type(PC pc, Preconditioner preconditioner) {
+    if (!is_type(pc, PCASM)) return;
+    PetscInt blocks = 0;
+    KSP* solvers = nullptr;
+    SOFT_PETSC(PCASMGetSubKSP(pc, &blocks, nullptr, &solvers));
+    for (PetscInt i = 0; i < blocks; ++i) {
+        PC block = nullptr;
+        SOFT_PETSC(KSPGetPC(solvers[i], &block));
+        switch (preconditioner) {
+            case Preconditioner::asm_lu: set_block_lu(block); break;
+            case Preconditioner::asm_ilu: SOFT_PETSC(PCSetType(block, PCILU)); break;
+            case Preconditioner::asm_boomeramg: set_boomeramg(block); break;
+            case Preconditioner::lu:
+            case Preconditioner::boomeramg:
+            case Preconditioner::gamg:
+            case Preconditioner::jacobi:
+            case Preconditioner::none: break;   // -pc_type asm behind --
+        }
+        SOFT_PETSC(KSPSetFromOptions(solvers[i]));
+    }
+}
+
+bool is_type(PC pc, PCType type) {
+    PetscBool same = PETSC_FALSE;
+    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), type, &same));
+    return same == PETSC_TRUE;
+}
+
+bool is_mumps(PC pc) {
+    if (!is_type(pc, PCCHOLESKY) && !is_type(pc, PCLU)) return false;
+    MatSolverType type = nullptr;
+    SOFT_PETSC(PCFactorGetMatSolverType(pc, &type));
+    return type != nullptr && std::string_view(type) == MATSOLVERMUMPS;
+}
+
+}  // namespace soft::linalg

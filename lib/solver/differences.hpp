@@ -1,0 +1,47 @@
+#pragma once
+/// Derivatives of the residual R(x, levels) by differences, for who does not trust or does not want the exact tangent:
+///   tangent:   K = dR/dx by one residual a colour of the unknowns; two of a colour share no equation (Curtis, Powell and
+///              Reid 1974), so that each entry is one quotient
+///   jacobian:  v -> (R(x + h v) - R(x)) / h as a matrix without entries
+/// Every unknown has its own scale s: a displacement the mean distance of two nodes, a pressure the shear modulus. A quotient
+/// moves no unknown by more than about 1e-7 of it: the rounding of R leaves 1e-9 of K, the curvature of R 1e-7 (derived here).
+/// Held by solver/differences_test.
+#include <exception>
+
+#include "assembly/system.hpp"
+
+namespace soft::solver {
+
+class ResidualDifferences {
+public:
+    /// `K`: a matrix of the system, for the pattern of its entries, looked at where `source` is finite_difference. Neither is
+    /// owned. Without it tangent() may not be called.
+    ResidualDifferences(assembly::System& system, Mat K, model::TangentSource source);
+    ResidualDifferences(const ResidualDifferences&) = delete;
+    ResidualDifferences& operator=(const ResidualDifferences&) = delete;
+    ~ResidualDifferences() = default;
+
+    /// Overwrites K, the constructor's matrix, with dR/dx at x under these levels.
+    void tangent(Vec x, const assembly::LoadLevels& levels, Mat K);
+
+    /// Where jacobian() is taken from now on; `R` is the residual there. Both are copied.
+    void set_base(Vec x, const assembly::LoadLevels& levels, Vec R);
+    [[nodiscard]] Mat jacobian() const noexcept { return jacobian_; }
+
+private:
+    void make_scale();
+    void make_colors(Mat K);
+    static PetscErrorCode scaled_residual(void* unused, Vec y, Vec R, void* self);
+    static PetscErrorCode multiply(Mat jacobian, Vec v, Vec product);
+    void difference(Vec v, Vec product);
+
+    assembly::System& system_;
+    linalg::Vector scale_, inverse_scale_;
+    linalg::Vector x_, y_, base_x_, base_R_;
+    assembly::LoadLevels levels_, base_levels_;
+    linalg::Owned<MatFDColoring, MatFDColoringDestroy> colors_;
+    linalg::Matrix jacobian_;
+    std::exception_ptr thrown_;   // out of a residual, past PETSc's C code
+};
+
+}  // namespace soft::solver

@@ -1,0 +1,297 @@
+#include "solver/dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "solver/dynamics_follower.hpp"
+#include "solver/path_follower.hpp"
+
+namespace soft::solver {
+
+using model::Integrator;
+using solution::StopReason;
+
+namespace {
+
+constexpr double cut_after_failure = 0.4;
+/// Adaptive steps: the first of the shortest change of the loads; after a kink of the step before it.
+constexpr double first_share = 1e-3, share_after_kink = 0.1;
+constexpr double growth_without_estimate = 2.0, largest_growth = 2.0, smallest_shrink = 0.3, rejection = 1.5;
+/// The size of the motion is at least this part of the linear response.
+constexpr double size_share = 0.1;
+/// Explicit steps: of the stable one, which is estimated every so many steps because stretching stiffens.
+constexpr double stable_share = 0.9;
+constexpr int steps_between_estimates = 50;
+/// A step the user has chosen is kept up to this part of the stable one: room for what stiffens before the next estimate.
+constexpr double nearly_unstable = 0.97;
+constexpr int explicit_step_limit = 1'000'000;
+/// Times that differ by this part of a step are one.
+constexpr double same_time = 1e-6;
+
+bool is_explicit(Integrator integrator) {
+    switch (integrator) {
+        case Integrator::heun:
+        case Integrator::explicit_euler:
+        case Integrator::central_difference: return true;
+        case Integrator::generalized_alpha:
+        case Integrator::hht:
+        case Integrator::newmark:
+        case Integrator::implicit_euler:
+        case Integrator::ark4:
+        case Integrator::rosenbrock: break;
+    }
+    return false;
+}
+
+std::string_view text_of(NewtonEnd end) {
+    switch (end) {
+        case NewtonEnd::converged: return "converged";
+        case NewtonEnd::inverted: return "a cell turns inside out";
+        case NewtonEnd::iteration_limit:
+        case NewtonEnd::no_descent: return "the iterations do not settle";
+        case NewtonEnd::singular:
+        case NewtonEnd::not_definite: return "the stiffness with mass cannot be factorised";
+        case NewtonEnd::linear_solver: return "the linear solver does not converge";
+        case NewtonEnd::not_finite: return "forces that are not finite";
+    }
+    return "";
+}
+
+const model::Dynamics& dynamics_of(const model::Case& input) {
+    if (!input.dynamics) throw Error(ExitCode::bad_input, "dynamics", "the case does not run in time", "give dynamics.duration");
+    return *input.dynamics;
+}
+
+}  // namespace
+
+MotionFollower::MotionFollower(assembly::System& system, const Listeners& listeners)
+    : system_(system), input_(system.input()), dynamics_(dynamics_of(input_)), settings_(input_.solver), listeners_(listeners),
+      explicit_(is_explicit(dynamics_.integrator)),
+      equations_(system, explicit_ ? MassKind::lumped : MassKind::consistent) {}
+
+solution::PathEnd MotionFollower::run() {
+    start();
+    if (!finished_) append();
+    while (!finished_) advance();
+    end_.factorizations = stage_ ? stage_->factorizations() : 0;
+    return std::move(end_);
+}
+
+void MotionFollower::make_method() {
+    switch (dynamics_.integrator) {
+        case Integrator::generalized_alpha:
+        case Integrator::hht:
+        case Integrator::newmark: {
+            const auto parameters = alpha_parameters(dynamics_.integrator, dynamics_.spectral_radius);
+            error_constant_ = parameters.error_constant();
+            method_.emplace<GeneralizedAlpha>(equations_, *stage_, parameters);
+            break;
+        }
+        case Integrator::ark4:
+            order_ = 3;
+            method_.emplace<Dirk>(equations_, *stage_);
+            break;
+        case Integrator::implicit_euler:
+            order_ = 1;
+            error_constant_ = 0.5;
+            method_.emplace<TsIntegrator>(equations_, &*stage_, dynamics_.integrator);
+            break;
+        case Integrator::rosenbrock: method_.emplace<TsIntegrator>(equations_, &*stage_, dynamics_.integrator); break;
+        case Integrator::heun:
+        case Integrator::explicit_euler: method_.emplace<TsIntegrator>(equations_, nullptr, dynamics_.integrator); break;
+        case Integrator::central_difference: method_.emplace<CentralDifference>(equations_); break;
+    }
+}
+
+void MotionFollower::start() {
+    last_ = equations_.rest();
+    next_ = copy_of(last_);
+    if (explicit_)
+        stable_.emplace(equations_, dynamics_.integrator);
+    else
+        stage_.emplace(equations_);
+    make_method();
+    choose_first_step();
+    if (explicit_)
+        (void)explicit_acceleration(equations_, last_);
+    else if (!start_acceleration(equations_, *stage_, step_s_, last_))
+        throw Error(ExitCode::bad_input, "materials", "the body at rest has a singular mass and stiffness",
+                    "check the densities and moduli of the materials");
+    std::visit(
+        [&](auto& method) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, std::monostate>) method.start(last_);
+        },
+        method_);
+}
+
+void MotionFollower::choose_first_step() {
+    const double duration = dynamics_.duration_s;
+    const int intervals = std::max(dynamics_.rows - 1, 1);   // row 0 is one of them
+    row_interval_s_ = duration / intervals;
+    next_row_s_ = 0.0;
+    if (is_constant()) {
+        step_s_ = std::min(dynamics_.step_s, duration);
+        row_interval_s_ = step_s_ * std::ceil(std::ceil(duration / step_s_ * (1.0 - same_time)) / intervals);
+    } else {
+        kinks_ = equations_.kink_times();
+        step_s_ = coarse(first_share * equations_.shortest_change_s());
+    }
+    if (explicit_) {
+        update_stable_step();
+        if (is_constant() && step_s_ > stable_step_s_)
+            throw Error(ExitCode::bad_input, "dynamics.step",
+                        "an explicit step of " + short_text(step_s_) + " s is beyond the stable one of this body, " +
+                            short_text(stable_step_s_) + " s",
+                        "give at most " + short_text(stable_share * stable_step_s_) + " s, or leave it out");
+    } else if (!is_constant()) {
+        if (!stage_->factorize(last_.x, assembly::no_loads(input_), 0.0, 1.0 / (duration * duration))) return;
+        (void)equations_.evaluate(last_.x, equations_.full_levels(), nullptr);
+        linalg::Vector force = linalg::duplicate(last_.x), response = linalg::duplicate(last_.x);
+        linalg::copy(equations_.load_force(), force);
+        std::vector<double> none;
+        if (stage_->solve_linear(force, std::vector<LineRow>(equations_.line_count()), response, none))
+            size_ = size_share * equations_.displacement_norm(response);
+    }
+    first_step_s_ = step_s_;
+}
+
+/// An explicit step of our own follows the stable one; that of the user is shortened where the body has become too stiff for it.
+void MotionFollower::update_stable_step() {
+    stable_step_s_ = stable_->estimate(last_);
+    const double own = coarse(stable_share * stable_step_s_);
+    const bool keeps = is_constant() && (rows_ == 0 || dynamics_.step_s <= nearly_unstable * stable_step_s_);
+    if (is_constant() && !keeps && step_s_ == dynamics_.step_s)
+        log("the stable step has fallen to " + short_text(stable_step_s_) + " s: the step becomes " + short_text(own) + " s");
+    step_s_ = keeps ? std::min(dynamics_.step_s, dynamics_.duration_s) : own;
+    if (rows_ == 0) log("highest frequency " + short_text(stable_->frequency()) + " rad/s, stable step " + short_text(stable_step_s_) + " s");
+    const double steps = (dynamics_.duration_s - last_.time_s) / step_s_;
+    if (steps_ == 0 && steps > explicit_step_limit)
+        finish(StopReason::step_limit, "the motion takes " + short_text(steps) + " explicit steps of " + short_text(step_s_) +
+                                           " s, more than a million: use an implicit integrator");
+}
+
+double MotionFollower::next_step() {
+    double target = dynamics_.duration_s;
+    for (const double kink : kinks_)
+        if (kink > last_.time_s) {
+            target = std::min(target, kink);
+            break;
+        }
+    const double left = target - last_.time_s;
+    if (step_s_ * (1.0 + same_time) >= left) return left;
+    return !is_constant() && 2.0 * step_s_ > left ? 0.5 * left : step_s_;
+}
+
+std::optional<StepResult> MotionFollower::attempt(double step_s) {
+    StepResult result;
+    std::visit(
+        [&](auto& method) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, std::monostate>)
+                result = method.attempt(last_, step_s, next_);
+        },
+        method_);
+    iterations_since_row_ += result.newton.iterations;
+    end_.newton_iterations += result.newton.iterations;
+    if (result.newton.end == NewtonEnd::converged) return result;
+    handle_failure(result.newton, step_s);
+    return std::nullopt;
+}
+
+void MotionFollower::advance() {
+    const int limit = explicit_ ? explicit_step_limit : settings_.step_limit;
+    if (steps_ >= limit) return finish(StopReason::step_limit, std::to_string(limit) + " steps were not enough");
+    const double h = next_step();
+    const auto result = attempt(h);
+    if (!result) return;
+    const auto error = relative_error(*result, h);
+    const bool adaptive = !is_constant() && !explicit_;
+    if (adaptive && error && *error > rejection * dynamics_.accuracy) {
+        log("step of " + short_text(h) + " s errs by " + short_text(*error) + " of the motion: taken again");
+        adapt(error, h);
+        if (step_s_ < settings_.smallest_step * first_step_s_)
+            finish(StopReason::diverged, "no step is short enough for dynamics.accuracy at " + short_text(last_.time_s) + " s");
+        return;
+    }
+    std::visit(
+        [](auto& method) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, std::monostate>) method.accept();
+        },
+        method_);
+    ++steps_;
+    keep_energies(last_, next_);
+    if (adaptive && error_constant_ > 0.0) {
+        history_.push_front({last_.time_s, linalg::duplicate(last_.x)});
+        linalg::copy(last_.x, history_.front().x);
+        if (history_.size() > static_cast<std::size_t>(order_)) history_.pop_back();
+    }
+    std::swap(last_, next_);
+    if (std::abs(dynamics_.duration_s - last_.time_s) <= same_time * h) last_.time_s = dynamics_.duration_s;
+    if (is_constant() && !explicit_) step_s_ = std::min(dynamics_.step_s, 2.0 * step_s_);
+    if (explicit_ && steps_ % steps_between_estimates == 0) update_stable_step();
+    if (adaptive) adapt(error, h);
+    for (const double kink : kinks_)
+        if (std::abs(kink - last_.time_s) <= same_time * h) {
+            last_.time_s = kink;
+            step_s_ = coarse(share_after_kink * step_s_);
+            history_.clear();   // a difference across it is no derivative
+        }
+    const bool ends = last_.time_s >= dynamics_.duration_s;
+    if (ends || last_.time_s >= next_row_s_ - same_time * row_interval_s_) append();
+    if (ends && !finished_) finish(StopReason::done, "time of " + short_text(dynamics_.duration_s) + " s reached");
+}
+
+std::optional<double> MotionFollower::relative_error(const StepResult& result, double step_s) {
+    if (is_constant() || explicit_) return std::nullopt;
+    size_ = std::max(size_, equations_.displacement_norm(next_.x));
+    if (result.error_m) return *result.error_m / size_;
+    if (error_constant_ == 0.0 || history_.size() < static_cast<std::size_t>(order_)) return std::nullopt;
+    std::vector<std::pair<double, Vec>> positions{{next_.time_s, next_.x}, {last_.time_s, last_.x}};
+    for (const auto& position : history_) positions.emplace_back(position.time_s, position.x);
+    linalg::Vector difference = linalg::duplicate(next_.x);
+    double factorial = 1;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        double weight = 1;
+        for (std::size_t j = 0; j < positions.size(); ++j)
+            if (j != i) weight *= step_s / (positions[i].first - positions[j].first);
+        linalg::add(difference, weight, positions[i].second);
+        if (i > 0) factorial *= static_cast<double>(i);
+    }
+    return error_constant_ * factorial * equations_.displacement_norm(difference) / size_;
+}
+
+void MotionFollower::adapt(std::optional<double> error, double step_s) {
+    double factor = growth_without_estimate;
+    if (error) {
+        factor = 0.9 * std::pow(dynamics_.accuracy / std::max(*error, 1e-15), 1.0 / (order_ + 1));
+        factor = std::clamp(factor, smallest_shrink, largest_growth);
+    }
+    step_s_ = coarse(factor * step_s);
+    first_step_s_ = std::max(first_step_s_, step_s);
+}
+
+void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
+    step_s_ = coarse(cut_after_failure * step_s);
+    const bool inverted = failure.end == NewtonEnd::inverted;
+    log("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
+        std::to_string(failure.iterations) + " iterations, residual " + short_text(failure.residual) + ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
+    if (step_s_ >= settings_.smallest_step * first_step_s_) return;
+    const std::string place = place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
+    if (inverted)
+        return finish(StopReason::inverted_element, "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " +
+                                                        place + " at " + when + "; use smaller cells there (mesh.size)");
+    finish(StopReason::diverged, std::string(explicit_ ? "the motion grows without bound" : "no motion found") + " beyond " + when +
+                                     "; the most distorted cell is " + place + ", det F = " + short_text(failure.min_jacobian));
+}
+
+void MotionFollower::finish(StopReason reason, std::string detail) {
+    end_.reason = reason;
+    end_.detail = std::move(detail);
+    finished_ = true;
+}
+
+solution::PathEnd integrate_motion(assembly::System& system, const Listeners& listeners) {
+    return MotionFollower(system, listeners).run();
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,104 @@
+#pragma once
+/// The equations of motion of a case (dynamics.hpp) at a state, for the integrators; internal to the room.
+///   r = M a + C v + R(x, levels(t, p)),      C = mass_damping M + stiffness_damping K0
+/// K0 is the displacement block of the undeformed tangent: pressure rows hold undamped, so that damping leaves an
+/// incompressible body incompressible.
+/// Lines: the gas behind the resistance of load k has mass m_k and pressure p_k = P(V_k(x), m_k);
+///   dm_k/dt = rho (source_k(t) - p_k) / resistance_k.
+/// Held by solver/dynamics_test.
+#include <span>
+#include <vector>
+
+#include "assembly/mass.hpp"
+#include "solver/stage_loads.hpp"
+#include "solver/time_course.hpp"
+
+namespace soft::solver {
+
+/// A moment of the motion.
+struct MotionState {
+    double time_s = 0;
+    linalg::Vector x, v, a;               ///< v, a: 0 at pressure unknowns
+    linalg::Vector load_force;            ///< of all loads at the moment
+    std::vector<double> masses_kg;        ///< of the gas of each line, dead volume included
+};
+
+[[nodiscard]] MotionState copy_of(const MotionState& state);
+
+enum class MassKind { consistent, lumped };
+
+class MotionEquations {
+public:
+    /// Throws Error (bad_input): see integrate_motion.
+    MotionEquations(assembly::System& system, MassKind kind);
+
+    [[nodiscard]] MotionState rest() const;
+
+    // Loads
+    [[nodiscard]] std::size_t line_count() const noexcept { return lines_.size(); }
+    [[nodiscard]] LoadLevels levels(double time_s, std::span<const double> line_pressures_Pa) const;
+    /// d levels/dt; `line_rates` of the pressures behind the lines [Pa/s].
+    [[nodiscard]] LoadLevels rates(double time_s, std::span<const double> line_rates) const;
+    /// Levels at share 1 of every course, sources in the cavities.
+    [[nodiscard]] LoadLevels full_levels() const;
+    [[nodiscard]] std::vector<double> kink_times() const;
+    [[nodiscard]] double shortest_change_s() const;
+
+    // Lines
+    [[nodiscard]] double line_volume(std::size_t k, Vec x, Vec gradient);
+    /// p = P(V, m) with its slopes by volume and mass.
+    struct GasPressure {
+        double value_Pa = 0, by_volume = 0, by_mass = 0;
+    };
+    [[nodiscard]] GasPressure gas_pressure(std::size_t k, double volume_m3, double mass_kg) const;
+    [[nodiscard]] std::vector<double> line_pressures(Vec x, std::span<const double> masses_kg);
+    /// dm/dt [kg/s]; and -d(dm/dt)/dp.
+    [[nodiscard]] double mass_flow(std::size_t k, double time_s, double pressure_Pa) const;
+    [[nodiscard]] double conductance(std::size_t k) const;
+    [[nodiscard]] std::vector<double> mass_flows(double time_s, std::span<const double> pressures_Pa) const;
+    /// Time derivative of the pressures behind the lines at a state.
+    [[nodiscard]] std::vector<double> line_rates(const MotionState& state);
+
+    // Forces
+    /// R into residual(), the loads' force into load_force(), with K the tangent and the forces of 1 Pa in each line.
+    [[nodiscard]] assembly::Evaluation evaluate(Vec x, const LoadLevels& levels, Mat K);
+    [[nodiscard]] Vec residual() const { return R_; }
+    [[nodiscard]] Vec load_force() const { return load_force_; }
+    [[nodiscard]] Vec line_force(std::size_t k) const { return line_forces_.at(k); }
+    void add_inertia(Vec out, double factor, Vec a) const;                      ///< out += factor M a
+    void add_damping(Vec out, double factor, Vec v) const;                      ///< out += factor C v
+    void add_matrices(Mat K, double by_velocity, double by_acceleration) const; ///< K += by_velocity C + by_acceleration M
+    [[nodiscard]] bool has_damping() const noexcept { return dynamics_.mass_damping_1_s != 0.0 || dynamics_.stiffness_damping_s != 0.0; }
+    /// Of the modelled part [J], [W].
+    [[nodiscard]] double kinetic_energy(Vec v) const;
+    [[nodiscard]] double damping_power(Vec v) const;
+
+    [[nodiscard]] Vec lumped_mass() const { return lumped_; }
+    [[nodiscard]] Vec mask() const { return mask_; }
+    /// Root of the sum of squares of the displacement unknowns.
+    [[nodiscard]] double displacement_norm(Vec x) const;
+    [[nodiscard]] assembly::System& system() const noexcept { return system_; }
+    [[nodiscard]] const model::Dynamics& dynamics() const noexcept { return dynamics_; }
+
+private:
+    struct Line {
+        std::size_t load;
+        model::Gas gas;
+        double source_Pa, resistance_Pa_s_m3;
+    };
+    void check_stage() const;
+    void make_damping();
+    /// Sources where there are lines, else pressures.
+    template <class Share>
+    [[nodiscard]] LoadLevels shared_levels(Share&& share) const;
+
+    assembly::System& system_;
+    const model::Case& input_;
+    const model::Dynamics& dynamics_;
+    std::vector<Line> lines_;
+    linalg::Matrix M_, K0_;               // M_ where the mass is consistent, K0_ where it damps
+    linalg::Vector lumped_, mask_, R_, load_force_, scratch_;
+    std::vector<linalg::Vector> line_forces_;
+};
+
+}  // namespace soft::solver

@@ -1,0 +1,78 @@
+#pragma once
+/// The state machine behind integrate_motion (dynamics.hpp), internal to the room: dynamics.cpp begins, takes steps, chooses
+/// their length and ends, dynamics_rows.cpp keeps the energies and writes rows.
+///
+/// Steps: constant (Dynamics::step_s), by the stable step (explicit), else by the local error of x,
+///   e = method's own (embedded) or constant x h^(q+1) |(q+1)! x[t0 .. t(q+1)]|, the divided difference of the last positions,
+/// wanted below `accuracy` x the size of the motion: the largest |x| so far, at least a tenth of the linear response
+/// (K0 + M / duration^2)^-1 f to all loads at their full level. Adaptive steps land on the kinks of the loads and start small
+/// after them.
+#include <deque>
+#include <variant>
+
+#include "solver/dynamics.hpp"
+#include "solver/dynamics_explicit.hpp"
+#include "solver/dynamics_ts.hpp"
+
+namespace soft::solver {
+
+class MotionFollower {
+public:
+    MotionFollower(assembly::System& system, const Listeners& listeners);
+    solution::PathEnd run();
+
+private:
+    using Method = std::variant<std::monostate, GeneralizedAlpha, Dirk, TsIntegrator, CentralDifference>;
+
+    // dynamics.cpp
+    void start();
+    void make_method();
+    void choose_first_step();
+    void advance();
+    [[nodiscard]] double next_step();
+    [[nodiscard]] std::optional<StepResult> attempt(double step_s);
+    [[nodiscard]] std::optional<double> relative_error(const StepResult& result, double step_s);
+    void adapt(std::optional<double> error, double step_s);
+    void update_stable_step();
+    void handle_failure(const StageResult& failure, double step_s);
+    void finish(solution::StopReason reason, std::string detail);
+    [[nodiscard]] bool is_constant() const noexcept { return dynamics_.step_s > 0.0; }
+
+    // dynamics_rows.cpp
+    void keep_energies(const MotionState& from, const MotionState& to);
+    [[nodiscard]] PathPoint measure();
+    void append();
+    void log(const std::string& line) const {
+        if (listeners_.log) listeners_.log(line);
+    }
+
+    assembly::System& system_;
+    const model::Case& input_;
+    const model::Dynamics& dynamics_;
+    const model::SolverSettings& settings_;
+    const Listeners& listeners_;
+    bool explicit_;
+    MotionEquations equations_;
+    std::optional<StageSolver> stage_;               // of implicit integrators
+    std::optional<StableStep> stable_;               // of explicit ones
+    Method method_;
+    MotionState last_, next_;
+    std::optional<PathPoint> last_row_;              // for angles
+    struct Position {
+        double time_s;
+        linalg::Vector x;
+    };
+    std::deque<Position> history_;                   // before `last_`, latest first
+    std::vector<double> kinks_;
+    int order_ = 2;                                  // of the local error's power less one
+    double error_constant_ = 0;                      // of divided differences
+    double step_s_ = 0, first_step_s_ = 0, row_interval_s_ = 0, next_row_s_ = 0;
+    double stable_step_s_ = 0;
+    double size_ = 0;                                // of the motion
+    double load_work_J_ = 0, damping_work_J_ = 0;    // of the modelled part
+    int rows_ = 0, steps_ = 0, iterations_since_row_ = 0, factorizations_at_row_ = 0;
+    bool finished_ = false;
+    solution::PathEnd end_;
+};
+
+}  // namespace soft::solver

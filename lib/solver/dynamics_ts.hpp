@@ -1,0 +1,58 @@
+#pragma once
+/// PETSc's TS on the equations of motion in first-order form, y = (x, v, masses of the lines); internal to the room.
+///   implicit Euler (TSBEULER), Rosenbrock-W (TSROSW ra34pw2):  F(t, y, dy/dt) = 0 with
+///       dx/dt - v = 0 (pressure unknowns: their rows of R),   M dv/dt + C v + R = 0,   dm/dt - flow = 0
+///   Heun (TSRK 2a: c = 0, 1, b = 1/2, 1/2), explicit Euler (TSEULER):  dy/dt = G(t, y) by the lumped mass.
+/// TS takes single steps; their length, failed steps and the size of errors (without pressures) are the caller's. A linear
+/// solve eliminates dv = s dx - r: one factorisation of K + s C + s^2 M. Options -ts_* reach TS.
+/// Held by solver/dynamics_test.
+#include <exception>
+
+#include <petscts.h>
+
+#include "solver/dynamics_implicit.hpp"
+
+namespace soft::solver {
+
+using TimeStepper = linalg::Owned<TS, TSDestroy>;
+
+class TsIntegrator {
+public:
+    /// `solver`: of the implicit ones, null for the explicit.
+    TsIntegrator(MotionEquations& equations, StageSolver* solver, model::Integrator integrator);
+    TsIntegrator(const TsIntegrator&) = delete;   // PETSc holds its address
+    TsIntegrator& operator=(const TsIntegrator&) = delete;
+    void start(const MotionState&) {}
+    [[nodiscard]] StepResult attempt(const MotionState& last, double step_s, MotionState& next);
+    void accept() {}
+
+    // Called back by PETSc.
+    void implicit_function(double time_s, Vec y, Vec rate, Vec out);
+    void implicit_matrix(double time_s, Vec y, double shift);
+    void apply_inverse(Vec b, Vec out);
+    void explicit_function(double time_s, Vec y, Vec out);
+    [[nodiscard]] SNESConvergedReason test(int iteration);
+    /// Runs a callback's body; an exception waits until PETSc has returned.
+    template <class Body>
+    PetscErrorCode guarded(Body&& body);
+
+private:
+    void set_up_implicit(SNES snes);
+    void split(Vec y, Vec x, Vec v, std::vector<double>& masses) const;
+    void join(Vec x, Vec v, std::span<const double> masses, Vec y) const;
+
+    MotionEquations& equations_;
+    StageSolver* solver_;
+    model::Integrator integrator_;
+    linalg::Vector y_, embedded_, residual_, x_, v_, rate_x_, rate_v_, out_x_, out_v_, inertia_, forces_;
+    linalg::Matrix shell_;
+    TimeStepper ts_;
+    std::vector<double> masses_, rate_masses_;
+    std::vector<LineRow> rows_;
+    double shift_ = 0, relative_residual_ = 0, residual_before_ = 0;
+    assembly::Evaluation evaluation_;
+    NewtonEnd failure_ = NewtonEnd::converged;
+    std::exception_ptr thrown_;
+};
+
+}  // namespace soft::solver

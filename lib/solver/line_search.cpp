@@ -1,0 +1,79 @@
+#include "solver/line_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soft::solver {
+
+namespace {
+
+/// Armijo's constant: any decrease proportional to the step is accepted.
+constexpr double sufficient_decrease = 1e-4;
+constexpr int trial_limit = 6;
+/// What may be left of the residual along the correction: a closer search costs more than it gains (Matthies and Strang).
+constexpr double slope_left = 0.5;
+constexpr double shortest = 0.05, longest = 4.0;
+
+/// Halves until `accept`.
+template <class Accept>
+Search halve(const std::function<Trial(double)>& at, Accept&& accept) {
+    Search found;
+    for (int attempt = 0;; ++attempt, found.length *= 0.5) {
+        if (attempt == trial_limit) {
+            found.end = found.trial.admissible ? SearchEnd::no_descent : SearchEnd::inverted;
+            return found;
+        }
+        if (attempt > 0) ++found.halvings;
+        found.trial = at(found.length);
+        if (found.trial.admissible && accept(found.trial, found.length)) return found;
+    }
+}
+
+Search whole(const std::function<Trial(double)>& at) {
+    return halve(at, [](const Trial&, double) { return true; });
+}
+
+/// The secant through the last two lengths: between them, or beyond the last where g has kept its sign.
+Search secant(const SearchStart& start, const std::function<Trial(double)>& at) {
+    Search found = whole(at);
+    if (found.end != SearchEnd::found) return found;
+    const auto is_done = [&] {
+        return found.trial.admissible && (found.trial.residual <= found.trial.floor ||
+                                          std::abs(found.trial.slope) <= slope_left * std::abs(start.slope));
+    };
+    double before = 0.0, slope_before = start.slope, best = found.length, best_slope = std::abs(found.trial.slope);
+    while (!is_done() && found.trial.admissible && found.halvings < trial_limit) {
+        const double length = found.length, slope = found.trial.slope;
+        const double zero = length - slope * (length - before) / (slope - slope_before);
+        if (!std::isfinite(zero)) break;
+        before = length;
+        slope_before = slope;
+        found.length = std::clamp(zero, shortest, longest);
+        ++found.halvings;
+        found.trial = at(found.length);
+        if (!found.trial.admissible || !(std::abs(found.trial.slope) < best_slope)) continue;
+        best = found.length;
+        best_slope = std::abs(found.trial.slope);
+    }
+    if (is_done() || found.length == best) return found;
+    found.length = best;
+    found.trial = at(best);
+    return found;
+}
+
+}  // namespace
+
+Search search(model::LineSearch kind, const SearchStart& start, const std::function<Trial(double)>& at) {
+    switch (kind) {
+        case model::LineSearch::backtracking:
+            return halve(at, [&](const Trial& trial, double length) {
+                return trial.residual <=
+                       std::max(trial.floor, start.allowed_rise * start.pending * (1.0 - sufficient_decrease * length));
+            });
+        case model::LineSearch::secant: return secant(start, at);
+        case model::LineSearch::none: return whole(at);
+    }
+    return {};
+}
+
+}  // namespace soft::solver

@@ -1,0 +1,100 @@
+/// The direction of the path, and what the factor says about stability.
+#include "solver/newton.hpp"
+
+namespace soft::solver {
+
+namespace {
+
+/// A tangent solved with the last correction's factor takes 2 or 3 iterations; beyond this a new factor is cheaper.
+constexpr int many_iterations_for_a_recent_factor = 5;
+/// How often a Krylov method may reach its limit on the way to a direction of the path, which has to be exact.
+constexpr int rounds_for_a_direction = 10;
+
+}  // namespace
+
+linalg::LinearSolve Newton::solve_well(Vec b, Vec x, linalg::Factor factor) {
+    auto solve = solver_.solve(b, x, factor);
+    for (int round = 1; solve.at_limit && round < rounds_for_a_direction; ++round) solve = solver_.improve(b, x);
+    if (!solve.converged) return {};
+    return solve;
+}
+
+std::optional<NewtonEnd> Newton::solve_tangent_columns() {
+    const auto with_the_last = [this](Vec b, Vec x) {
+        const auto solve = solve_well(b, x, linalg::Factor::stale);
+        const bool good = solver_.is_krylov() || solve.iterations <= many_iterations_for_a_recent_factor;
+        return good ? solve : linalg::LinearSolve{};
+    };
+    const auto with_a_new = [this](Vec b, Vec x) { return solve_well(b, x, linalg::Factor::fresh); };
+    if (factor_is_recent_ && solve_columns(with_the_last)) return std::nullopt;
+    factor_ = solver_.factorize();
+    factor_is_recent_ = factor_.succeeded;
+    if (!factor_.succeeded) return factor_failure();
+    if (!solve_columns(with_a_new)) return solve_failure();
+    return std::nullopt;
+}
+
+std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const State& state) {
+    tangent_end_ = NewtonEnd::singular;
+    if (!evaluate_at(state).admissible()) return std::nullopt;
+    differentiate(state);
+    if (const auto failed = solve_tangent_columns()) {
+        tangent_end_ = *failed;
+        return std::nullopt;
+    }
+    evaluate_rows(constraint, state);
+    fill_border();
+    std::vector<double> unit(wanted_.size(), 0.0);
+    unit.back() = 1.0;
+    auto rates = linalg::solve(border_, unit);
+    if (!rates) return std::nullopt;
+    tangent_end_ = NewtonEnd::converged;
+    PathTangent tangent;
+    tangent.x = linalg::duplicate(R_);
+    for (std::size_t j = 0; j < rates->size(); ++j) linalg::add(tangent.x, (*rates)[j], columns_[j]);
+    tangent.load_factor = rates->back();
+    rates->pop_back();
+    tangent.pressures = std::move(*rates);
+    tangent.unstable_modes = unstable_modes();
+    tangent.power = linalg::dot(wanted_.back().out, tangent.x);
+    return tangent;
+}
+
+std::optional<int> Newton::excess_pivots() {
+    const auto pressures = system_.dofs().pressures;   // one negative pivot each belongs to the saddle point
+    if (factor_.negative_pivots) {
+        const int count = static_cast<int>(*factor_.negative_pivots - pressures);
+        if (count != confirmed_pivots_) {
+            const auto negative = solver_.determinant_is_negative();
+            const auto agrees = [&](int pivots) { return *negative == ((pressures + pivots) % 2 != 0); };
+            if (negative && !agrees(count) && agrees(confirmed_pivots_)) return confirmed_pivots_;
+        }
+        return confirmed_pivots_ = count;
+    }
+    if (factor_.determinant_is_negative) return *factor_.determinant_is_negative != (pressures % 2 == 1) ? 1 : 0;
+    return std::nullopt;
+}
+
+std::optional<int> Newton::unstable_modes() {
+    const auto modes = excess_pivots();
+    if (!modes) return std::nullopt;
+    const int free = static_cast<int>(supply_.size());
+    linalg::SmallMatrix held(free);   // compliance of the gas + grad V . K^-1 f
+    for (int i = 0; i < free; ++i)
+        for (int j = 0; j < free; ++j) held.at(i, j) = border_.at(i, j) / supply_[static_cast<std::size_t>(i)].by_volume;
+    const int freed = linalg::negative_eigenvalues(held);
+    return factor_.negative_pivots ? *modes - freed : (*modes + freed) % 2;
+}
+
+std::optional<linalg::Vector> Newton::bordered_solve(Vec b) {
+    linalg::Vector v = linalg::duplicate(b);
+    if (!solve_well(b, v, linalg::Factor::stale).converged) return std::nullopt;
+    auto rows = rows_times(v);
+    for (double& row : rows) row = -row;
+    const auto border = linalg::solve(border_, rows);
+    if (!border) return std::nullopt;
+    for (std::size_t j = 0; j < border->size(); ++j) linalg::add(v, (*border)[j], columns_[j]);
+    return v;
+}
+
+}  // namespace soft::solver

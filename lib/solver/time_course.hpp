@@ -1,0 +1,23 @@
+#pragma once
+/// The share f(t) of a load in a dynamic case (model::TimeCourse), f = 0 before time 0.
+/// Held by solver/time_course_test.
+#include <vector>
+
+#include "model/case.hpp"
+
+namespace soft::solver {
+
+/// `duration_s` stands in for a ramp without a time of its own. At a jump the value after it.
+[[nodiscard]] double share_at(const model::TimeCourse& course, double duration_s, double time_s);
+
+/// df/dt; at a kink the slope after it, 0 for a jump.
+[[nodiscard]] double share_rate(const model::TimeCourse& course, double duration_s, double time_s);
+
+/// Times within (0, duration) at which the slope jumps, ascending: a step that spans one loses its order.
+[[nodiscard]] std::vector<double> kinks(const model::TimeCourse& course, double duration_s);
+
+/// The shortest time in which the course changes by much (a ramp, a quarter of a sine's period, the shortest interval of a
+/// table); the duration for a step.
+[[nodiscard]] double shortest_change_s(const model::TimeCourse& course, double duration_s);
+
+}  // namespace soft::solver

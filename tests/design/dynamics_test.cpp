@@ -1,0 +1,199 @@
+/// Motion in time: its own keys, courses and lines of loads, and what it cannot have.
+#include <gtest/gtest.h>
+
+#include "sample.hpp"
+
+namespace {
+
+using namespace soft;
+using namespace soft::design;
+using namespace soft::design::sample;
+using namespace soft::model;
+
+const std::string rubber = "family: pipe\nmaterial: {law: neo-hookean, mu: 0.1644 MPa, density: 1080 kg/m^3}\n";
+const std::string cavity = "loads: {cavity: {pressure: 30 kPa}}\n";
+const std::string moving = "dynamics: {duration: 0.5 s}\n";
+
+std::string loaded(const std::string& more) { return rubber + "loads: {cavity: {pressure: 30 kPa, " + more + "}}\n" + moving; }
+
+TEST(DynamicDesign, TakesItsDefaultsFromTheModel) {
+    const Dynamics set = read(rubber + cavity + moving).dynamics.value(), usual;
+    EXPECT_EQ(set.duration_s, 0.5);
+    EXPECT_EQ(set.integrator, usual.integrator);
+    EXPECT_EQ(set.step_s, usual.step_s);
+    EXPECT_EQ(set.accuracy, usual.accuracy);
+    EXPECT_EQ(set.spectral_radius, usual.spectral_radius);
+    EXPECT_EQ(set.mass_damping_1_s, usual.mass_damping_1_s);
+    EXPECT_EQ(set.stiffness_damping_s, usual.stiffness_damping_s);
+    EXPECT_EQ(set.rows, usual.rows);
+    EXPECT_FALSE(read(rubber + cavity + "dynamics: {duration: none}\n").dynamics.has_value());
+}
+
+TEST(DynamicDesign, EveryKeyHasItsPlace) {
+    const Dynamics set = read(rubber + cavity +
+                              "dynamics: {duration: 40 ms, integrator: hht, step: 50 us, accuracy: 1e-3, spectral_radius: 0.6, "
+                              "mass_damping: 2 1/s, stiffness_damping: 0.1 ms, rows: 12}\n")
+                             .dynamics.value();
+    EXPECT_EQ(set.duration_s, 0.04);
+    EXPECT_EQ(set.integrator, Integrator::hht);
+    EXPECT_EQ(set.step_s, 5e-5);
+    EXPECT_EQ(set.accuracy, 1e-3);
+    EXPECT_EQ(set.spectral_radius, 0.6);
+    EXPECT_EQ(set.mass_damping_1_s, 2.0);
+    EXPECT_EQ(set.stiffness_damping_s, 1e-4);
+    EXPECT_EQ(set.rows, 12);
+}
+
+TEST(DynamicDesign, EveryIntegratorHasAWord) {
+    const std::vector<std::pair<std::string, Integrator>> words{{"generalized-alpha", Integrator::generalized_alpha},
+                                                                {"newmark", Integrator::newmark},
+                                                                {"implicit-euler", Integrator::implicit_euler},
+                                                                {"ark4", Integrator::ark4},
+                                                                {"rosenbrock", Integrator::rosenbrock},
+                                                                {"heun", Integrator::heun},
+                                                                {"explicit-euler", Integrator::explicit_euler},
+                                                                {"central-difference", Integrator::central_difference}};
+    for (const auto& [word, meant] : words)
+        EXPECT_EQ(read(rubber + cavity + "mesh: {formulation: displacement}\n",
+                       {{"dynamics", "{duration: 1 s, integrator: " + word + "}"}, {"material.kappa", "1 MPa"}})
+                      .dynamics->integrator,
+                  meant)
+            << word;
+}
+
+TEST(DynamicDesign, ReadsBackFromItsEffectiveDesign) {
+    const std::string text = loaded("course: {kind: table, times: [0 s, 50 ms], shares: [0, 1]}, line: {resistance: 0.1 kPa.s/mL}");
+    const std::string effective = read(text).effective_yaml;
+    const Design again = read(effective);
+    EXPECT_EQ(again.effective_yaml, effective);
+    EXPECT_EQ(again.loads.at(0).course.times_s, (std::vector{0.0, 0.05}));
+    EXPECT_EQ(again.loads.at(0).line->resistance_Pa_s_m3, 1e8);
+    const std::string explained = explain_design(text, "p.yaml", families(), {});
+    EXPECT_TRUE(holds(explained, "kind: table")) << explained;
+    EXPECT_EQ(read(explained).effective_yaml, effective);
+}
+
+TEST(DynamicDesign, IsInTheTemplateAsAStaticOne) {
+    const std::string text = template_yaml(pipe());
+    for (const char* part : {"  duration: none", "  integrator: generalized-alpha", "  mass_damping: 0 1/s", "  linear: auto",
+                             "    acts_on: deformed", "  strain: finite"})
+        EXPECT_TRUE(holds(text, part)) << part << text;
+    EXPECT_FALSE(read(text).dynamics.has_value());
+}
+
+TEST(Course, OfEachKindHasItsOwnKeys) {
+    const auto course = [](const std::string& text) { return read(loaded(text)).loads.at(0).course; };
+    EXPECT_EQ(read(rubber + cavity + moving).loads.at(0).course.kind, Course::ramp);
+    EXPECT_EQ(course("course: {kind: ramp}").time_s, 0.0);   // the duration
+    EXPECT_EQ(course("course: {rise: 20 ms}").time_s, 0.02);
+    EXPECT_EQ(course("course: {kind: step}").kind, Course::step);
+    EXPECT_EQ(course("course: {kind: sine, frequency: 5 Hz}").frequency_Hz, 5.0);
+    const TimeCourse table = course("course: {kind: table, times: [0 s, 50 ms, 2 s], shares: [0, 1, -0.5]}");
+    EXPECT_EQ(table.kind, Course::table);
+    EXPECT_EQ(table.times_s, (std::vector{0.0, 0.05, 2.0}));
+    EXPECT_EQ(table.shares, (std::vector{0.0, 1.0, -0.5}));
+}
+
+TEST(Course, IsThatOfTractionsAndGravityToo) {
+    const Design design = read("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
+                               "loads: {end: {traction: 1 kPa, along: x, course: {kind: step}}, "
+                               "gravity: {acceleration: 9.81 m/s^2, along: -z, course: {kind: sine, frequency: 2 Hz}}}\n");
+    EXPECT_EQ(design.tractions.at(0).course.kind, Course::step);
+    EXPECT_EQ(design.body_forces.at(0).course.frequency_Hz, 2.0);
+    const SolveChanges part = apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.end.course", "{rise: 10 ms}"}});
+    EXPECT_EQ(part.tractions.at(0).course.kind, Course::ramp);
+    EXPECT_EQ(part.tractions.at(0).course.time_s, 0.01);
+    EXPECT_EQ(part.body_forces.at(0).course.kind, Course::sine);
+}
+
+void expect_refused(const std::string& text, std::string_view place, std::string_view remedy) {
+    const std::string line = refusal(text);
+    EXPECT_TRUE(holds(line, place)) << line;
+    EXPECT_TRUE(holds(line, remedy)) << line;
+}
+
+TEST(Course, ThatMakesNoSenseIsRefused) {
+    expect_refused(loaded("course: {kind: table, times: [0 s, 1 s], shares: [1]}"), "course.shares: 1 shares for 2 times",
+                   "as many shares as times");
+    expect_refused(loaded("course: {kind: table, times: [1 s, 1 s], shares: [1, 2]}"), "course.times: the times do not ascend", "after");
+    expect_refused(loaded("course: {kind: table, times: [-1 s, 1 s], shares: [1, 2]}"), "course.times: -1 s is out of range", "at least 0");
+    expect_refused(loaded("course: {kind: table, shares: [1, 2]}"), "course.times: missing", "add times: [0 s, 50 ms]");
+    expect_refused(loaded("course: {kind: sine, frequency: 0 Hz}"), "course.frequency: 0 Hz is out of range", "more than 0");
+    expect_refused(loaded("course: {kind: sine}"), "course.frequency: missing", "add frequency: 5 Hz");
+    expect_refused(loaded("course: {kind: sine, frequency: 5 s}"), "'5 s' is a time where a rate is needed", "");
+    expect_refused(loaded("course: {kind: step, rise: 1 s}"), "course.rise: a course of kind step has none", "kind: ramp");
+    expect_refused(loaded("course: {frequency: 5 Hz}"), "course.frequency: a course of kind ramp has none", "kind: sine");
+    expect_refused(loaded("course: {kind: jump}"), "course.kind: 'jump' is not a choice", "");
+    expect_refused(loaded("course: step"), "loads.cavity.course: a group of keys is needed here", "kind");
+    expect_refused(loaded("line: {resistance: 0 Pa.s/mL}"), "line.resistance: 0 Pa.s/mL is out of range", "more than 0");
+    expect_refused(loaded("line: {resistance: 5 kPa}"), "'5 kPa' is a pressure where a flow resistance is needed", "Pa.s/m^3");
+    expect_refused("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
+                       "loads: {end: {pressure: 1 kPa, line: {resistance: 1 Pa.s/mL}}}\n",
+                   "loads.end.line: a face encloses no gas", "only a cavity");
+}
+
+TEST(DynamicDesign, IsNeededByEverythingThatGoesWithTime) {
+    const std::string course = "loads: {cavity: {pressure: 30 kPa, course: {kind: step}}}\n";
+    expect_refused(rubber + course, "p.yaml:3:36: loads.cavity.course: a static path does not go with time", "dynamics: {duration: 1 s}");
+    expect_refused(rubber + "loads: {cavity: {pressure: 30 kPa, line: {resistance: 1 Pa.s/mL}}}\n", "loads.cavity.line: a static path", "");
+    expect_refused(rubber + cavity + "dynamics: {integrator: hht}\n", "p.yaml:4:24: dynamics.integrator: without a duration",
+                   "dynamics: {duration: 1 s}");
+    expect_refused(rubber + cavity + "dynamics: {rows: 3}\n", "dynamics.rows: without a duration", "");
+}
+
+TEST(DynamicDesign, NeedsADensity) {
+    expect_refused("family: pipe\nmaterial: {law: neo-hookean, mu: 1 MPa}\n" + cavity + moving,
+                   "p.yaml:4:22: dynamics.duration: the rubber has no density", "density: 1080 kg/m^3");
+}
+
+TEST(DynamicDesign, RefusesWhatBelongsToAStaticPath) {
+    const auto with = [](const std::string& path) { return rubber + cavity + moving + "path: {" + path + "}\n"; };
+    expect_refused(with("stages: {a: {loads: {cavity: {pressure: 1 kPa}}}}"), "path.stages.a", "give the load a course");
+    expect_refused(with("control: pressure"), "path.control: in time nothing but time", "leave out dynamics.duration");
+    expect_refused(with("branch: follow"), "path.branch: a path in time has no branches", "");
+    expect_refused(with("until: {elongation: 4 mm}"), "path.until.elongation: a path in time ends after its duration", "");
+    EXPECT_EQ(read(with("until: {steps: 4}, contact: ignore")).path.stages.at(0).until.at(0).quantity, "steps");
+    for (const char* supply : {"volume: 10 mL", "volume_ratio: 2", "mass: 3 mg"})
+        expect_refused(rubber + "loads: {cavity: {" + supply + "}}\n" + moving, "a path in time takes a pressure as its supply",
+                       "write pressure");
+    expect_refused("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
+                       "loads: {end: {displacement: 1 mm, along: x}}\n",
+                   "loads.end.displacement: a prescribed displacement", "pressure or a traction");
+}
+
+TEST(DynamicDesign, RefusesIntegratorsThatCannotWork) {
+    const auto with = [](const std::string& keys) { return rubber + cavity + "dynamics: {duration: 1 s, " + keys + "}\n"; };
+    for (const char* word : {"heun", "explicit-euler", "central-difference"})
+        expect_refused(with(std::string{"integrator: "} + word), "dynamics.integrator: an explicit integrator has no equation",
+                       "formulation: displacement");
+    expect_refused(with("integrator: hht, spectral_radius: 0.4"), "dynamics.spectral_radius: hht is stable from 0.5 on", "generalized-alpha");
+    EXPECT_EQ(read(with("spectral_radius: 0")).dynamics->spectral_radius, 0.0);
+    expect_refused(with("spectral_radius: 1.1"), "out of range", "at most 1");
+    expect_refused(with("step: 2 s"), "dynamics.step: a step longer than the duration", "a shorter step");
+    expect_refused(rubber + cavity + "dynamics: {duration: 0 s}\n", "dynamics.duration: 0 s is out of range", "more than 0");
+}
+
+TEST(DynamicDesign, SolveMayMakeAStaticCaseMove) {
+    const std::string effective = read(rubber + cavity).effective_yaml;
+    const std::vector<Override> changes = {{"dynamics.duration", "0.2 s"},
+                                           {"dynamics.step", "1 ms"},
+                                           {"loads.cavity.course", "{kind: step}"},
+                                           {"loads.cavity.line.resistance", "1e8 Pa.s/m^3"}};
+    const SolveChanges part = apply_overrides(effective, changes);
+    EXPECT_EQ(part.dynamics.value().duration_s, 0.2);
+    EXPECT_EQ(part.dynamics->step_s, 1e-3);
+    EXPECT_EQ(part.loads.at(0).course.kind, Course::step);
+    EXPECT_EQ(part.loads.at(0).line.value().resistance_Pa_s_m3, 1e8);
+    EXPECT_EQ(part.effective_yaml, read(effective, changes).effective_yaml);
+    const SolveChanges still = apply_overrides(part.effective_yaml, std::vector<Override>{{"dynamics", "{duration: none}"},
+                                                                                         {"loads.cavity", "{pressure: 2 kPa}"}});
+    EXPECT_FALSE(still.dynamics.has_value());
+    try {   // the mesh is for pressure unknowns, whatever solve is told
+        static_cast<void>(apply_overrides(effective, std::vector<Override>{{"dynamics", "{duration: 1 s, integrator: heun}"}}));
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_TRUE(holds(error.what(), "an explicit integrator")) << error.what();
+    }
+}
+
+}  // namespace
