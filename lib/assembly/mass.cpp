@@ -21,7 +21,7 @@ constexpr int mass_degree = 5;
 
 struct PointTable {
     std::vector<double> weight;
-    std::vector<std::vector<mesh::ShapeValue>> shapes;   // [point][node]
+    std::vector<std::vector<mesh::ShapeValue>> shapes;  // [point][node]
 };
 
 PointTable point_table(mesh::CellType type) {
@@ -81,7 +81,8 @@ void for_each_cell_mass(const System& system, Visit&& visit) {
         std::vector<double> mass(n * n, 0.0);
         for (std::size_t q = 0; q < table.weight.size(); ++q) {
             const auto& shapes = table.shapes[q];
-            const double dm = density[input.mesh.cell_regions[cell]] * point_volume(input, nodes, shapes, table.weight[q]);
+            const double dm =
+                density[input.mesh.cell_regions[cell]] * point_volume(input, nodes, shapes, table.weight[q]);
             for (std::size_t a = 0; a < n; ++a)
                 for (std::size_t b = 0; b < n; ++b) mass[a * n + b] += dm * shapes[a].value * shapes[b].value;
         }
@@ -118,8 +119,8 @@ linalg::Vector lumped_mass(const System& system) {
         }
         for (double& m : share) m *= total / diagonal;
         for (int i = 0; i < system.dofs().dimension; ++i)
-            SOFT_PETSC(VecSetValues(lumped, static_cast<PetscInt>(n), dofs.data() + static_cast<std::size_t>(i) * n, share.data(),
-                                    ADD_VALUES));
+            SOFT_PETSC(VecSetValues(lumped, static_cast<PetscInt>(n), dofs.data() + static_cast<std::size_t>(i) * n,
+                                    share.data(), ADD_VALUES));
     });
     SOFT_PETSC(VecAssemblyBegin(lumped));
     SOFT_PETSC(VecAssemblyEnd(lumped));
@@ -136,7 +137,7 @@ linalg::Vector displacement_mask(const System& system) {
     for (const auto dof : map.vertex_pressure) clear(dof);
     for (Index cell = 0; cell < system.input().mesh.cell_count(); ++cell)
         if (map.cell_pressure[cell] >= 0)
-            for (int s = 0; s <= map.dimension; ++s) clear(map.cell_pressure[cell] + s);   // {1, X - Xc, ...}
+            for (int s = 0; s <= map.dimension; ++s) clear(map.cell_pressure[cell] + s);  // {1, X - Xc, ...}
     SOFT_PETSC(VecAssemblyBegin(mask));
     SOFT_PETSC(VecAssemblyEnd(mask));
     return mask;

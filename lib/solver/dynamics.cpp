@@ -59,14 +59,19 @@ std::string_view text_of(NewtonEnd end) {
 }
 
 const model::Dynamics& dynamics_of(const model::Case& input) {
-    if (!input.dynamics) throw Error(ExitCode::bad_input, "dynamics", "the case does not run in time", "give dynamics.duration");
+    if (!input.dynamics)
+        throw Error(ExitCode::bad_input, "dynamics", "the case does not run in time", "give dynamics.duration");
     return *input.dynamics;
 }
 
 }  // namespace
 
 MotionFollower::MotionFollower(assembly::System& system, const Listeners& listeners)
-    : system_(system), input_(system.input()), dynamics_(dynamics_of(input_)), settings_(input_.solver), listeners_(listeners),
+    : system_(system),
+      input_(system.input()),
+      dynamics_(dynamics_of(input_)),
+      settings_(input_.solver),
+      listeners_(listeners),
       explicit_(is_explicit(dynamics_.integrator)),
       equations_(system, explicit_ ? MassKind::lumped : MassKind::consistent) {}
 
@@ -99,7 +104,9 @@ void MotionFollower::make_method() {
             break;
         case Integrator::rosenbrock: method_.emplace<TsIntegrator>(equations_, &*stage_, dynamics_.integrator); break;
         case Integrator::heun:
-        case Integrator::explicit_euler: method_.emplace<TsIntegrator>(equations_, nullptr, dynamics_.integrator); break;
+        case Integrator::explicit_euler:
+            method_.emplace<TsIntegrator>(equations_, nullptr, dynamics_.integrator);
+            break;
         case Integrator::central_difference: method_.emplace<CentralDifference>(equations_); break;
     }
 }
@@ -127,7 +134,7 @@ void MotionFollower::start() {
 
 void MotionFollower::choose_first_step() {
     const double duration = dynamics_.duration_s;
-    const int intervals = std::max(dynamics_.rows - 1, 1);   // row 0 is one of them
+    const int intervals = std::max(dynamics_.rows - 1, 1);  // row 0 is one of them
     row_interval_s_ = duration / intervals;
     next_row_s_ = 0.0;
     if (is_constant()) {
@@ -162,13 +169,16 @@ void MotionFollower::update_stable_step() {
     const double own = coarse(stable_share * stable_step_s_);
     const bool keeps = is_constant() && (rows_ == 0 || dynamics_.step_s <= nearly_unstable * stable_step_s_);
     if (is_constant() && !keeps && step_s_ == dynamics_.step_s)
-        log("the stable step has fallen to " + short_text(stable_step_s_) + " s: the step becomes " + short_text(own) + " s");
+        log("the stable step has fallen to " + short_text(stable_step_s_) + " s: the step becomes " + short_text(own) +
+            " s");
     step_s_ = keeps ? std::min(dynamics_.step_s, dynamics_.duration_s) : own;
-    if (rows_ == 0) log("highest frequency " + short_text(stable_->frequency()) + " rad/s, stable step " + short_text(stable_step_s_) + " s");
+    if (rows_ == 0)
+        log("highest frequency " + short_text(stable_->frequency()) + " rad/s, stable step " +
+            short_text(stable_step_s_) + " s");
     const double steps = (dynamics_.duration_s - last_.time_s) / step_s_;
     if (steps_ == 0 && steps > explicit_step_limit)
-        finish(StopReason::step_limit, "the motion takes " + short_text(steps) + " explicit steps of " + short_text(step_s_) +
-                                           " s, more than a million: use an implicit integrator");
+        finish(StopReason::step_limit, "the motion takes " + short_text(steps) + " explicit steps of " +
+                                           short_text(step_s_) + " s, more than a million: use an implicit integrator");
 }
 
 double MotionFollower::next_step() {
@@ -205,14 +215,18 @@ void MotionFollower::advance() {
     const auto result = attempt(h);
     if (!result) return;
     const auto error = relative_error(*result, h);
-    const bool adaptive = !is_constant() && !explicit_;
-    if (adaptive && error && *error > rejection * dynamics_.accuracy) {
+    if (is_adaptive() && error && *error > rejection * dynamics_.accuracy) {
         log("step of " + short_text(h) + " s errs by " + short_text(*error) + " of the motion: taken again");
         adapt(error, h);
         if (step_s_ < settings_.smallest_step * first_step_s_)
-            finish(StopReason::diverged, "no step is short enough for dynamics.accuracy at " + short_text(last_.time_s) + " s");
+            finish(StopReason::diverged,
+                   "no step is short enough for dynamics.accuracy at " + short_text(last_.time_s) + " s");
         return;
     }
+    accept(h, error);
+}
+
+void MotionFollower::accept(double step_s, std::optional<double> error) {
     std::visit(
         [](auto& method) {
             if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, std::monostate>) method.accept();
@@ -220,29 +234,35 @@ void MotionFollower::advance() {
         method_);
     ++steps_;
     keep_energies(last_, next_);
-    if (adaptive && error_constant_ > 0.0) {
+    if (is_adaptive() && error_constant_ > 0.0) {
         history_.push_front({last_.time_s, linalg::duplicate(last_.x)});
         linalg::copy(last_.x, history_.front().x);
         if (history_.size() > static_cast<std::size_t>(order_)) history_.pop_back();
     }
     std::swap(last_, next_);
-    if (std::abs(dynamics_.duration_s - last_.time_s) <= same_time * h) last_.time_s = dynamics_.duration_s;
+    if (std::abs(dynamics_.duration_s - last_.time_s) <= same_time * step_s) last_.time_s = dynamics_.duration_s;
     if (is_constant() && !explicit_) step_s_ = std::min(dynamics_.step_s, 2.0 * step_s_);
     if (explicit_ && steps_ % steps_between_estimates == 0) update_stable_step();
-    if (adaptive) adapt(error, h);
+    if (is_adaptive()) adapt(error, step_s);
     for (const double kink : kinks_)
-        if (std::abs(kink - last_.time_s) <= same_time * h) {
+        if (std::abs(kink - last_.time_s) <= same_time * step_s) {
             last_.time_s = kink;
             step_s_ = coarse(share_after_kink * step_s_);
-            history_.clear();   // a difference across it is no derivative
+            history_.clear();  // a difference across it is no derivative
         }
     const bool ends = last_.time_s >= dynamics_.duration_s;
     if (ends || last_.time_s >= next_row_s_ - same_time * row_interval_s_) append();
-    if (ends && !finished_) finish(StopReason::done, "time of " + short_text(dynamics_.duration_s) + " s reached");
+    if (finished_) return;
+    for (const auto& until : input_.path.stages[0].until)
+        if (until.quantity == "steps" && steps_ >= static_cast<int>(until.value)) {
+            if (!ends && rows_ > 0 && last_row_->state.load_factor * dynamics_.duration_s < last_.time_s) append();
+            return finish(StopReason::done, "number of steps reached");
+        }
+    if (ends) finish(StopReason::done, "time of " + short_text(dynamics_.duration_s) + " s reached");
 }
 
 std::optional<double> MotionFollower::relative_error(const StepResult& result, double step_s) {
-    if (is_constant() || explicit_) return std::nullopt;
+    if (!is_adaptive()) return std::nullopt;
     size_ = std::max(size_, equations_.displacement_norm(next_.x));
     if (result.error_m) return *result.error_m / size_;
     if (error_constant_ == 0.0 || history_.size() < static_cast<std::size_t>(order_)) return std::nullopt;
@@ -274,14 +294,17 @@ void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
     step_s_ = coarse(cut_after_failure * step_s);
     const bool inverted = failure.end == NewtonEnd::inverted;
     log("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
-        std::to_string(failure.iterations) + " iterations, residual " + short_text(failure.residual) + ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
+        std::to_string(failure.iterations) + " iterations, residual " + short_text(failure.residual) +
+        ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
     if (step_s_ >= settings_.smallest_step * first_step_s_) return;
     const std::string place = place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
     if (inverted)
-        return finish(StopReason::inverted_element, "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " +
-                                                        place + " at " + when + "; use smaller cells there (mesh.size)");
-    finish(StopReason::diverged, std::string(explicit_ ? "the motion grows without bound" : "no motion found") + " beyond " + when +
-                                     "; the most distorted cell is " + place + ", det F = " + short_text(failure.min_jacobian));
+        return finish(StopReason::inverted_element,
+                      "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " + place + " at " +
+                          when + "; use smaller cells there (mesh.size)");
+    finish(StopReason::diverged, std::string(explicit_ ? "the motion grows without bound" : "no motion found") +
+                                     " beyond " + when + "; the most distorted cell is " + place +
+                                     ", det F = " + short_text(failure.min_jacobian));
 }
 
 void MotionFollower::finish(StopReason reason, std::string detail) {

@@ -15,7 +15,8 @@ namespace {
 
 const model::Dynamics& dynamics_of(const model::Case& input) {
     if (!input.dynamics) refuse("dynamics", "the case does not run in time", "give dynamics.duration");
-    if (!(input.dynamics->duration_s > 0.0)) refuse("dynamics.duration", "the motion has no duration", "give a time, 0.1 s");
+    if (!(input.dynamics->duration_s > 0.0))
+        refuse("dynamics.duration", "the motion has no duration", "give a time, 0.1 s");
     return *input.dynamics;
 }
 
@@ -33,11 +34,17 @@ MotionState copy_of(const MotionState& state) {
 }
 
 MotionEquations::MotionEquations(assembly::System& system, MassKind kind)
-    : system_(system), input_(system.input()), dynamics_(dynamics_of(input_)), mask_(assembly::displacement_mask(system)),
-      R_(system.make_vector()), load_force_(system.make_vector()), scratch_(system.make_vector()) {
+    : system_(system),
+      input_(system.input()),
+      dynamics_(dynamics_of(input_)),
+      mask_(assembly::displacement_mask(system)),
+      R_(system.make_vector()),
+      load_force_(system.make_vector()),
+      scratch_(system.make_vector()) {
     check_stage();
     if (kind == MassKind::lumped && system.dofs().pressures > 0)
-        refuse("dynamics.integrator", "explicit integrators cannot run cells with a pressure unknown, which has no mass",
+        refuse("dynamics.integrator",
+               "explicit integrators cannot run cells with a pressure unknown, which has no mass",
                "use formulation: f-bar or displacement with a bulk modulus, or an implicit integrator");
     const auto& supplies = input_.path.stages[0].supplies;
     for (std::size_t load = 0; load < input_.loads.size(); ++load) {
@@ -64,7 +71,8 @@ void MotionEquations::check_stage() const {
             refuse("loads." + input_.loads[load].name, "a motion prescribes pressures alone",
                    "give a pressure with its course in time, or a line that feeds the cavity");
     for (const double level : stage.motions)
-        if (level != 0.0) refuse("loads", "a motion does not prescribe displacements that change", "move the body by forces");
+        if (level != 0.0)
+            refuse("loads", "a motion does not prescribe displacements that change", "move the body by forces");
 }
 
 /// The rows and columns of pressure unknowns out: see the header.
@@ -79,11 +87,13 @@ void MotionEquations::make_damping() {
         if (has_mass[i] == 0.0) pressures.push_back(system_.dofs().begin + i);
     SOFT_PETSC(VecRestoreArrayRead(mask_, &has_mass));
     SOFT_PETSC(MatSetOption(K0_, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
-    SOFT_PETSC(MatZeroRowsColumns(K0_, static_cast<PetscInt>(pressures.size()), pressures.data(), 0.0, nullptr, nullptr));
+    SOFT_PETSC(
+        MatZeroRowsColumns(K0_, static_cast<PetscInt>(pressures.size()), pressures.data(), 0.0, nullptr, nullptr));
 }
 
 MotionState MotionEquations::rest() const {
-    MotionState state{0.0, system_.make_vector(), system_.make_vector(), system_.make_vector(), system_.make_vector(), {}};
+    MotionState state{0.0, system_.make_vector(), system_.make_vector(), system_.make_vector(), system_.make_vector(),
+                      {}};
     for (const auto& line : lines_)
         state.masses_kg.push_back(gas_mass_kg(line.gas, system_.load_volume(line.load, state.x, nullptr), 0.0));
     return state;
@@ -110,8 +120,8 @@ LoadLevels MotionEquations::levels(double time_s, std::span<const double> line_p
 }
 
 LoadLevels MotionEquations::rates(double time_s, std::span<const double> line_rates) const {
-    LoadLevels rates =
-        shared_levels([&](const model::TimeCourse& course) { return share_rate(course, dynamics_.duration_s, time_s); });
+    LoadLevels rates = shared_levels(
+        [&](const model::TimeCourse& course) { return share_rate(course, dynamics_.duration_s, time_s); });
     for (std::size_t k = 0; k < lines_.size(); ++k) rates.pressures_Pa[lines_[k].load] = line_rates[k];
     return rates;
 }

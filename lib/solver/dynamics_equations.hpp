@@ -18,9 +18,9 @@ namespace soft::solver {
 /// A moment of the motion.
 struct MotionState {
     double time_s = 0;
-    linalg::Vector x, v, a;               ///< v, a: 0 at pressure unknowns
-    linalg::Vector load_force;            ///< of all loads at the moment
-    std::vector<double> masses_kg;        ///< of the gas of each line, dead volume included
+    linalg::Vector x, v, a;         ///< v, a: 0 at pressure unknowns
+    linalg::Vector load_force;      ///< of all loads at the moment
+    std::vector<double> masses_kg;  ///< of the gas of each line, dead volume included
 };
 
 [[nodiscard]] MotionState copy_of(const MotionState& state);
@@ -65,10 +65,13 @@ public:
     [[nodiscard]] Vec residual() const { return R_; }
     [[nodiscard]] Vec load_force() const { return load_force_; }
     [[nodiscard]] Vec line_force(std::size_t k) const { return line_forces_.at(k); }
-    void add_inertia(Vec out, double factor, Vec a) const;                      ///< out += factor M a
-    void add_damping(Vec out, double factor, Vec v) const;                      ///< out += factor C v
-    void add_matrices(Mat K, double by_velocity, double by_acceleration) const; ///< K += by_velocity C + by_acceleration M
-    [[nodiscard]] bool has_damping() const noexcept { return dynamics_.mass_damping_1_s != 0.0 || dynamics_.stiffness_damping_s != 0.0; }
+    void add_inertia(Vec out, double factor, Vec a) const;  ///< out += factor M a
+    void add_damping(Vec out, double factor, Vec v) const;  ///< out += factor C v
+    void add_matrices(Mat K, double by_velocity,
+                      double by_acceleration) const;  ///< K += by_velocity C + by_acceleration M
+    [[nodiscard]] bool has_damping() const noexcept {
+        return dynamics_.mass_damping_1_s != 0.0 || dynamics_.stiffness_damping_s != 0.0;
+    }
     /// Of the modelled part [J], [W].
     [[nodiscard]] double kinetic_energy(Vec v) const;
     [[nodiscard]] double damping_power(Vec v) const;
@@ -96,7 +99,7 @@ private:
     const model::Case& input_;
     const model::Dynamics& dynamics_;
     std::vector<Line> lines_;
-    linalg::Matrix M_, K0_;               // M_ where the mass is consistent, K0_ where it damps
+    linalg::Matrix M_, K0_;  // M_ where the mass is consistent, K0_ where it damps
     linalg::Vector lumped_, mask_, R_, load_force_, scratch_;
     std::vector<linalg::Vector> line_forces_;
 };

@@ -9,7 +9,7 @@ namespace soft::solver {
 namespace {
 
 constexpr int power_iterations = 200;
-constexpr double power_tolerance = 1e-4;      // of the frequency's square from one iteration to the next
+constexpr double power_tolerance = 1e-4;  // of the frequency's square from one iteration to the next
 constexpr int bisections = 60;
 
 /// |R(h s)| of the worse root s = w (-z +- sqrt(z^2 - 1)).
@@ -29,7 +29,9 @@ double longest_stable_step_s(model::Integrator integrator, const model::Dynamics
     const double zeta = 0.5 * (dynamics.mass_damping_1_s / omega + dynamics.stiffness_damping_s * omega);
     const double central = 2.0 / omega * (std::sqrt(1.0 + zeta * zeta) - zeta);
     if (integrator == model::Integrator::central_difference) return central;
-    const auto grows = [&](double h) { return amplification(integrator, omega, zeta, h) > std::exp(h / dynamics.duration_s); };
+    const auto grows = [&](double h) {
+        return amplification(integrator, omega, zeta, h) > std::exp(h / dynamics.duration_s);
+    };
     // Longest in the first stable interval: growth begins once and goes on.
     double stable = 0, unstable = 4.0 / omega;
     for (int i = 0; i < bisections; ++i) {
@@ -66,7 +68,8 @@ StepResult CentralDifference::attempt(const MotionState& last, double step_s, Mo
     const auto before = equations_.mass_flows(last.time_s, equations_.line_pressures(last.x, last.masses_kg));
     for (std::size_t k = 0; k < before.size(); ++k) next.masses_kg[k] += h * before[k];
     const auto after = equations_.mass_flows(next.time_s, equations_.line_pressures(next.x, next.masses_kg));
-    for (std::size_t k = 0; k < before.size(); ++k) next.masses_kg[k] = last.masses_kg[k] + 0.5 * h * (before[k] + after[k]);
+    for (std::size_t k = 0; k < before.size(); ++k)
+        next.masses_kg[k] = last.masses_kg[k] + 0.5 * h * (before[k] + after[k]);
     const auto evaluation = explicit_acceleration(equations_, next);
     // That was with alpha v(1/2); a1 = ... - alpha v1 = ... - alpha (v(1/2) + h/2 a1).
     SOFT_PETSC(VecScale(next.a, 1.0 / (1.0 + 0.5 * alpha * h)));
@@ -82,7 +85,10 @@ StepResult CentralDifference::attempt(const MotionState& last, double step_s, Mo
 }
 
 StableStep::StableStep(MotionEquations& equations, model::Integrator integrator)
-    : equations_(equations), integrator_(integrator), K_(equations.system().make_matrix()), mode_(equations.system().make_vector()),
+    : equations_(equations),
+      integrator_(integrator),
+      K_(equations.system().make_matrix()),
+      mode_(equations.system().make_vector()),
       image_(equations.system().make_vector()) {
     // The highest mode changes sign from node to node; entries of no pattern have a part along it.
     PetscInt begin = 0, end = 0;
@@ -99,7 +105,7 @@ double StableStep::estimate(const MotionState& state) {
     double square = 0;
     for (int i = 0; i < power_iterations; ++i) {
         SOFT_PETSC(MatMult(K_, mode_, image_));
-        const double next = 0.5 * linalg::dot(mode_, image_) / equations_.kinetic_energy(mode_);   // Rayleigh's quotient
+        const double next = 0.5 * linalg::dot(mode_, image_) / equations_.kinetic_energy(mode_);  // Rayleigh's quotient
         SOFT_PETSC(VecPointwiseDivide(image_, image_, equations_.lumped_mass()));
         SOFT_PETSC(VecScale(image_, 1.0 / linalg::norm(image_)));
         std::swap(mode_, image_);

@@ -32,11 +32,13 @@ private:
     [[nodiscard]] double next_step();
     [[nodiscard]] std::optional<StepResult> attempt(double step_s);
     [[nodiscard]] std::optional<double> relative_error(const StepResult& result, double step_s);
+    void accept(double step_s, std::optional<double> error);
     void adapt(std::optional<double> error, double step_s);
     void update_stable_step();
     void handle_failure(const StageResult& failure, double step_s);
     void finish(solution::StopReason reason, std::string detail);
     [[nodiscard]] bool is_constant() const noexcept { return dynamics_.step_s > 0.0; }
+    [[nodiscard]] bool is_adaptive() const noexcept { return !is_constant() && !explicit_; }
 
     // dynamics_rows.cpp
     void keep_energies(const MotionState& from, const MotionState& to);
@@ -53,23 +55,23 @@ private:
     const Listeners& listeners_;
     bool explicit_;
     MotionEquations equations_;
-    std::optional<StageSolver> stage_;               // of implicit integrators
-    std::optional<StableStep> stable_;               // of explicit ones
+    std::optional<StageSolver> stage_;  // of implicit integrators
+    std::optional<StableStep> stable_;  // of explicit ones
     Method method_;
     MotionState last_, next_;
-    std::optional<PathPoint> last_row_;              // for angles
+    std::optional<PathPoint> last_row_;  // for angles
     struct Position {
         double time_s;
         linalg::Vector x;
     };
-    std::deque<Position> history_;                   // before `last_`, latest first
+    std::deque<Position> history_;  // before `last_`, latest first
     std::vector<double> kinks_;
-    int order_ = 2;                                  // of the local error's power less one
-    double error_constant_ = 0;                      // of divided differences
+    int order_ = 2;              // of the local error's power less one
+    double error_constant_ = 0;  // of divided differences
     double step_s_ = 0, first_step_s_ = 0, row_interval_s_ = 0, next_row_s_ = 0;
     double stable_step_s_ = 0;
-    double size_ = 0;                                // of the motion
-    double load_work_J_ = 0, damping_work_J_ = 0;    // of the modelled part
+    double size_ = 0;                              // of the motion
+    double load_work_J_ = 0, damping_work_J_ = 0;  // of the modelled part
     int rows_ = 0, steps_ = 0, iterations_since_row_ = 0, factorizations_at_row_ = 0;
     bool finished_ = false;
     solution::PathEnd end_;

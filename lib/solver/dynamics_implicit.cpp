@@ -19,11 +19,12 @@ constexpr std::array<std::array<double, stages>, stages> table{{
     {15267082809.0 / 155376265600, -71443401.0 / 120774400, 730878875.0 / 902184768, 2285395.0 / 8070912, 1.0 / 4},
     {82889.0 / 524892, 0.0, 15625.0 / 83664, 69875.0 / 102672, -2260.0 / 8211, 1.0 / 4},
 }};
-constexpr std::array<double, stages> embedded{4586570599.0 / 29645900160, 0.0, 178811875.0 / 945068544,
-                                              814220225.0 / 1159782912, -3700637.0 / 11593932, 61727.0 / 225920};
+constexpr std::array<double, stages> embedded{4586570599.0 / 29645900160, 0.0,
+                                              178811875.0 / 945068544,    814220225.0 / 1159782912,
+                                              -3700637.0 / 11593932,      61727.0 / 225920};
 
-constexpr double start_share = 1e-4;   // of the step
-constexpr int start_solves = 3;        // each takes out all but 1e-8 (w h)^2 of the error before
+constexpr double start_share = 1e-4;  // of the step
+constexpr int start_solves = 3;       // each takes out all but 1e-8 (w h)^2 of the error before
 
 }  // namespace
 
@@ -33,8 +34,8 @@ bool start_acceleration(MotionEquations& equations, StageSolver& solver, double 
     const double square = 1.0 / std::pow(start_share * step_s, 2);
     const auto levels = equations.levels(state.time_s, equations.line_pressures(state.x, state.masses_kg));
     if (!solver.factorize(state.x, levels, 0.0, square)) return false;
-    linalg::Vector force = linalg::duplicate(state.x), dx = linalg::duplicate(state.x), moved = linalg::duplicate(state.x),
-                   right = linalg::duplicate(state.x);
+    linalg::Vector force = linalg::duplicate(state.x), dx = linalg::duplicate(state.x),
+                   moved = linalg::duplicate(state.x), right = linalg::duplicate(state.x);
     linalg::copy(equations.residual(), force);
     equations.add_damping(force, 1.0, state.v);
     SOFT_PETSC(VecScale(force, -1.0));
@@ -52,7 +53,7 @@ bool start_acceleration(MotionEquations& equations, StageSolver& solver, double 
     }
     SOFT_PETSC(VecZeroEntries(state.a));
     linalg::add(state.a, square, moved);
-    linalg::add(dx, -1.0, moved);     // the pressures alone
+    linalg::add(dx, -1.0, moved);  // the pressures alone
     linalg::add(state.x, 1.0, dx);
     return true;
 }
@@ -74,7 +75,10 @@ AlphaParameters alpha_parameters(model::Integrator integrator, double spectral_r
 }
 
 GeneralizedAlpha::GeneralizedAlpha(MotionEquations& equations, StageSolver& solver, const AlphaParameters& parameters)
-    : equations_(equations), solver_(solver), p_(parameters), w_(equations.system().make_vector()),
+    : equations_(equations),
+      solver_(solver),
+      p_(parameters),
+      w_(equations.system().make_vector()),
       next_w_(equations.system().make_vector()) {}
 
 void GeneralizedAlpha::start(const MotionState& state) {
@@ -94,15 +98,18 @@ StepResult GeneralizedAlpha::attempt(const MotionState& last, double step_s, Mot
     SOFT_PETSC(VecZeroEntries(next.a));
     linalg::add(next.a, 1.0 / (1.0 - p_.alpha_f), w_);
     linalg::add(next.a, -p_.alpha_f / (1.0 - p_.alpha_f), last.a);
-    linalg::copy(next.x, next_w_);     // the guess, for now
+    linalg::copy(next.x, next_w_);  // the guess, for now
     next.time_s = last.time_s + h;
-    StageMap map{p_.gamma / (p_.beta * h), (1.0 - p_.alpha_m) / ((1.0 - p_.alpha_f) * p_.beta * h * h), 0.0, last.masses_kg};
+    StageMap map{p_.gamma / (p_.beta * h), (1.0 - p_.alpha_m) / ((1.0 - p_.alpha_f) * p_.beta * h * h), 0.0,
+                 last.masses_kg};
     const double flow_part = h * p_.gamma / (1.0 - p_.alpha_m);
     map.flow_share = flow_part * (1.0 - p_.alpha_f);
     std::vector<double> flows;
-    if (equations_.line_count() > 0) flows = equations_.mass_flows(last.time_s, equations_.line_pressures(last.x, last.masses_kg));
+    if (equations_.line_count() > 0)
+        flows = equations_.mass_flows(last.time_s, equations_.line_pressures(last.x, last.masses_kg));
     for (std::size_t k = 0; k < flows.size(); ++k)
-        map.masses_kg[k] += h * (1.0 - p_.gamma) * flow_w_[k] + flow_part * (p_.alpha_f * flows[k] - p_.alpha_m * flow_w_[k]);
+        map.masses_kg[k] +=
+            h * (1.0 - p_.gamma) * flow_w_[k] + flow_part * (p_.alpha_f * flows[k] - p_.alpha_m * flow_w_[k]);
     StepResult result{solver_.solve(map, last.x, next), std::nullopt};
     if (result.newton.end != NewtonEnd::converged) return result;
     linalg::Vector change = linalg::duplicate(next.x);
@@ -111,7 +118,8 @@ StepResult GeneralizedAlpha::attempt(const MotionState& last, double step_s, Mot
     SOFT_PETSC(VecAYPX(next_w_, 1.0 / (p_.beta * h * h), w_));
     for (std::size_t k = 0; k < flows.size(); ++k) {
         const double now = (next.masses_kg[k] - map.masses_kg[k]) / map.flow_share;
-        next_flow_w_[k] = ((1.0 - p_.alpha_f) * now + p_.alpha_f * flows[k] - p_.alpha_m * flow_w_[k]) / (1.0 - p_.alpha_m);
+        next_flow_w_[k] =
+            ((1.0 - p_.alpha_f) * now + p_.alpha_f * flows[k] - p_.alpha_m * flow_w_[k]) / (1.0 - p_.alpha_m);
     }
     return result;
 }
@@ -165,13 +173,15 @@ StepResult Dirk::attempt(const MotionState& last, double step_s, MotionState& ne
         linalg::copy(next.v, velocities_[i]);
         linalg::copy(next.a, accelerations_[i]);
         flows_[i].resize(map.masses_kg.size());
-        for (std::size_t k = 0; k < map.masses_kg.size(); ++k) flows_[i][k] = (next.masses_kg[k] - map.masses_kg[k]) / part;
+        for (std::size_t k = 0; k < map.masses_kg.size(); ++k)
+            flows_[i][k] = (next.masses_kg[k] - map.masses_kg[k]) / part;
         SOFT_PETSC(VecPointwiseMult(error_, equations_.mask(), next.x));
         SOFT_PETSC(VecWAXPY(pressures, -1.0, error_, next.x));
     }
     next.time_s = last.time_s + h;
     SOFT_PETSC(VecZeroEntries(error_));
-    for (std::size_t i = 0; i < stages; ++i) linalg::add(error_, h * (table[stages - 1][i] - embedded[i]), velocities_[i]);
+    for (std::size_t i = 0; i < stages; ++i)
+        linalg::add(error_, h * (table[stages - 1][i] - embedded[i]), velocities_[i]);
     result.error_m = linalg::norm(error_);
     return result;
 }

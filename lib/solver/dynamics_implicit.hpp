@@ -18,12 +18,14 @@ namespace soft::solver {
 
 struct StepResult {
     StageResult newton;
-    std::optional<double> error_m;     ///< size of the step's error over the displacement unknowns, where the method has one
+    std::optional<double>
+        error_m;  ///< size of the step's error over the displacement unknowns, where the method has one
 };
 
 /// Acceleration and pressures that the loads give the body at the state's time, from its x and v. False where J is singular.
 /// Found as those of a stage too short for the body to move in: an incompressible body's pressures come with them.
-[[nodiscard]] bool start_acceleration(MotionEquations& equations, StageSolver& solver, double step_s, MotionState& state);
+[[nodiscard]] bool start_acceleration(MotionEquations& equations, StageSolver& solver, double step_s,
+                                      MotionState& state);
 
 struct AlphaParameters {
     double alpha_m = 0, alpha_f = 0, beta = 0.25, gamma = 0.5;
@@ -44,7 +46,7 @@ private:
     StageSolver& solver_;
     AlphaParameters p_;
     linalg::Vector w_, next_w_;
-    std::vector<double> flow_w_, next_flow_w_;     // the same of the lines' dm/dt
+    std::vector<double> flow_w_, next_flow_w_;  // the same of the lines' dm/dt
 };
 
 class Dirk {
@@ -57,7 +59,7 @@ public:
 private:
     MotionEquations& equations_;
     StageSolver& solver_;
-    std::vector<linalg::Vector> velocities_, accelerations_;   // by stage
+    std::vector<linalg::Vector> velocities_, accelerations_;  // by stage
     std::vector<std::vector<double>> flows_;
     linalg::Vector error_;
 };

@@ -52,13 +52,14 @@ void MotionFollower::append() {
     read_stretches(system_, last_.x, step);
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;
-    log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + state_text(point, input_) + ", step " +
-        short_text(step_s_) + " s, " + std::to_string(step.newton_iterations) + " iterations");
+    log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + state_text(point, input_) +
+        ", step " + short_text(step_s_) + " s, " + std::to_string(step.newton_iterations) + " iterations");
     ++rows_;
     listeners_.step(step, last_.x);
     if (listeners_.contact && input_.path.contact == model::Contact::stop)
         if (const auto touching = listeners_.contact(last_.x))
-            finish(solution::StopReason::self_contact, *touching + " at " + short_text(last_.time_s) + " s, " + state_text(point, input_));
+            finish(solution::StopReason::self_contact,
+                   *touching + " at " + short_text(last_.time_s) + " s, " + state_text(point, input_));
     last_row_ = std::move(point);
     next_row_s_ += row_interval_s_;
     while (next_row_s_ <= last_.time_s) next_row_s_ += row_interval_s_;

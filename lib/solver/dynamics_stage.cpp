@@ -8,7 +8,8 @@ namespace soft::solver {
 
 namespace {
 
-constexpr int inversion_halvings = 5;
+constexpr int inversion_halvings = 4;
+constexpr double pressure_scale_Pa = 1e5;  // of a line's equation: of the order of the ambient pressure
 /// Times the tolerance, of a residual that has come down to rounding and stays above this part of the one before.
 constexpr double rounding = 100.0, stalled = 0.3;
 /// Of the largest scale of forces in the motion so far: a body in free flight has none.
@@ -31,9 +32,14 @@ bool balances(double residual, double before, const model::SolverSettings& setti
 }
 
 StageSolver::StageSolver(MotionEquations& equations)
-    : equations_(equations), settings_(equations.system().input().solver), J_(equations.system().make_matrix()),
-      solver_(J_, symmetry_of(equations.system()), with_a_matrix(settings_.linear)), r_(equations.system().make_vector()), dx_(equations.system().make_vector()),
-      inertia_(equations.system().make_vector()), masked_(equations.system().make_vector()) {
+    : equations_(equations),
+      settings_(equations.system().input().solver),
+      J_(equations.system().make_matrix()),
+      solver_(J_, symmetry_of(equations.system()), with_a_matrix(settings_.linear)),
+      r_(equations.system().make_vector()),
+      dx_(equations.system().make_vector()),
+      inertia_(equations.system().make_vector()),
+      masked_(equations.system().make_vector()) {
     for (std::size_t k = 0; k < equations.line_count(); ++k) {
         columns_.push_back(equations.system().make_vector());
         gradients_.push_back(equations.system().make_vector());
@@ -47,7 +53,8 @@ std::vector<double> StageSolver::read_volumes(Vec x) {
 }
 
 /// p - P(V(x), m0 + share dm/dt(p)) = 0.
-std::vector<LineRow> StageSolver::line_rows(const StageMap& map, const MotionState& state, std::span<const double> pressures) {
+std::vector<LineRow> StageSolver::line_rows(const StageMap& map, const MotionState& state,
+                                            std::span<const double> pressures) {
     const auto volumes = read_volumes(state.x);
     std::vector<LineRow> rows;
     for (std::size_t k = 0; k < volumes.size(); ++k) {
@@ -107,61 +114,74 @@ double StageSolver::force_scale(const assembly::Evaluation& evaluation, Vec iner
     return std::max(scale, vanishing_forces * largest_scale_);
 }
 
+/// r_ = M a + C v + R at the state last evaluated; its size over the scale of forces.
+double StageSolver::balance(const MotionState& state, const assembly::Evaluation& evaluation) {
+    linalg::copy(equations_.residual(), r_);
+    SOFT_PETSC(VecZeroEntries(inertia_));
+    equations_.add_inertia(inertia_, 1.0, state.a);
+    linalg::add(r_, 1.0, inertia_);
+    equations_.add_damping(r_, 1.0, state.v);
+    const double scale = force_scale(evaluation, inertia_);
+    return scale > 0.0 ? linalg::norm(r_) / scale : 0.0;
+}
+
+assembly::Evaluation StageSolver::evaluate(const MotionState& state, std::span<const double> pressures, Mat K,
+                                           StageResult& result) {
+    const auto evaluation = equations_.evaluate(state.x, equations_.levels(state.time_s, pressures), K);
+    result.min_jacobian = evaluation.min_jacobian;
+    result.worst_cell = evaluation.worst_cell;
+    return evaluation;
+}
+
+/// Newton's correction of the state, halved while it turns a cell inside out.
+NewtonEnd StageSolver::correct(const StageMap& map, std::span<const LineRow> rows, MotionState& state,
+                               std::vector<double>& pressures, StageResult& result) {
+    if (!factor_is_of_stage_ || settings_.newton == model::NewtonMethod::full) {
+        (void)evaluate(state, pressures, J_, result);
+        if (!factorize_here(map.by_velocity, map.by_acceleration)) return NewtonEnd::singular;
+        factor_is_of_stage_ = true;
+    }
+    std::vector<double> dp;
+    SOFT_PETSC(VecScale(r_, -1.0));
+    if (!solve_linear(r_, rows, dx_, dp)) return NewtonEnd::linear_solver;
+    double length = 1.0;
+    for (int halvings = 0;; ++halvings) {
+        move(map, length, dx_, state);
+        for (std::size_t k = 0; k < dp.size(); ++k) pressures[k] += length * dp[k];
+        evaluation_ = evaluate(state, pressures, nullptr, result);
+        if (evaluation_.admissible() || halvings == inversion_halvings) return NewtonEnd::converged;
+        length = -std::ldexp(0.5, -halvings);  // back by a half, a quarter, ...
+    }
+}
+
 StageResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& state) {
     StageResult result;
-    auto pressures = equations_.line_pressures(state.x, map.masses_kg);
-    const auto evaluate = [&](Mat K) {
-        const auto evaluation = equations_.evaluate(state.x, equations_.levels(state.time_s, pressures), K);
-        result.min_jacobian = evaluation.min_jacobian;
-        result.worst_cell = evaluation.worst_cell;
-        return evaluation;
-    };
     const auto report = [&](NewtonEnd end) {
         result.end = end;
         return result;
     };
-    auto evaluation = evaluate(nullptr);
-    if (!evaluation.admissible()) {
+    auto pressures = equations_.line_pressures(state.x, map.masses_kg);
+    evaluation_ = evaluate(state, pressures, nullptr, result);
+    if (!evaluation_.admissible()) {
         SOFT_PETSC(VecWAXPY(dx_, -1.0, state.x, fallback));
         move(map, 1.0, dx_, state);
-        evaluation = evaluate(nullptr);
+        evaluation_ = evaluate(state, pressures, nullptr, result);
     }
-    std::vector<double> dp;
-    bool factorized = false;
+    factor_is_of_stage_ = false;
     double before = std::numeric_limits<double>::infinity();
-    for (;;) {
-        if (!evaluation.admissible()) return report(NewtonEnd::inverted);
-        linalg::copy(equations_.residual(), r_);
-        SOFT_PETSC(VecZeroEntries(inertia_));
-        equations_.add_inertia(inertia_, 1.0, state.a);
-        linalg::add(r_, 1.0, inertia_);
-        equations_.add_damping(r_, 1.0, state.v);
-        const double residual = linalg::norm(r_), scale = force_scale(evaluation, inertia_);
-        result.residual = scale > 0.0 ? residual / scale : 0.0;
+    for (;; ++result.iterations) {
+        if (!evaluation_.admissible()) return report(NewtonEnd::inverted);
+        result.residual = balance(state, evaluation_);
+        if (!std::isfinite(result.residual)) return report(NewtonEnd::not_finite);
         const auto rows = line_rows(map, state, pressures);
         const bool supplied = std::ranges::all_of(rows, [&](const LineRow& row) {
-            return std::abs(row.rhs) <= settings_.residual_tolerance * 1e5;   // of the order of the ambient pressure [Pa]
+            return std::abs(row.rhs) <= settings_.residual_tolerance * pressure_scale_Pa;
         });
-        if (!std::isfinite(residual)) return report(NewtonEnd::not_finite);
         if (supplied && balances(result.residual, before, settings_)) break;
         before = result.residual;
         if (result.iterations == settings_.newton_limit) return report(NewtonEnd::iteration_limit);
-        ++result.iterations;
-        if (!factorized || settings_.newton == model::NewtonMethod::full) {
-            if (!evaluate(J_).admissible() || !factorize_here(map.by_velocity, map.by_acceleration))
-                return report(NewtonEnd::singular);
-            factorized = true;
-        }
-        SOFT_PETSC(VecScale(r_, -1.0));
-        if (!solve_linear(r_, rows, dx_, dp)) return report(NewtonEnd::linear_solver);
-        move(map, 1.0, dx_, state);
-        for (std::size_t k = 0; k < dp.size(); ++k) pressures[k] += dp[k];
-        evaluation = evaluate(nullptr);
-        for (double length = 0.5; !evaluation.admissible() && length > std::ldexp(1.0, -inversion_halvings); length *= 0.5) {
-            move(map, -length, dx_, state);
-            for (std::size_t k = 0; k < dp.size(); ++k) pressures[k] -= length * dp[k];
-            evaluation = evaluate(nullptr);
-        }
+        if (const auto end = correct(map, rows, state, pressures, result); end != NewtonEnd::converged)
+            return report(end);
     }
     state.masses_kg = map.masses_kg;
     for (std::size_t k = 0; k < pressures.size(); ++k)

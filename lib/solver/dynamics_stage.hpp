@@ -15,7 +15,7 @@ namespace soft::solver {
 struct StageMap {
     double by_velocity = 0, by_acceleration = 0;
     double flow_share = 0;
-    std::vector<double> masses_kg;            ///< m0
+    std::vector<double> masses_kg;  ///< m0
 };
 
 /// A line's linear equation: by_pressure dp + by_volume dV = rhs.
@@ -26,7 +26,7 @@ struct LineRow {
 struct StageResult {
     NewtonEnd end = NewtonEnd::converged;
     int iterations = 0;
-    double residual = 0;               ///< over the scale of forces
+    double residual = 0;  ///< over the scale of forces
     double min_jacobian = 1;
     mesh::Index worst_cell = -1;
 };
@@ -60,6 +60,11 @@ public:
 private:
     [[nodiscard]] std::vector<LineRow> line_rows(const StageMap& map, const MotionState& state,
                                                  std::span<const double> pressures);
+    [[nodiscard]] assembly::Evaluation evaluate(const MotionState& state, std::span<const double> pressures, Mat K,
+                                                StageResult& result);
+    [[nodiscard]] double balance(const MotionState& state, const assembly::Evaluation& evaluation);
+    [[nodiscard]] NewtonEnd correct(const StageMap& map, std::span<const LineRow> rows, MotionState& state,
+                                    std::vector<double>& pressures, StageResult& result);
     void move(const StageMap& map, double length, Vec dx, MotionState& state);
     [[nodiscard]] bool factorize_here(double by_velocity, double by_acceleration);
 
@@ -69,6 +74,8 @@ private:
     linalg::LinearSolver solver_;
     linalg::Vector r_, dx_, inertia_, masked_;
     std::vector<linalg::Vector> columns_, gradients_;
+    assembly::Evaluation evaluation_;  // of the state as it stands
+    bool factor_is_of_stage_ = false;
     double largest_scale_ = 0;
 };
 

@@ -35,7 +35,8 @@ PetscErrorCode call_inverse(PC pc, Vec b, Vec out) {
 }
 
 /// The rows of x and v have different units: what counts is the balance of forces.
-PetscErrorCode call_test(SNES, PetscInt iteration, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason, void* context) {
+PetscErrorCode call_test(SNES, PetscInt iteration, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason,
+                         void* context) {
     *reason = self(context).test(iteration);
     return 0;
 }
@@ -56,7 +57,8 @@ PetscErrorCode TsIntegrator::guarded(Body&& body) {
 TsIntegrator::TsIntegrator(MotionEquations& equations, StageSolver* solver, Integrator integrator)
     : equations_(equations), solver_(solver), integrator_(integrator) {
     const auto& system = equations.system();
-    for (auto* vector : {&x_, &v_, &rate_x_, &rate_v_, &out_x_, &out_v_, &inertia_, &forces_}) *vector = system.make_vector();
+    for (auto* vector : {&x_, &v_, &rate_x_, &rate_v_, &out_x_, &out_v_, &inertia_, &forces_})
+        *vector = system.make_vector();
     int rank = 0;
     MPI_Comm_rank(system.comm(), &rank);
     const PetscInt own = system.dofs().end - system.dofs().begin;
@@ -82,7 +84,7 @@ TsIntegrator::TsIntegrator(MotionEquations& equations, StageSolver* solver, Inte
     }
     SOFT_PETSC(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER));
     SOFT_PETSC(TSSetMaxSteps(ts_, PETSC_MAX_INT));
-    SOFT_PETSC(TSSetMaxTime(ts_, 2.0 * equations.dynamics().duration_s));   // it wants an end; ours comes first
+    SOFT_PETSC(TSSetMaxTime(ts_, 2.0 * equations.dynamics().duration_s));  // it wants an end; ours comes first
     SOFT_PETSC(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
     SOFT_PETSC(TSSetMaxStepRejections(ts_, 0));
     TSAdapt adapt = nullptr;
@@ -123,7 +125,7 @@ void TsIntegrator::set_up_implicit(SNES snes) {
     SNESLineSearch search = nullptr;
     SOFT_PETSC(SNESSetType(snes, SNESNEWTONLS));
     SOFT_PETSC(SNESGetLineSearch(snes, &search));
-    SOFT_PETSC(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));   // the others multiply by the shell matrix
+    SOFT_PETSC(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));  // the others multiply by the shell matrix
     SOFT_PETSC(SNESSetConvergenceTest(snes, call_test, this, nullptr));
 }
 
@@ -177,7 +179,7 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     split(rate, rate_x_, rate_v_, rate_masses_);
     const auto pressures = equations_.line_pressures(x_, masses_);
     evaluation_ = equations_.evaluate(x_, equations_.levels(time_s, pressures), nullptr);
-    if (!evaluation_.admissible()) failure_ = NewtonEnd::inverted;   // R is unfinished: the step is thrown away
+    if (!evaluation_.admissible()) failure_ = NewtonEnd::inverted;  // R is unfinished: the step is thrown away
     SOFT_PETSC(VecZeroEntries(inertia_));
     equations_.add_inertia(inertia_, 1.0, rate_v_);
     SOFT_PETSC(VecWAXPY(forces_, 1.0, inertia_, equations_.residual()));
@@ -192,7 +194,8 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     auto flows = equations_.mass_flows(time_s, pressures);
     for (std::size_t k = 0; k < flows.size(); ++k) {
         flows[k] = rate_masses_[k] - flows[k];
-        relative_residual_ = std::max(relative_residual_, std::abs(flows[k]) / (equations_.conductance(k) * 1e5));   // 1e5 Pa
+        relative_residual_ =
+            std::max(relative_residual_, std::abs(flows[k]) / (equations_.conductance(k) * 1e5));  // 1e5 Pa
     }
     join(out_x_, out_v_, flows, out);
 }
@@ -208,7 +211,8 @@ void TsIntegrator::implicit_matrix(double time_s, Vec y, double shift) {
         pressures.push_back(gas.value_Pa);
         rows_.push_back({1.0 + gas.by_mass * equations_.conductance(k) / shift, -gas.by_volume, gas.by_mass / shift});
     }
-    if (!solver_->factorize(x_, equations_.levels(time_s, pressures), shift, shift * shift)) failure_ = NewtonEnd::singular;
+    if (!solver_->factorize(x_, equations_.levels(time_s, pressures), shift, shift * shift))
+        failure_ = NewtonEnd::singular;
 }
 
 /// dv = s dx - r_x,   (K + s C + s^2 M) dx = r_v + (s M + C) r_x + sum dp f,   dm = (r_m - conductance dp) / s.
@@ -219,7 +223,7 @@ void TsIntegrator::apply_inverse(Vec b, Vec out) {
     linalg::copy(rate_v_, v_);
     equations_.add_inertia(v_, shift_, x_);
     equations_.add_damping(v_, 1.0, x_);
-    linalg::add(v_, 1.0, rate_x_);     // rows of pressures are those of x
+    linalg::add(v_, 1.0, rate_x_);  // rows of pressures are those of x
     linalg::add(v_, -1.0, x_);
     std::vector<LineRow> rows = rows_;
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].rhs *= rhs[k];
@@ -271,28 +275,31 @@ StepResult TsIntegrator::attempt(const MotionState& last, double step_s, MotionS
         result.newton.iterations = static_cast<int>(iterations);
     }
     if (failure_ == NewtonEnd::converged && reason < 0) failure_ = NewtonEnd::iteration_limit;
+    if (failure_ == NewtonEnd::converged) read_end(last.time_s + step_s, next, result);
     result.newton.end = failure_;
-    if (failure_ != NewtonEnd::converged) return result;
-    next.time_s = last.time_s + step_s;
+    return result;
+}
+
+/// The state at the end of a step that TS has taken, and its error where the method has an embedded one.
+void TsIntegrator::read_end(double time_s, MotionState& next, StepResult& result) {
+    next.time_s = time_s;
     split(y_, next.x, next.v, next.masses_kg);
     if (!std::isfinite(linalg::norm(next.x))) {
-        result.newton.end = NewtonEnd::not_finite;
-        return result;
+        failure_ = NewtonEnd::not_finite;
+        return;
     }
     const auto end = equations_.evaluate(
-        next.x, equations_.levels(next.time_s, equations_.line_pressures(next.x, next.masses_kg)), nullptr);
-    if (!end.admissible()) result.newton.end = NewtonEnd::inverted;
+        next.x, equations_.levels(time_s, equations_.line_pressures(next.x, next.masses_kg)), nullptr);
+    if (!end.admissible()) failure_ = NewtonEnd::inverted;
     result.newton.min_jacobian = end.min_jacobian;
     result.newton.worst_cell = end.worst_cell;
     linalg::copy(equations_.load_force(), next.load_force);
-    if (integrator_ == Integrator::rosenbrock) {   // the embedded method of second order
-        PetscBool done = PETSC_TRUE;
-        SOFT_PETSC(TSEvaluateStep(ts_, 2, embedded_, &done));
-        split(embedded_, x_, v_, masses_);
-        linalg::add(x_, -1.0, next.x);
-        result.error_m = equations_.displacement_norm(x_);
-    }
-    return result;
+    if (integrator_ != Integrator::rosenbrock) return;
+    PetscBool done = PETSC_TRUE;
+    SOFT_PETSC(TSEvaluateStep(ts_, 2, embedded_, &done));  // of second order
+    split(embedded_, x_, v_, masses_);
+    linalg::add(x_, -1.0, next.x);
+    result.error_m = equations_.displacement_norm(x_);
 }
 
 }  // namespace soft::solver

@@ -20,7 +20,7 @@ class TsIntegrator {
 public:
     /// `solver`: of the implicit ones, null for the explicit.
     TsIntegrator(MotionEquations& equations, StageSolver* solver, model::Integrator integrator);
-    TsIntegrator(const TsIntegrator&) = delete;   // PETSc holds its address
+    TsIntegrator(const TsIntegrator&) = delete;  // PETSc holds its address
     TsIntegrator& operator=(const TsIntegrator&) = delete;
     void start(const MotionState&) {}
     [[nodiscard]] StepResult attempt(const MotionState& last, double step_s, MotionState& next);
@@ -38,6 +38,7 @@ public:
 
 private:
     void set_up_implicit(SNES snes);
+    void read_end(double time_s, MotionState& next, StepResult& result);
     void split(Vec y, Vec x, Vec v, std::vector<double>& masses) const;
     void join(Vec x, Vec v, std::span<const double> masses, Vec y) const;
 

@@ -63,7 +63,8 @@ std::vector<double> kinks(const model::TimeCourse& course, double duration_s) {
 double shortest_change_s(const model::TimeCourse& course, double duration_s) {
     double shortest = duration_s;
     if (course.kind == Course::ramp) shortest = std::min(shortest, ramp_time(course, duration_s));
-    if (course.kind == Course::sine && course.frequency_Hz > 0.0) shortest = std::min(shortest, 0.25 / course.frequency_Hz);
+    if (course.kind == Course::sine && course.frequency_Hz > 0.0)
+        shortest = std::min(shortest, 0.25 / course.frequency_Hz);
     for (std::size_t i = 1; course.kind == Course::table && i < course.times_s.size(); ++i)
         shortest = std::min(shortest, course.times_s[i] - course.times_s[i - 1]);
     return shortest;

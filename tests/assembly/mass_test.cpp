@@ -47,7 +47,8 @@ linalg::Vector translation(const System& system, double velocity) {
     linalg::Vector v = system.make_vector();
     const auto& map = system.dofs();
     for (std::size_t node = 0; node < system.input().mesh.points.size(); ++node)
-        if (const auto dof = map.displacement[node * static_cast<std::size_t>(map.dimension)]; dof >= map.begin && dof < map.end)
+        if (const auto dof = map.displacement[node * static_cast<std::size_t>(map.dimension)];
+            dof >= map.begin && dof < map.end)
             SOFT_PETSC(VecSetValue(v, dof, velocity, INSERT_VALUES));
     SOFT_PETSC(VecAssemblyBegin(v));
     SOFT_PETSC(VecAssemblyEnd(v));
@@ -62,9 +63,11 @@ TEST(Mass, ATranslatedBodyHasHalfItsMassTimesVelocitySquared) {
         const auto M = consistent_mass(system);
         linalg::Vector momentum = system.make_vector();
         SOFT_PETSC(MatMult(M, v, momentum));
-        EXPECT_NEAR(0.5 * linalg::dot(momentum, v) / (0.5 * density * sample.volume_m3 * 9.0), 1.0, 1e-12) << int(sample.type);
+        EXPECT_NEAR(0.5 * linalg::dot(momentum, v) / (0.5 * density * sample.volume_m3 * 9.0), 1.0, 1e-12)
+            << int(sample.type);
         SOFT_PETSC(VecPointwiseMult(momentum, lumped_mass(system), v));
-        EXPECT_NEAR(0.5 * linalg::dot(momentum, v) / (0.5 * density * sample.volume_m3 * 9.0), 1.0, 1e-12) << int(sample.type);
+        EXPECT_NEAR(0.5 * linalg::dot(momentum, v) / (0.5 * density * sample.volume_m3 * 9.0), 1.0, 1e-12)
+            << int(sample.type);
     }
 }
 
@@ -76,7 +79,7 @@ TEST(Mass, LumpedMassesArePositiveAndPressuresHaveNone) {
         PetscReal pressures = 0, negative = 0;
         SOFT_PETSC(VecSum(mask, &pressures));
         EXPECT_EQ(system.dofs().total - static_cast<PetscInt>(pressures), system.dofs().pressures) << int(sample.type);
-        linalg::Vector signs = linalg::duplicate(lumped);   // mask where the mass is positive
+        linalg::Vector signs = linalg::duplicate(lumped);  // mask where the mass is positive
         SOFT_PETSC(VecPointwiseDivide(signs, mask, lumped));
         SOFT_PETSC(VecMin(signs, nullptr, &negative));
         EXPECT_GE(negative, 0.0) << int(sample.type);

@@ -18,7 +18,8 @@ constexpr double density = 1000.0;
 // A soft incompressible square, held by nothing, pulled at one edge: it deforms and turns, and its centre of mass moves as
 // force over mass says, x = F t^2 / 2 m; so does its momentum, F t, whose integral that is.
 TEST(Motion, AFreeBodyTakesUpTheMomentumOfItsLoads) {
-    auto input = block_case(mesh::CellType::quad9, model::Kinematics::plane_strain, model::Formulation::mixed, {.n = 2, .shake = 0.1});
+    auto input = block_case(mesh::CellType::quad9, model::Kinematics::plane_strain, model::Formulation::mixed,
+                            {.n = 2, .shake = 0.1});
     input.materials = {sample_material(true)};
     input.materials[0].density_kg_m3 = density;
     input.mesh.facet_sets.clear();
@@ -29,25 +30,28 @@ TEST(Motion, AFreeBodyTakesUpTheMomentumOfItsLoads) {
     input.dynamics = Dynamics{.duration_s = 0.3, .step_s = 0.01};
     assembly::System system(input, PETSC_COMM_WORLD);
     const auto M = assembly::consistent_mass(system);
-    std::array<linalg::Vector, 2> ones{system.make_vector(), system.make_vector()}, weights{system.make_vector(), system.make_vector()};
+    std::array<linalg::Vector, 2> ones{system.make_vector(), system.make_vector()},
+        weights{system.make_vector(), system.make_vector()};
     for (std::size_t i = 0; i < 2; ++i) {
         for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
-            if (const auto dof = system.dofs().displacement[2 * node + i]; dof >= system.dofs().begin && dof < system.dofs().end)
+            if (const auto dof = system.dofs().displacement[2 * node + i];
+                dof >= system.dofs().begin && dof < system.dofs().end)
                 SOFT_PETSC(VecSetValue(ones[i], dof, 1.0, INSERT_VALUES));
         SOFT_PETSC(VecAssemblyBegin(ones[i]));
         SOFT_PETSC(VecAssemblyEnd(ones[i]));
         SOFT_PETSC(MatMult(M, ones[i], weights[i]));
     }
     double turned = 0, largest = 0;
-    const auto end = integrate_motion(system, {.step = [&](const solution::Step& step, Vec x) {
-        const double t = step.motion->time_s;
-        for (std::size_t i = 0; i < 2; ++i) {
-            const double exact = 0.5 * traction[i] * t * t;   // m = density of 1 m^2, the edge 1 m long
-            EXPECT_NEAR(linalg::dot(weights[i], x), exact, 1e-8 * 0.5 * traction[0] * 0.09);
-        }
-        turned = std::max(turned, step.max_stretch);
-        largest = step.motion->kinetic_energy_J;
-    }});
+    const auto end = integrate_motion(
+        system, {.step = [&](const solution::Step& step, Vec x) {
+            const double t = step.motion->time_s;
+            for (std::size_t i = 0; i < 2; ++i) {
+                const double exact = 0.5 * traction[i] * t * t;  // m = density of 1 m^2, the edge 1 m long
+                EXPECT_NEAR(linalg::dot(weights[i], x), exact, 1e-8 * 0.5 * traction[0] * 0.09);
+            }
+            turned = std::max(turned, step.max_stretch);
+            largest = step.motion->kinetic_energy_J;
+        }});
     EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
     EXPECT_GT(turned, 1.02);
     EXPECT_GT(largest, 0.0);
@@ -72,7 +76,8 @@ double breathing_stretch(double share, double duration) {
     const auto acceleration = [&](double a, double v) {
         const double b = std::cbrt(B * B * B + a * a * a - A * A * A), pi4 = 4.0 * std::numbers::pi;
         const double m = pi4 * density * (a * a * a - a * a * a * a / b);
-        const double slope = pi4 * density * (3.0 * a * a - 4.0 * a * a * a / b + a * a * a * a * a * a / (b * b * b * b));
+        const double slope =
+            pi4 * density * (3.0 * a * a - 4.0 * a * a * a / b + a * a * a * a * a * a / (b * b * b * b));
         const double p = sample_mu_Pa * (share - sphere_pressure(a / A));
         return (pi4 * a * a * p - 0.5 * slope * v * v) / m;
     };
@@ -81,14 +86,15 @@ double breathing_stretch(double share, double duration) {
     double a = A, v = 0;
     for (int i = 0; i < steps; ++i) {
         const double a1 = v, v1 = acceleration(a, v), a2 = v + 0.5 * h * v1, v2 = acceleration(a + 0.5 * h * a1, a2);
-        const double a3 = v + 0.5 * h * v2, v3 = acceleration(a + 0.5 * h * a2, a3), a4 = v + h * v3, v4 = acceleration(a + h * a3, a4);
+        const double a3 = v + 0.5 * h * v2, v3 = acceleration(a + 0.5 * h * a2, a3), a4 = v + h * v3,
+                     v4 = acceleration(a + h * a3, a4);
         a += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
         v += h / 6.0 * (v1 + 2.0 * v2 + 2.0 * v3 + v4);
     }
     return a / A;
 }
 
-constexpr double breathing_s = 3e-3;   // more than one period of the sphere
+constexpr double breathing_s = 3e-3;  // more than one period of the sphere
 
 /// Inner stretch at the end of the mesh's motion.
 double breathing_end(Integrator integrator, int steps) {
@@ -103,18 +109,19 @@ double breathing_end(Integrator integrator, int steps) {
 // The constraint of incompressibility holds at every step, and the order stays that of the method.
 TEST(Motion, TheIncompressibleSphereBreathesAsItsOneEquationSays) {
     const double exact = breathing_stretch(0.4, breathing_s), limit = breathing_end(Integrator::ark4, 100);
-    EXPECT_NEAR(limit, exact, 3e-4);   // 18 cells; their error, not that of the steps
+    EXPECT_NEAR(limit, exact, 3e-4);  // 18 cells; their error, not that of the steps
     struct Wanted {
         Integrator integrator;
         double order;
     };
-    for (const auto& [integrator, order] : {Wanted{Integrator::generalized_alpha, 2}, Wanted{Integrator::hht, 2},
-                                            Wanted{Integrator::newmark, 2}}) {
-        const double coarse = std::abs(breathing_end(integrator, 50) - limit), fine = std::abs(breathing_end(integrator, 100) - limit);
+    for (const auto& [integrator, order] :
+         {Wanted{Integrator::generalized_alpha, 2}, Wanted{Integrator::hht, 2}, Wanted{Integrator::newmark, 2}}) {
+        const double coarse = std::abs(breathing_end(integrator, 50) - limit),
+                     fine = std::abs(breathing_end(integrator, 100) - limit);
         EXPECT_GT(std::log2(coarse / fine), order - 0.2) << int(integrator);
         EXPECT_LT(fine, 1e-3) << int(integrator);
     }
-    EXPECT_NEAR(breathing_end(Integrator::rosenbrock, 100), limit, 1e-4);   // its order falls below 3 under a constraint
+    EXPECT_NEAR(breathing_end(Integrator::rosenbrock, 100), limit, 1e-4);  // its order falls below 3 under a constraint
     EXPECT_NEAR(breathing_end(Integrator::implicit_euler, 400), limit, 2e-3);
 }
 
@@ -150,9 +157,10 @@ TEST(Motion, ASlowRampFollowsTheStaticPath) {
         EXPECT_EQ(moved.end.reason, solution::StopReason::done) << moved.end.detail;
         for (const auto& step : moved.steps) {
             if (step.motion->time_s < (step_s == 0.0 ? 0.6 : 0.2)) continue;
-            EXPECT_NEAR(step.pressure_Pa / (sample_mu_Pa * sphere_pressure(inner_stretch(step))), 1.0, 1e-3) << step.motion->time_s;
+            EXPECT_NEAR(step.pressure_Pa / (sample_mu_Pa * sphere_pressure(inner_stretch(step))), 1.0, 1e-3)
+                << step.motion->time_s;
         }
-        EXPECT_NEAR(moved.last().tangent_pressure, 0.0, 1e-9);   // the ramp ends with the motion
+        EXPECT_NEAR(moved.last().tangent_pressure, 0.0, 1e-9);  // the ramp ends with the motion
     }
 }
 
@@ -160,7 +168,7 @@ TEST(Motion, ASlowRampFollowsTheStaticPath) {
 model::Case line_case(double time_constant_s) {
     auto input = sphere_case(1, 2);
     input.materials[0].density_kg_m3 = density;
-    input.materials[0].constants["mu"] = {1e10};   // p / mu of its volume, 1e-5 of its capacity
+    input.materials[0].constants["mu"] = {1e10};  // p / mu of its volume, 1e-5 of its capacity
     input.loads[0].course = step_course();
     input.loads[0].gas.dead_volume_m3 = 2e-6;
     input.path.stages = {full_load(input, {3e4})};
@@ -176,9 +184,10 @@ TEST(Motion, ARigidCavityFillsWithResistanceTimesCapacity) {
         Integrator integrator;
         double error;
     };
-    for (const auto& [integrator, error] : {Wanted{Integrator::generalized_alpha, 1e-4}, Wanted{Integrator::newmark, 1e-4},
-                                            Wanted{Integrator::ark4, 3e-5}, Wanted{Integrator::rosenbrock, 3e-5},
-                                            Wanted{Integrator::implicit_euler, 1e-2}}) {
+    for (const auto& [integrator, error] :
+         {Wanted{Integrator::generalized_alpha, 1e-4}, Wanted{Integrator::newmark, 1e-4},
+          Wanted{Integrator::ark4, 3e-5}, Wanted{Integrator::rosenbrock, 3e-5},
+          Wanted{Integrator::implicit_euler, 1e-2}}) {
         auto input = line_case(tau);
         input.dynamics = Dynamics{.integrator = integrator, .duration_s = 3.0 * tau, .step_s = tau / 50};
         const auto moved = move(input);
@@ -199,10 +208,13 @@ TEST(Motion, ALineKeepsTheBalanceOfItsGas) {
     input.dynamics->step_s = 5e-4;
     const auto moved = move(input);
     EXPECT_EQ(moved.end.reason, solution::StopReason::done) << moved.end.detail;
-    const auto mass = [](const solution::Step& step) { return 1.204 * (1.0 + step.pressure_Pa / 101325.0) * *step.volume_m3; };
+    const auto mass = [](const solution::Step& step) {
+        return 1.204 * (1.0 + step.pressure_Pa / 101325.0) * *step.volume_m3;
+    };
     double inflow = 0, before = 0;
-    for (std::size_t i = 1; i < moved.steps.size(); ++i) {   // trapezoidal
-        const double now = 1.204 / 5e8 * 0.5 * (2.0 * 0.4 * sample_mu_Pa - moved.steps[i].pressure_Pa - moved.steps[i - 1].pressure_Pa);
+    for (std::size_t i = 1; i < moved.steps.size(); ++i) {  // trapezoidal
+        const double now = 1.204 / 5e8 * 0.5 *
+                           (2.0 * 0.4 * sample_mu_Pa - moved.steps[i].pressure_Pa - moved.steps[i - 1].pressure_Pa);
         inflow += now * (moved.steps[i].motion->time_s - moved.steps[i - 1].motion->time_s);
         before = mass(moved.steps[i]) - mass(moved.steps[0]);
     }

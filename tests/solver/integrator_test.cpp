@@ -16,10 +16,14 @@ struct Expected {
 };
 
 const std::vector<Expected>& all() {
-    static const std::vector<Expected> list{{Integrator::generalized_alpha, 2}, {Integrator::hht, 2},
-                                            {Integrator::newmark, 2},           {Integrator::implicit_euler, 1},
-                                            {Integrator::ark4, 4},              {Integrator::rosenbrock, 3},
-                                            {Integrator::heun, 2},              {Integrator::explicit_euler, 1},
+    static const std::vector<Expected> list{{Integrator::generalized_alpha, 2},
+                                            {Integrator::hht, 2},
+                                            {Integrator::newmark, 2},
+                                            {Integrator::implicit_euler, 1},
+                                            {Integrator::ark4, 4},
+                                            {Integrator::rosenbrock, 3},
+                                            {Integrator::heun, 2},
+                                            {Integrator::explicit_euler, 1},
                                             {Integrator::central_difference, 2}};
     return list;
 }
@@ -71,7 +75,8 @@ TEST(Integrators, KeepTheirOrderAtLargeStrain) {
     EXPECT_GT(limit, 0.2 * bar_length_m);
     for (const auto& [integrator, order] : implicit()) {
         const int steps = order < 2 ? 160 : 80;
-        const double coarse = std::abs(end(integrator, steps) - limit), fine = std::abs(end(integrator, 2 * steps) - limit);
+        const double coarse = std::abs(end(integrator, steps) - limit),
+                     fine = std::abs(end(integrator, 2 * steps) - limit);
         EXPECT_GT(std::log2(coarse / fine), order - 0.3) << int(integrator);
         EXPECT_LT(fine / limit, order < 2 ? 0.05 : 2e-3) << int(integrator);
     }
@@ -105,7 +110,8 @@ TEST(Integrators, RayleighDampingDecaysAsItsRatioSays) {
     const auto moved = move(input);
     for (const auto& step : moved.steps) {
         const double t = step.motion->time_s;
-        const double x = strain * bar_length_m * (1.0 - std::exp(-zeta * w * t) * (std::cos(d * t) + zeta * w / d * std::sin(d * t)));
+        const double x = strain * bar_length_m *
+                         (1.0 - std::exp(-zeta * w * t) * (std::cos(d * t) + zeta * w / d * std::sin(d * t)));
         EXPECT_NEAR(step.outputs[0], x, 1e-7 * strain * bar_length_m);
     }
     EXPECT_GT(moved.last().motion->damping_work_J, 0.0);
@@ -122,7 +128,8 @@ double unresolved_rest(Integrator integrator, double radius, int steps) {
 
 // At infinite frequency all three roots of generalised alpha are -radius: what is left falls as n^2 radius^n.
 TEST(Integrators, GeneralizedAlphaDampsWhatTheStepDoesNotResolve) {
-    const double rate = unresolved_rest(Integrator::generalized_alpha, 0.6, 40) / unresolved_rest(Integrator::generalized_alpha, 0.6, 30);
+    const double rate = unresolved_rest(Integrator::generalized_alpha, 0.6, 40) /
+                        unresolved_rest(Integrator::generalized_alpha, 0.6, 30);
     EXPECT_GT(rate, std::pow(0.6, 10));
     EXPECT_LT(rate, 2.0 * std::pow(0.6, 10));
     EXPECT_GT(unresolved_rest(Integrator::newmark, 0.6, 30), 0.5);
@@ -186,10 +193,11 @@ TEST(Integrators, ExplicitAndImplicitOnesAgree) {
 TEST(Integrators, ACentralDifferenceStepBeyondTheStableOneIsRefused) {
     const double limit = 2.0 / oscillator_frequency(Integrator::central_difference);
     auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_course());
-    input.dynamics = Dynamics{.integrator = Integrator::central_difference, .duration_s = 20 * limit, .step_s = 0.999 * limit};
+    input.dynamics =
+        Dynamics{.integrator = Integrator::central_difference, .duration_s = 20 * limit, .step_s = 0.999 * limit};
     const auto moved = move(input);
     EXPECT_EQ(moved.end.reason, solution::StopReason::done);
-    for (const auto& step : moved.steps) EXPECT_LE(std::abs(step.outputs[0]), 2.01 * 0.01 * bar_length_m);   // 1 - cos
+    for (const auto& step : moved.steps) EXPECT_LE(std::abs(step.outputs[0]), 2.01 * 0.01 * bar_length_m);  // 1 - cos
     input.dynamics->step_s = 1.001 * limit;
     try {
         (void)move(input);
@@ -205,7 +213,8 @@ TEST(Integrators, TheStepFollowsABodyThatStiffens) {
     const double limit = 2.0 / oscillator_frequency(Integrator::central_difference);
     auto input = bar_case(1, -0.3 * bar_modulus_Pa, ramp_course());
     input.materials[0].law = "neo-hookean";
-    input.dynamics = Dynamics{.integrator = Integrator::central_difference, .duration_s = 2000 * limit, .step_s = 0.95 * limit};
+    input.dynamics =
+        Dynamics{.integrator = Integrator::central_difference, .duration_s = 2000 * limit, .step_s = 0.95 * limit};
     const auto moved = move(input);
     EXPECT_EQ(moved.end.reason, solution::StopReason::done) << moved.end.detail;
     bool told = false;
@@ -215,8 +224,9 @@ TEST(Integrators, TheStepFollowsABodyThatStiffens) {
 
 TEST(Integrators, ExplicitMotionsOfTooManyStepsEndBeforeTheyBegin) {
     auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_course());
-    input.dynamics = Dynamics{.integrator = Integrator::explicit_euler, .duration_s = 1e4 / oscillator_frequency(Integrator::heun)};
-    const auto moved = move(input);   // stable: 2 / (T w^2)
+    input.dynamics =
+        Dynamics{.integrator = Integrator::explicit_euler, .duration_s = 1e4 / oscillator_frequency(Integrator::heun)};
+    const auto moved = move(input);  // stable: 2 / (T w^2)
     EXPECT_EQ(moved.end.reason, solution::StopReason::step_limit);
     EXPECT_TRUE(moved.steps.empty());
     EXPECT_NE(moved.end.detail.find("implicit"), std::string::npos);

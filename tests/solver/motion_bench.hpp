@@ -22,8 +22,9 @@ struct Moved {
 inline Moved move(const model::Case& input) {
     assembly::System system(input, PETSC_COMM_WORLD);
     Moved result;
-    result.end = integrate_motion(system, {.step = [&](const solution::Step& step, Vec) { result.steps.push_back(step); },
-                                           .log = [&](const std::string& line) { result.log.push_back(line); }});
+    result.end =
+        integrate_motion(system, {.step = [&](const solution::Step& step, Vec) { result.steps.push_back(step); },
+                                  .log = [&](const std::string& line) { result.log.push_back(line); }});
     return result;
 }
 
@@ -46,7 +47,7 @@ inline model::TimeCourse sine_course(double frequency_Hz) {
 }
 
 inline constexpr double bar_length_m = 0.01, bar_density = 1000.0;
-inline constexpr double bar_modulus_Pa = 1e5;   // of uniaxial strain: kappa + 4/3 mu
+inline constexpr double bar_modulus_Pa = 1e5;  // of uniaxial strain: kappa + 4/3 mu
 
 /// A bar of `cells` quad4 along x in plane strain, 10 mm long, a square of the cell's length high, held against y everywhere:
 /// it moves in x alone, under uniaxial strain. Held at x = 0, a traction of `traction_Pa` at its end, output "elongation" there.
@@ -61,8 +62,9 @@ inline model::Case bar_case(int cells, double traction_Pa, const model::TimeCour
     for (int j = 0; j < 2; ++j)
         for (int i = 0; i <= cells; ++i) mesh.points.push_back({h * i, h * j, 0.0});
     for (int i = 0; i < cells; ++i)
-        mesh::add_cell(mesh, mesh::CellType::quad4,
-                       std::array{mesh::Index{i}, mesh::Index{i} + 1, mesh::Index{cells} + i + 2, mesh::Index{cells} + i + 1}, 0);
+        mesh::add_cell(
+            mesh, mesh::CellType::quad4,
+            std::array{mesh::Index{i}, mesh::Index{i} + 1, mesh::Index{cells} + i + 2, mesh::Index{cells} + i + 1}, 0);
     name_boundary(mesh, [&](const mesh::Point& p) {
         if (p[0] < 1e-9) return "fixed";
         return p[0] > bar_length_m - 1e-9 ? "end" : "side";

@@ -10,7 +10,6 @@
 namespace soft::solver {
 namespace {
 
-
 constexpr double duration = 2.0;
 
 TEST(TimeCourse, ARampEndsAfterItsTimeOrTheDuration) {
