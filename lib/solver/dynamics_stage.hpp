@@ -31,9 +31,9 @@ struct StageResult {
     mesh::Index worst_cell = -1;
 };
 
-/// Whether forces balance, by their residual over the scale at this iteration and the one before. One that no longer falls
-/// may be a hundred times the tolerance: the forces of a stiff body that has hardly moved are small differences.
-[[nodiscard]] bool balances(double residual, double before, const model::SolverSettings& settings);
+/// What rounding adds to R where a stiff body has hardly moved [N]: |R(2x) - 2 R(x)| of a displacement of rest so small that R
+/// is linear in it. No residual can be asked to fall below.
+[[nodiscard]] double rounding_of_forces_N(MotionEquations& equations);
 
 class StageSolver {
 public:
@@ -54,7 +54,8 @@ public:
     [[nodiscard]] std::vector<double> read_volumes(Vec x);
 
     [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
-    /// What residuals are measured by, with a floor where all forces of the motion vanish for a moment.
+    /// What residuals are measured by, with floors where all forces of the motion vanish for a moment, and where they are so
+    /// small that the tolerance would ask for digits below rounding_of_forces_N.
     [[nodiscard]] double force_scale(const assembly::Evaluation& evaluation, Vec inertia);
 
 private:
@@ -76,7 +77,7 @@ private:
     std::vector<linalg::Vector> columns_, gradients_;
     assembly::Evaluation evaluation_;  // of the state as it stands
     bool factor_is_of_stage_ = false;
-    double largest_scale_ = 0;
+    double largest_scale_ = 0, least_scale_ = 0;
 };
 
 }  // namespace soft::solver

@@ -133,8 +133,7 @@ SNESConvergedReason TsIntegrator::test(int iteration) {
     const auto& settings = equations_.system().input().solver;
     if (failure_ != NewtonEnd::converged || !std::isfinite(relative_residual_)) return SNES_DIVERGED_FUNCTION_DOMAIN;
     // The rows dx/dt = v are linear: the first correction fulfils them.
-    if (iteration > 0 && balances(relative_residual_, residual_before_, settings)) return SNES_CONVERGED_FNORM_RELATIVE;
-    residual_before_ = relative_residual_;
+    if (iteration > 0 && relative_residual_ <= settings.residual_tolerance) return SNES_CONVERGED_FNORM_RELATIVE;
     return iteration >= settings.newton_limit ? SNES_DIVERGED_MAX_IT : SNES_CONVERGED_ITERATING;
 }
 
@@ -284,7 +283,7 @@ StepResult TsIntegrator::attempt(const MotionState& last, double step_s, MotionS
 void TsIntegrator::read_end(double time_s, MotionState& next, StepResult& result) {
     next.time_s = time_s;
     split(y_, next.x, next.v, next.masses_kg);
-    if (!std::isfinite(linalg::norm(next.x))) {
+    if (!std::isfinite(linalg::norm(next.x)) || !std::isfinite(linalg::norm(next.v))) {
         failure_ = NewtonEnd::not_finite;
         return;
     }

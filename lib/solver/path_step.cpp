@@ -29,20 +29,6 @@ constexpr int failures_before_other_control = 3;
 /// A part of a step that is rounding: far above that of sums, far below any step.
 constexpr double sliver = 1e-6;
 
-std::string_view text_of(NewtonEnd end) {
-    switch (end) {
-        case NewtonEnd::converged: return "converged to a state that is not the path's next";
-        case NewtonEnd::inverted: return "a cell turns inside out";
-        case NewtonEnd::iteration_limit: return "the iterations do not settle";
-        case NewtonEnd::no_descent: return "the line search finds no descent";
-        case NewtonEnd::singular: return "the tangent is singular";
-        case NewtonEnd::not_definite: return "the tangent is not positive definite, as cholmod needs it";
-        case NewtonEnd::linear_solver: return "the linear solver does not converge";
-        case NewtonEnd::not_finite: return "forces that are not finite";
-    }
-    return "";
-}
-
 }  // namespace
 
 /// The arc constraint of a step runs along the tangent of the state it starts from.
