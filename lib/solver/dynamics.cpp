@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "solver/dynamics_follower.hpp"
@@ -14,18 +15,21 @@ using solution::StopReason;
 
 namespace {
 
-constexpr double cut_after_failure = 0.4;
 /// Adaptive steps: the first of the shortest change of the loads; after a kink of the step before it.
 constexpr double first_share = 1e-3, share_after_kink = 0.1;
 constexpr double growth_without_estimate = 2.0, largest_growth = 2.0, smallest_shrink = 0.3, rejection = 1.5;
 /// The size of the motion is at least this part of the linear response.
 constexpr double size_share = 0.1;
-/// Explicit steps: of the stable one, which is estimated every so many steps because stretching stiffens.
+/// Explicit steps: of the stable one, which is estimated again and again because stretching stiffens: more often where it has
+/// changed by more than the larger of two shares since the last time, less often where by less than the smaller.
 constexpr double stable_share = 0.9;
-constexpr int steps_between_estimates = 50;
+constexpr int first_steps_between_estimates = 4, most_steps_between_estimates = 50;
+constexpr double much_change = 0.03, little_change = 0.01;
 /// A step the user has chosen is kept up to this part of the stable one: room for what stiffens before the next estimate.
 constexpr double nearly_unstable = 0.97;
 constexpr int explicit_step_limit = 1'000'000;
+/// Forces of the undeformed body (of a law that carries stress there) below this part of the loads are none.
+constexpr double hardly_stressed = 1e-6;
 /// Times that differ by this part of a step are one.
 constexpr double same_time = 1e-6;
 
@@ -42,20 +46,6 @@ bool is_explicit(Integrator integrator) {
         case Integrator::rosenbrock: break;
     }
     return false;
-}
-
-std::string_view text_of(NewtonEnd end) {
-    switch (end) {
-        case NewtonEnd::converged: return "converged";
-        case NewtonEnd::inverted: return "a cell turns inside out";
-        case NewtonEnd::iteration_limit:
-        case NewtonEnd::no_descent: return "the iterations do not settle";
-        case NewtonEnd::singular:
-        case NewtonEnd::not_definite: return "the stiffness with mass cannot be factorised";
-        case NewtonEnd::linear_solver: return "the linear solver does not converge";
-        case NewtonEnd::not_finite: return "forces that are not finite";
-    }
-    return "";
 }
 
 const model::Dynamics& dynamics_of(const model::Case& input) {
@@ -77,7 +67,7 @@ MotionFollower::MotionFollower(assembly::System& system, const Listeners& listen
 
 solution::PathEnd MotionFollower::run() {
     start();
-    if (!finished_) append();
+    append();  // rest is a whole row, of a motion too long to begin as well
     while (!finished_) advance();
     end_.factorizations = stage_ ? stage_->factorizations() : 0;
     return std::move(end_);
@@ -119,6 +109,10 @@ void MotionFollower::start() {
     else
         stage_.emplace(equations_);
     make_method();
+    (void)equations_.evaluate(last_.x, assembly::no_loads(input_), nullptr);
+    const double own = linalg::norm(equations_.residual());
+    (void)equations_.evaluate(last_.x, equations_.full_levels(), nullptr);
+    is_free_of_stress_ = own <= hardly_stressed * linalg::norm(equations_.load_force());
     choose_first_step();
     if (explicit_)
         (void)explicit_acceleration(equations_, last_);
@@ -165,7 +159,21 @@ void MotionFollower::choose_first_step() {
 
 /// An explicit step of our own follows the stable one; that of the user is shortened where the body has become too stiff for it.
 void MotionFollower::update_stable_step() {
-    stable_step_s_ = stable_->estimate(last_);
+    const double before_s = std::exchange(stable_step_s_, stable_->estimate(last_));
+    if (!(stable_step_s_ > settings_.smallest_step * first_step_s_))  // or is no number
+        return finish(
+            StopReason::diverged,
+            "the stable step has fallen to " + short_text(stable_step_s_) + " s at " + short_text(last_.time_s) +
+                " s, from " + short_text(first_step_s_) +
+                " s: the body stretches and stiffens without bound, or the explicit motion has become unstable");
+    const double change = std::abs(stable_step_s_ - before_s) / stable_step_s_;
+    if (rows_ == 0)
+        between_estimates_ = first_steps_between_estimates;
+    else if (change > much_change)
+        between_estimates_ = std::max(between_estimates_ / 4, 1);
+    else if (change < little_change)
+        between_estimates_ = std::min(between_estimates_ * 2, most_steps_between_estimates);
+    next_estimate_ = steps_ + between_estimates_;
     const double own = coarse(stable_share * stable_step_s_);
     const bool keeps = is_constant() && (rows_ == 0 || dynamics_.step_s <= nearly_unstable * stable_step_s_);
     if (is_constant() && !keeps && step_s_ == dynamics_.step_s)
@@ -242,7 +250,7 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
     std::swap(last_, next_);
     if (std::abs(dynamics_.duration_s - last_.time_s) <= same_time * step_s) last_.time_s = dynamics_.duration_s;
     if (is_constant() && !explicit_) step_s_ = std::min(dynamics_.step_s, 2.0 * step_s_);
-    if (explicit_ && steps_ % steps_between_estimates == 0) update_stable_step();
+    if (explicit_ && steps_ >= next_estimate_) update_stable_step();
     if (is_adaptive()) adapt(error, step_s);
     for (const double kink : kinks_)
         if (std::abs(kink - last_.time_s) <= same_time * step_s) {
@@ -256,9 +264,10 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
     for (const auto& until : input_.path.stages[0].until)
         if (until.quantity == "steps" && steps_ >= static_cast<int>(until.value)) {
             if (!ends && rows_ > 0 && last_row_->state.load_factor * dynamics_.duration_s < last_.time_s) append();
-            return finish(StopReason::done, "number of steps reached");
+            if (!finished_) finish(StopReason::done, "number of steps reached");
+            return;
         }
-    if (ends) finish(StopReason::done, "time of " + short_text(dynamics_.duration_s) + " s reached");
+    if (ends && !finished_) finish(StopReason::done, "time of " + short_text(dynamics_.duration_s) + " s reached");
 }
 
 std::optional<double> MotionFollower::relative_error(const StepResult& result, double step_s) {
@@ -288,29 +297,6 @@ void MotionFollower::adapt(std::optional<double> error, double step_s) {
     }
     step_s_ = coarse(factor * step_s);
     first_step_s_ = std::max(first_step_s_, step_s);
-}
-
-void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
-    step_s_ = coarse(cut_after_failure * step_s);
-    const bool inverted = failure.end == NewtonEnd::inverted;
-    log("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
-        std::to_string(failure.iterations) + " iterations, residual " + short_text(failure.residual) +
-        ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
-    if (step_s_ >= settings_.smallest_step * first_step_s_) return;
-    const std::string place = place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
-    if (inverted)
-        return finish(StopReason::inverted_element,
-                      "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " + place + " at " +
-                          when + "; use smaller cells there (mesh.size)");
-    finish(StopReason::diverged, std::string(explicit_ ? "the motion grows without bound" : "no motion found") +
-                                     " beyond " + when + "; the most distorted cell is " + place +
-                                     ", det F = " + short_text(failure.min_jacobian));
-}
-
-void MotionFollower::finish(StopReason reason, std::string detail) {
-    end_.reason = reason;
-    end_.detail = std::move(detail);
-    finished_ = true;
 }
 
 solution::PathEnd integrate_motion(assembly::System& system, const Listeners& listeners) {

@@ -33,6 +33,15 @@ MotionState copy_of(const MotionState& state) {
     return copy;
 }
 
+void fill_with_waves(Vec out) {
+    PetscInt begin = 0, end = 0;
+    SOFT_PETSC(VecGetOwnershipRange(out, &begin, &end));
+    for (PetscInt i = begin; i < end; ++i)
+        SOFT_PETSC(VecSetValue(out, i, std::sin(1.0 + 12.9898 * static_cast<double>(i)), INSERT_VALUES));
+    SOFT_PETSC(VecAssemblyBegin(out));
+    SOFT_PETSC(VecAssemblyEnd(out));
+}
+
 MotionEquations::MotionEquations(assembly::System& system, MassKind kind)
     : system_(system),
       input_(system.input()),

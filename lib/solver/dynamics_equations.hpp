@@ -25,6 +25,9 @@ struct MotionState {
 
 [[nodiscard]] MotionState copy_of(const MotionState& state);
 
+/// Entries between -1 and 1 of no pattern, with a part along every mode.
+void fill_with_waves(Vec out);
+
 enum class MassKind { consistent, lumped };
 
 class MotionEquations {

@@ -90,13 +90,7 @@ StableStep::StableStep(MotionEquations& equations, model::Integrator integrator)
       K_(equations.system().make_matrix()),
       mode_(equations.system().make_vector()),
       image_(equations.system().make_vector()) {
-    // The highest mode changes sign from node to node; entries of no pattern have a part along it.
-    PetscInt begin = 0, end = 0;
-    SOFT_PETSC(VecGetOwnershipRange(mode_, &begin, &end));
-    for (PetscInt i = begin; i < end; ++i)
-        SOFT_PETSC(VecSetValue(mode_, i, std::sin(1.0 + 12.9898 * static_cast<double>(i)), INSERT_VALUES));
-    SOFT_PETSC(VecAssemblyBegin(mode_));
-    SOFT_PETSC(VecAssemblyEnd(mode_));
+    fill_with_waves(mode_);  // the highest mode changes sign from node to node: they have a part along it
 }
 
 double StableStep::estimate(const MotionState& state) {
@@ -109,11 +103,11 @@ double StableStep::estimate(const MotionState& state) {
         SOFT_PETSC(VecPointwiseDivide(image_, image_, equations_.lumped_mass()));
         SOFT_PETSC(VecScale(image_, 1.0 / linalg::norm(image_)));
         std::swap(mode_, image_);
-        const bool settled = std::abs(next - square) <= power_tolerance * next;
+        const bool settled = std::abs(next - square) <= power_tolerance * std::abs(next);
         square = next;
         if (settled) break;
     }
-    omega_ = std::sqrt(square);
+    omega_ = std::sqrt(std::abs(square));  // below zero where a compressed body gives way: it leaves at that rate
     return longest_stable_step_s(integrator_, equations_.dynamics(), omega_);
 }
 

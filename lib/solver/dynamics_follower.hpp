@@ -1,6 +1,6 @@
 #pragma once
 /// The state machine behind integrate_motion (dynamics.hpp), internal to the room: dynamics.cpp begins, takes steps, chooses
-/// their length and ends, dynamics_rows.cpp keeps the energies and writes rows.
+/// their length and ends, dynamics_ends.cpp says how it fails, dynamics_rows.cpp keeps the energies and writes rows.
 ///
 /// Steps: constant (Dynamics::step_s), by the stable step (explicit), else by the local error of x,
 ///   e = method's own (embedded) or constant x h^(q+1) |(q+1)! x[t0 .. t(q+1)]|, the divided difference of the last positions,
@@ -35,10 +35,14 @@ private:
     void accept(double step_s, std::optional<double> error);
     void adapt(std::optional<double> error, double step_s);
     void update_stable_step();
-    void handle_failure(const StageResult& failure, double step_s);
-    void finish(solution::StopReason reason, std::string detail);
     [[nodiscard]] bool is_constant() const noexcept { return dynamics_.step_s > 0.0; }
     [[nodiscard]] bool is_adaptive() const noexcept { return !is_constant() && !explicit_; }
+
+    // dynamics_ends.cpp
+    void handle_failure(const StageResult& failure, double step_s);
+    /// Why a body could not be in the state of this row: not finite, or explicit steps that have made energy from nothing.
+    [[nodiscard]] std::optional<std::string> impossible(const solution::Step& step) const;
+    void finish(solution::StopReason reason, std::string detail);
 
     // dynamics_rows.cpp
     void keep_energies(const MotionState& from, const MotionState& to);
@@ -70,9 +74,11 @@ private:
     double error_constant_ = 0;  // of divided differences
     double step_s_ = 0, first_step_s_ = 0, row_interval_s_ = 0, next_row_s_ = 0;
     double stable_step_s_ = 0;
-    double size_ = 0;                              // of the motion
-    double load_work_J_ = 0, damping_work_J_ = 0;  // of the modelled part
+    int between_estimates_ = 0, next_estimate_ = 0;                     // of it, in steps
+    double size_ = 0;                                                   // of the motion
+    double load_work_J_ = 0, damping_work_J_ = 0, largest_work_J_ = 0;  // of the modelled part
     int rows_ = 0, steps_ = 0, iterations_since_row_ = 0, factorizations_at_row_ = 0;
+    bool is_free_of_stress_ = true;  // the undeformed body
     bool finished_ = false;
     solution::PathEnd end_;
 };

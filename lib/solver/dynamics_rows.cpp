@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "solver/dynamics_follower.hpp"
 #include "solver/path_text.hpp"
@@ -22,6 +23,7 @@ void MotionFollower::keep_energies(const MotionState& from, const MotionState& t
     SOFT_PETSC(VecPointwiseMult(change, equations_.mask(), change));
     SOFT_PETSC(VecWAXPY(force, 1.0, from.load_force, to.load_force));
     load_work_J_ += 0.5 * linalg::dot(force, change);
+    largest_work_J_ = std::max(largest_work_J_, std::abs(load_work_J_));
     if (!equations_.has_damping()) return;
     SOFT_PETSC(VecZeroEntries(force));
     equations_.add_damping(force, 0.5, from.v);
@@ -50,6 +52,7 @@ void MotionFollower::append() {
     step.motion = {last_.time_s, whole * equations_.kinetic_energy(last_.v), whole * system_.stored_energy(last_.x),
                    whole * load_work_J_, whole * damping_work_J_};
     read_stretches(system_, last_.x, step);
+    if (auto problem = impossible(step)) return finish(solution::StopReason::diverged, std::move(*problem));
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;
     log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + state_text(point, input_) +

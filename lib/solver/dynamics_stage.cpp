@@ -10,10 +10,22 @@ namespace {
 
 constexpr int inversion_halvings = 4;
 constexpr double pressure_scale_Pa = 1e5;  // of a line's equation: of the order of the ambient pressure
-/// Times the tolerance, of a residual that has come down to rounding and stays above this part of the one before.
-constexpr double rounding = 100.0, stalled = 0.3;
+/// Of the body's extent: strains of cells down to a hundredth of it have squares below rounding.
+constexpr double linear_share = 1e-11;
+/// Times the rounding measured: that of one state is above or below that of the next.
+constexpr double rounding_margin = 10.0;
 /// Of the largest scale of forces in the motion so far: a body in free flight has none.
 constexpr double vanishing_forces = 1e-3;
+
+double extent_m(const mesh::Mesh& mesh) {
+    mesh::Point low = mesh.point(0), high = low;
+    for (const auto& point : mesh.points)
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], point[i]);
+            high[i] = std::max(high[i], point[i]);
+        }
+    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
 
 linalg::Symmetry symmetry_of(const assembly::System& system) {
     return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
@@ -26,10 +38,6 @@ model::LinearSettings with_a_matrix(model::LinearSettings settings) {
 }
 
 }  // namespace
-
-bool balances(double residual, double before, const model::SolverSettings& settings) {
-    return residual <= (residual > stalled * before ? rounding : 1.0) * settings.residual_tolerance;
-}
 
 StageSolver::StageSolver(MotionEquations& equations)
     : equations_(equations),
@@ -114,6 +122,23 @@ double StageSolver::force_scale(const assembly::Evaluation& evaluation, Vec iner
     return std::max(scale, vanishing_forces * largest_scale_);
 }
 
+bool StageSolver::is_rounding(double residual_N, Vec x, const LoadLevels& levels) {
+    if (probe_.get() == nullptr) {
+        probe_ = equations_.system().make_vector();
+        fill_with_waves(probe_);
+        SOFT_PETSC(VecPointwiseMult(probe_, equations_.mask(), probe_));
+        SOFT_PETSC(VecScale(probe_, linear_share * extent_m(equations_.system().input().mesh)));
+    }
+    linalg::Vector moved = linalg::duplicate(x), difference = linalg::duplicate(x);
+    SOFT_PETSC(VecZeroEntries(difference));
+    for (const auto& [steps, weight] : {std::pair{2.0, 1.0}, std::pair{1.0, -2.0}, std::pair{0.0, 1.0}}) {
+        SOFT_PETSC(VecWAXPY(moved, steps, probe_, x));
+        if (!equations_.evaluate(moved, levels, nullptr).admissible()) return false;
+        linalg::add(difference, weight, equations_.residual());
+    }
+    return residual_N <= rounding_margin * linalg::norm(difference);
+}
+
 /// r_ = M a + C v + R at the state last evaluated; its size over the scale of forces.
 double StageSolver::balance(const MotionState& state, const assembly::Evaluation& evaluation) {
     linalg::copy(equations_.residual(), r_);
@@ -177,7 +202,11 @@ StageResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& s
         const bool supplied = std::ranges::all_of(rows, [&](const LineRow& row) {
             return std::abs(row.rhs) <= settings_.residual_tolerance * pressure_scale_Pa;
         });
-        if (supplied && balances(result.residual, before, settings_)) break;
+        const auto no_more_digits = [&] {
+            return stalls(result.residual, before) &&
+                   is_rounding(linalg::norm(r_), state.x, equations_.levels(state.time_s, pressures));
+        };
+        if (supplied && (result.residual <= settings_.residual_tolerance || no_more_digits())) break;
         before = result.residual;
         if (result.iterations == settings_.newton_limit) return report(NewtonEnd::iteration_limit);
         if (const auto end = correct(map, rows, state, pressures, result); end != NewtonEnd::converged)

@@ -31,9 +31,8 @@ struct StageResult {
     mesh::Index worst_cell = -1;
 };
 
-/// Whether forces balance, by their residual over the scale at this iteration and the one before. One that no longer falls
-/// may be a hundred times the tolerance: the forces of a stiff body that has hardly moved are small differences.
-[[nodiscard]] bool balances(double residual, double before, const model::SolverSettings& settings);
+/// Of a residual, from the iteration before to this one: it no longer falls.
+[[nodiscard]] inline bool stalls(double residual, double before) { return residual > 0.3 * before; }
 
 class StageSolver {
 public:
@@ -56,6 +55,10 @@ public:
     [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
     /// What residuals are measured by, with a floor where all forces of the motion vanish for a moment.
     [[nodiscard]] double force_scale(const assembly::Evaluation& evaluation, Vec inertia);
+    /// Whether a residual [N] at x is no more than the rounding of R there, as that of a stiff body that has hardly moved, or has
+    /// moved far. Rounding is what the second difference R(x + 2d) - 2 R(x + d) + R(x) leaves of a d so small that R is linear
+    /// in it. Leaves the equations evaluated at x.
+    [[nodiscard]] bool is_rounding(double residual_N, Vec x, const LoadLevels& levels);
 
 private:
     [[nodiscard]] std::vector<LineRow> line_rows(const StageMap& map, const MotionState& state,
@@ -73,6 +76,7 @@ private:
     linalg::Matrix J_;
     linalg::LinearSolver solver_;
     linalg::Vector r_, dx_, inertia_, masked_;
+    linalg::Vector probe_;  // d of is_rounding, once it is asked for
     std::vector<linalg::Vector> columns_, gradients_;
     assembly::Evaluation evaluation_;  // of the state as it stands
     bool factor_is_of_stage_ = false;

@@ -14,6 +14,20 @@ constexpr double first_iteration_rise = 20.0;
 
 }  // namespace
 
+std::string_view text_of(NewtonEnd end) {
+    switch (end) {
+        case NewtonEnd::converged: return "converged to a state that is not the path's next";
+        case NewtonEnd::inverted: return "a cell turns inside out";
+        case NewtonEnd::iteration_limit: return "the iterations do not settle";
+        case NewtonEnd::no_descent: return "the line search finds no descent";
+        case NewtonEnd::singular: return "the tangent is singular";
+        case NewtonEnd::not_definite: return "the tangent is not positive definite, as cholmod needs it";
+        case NewtonEnd::linear_solver: return "the linear solver does not converge";
+        case NewtonEnd::not_finite: return "forces that are not finite";
+    }
+    return "";
+}
+
 void scale(PathTangent& tangent, double factor) {
     SOFT_PETSC(VecScale(tangent.x, factor));
     tangent.load_factor *= factor;

@@ -26,6 +26,8 @@ namespace soft::solver {
 /// not_definite: CHOLMOD has met a tangent with another than positive pivots. linear_solver: no solution of the linear systems
 /// to the wanted tolerance, and without it no equilibrium.
 enum class NewtonEnd { converged, inverted, iteration_limit, no_descent, singular, not_definite, linear_solver, not_finite };
+/// For a sentence about the failure.
+[[nodiscard]] std::string_view text_of(NewtonEnd end);
 
 struct NewtonResult {
     NewtonEnd end = NewtonEnd::converged;
@@ -110,6 +112,8 @@ private:
     // newton_system.cpp
     [[nodiscard]] assembly::Evaluation evaluate_at(const State& state, Assemble what = Assemble::tangent);
     [[nodiscard]] Mat matrix_for(Assemble what);
+    /// Whether the columns' forces and K_ are those of this very state.
+    [[nodiscard]] bool is_assembled_at(const State& state) const;
     /// Brings K_, or the operator in its place, and its factor to the state last evaluated.
     [[nodiscard]] std::optional<NewtonEnd> linearize(const State& state);
     /// K_ or the operator alone.
@@ -149,6 +153,7 @@ private:
     linalg::Vector minus_R_before_, load_change_;   // of the secant pair to come: sum of (dp_k, dlambda) f
     std::vector<linalg::Vector> forces_, columns_;   // f_k, -dR/dlambda; b_k, b_l
     std::vector<assembly::LoadColumn> wanted_;
+    std::optional<State> assembled_at_;         // of the last evaluation, where it gave K_
     std::vector<linalg::Vector> gradients_;     // of e_k, c by x
     std::vector<SupplyEquation> supply_;
     ConstraintValue constraint_;

@@ -37,6 +37,7 @@ void Newton::set_loads(const StageLoads& loads) {
     for (std::size_t k = 0; k + 1 < count; ++k) wanted_.push_back({loads.unit_pressure(k), forces_[k]});
     wanted_.push_back({loads.rate(), forces_[count - 1]});
     factor_is_recent_ = false;
+    assembled_at_.reset();
     const auto& motions = loads.rate().motions;
     loads_move_ = std::ranges::any_of(motions, [](double rate) { return rate != 0.0; });
 }
@@ -50,7 +51,24 @@ Mat Newton::matrix_for(Assemble what) {
 
 assembly::Evaluation Newton::evaluate_at(const State& state, Assemble what) {
     const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
-    return system_.evaluate(state.x, levels, R_, matrix_for(what), wanted_);
+    const Mat matrix = matrix_for(what);
+    const auto evaluation = system_.evaluate(state.x, levels, R_, matrix, wanted_);
+    assembled_at_.reset();
+    if (matrix == K_ && evaluation.admissible()) {
+        assembled_at_.emplace(State{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa});
+        linalg::copy(state.x, assembled_at_->x);
+    }
+    return evaluation;
+}
+
+/// A finite-difference tangent moves the system to other states after its evaluation.
+bool Newton::is_assembled_at(const State& state) const {
+    if (!assembled_at_ || differences_ || state.load_factor != assembled_at_->load_factor ||
+        state.pressures_Pa != assembled_at_->pressures_Pa)
+        return false;
+    PetscBool same = PETSC_FALSE;
+    SOFT_PETSC(VecEqual(state.x, assembled_at_->x, &same));
+    return same == PETSC_TRUE;
 }
 
 void Newton::differentiate(const State& state) {

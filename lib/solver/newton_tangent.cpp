@@ -36,7 +36,10 @@ std::optional<NewtonEnd> Newton::solve_tangent_columns() {
 
 std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const State& state) {
     tangent_end_ = NewtonEnd::singular;
-    if (!evaluate_at(state).admissible()) return std::nullopt;
+    if (is_assembled_at(state))
+        system_.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
+    else if (!evaluate_at(state).admissible())
+        return std::nullopt;
     differentiate(state);
     if (const auto failed = solve_tangent_columns()) {
         tangent_end_ = *failed;

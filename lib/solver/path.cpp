@@ -17,6 +17,17 @@ double coarse(double step) {
     return std::ldexp(std::round(mantissa * divisions) / divisions, exponent);
 }
 
+Error no_beginning(NewtonEnd end, const std::string& problem) {
+    if (end == NewtonEnd::not_definite)
+        return Error(ExitCode::bad_input, "solver.linear",
+                     "cholmod needs a positive definite tangent, which this case does not have",
+                     "use mumps-ldlt; pressures of mixed cells (mesh.formulation) make it indefinite");
+    if (end == NewtonEnd::linear_solver)
+        return Error(ExitCode::bad_input, "solver.linear", problem + ": the linear solver does not converge",
+                     "take another solver.linear or solver.preconditioner, or a higher solver.linear_limit");
+    return Error(ExitCode::bad_input, "materials", problem, "check the moduli of the materials");
+}
+
 PathEnd PathFollower::run(const solution::Checkpoint* from) {
     prepare();
     if (from != nullptr)
@@ -49,8 +60,7 @@ void PathFollower::start() {
     if (system_.starts_under_stress()) {   // row 0 is the body free of load, not the undeformed one
         newton_result_ = newton_.correct({ConstraintKind::load_factor}, 0.0, state);
         if (newton_result_.end != NewtonEnd::converged)
-            throw Error(ExitCode::bad_input, "materials", "no equilibrium without load under the law's initial stress",
-                        "check the moduli of the materials");
+            throw no_beginning(newton_result_.end, "no equilibrium without load under the law's initial stress");
     }
     begin_stage(std::move(state));
     append(*last_);

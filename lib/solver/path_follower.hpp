@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
 #include "solver/goals.hpp"
 #include "solver/history.hpp"
 #include "solver/path.hpp"
@@ -17,6 +18,9 @@ namespace soft::solver {
 /// What a path that ends for its linear solver says, after where.
 inline constexpr const char* linear_remedy =
     "the linear solver does not converge; another solver.linear or solver.preconditioner, or a higher solver.linear_limit";
+
+/// Of a path that cannot begin, by how its first equations failed: the linear solver's choice, or `problem` of the materials.
+[[nodiscard]] Error no_beginning(NewtonEnd end, const std::string& problem);
 
 /// Steps of few digits, so that rounding, which differs with the number of ranks, does not move the rows of the path.
 [[nodiscard]] double coarse(double step);

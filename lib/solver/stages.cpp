@@ -114,8 +114,7 @@ void PathFollower::begin_stage(State state) {
             return finish(StopReason::diverged, std::string("no direction of the path where it begins: ") + linear_remedy);
         }
         if (rows_ == 0)
-            throw Error(ExitCode::bad_input, "materials", "the undeformed body has a singular stiffness",
-                        "check the moduli of the materials");
+            throw no_beginning(newton_.tangent_end(), "the undeformed body has a singular stiffness");
         return finish(StopReason::diverged, "the tangent is singular where stage '" + stage().name + "' begins");
     }
     first_slope_ = linalg::norm(by_load->x);

@@ -1,4 +1,6 @@
 /// Every integrator on masses and springs: order of accuracy, damping, energy, stability.
+#include <cstdio>
+
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
@@ -222,14 +224,77 @@ TEST(Integrators, TheStepFollowsABodyThatStiffens) {
     EXPECT_TRUE(told);
 }
 
-TEST(Integrators, ExplicitMotionsOfTooManyStepsEndBeforeTheyBegin) {
+TEST(Integrators, ExplicitMotionsOfTooManyStepsEndAtRest) {
     auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_course());
     input.dynamics =
         Dynamics{.integrator = Integrator::explicit_euler, .duration_s = 1e4 / oscillator_frequency(Integrator::heun)};
     const auto moved = move(input);  // stable: 2 / (T w^2)
     EXPECT_EQ(moved.end.reason, solution::StopReason::step_limit);
-    EXPECT_TRUE(moved.steps.empty());
+    EXPECT_EQ(moved.steps.size(), 1u);  // rest
     EXPECT_NE(moved.end.detail.find("implicit"), std::string::npos);
+}
+
+/// A cell that the loads turn inside out, whatever the step.
+model::Case crushed_bar(Integrator integrator) {
+    auto input = bar_case(1, -20.0 * bar_modulus_Pa, step_course());  // linear elasticity gives way at -1
+    input.dynamics = Dynamics{.integrator = integrator, .duration_s = 4.0 / oscillator_frequency(Integrator::newmark)};
+    return input;
+}
+
+// What is cut and what it is cut to are two numbers, each the last one times the factor; the end names the cell.
+TEST(Integrators, AFailedStepIsCutAndTold) {
+    for (const auto& [integrator, order] : all()) {
+        const auto moved = move(crushed_bar(integrator));
+        EXPECT_EQ(moved.end.reason, solution::StopReason::inverted_element) << int(integrator) << moved.end.detail;
+        EXPECT_NE(moved.end.detail.find("in cell 0"), std::string::npos) << moved.end.detail;
+        EXPECT_GE(moved.steps.size(), 1u);
+        int told = 0;
+        for (const auto& line : moved.log) {
+            double from = 0, to = 0;
+            if (line.find(" failed (") == std::string::npos) continue;
+            ASSERT_EQ(std::sscanf(line.c_str(), "step of %lf s failed", &from), 1) << line;
+            ASSERT_EQ(std::sscanf(line.substr(line.find("cut to")).c_str(), "cut to %lf s", &to), 1) << line;
+            EXPECT_NEAR(to / from, 0.4, 0.01) << line;  // lengths are rounded to few binary digits
+            ++told;
+        }
+        EXPECT_GT(told, 3) << int(integrator);
+    }
+}
+
+// Linear rubber under a traction that grows beyond all numbers: no cell inverts, and the motion leaves their range.
+TEST(Integrators, AnExplicitMotionWithoutBoundEndsAsDivergedWithFiniteRows) {
+    for (const auto integrator : {Integrator::heun, Integrator::explicit_euler, Integrator::central_difference}) {
+        auto input = bar_case(1, 1e300, step_course());
+        input.dynamics = Dynamics{.integrator = integrator, .duration_s = 40.0 / oscillator_frequency(integrator)};
+        const auto moved = move(input);
+        EXPECT_EQ(moved.end.reason, solution::StopReason::diverged) << int(integrator) << moved.end.detail;
+        EXPECT_NE(moved.end.detail.find("without bound"), std::string::npos) << moved.end.detail;
+        ASSERT_FALSE(moved.steps.empty());
+        for (const auto& step : moved.steps)
+            for (const double value : {step.stretch_p99, step.max_stretch, step.outputs[0],
+                                       step.motion->kinetic_energy_J, step.motion->stored_energy_J})
+                EXPECT_TRUE(std::isfinite(value)) << int(integrator);
+    }
+}
+
+// A sudden pressure of three moduli stiffens the bar by more than a step allows for: it gains energy from nothing, at det F > 0.
+// A law that carries stress in the undeformed state moves by that alone, and nothing is wrong.
+TEST(Integrators, EnergyFromNothingEndsAnExplicitMotion) {
+    auto input = bar_case(4, -3.0 * bar_modulus_Pa, step_course());
+    input.materials[0].law = "neo-hookean";
+    input.dynamics = Dynamics{.integrator = Integrator::central_difference,
+                              .duration_s = 40.0 / oscillator_frequency(Integrator::central_difference)};
+    const auto moved = move(input);
+    EXPECT_EQ(moved.end.reason, solution::StopReason::diverged) << moved.end.detail;
+    EXPECT_NE(moved.end.detail.find("the loads have given"), std::string::npos) << moved.end.detail;
+
+    auto stressed = bar_case(4, 1e-3 * bar_modulus_Pa, step_course());
+    stressed.materials[0].law = "kraken";
+    stressed.materials[0].bulk_modulus_Pa = 10.0 * bar_modulus_Pa;
+    stressed.dynamics =
+        Dynamics{.integrator = Integrator::heun, .duration_s = 20.0 / oscillator_frequency(Integrator::heun)};
+    const auto swung = move(stressed);
+    EXPECT_EQ(swung.end.reason, solution::StopReason::done) << swung.end.detail;
 }
 
 TEST(Integrators, RowsStayWithinTheirNumber) {

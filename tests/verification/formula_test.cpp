@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "beam_formula.hpp"
 #include "inflation_formula.hpp"
 #include "principal_law.hpp"
 #include "snapping_cap.hpp"
@@ -180,6 +181,30 @@ TEST(Formula, SnapPressuresOfShallowCapsDependOnLambdaAlone) {
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_NEAR(thin[i] / thinner[i], 1, 1e-3);
         EXPECT_NEAR(thin[i] / finer[i], 1, 1e-4);
+    }
+}
+
+// To first order in (h/L)^2 shear and rotary inertia take, by Rayleigh's quotient of the slender beam's mode w with M = E'I w''
+// and Q = E'I w''' (derived here; L = 1, r^2 = h^2 / 12):
+//     dw/w = -r^2/2 (int w'^2 / int w^2 + E'/(k G) int w'''^2 / int w''^2)
+TEST(Formula, ABeamThatGetsSlenderLosesShearAndRotaryInertiaAsTheirFirstOrderSays) {
+    constexpr double k = 1.875104068711961;
+    const double c = (std::sinh(k) - std::sin(k)) / (std::cosh(k) + std::cos(k));  // of the clamped-free mode
+    const auto square_of = [&](int slope) {
+        const double sign = slope < 2 ? -1.0 : 1.0;  // cos and sin change sign after two slopes
+        const auto square = [&](double x) {
+            const double z = k * x;
+            const double w = slope % 2 == 0 ? std::cosh(z) + sign * std::cos(z) - c * (std::sinh(z) + sign * std::sin(z))
+                                            : std::sinh(z) - sign * std::sin(z) - c * (std::cosh(z) + sign * std::cos(z));
+            return std::pow(k, 2 * slope) * w * w;
+        };
+        return integral(square, 0.0, 1.0);
+    };
+    const double taken = 0.5 / 12.0 * (square_of(1) / square_of(0) + 4.0 * 1.2 * square_of(3) / square_of(2));
+    for (const double height : {0.02, 0.01}) {
+        const Beam beam{1.0, height, 4.0, 1.0, 1.0};
+        const double lost = 1.0 - beam.frequency() / beam.slender_frequency();
+        EXPECT_NEAR(lost / (taken * height * height), 1.0, 20 * height * height) << height;
     }
 }
 

@@ -69,6 +69,7 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> sample_problems();
 [[nodiscard]] std::vector<Problem> locking_problems();
 [[nodiscard]] std::vector<Problem> published_mesh_problems();
+[[nodiscard]] std::vector<Problem> motion_problems();
 [[nodiscard]] std::vector<Problem> error_bar_problems();
 
 /// All of them, in the order of the README.

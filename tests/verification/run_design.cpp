@@ -13,7 +13,7 @@
 #include "geometry/family.hpp"
 #include "post/curve.hpp"
 #include "post/interpolate.hpp"
-#include "solver/path.hpp"
+#include "solver/dynamics.hpp"
 #include "surface/contact.hpp"
 
 namespace soft::verification {
@@ -77,7 +77,8 @@ Run run_design(const std::string& design, const std::vector<std::string>& sets, 
         run.displacement_m = system.gather_fields(x).displacement_m;
         if (energy == Energy::recorded) run.energy_J.push_back(system.stored_energy(x) / run.model.model_fraction);
     };
-    run.end = solver::follow_path(system, {.step = sink, .contact = contact_check(system)});
+    const solver::Listeners listeners{.step = sink, .contact = contact_check(system)};
+    run.end = run.model.dynamics ? solver::integrate_motion(system, listeners) : solver::follow_path(system, listeners);
     if (run.end.reason == solution::StopReason::diverged)
         throw std::runtime_error(design + ": the path diverged: " + run.end.detail);
     run.mesh = describe(run.model, system.dofs().total);

@@ -37,7 +37,7 @@ struct Run {
 
 enum class Energy { ignored, recorded };
 
-/// `design`: file in designs/; `sets`: "key.path=value", as after --set. Walls that touch end the path, as in `solve`. Throws
+/// `design`: file in designs/; `sets`: "key.path=value", as after --set. A motion in time if the design is one. Walls that touch end the path, as in `solve`. Throws
 /// std::runtime_error where the path ends as diverged: no problem may.
 [[nodiscard]] Run run_design(const std::string& design, const std::vector<std::string>& sets,
                              Energy energy = Energy::ignored);

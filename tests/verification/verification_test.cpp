@@ -81,7 +81,7 @@ TEST(Designs, EveryFileIsReadAndMeshedAsItStands) {
     for (const auto& file :
          std::filesystem::directory_iterator(std::string(SOFT_SOURCE_DIR) + "/designs/verification")) {
         const auto name = file.path().filename().string();
-        if (name == "kraken-bellows.yaml") continue;  // its mesh is not kept here
+        if (name.starts_with("kraken-")) continue;  // their meshes are not kept here
         EXPECT_GT(read_case("verification/" + name, {}).mesh.cell_count(), 0) << name;
     }
 }

@@ -1,0 +1,78 @@
+// How a motion fails: a step that is cut or given up, a row that no body could have reached.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/dynamics_follower.hpp"
+#include "solver/path_follower.hpp"
+#include "solver/path_text.hpp"
+
+namespace soft::solver {
+
+using solution::StopReason;
+
+namespace {
+
+constexpr double cut_after_failure = 0.4;
+/// From rest a body moves with no more than the work of its loads; this many times that work is no error of the sum. Of
+/// explicit steps, which resolve all motions: an implicit one may overshoot in velocity where it does not, and damp that.
+constexpr double energy_from_nowhere = 10.0;
+/// Below it both energies may be rounding.
+constexpr double visible_stretch = 1.01;
+
+bool are_finite(const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+bool is_finite(const solution::Step& step) {
+    const auto& m = *step.motion;
+    return are_finite({step.pressure_Pa, step.volume_m3.value_or(0.0), step.tangent_pressure, step.tangent_volume,
+                       step.stretch_p99, step.max_stretch, step.min_jacobian, m.kinetic_energy_J, m.stored_energy_J,
+                       m.load_work_J, m.damping_work_J}) &&
+           are_finite(step.pressures_Pa) && are_finite(step.volumes_m3) && are_finite(step.outputs) &&
+           are_finite(step.tangent_pressures) && are_finite(step.tangent_volumes) && are_finite(step.tangent_outputs);
+}
+
+}  // namespace
+
+void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
+    step_s_ = coarse(cut_after_failure * step_s);
+    const bool inverted = failure.end == NewtonEnd::inverted;
+    log("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
+        std::to_string(failure.iterations) + " iterations, residual " + short_text(failure.residual) +
+        ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
+    if (step_s_ >= settings_.smallest_step * first_step_s_) return;
+    const std::string place = place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
+    if (inverted)
+        return finish(StopReason::inverted_element,
+                      "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " + place + " at " +
+                          when + "; use smaller cells there (mesh.size)");
+    if (explicit_)
+        return finish(StopReason::diverged,
+                      "the motion grows without bound beyond " + when + ": " + std::string(text_of(failure.end)));
+    finish(StopReason::diverged, "no motion found beyond " + when + " (" + std::string(text_of(failure.end)) +
+                                     "); the most distorted cell is " + place +
+                                     ", det F = " + short_text(failure.min_jacobian));
+}
+
+std::optional<std::string> MotionFollower::impossible(const solution::Step& step) const {
+    const std::string when = "at " + short_text(last_.time_s) + " s ";
+    const std::string remedy = explicit_ ? "give a shorter dynamics.step, damping, or an implicit integrator"
+                                         : "give a shorter dynamics.step, or generalized-alpha";
+    if (!is_finite(step))
+        return "the motion grows without bound: " + when + "it has left the range of numbers; " + remedy;
+    const double given = largest_work_J_ / input_.model_fraction;
+    if (explicit_ && is_free_of_stress_ && given > 0.0 && step.max_stretch > visible_stretch &&
+        step.motion->kinetic_energy_J > energy_from_nowhere * given)
+        return "the motion grows without bound: " + when + "its energy is " +
+               short_text(step.motion->kinetic_energy_J) + " J, where the loads have given " + short_text(given) +
+               " J; " + remedy;
+    return std::nullopt;
+}
+
+void MotionFollower::finish(StopReason reason, std::string detail) {
+    end_.reason = reason;
+    end_.detail = std::move(detail);
+    finished_ = true;
+}
+
+}  // namespace soft::solver
