@@ -1,6 +1,6 @@
 # A thin front: each target sets up whatever it lacks (packages, BLAS, configure, build) and then does its one thing.
 # CMakeLists.txt is the real build; `cmake -B build && cmake --build build` works without this file.
-.PHONY: help run build test verify bench format tidy clean setup
+.PHONY: help run build test verify bench format tidy clean setup setup-tests
 .DEFAULT_GOAL := help
 
 CXX_FILES = $(shell find lib tools tests -name '*.cpp' -o -name '*.hpp')
@@ -18,6 +18,9 @@ help:
 setup:
 	@scripts/setup
 
+setup-tests:
+	@scripts/setup --tests
+
 run: setup
 	@scripts/build mesh-gen solve postprocess
 	@scripts/run-example $(DESIGN)
@@ -25,7 +28,8 @@ run: setup
 build: setup
 	@scripts/build
 
-test: build
+test: setup-tests
+	@scripts/build
 	@scripts/test $(LABEL)
 
 verify: setup

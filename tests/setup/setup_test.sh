@@ -25,7 +25,7 @@ fresh_system() {   # every package there, an optimised BLAS, root, apt, a CMake 
     for tool in bash sh awk sed paste head tail mkdir rm uname env cat dirname mktemp grep; do
         ln -s "$(type -P "$tool")" "$bin/$tool"
     done
-    for tool in c++ ninja pkg-config mpirun gnuplot; do ln -s "$(type -P true)" "$bin/$tool"; done
+    for tool in c++ ninja pkg-config mpirun gnuplot npm ffmpeg chromium pvpython Xvfb; do ln -s "$(type -P true)" "$bin/$tool"; done
     (cd "$work/tree" && scripts/setup --list debian) | tr ' ' '\n' >"$state/installed"
     echo 0 >"$state/uid"
     echo 'libblas.so.3-x auto /usr/lib/x/openblas-serial/libblas.so.3' >"$state/alternatives"
@@ -60,7 +60,7 @@ echo >build/build.ninja
 E2
 }
 
-setup() { : >"$state/calls"; output=$(cd "$work/tree" && PATH=$bin bash scripts/setup 2>&1 </dev/null); status=$?; }
+setup() { : >"$state/calls"; output=$(cd "$work/tree" && PATH=$bin bash scripts/setup "$@" 2>&1 </dev/null); status=$?; }
 remove() { grep -vx "$1" "$state/installed" >"$state/left"; mv "$state/left" "$state/installed"; }
 called() { grep -qE -- "$1" "$state/calls"; }
 claim() {   # claim TEXT COMMAND...: the command must succeed
@@ -114,6 +114,14 @@ claim "sudo is used where root is not" called '^sudo env .*apt-get .* libcgal-de
 fresh_system; remove libcgal-dev; touch "$state/apt-fails" "$state/cmake-fails"; setup
 claim "a failed installation ends in an error" exits 1
 claim "that shows apt's own words" says 'E: Unable to locate package'
+
+fresh_system; rm "$bin/chromium"; remove chromium; setup
+claim "what only tests want is not installed to build" not called '^apt-get'
+setup --tests
+claim "but to test" called '^apt-get .* chromium$'
+fresh_system; rm "$bin/chromium"; remove chromium; touch "$state/apt-fails"; setup --tests
+claim "where it cannot be, its tests are skipped" says 'warning: chromium could not be installed'
+claim "and the others run" exits 0
 
 fresh_system; rm "$bin/apt-get"; setup
 claim "without apt a complete system goes on" exits 0
