@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "contact_check.hpp"
+#include "dynamics/motion.hpp"
 #include "io/result_file.hpp"
 #include "ranks.hpp"
 #include "solve_changes.hpp"
 #include "solve_summary.hpp"
 #include "solver/accuracy.hpp"
-#include "solver/dynamics.hpp"
 #include "solver/path.hpp"
 
 namespace soft::cli {
@@ -113,7 +113,7 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     const solver::Listeners listeners{
         sink, task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep), log,
         contact_check(system), tolerance ? keep_row : solver::RowSink()};
-    summary.end = model.dynamics ? solver::integrate_motion(system, listeners)
+    summary.end = model.dynamics ? dynamics::integrate_motion(system, listeners)
                                  : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
     --summary.steps;   // the undeformed state is no step
     summary.unknowns = system.dofs().total;

@@ -58,7 +58,7 @@ struct SolverSettings {
     double step_accuracy = 2e-3;        ///< wanted relative error of the predictor; smaller = denser steps
 };
 
-/// Time integration of M a + C v + R(x, t) = 0 (solver/dynamics.hpp).
+/// Time integration of M a + C v + R(x, t) = 0 (dynamics/motion.hpp).
 enum class Integrator {
     generalized_alpha,      ///< Chung and Hulbert 1993, second order, damps what the step does not resolve
     hht,                    ///< Hilber, Hughes and Taylor 1977

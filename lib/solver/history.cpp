@@ -35,4 +35,11 @@ State predict(const PathPoint* before, const PathPoint& last, double q) {
     return state;
 }
 
+double coarse(double step) {
+    int exponent = 0;
+    const double mantissa = std::frexp(step, &exponent);
+    constexpr double divisions = 256;
+    return std::ldexp(std::round(mantissa * divisions) / divisions, exponent);
+}
+
 }  // namespace soft::solver

@@ -33,4 +33,7 @@ struct HermiteWeights {
 /// State at q on the cubic through `before` and `last`, or on the tangent of `last` where there is no `before`.
 [[nodiscard]] State predict(const PathPoint* before, const PathPoint& last, double q);
 
+/// Steps of few digits, so that rounding, which differs with the number of ranks, does not move the rows of the path.
+[[nodiscard]] double coarse(double step);
+
 }  // namespace soft::solver

@@ -10,13 +10,6 @@ namespace soft::solver {
 
 using solution::PathEnd;
 
-double coarse(double step) {
-    int exponent = 0;
-    const double mantissa = std::frexp(step, &exponent);
-    constexpr double divisions = 256;
-    return std::ldexp(std::round(mantissa * divisions) / divisions, exponent);
-}
-
 Error no_beginning(NewtonEnd end, const std::string& problem) {
     if (end == NewtonEnd::not_definite)
         return Error(ExitCode::bad_input, "solver.linear",

@@ -22,9 +22,6 @@ inline constexpr const char* linear_remedy =
 /// Of a path that cannot begin, by how its first equations failed: the linear solver's choice, or `problem` of the materials.
 [[nodiscard]] Error no_beginning(NewtonEnd end, const std::string& problem);
 
-/// Steps of few digits, so that rounding, which differs with the number of ranks, does not move the rows of the path.
-[[nodiscard]] double coarse(double step);
-
 /// Something that happens between two rows.
 struct Event {
     PathPoint point;

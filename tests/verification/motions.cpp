@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "../solver/breathing_sphere.hpp"
+#include "../dynamics/breathing_sphere.hpp"
 #include "beam_formula.hpp"
 #include "core/text.hpp"
 #include "inflation_formula.hpp"
@@ -83,9 +83,9 @@ Outcome solve_sphere() {
     const auto& material = run.model.materials.front();
     const double mu = material.constants.at("mu").front();
     const auto elastic_Pa = [&](double stretch) { return neo_hookean_sphere_pressure_Pa(mu, stretch, 2.0); };
-    const solver::BreathingSphere sphere{10e-3, 20e-3, *material.density_kg_m3};
+    const dynamics::BreathingSphere sphere{10e-3, 20e-3, *material.density_kg_m3};
     constexpr int count = 80;  // every row
-    const auto exact = solver::breathing_stretches(sphere, run.model.path.stages[0].supplies[0].value, elastic_Pa,
+    const auto exact = dynamics::breathing_stretches(sphere, run.model.path.stages[0].supplies[0].value, elastic_Pa,
                                                    run.model.dynamics->duration_s, count);
     if (run.steps.size() != count + 1) throw std::runtime_error("the sphere's rows are not those of its design");
     Outcome outcome;

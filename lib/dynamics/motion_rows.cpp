@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/dynamics_follower.hpp"
-#include "solver/path_text.hpp"
+#include "dynamics/motion_follower.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 namespace {
 
@@ -31,41 +30,41 @@ void MotionFollower::keep_energies(const MotionState& from, const MotionState& t
     damping_work_J_ += linalg::dot(force, change);
 }
 
-PathPoint MotionFollower::measure() {
-    PathTangent velocity;
+solver::PathPoint MotionFollower::measure() {
+    solver::PathTangent velocity;
     velocity.x = duplicate_of(last_.v);
     velocity.load_factor = 1.0 / dynamics_.duration_s;
-    PathPoint point{{duplicate_of(last_.x), last_.time_s / dynamics_.duration_s, {}}, std::move(velocity)};
+    solver::PathPoint point{{duplicate_of(last_.x), last_.time_s / dynamics_.duration_s, {}}, std::move(velocity)};
     const auto levels = equations_.levels(last_.time_s, equations_.line_pressures(last_.x, last_.masses_kg));
     const auto rates = equations_.rates(last_.time_s, equations_.line_rates(last_));
-    read_values(system_, levels, rates, last_row_ ? &*last_row_ : nullptr, point);
+    solver::read_values(system_, levels, rates, last_row_ ? &*last_row_ : nullptr, point);
     return point;
 }
 
 void MotionFollower::append() {
-    PathPoint point = measure();
-    solution::Step step = step_of(system_, point, 1.0);
+    solver::PathPoint point = measure();
+    solution::Step step = solver::step_of(system_, point, 1.0);
     step.newton_iterations = iterations_since_row_;
     const int factorizations = stage_ ? stage_->factorizations() : 0;
     step.factorizations = factorizations - factorizations_at_row_;
     const double whole = 1.0 / input_.model_fraction;
     step.motion = {last_.time_s, whole * equations_.kinetic_energy(last_.v), whole * system_.stored_energy(last_.x),
                    whole * load_work_J_, whole * damping_work_J_};
-    read_stretches(system_, last_.x, step);
+    solver::read_stretches(system_, last_.x, step);
     if (auto problem = impossible(step)) return finish(solution::StopReason::diverged, std::move(*problem));
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;
-    log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + state_text(point, input_) +
+    log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + solver::state_text(point, input_) +
         ", step " + short_text(step_s_) + " s, " + std::to_string(step.newton_iterations) + " iterations");
     ++rows_;
     listeners_.step(step, last_.x);
     if (listeners_.contact && input_.path.contact == model::Contact::stop)
         if (const auto touching = listeners_.contact(last_.x))
             finish(solution::StopReason::self_contact,
-                   *touching + " at " + short_text(last_.time_s) + " s, " + state_text(point, input_));
+                   *touching + " at " + short_text(last_.time_s) + " s, " + solver::state_text(point, input_));
     last_row_ = std::move(point);
     next_row_s_ += row_interval_s_;
     while (next_row_s_ <= last_.time_s) next_row_s_ += row_interval_s_;
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -12,14 +12,14 @@
 /// work, or whose stable length has fallen below solver.smallest_step of the first); self_contact; step_limit.
 /// Sources: PETSc's TS has the implicit Euler, generalised-alpha, ARKIMEX, Rosenbrock-W and Runge-Kutta methods; central
 /// difference: Belytschko, Liu and Moran, Nonlinear Finite Elements for Continua and Structures (2000) 6.2.
-/// Held by solver/dynamics_test and the verification suite.
+/// Held by dynamics/dynamics_test and the verification suite.
 #include "solver/path.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 /// Checkpoints and rows of the listeners are not called: a motion cannot be resumed or refined. Throws Error (bad_input) for
 /// a material without density, a supply that prescribes no pressure, a prescribed motion that changes, a pressure unknown
 /// under an explicit integrator, an explicit step beyond the stable one.
-[[nodiscard]] solution::PathEnd integrate_motion(assembly::System& system, const Listeners& listeners);
+[[nodiscard]] solution::PathEnd integrate_motion(assembly::System& system, const solver::Listeners& listeners);
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -1,11 +1,11 @@
-#include "solver/dynamics_implicit.hpp"
+#include "dynamics/implicit.hpp"
 
 #include <array>
 #include <cmath>
 
 #include "core/error.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 namespace {
 
@@ -186,4 +186,4 @@ StepResult Dirk::attempt(const MotionState& last, double step_s, MotionState& ne
     return result;
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -1,11 +1,11 @@
 #pragma once
 /// The share f(t) of a load in a dynamic case (model::TimeCourse), f = 0 before time 0.
-/// Held by solver/time_course_test.
+/// Held by dynamics/time_course_test.
 #include <vector>
 
 #include "model/case.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 /// `duration_s` stands in for a ramp without a time of its own. At a jump the value after it.
 [[nodiscard]] double share_at(const model::TimeCourse& course, double duration_s, double time_s);
@@ -20,4 +20,4 @@ namespace soft::solver {
 /// table); the duration for a step.
 [[nodiscard]] double shortest_change_s(const model::TimeCourse& course, double duration_s);
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

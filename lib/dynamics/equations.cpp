@@ -1,11 +1,11 @@
-#include "solver/dynamics_equations.hpp"
+#include "dynamics/equations.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 namespace {
 
@@ -104,14 +104,14 @@ MotionState MotionEquations::rest() const {
     MotionState state{0.0, system_.make_vector(), system_.make_vector(), system_.make_vector(), system_.make_vector(),
                       {}};
     for (const auto& line : lines_)
-        state.masses_kg.push_back(gas_mass_kg(line.gas, system_.load_volume(line.load, state.x, nullptr), 0.0));
+        state.masses_kg.push_back(solver::gas_mass_kg(line.gas, system_.load_volume(line.load, state.x, nullptr), 0.0));
     return state;
 }
 
 template <class Share>
-LoadLevels MotionEquations::shared_levels(Share&& share) const {
+assembly::LoadLevels MotionEquations::shared_levels(Share&& share) const {
     const auto& stage = input_.path.stages[0];
-    LoadLevels levels = assembly::no_loads(input_);
+    assembly::LoadLevels levels = assembly::no_loads(input_);
     for (std::size_t i = 0; i < input_.loads.size(); ++i)
         levels.pressures_Pa[i] = stage.supplies[i].value * share(input_.loads[i].course);
     for (std::size_t i = 0; i < input_.tractions.size(); ++i)
@@ -121,21 +121,21 @@ LoadLevels MotionEquations::shared_levels(Share&& share) const {
     return levels;
 }
 
-LoadLevels MotionEquations::levels(double time_s, std::span<const double> line_pressures_Pa) const {
-    LoadLevels levels =
+assembly::LoadLevels MotionEquations::levels(double time_s, std::span<const double> line_pressures_Pa) const {
+    assembly::LoadLevels levels =
         shared_levels([&](const model::TimeCourse& course) { return share_at(course, dynamics_.duration_s, time_s); });
     for (std::size_t k = 0; k < lines_.size(); ++k) levels.pressures_Pa[lines_[k].load] = line_pressures_Pa[k];
     return levels;
 }
 
-LoadLevels MotionEquations::rates(double time_s, std::span<const double> line_rates) const {
-    LoadLevels rates = shared_levels(
+assembly::LoadLevels MotionEquations::rates(double time_s, std::span<const double> line_rates) const {
+    assembly::LoadLevels rates = shared_levels(
         [&](const model::TimeCourse& course) { return share_rate(course, dynamics_.duration_s, time_s); });
     for (std::size_t k = 0; k < lines_.size(); ++k) rates.pressures_Pa[lines_[k].load] = line_rates[k];
     return rates;
 }
 
-LoadLevels MotionEquations::full_levels() const {
+assembly::LoadLevels MotionEquations::full_levels() const {
     return shared_levels([](const model::TimeCourse&) { return 1.0; });
 }
 
@@ -155,7 +155,7 @@ std::vector<double> MotionEquations::kink_times() const {
 double MotionEquations::shortest_change_s() const {
     double shortest = dynamics_.duration_s;
     (void)shared_levels([&](const model::TimeCourse& course) {
-        shortest = std::min(shortest, solver::shortest_change_s(course, dynamics_.duration_s));
+        shortest = std::min(shortest, dynamics::shortest_change_s(course, dynamics_.duration_s));
         return 0.0;
     });
     return shortest;
@@ -168,7 +168,7 @@ double MotionEquations::line_volume(std::size_t k, Vec x, Vec gradient) {
 /// dP/dV = -n (P + a) / (V + D), dP/dm = n (P + a) / m of the polytropic gas.
 MotionEquations::GasPressure MotionEquations::gas_pressure(std::size_t k, double volume_m3, double mass_kg) const {
     const model::Gas& gas = lines_.at(k).gas;
-    const double value = gas_pressure_Pa(gas, volume_m3, mass_kg), absolute = gas.exponent * (value + gas.ambient_Pa);
+    const double value = solver::gas_pressure_Pa(gas, volume_m3, mass_kg), absolute = gas.exponent * (value + gas.ambient_Pa);
     return {value, -absolute / (volume_m3 + gas.dead_volume_m3), absolute / mass_kg};
 }
 
@@ -205,10 +205,10 @@ std::vector<double> MotionEquations::line_rates(const MotionState& state) {
     return rates;
 }
 
-assembly::Evaluation MotionEquations::evaluate(Vec x, const LoadLevels& levels, Mat K) {
+assembly::Evaluation MotionEquations::evaluate(Vec x, const assembly::LoadLevels& levels, Mat K) {
     std::vector<assembly::LoadColumn> columns{{levels, load_force_}};
     for (std::size_t k = 0; k < lines_.size() && K != nullptr; ++k) {
-        LoadLevels unit = assembly::no_loads(input_);
+        assembly::LoadLevels unit = assembly::no_loads(input_);
         unit.pressures_Pa[lines_[k].load] = 1.0;
         columns.push_back({std::move(unit), line_forces_[k]});
     }
@@ -254,4 +254,4 @@ double MotionEquations::displacement_norm(Vec x) const {
     return linalg::norm(scratch_);
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

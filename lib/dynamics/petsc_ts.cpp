@@ -1,10 +1,10 @@
-#include "solver/dynamics_ts.hpp"
+#include "dynamics/petsc_ts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string_view>
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 using model::Integrator;
 
@@ -311,4 +311,4 @@ void TsIntegrator::read_end(double time_s, MotionState& next, StepResult& result
     result.error_m = equations_.displacement_norm(x_);
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

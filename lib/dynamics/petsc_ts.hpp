@@ -5,14 +5,14 @@
 ///   Heun (TSRK 2a: c = 0, 1, b = 1/2, 1/2), explicit Euler (TSEULER):  dy/dt = G(t, y) by the lumped mass.
 /// TS takes single steps; their length, failed steps and the size of errors (without pressures) are the caller's. A linear
 /// solve eliminates dv = s dx - r: one factorisation of K + s C + s^2 M. Options -ts_* reach TS.
-/// Held by solver/dynamics_test.
+/// Held by dynamics/dynamics_test.
 #include <exception>
 
 #include <petscts.h>
 
-#include "solver/dynamics_implicit.hpp"
+#include "dynamics/implicit.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 using TimeStepper = linalg::Owned<TS, TSDestroy>;
 
@@ -57,4 +57,4 @@ private:
     std::exception_ptr thrown_;
 };
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

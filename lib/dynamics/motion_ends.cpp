@@ -2,11 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/dynamics_follower.hpp"
-#include "solver/path_follower.hpp"
-#include "solver/path_text.hpp"
+#include "dynamics/motion_follower.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 using solution::StopReason;
 
@@ -41,7 +39,7 @@ void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
         std::to_string(failure.iterations) + " iterations, residual " + short_text(failure.residual) +
         ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
     if (step_s_ >= settings_.smallest_step * first_step_s_) return;
-    const std::string place = place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
+    const std::string place = solver::place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
     if (inverted)
         return finish(StopReason::inverted_element,
                       "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " + place + " at " +
@@ -75,4 +73,4 @@ void MotionFollower::finish(StopReason reason, std::string detail) {
     finished_ = true;
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

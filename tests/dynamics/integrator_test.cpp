@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "motion_bench.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 namespace {
 
 using model::Dynamics;
@@ -312,4 +312,4 @@ TEST(Integrators, RowsStayWithinTheirNumber) {
 }
 
 }  // namespace
-}  // namespace soft::solver
+}  // namespace soft::dynamics

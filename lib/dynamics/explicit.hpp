@@ -8,10 +8,10 @@
 ///   Heun, explicit Euler: the longest step in which the stability function R(h s) of the mode's roots s does not exceed
 ///   exp(h / duration). Both amplify an undamped mode at any step, by about (w h)^4 / 8 and (w h)^2 / 2 a step: the bound lets
 ///   the highest mode grow e-fold by the end of the motion.
-/// Held by solver/dynamics_test.
-#include "solver/dynamics_implicit.hpp"
+/// Held by dynamics/dynamics_test.
+#include "dynamics/implicit.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 class CentralDifference {
 public:
@@ -46,4 +46,4 @@ private:
 /// The bound itself, for a highest frequency.
 [[nodiscard]] double longest_stable_step_s(model::Integrator integrator, const model::Dynamics& dynamics, double omega);
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -4,13 +4,15 @@
 /// and that obeys the equations of motion. What makes a stage of every implicit integrator, and the one factorisation of
 ///   J = K + by_velocity C + by_acceleration M
 /// it needs, bordered by the pressures behind the lines (newton.hpp): J d = b, J b_k = f_k, dx = d + sum dp_k b_k.
-/// Internal to the room. Held by solver/dynamics_test.
+/// Internal to the room. Held by dynamics/dynamics_test.
 #include "linalg/linear_solver.hpp"
 #include "linalg/small_matrix.hpp"
-#include "solver/dynamics_equations.hpp"
+#include "dynamics/equations.hpp"
 #include "solver/newton.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
+
+using solver::NewtonEnd;
 
 /// What a line's equation is measured by: of the order of the ambient pressure.
 inline constexpr double line_pressure_scale_Pa = 1e5;
@@ -47,7 +49,7 @@ public:
 
     // For PETSc's TS, which keeps the loop for itself.
     /// Tangent and line forces at x; false where a cell is inside out or J is singular.
-    [[nodiscard]] bool factorize(Vec x, const LoadLevels& levels, double by_velocity, double by_acceleration);
+    [[nodiscard]] bool factorize(Vec x, const assembly::LoadLevels& levels, double by_velocity, double by_acceleration);
     /// dx and dp by the last factor; `b` is left as it is.
     [[nodiscard]] bool solve_linear(Vec b, std::span<const LineRow> rows, Vec dx, std::vector<double>& dp);
     /// J as it was factorised.
@@ -61,7 +63,7 @@ public:
     /// Whether a residual [N] at x is no more than the rounding of R there, as that of a stiff body that has hardly moved, or has
     /// moved far. Rounding is what the second difference R(x + 2d) - 2 R(x + d) + R(x) leaves of a d so small that R is linear
     /// in it. Leaves the equations evaluated at x.
-    [[nodiscard]] bool is_rounding(double residual_N, Vec x, const LoadLevels& levels);
+    [[nodiscard]] bool is_rounding(double residual_N, Vec x, const assembly::LoadLevels& levels);
 
 private:
     [[nodiscard]] std::vector<LineRow> line_rows(const StageMap& map, const MotionState& state,
@@ -86,4 +88,4 @@ private:
     double largest_scale_ = 0;
 };
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -1,10 +1,10 @@
-#include "solver/time_course.hpp"
+#include "dynamics/time_course.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 using model::Course;
 
@@ -70,4 +70,4 @@ double shortest_change_s(const model::TimeCourse& course, double duration_s) {
     return shortest;
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -2,12 +2,12 @@
 /// The one equation of motion of an incompressible thick sphere: r^3 - a^3 = R^3 - A^3 leaves one unknown, the inner radius a.
 /// Its kinetic energy is m(a)/2 a'^2 with m = 4 pi rho a^4 (1/a - 1/b), and Lagrange's equation
 ///     m a'' + m'(a)/2 a'^2 = 4 pi a^2 (p - p_elastic(a/A)),     b^3 = B^3 + a^3 - A^3,   db/da = a^2 / b^2.
-/// Derived here; no part of the library is in it. Used by solver/dynamics_test and the verification.
+/// Derived here; no part of the library is in it. Used by dynamics/dynamics_test and the verification.
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 struct BreathingSphere {
     double inner_m, outer_m, density_kg_m3;
@@ -43,4 +43,4 @@ template <class Elastic>
     return stretches;
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

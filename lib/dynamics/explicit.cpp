@@ -1,10 +1,10 @@
-#include "solver/dynamics_explicit.hpp"
+#include "dynamics/explicit.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 namespace {
 
@@ -111,4 +111,4 @@ double StableStep::estimate(const MotionState& state) {
     return longest_stable_step_s(integrator_, equations_.dynamics(), omega_);
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -6,9 +6,9 @@
 #include "breathing_sphere.hpp"
 #include "core/error.hpp"
 #include "motion_bench.hpp"
-#include "sphere.hpp"
+#include "../solver/sphere.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 namespace {
 
 using model::Dynamics;
@@ -70,7 +70,7 @@ model::Case breathing_case(double share, double duration) {
 
 /// Inner stretch at the end by the one equation of the sphere of sphere.hpp.
 double breathing_stretch(double share, double duration) {
-    const auto elastic_Pa = [](double stretch) { return sample_mu_Pa * sphere_pressure(stretch); };
+    const auto elastic_Pa = [](double stretch) { return sample_mu_Pa * solver::sphere_pressure(stretch); };
     return breathing_stretches({0.01, 0.02, density}, share * sample_mu_Pa, elastic_Pa, duration, 1).back();
 }
 
@@ -83,7 +83,7 @@ double breathing_end(Integrator integrator, int steps) {
     input.dynamics->step_s = breathing_s / steps;
     const auto moved = move(input);
     EXPECT_EQ(moved.end.reason, solution::StopReason::done) << moved.end.detail;
-    return inner_stretch(moved.last());
+    return solver::inner_stretch(moved.last());
 }
 
 // The constraint of incompressibility holds at every step, and the order stays that of the method.
@@ -109,7 +109,7 @@ TEST(Motion, AdaptiveStepsFollowTheSphere) {
     auto input = breathing_case(0.4, breathing_s);
     const auto moved = move(input);
     EXPECT_EQ(moved.end.reason, solution::StopReason::done) << moved.end.detail;
-    EXPECT_NEAR(inner_stretch(moved.last()), breathing_stretch(0.4, breathing_s), 5e-3);
+    EXPECT_NEAR(solver::inner_stretch(moved.last()), breathing_stretch(0.4, breathing_s), 5e-3);
     EXPECT_LT(moved.steps.size(), 300u);
     const auto& m = *moved.last().motion;
     EXPECT_NEAR((m.kinetic_energy_J + m.stored_energy_J) / m.load_work_J, 1.0, 1e-2);
@@ -137,7 +137,7 @@ TEST(Motion, ASlowRampFollowsTheStaticPath) {
         EXPECT_EQ(moved.end.reason, solution::StopReason::done) << moved.end.detail;
         for (const auto& step : moved.steps) {
             if (step.motion->time_s < (step_s == 0.0 ? 0.6 : 0.2)) continue;
-            EXPECT_NEAR(step.pressure_Pa / (sample_mu_Pa * sphere_pressure(inner_stretch(step))), 1.0, 1e-3)
+            EXPECT_NEAR(step.pressure_Pa / (sample_mu_Pa * solver::sphere_pressure(solver::inner_stretch(step))), 1.0, 1e-3)
                 << step.motion->time_s;
         }
         EXPECT_NEAR(moved.last().tangent_pressure, 0.0, 1e-9);  // the ramp ends with the motion
@@ -251,4 +251,4 @@ TEST(Motion, WhatItCannotRunIsRefused) {
 }
 
 }  // namespace
-}  // namespace soft::solver
+}  // namespace soft::dynamics

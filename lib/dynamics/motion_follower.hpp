@@ -1,6 +1,6 @@
 #pragma once
-/// The state machine behind integrate_motion (dynamics.hpp), internal to the room: dynamics.cpp begins, takes steps, chooses
-/// their length and ends, dynamics_ends.cpp says how it fails, dynamics_rows.cpp keeps the energies and writes rows.
+/// The state machine behind integrate_motion (motion.hpp), internal to the room: motion.cpp begins, takes steps, chooses
+/// their length and ends, motion_ends.cpp says how it fails, motion_rows.cpp keeps the energies and writes rows.
 ///
 /// Steps: constant (Dynamics::step_s), by the stable step (explicit), else by the local error of x,
 ///   e = method's own (embedded) or constant x h^(q+1) |(q+1)! x[t0 .. t(q+1)]|, the divided difference of the last positions,
@@ -10,21 +10,26 @@
 #include <deque>
 #include <variant>
 
-#include "solver/dynamics.hpp"
-#include "solver/dynamics_explicit.hpp"
-#include "solver/dynamics_ts.hpp"
+#include "dynamics/motion.hpp"
+#include "dynamics/explicit.hpp"
+#include "dynamics/petsc_ts.hpp"
+#include "solver/history.hpp"
+#include "solver/path_text.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
+
+using solver::coarse;
+using solver::short_text;
 
 class MotionFollower {
 public:
-    MotionFollower(assembly::System& system, const Listeners& listeners);
+    MotionFollower(assembly::System& system, const solver::Listeners& listeners);
     solution::PathEnd run();
 
 private:
     using Method = std::variant<std::monostate, GeneralizedAlpha, Dirk, TsIntegrator, CentralDifference>;
 
-    // dynamics.cpp
+    // motion.cpp
     void start();
     void make_method();
     void choose_first_step();
@@ -38,15 +43,15 @@ private:
     [[nodiscard]] bool is_constant() const noexcept { return dynamics_.step_s > 0.0; }
     [[nodiscard]] bool is_adaptive() const noexcept { return !is_constant() && !explicit_; }
 
-    // dynamics_ends.cpp
+    // motion_ends.cpp
     void handle_failure(const StageResult& failure, double step_s);
     /// Why a body could not be in the state of this row: not finite, or explicit steps that have made energy from nothing.
     [[nodiscard]] std::optional<std::string> impossible(const solution::Step& step) const;
     void finish(solution::StopReason reason, std::string detail);
 
-    // dynamics_rows.cpp
+    // motion_rows.cpp
     void keep_energies(const MotionState& from, const MotionState& to);
-    [[nodiscard]] PathPoint measure();
+    [[nodiscard]] solver::PathPoint measure();
     void append();
     void log(const std::string& line) const {
         if (listeners_.log) listeners_.log(line);
@@ -56,14 +61,14 @@ private:
     const model::Case& input_;
     const model::Dynamics& dynamics_;
     const model::SolverSettings& settings_;
-    const Listeners& listeners_;
+    const solver::Listeners& listeners_;
     bool explicit_;
     MotionEquations equations_;
     std::optional<StageSolver> stage_;  // of implicit integrators
     std::optional<StableStep> stable_;  // of explicit ones
     Method method_;
     MotionState last_, next_;
-    std::optional<PathPoint> last_row_;  // for angles
+    std::optional<solver::PathPoint> last_row_;  // for angles
     struct Position {
         double time_s;
         linalg::Vector x;
@@ -83,4 +88,4 @@ private:
     solution::PathEnd end_;
 };
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

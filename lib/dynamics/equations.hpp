@@ -1,19 +1,19 @@
 #pragma once
-/// The equations of motion of a case (dynamics.hpp) at a state, for the integrators; internal to the room.
+/// The equations of motion of a case (motion.hpp) at a state, for the integrators; internal to the room.
 ///   r = M a + C v + R(x, levels(t, p)),      C = mass_damping M + stiffness_damping K0
 /// K0 is the displacement block of the undeformed tangent: pressure rows hold undamped, so that damping leaves an
 /// incompressible body incompressible.
 /// Lines: the gas behind the resistance of load k has mass m_k and pressure p_k = P(V_k(x), m_k);
 ///   dm_k/dt = rho (source_k(t) - p_k) / resistance_k.
-/// Held by solver/dynamics_test.
+/// Held by dynamics/dynamics_test.
 #include <span>
 #include <vector>
 
 #include "assembly/mass.hpp"
 #include "solver/stage_loads.hpp"
-#include "solver/time_course.hpp"
+#include "dynamics/time_course.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 /// A moment of the motion.
 struct MotionState {
@@ -39,11 +39,11 @@ public:
 
     // Loads
     [[nodiscard]] std::size_t line_count() const noexcept { return lines_.size(); }
-    [[nodiscard]] LoadLevels levels(double time_s, std::span<const double> line_pressures_Pa) const;
+    [[nodiscard]] assembly::LoadLevels levels(double time_s, std::span<const double> line_pressures_Pa) const;
     /// d levels/dt; `line_rates` of the pressures behind the lines [Pa/s].
-    [[nodiscard]] LoadLevels rates(double time_s, std::span<const double> line_rates) const;
+    [[nodiscard]] assembly::LoadLevels rates(double time_s, std::span<const double> line_rates) const;
     /// Levels at share 1 of every course, sources in the cavities.
-    [[nodiscard]] LoadLevels full_levels() const;
+    [[nodiscard]] assembly::LoadLevels full_levels() const;
     [[nodiscard]] std::vector<double> kink_times() const;
     [[nodiscard]] double shortest_change_s() const;
 
@@ -64,7 +64,7 @@ public:
 
     // Forces
     /// R into residual(), the loads' force into load_force(), with K the tangent and the forces of 1 Pa in each line.
-    [[nodiscard]] assembly::Evaluation evaluate(Vec x, const LoadLevels& levels, Mat K);
+    [[nodiscard]] assembly::Evaluation evaluate(Vec x, const assembly::LoadLevels& levels, Mat K);
     [[nodiscard]] Vec residual() const { return R_; }
     [[nodiscard]] Vec load_force() const { return load_force_; }
     [[nodiscard]] Vec line_force(std::size_t k) const { return line_forces_.at(k); }
@@ -96,7 +96,7 @@ private:
     void make_damping();
     /// Sources where there are lines, else pressures.
     template <class Share>
-    [[nodiscard]] LoadLevels shared_levels(Share&& share) const;
+    [[nodiscard]] assembly::LoadLevels shared_levels(Share&& share) const;
 
     assembly::System& system_;
     const model::Case& input_;
@@ -107,4 +107,4 @@ private:
     std::vector<linalg::Vector> line_forces_;
 };
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -7,9 +7,9 @@
 
 #include "../assembly/sample_cases.hpp"
 #include "assembly/system.hpp"
-#include "solver/dynamics.hpp"
+#include "dynamics/motion.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 struct Moved {
     std::vector<solution::Step> steps;
@@ -91,4 +91,4 @@ inline double oscillator_frequency(model::Integrator integrator) {
     return std::sqrt((lumped ? 2.0 : 3.0) * bar_modulus_Pa / bar_density) / bar_length_m;
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "motion_bench.hpp"
-#include "solver/time_course.hpp"
+#include "dynamics/time_course.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 namespace {
 
 constexpr double duration = 2.0;
@@ -52,4 +52,4 @@ TEST(TimeCourse, ATableIsLinearBetweenItsTimesAndHeldBeyond) {
 }
 
 }  // namespace
-}  // namespace soft::solver
+}  // namespace soft::dynamics

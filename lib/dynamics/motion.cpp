@@ -1,14 +1,13 @@
-#include "solver/dynamics.hpp"
+#include "dynamics/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/error.hpp"
-#include "solver/dynamics_follower.hpp"
-#include "solver/path_follower.hpp"
+#include "dynamics/motion_follower.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 using model::Integrator;
 using solution::StopReason;
@@ -51,7 +50,7 @@ const model::Dynamics& dynamics_of(const model::Case& input) {
 
 }  // namespace
 
-MotionFollower::MotionFollower(assembly::System& system, const Listeners& listeners)
+MotionFollower::MotionFollower(assembly::System& system, const solver::Listeners& listeners)
     : system_(system),
       input_(system.input()),
       dynamics_(dynamics_of(input_)),
@@ -281,8 +280,8 @@ void MotionFollower::adapt(std::optional<double> error, double step_s) {
     first_step_s_ = std::max(first_step_s_, step_s);
 }
 
-solution::PathEnd integrate_motion(assembly::System& system, const Listeners& listeners) {
+solution::PathEnd integrate_motion(assembly::System& system, const solver::Listeners& listeners) {
     return MotionFollower(system, listeners).run();
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

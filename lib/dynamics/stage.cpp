@@ -1,10 +1,10 @@
-#include "solver/dynamics_stage.hpp"
+#include "dynamics/stage.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 namespace {
 
@@ -85,7 +85,7 @@ bool StageSolver::factorize_here(double by_velocity, double by_acceleration) {
     return solver_.factorize().succeeded;
 }
 
-bool StageSolver::factorize(Vec x, const LoadLevels& levels, double by_velocity, double by_acceleration) {
+bool StageSolver::factorize(Vec x, const assembly::LoadLevels& levels, double by_velocity, double by_acceleration) {
     return equations_.evaluate(x, levels, J_).admissible() && factorize_here(by_velocity, by_acceleration);
 }
 
@@ -121,7 +121,7 @@ double StageSolver::force_scale(const assembly::Evaluation& evaluation, Vec iner
     return std::max(scale, vanishing_forces * largest_scale_);
 }
 
-bool StageSolver::is_rounding(double residual_N, Vec x, const LoadLevels& levels) {
+bool StageSolver::is_rounding(double residual_N, Vec x, const assembly::LoadLevels& levels) {
     if (probe_.get() == nullptr) {
         probe_ = equations_.system().make_vector();
         fill_with_waves(probe_);
@@ -218,4 +218,4 @@ StageResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& s
     return report(NewtonEnd::converged);
 }
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics

@@ -1,5 +1,5 @@
 #pragma once
-/// Implicit integrators of our own, one stage solver under both; internal to the room. Held by solver/dynamics_test.
+/// Implicit integrators of our own, one stage solver under both; internal to the room. Held by dynamics/dynamics_test.
 ///
 /// Generalised alpha, in the form of Arnold and Bruels, Multibody System Dynamics 18 (2007) 185: the equations of motion hold
 /// at the end of the step, an auxiliary w takes the averages,
@@ -12,9 +12,9 @@
 /// Diagonally implicit Runge-Kutta: the implicit half of ARK4(3)6L[2]SA, Kennedy and Carpenter, Appl. Numer. Math. 44 (2003)
 /// 139, used alone. TSARKIMEX has the table, but gets the slope its first stage needs from a unit mass matrix, or else from a
 /// starting step of second order.
-#include "solver/dynamics_stage.hpp"
+#include "dynamics/stage.hpp"
 
-namespace soft::solver {
+namespace soft::dynamics {
 
 struct StepResult {
     StageResult newton;
@@ -64,4 +64,4 @@ private:
     linalg::Vector error_;
 };
 
-}  // namespace soft::solver
+}  // namespace soft::dynamics
