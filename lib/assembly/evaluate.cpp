@@ -19,7 +19,13 @@ Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::
     if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
     Evaluation result;
     result.min_jacobian = std::numeric_limits<double>::max();
-    for (const auto& group : groups_) add_cells(group, R, K, columns, result);
+    std::optional<linalg::BlockAdder> tangent;
+    if (K != nullptr) {
+        find_places(K);
+        tangent.emplace(K);
+    }
+    auto* adder = tangent ? &*tangent : nullptr;
+    for (std::size_t group = 0; group < groups_.size(); ++group) add_cells(group, R, adder, columns, result);
 
     // The worst point and its cell, the same on every rank; ties go to the lower rank.
     struct { double value; int rank; } mine{result.min_jacobian, rank_}, worst{};
@@ -29,7 +35,8 @@ Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::
     MPI_Allreduce(MPI_IN_PLACE, &result.force_scale, 1, MPI_DOUBLE, MPI_SUM, comm_);
     result.force_scale = std::sqrt(result.force_scale);
 
-    for (std::size_t load = 0; load < loads_.size(); ++load) add_pressures(load, levels, R, K, columns);
+    for (std::size_t load = 0; load < loads_.size(); ++load) add_pressures(load, levels, R, adder, columns);
+    tangent.reset();
     SOFT_PETSC(VecAssemblyBegin(R));
     SOFT_PETSC(VecAssemblyEnd(R));
     for (const auto& column : columns) {
@@ -44,7 +51,38 @@ Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::
     return result;
 }
 
-void System::add_cells(const CellGroup& group, Vec R, Mat K, std::span<const LoadColumn> columns, Evaluation& result) const {
+/// The matrices of a system have one pattern, so this is done once; it would be done again for another.
+void System::find_places(Mat K) {
+    PetscObjectId id = 0;
+    PetscObjectState state = 0;
+    SOFT_PETSC(PetscObjectGetId(reinterpret_cast<PetscObject>(K), &id));
+    SOFT_PETSC(MatGetNonzeroState(K, &state));
+    if (id == places_.matrix && state == places_.state) return;
+    const bool is_first = places_.matrix == 0;
+    const std::uint64_t pattern = linalg::pattern_hash(K);
+    places_.matrix = id;
+    places_.state = state;
+    if (!is_first && pattern == places_.pattern) return;
+    places_.pattern = pattern;
+    places_.groups.clear();
+    places_.loads.clear();
+    std::vector<std::span<const PetscInt>> blocks;
+    for (const auto& group : groups_) {
+        const auto size = static_cast<std::size_t>(group.reference->dofs());
+        blocks.clear();
+        for (std::size_t c = 0; c < group.cells.size(); ++c) blocks.emplace_back(&group.dofs[c * size], size);
+        places_.groups.emplace_back(K, blocks);
+    }
+    for (const auto& load : loads_) {
+        blocks.clear();
+        for (const auto& facet : load.facets) blocks.emplace_back(facet.dofs);
+        places_.loads.emplace_back(K, blocks);
+    }
+}
+
+void System::add_cells(std::size_t index, Vec R, linalg::BlockAdder* K, std::span<const LoadColumn> columns,
+                       Evaluation& result) const {
+    const CellGroup& group = groups_[index];
     const auto& reference = *group.reference;
     const PetscInt size = reference.dofs();
     const auto wanted = K != nullptr ? material::Wanted::stress_and_tangent : material::Wanted::stress;
@@ -65,8 +103,9 @@ void System::add_cells(const CellGroup& group, Vec R, Mat K, std::span<const Loa
                 }
                 for (int i = 0; i < count; ++i) {
                     const PetscInt* dofs = &group.dofs[(begin + i) * size];
-                    add_cell(group.cells[begin + i], {dofs, static_cast<std::size_t>(size)}, out[i], R, K, result);
+                    add_residual(group.cells[begin + i], {dofs, static_cast<std::size_t>(size)}, out[i], R, result);
                     if (K == nullptr) continue;
+                    K->add(places_.groups[index], begin + i, out[i].stiffness);
                     for (const auto& column : columns)
                         add_moved(column, -1.0, {dofs, static_cast<std::size_t>(size)}, out[i].stiffness);
                 }
@@ -75,8 +114,8 @@ void System::add_cells(const CellGroup& group, Vec R, Mat K, std::span<const Loa
         *group.rubber);
 }
 
-void System::add_cell(mesh::Index cell, std::span<const PetscInt> dofs, const element::CellOutput& out, Vec R, Mat K,
-                      Evaluation& result) {
+void System::add_residual(mesh::Index cell, std::span<const PetscInt> dofs, const element::CellOutput& out, Vec R,
+                          Evaluation& result) {
     if (out.min_jacobian < result.min_jacobian) {
         result.min_jacobian = out.min_jacobian;
         result.worst_cell = cell;
@@ -84,7 +123,6 @@ void System::add_cell(mesh::Index cell, std::span<const PetscInt> dofs, const el
     for (const double r : out.residual) result.force_scale += r * r;
     const auto size = static_cast<PetscInt>(dofs.size());
     SOFT_PETSC(VecSetValues(R, size, dofs.data(), out.residual.data(), ADD_VALUES));
-    if (K != nullptr) SOFT_PETSC(MatSetValues(K, size, dofs.data(), size, dofs.data(), out.stiffness.data(), ADD_VALUES));
 }
 
 double System::moved_by(PetscInt number, std::span<const double> levels) const {
@@ -106,7 +144,7 @@ void System::add_moved(const LoadColumn& column, double factor, std::span<const 
         SOFT_PETSC(VecSetValues(column.out, static_cast<PetscInt>(dofs.size()), dofs.data(), force.data(), ADD_VALUES));
 }
 
-void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Mat K,
+void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, linalg::BlockAdder* K,
                            std::span<const LoadColumn> columns) const {
     const LoadSurface& surface = loads_[load];
     const double pressure = levels.pressures_Pa[load];
@@ -118,7 +156,8 @@ void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Ma
         for (double& value : scaled) value *= factor;
         SOFT_PETSC(VecSetValues(out, static_cast<PetscInt>(dofs.size()), dofs.data(), scaled.data(), ADD_VALUES));
     };
-    for (const auto& facet : surface.facets) {
+    for (std::size_t f = 0; f < surface.facets.size(); ++f) {
+        const auto& facet = surface.facets[f];
         const auto& reference = tables_[facet.reference];
         const PetscInt size = reference.dofs();
         if (follows)
@@ -132,7 +171,7 @@ void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Ma
         for (const auto& column : columns) add(column.out, column.direction.pressures_Pa[load], facet.dofs, force);
         if (stiffness.empty()) continue;
         for (double& k : stiffness) k *= -pressure;
-        SOFT_PETSC(MatSetValues(K, size, facet.dofs.data(), size, facet.dofs.data(), stiffness.data(), ADD_VALUES));
+        K->add(places_.loads[load], f, stiffness);
         for (const auto& column : columns) add_moved(column, -1.0, facet.dofs, stiffness);
     }
     if (rank_ != 0) return;   // the plug's force is known whole to every rank

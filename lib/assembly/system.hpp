@@ -15,6 +15,7 @@
 #include "assembly/materials.hpp"
 #include "assembly/rotation.hpp"
 #include "element/solid_kernel.hpp"
+#include "linalg/block_entries.hpp"
 
 namespace soft::assembly {
 
@@ -113,6 +114,7 @@ private:
     void make_loads();
     void make_outputs();
     void make_local_copy();
+    void find_places(Mat K);
     [[nodiscard]] linalg::Vector assembled(const SparseVector& sparse) const;
     template <class Visit>
     void for_each_surface_cell(Visit&& visit);
@@ -121,10 +123,12 @@ private:
     void gather_cell(const CellGroup& group, std::size_t index, LocalCell& local) const;
     void gather_undeformed(const SurfaceCell& cell, std::vector<double>& X) const;
     void gather_surface(const SurfaceCell& cell, std::vector<double>& x) const;
-    void add_cells(const CellGroup& group, Vec R, Mat K, std::span<const LoadColumn> columns, Evaluation& result) const;
-    static void add_cell(mesh::Index cell, std::span<const PetscInt> dofs, const element::CellOutput& out, Vec R, Mat K,
-                         Evaluation& result);
-    void add_pressures(std::size_t load, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) const;
+    /// K null: no tangent is wanted.
+    void add_cells(std::size_t group, Vec R, linalg::BlockAdder* K, std::span<const LoadColumn> columns, Evaluation& result) const;
+    static void add_residual(mesh::Index cell, std::span<const PetscInt> dofs, const element::CellOutput& out, Vec R,
+                             Evaluation& result);
+    void add_pressures(std::size_t load, const LoadLevels& levels, Vec R, linalg::BlockAdder* K,
+                       std::span<const LoadColumn> columns) const;
     void add_dead_loads(const LoadLevels& levels, Vec R, std::span<const LoadColumn> columns) const;
     /// out += factor x matrix x (velocity of the moved components), for one cell or facet.
     void add_moved(const LoadColumn& column, double factor, std::span<const PetscInt> dofs,
@@ -162,6 +166,14 @@ private:
     using OutputForm = std::variant<LinearOutput, Rotation>;
     std::vector<OutputForm> outputs_;             // by Case::outputs
     std::vector<double> motion_levels_;
+    /// Where the blocks of cells and facets lie in matrices of the pattern met last.
+    struct Places {
+        PetscObjectId matrix = 0;
+        PetscObjectState state = -1;
+        std::uint64_t pattern = 0;
+        std::vector<linalg::BlockPlaces> groups, loads;
+    };
+    Places places_;
 
     std::vector<PetscInt> ghosts_;                // unknowns this rank reads, sorted
     std::vector<double> local_;                   // their values, a zero for held components, the prescribed values by slot
