@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "linalg/profile.hpp"
 #include "surface/contact.hpp"
 
 namespace soft::cli {
@@ -31,6 +32,7 @@ solver::ContactCheck contact_check(assembly::System& system) {
     return [&system, finder](Vec x) {
         const auto fields = system.gather_fields(x);
         std::optional<std::string> found;
+        const linalg::Timed timed(linalg::Phase::contact);
         if (finder)
             if (auto contact = finder->find(fields.displacement_m)) found = std::move(contact->text);
         return from_first_rank(found, system.comm());

@@ -14,6 +14,7 @@
 #include "design/design.hpp"
 #include "io/result_file.hpp"
 #include "library_versions.hpp"
+#include "linalg/profile.hpp"
 #include "linalg/session.hpp"
 #include "ranks.hpp"
 #include "solve_run.hpp"
@@ -55,6 +56,7 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
         ->type_name("PART");
     app.add_option("--resume", options.resume, "Goes on with the file that an interrupted `solve -o FILE` has left; no CASE")
         ->type_name("FILE");
+    app.add_flag("--profile", options.profile, "A table of where time and memory went, after the solve");
     cli::add_set_option(app, options.sets);
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
@@ -77,6 +79,7 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
 ExitCode solve(const SolveOptions& options) {
     if (options.resume.empty()) cli::check_output(options.common.output, cli::Content::binary);
     const linalg::Session session{options.petsc};
+    if (options.profile) linalg::start_profile();
     return cli::on_all_ranks(session.rank(), session.size(), [&] { return cli::run_solve(options, about, session); });
 }
 

@@ -7,6 +7,7 @@
 #include "contact_check.hpp"
 #include "dynamics/motion.hpp"
 #include "io/result_file.hpp"
+#include "linalg/profile.hpp"
 #include "ranks.hpp"
 #include "solve_changes.hpp"
 #include "solve_summary.hpp"
@@ -96,11 +97,13 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         }
         const auto fields = system.gather_fields(x);
         if (writer == nullptr) return;
+        const linalg::Timed timed(linalg::Phase::writing);
         writer->append(step, fields.displacement_m, fields.pressure_Pa);
         console.progress(count(step), step_text(step, model));
     };
     const solver::RowSink keep_row = [&](const solver::RowState& row) { rows.push_back(row); };
     const auto keep = [&](const solution::Checkpoint& checkpoint) {
+        const linalg::Timed timed(linalg::Phase::writing);
         if (writer != nullptr) writer->remember(checkpoint);
     };
     const solver::Log log = [&](const std::string& line) { console.detail(line); };
@@ -133,16 +136,20 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
     assembly::System system{model, PETSC_COMM_WORLD};
     std::optional<io::ResultWriter> writer;
     if (first) writer = make_writer(options, about, task);
+    const double start_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     SolveSummary summary = follow(system, task, options.tolerance, writer ? &*writer : nullptr, console);
     summary.ranks = session.size();
+    summary.start_s = start_s;
     if (first) {
         if (!writer->is_in_place()) console.warn(task.output + " was removed or replaced meanwhile; it is written anew");
         const auto bytes = writer->finish(summary.end);
         if (task.output == "-") write_output("-", bytes, Content::binary);
         measure_process(summary);
+        if (options.profile) summary.profile = linalg::profile_rows();
         summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
         console.say(summary_line(summary, model));
+        for (const std::string& line : profile_lines(summary)) console.say(line);
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
         for (const std::string& option : session.unused_options()) console.warn("PETSc knows no option -" + option);
         if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));

@@ -16,6 +16,7 @@ struct SolveOptions {
     std::string resume;               ///< file of an interrupted solve; then there is no input
     std::string fields = "all";
     std::optional<double> tolerance;  ///< on the error bars of the load
+    bool profile = false;             ///< a table of where the time went
     std::vector<std::string> petsc;   ///< what stands behind --
 };
 

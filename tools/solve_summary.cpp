@@ -3,8 +3,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -123,6 +125,27 @@ std::string summary_line(const SolveSummary& summary, const model::Case& model) 
            " unknowns, " + core::rounded_text(summary.wall_s, 3) + " s";
 }
 
+std::vector<std::string> profile_lines(const SolveSummary& summary) {
+    if (summary.profile.empty()) return {};
+    std::vector<linalg::ProfileRow> rows{{"the case read, tables made", 1, summary.start_s}};
+    rows.insert(rows.end(), summary.profile.begin(), summary.profile.end());
+    double rest_s = summary.wall_s;
+    for (const auto& row : rows) rest_s -= row.seconds;
+    rows.push_back({"everything else", 1, rest_s});
+    std::vector<std::string> lines;
+    std::array<char, 160> line{};
+    const auto put = [&](const char* what, const std::string& calls, double seconds) {
+        std::snprintf(line.data(), line.size(), "  %-66s %8s %9.3f s %5.1f %%", what, calls.c_str(), seconds,
+                      100.0 * seconds / summary.wall_s);
+        lines.emplace_back(line.data());
+    };
+    lines.emplace_back(summary.ranks > 1 ? "profile of rank 0 of " + std::to_string(summary.ranks) + ":" : "profile:");
+    for (const auto& row : rows) put(row.what.c_str(), std::to_string(row.calls), row.seconds);
+    put("whole", "", summary.wall_s);
+    lines.push_back("  memory: at most " + core::rounded_text(summary.peak_memory_MB, 4) + " MB");
+    return lines;
+}
+
 nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Case& model) {
     nlohmann::ordered_json json = {{"tool", "solve"}, {"version", version()}, {"revision", revision()},
                                    {"case", model.name}, {"stop_reason", solution::name(summary.end.reason)},
@@ -153,6 +176,8 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
         point["mode_stored"] = !bifurcation.mode.empty();
         json["bifurcations"].push_back(std::move(point));
     }
+    for (const auto& row : summary.profile)
+        json["profile"].push_back({{"what", row.what}, {"calls", row.calls}, {"seconds", row.seconds}});
     if (summary.last) json["end"] = end_json(*summary.last, model);
     return json;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli.hpp"
+#include "linalg/profile.hpp"
 #include "model/case.hpp"
 #include "solution/path.hpp"
 
@@ -43,6 +44,8 @@ struct SolveSummary {
     int ranks = 1;
     double wall_s = 0, cpu_s = 0;  ///< of this process
     double peak_memory_MB = 0;
+    double start_s = 0;            ///< before the path: the case read, tables made
+    std::vector<linalg::ProfileRow> profile;
 };
 
 /// Seconds and megabytes so far, from the operating system.
@@ -52,6 +55,9 @@ void measure_process(SolveSummary& summary);
 /// Of a motion besides "generalized-alpha over 2 s, energy balance within 0.01 %".
 [[nodiscard]] std::string summary_line(const SolveSummary& summary, const model::Case& model);
 [[nodiscard]] nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Case& model);
+
+/// A table: what, calls, seconds, part of the whole; then the memory. Empty without --profile.
+[[nodiscard]] std::vector<std::string> profile_lines(const SolveSummary& summary);
 
 /// "the tolerance of 0.1 % is missed: the error bars reach 0.3 %; the next mesh would have ..."
 [[nodiscard]] std::string accuracy_line(const AccuracySummary& accuracy);

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "assembly/system.hpp"
+#include "linalg/profile.hpp"
 
 namespace soft::assembly {
 
@@ -11,6 +12,7 @@ namespace soft::assembly {
 constexpr std::size_t cells_per_thread = 16;
 
 Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) {
+    const linalg::Timed timed(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
     prescribe(levels);
     read_state(x);
     SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));   // it may be a vector of PETSc's own solvers

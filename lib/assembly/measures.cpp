@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "assembly/system.hpp"
+#include "linalg/profile.hpp"
 #include "core/tensor.hpp"
 #include "material/response.hpp"
 
@@ -29,10 +30,12 @@ void System::finish_slope(Vec gradient, std::span<double> by_motion) const {
 }
 
 double System::enclosed_volume(std::size_t cavity, Vec x, Vec gradient, std::span<double> by_motion) {
+    const linalg::Timed timed(linalg::Phase::measures);
     return add_volumes({&cavity, 1}, x, gradient, by_motion);
 }
 
 double System::load_volume(std::size_t load, Vec x, Vec gradient, std::span<double> by_motion) {
+    const linalg::Timed timed(linalg::Phase::measures);
     return add_volumes(load_cavities_.at(load), x, gradient, by_motion);
 }
 
@@ -62,6 +65,7 @@ double System::add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gra
 }
 
 double System::output(std::size_t index, Vec x, Vec gradient, std::span<double> by_motion) {
+    const linalg::Timed timed(linalg::Phase::measures);
     const auto* linear = std::get_if<LinearOutput>(&outputs_.at(index));
     if (linear == nullptr) return rotation(index, x, gradient, by_motion);
     if (gradient != nullptr) linalg::copy(linear->weights, gradient);
@@ -175,6 +179,7 @@ double System::stored_energy(Vec x) {
 }
 
 StretchSummary System::stretches(Vec x) {
+    const linalg::Timed timed(linalg::Phase::measures);
     read_state(x);
     struct Sample {
         double stretch, volume;
@@ -223,6 +228,7 @@ bool System::has_symmetric_tangent() const {
 }
 
 System::Fields System::gather_fields(Vec x) {
+    const linalg::Timed timed(linalg::Phase::measures);
     linalg::Scatter to_zero;
     linalg::Vector all;
     SOFT_PETSC(VecScatterCreateToZero(x, to_zero.out(), all.out()));
