@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -86,6 +87,15 @@ std::vector<std::string> long_options(const CLI::App& app) {
     throw Error(ExitCode::usage, "", core::one_line(error.what(), 300), help);
 }
 
+/// A shell variable that is not set must not switch a check off.
+void refuse_empty_values(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& value : option->results())
+            if (value.empty())
+                throw Error(ExitCode::usage, option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front(),
+                            "its value is empty", "leave it out, or give one");
+}
+
 bool holds_option(int argc, char** argv, std::string_view name) {
     for (int i = 1; i < argc && std::string_view{argv[i]} != "--"; ++i) {
         const std::string_view word{argv[i]};
@@ -149,6 +159,31 @@ void at_most_one_of(const CLI::App& app, std::span<const std::string> options) {
         throw Error(ExitCode::usage, "", core::join(options, " and ") + " exclude each other", "give one of them");
 }
 
+void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
+    namespace fs = std::filesystem;
+    const auto is_same = [](const std::string& a, const std::string& b) {
+        std::error_code failed;   // of a file that is not there yet: then the names decide
+        if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;   // /dev/null takes anything
+        if (fs::equivalent(a, b, failed) && !failed) return true;
+        const fs::path whole_a = fs::weakly_canonical(fs::absolute(a), failed), whole_b = fs::weakly_canonical(fs::absolute(b), failed);
+        return !failed && whole_a == whole_b;
+    };
+    const auto is_file = [](const NamedFile& named) { return !named.file.empty() && named.file != "-"; };
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const NamedFile& out = outputs[i];
+        if (out.file.empty()) continue;
+        for (const NamedFile& before : std::span(outputs).first(i)) {
+            if (out.file == "-" && before.file == "-")
+                throw Error(ExitCode::usage, "", before.option + " and " + out.option + " cannot both go to stdout", "name a file for one");
+            if (is_file(out) && is_file(before) && is_same(out.file, before.file))
+                throw Error(ExitCode::usage, out.option + " " + out.file, "is also the file of " + before.option, "give each its own");
+        }
+        for (const NamedFile& in : inputs)
+            if (is_file(out) && is_file(in) && is_same(out.file, in.file))
+                throw Error(ExitCode::usage, out.option + " " + out.file, "would overwrite the input", "write to another file");
+    }
+}
+
 bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, char** argv) {
     common.command_line = command_line_of(argc, argv);
     if (holds_option(argc, argv, "--version")) {  // before CLI11: here --json needs no file
@@ -163,6 +198,7 @@ bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, c
     } catch (const CLI::ParseError& error) {
         refuse_usage(app, about, error);
     }
+    refuse_empty_values(app);
     at_most_one_of(app, std::vector<std::string>{"--quiet", "--verbose"});
     if (app.count("--completion") > 0)
         write_output("-", bash_completion(app, about));

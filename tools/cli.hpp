@@ -63,6 +63,13 @@ void add_set_option(CLI::App& app, std::vector<std::string>& overrides);
 /// Error(usage) if more than one of them was given; after parse().
 void at_most_one_of(const CLI::App& app, std::span<const std::string> options);
 
+/// A file of an option, for check_distinct.
+struct NamedFile {
+    std::string option, file;   ///< file: "" and "-" as in the options
+};
+/// Error(usage) where an output would overwrite an input or another output, and where two go to stdout. Before any work.
+void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
+
 /// True: the options are filled, go on. False: help, version, completion or man page was printed. Throws Error(usage)
 /// with the nearest option for an unknown one.
 [[nodiscard]] bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, char** argv);

@@ -72,6 +72,7 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     cli::at_most_one_of(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials", "--template"});
     if (!options.family.empty()) options.task = Task::print_template;
+    cli::check_distinct({{"DESIGN", options.input}}, {{"--output", options.common.output}, {"--json", options.common.json}});
     return options;
 }
 

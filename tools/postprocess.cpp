@@ -47,10 +47,10 @@ ExitCode postprocess(const PostprocessOptions& options) {
     nlohmann::ordered_json json = postprocess_summary(result, curve, table.row_count());
     const Judgement judgement = judge(options, curve, comparison, json);
     const auto lines = options.comments ? comments(result, options.common) : std::vector<std::string>{};
-    if (comparison)
-        cli::write_output(options.common.output, post::csv_text(curve, comparison->measured, comparison->errors));
-    else if (options.wants_table)
-        cli::write_output(options.common.output, post::csv_text(table, lines));
+    if (options.wants_table)
+        cli::write_output(options.common.output, comparison
+                                                     ? post::csv_text(curve, comparison->measured, comparison->errors)
+                                                     : post::csv_text(table, lines));
     const std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
     draw_plot(options.plot, series, comparison ? &comparison->measured : nullptr, result.model.name);
     make_pictures(options.pictures, {result, image, curve, table, options.at.empty() ? Shown::Rows::last : Shown::Rows::asked}, console);

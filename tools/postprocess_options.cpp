@@ -56,15 +56,17 @@ const std::string columns_help =
     "volume_mL, pressure_<load>_kPa and volume_<cavity>_mL (where there are several), of a motion kinetic_energy_mJ,\n"
     "stored_energy_mJ, load_work_mJ (done by the loads) and damping_work_mJ (taken by damping), stretch_p99 (largest principal\n"
     "stretch exceeded in 1 % of the rubber: converges under refinement), max_stretch (at a sharp corner it does not),\n"
-    "min_J (least ratio of volumes), stable (1 or 0).\n"
+    "min_J (least ratio of volumes), stable (1 or 0). max_stretch and min_J are those of single integration points; colours\n"
+    "and ParaView's nodes carry the linear part of each cell, which is nearer to the truth and does not show such peaks.\n"
     "--at takes what has a unit in the table, by its name without the unit: pressure, elongation, volume, bend=30deg. It\n"
     "gives one row for each crossing, in the order of the path; a value that the path does not reach is refused with\n"
     "exit code 65 and the range it does reach.\n";
 
 const std::string checks_help =
     "--check finds the place of each golden row on the smooth path (equal first output, cavity volume, time or load, whichever\n"
-    "never turns back), so that another choice of steps is no difference. Allowed is atol + rtol |golden|, |golden| no less\n"
-    "than a thousandth of the column's largest.\n"
+    "never turns back), so that other steps are a difference only as far as the curve between its rows is not known: some\n"
+    "0.05 % with error-adaptive steps (solver.step_accuracy), more with others. Allowed is atol + rtol |golden|, |golden| no less\n"
+    "than a thousandth of the column's largest; the column step is not compared.\n"
     "--compare knows the columns by their headers, 'Pressure (psi)' or elongation_mm, whatever stands between them; lines that\n"
     "start with # are comments. Errors are calculated minus measured: of the pressure at equal elongation, and the other way\n"
     "round. Points that the path does not reach are counted and left out.\n"
@@ -85,6 +87,23 @@ void check_combinations(const CLI::App& app) {
     for (const char* option : {"--columns", "--max-error"}) needs(option, {"--compare"});
     for (const char* option : {"--rtol", "--atol"}) needs(option, {"--check"});
     needs("--junit", {"--check", "--max-error"});
+    for (const char* option : {"--at", "--comments"})
+        if (app.count(option) > 0 && app.count("--compare") > 0)
+            throw Error(ExitCode::usage, option, "says nothing with --compare, which writes errors in place of the table",
+                        "leave out one of them");
+}
+
+/// No file twice, and those of the right kind.
+void check_files(const PostprocessOptions& options) {
+    std::vector<cli::NamedFile> inputs = {{"RESULT", options.input}, {"--compare", options.compare.file}, {"--check", options.check.file}};
+    for (const std::string& other : options.plot.with) inputs.push_back({"--with", other.substr(0, other.rfind(':'))});
+    const std::vector<cli::NamedFile> outputs = {
+        {"--output", options.wants_table ? options.common.output : ""}, {"--json", options.common.json},
+        {"--plot", options.plot.file}, {"--picture", options.pictures.picture}, {"--animate", options.pictures.animate},
+        {"--paraview", options.pictures.paraview}, {"--report", options.report}, {"--junit", options.check.junit}};
+    cli::check_distinct(inputs, outputs);
+    if (!options.report.empty() && !options.report.ends_with(".html") && !options.report.ends_with(".htm"))
+        throw Error(ExitCode::usage, "--report " + options.report, "a report is a .html file");
 }
 
 }  // namespace
@@ -126,6 +145,7 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
                                                                app.count("--picture") + app.count("--animate") +
                                                                app.count("--paraview") ==
                                                            0;
+    check_files(options);
     if (!options.plot.file.empty()) static_cast<void>(post::picture_format(options.plot.file));  // before any work
     if (!options.report.empty()) report::require_viewer();
     return options;

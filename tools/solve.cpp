@@ -61,6 +61,8 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     static_cast<void>(io::parse_fields_policy(options.fields));   // before any work
+    cli::check_distinct({{"CASE", options.input}, {"--resume", options.resume}},
+                        {{"--output", options.common.output}, {"--json", options.common.json}});
     if (!options.resume.empty() && (!options.input.empty() || !options.sets.empty() || options.common.output != "-" ||
                                     app.count("--fields") > 0))
         throw Error(ExitCode::usage, "--resume", "the file holds its case, its settings and its place",

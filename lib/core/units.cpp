@@ -31,6 +31,7 @@ constexpr std::array units = {
     Unit{"\u00B5m", Dimension::length, -6},
     Unit{"\u03BCm", Dimension::length, -6},
     Unit{"in", Dimension::length, -4, 254.0},
+    Unit{"inch", Dimension::length, -4, 254.0},
     Unit{"m^2", Dimension::area},
     Unit{"cm^2", Dimension::area, -4},
     Unit{"mm^2", Dimension::area, -6},

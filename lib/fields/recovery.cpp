@@ -20,7 +20,7 @@ struct NormalEquations {
             for (std::size_t j = 0; j < 3; ++j) matrix[3 * i + j] += row[i] * row[j];
         }
     }
-    /// The least of the nearest solutions; a hair of damping makes it unique and costs nine digits of nothing else.
+    /// The least of the nearest solutions: a hair of damping, which moves it by a billionth, chooses among them.
     [[nodiscard]] Vector3 solve() const {
         constexpr double damping = 1e-9;
         const double size = trace(matrix);

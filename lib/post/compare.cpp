@@ -59,6 +59,11 @@ std::string place_text(const Curve& curve, const Measured& measured, const Error
            std::to_string(measured.lines[error.largest_row]) + ")";
 }
 
+std::string points_text(const ErrorSummary& error) {
+    return std::to_string(error.points) + (error.points == 1 ? " point" : " points") +
+           (error.left_out > 0 ? ", " + std::to_string(error.left_out) + " beyond the path" : "");
+}
+
 std::string name_of(const Curve& curve, const ErrorSummary& error) {
     return curve.columns[error.of].quantity + " at equal " + curve.columns[error.at].quantity;
 }
@@ -118,9 +123,7 @@ std::vector<std::string> summary_lines(const Curve& curve, const Measured& measu
         lines.push_back(name_of(curve, error) + ": mean error " + with_unit(of, error.mean, 3) + " (of its size " +
                         with_unit(of, error.mean_size, 3) + "), RMS " + with_unit(of, error.rms, 3) + ", largest " +
                         with_unit(of, error.largest, 3) + " at " + place_text(curve, measured, error) +
-                        (error.r2 ? ", R2 " + core::rounded_text(*error.r2, 4) : "") + "; " +
-                        std::to_string(error.points) + " points" +
-                        (error.left_out > 0 ? ", " + std::to_string(error.left_out) + " beyond the path" : ""));
+                        (error.r2 ? ", R2 " + core::rounded_text(*error.r2, 4) : "") + "; " + points_text(error));
     }
     return lines;
 }
@@ -133,7 +136,8 @@ std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, s
         const auto parsed = core::parse_quantity(limit, of.dimension);
         if (!std::holds_alternative<double>(parsed)) continue;
         const double allowed = in_column_unit(of, std::get<double>(parsed));
-        Claim claim{"largest error of " + name_of(curve, error) + " is at most " + with_unit(of, allowed), ""};
+        if (allowed < 0) throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is negative", "give how large an error may be");
+        Claim claim{"largest error of " + name_of(curve, error) + " is at most " + with_unit(of, allowed) + " (" + points_text(error) + ")", ""};
         if (std::abs(error.largest) > allowed)
             claim.failure = "the largest error of " + name_of(curve, error) + " is " + with_unit(of, error.largest) +
                             " at " + place_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);

@@ -34,6 +34,7 @@ std::vector<Pair> pair_columns(const Curve& curve, const table::Table& golden, c
         for (const double value : pair.golden) pair.largest = std::max(pair.largest, std::abs(value));
         for (std::size_t k = 0; k < curve.columns.size(); ++k)
             if (curve.columns[k].name == pair.name) pair.column = k;
+        if (pair.column != absent && curve.columns[pair.column].role == Role::counter) continue;  // numbers of other steps
         for (const Allowance& allowance : tolerance.absolute)
             if (allowance.quantity.empty() ||
                 (pair.column != absent && curve.columns[pair.column].quantity == allowance.quantity))
@@ -132,13 +133,18 @@ struct RowCheck {
         const Between place = between(path, curve.row_count(), s);
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             const Pair& pair = pairs[i];
-            if (pair.column == absent || curve.columns[pair.column].role == Role::counter) continue;
+            if (pair.column == absent) continue;
             const double value = pair.golden[row], here = found[pair.column];
             const double doubt = interpolation_doubt(curve.columns[pair.column], place, here, value);
             compare(i, {row, value, here, pair.allowed(value, relative) + doubt});
         }
     }
 };
+
+double not_negative(double value, std::string_view text, const std::string& option) {
+    if (value < 0) throw Error(ExitCode::usage, option, core::quoted(text) + " is negative", "give how much a difference may be");
+    return value;
+}
 
 std::string number(double value) { return core::rounded_text(value, 7); }
 
@@ -152,7 +158,7 @@ bool Verdict::agrees() const noexcept {
 Allowance parse_allowance(std::string_view text, const Curve& curve) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos)
-        return {"", core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::usage, "--atol")};
+        return {"", not_negative(core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::usage, "--atol"), text, "--atol")};
     const std::string quantity{core::trimmed(text.substr(0, equals))};
     const Column* column = curve.find(quantity);
     if (column == nullptr) {
@@ -163,7 +169,7 @@ Allowance parse_allowance(std::string_view text, const Curve& curve) {
     }
     const double value =
         core::quantity_or_throw(text.substr(equals + 1), column->dimension, ExitCode::usage, "--atol " + quantity);
-    return {quantity, in_column_unit(*column, value)};
+    return {quantity, not_negative(in_column_unit(*column, value), text.substr(equals + 1), "--atol " + quantity)};
 }
 
 Verdict check_golden(const Curve& curve, const table::Table& golden, const Tolerance& tolerance) {
@@ -174,6 +180,10 @@ Verdict check_golden(const Curve& curve, const table::Table& golden, const Toler
     if (tracks.empty())
         throw Error(ExitCode::bad_input, golden.source, "has no column by which its rows could be found on the path",
                     "it needs one of " + curve.coordinate_names());
+    const auto known = std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.column != absent; });
+    if (known < 2)
+        throw Error(ExitCode::bad_input, golden.source, "has no column beside the one by which its rows are found: nothing is checked",
+                    "give a table with at least two quantities");
     const std::size_t leader = leading_track(tracks), column = tracks[leader].column;
     const Path path(curve);
     const auto lead = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.column == column; });

@@ -33,7 +33,13 @@ public:
         if (column == nullptr || column->role != Role::coordinate)
             throw Error(ExitCode::usage, "--columns", "the curve has no " + core::quoted(choice.quantity),
                         "it has " + curve_.coordinate_names());
-        add(index_of(*column), numbered(choice), choice.unit);
+        const std::size_t number = numbered(choice);
+        if (has(index_of(*column)))
+            throw Error(ExitCode::usage, "--columns", core::quoted(choice.quantity) + " is there twice", "name each quantity once");
+        if (taken_[number] != 0)
+            throw Error(ExitCode::usage, "--columns " + choice.quantity, table::column_text(file_, number) + " is taken already",
+                        "name each column once");
+        add(index_of(*column), number, choice.unit);
     }
 
     void match_names() {
@@ -166,7 +172,7 @@ std::vector<ColumnChoice> parse_column_choices(std::string_view text) {
 Measured read_measured(const table::Table& file, const Curve& curve, std::span<const ColumnChoice> choices) {
     Matcher matcher(file, curve);
     for (const ColumnChoice& choice : choices) matcher.choose(choice);
-    if (choices.empty()) matcher.match_names();
+    matcher.match_names();
 
     const bool moves = std::any_of(curve.columns.begin(), curve.columns.end(),
                                    [](const Column& c) { return c.source == Source::time; });
@@ -178,17 +184,23 @@ Measured read_measured(const table::Table& file, const Curve& curve, std::span<c
     };
     const auto is_base = [&](const Column& column) { return column.source == base; };
     const auto is_other = [&](const Column& column) { return column.source != base; };
-    if (choices.empty() && !found(is_base)) matcher.match_units(is_base);
-    if (choices.empty() && !found(is_other))
+    if (!found(is_base)) matcher.match_units(is_base);
+    if (!found(is_other))
         matcher.match_units(
             [](const Column& column) { return column.source == Source::output || column.source == Source::volume; });
     if (!found(is_base) || !found(is_other)) {
         const Column& column = *std::find_if(curve.columns.begin(), curve.columns.end(), is_base);
+        const auto lacks = found(is_base)
+                               ? std::find_if(curve.columns.begin(), curve.columns.end(),
+                                              [&](const Column& c) { return c.role == Role::coordinate && is_other(c); })
+                               : curve.columns.begin() + (&column - curve.columns.data());
+        const std::string unit = lacks == curve.columns.end() || lacks->unit.empty() ? "" : ":" + lacks->unit;
         throw Error(
             ExitCode::bad_input, file.source,
             found(is_base) ? "nothing to set against the " + column.quantity + " is found among " + column_list(file)
                            : "no " + column.quantity + " is found among " + column_list(file),
-            "name the columns, e.g. --columns " + column.quantity + "=1; the case has " + curve.coordinate_names());
+            (lacks == curve.columns.end() ? std::string{} : "say where it is, e.g. --columns " + lacks->quantity + "=1" + unit + "; ") +
+                "the case has " + curve.coordinate_names());
     }
 
     Measured measured{file.source, file.lines, {}};

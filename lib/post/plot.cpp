@@ -70,9 +70,11 @@ std::size_t first_column(const Curve& curve, Wanted wanted) {
     return static_cast<std::size_t>(hit - curve.columns.begin());
 }
 
-std::size_t measured_column(const Curve& curve) {  // outputs stand before the volume
-    return first_column(
-        curve, [](const Column& column) { return column.source == Source::output || column.source == Source::volume; });
+std::size_t output_column(const Curve& curve, const Measured* measured) {  // outputs stand before the volume
+    return first_column(curve, [&](const Column& column) {
+        return (column.source == Source::output || column.source == Source::volume) &&
+               (measured == nullptr || measured->find(static_cast<std::size_t>(&column - curve.columns.data())) != nullptr);
+    });
 }
 
 std::size_t column_of(const Curve& curve, Source source) {
@@ -192,18 +194,24 @@ PictureFormat picture_format(const std::filesystem::path& file) {
     throw Error(ExitCode::usage, file.string(), "pictures are written as .svg, .png or .pdf");
 }
 
-PlotAxes plot_axes(const Curve& curve, const PlotRequest& request) {
+PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measured* measured) {
     const bool moves = is_motion(curve);
-    const auto usual_x = [&] { return moves ? column_of(curve, Source::time) : measured_column(curve); };
-    const auto usual_y = [&] { return moves ? measured_column(curve) : column_of(curve, Source::load); };
-    return {request.x.empty() ? usual_x() : named_column(curve, request.x, "--x"),
-            request.y.empty() ? usual_y() : named_column(curve, request.y, "--y")};
+    const auto usual_x = [&] { return moves ? column_of(curve, Source::time) : output_column(curve, measured); };
+    const auto usual_y = [&] { return moves ? output_column(curve, measured) : column_of(curve, Source::load); };
+    const auto named = [&](const std::string& name, const char* option) {
+        const std::size_t column = named_column(curve, name, option);
+        if (measured != nullptr && measured->find(column) == nullptr)
+            throw Error(ExitCode::usage, option, core::quoted(name) + " was not measured, so that no point could be drawn",
+                        "plot without --compare, or another quantity");
+        return column;
+    };
+    return {request.x.empty() ? usual_x() : named(request.x, "--x"), request.y.empty() ? usual_y() : named(request.y, "--y")};
 }
 
 std::string plot_script(std::span<const PlotSeries> series, const Measured* measured, const PlotRequest& request,
                         PictureFormat format) {
     const PlotSeries& first = series.front();
-    const PlotAxes axes = plot_axes(first.curve, request);
+    const PlotAxes axes = plot_axes(first.curve, request, measured);
     Script script(heading(first.curve, axes, request, format), format);
     const bool alone = series.size() == 1;
     Seen seen;

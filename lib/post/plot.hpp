@@ -37,8 +37,9 @@ struct PlotAxes {
     std::size_t x = 0, y = 0;
 };
 /// What is asked for; else the load over the first output (the cavity volume where a case measures none), of a motion the
-/// first output over time. Error: usage for a quantity the curve does not have, bad_input where it measures nothing.
-[[nodiscard]] PlotAxes plot_axes(const Curve& curve, const PlotRequest& request);
+/// first output over time: where there are measured data, the first output that was measured. Error: usage for a quantity the
+/// curve does not have or that was not measured, bad_input where it measures nothing.
+[[nodiscard]] PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measured* measured = nullptr);
 
 /// The gnuplot script that writes the picture to gnuplot's stdout. `measured` (or nullptr) belongs to the first series.
 /// Errors as plot_axes; bad_input where a further series does not have the axes of the first.

@@ -44,6 +44,8 @@ std::string error_text(const post::Curve& curve) {
             column.quantity + " \u00B1 " + core::rounded_text(half, 2) + " " + column.unit +
             (largest > 0 ? " (" + core::rounded_text(100 * half / largest, 2) + " % of its largest value)" : ""));
     }
+    if (words.empty() && curve.find("time") != nullptr)
+        return "The error of the mesh has not been judged. Compare with mesh.refine: 1 and a smaller dynamics.accuracy.";
     if (words.empty())
         return "The error of the mesh has not been judged. solve --tolerance 1% refines it until its error is below that and "
                "gives every step an error bar.";

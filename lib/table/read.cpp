@@ -46,7 +46,10 @@ std::size_t count_cells(std::string_view line, char delimiter) {
     return cells;
 }
 
+/// The one by which most lines have the same number of cells, two or more; of equally good ones the first.
 char find_delimiter(const std::vector<std::string_view>& lines) {
+    char best = ',';
+    std::size_t best_lines = 0;
     for (const char delimiter : {';', '\t', '|', ',', ' '}) {
         std::map<std::size_t, std::size_t> lines_of;  // by their number of cells
         std::size_t sampled = 0, most = 0;
@@ -56,9 +59,11 @@ char find_delimiter(const std::vector<std::string_view>& lines) {
             if (cells > 1) most = std::max(most, same);
             if (++sampled == sampled_lines) break;
         }
-        if (2 * most > sampled) return delimiter;
+        if (2 * most <= sampled || most <= best_lines) continue;
+        best = delimiter;
+        best_lines = most;
     }
-    return ',';
+    return best;
 }
 
 std::string with_tabs_for_blanks(std::string_view line) {

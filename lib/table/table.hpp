@@ -1,8 +1,8 @@
 #pragma once
 /// Tables as people and instruments write them: CSV with any usual delimiter. Held by table/read_test, table/values_test.
 ///
-/// What is understood: the first of ; tab | , and runs of blanks that gives most lines the same number of cells (two or
-/// more); quotes as in RFC 4180; a decimal comma where the delimiter is another; lines that start with # and empty lines are
+/// What is understood: of ; tab | , and runs of blanks the one that gives most lines the same number of cells, two or more (of
+/// equally good ones the first); quotes as in RFC 4180; a decimal comma where the delimiter is another; lines that start with # and empty lines are
 /// no data; a byte order mark and CR LF; a first line without any number as header, and a line of units below it.
 #include <cstddef>
 #include <optional>

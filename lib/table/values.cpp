@@ -22,13 +22,47 @@ std::string place(const Table& table, std::size_t row, std::size_t column) {
     return table.source + ":" + std::to_string(table.lines[row]) + ": " + column_text(table, column);
 }
 
-std::string number_or_throw(const Table& table, std::size_t row, std::size_t column) {
-    const std::string& cell = table.rows[row][column];
-    if (auto number = number_in(cell)) return *number;
-    throw Error(ExitCode::bad_input, place(table, row, column),
-                core::trimmed(cell).empty() ? "the cell is empty" : core::quoted(cell) + " is no number",
-                "put # before lines that are no data");
+/// "1,400", "12,400": one comma with three digits behind it.
+bool may_be_thousands(std::string_view cell) {
+    cell = core::trimmed(cell);
+    const std::size_t comma = cell.find(',');
+    return comma != std::string_view::npos && cell.size() == comma + 4 && comma >= 1 && comma <= 4 && cell.front() != '0' &&
+           cell.find_first_not_of("0123456789", comma + 1) == std::string_view::npos;
 }
+
+/// Somewhere a point stands for the decimals, so a comma does not.
+bool has_decimal_points(const Table& table) {
+    return std::ranges::any_of(table.rows, [](const auto& row) {
+        return std::ranges::any_of(row, [](const std::string& cell) { return cell.find('.') != std::string::npos && number_in(cell); });
+    });
+}
+
+/// The cells of one column as decimal text.
+class ColumnReader {
+public:
+    ColumnReader(const Table& table, std::size_t column) : table_(table), column_(column) {}
+
+    [[nodiscard]] std::string number_or_throw(std::size_t row) {
+        const std::string& cell = table_.rows[row][column_];
+        if (may_be_thousands(cell) && !commas_are_decimal())
+            throw Error(ExitCode::bad_input, place(table_, row, column_),
+                        core::quoted(cell) + " may have a decimal comma or one for thousands", "write it without the comma");
+        if (auto number = number_in(cell)) return *number;
+        throw Error(ExitCode::bad_input, place(table_, row, column_),
+                    core::trimmed(cell).empty() ? "the cell is empty" : core::quoted(cell) + " is no number",
+                    "put # before lines that are no data");
+    }
+
+private:
+    [[nodiscard]] bool commas_are_decimal() {
+        if (!decimal_) decimal_ = table_.delimiter != ',' && !has_decimal_points(table_);
+        return *decimal_;
+    }
+
+    const Table& table_;
+    std::size_t column_;
+    std::optional<bool> decimal_ = {};  // found out once it matters
+};
 
 }  // namespace
 
@@ -82,8 +116,9 @@ std::string column_text(const Table& table, std::size_t column) {
 
 std::vector<double> numbers(const Table& table, std::size_t column) {
     std::vector<double> values;
+    ColumnReader reader(table, column);
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const std::string text = number_or_throw(table, row, column);
+        const std::string text = reader.number_or_throw(row);
         values.emplace_back();
         std::from_chars(text.data(), text.data() + text.size(), values.back());
     }
@@ -93,8 +128,9 @@ std::vector<double> numbers(const Table& table, std::size_t column) {
 std::vector<double> values_SI(const Table& table, std::size_t column, std::string_view unit,
                               core::Dimension dimension) {
     std::vector<double> values;
+    ColumnReader reader(table, column);
     for (std::size_t row = 0; row < table.rows.size(); ++row)
-        values.push_back(core::quantity_or_throw(number_or_throw(table, row, column) + " " + std::string{unit},
+        values.push_back(core::quantity_or_throw(reader.number_or_throw(row) + " " + std::string{unit},
                                                  dimension, ExitCode::bad_input, place(table, row, column)));
     return values;
 }

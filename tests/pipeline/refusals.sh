@@ -13,6 +13,17 @@ for tool in mesh-gen solve postprocess; do
     refuses 64 "$tool: *exclude each other; *" "$tool --quiet --verbose x"
     refuses 64 "$tool: data and --json cannot both go to stdout; use *" "$tool --json - x"
 done
+# a shell variable that is not set switches nothing off, and no output destroys an input or another output
+refuses 64 'postprocess: --check: its value is empty; leave it out, or give one' 'postprocess --check "" --junit v.xml result.h5'
+refuses 64 'solve: --output: its value is empty; *' 'solve -o "" case.h5'
+refuses 64 'mesh-gen: --output tube.yaml: would overwrite the input; write to another file' 'cp designs/tube.yaml tube.yaml; mesh-gen tube.yaml -o tube.yaml'
+refuses 64 'solve: --json ./case.h5: would overwrite the input; *' 'solve case.h5 --json ./case.h5 -o x.h5'
+refuses 64 'postprocess: --report ./x.html: is also the file of --json; *' 'postprocess result.h5 --json x.html --report ./x.html'
+refuses 64 'postprocess: --output result.h5: would overwrite the input; *' 'postprocess result.h5 -o result.h5'
+refuses 64 'postprocess: --output and --junit cannot both go to stdout; *' 'postprocess result.h5 -o - --check golden.csv --junit -'
+refuses 64 'postprocess: --report x.pdf: a report is a .html file' 'postprocess result.h5 --report x.pdf'
+claim "the inputs are as they were" cmp tube.yaml designs/tube.yaml
+rm tube.yaml
 refuses 64 "solve: --fields: 'some' is not a choice; all, last, none or every=N" 'solve --fields some case.h5'
 refuses 64 "postprocess: picture.jpg: pictures are written as .svg, .png or .pdf" 'postprocess --plot picture.jpg result.h5'
 refuses 64 "postprocess: --at: the curve has no 'pressur'; it has pressure, elongation, volume" 'postprocess --at pressur=1kPa result.h5'

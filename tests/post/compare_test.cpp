@@ -51,10 +51,22 @@ TEST(Measured, TakesTheColumnsItIsTold) {
     EXPECT_EQ(read("a (mm),b (Pa),c (Pa)\n1,50,70\n", "pressure=c,growth=1").series[0].values[0], 0.07);
 }
 
+TEST(Measured, FindsByItsHeaderWhatItIsNotTold) {
+    const Measured measured = read("Pressure (psi),Growth (furlong)\n2,20\n", "growth=2:mm");
+    EXPECT_EQ(measured.series[0].values[0], 2 * 6.894757293168361);
+    EXPECT_EQ(measured.series[1].values[0], 20);
+    EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa"),
+              "m.csv: nothing to set against the pressure is found among column 1 'a', column 2 'b'; say where it is, e.g. "
+              "--columns growth=1:mm; the case has pressure, growth, volume");
+    EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa,growth=1:mm"),
+              "--columns growth: column 1 'a' is taken already; name each column once");
+    EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa,pressure=2:kPa"), "--columns: 'pressure' is there twice; name each quantity once");
+}
+
 TEST(Measured, RefusesInOneClearLine) {
     EXPECT_EQ(
         refusal("a,b\n1,2\n"),
-        "m.csv: no pressure is found among column 1 'a', column 2 'b'; name the columns, e.g. --columns pressure=1; the "
+        "m.csv: no pressure is found among column 1 'a', column 2 'b'; say where it is, e.g. --columns pressure=1:kPa; the "
         "case has pressure, growth, volume");
     EXPECT_EQ(refusal("pressure,growth_mm\n1,2\n"),
               "m.csv: column 1 'pressure': the unit is not known; give it, e.g. --columns pressure=1:kPa");
@@ -128,6 +140,7 @@ TEST(Compare, TheLargestErrorIsHeldToALimitInItsOwnUnit) {
               "the largest error of pressure at equal growth is 2 kPa at growth 250 mm (m.csv:2), allowed is 1.9 kPa");
     EXPECT_NE(failure("1mm"), "");
     EXPECT_THROW((void)failure("5 deg"), Error);
+    EXPECT_THROW((void)failure("-5 kPa"), Error);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST(Golden, TheSameRowsAgreeToTheLastDigitInEveryColumn) {
     const table::Table golden = table::read_table(csv_text(curve), "golden.csv");
     const Verdict verdict = check_golden(curve, golden, {1e-12, {}});
     EXPECT_TRUE(verdict.agrees()) << failure_text(verdict, golden);
-    EXPECT_EQ(verdict.columns.size(), curve.columns.size());
+    EXPECT_EQ(verdict.columns.size(), curve.columns.size() - 1) << "all but the number of the step";
 }
 
 TEST(Golden, TellsTheFirstDifferingRowWithColumnValuesAndDifference) {
@@ -92,6 +92,14 @@ TEST(Golden, StabilityIsHeldToTheRowsOnBothSides) {
     EXPECT_TRUE(verdict_on(between, {}, 9).agrees());
 }
 
+TEST(Golden, ATableThatChecksNothingIsRefused) {
+    const Curve curve = make_curve(growth, test::sphere_path(20, 3));
+    EXPECT_THROW((void)check_golden(curve, table::read_table("growth_mm\n0\n100\n", "g.csv"), {}), Error);
+    EXPECT_THROW((void)check_golden(curve, table::read_table("step,growth_mm\n0,0\n1,100\n", "g.csv"), {}), Error);
+    EXPECT_THROW((void)parse_allowance("-5", curve), Error);
+    EXPECT_THROW((void)parse_allowance("pressure=-5Pa", curve), Error);
+}
+
 TEST(Golden, APathThatGoesThereAndBackIsFollowedInItsOrder) {
     // pressure up and down again on two different ways; the first output turns back with it
     auto steps = test::sphere_path(9, 1.8);
@@ -108,7 +116,7 @@ TEST(Golden, APathThatGoesThereAndBackIsFollowedInItsOrder) {
     golden.rows[12][1] = golden.rows[4][1];  // a row of the way back with the pressure of the way there
     const Verdict verdict = check_golden(curve, golden, {1e-3, {}});
     EXPECT_EQ(verdict.differing_rows, 1u) << failure_text(verdict, golden);
-    EXPECT_EQ(verdict.columns[1].first->row, 12u);
+    EXPECT_EQ(verdict.columns[0].first->row, 12u);
 }
 
 TEST(Golden, AStageThatHoldsTheStateIsFoundWhereItHolds) {

@@ -37,6 +37,13 @@ TEST(ReadTable, PrefersTheSemicolonToTheDecimalComma) {
     EXPECT_EQ(numbers(table, 1), (std::vector<double>{1.25, 2.25}));
 }
 
+TEST(ReadTable, TakesTheDelimiterThatAlsoFitsTheHeader) {
+    const Table table = read_table("Pressure_kPa Elongation_mm\n1,40 20,0\n3,20 40,0\n", "m.csv");
+    EXPECT_EQ(table.delimiter, ' ');
+    EXPECT_EQ(numbers(table, 0), (std::vector<double>{1.4, 3.2}));
+    EXPECT_EQ(read_table("p_kPa, e_mm\n1.4, 20\n", "m.csv").delimiter, ',') << "of equally good ones the first";
+}
+
 TEST(ReadTable, LeavesCommentsAndEmptyLinesOutAndKeepsTheLineNumbers) {
     const Table table = read_table("# made by hand\n\npressure_kPa,elongation_mm\n1,2\n\n# a pause\n3,4\n", "m.csv");
     EXPECT_EQ(table.lines, (std::vector<std::size_t>{4, 7}));

@@ -37,6 +37,22 @@ TEST(DimensionOf, KnowsUnits) {
     EXPECT_EQ(dimension_of("furlong"), std::nullopt);
 }
 
+TEST(Numbers, AreRefusedWhereACommaMayBeOneOfThousands) {
+    const auto refusal = [](std::string_view text) {
+        try {
+            static_cast<void>(numbers(read_table(text, "m.csv"), 0));
+        } catch (const Error& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    const std::string words = "m.csv:2: column 1 'p_Pa': '1,400' may have a decimal comma or one for thousands; write it without the comma";
+    EXPECT_EQ(refusal("p_Pa,e_mm\n\"1,400\",20\n"), words);
+    EXPECT_EQ(refusal("p_Pa;e_mm\n1,400;20.5\n"), words) << "the other column has decimal points";
+    EXPECT_EQ(numbers(read_table("p_Pa;e_mm\n1,400;20,5\n", "m.csv"), 0), (std::vector<double>{1.4}));
+    EXPECT_EQ(numbers(read_table("p_Pa,e_mm\n\"0,400\",20\n", "m.csv"), 0), (std::vector<double>{0.4}));
+}
+
 TEST(ValuesSI, ConvertsByTheDefinitionsOfTheUnits) {
     const Table table = read_table("psi,bar,in\n1,1,1\n10,\"0,5\",2\n", "m.csv");
     const auto psi = values_SI(table, 0, "psi", core::Dimension::pressure);
