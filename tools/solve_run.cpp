@@ -1,10 +1,12 @@
 #include "solve_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "contact_check.hpp"
+#include "design/fitted.hpp"
 #include "io/result_file.hpp"
 #include "ranks.hpp"
 #include "solve_changes.hpp"
@@ -83,6 +85,7 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     Progress progress{model};
     const auto count = [&](const solution::Step& step) {
         summary.last = step;
+        summary.largest_stretch_p99 = std::max(summary.largest_stretch_p99, step.stretch_p99);
         ++summary.steps;
         if (step.motion) summary.energy.add(*step.motion);
         return progress.advance(step);
@@ -143,6 +146,8 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
         for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
         console.say(summary_line(summary, model));
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
+        const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
+        if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99)) console.warn(*advice);
         for (const std::string& option : session.unused_options()) console.warn("PETSc knows no option -" + option);
         if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));
     }

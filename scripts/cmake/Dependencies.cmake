@@ -31,3 +31,4 @@ target_link_libraries(soft_gmsh INTERFACE ${GMSH_LIBRARY})
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)   # comes with the compiler; the threads of the element loops
 find_package(CGAL CONFIG REQUIRED)
+find_package(Ceres 2.1 REQUIRED)   # brings Eigen
