@@ -87,7 +87,8 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         summary.last = step;
         summary.largest_stretch_p99 = std::max(summary.largest_stretch_p99, step.stretch_p99);
         ++summary.steps;
-        if (step.motion) summary.energy.add(*step.motion);
+        // A stress without an energy has no balance.
+        if (step.motion && system.has_symmetric_tangent()) summary.energy.add(*step.motion);
         return progress.advance(step);
     };
     std::vector<solver::RowState> rows;   // kept for --tolerance, whose curve is written when all is known

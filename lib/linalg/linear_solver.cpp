@@ -64,7 +64,7 @@ Factorization LinearSolver::factorize() {
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
     if (raised) {
-        SOFT_PETSC(PCReset(pc));   // half made
+        SOFT_PETSC(KSPReset(ksp_));   // half made, with its vectors
         return {};
     }
     PCFailedReason failed = PC_NOERROR;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/error.hpp"
 #include "solver/dynamics_follower.hpp"
@@ -19,12 +20,16 @@ constexpr double first_share = 1e-3, share_after_kink = 0.1;
 constexpr double growth_without_estimate = 2.0, largest_growth = 2.0, smallest_shrink = 0.3, rejection = 1.5;
 /// The size of the motion is at least this part of the linear response.
 constexpr double size_share = 0.1;
-/// Explicit steps: of the stable one, which is estimated every so many steps because stretching stiffens.
+/// Explicit steps: of the stable one, which is estimated again and again because stretching stiffens: more often where it has
+/// changed by more than the larger of two shares since the last time, less often where by less than the smaller.
 constexpr double stable_share = 0.9;
-constexpr int steps_between_estimates = 50;
+constexpr int first_steps_between_estimates = 4, most_steps_between_estimates = 50;
+constexpr double much_change = 0.03, little_change = 0.01;
 /// A step the user has chosen is kept up to this part of the stable one: room for what stiffens before the next estimate.
 constexpr double nearly_unstable = 0.97;
 constexpr int explicit_step_limit = 1'000'000;
+/// Forces of the undeformed body (of a law that carries stress there) below this part of the loads are none.
+constexpr double hardly_stressed = 1e-6;
 /// Times that differ by this part of a step are one.
 constexpr double same_time = 1e-6;
 
@@ -104,6 +109,10 @@ void MotionFollower::start() {
     else
         stage_.emplace(equations_);
     make_method();
+    (void)equations_.evaluate(last_.x, assembly::no_loads(input_), nullptr);
+    const double own = linalg::norm(equations_.residual());
+    (void)equations_.evaluate(last_.x, equations_.full_levels(), nullptr);
+    is_free_of_stress_ = own <= hardly_stressed * linalg::norm(equations_.load_force());
     choose_first_step();
     if (explicit_)
         (void)explicit_acceleration(equations_, last_);
@@ -150,12 +159,21 @@ void MotionFollower::choose_first_step() {
 
 /// An explicit step of our own follows the stable one; that of the user is shortened where the body has become too stiff for it.
 void MotionFollower::update_stable_step() {
-    stable_step_s_ = stable_->estimate(last_);
+    const double before_s = std::exchange(stable_step_s_, stable_->estimate(last_));
     if (!(stable_step_s_ > settings_.smallest_step * first_step_s_))  // or is no number
-        return finish(StopReason::diverged,
-                      "the stable step has fallen to " + short_text(stable_step_s_) + " s at " +
-                          short_text(last_.time_s) + " s, from " + short_text(first_step_s_) +
-                          " s: the body stretches and stiffens without bound, or the explicit motion has become unstable");
+        return finish(
+            StopReason::diverged,
+            "the stable step has fallen to " + short_text(stable_step_s_) + " s at " + short_text(last_.time_s) +
+                " s, from " + short_text(first_step_s_) +
+                " s: the body stretches and stiffens without bound, or the explicit motion has become unstable");
+    const double change = std::abs(stable_step_s_ - before_s) / stable_step_s_;
+    if (rows_ == 0)
+        between_estimates_ = first_steps_between_estimates;
+    else if (change > much_change)
+        between_estimates_ = std::max(between_estimates_ / 4, 1);
+    else if (change < little_change)
+        between_estimates_ = std::min(between_estimates_ * 2, most_steps_between_estimates);
+    next_estimate_ = steps_ + between_estimates_;
     const double own = coarse(stable_share * stable_step_s_);
     const bool keeps = is_constant() && (rows_ == 0 || dynamics_.step_s <= nearly_unstable * stable_step_s_);
     if (is_constant() && !keeps && step_s_ == dynamics_.step_s)
@@ -232,7 +250,7 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
     std::swap(last_, next_);
     if (std::abs(dynamics_.duration_s - last_.time_s) <= same_time * step_s) last_.time_s = dynamics_.duration_s;
     if (is_constant() && !explicit_) step_s_ = std::min(dynamics_.step_s, 2.0 * step_s_);
-    if (explicit_ && steps_ % steps_between_estimates == 0) update_stable_step();
+    if (explicit_ && steps_ >= next_estimate_) update_stable_step();
     if (is_adaptive()) adapt(error, step_s);
     for (const double kink : kinks_)
         if (std::abs(kink - last_.time_s) <= same_time * step_s) {

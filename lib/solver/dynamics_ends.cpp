@@ -47,8 +47,8 @@ void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
                       "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " + place + " at " +
                           when + "; use smaller cells there (mesh.size)");
     if (explicit_)
-        return finish(StopReason::diverged, "the motion grows without bound beyond " + when + ": " +
-                                                std::string(text_of(failure.end)));
+        return finish(StopReason::diverged,
+                      "the motion grows without bound beyond " + when + ": " + std::string(text_of(failure.end)));
     finish(StopReason::diverged, "no motion found beyond " + when + " (" + std::string(text_of(failure.end)) +
                                      "); the most distorted cell is " + place +
                                      ", det F = " + short_text(failure.min_jacobian));
@@ -58,12 +58,14 @@ std::optional<std::string> MotionFollower::impossible(const solution::Step& step
     const std::string when = "at " + short_text(last_.time_s) + " s ";
     const std::string remedy = explicit_ ? "give a shorter dynamics.step, damping, or an implicit integrator"
                                          : "give a shorter dynamics.step, or generalized-alpha";
-    if (!is_finite(step)) return "the motion grows without bound: " + when + "it has left the range of numbers; " + remedy;
+    if (!is_finite(step))
+        return "the motion grows without bound: " + when + "it has left the range of numbers; " + remedy;
     const double given = largest_work_J_ / input_.model_fraction;
-    if (explicit_ && given > 0.0 && step.max_stretch > visible_stretch &&
+    if (explicit_ && is_free_of_stress_ && given > 0.0 && step.max_stretch > visible_stretch &&
         step.motion->kinetic_energy_J > energy_from_nowhere * given)
-        return "the motion grows without bound: " + when + "its energy is " + short_text(step.motion->kinetic_energy_J) +
-               " J, where the loads have given " + short_text(given) + " J; " + remedy;
+        return "the motion grows without bound: " + when + "its energy is " +
+               short_text(step.motion->kinetic_energy_J) + " J, where the loads have given " + short_text(given) +
+               " J; " + remedy;
     return std::nullopt;
 }
 

@@ -74,9 +74,11 @@ private:
     double error_constant_ = 0;  // of divided differences
     double step_s_ = 0, first_step_s_ = 0, row_interval_s_ = 0, next_row_s_ = 0;
     double stable_step_s_ = 0;
-    double size_ = 0;                              // of the motion
+    int between_estimates_ = 0, next_estimate_ = 0;                     // of it, in steps
+    double size_ = 0;                                                   // of the motion
     double load_work_J_ = 0, damping_work_J_ = 0, largest_work_J_ = 0;  // of the modelled part
     int rows_ = 0, steps_ = 0, iterations_since_row_ = 0, factorizations_at_row_ = 0;
+    bool is_free_of_stress_ = true;  // the undeformed body
     bool finished_ = false;
     solution::PathEnd end_;
 };

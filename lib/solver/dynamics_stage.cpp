@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace soft::solver {
 
@@ -11,10 +12,20 @@ constexpr int inversion_halvings = 4;
 constexpr double pressure_scale_Pa = 1e5;  // of a line's equation: of the order of the ambient pressure
 /// Of the body's extent: strains of cells down to a hundredth of it have squares below rounding.
 constexpr double linear_share = 1e-11;
-/// Times the rounding measured: that of one state is above or below that of another.
+/// Times the rounding measured: that of one state is above or below that of the next.
 constexpr double rounding_margin = 10.0;
 /// Of the largest scale of forces in the motion so far: a body in free flight has none.
 constexpr double vanishing_forces = 1e-3;
+
+double extent_m(const mesh::Mesh& mesh) {
+    mesh::Point low = mesh.point(0), high = low;
+    for (const auto& point : mesh.points)
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], point[i]);
+            high[i] = std::max(high[i], point[i]);
+        }
+    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+}
 
 linalg::Symmetry symmetry_of(const assembly::System& system) {
     return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
@@ -28,28 +39,6 @@ model::LinearSettings with_a_matrix(model::LinearSettings settings) {
 
 }  // namespace
 
-double rounding_of_forces_N(MotionEquations& equations) {
-    const model::Case& input = equations.system().input();
-    mesh::Point low = input.mesh.point(0), high = low;
-    for (const auto& point : input.mesh.points)
-        for (std::size_t i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], point[i]);
-            high[i] = std::max(high[i], point[i]);
-        }
-    const double extent_m = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    linalg::Vector x = equations.system().make_vector(), once = linalg::duplicate(x);
-    fill_with_waves(x);
-    SOFT_PETSC(VecPointwiseMult(x, equations.mask(), x));
-    SOFT_PETSC(VecScale(x, linear_share * extent_m));
-    const auto none = assembly::no_loads(input);
-    (void)equations.evaluate(x, none, nullptr);
-    linalg::copy(equations.residual(), once);
-    SOFT_PETSC(VecScale(x, 2.0));
-    (void)equations.evaluate(x, none, nullptr);
-    linalg::add(once, -0.5, equations.residual());
-    return 2.0 * linalg::norm(once);
-}
-
 StageSolver::StageSolver(MotionEquations& equations)
     : equations_(equations),
       settings_(equations.system().input().solver),
@@ -59,7 +48,6 @@ StageSolver::StageSolver(MotionEquations& equations)
       dx_(equations.system().make_vector()),
       inertia_(equations.system().make_vector()),
       masked_(equations.system().make_vector()) {
-    least_scale_ = rounding_margin * rounding_of_forces_N(equations) / settings_.residual_tolerance;
     for (std::size_t k = 0; k < equations.line_count(); ++k) {
         columns_.push_back(equations.system().make_vector());
         gradients_.push_back(equations.system().make_vector());
@@ -131,7 +119,24 @@ double StageSolver::force_scale(const assembly::Evaluation& evaluation, Vec iner
     const double scale =
         std::max({evaluation.force_scale, linalg::norm(equations_.load_force()), linalg::norm(inertia)});
     largest_scale_ = std::max(largest_scale_, scale);
-    return std::max({scale, vanishing_forces * largest_scale_, least_scale_});
+    return std::max(scale, vanishing_forces * largest_scale_);
+}
+
+bool StageSolver::is_rounding(double residual_N, Vec x, const LoadLevels& levels) {
+    if (probe_.get() == nullptr) {
+        probe_ = equations_.system().make_vector();
+        fill_with_waves(probe_);
+        SOFT_PETSC(VecPointwiseMult(probe_, equations_.mask(), probe_));
+        SOFT_PETSC(VecScale(probe_, linear_share * extent_m(equations_.system().input().mesh)));
+    }
+    linalg::Vector moved = linalg::duplicate(x), difference = linalg::duplicate(x);
+    SOFT_PETSC(VecZeroEntries(difference));
+    for (const auto& [steps, weight] : {std::pair{2.0, 1.0}, std::pair{1.0, -2.0}, std::pair{0.0, 1.0}}) {
+        SOFT_PETSC(VecWAXPY(moved, steps, probe_, x));
+        if (!equations_.evaluate(moved, levels, nullptr).admissible()) return false;
+        linalg::add(difference, weight, equations_.residual());
+    }
+    return residual_N <= rounding_margin * linalg::norm(difference);
 }
 
 /// r_ = M a + C v + R at the state last evaluated; its size over the scale of forces.
@@ -188,6 +193,7 @@ StageResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& s
         evaluation_ = evaluate(state, pressures, nullptr, result);
     }
     factor_is_of_stage_ = false;
+    double before = std::numeric_limits<double>::infinity();
     for (;; ++result.iterations) {
         if (!evaluation_.admissible()) return report(NewtonEnd::inverted);
         result.residual = balance(state, evaluation_);
@@ -196,7 +202,12 @@ StageResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& s
         const bool supplied = std::ranges::all_of(rows, [&](const LineRow& row) {
             return std::abs(row.rhs) <= settings_.residual_tolerance * pressure_scale_Pa;
         });
-        if (supplied && result.residual <= settings_.residual_tolerance) break;
+        const auto no_more_digits = [&] {
+            return stalls(result.residual, before) &&
+                   is_rounding(linalg::norm(r_), state.x, equations_.levels(state.time_s, pressures));
+        };
+        if (supplied && (result.residual <= settings_.residual_tolerance || no_more_digits())) break;
+        before = result.residual;
         if (result.iterations == settings_.newton_limit) return report(NewtonEnd::iteration_limit);
         if (const auto end = correct(map, rows, state, pressures, result); end != NewtonEnd::converged)
             return report(end);

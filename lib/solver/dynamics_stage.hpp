@@ -31,9 +31,8 @@ struct StageResult {
     mesh::Index worst_cell = -1;
 };
 
-/// What rounding adds to R where a stiff body has hardly moved [N]: |R(2x) - 2 R(x)| of a displacement of rest so small that R
-/// is linear in it. No residual can be asked to fall below.
-[[nodiscard]] double rounding_of_forces_N(MotionEquations& equations);
+/// Of a residual, from the iteration before to this one: it no longer falls.
+[[nodiscard]] inline bool stalls(double residual, double before) { return residual > 0.3 * before; }
 
 class StageSolver {
 public:
@@ -54,9 +53,12 @@ public:
     [[nodiscard]] std::vector<double> read_volumes(Vec x);
 
     [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
-    /// What residuals are measured by, with floors where all forces of the motion vanish for a moment, and where they are so
-    /// small that the tolerance would ask for digits below rounding_of_forces_N.
+    /// What residuals are measured by, with a floor where all forces of the motion vanish for a moment.
     [[nodiscard]] double force_scale(const assembly::Evaluation& evaluation, Vec inertia);
+    /// Whether a residual [N] at x is no more than the rounding of R there, as that of a stiff body that has hardly moved, or has
+    /// moved far. Rounding is what the second difference R(x + 2d) - 2 R(x + d) + R(x) leaves of a d so small that R is linear
+    /// in it. Leaves the equations evaluated at x.
+    [[nodiscard]] bool is_rounding(double residual_N, Vec x, const LoadLevels& levels);
 
 private:
     [[nodiscard]] std::vector<LineRow> line_rows(const StageMap& map, const MotionState& state,
@@ -74,10 +76,11 @@ private:
     linalg::Matrix J_;
     linalg::LinearSolver solver_;
     linalg::Vector r_, dx_, inertia_, masked_;
+    linalg::Vector probe_;  // d of is_rounding, once it is asked for
     std::vector<linalg::Vector> columns_, gradients_;
     assembly::Evaluation evaluation_;  // of the state as it stands
     bool factor_is_of_stage_ = false;
-    double largest_scale_ = 0, least_scale_ = 0;
+    double largest_scale_ = 0;
 };
 
 }  // namespace soft::solver

@@ -37,8 +37,7 @@ PetscErrorCode call_inverse(PC pc, Vec b, Vec out) {
 /// The rows of x and v have different units: what counts is the balance of forces.
 PetscErrorCode call_test(SNES, PetscInt iteration, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason,
                          void* context) {
-    *reason = self(context).test(iteration);
-    return 0;
+    return self(context).guarded([&] { *reason = self(context).test(iteration); });
 }
 
 }  // namespace
@@ -133,8 +132,17 @@ SNESConvergedReason TsIntegrator::test(int iteration) {
     const auto& settings = equations_.system().input().solver;
     if (failure_ != NewtonEnd::converged || !std::isfinite(relative_residual_)) return SNES_DIVERGED_FUNCTION_DOMAIN;
     // The rows dx/dt = v are linear: the first correction fulfils them.
-    if (iteration > 0 && relative_residual_ <= settings.residual_tolerance) return SNES_CONVERGED_FNORM_RELATIVE;
+    if (iteration > 0 && (relative_residual_ <= settings.residual_tolerance || is_rounding()))
+        return SNES_CONVERGED_FNORM_RELATIVE;
+    residual_before_ = relative_residual_;
     return iteration >= settings.newton_limit ? SNES_DIVERGED_MAX_IT : SNES_CONVERGED_ITERATING;
+}
+
+/// At the state of implicit_function's last call; the supply lines hold by themselves.
+bool TsIntegrator::is_rounding() {
+    if (!stalls(relative_residual_, residual_before_)) return false;
+    const auto pressures = equations_.line_pressures(x_, masses_);
+    return solver_->is_rounding(relative_residual_ * scale_N_, x_, equations_.levels(stage_time_s_, pressures));
 }
 
 void TsIntegrator::split(Vec y, Vec x, Vec v, std::vector<double>& masses) const {
@@ -185,6 +193,8 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     equations_.add_damping(forces_, 1.0, v_);
     const double scale = solver_->force_scale(evaluation_, inertia_);
     relative_residual_ = scale > 0.0 ? linalg::norm(forces_) / scale : 0.0;
+    scale_N_ = scale;
+    stage_time_s_ = time_s;
     // Rows of x: dx/dt - v, and what is left of the forces at pressure unknowns, whose v is 0 from the start.
     SOFT_PETSC(VecPointwiseMult(out_v_, equations_.mask(), forces_));
     SOFT_PETSC(VecWAXPY(out_x_, -1.0, v_, rate_x_));

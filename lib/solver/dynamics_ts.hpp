@@ -38,6 +38,7 @@ public:
 
 private:
     void set_up_implicit(SNES snes);
+    [[nodiscard]] bool is_rounding();
     void read_end(double time_s, MotionState& next, StepResult& result);
     void split(Vec y, Vec x, Vec v, std::vector<double>& masses) const;
     void join(Vec x, Vec v, std::span<const double> masses, Vec y) const;
@@ -50,7 +51,7 @@ private:
     TimeStepper ts_;
     std::vector<double> masses_, rate_masses_;
     std::vector<LineRow> rows_;
-    double shift_ = 0, relative_residual_ = 0;
+    double shift_ = 0, relative_residual_ = 0, residual_before_ = 0, scale_N_ = 0, stage_time_s_ = 0;
     assembly::Evaluation evaluation_;
     NewtonEnd failure_ = NewtonEnd::converged;
     std::exception_ptr thrown_;

@@ -20,6 +20,9 @@ constexpr double error_at_a_kink = 0.8;
 constexpr double load_share = 0.45;
 /// Near a limit point the load's error is measured by this part of the load, not by its change.
 constexpr double flat_load = 0.1;
+/// Times the tolerance of equilibrium, of the state or load: what a predictor differs from a state no better known than that
+/// says nothing about the step.
+constexpr double equilibrium_margin = 10.0;
 /// Step changes from one step to the next.
 constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure = 0.4;
 /// Newton iterations beyond which the step does not grow.
@@ -108,11 +111,13 @@ PathFollower::PredictorError PathFollower::error_of(const Aim& aim, const PathPo
     linalg::copy(aim.forecast.x, change);
     linalg::add(change, -1.0, point.state.x);
     const double error = linalg::norm(change);
+    const double unknown = equilibrium_margin * settings_.residual_tolerance;
     linalg::copy(point.state.x, change);
     linalg::add(change, -1.0, last_->state.x);
-    return {error / linalg::norm(change),
-            std::abs(leading_of(aim.forecast) - point.leading) /
-                std::max(std::abs(point.leading - last_->leading), flat_load * std::abs(point.leading))};
+    const double step = linalg::norm(change), load_error = std::abs(leading_of(aim.forecast) - point.leading);
+    const double load_step = std::max(std::abs(point.leading - last_->leading), flat_load * std::abs(point.leading));
+    return {error > unknown * linalg::norm(point.state.x) ? error / step : 0.0,
+            load_error > unknown * std::abs(point.leading) ? load_error / load_step : 0.0};
 }
 
 /// Another inertia is another branch, unless the predictor says that the path has just passed a bifurcation. And steps that

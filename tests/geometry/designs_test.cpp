@@ -89,7 +89,8 @@ TEST_P(Shown, BecomesACaseWithoutWarning) {
     EXPECT_GT(mesh::quality(build_case(design).mesh).min_scaled_jacobian, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome"),
+INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome",
+                                                        "bellows-inflation"),
                          [](const auto& test) { return test_name(test.param); });
 
 }  // namespace

@@ -38,3 +38,10 @@ runs 'postprocess killed.h5 -o killed.csv'
 claim "postprocess says that it is not finished" grep -q 'not finished' "$seen/err"
 claim "the rows before the kill are there" table killed.csv
 refuses 64 'solve: --resume: a motion in time cannot be resumed; *' 'solve --resume killed.h5'
+
+# What an explicit motion ends as.
+explicit='--set mesh.formulation=f-bar --set mesh.order=1 --set material.kappa=1.6MPa --set dynamics.integrator=explicit-euler'
+run "mesh-gen -q designs/sphere.yaml $static $explicit --set dynamics.duration=100ms -o long.h5; solve long.h5 --json solve.json -o long-result.h5"
+claim "it ends early" exits 2
+claim "too many steps are a reason" has step_limit solve.json stop_reason
+claim "rest alone is in the file" grep -q 'use an implicit integrator; 0 steps,' "$seen/err"

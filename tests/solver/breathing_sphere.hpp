@@ -31,7 +31,8 @@ template <class Elastic>
     double a = A, v = 0;
     for (int i = 0; i < count; ++i) {
         for (int j = 0; j < steps; ++j) {
-            const double a1 = v, v1 = acceleration(a, v), a2 = v + 0.5 * h * v1, v2 = acceleration(a + 0.5 * h * a1, a2);
+            const double a1 = v, v1 = acceleration(a, v), a2 = v + 0.5 * h * v1,
+                         v2 = acceleration(a + 0.5 * h * a1, a2);
             const double a3 = v + 0.5 * h * v2, v3 = acceleration(a + 0.5 * h * a2, a3), a4 = v + h * v3,
                          v4 = acceleration(a + h * a3, a4);
             a += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);

@@ -144,6 +144,27 @@ TEST(Motion, ASlowRampFollowsTheStaticPath) {
     }
 }
 
+// A ramp so slow that the pressure is 2e-8 to 4e-7 of the modulus in the first steps: a residual of 1e-9 of its force is beyond the digits
+// of the stress, which are eps of the modulus. The wall is a free mass yet, m a'' = 4 pi A^2 p t / T with m of breathing_sphere.hpp:
+// dV/dt = (4 pi A^2)^2 p t^2 / (2 T m).
+TEST(Motion, LoadsNearRoundingMoveTheBody) {
+    constexpr double ramp_s = 1.0;
+    for (const auto integrator : {Integrator::generalized_alpha, Integrator::hht, Integrator::newmark,
+                                  Integrator::implicit_euler, Integrator::ark4, Integrator::rosenbrock}) {
+        auto input = breathing_case(0.4, ramp_s);
+        input.loads[0].course = ramp_course();
+        input.dynamics->integrator = integrator;
+        input.dynamics->step_s = 5e-8;
+        input.path.stages[0].until = {{"steps", 20.0}};
+        const auto moved = move(input);
+        EXPECT_EQ(moved.end.reason, solution::StopReason::done) << int(integrator) << moved.end.detail;
+        const double t = moved.last().motion->time_s, area = 4.0 * std::numbers::pi * 1e-4;
+        const double m = area * density * 0.01 * (1.0 - 0.5);
+        const double flow = area * area * 0.4 * sample_mu_Pa * t * t / (2.0 * ramp_s * m);
+        EXPECT_NEAR(moved.last().tangent_volume / flow, 1.0, 0.1) << int(integrator);
+    }
+}
+
 /// A sphere so stiff that its volume stays, isothermal gas: dp/dt = (source - p) / (resistance (V + D) / ambient).
 model::Case line_case(double time_constant_s) {
     auto input = sphere_case(1, 2);

@@ -102,5 +102,18 @@ TEST(StepRules, ErrorAdaptiveStepsNeedNoPredictedStart) {
     for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_NEAR(steps[i].load_factor, cubic[i].load_factor, 1e-6);
 }
 
+// The error of a predictor below what equilibrium is known to would shorten the steps until they end the path.
+TEST(StepRules, ALooseEquilibriumDoesNotEndThePath) {
+    auto input = box(StepRule::error_adaptive, 1.0 / 300);
+    input.path.stages[0].control = model::Control::pressure;
+    input.solver.predictor = Predictor::none;
+    input.solver.residual_tolerance = 1e-4;
+    input.solver.linear.method = model::LinearMethod::krylov;
+    input.solver.linear.preconditioner = model::Preconditioner::jacobi;
+    input.solver.linear.tolerance = 1e-2;
+    const auto [steps, end, log] = run(input);
+    EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
+}
+
 }  // namespace
 }  // namespace soft::solver

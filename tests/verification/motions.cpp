@@ -38,8 +38,8 @@ std::vector<Extremum> extrema(const Run& run) {
             (velocity(middle) * va > 0.0 ? low : high) = middle;
         }
         const double s = low, t = 1 - s;
-        found.push_back({from.motion->time_s + s * h, a * t * t * (1 + 2 * s) + b * s * s * (3 - 2 * s) +
-                                                          h * s * t * (va * t - vb * s)});
+        found.push_back({from.motion->time_s + s * h,
+                         a * t * t * (1 + 2 * s) + b * s * s * (3 - 2 * s) + h * s * t * (va * t - vb * s)});
     }
     return found;
 }
@@ -73,7 +73,8 @@ Outcome solve_cantilever() {
     };
     add("first period, undamped [s]", 2.0 * std::numbers::pi / theory,
         "Timoshenko's beam, E' = 4 mu of incompressible plane strain", 2.0 * std::numbers::pi / frequency);
-    add("damping ratio by the logarithmic decrement [-]", rayleigh, "Rayleigh, a / 2w + b w / 2 at Timoshenko's w", zeta);
+    add("damping ratio by the logarithmic decrement [-]", rayleigh, "Rayleigh, a / 2w + b w / 2 at Timoshenko's w",
+        zeta);
     return outcome;
 }
 
@@ -100,7 +101,8 @@ Outcome solve_sphere() {
                                 .seconds = run.seconds});
     };
     for (const int ms : {1, 2, 4, 8})
-        add("a/A after " + std::to_string(ms) + " ms [-]", exact[10 * static_cast<std::size_t>(ms) - 1], inner(10 * ms));
+        add("a/A after " + std::to_string(ms) + " ms [-]", exact[10 * static_cast<std::size_t>(ms) - 1],
+            inner(10 * ms));
     int worst = 1;
     double error = 0;
     for (int row = 1; row <= count; ++row) {
