@@ -22,11 +22,6 @@ constexpr const char *duration_path = "dynamics.duration", *integrator_path = "d
                      *radius_path = "dynamics.spectral_radius";
 constexpr double least_hht_radius = 0.5;   // alpha = (1 - rho) / (1 + rho) <= 1/3
 
-bool is_explicit(Integrator integrator) {
-    return integrator == Integrator::heun || integrator == Integrator::explicit_euler ||
-           integrator == Integrator::central_difference;
-}
-
 Key time_key(std::string path, std::string word, std::string meaning) {
     return {.path = std::move(path),
             .kind = Kind::time,

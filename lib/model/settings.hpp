@@ -70,6 +70,11 @@ enum class Integrator {
     central_difference,
 };
 
+[[nodiscard]] constexpr bool is_explicit(Integrator integrator) noexcept {
+    return integrator == Integrator::heun || integrator == Integrator::explicit_euler ||
+           integrator == Integrator::central_difference;
+}
+
 /// A case with it is one stage that runs in time, from rest in the undeformed state.
 struct Dynamics {
     Integrator integrator = Integrator::generalized_alpha;

@@ -152,6 +152,19 @@ Speeds motion_speeds(const Metric& metric, const Column& time, std::size_t row_a
     return {metric.norm(row_a) * duration, metric.norm(row_b) * duration};
 }
 
+/// Share of the chord that the path has covered on an interval, a cubic of t like the coordinates themselves.
+Hermite progress(const Metric& metric, const Curve& curve, const std::vector<std::vector<Hermite>>& pieces, std::size_t interval,
+                 double chord) {
+    Hermite progress{0, 1, 0, 0};
+    for (std::size_t k = 0; k < metric.columns.size(); ++k) {
+        const Hermite& piece = pieces[static_cast<std::size_t>(metric.columns[k] - curve.columns.data())][interval];
+        const double share = (piece.q1 - piece.q0) * metric.inverse_range[k] * metric.inverse_range[k] / (chord * chord);
+        progress.m0 += piece.m0 * share;
+        progress.m1 += piece.m1 * share;
+    }
+    return progress;
+}
+
 const Column* first_of(const Curve& curve, auto is_wanted) {
     const auto column = std::find_if(curve.columns.begin(), curve.columns.end(), is_wanted);
     return column == curve.columns.end() ? nullptr : &*column;
@@ -165,6 +178,7 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     const Column* stage = first_of(curve, [](const Column& column) { return column.role == Role::stage; });
     const Column* time = first_of(curve, [](const Column& column) { return column.source == Source::time; });
     std::vector<Speeds> speeds;
+    std::vector<double> chords{0};   // added up
     rows_.push_back(0);
     s_.push_back(0);
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
@@ -177,18 +191,20 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         rows_.push_back(row);
         speeds.push_back(next);
         s_.push_back(s_.back() + (time != nullptr ? time->values[row] - time->values[before] : (next.start + next.end) / 2));
+        chords.push_back(chords.back() + metric.distance(before, row));
     }
     for (const Column& column : curve.columns) {
         std::vector<double> q;
         for (const std::size_t row : rows_) q.push_back(column.values[row]);
-        const std::vector<double> flat = monotone_slopes(s_, q);
+        const std::vector<double>& places = column.role == Role::coordinate || time != nullptr ? s_ : chords;
+        const std::vector<double> flat = monotone_slopes(places, q);
         const auto slope = [&](std::size_t i, double speed, double ds) {
             const double norm = column.role == Role::coordinate ? metric.norm(rows_[i]) : 0;
             return norm > 0 ? column.slopes[rows_[i]] / norm * speed : flat[i] * ds;
         };
         std::vector<Hermite>& pieces = pieces_.emplace_back();
         for (std::size_t i = 0; i < speeds.size(); ++i) {
-            const double ds = s_[i + 1] - s_[i], difference = q[i + 1] - q[i];
+            const double ds = places[i + 1] - places[i], difference = q[i + 1] - q[i];
             const bool known = column.role != Role::coordinate || speeds[i].directions == Speeds::Directions::both;
             double start = slope(i, speeds[i].start, ds), end = slope(i + 1, speeds[i].end, ds);
             if (!known) {
@@ -198,6 +214,9 @@ Path::Path(const Curve& curve) : curve_(&curve) {
             pieces.push_back({q[i], q[i + 1], start, end});
         }
     }
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        progress_.push_back(time != nullptr ? Hermite{0, 1, 1, 1}
+                                            : progress(metric, curve, pieces_, i, metric.distance(rows_[i], rows_[i + 1])));
 }
 
 double Path::in_interval(std::size_t column, std::size_t interval, double t) const {
@@ -207,8 +226,8 @@ double Path::in_interval(std::size_t column, std::size_t interval, double t) con
         case Role::counter: return left + t * (right - left);
         case Role::stage: return t <= 0 ? left : right;
         case Role::flag: return t <= 0 ? left : t >= 1 ? right : std::min(left, right);
-        case Role::coordinate:
-        case Role::follower: break;
+        case Role::follower: return pieces_[column][interval](std::clamp(progress_[interval](t), 0.0, 1.0));
+        case Role::coordinate: break;
     }
     return pieces_[column][interval](t);
 }

@@ -8,7 +8,8 @@
 /// so that a piece of any parabola is met exactly and any smooth path to fourth order (derived here). Where that has no
 /// sound answer (a straight piece, a point of inflection) both speeds are the length of the chord. Rows without
 /// slopes, and columns that have none, take slopes that keep each interval monotone (Fritsch and Butland 1984, as in
-/// PCHIP).
+/// PCHIP). The latter are cubics of the progress along the chord, (q(t) - q0) . (q1 - q0) / |q1 - q0|^2, which unlike t runs
+/// as evenly as the path itself.
 /// A change of stage is a corner: the last row of a stage holds the direction in which that stage has arrived, and the way
 /// on to the next row belongs to the next stage. There the piece is the arc that leaves the chord as it arrives, known by
 /// u1 alone: m1 = v u1, m0 = 2 (q1 - q0) - m1, v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order;
@@ -46,7 +47,7 @@ public:
     [[nodiscard]] std::span<const std::size_t> rows() const noexcept { return rows_; }
     /// All columns at path parameter s in [0, length()], in the order of the curve.
     [[nodiscard]] std::vector<double> at(double s) const;
-    /// All s at which the column has `value` (column's unit), in the order of the path.
+    /// All s at which the column, a coordinate, has `value` (column's unit), in the order of the path.
     [[nodiscard]] std::vector<double> crossings(std::size_t column, double value) const;
     struct Range {
         double lowest, highest;
@@ -60,7 +61,8 @@ private:
     const Curve* curve_;
     std::vector<std::size_t> rows_;             ///< distinct rows of the path
     std::vector<double> s_;                     ///< their parameters: mean speeds of the intervals, added up
-    std::vector<std::vector<Hermite>> pieces_;  ///< [column][interval]
+    std::vector<std::vector<Hermite>> pieces_;  ///< [column][interval]; coordinates of t, the others of the progress
+    std::vector<Hermite> progress_;             ///< of each interval, of t
 };
 
 }  // namespace soft::post

@@ -1,18 +1,30 @@
 #include "post/plot.hpp"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
+#include <array>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "post/gnuplot.hpp"
-#include "post/interpolate.hpp"
+#include "post/plot_data.hpp"
 
 namespace soft::post {
 namespace {
 
-constexpr int samples_per_interval = 16;  // a cubic over at most a twentieth of the picture looks smooth
+/// How a path is told from the others: gnuplot's open point types, and a colour besides. Filled triangles and squares are
+/// those of limit points and bifurcations.
+struct Style {
+    int point;
+    const char* colour;
+};
+constexpr std::array<Style, 7> styles = {{{6, "#0072B2"},
+                                          {12, "#D55E00"},
+                                          {4, "#009E73"},
+                                          {10, "#CC79A7"},
+                                          {14, "#E69F00"},
+                                          {8, "#56B4E9"},
+                                          {1, "#000000"}}};
+constexpr std::size_t markers_alone = 400, markers_beside_others = 16;
 
 /// Inside gnuplot's single quotes only the quote itself is special.
 std::string gnuplot_text(std::string_view text) {
@@ -24,23 +36,25 @@ std::string gnuplot_text(std::string_view text) {
     return out + "'";
 }
 
-std::string point(double x, double y) { return core::number_text(x) + " " + core::number_text(y) + "\n"; }
-
-bool is_motion(const Curve& curve) { return curve.find("time") != nullptr && curve.find("time")->source == Source::time; }
+bool is_motion(const Curve& curve) {
+    return curve.find("time") != nullptr && curve.find("time")->source == Source::time;
+}
 
 /// A case without a cavity volume is loaded on a face: its pressure is no cavity's.
 std::string axis_label(const Curve& curve, const Column& column) {
-    const bool of_cavity = column.source == Source::volume ||
-                           (column.quantity == "pressure" && curve.find("volume") != nullptr);
-    std::string text = (of_cavity ? "cavity " : "") + column.quantity;
-    if (column.source == Source::load) std::replace(text.begin(), text.end(), '_', ' ');   // "load factor"
+    const bool of_cavity =
+        column.source == Source::volume || (column.quantity == "pressure" && curve.find("volume") != nullptr);
+    std::string text = of_cavity ? "cavity " : "";
+    text += column.quantity;
+    std::replace(text.begin(), text.end(), '_', ' ');  // "load factor"
     return gnuplot_text(column.unit.empty() ? text : text + " (" + column.unit + ")");
 }
 
-/// SVG scales; the PNG has twice the pixels so that it prints well.
+/// SVG and PDF scale; the PNG has twice the pixels so that it prints well.
 std::string terminal(PictureFormat format) {
     switch (format) {
         case PictureFormat::svg: return "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white'\n";
+        case PictureFormat::pdf: return "set terminal pdfcairo size 16cm,11.2cm font 'Helvetica,11' linewidth 1.2\n";
         case PictureFormat::png: break;
     }
     return "if (strstrt(GPVAL_TERMINALS, 'pngcairo')) set terminal pngcairo size 1600,1120 font 'Sans,26' linewidth 2;"
@@ -56,64 +70,116 @@ std::size_t first_column(const Curve& curve, Wanted wanted) {
     return static_cast<std::size_t>(hit - curve.columns.begin());
 }
 
-std::size_t measured(const Curve& curve) {   // outputs stand before the volume
-    return first_column(curve, [](const Column& column) {
-        return column.source == Source::output || column.source == Source::volume;
-    });
+std::size_t measured_column(const Curve& curve) {  // outputs stand before the volume
+    return first_column(
+        curve, [](const Column& column) { return column.source == Source::output || column.source == Source::volume; });
 }
 
 std::size_t column_of(const Curve& curve, Source source) {
     return first_column(curve, [&](const Column& column) { return column.source == source; });
 }
 
-/// The load over what is measured; of a motion what is measured over time.
-std::size_t abscissa(const Curve& curve) { return is_motion(curve) ? column_of(curve, Source::time) : measured(curve); }
-std::size_t ordinate(const Curve& curve) { return is_motion(curve) ? measured(curve) : column_of(curve, Source::load); }
+std::size_t named_column(const Curve& curve, const std::string& name, const char* option) {
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < curve.columns.size(); ++i) {
+        if (curve.columns[i].quantity == name || curve.columns[i].name == name) return i;
+        known.push_back(curve.columns[i].quantity);
+    }
+    throw Error(ExitCode::usage, option, "the curve has no " + core::quoted(name), core::did_you_mean(name, known));
+}
 
-struct Blocks {
-    std::string rows, stable, unstable, limits, bifurcations;
+/// The columns of the first series in another one.
+PlotAxes same_axes(const PlotSeries& first, const PlotAxes& axes, const PlotSeries& other) {
+    const auto same = [&](std::size_t column) {
+        const std::string& name = first.curve.columns[column].name;
+        for (std::size_t i = 0; i < other.curve.columns.size(); ++i)
+            if (other.curve.columns[i].name == name) return i;
+        throw Error(ExitCode::bad_input, "--with " + other.label, "the curve has no " + core::quoted(name),
+                    "choose other axes with --x and --y");
+    };
+    return {same(axes.x), same(axes.y)};
+}
+
+/// A script that grows by one data block and one line of the plot command at a time.
+class Script {
+public:
+    Script(std::string head, PictureFormat format)
+        : head_(std::move(head)), scale_(format == PictureFormat::svg ? 0.45 : 1) {}
+
+    /// The point sizes of the SVG terminal are larger than those of the others beside its text.
+    [[nodiscard]] std::string points(int type, double size) const {
+        return "pointtype " + std::to_string(type) + " pointsize " + core::rounded_text(scale_ * size, 3);
+    }
+
+    void block(const std::string& name, const std::string& data) { head_ += "$" + name + " << END\n" + data + "END\n"; }
+    void plot(const std::string& what) { plots_.append(plots_.empty() ? "plot " : ", ").append(what); }
+    /// Both; nothing for no data.
+    void add(const std::string& name, const std::string& data, const std::string& how) {
+        if (data.empty()) return;
+        block(name, data);
+        plot("$" + name + " " + how);
+    }
+    void legend(const std::string& how, const std::string& title) { plot("keyentry " + how + " title " + title); }
+    [[nodiscard]] std::string text() const { return head_ + plots_ + "\n"; }
+
+private:
+    std::string head_, plots_;
+    double scale_;
 };
 
-/// Sampled path in two blocks; a change of stability between two rows is drawn half-way.
-void sample_line(const Curve& curve, std::size_t x, std::size_t y, Blocks& blocks) {
-    const Path path(curve);
-    const std::vector<double>& flags = curve.find("stable")->values;
-    const auto s = path.row_parameters();
-    const auto part = [&](std::size_t i, int half) -> std::string& {
-        return flags[path.rows()[i + static_cast<std::size_t>(half)]] > 0 ? blocks.stable : blocks.unstable;
+std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest& request, PictureFormat format) {
+    return terminal(format) + "set encoding utf8\nset title " + gnuplot_text(request.title) + " noenhanced\n" +
+           "set xlabel " + axis_label(curve, curve.columns[axes.x]) + " noenhanced\n" + "set ylabel " +
+           axis_label(curve, curve.columns[axes.y]) + " noenhanced\n" +
+           "set grid linecolor rgb '#b0b0b0' linewidth 0.5\nset border 3 linewidth 1\nset tics nomirror out\n"
+           "set style fill transparent solid 0.2 noborder\nset bars 0.5\n"
+           "set key outside top center horizontal reverse Left samplen 3 noenhanced\n"
+           "set offsets graph 0, graph 0.03, graph 0.08, 0\n";
+}
+
+/// What the legend has to explain once for all paths.
+struct Seen {
+    bool unstable = false, band = false, limits = false, bifurcations = false;
+};
+
+void add_path(Script& script, const Blocks& blocks, std::size_t index, double point_size, Seen& seen) {
+    const Style style = styles[index % styles.size()];
+    const std::string n = std::to_string(index + 1), colour = std::string{" linecolor rgb '"} + style.colour + "'";
+    script.add("band" + n, blocks.band, "with filledcurves closed" + colour + " notitle");
+    script.add("stable" + n, blocks.stable, "with lines linewidth 2" + colour + " notitle");
+    script.add("unstable" + n, blocks.unstable, "with lines linewidth 2 dashtype (8,6)" + colour + " notitle");
+    script.add("bars" + n, blocks.bars, "with xyerrorbars linewidth 1 pointtype 0" + colour + " notitle");
+    script.add("markers" + n, blocks.markers,
+               "with points " + script.points(style.point, point_size) + colour + " notitle");
+    script.add("limits" + n, blocks.limits,
+               "with points " + script.points(9, 2.2) + " linecolor rgb '#b00000' notitle");
+    script.add("bifurcations" + n, blocks.bifurcations,
+               "with points " + script.points(5, 1.8) + " linecolor rgb '#b05a00' notitle");
+    const std::string labels = " using 1:2:3 with labels offset 0,1.2 noenhanced notitle";
+    if (!blocks.limits.empty()) script.plot("$limits" + n + labels);
+    if (!blocks.bifurcations.empty()) script.plot("$bifurcations" + n + labels);
+    seen.unstable |= !blocks.unstable.empty();
+    seen.band |= !blocks.band.empty();
+    seen.limits |= !blocks.limits.empty();
+    seen.bifurcations |= !blocks.bifurcations.empty();
+}
+
+void add_legend(Script& script, std::span<const PlotSeries> series, const Seen& seen) {
+    const auto sign = [&](std::size_t i) {
+        const Style style = styles[i % styles.size()];
+        return script.points(style.point, 1.5) + " linewidth 2 linecolor rgb '" + style.colour + "'";
     };
-    const std::string* current = nullptr;
-    for (std::size_t i = 0; i + 1 < s.size(); ++i)
-        for (int half = 0; half < 2; ++half) {
-            std::string& block = part(i, half);
-            if (&block != current && !block.empty()) block += "\n";  // a gap: gnuplot starts a new stroke
-            current = &block;
-            for (int k = 0; k <= samples_per_interval / 2; ++k) {
-                const double t = (half + 2.0 * k / samples_per_interval) / 2;
-                const std::vector<double> row = path.at(s[i] + t * (s[i + 1] - s[i]));
-                block += point(row[x], row[y]);
-            }
-        }
-}
-
-/// A line "x y label" for a point with both coordinates.
-std::string labelled(const Column& x, const Column& y, const solution::LimitPoint& at) {
-    const auto along = value_at(x, at), load = value_at(y, at);
-    if (!along || !load) return {};
-    const std::string unit = y.unit.empty() ? "" : " " + y.unit;
-    return core::number_text(*along) + " " + core::number_text(*load) + " \"" + core::rounded_text(*load, 4) + unit +
-           "\"\n";
-}
-
-Blocks make_blocks(const Curve& curve, const solution::PathEnd& end, std::size_t x, std::size_t y) {
-    Blocks blocks;
-    const Column& along = curve.columns[x];
-    const Column& load = curve.columns[y];
-    for (std::size_t row = 0; row < curve.row_count(); ++row) blocks.rows += point(along.values[row], load.values[row]);
-    sample_line(curve, x, y, blocks);
-    for (const solution::LimitPoint& limit : end.limit_points) blocks.limits += labelled(along, load, limit);
-    for (const solution::Bifurcation& branch : end.bifurcations) blocks.bifurcations += labelled(along, load, branch.at);
-    return blocks;
+    if (series.size() == 1)
+        script.legend("with linespoints " + sign(0), is_motion(series[0].curve) ? "'motion'" : "'converged steps'");
+    else
+        for (std::size_t i = 0; i < series.size(); ++i)
+            script.legend("with linespoints " + sign(i), gnuplot_text(series[i].label));
+    if (seen.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
+    if (seen.band) script.legend("with filledcurves linecolor rgb '#0072B2'", "'error of the mesh'");
+    if (seen.limits)
+        script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
+    if (seen.bifurcations)
+        script.legend("with points " + script.points(5, 1.8) + " linecolor rgb '#b05a00'", "'bifurcation'");
 }
 
 }  // namespace
@@ -122,43 +188,41 @@ PictureFormat picture_format(const std::filesystem::path& file) {
     const std::string ending = file.extension().string();
     if (ending == ".svg") return PictureFormat::svg;
     if (ending == ".png") return PictureFormat::png;
-    throw Error(ExitCode::usage, file.string(), "pictures are written as .svg or .png");
+    if (ending == ".pdf") return PictureFormat::pdf;
+    throw Error(ExitCode::usage, file.string(), "pictures are written as .svg, .png or .pdf");
 }
 
-std::string plot_script(const Curve& curve, const solution::PathEnd& end, const PlotText& text, PictureFormat format) {
-    std::string script = terminal(format);
-    const std::size_t x = abscissa(curve), y = ordinate(curve);
-    const Blocks blocks = make_blocks(curve, end, x, y);
-
-    script += "set encoding utf8\nset title " + gnuplot_text(text.title) + " noenhanced\n";
-    script += "set xlabel " + axis_label(curve, curve.columns[x]) + " noenhanced\n";
-    script += "set ylabel " + axis_label(curve, curve.columns[y]) + " noenhanced\n";
-    script += "set grid linecolor rgb '#b0b0b0' linewidth 0.5\nset border 3 linewidth 1\nset tics nomirror out\n";
-    script +=
-        "set key outside top center horizontal reverse Left samplen 3\nset offsets graph 0, graph 0.03, graph 0.08, 0\n";
-
-    std::string plots;
-    const auto add = [&](const char* name, const std::string& data, const std::string& how) {
-        if (data.empty()) return;
-        script += std::string("$") + name + " << END\n" + data + "END\n";
-        plots += (plots.empty() ? "plot $" : ", $") + std::string(name) + " " + how;
-    };
-    add("stable", blocks.stable,
-        std::string{"with lines linewidth 2 linecolor rgb '#0b5394' title '"} + (is_motion(curve) ? "motion" : "equilibrium path") + "'");
-    add("unstable", blocks.unstable,
-        "with lines linewidth 2 dashtype (8,6) linecolor rgb '#0b5394' title 'unstable part of the path'");
-    add("rows", blocks.rows, "with points pointtype 6 pointsize 1 linecolor rgb '#202020' title 'converged steps'");
-    add("limits", blocks.limits, "with points pointtype 9 pointsize 2.2 linecolor rgb '#b00000' title 'limit point'");
-    add("bifurcations", blocks.bifurcations,
-        "with points pointtype 5 pointsize 1.8 linecolor rgb '#b05a00' title 'bifurcation'");
-    for (const auto& [name, data] : {std::pair{"limits", &blocks.limits}, {"bifurcations", &blocks.bifurcations}})
-        if (!data->empty()) plots += std::string(", $") + name + " using 1:2:3 with labels offset 0,1.2 noenhanced notitle";
-    return script + plots + "\n";
+PlotAxes plot_axes(const Curve& curve, const PlotRequest& request) {
+    const bool moves = is_motion(curve);
+    const auto usual_x = [&] { return moves ? column_of(curve, Source::time) : measured_column(curve); };
+    const auto usual_y = [&] { return moves ? measured_column(curve) : column_of(curve, Source::load); };
+    return {request.x.empty() ? usual_x() : named_column(curve, request.x, "--x"),
+            request.y.empty() ? usual_y() : named_column(curve, request.y, "--y")};
 }
 
-void draw_plot(const Curve& curve, const solution::PathEnd& end, const PlotText& text,
+std::string plot_script(std::span<const PlotSeries> series, const Measured* measured, const PlotRequest& request,
+                        PictureFormat format) {
+    const PlotSeries& first = series.front();
+    const PlotAxes axes = plot_axes(first.curve, request);
+    Script script(heading(first.curve, axes, request, format), format);
+    const bool alone = series.size() == 1;
+    Seen seen;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const PlotAxes own = i == 0 ? axes : same_axes(first, axes, series[i]);
+        add_path(script, make_blocks(series[i], own, alone ? markers_alone : markers_beside_others), i, alone ? 1.2 : 2,
+                 seen);
+    }
+    const std::string crosses = "with points " + script.points(2, 1.5) + " linewidth 1.5 linecolor rgb '#000000'";
+    const std::string points = measured != nullptr ? point_block(*measured, axes) : "";
+    script.add("measured", points, crosses + " notitle");
+    add_legend(script, series, seen);
+    if (!points.empty()) script.legend(crosses, "'measured'");
+    return script.text();
+}
+
+void draw_plot(std::span<const PlotSeries> series, const Measured* measured, const PlotRequest& request,
                const std::filesystem::path& file) {
-    run_gnuplot(plot_script(curve, end, text, picture_format(file)), file);
+    run_gnuplot(plot_script(series, measured, request, picture_format(file)), file);
 }
 
 }  // namespace soft::post

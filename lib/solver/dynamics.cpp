@@ -33,19 +33,14 @@ constexpr double hardly_stressed = 1e-6;
 /// Times that differ by this part of a step are one.
 constexpr double same_time = 1e-6;
 
-bool is_explicit(Integrator integrator) {
-    switch (integrator) {
-        case Integrator::heun:
-        case Integrator::explicit_euler:
-        case Integrator::central_difference: return true;
-        case Integrator::generalized_alpha:
-        case Integrator::hht:
-        case Integrator::newmark:
-        case Integrator::implicit_euler:
-        case Integrator::ark4:
-        case Integrator::rosenbrock: break;
-    }
-    return false;
+/// Calls `use` with the integrator that has been made.
+template <class Method, class Use>
+void with_method(Method& method, Use&& use) {
+    std::visit(
+        [&](auto& made) {
+            if constexpr (!std::is_same_v<std::decay_t<decltype(made)>, std::monostate>) use(made);
+        },
+        method);
 }
 
 const model::Dynamics& dynamics_of(const model::Case& input) {
@@ -119,11 +114,7 @@ void MotionFollower::start() {
     else if (!start_acceleration(equations_, *stage_, step_s_, last_))
         throw Error(ExitCode::bad_input, "materials", "the body at rest has a singular mass and stiffness",
                     "check the densities and moduli of the materials");
-    std::visit(
-        [&](auto& method) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, std::monostate>) method.start(last_);
-        },
-        method_);
+    with_method(method_, [&](auto& method) { method.start(last_); });
 }
 
 void MotionFollower::choose_first_step() {
@@ -203,12 +194,7 @@ double MotionFollower::next_step() {
 
 std::optional<StepResult> MotionFollower::attempt(double step_s) {
     StepResult result;
-    std::visit(
-        [&](auto& method) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, std::monostate>)
-                result = method.attempt(last_, step_s, next_);
-        },
-        method_);
+    with_method(method_, [&](auto& method) { result = method.attempt(last_, step_s, next_); });
     iterations_since_row_ += result.newton.iterations;
     end_.newton_iterations += result.newton.iterations;
     if (result.newton.end == NewtonEnd::converged) return result;
@@ -235,11 +221,7 @@ void MotionFollower::advance() {
 }
 
 void MotionFollower::accept(double step_s, std::optional<double> error) {
-    std::visit(
-        [](auto& method) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(method)>, std::monostate>) method.accept();
-        },
-        method_);
+    with_method(method_, [](auto& method) { method.accept(); });
     ++steps_;
     keep_energies(last_, next_);
     if (is_adaptive() && error_constant_ > 0.0) {

@@ -9,7 +9,6 @@ namespace soft::solver {
 namespace {
 
 constexpr int inversion_halvings = 4;
-constexpr double pressure_scale_Pa = 1e5;  // of a line's equation: of the order of the ambient pressure
 /// Of the body's extent: strains of cells down to a hundredth of it have squares below rounding.
 constexpr double linear_share = 1e-11;
 /// Times the rounding measured: that of one state is above or below that of the next.
@@ -200,7 +199,7 @@ StageResult StageSolver::solve(const StageMap& map, Vec fallback, MotionState& s
         if (!std::isfinite(result.residual)) return report(NewtonEnd::not_finite);
         const auto rows = line_rows(map, state, pressures);
         const bool supplied = std::ranges::all_of(rows, [&](const LineRow& row) {
-            return std::abs(row.rhs) <= settings_.residual_tolerance * pressure_scale_Pa;
+            return std::abs(row.rhs) <= settings_.residual_tolerance * line_pressure_scale_Pa;
         });
         const auto no_more_digits = [&] {
             return stalls(result.residual, before) &&

@@ -12,6 +12,9 @@
 
 namespace soft::solver {
 
+/// What a line's equation is measured by: of the order of the ambient pressure.
+inline constexpr double line_pressure_scale_Pa = 1e5;
+
 struct StageMap {
     double by_velocity = 0, by_acceleration = 0;
     double flow_share = 0;

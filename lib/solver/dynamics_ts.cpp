@@ -204,7 +204,7 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     for (std::size_t k = 0; k < flows.size(); ++k) {
         flows[k] = rate_masses_[k] - flows[k];
         relative_residual_ =
-            std::max(relative_residual_, std::abs(flows[k]) / (equations_.conductance(k) * 1e5));  // 1e5 Pa
+            std::max(relative_residual_, std::abs(flows[k]) / (equations_.conductance(k) * line_pressure_scale_Pa));
     }
     join(out_x_, out_v_, flows, out);
 }

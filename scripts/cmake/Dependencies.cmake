@@ -29,6 +29,13 @@ add_library(soft_gmsh INTERFACE)
 target_include_directories(soft_gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
 target_link_libraries(soft_gmsh INTERFACE ${GMSH_LIBRARY})
 
+find_path(CSV_INCLUDE_DIR csv.h REQUIRED)
+find_library(CSV_LIBRARY csv REQUIRED)
+add_library(soft_csv INTERFACE)
+target_include_directories(soft_csv SYSTEM INTERFACE ${CSV_INCLUDE_DIR})
+target_link_libraries(soft_csv INTERFACE ${CSV_LIBRARY})
+
 find_package(OpenMP REQUIRED COMPONENTS CXX)   # comes with the compiler; the threads of the element loops
 find_package(CGAL CONFIG REQUIRED)
 find_package(Ceres 2.1 REQUIRED)   # brings Eigen
+find_package(pugixml REQUIRED)

@@ -14,7 +14,7 @@ for tool in mesh-gen solve postprocess; do
     refuses 64 "$tool: data and --json cannot both go to stdout; use *" "$tool --json - x"
 done
 refuses 64 "solve: --fields: 'some' is not a choice; all, last, none or every=N" 'solve --fields some case.h5'
-refuses 64 "postprocess: picture.pdf: pictures are written as .svg or .png" 'postprocess --plot picture.pdf result.h5'
+refuses 64 "postprocess: picture.jpg: pictures are written as .svg, .png or .pdf" 'postprocess --plot picture.jpg result.h5'
 refuses 64 "postprocess: --at: the curve has no 'pressur'; it has pressure, elongation, volume" 'postprocess --at pressur=1kPa result.h5'
 refuses 64 "postprocess: --at elongation: '5' has no unit, *; write for example 5 mm" 'postprocess --at elongation=5 result.h5'
 refuses 64 "solve: 'x' behind -- is no option of PETSc; *" 'solve case.h5 -- x'

@@ -242,5 +242,29 @@ TEST(Path, LeavesOutAStageInWhichNothingChanges) {
                   b.at(b.length() * i / 40)[index_of(without, "pressure")]);
 }
 
+/// On the arc (cos a, sin a) the third column is a itself. One of its four directions is off by 20 degrees, as that of a row
+/// beside a bifurcation can be, so that the speeds of its interval differ by a factor of two.
+TEST(Path, WhatIsKnownAtTheRowsOnlyFollowsTheProgressAlongThePath) {
+    Curve curve;
+    for (const char* name : {"x", "y", "a"}) {
+        Column& column = curve.columns.emplace_back();
+        column.name = column.quantity = name;
+        column.role = *name == 'a' ? Role::follower : Role::coordinate;
+    }
+    for (int row = 0; row < 4; ++row) {
+        const double a = 0.4 * row, direction = a + (row == 2 ? 0.35 : 0);
+        curve.columns[0].values.push_back(std::cos(a));
+        curve.columns[1].values.push_back(std::sin(a));
+        curve.columns[2].values.push_back(a);
+        curve.columns[0].slopes.push_back(-std::sin(direction));
+        curve.columns[1].slopes.push_back(std::cos(direction));
+    }
+    const Path path(curve);
+    for (double s = 0; s < path.length(); s += path.length() / 50) {
+        const std::vector<double> at = path.at(s);
+        EXPECT_NEAR(at[2], std::atan2(at[1], at[0]), 0.02) << s;   // the wrong direction itself costs as much
+    }
+}
+
 }  // namespace
 }  // namespace soft::post

@@ -92,7 +92,8 @@ TEST(MotionPath, IsAskedForByTimeAndForEveryPassage) {
 }
 
 TEST(MotionPlot, ShowsWhatIsMeasuredOverTime) {
-    const std::string script = plot_script(make_curve(oscillator(), swing(1, 0.1)), {}, {"swing"}, PictureFormat::svg);
+    const std::vector<PlotSeries> series = {{"", make_curve(oscillator(), swing(1, 0.1)), {}}};
+    const std::string script = plot_script(series, nullptr, {.title = "swing"}, PictureFormat::svg);
     for (const char* part : {"set xlabel 'time (s)'", "set ylabel 'lift (mm)'", "title 'motion'"})
         EXPECT_NE(script.find(part), std::string::npos) << part;
 }

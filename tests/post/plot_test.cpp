@@ -28,6 +28,12 @@ Curve sphere_curve(int rows, double last_stretch) {
     return make_curve(growth, steps);
 }
 
+std::string script_of(const Curve& curve, const solution::PathEnd& end = {}, const PlotRequest& request = {},
+                      PictureFormat format = PictureFormat::svg) {
+    const std::vector<PlotSeries> series = {{"", curve, end}};
+    return plot_script(series, nullptr, request, format);
+}
+
 std::size_t count(const std::string& text, const std::string& word) {
     std::size_t n = 0;
     for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + word.size())) ++n;
@@ -35,7 +41,7 @@ std::size_t count(const std::string& text, const std::string& word) {
 }
 
 TEST(PlotScript, NamesTheAxesWithTheirUnits) {
-    const std::string script = plot_script(sphere_curve(9, 3), {}, {"sphere"}, PictureFormat::svg);
+    const std::string script = script_of(sphere_curve(9, 3), {}, {.title = "sphere"});
     EXPECT_EQ(count(script, "set xlabel 'growth (mm)'"), 1u);
     EXPECT_EQ(count(script, "set ylabel 'cavity pressure (kPa)'"), 1u);
 }
@@ -43,13 +49,12 @@ TEST(PlotScript, NamesTheAxesWithTheirUnits) {
 TEST(PlotScript, CallsThePressureOnAFaceNoCavityPressure) {
     auto steps = test::sphere_path(9, 3);
     for (auto& step : steps) step.volume_m3.reset();
-    EXPECT_EQ(count(plot_script(make_curve(growth, steps), {}, {}, PictureFormat::svg), "set ylabel 'pressure (kPa)'"),
-              1u);
+    EXPECT_EQ(count(script_of(make_curve(growth, steps), {}), "set ylabel 'pressure (kPa)'"), 1u);
 }
 
 TEST(PlotScript, DashesTheUnstablePartAndMarksTheLimitPoint) {
-    const std::string script = plot_script(sphere_curve(25, 3), limit, {}, PictureFormat::svg);
-    EXPECT_EQ(count(script, "$unstable with lines linewidth 2 dashtype"), 1u);
+    const std::string script = script_of(sphere_curve(25, 3), limit);
+    EXPECT_EQ(count(script, "$unstable1 with lines linewidth 2 dashtype"), 1u);
     EXPECT_EQ(count(script, "\"44.9 kPa\"\n"), 1u);
 }
 
@@ -57,7 +62,7 @@ TEST(PlotScript, MarksABifurcationWithItsPressure) {
     solution::PathEnd end;
     end.bifurcations.resize(1);
     end.bifurcations[0].at = {.step = 3, .pressure_Pa = 26e3, .volume_m3 = 2.0, .outputs = {0.3}};
-    const std::string script = plot_script(sphere_curve(25, 3), end, {}, PictureFormat::svg);
+    const std::string script = script_of(sphere_curve(25, 3), end);
     EXPECT_EQ(count(script, "\n300 26 \"26 kPa\"\n"), 1u) << script;
     EXPECT_EQ(count(script, "title 'bifurcation'"), 1u);
 }
@@ -66,21 +71,20 @@ TEST(PlotScript, CallsTheLoadByItsName) {
     model::Case model = test::sample_case({"growth"}, test::Loaded::nothing);
     auto steps = test::sphere_path(9, 3);
     for (auto& step : steps) step.volume_m3.reset();
-    EXPECT_EQ(count(plot_script(make_curve(model, steps), {}, {}, PictureFormat::svg), "set ylabel 'load factor'"), 1u);
+    EXPECT_EQ(count(script_of(make_curve(model, steps), {}), "set ylabel 'load factor'"), 1u);
     model.tractions = {{"tip", {1e3, 0, 0}}};
-    EXPECT_EQ(count(plot_script(make_curve(model, steps), {}, {}, PictureFormat::svg), "set ylabel 'traction (kPa)'"),
-              1u);
+    EXPECT_EQ(count(script_of(make_curve(model, steps), {}), "set ylabel 'traction (kPa)'"), 1u);
 }
 
 TEST(PlotScript, HasAnAngleForItsAxis) {
     model::Case model = test::sample_case({"bend"});
     model.outputs[0].measure = model::Measure::bend;
-    const std::string script = plot_script(make_curve(model, test::sphere_path(9, 3)), {}, {}, PictureFormat::svg);
+    const std::string script = script_of(make_curve(model, test::sphere_path(9, 3)), {});
     EXPECT_EQ(count(script, "set xlabel 'bend (deg)'"), 1u);
 }
 
 TEST(PlotScript, HasNeitherWhereThePathIsStable) {
-    const std::string script = plot_script(sphere_curve(9, 1.5), {}, {}, PictureFormat::svg);
+    const std::string script = script_of(sphere_curve(9, 1.5), {});
     EXPECT_EQ(count(script, "unstable"), 0u);
     EXPECT_EQ(count(script, "limit point"), 0u);
 }
@@ -89,19 +93,62 @@ TEST(PlotScript, TakesTheVolumeWhereTheCaseHasNoOutput) {
     auto steps = test::sphere_path(9, 3);
     for (auto& step : steps) step.outputs.clear();
     const auto limits = with_limit({.step = 3, .pressure_Pa = 1000, .volume_m3 = 2e-6, .outputs = {}});
-    const std::string script = plot_script(make_curve(test::sample_case(), steps), limits, {}, PictureFormat::svg);
+    const std::string script = script_of(make_curve(test::sample_case(), steps), limits);
     EXPECT_EQ(count(script, "set xlabel 'cavity volume (mL)'"), 1u);
     EXPECT_EQ(count(script, "\n2 1 \"1 kPa\"\n"), 1u);
 }
 
 TEST(PlotScript, ATitleCannotLeaveItsQuotes) {
-    const std::string script = plot_script(sphere_curve(9, 3), {}, {"it's\nsystem('x')"}, PictureFormat::svg);
+    const std::string script = script_of(sphere_curve(9, 3), {}, {.title = "it's\nsystem('x')"});
     EXPECT_EQ(count(script, "set title 'it''s system(''x'')' noenhanced\n"), 1u);
+}
+
+TEST(PlotScript, DrawsAnyColumnOverAnyOther) {
+    const Curve curve = sphere_curve(9, 3);
+    const std::string script = script_of(curve, {}, {.title = "", .x = "volume", .y = "max_stretch"});
+    EXPECT_EQ(count(script, "set xlabel 'cavity volume (mL)'"), 1u);
+    EXPECT_EQ(count(script, "set ylabel 'max stretch'"), 1u);
+    EXPECT_EQ(plot_axes(curve, {.title = "", .x = "growth_mm", .y = ""}).x, plot_axes(curve, {}).x);
+    EXPECT_THROW((void)plot_axes(curve, {.title = "", .x = "grwth", .y = ""}), Error);
+}
+
+TEST(PlotScript, TellsSeveralPathsApartByTheirMarkersAndNamesThem) {
+    const std::vector<PlotSeries> series = {{"2 mm", sphere_curve(25, 3), {}}, {"it's 3 mm", sphere_curve(9, 2), {}}};
+    const std::string script = plot_script(series, nullptr, {}, PictureFormat::png);
+    EXPECT_EQ(count(script, "keyentry with linespoints pointtype 6 "), 1u);
+    EXPECT_EQ(count(script, "keyentry with linespoints pointtype 12 "), 1u);
+    EXPECT_EQ(count(script, "title 'it''s 3 mm'"), 1u);
+}
+
+TEST(PlotScript, RefusesAPathWithoutTheAxesOfTheFirst) {
+    const Curve other = make_curve(test::sample_case({"bend"}), test::sphere_path(9, 3));
+    const std::vector<PlotSeries> series = {{"a", sphere_curve(9, 3), {}}, {"b.h5", other, {}}};
+    EXPECT_THROW((void)plot_script(series, nullptr, {}, PictureFormat::svg), Error);
+}
+
+TEST(PlotScript, DrawsMeasuredPointsAsCrosses) {
+    Measured measured{"m.csv", {2, 3}, {{1, {10, 20}, "column 1"}, {2, {100, 300}, "column 2"}}};
+    const std::vector<PlotSeries> series = {{"", sphere_curve(9, 3), {}}};
+    EXPECT_EQ(count(plot_script(series, &measured, {}, PictureFormat::svg), "\n100 10\n300 20\nEND\n"), 1u);
+    measured.series.pop_back();  // nothing to put it over
+    EXPECT_EQ(count(plot_script(series, &measured, {}, PictureFormat::svg), "measured"), 0u);
+}
+
+TEST(PlotScript, ShowsTheErrorOfTheMeshAsBandAndBars) {
+    auto steps = test::sphere_path(3, 2);
+    for (auto& step : steps) step.pressure_error_Pa = 0.1 * step.pressure_Pa, step.output_errors = {0.05};
+    const std::string script = script_of(make_curve(growth, steps));
+    EXPECT_EQ(count(script, "with filledcurves closed"), 1u);
+    // at the stretch 1.5: 0.755433 Pa +- a tenth, 500 mm +- 50
+    EXPECT_EQ(count(script, "\n500 0.000755433"), 4u);  // two strokes of the path, marker and bar
+    EXPECT_EQ(count(script, " 450 550 0.00067988"), 1u) << script;
+    EXPECT_EQ(count(script_of(sphere_curve(9, 3)), "error of the mesh"), 0u);
 }
 
 TEST(PictureFormat, IsToldByTheEndingOfTheName) {
     EXPECT_EQ(picture_format("out/a.svg"), PictureFormat::svg);
     EXPECT_EQ(picture_format("a.b.png"), PictureFormat::png);
+    EXPECT_EQ(picture_format("a.pdf"), PictureFormat::pdf);
     EXPECT_THROW((void)picture_format("a.jpg"), Error);
     EXPECT_THROW((void)picture_format("svg"), Error);
 }
@@ -111,7 +158,8 @@ TEST(DrawPlot, WritesAnSvgThatHoldsTheLabelsAndNothingBesideIt) {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     const auto file = folder / "it's a curve.svg";
-    draw_plot(sphere_curve(25, 3), limit, {"thick sphere"}, file);
+    const std::vector<PlotSeries> series = {{"", sphere_curve(25, 3), limit}};
+    draw_plot(series, nullptr, {.title = "thick sphere"}, file);
     std::stringstream text;
     text << std::ifstream(file).rdbuf();
     EXPECT_TRUE(text.str().starts_with("<?xml"));

@@ -1,0 +1,11 @@
+#pragma once
+/// Bytes as text (RFC 4648, with padding): for XML and HTML. Held by core/base64_test.
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace soft::core {
+
+[[nodiscard]] std::string base64(std::span<const std::byte> bytes);
+
+}  // namespace soft::core

@@ -1,0 +1,27 @@
+#pragma once
+/// Another program as a function: arguments and text in, bytes out. No shell in between. Held by core/program_test.
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace soft::core {
+
+struct ProgramCall {
+    std::string name;                        ///< found along PATH
+    std::span<const std::string> arguments;  ///< without the name
+    std::string_view input;                  ///< its standard input
+    int output = -1;                         ///< descriptor that takes its standard output; -1: dropped
+    std::string purpose;                     ///< "draws the picture", for the message that it is not installed
+    std::string remedy;                      ///< "install the package ..."
+};
+
+struct ProgramEnd {
+    bool well = false;      ///< it ended by itself with exit code 0
+    std::string complaint;  ///< the first 4 KiB that it wrote to standard error
+};
+
+/// Waits for its end. Throws Error(cannot_create, `place`) where it is not installed or cannot be started,
+/// Error(io_error) where the input cannot be handed over.
+[[nodiscard]] ProgramEnd run_program(const ProgramCall& call, std::string_view place);
+
+}  // namespace soft::core

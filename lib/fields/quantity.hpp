@@ -1,0 +1,36 @@
+#pragma once
+/// The scalar fields that people look at, by name. One table feeds options, colour bars and the report.
+/// Held by fields/quantity_test.
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fields/step_fields.hpp"
+
+namespace soft::fields {
+
+enum class Quantity { stretch, von_mises, pressure, displacement, energy, jacobian };
+
+struct QuantityInfo {
+    Quantity quantity;
+    std::string_view name;   ///< "von-mises", as --field takes it
+    std::string_view label;  ///< "von Mises stress", for colour bars
+    std::string_view unit;   ///< "kPa"; empty for pure numbers
+    double SI_per_unit;
+    std::string_view meaning;  ///< one sentence
+};
+
+/// In the order of the enumeration.
+[[nodiscard]] std::span<const QuantityInfo> quantities();
+[[nodiscard]] const QuantityInfo& info(Quantity quantity);
+/// Throws Error(usage, place "--field") for another name.
+[[nodiscard]] Quantity quantity_from_name(std::string_view name);
+
+/// Whether the case has it: energy only where its laws have one.
+[[nodiscard]] bool is_available(Quantity quantity, const model::Case& model);
+
+/// SI values, one a region point. Throws Error(bad_input, place "--field") for a quantity the case does not have.
+[[nodiscard]] std::vector<double> nodal_values(Quantity quantity, const model::Case& model, const RegionPoints& places,
+                                               const NodalState& state, const StepFields& fields);
+
+}  // namespace soft::fields

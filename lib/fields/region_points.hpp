@@ -1,0 +1,28 @@
+#pragma once
+/// Nodes as the regions see them: where two rubbers meet, stress and stretch jump, so a node on the interface carries
+/// one value for each region. Fields at nodes are arrays over these region points. Held by fields/step_fields_test.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace soft::fields {
+
+struct RegionPoints {
+    std::vector<mesh::Index> node;           ///< of each region point, ascending; region ascending at equal nodes
+    std::vector<std::int32_t> region;        ///< index into mesh::Mesh::region_names
+    std::vector<std::int32_t> connectivity;  ///< region point of each entry of mesh::Mesh::connectivity
+
+    [[nodiscard]] std::size_t size() const noexcept { return node.size(); }
+    /// Region points of a cell, in the order of its nodes.
+    [[nodiscard]] std::span<const std::int32_t> of_cell(const mesh::Mesh& mesh, mesh::Index cell) const {
+        const auto nodes = mesh.cell_nodes(cell);
+        return {connectivity.data() + (nodes.data() - mesh.connectivity.data()), nodes.size()};
+    }
+};
+
+/// One point for each pair of a node and a region that has a cell there; nodes of no cell have none.
+[[nodiscard]] RegionPoints region_points(const mesh::Mesh& mesh);
+
+}  // namespace soft::fields

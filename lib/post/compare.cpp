@@ -1,0 +1,149 @@
+#include "post/compare.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "post/interpolate.hpp"
+
+namespace soft::post {
+namespace {
+
+/// The path's value of `of` where `at` has the value of the row, nearest to what was measured; nullopt off the path.
+std::optional<double> calculated(const Path& path, const Series& of, const Series& at, std::size_t row) {
+    std::optional<double> nearest;
+    for (const double s : path.crossings(at.column, at.values[row])) {
+        const double here = path.at(s)[of.column];
+        if (!nearest || std::abs(here - of.values[row]) < std::abs(*nearest - of.values[row])) nearest = here;
+    }
+    return nearest;
+}
+
+ErrorSummary summarise(const Path& path, const Series& of, const Series& at) {
+    ErrorSummary sum{.of = of.column, .at = at.column};
+    std::vector<double> errors, values;
+    for (std::size_t row = 0; row < of.values.size(); ++row) {
+        const auto here = calculated(path, of, at, row);
+        if (!here) continue;
+        errors.push_back(*here - of.values[row]);
+        values.push_back(of.values[row]);
+        if (errors.size() == 1 || std::abs(errors.back()) > std::abs(sum.largest))
+            sum.largest = errors.back(), sum.largest_row = row;
+    }
+    sum.points = errors.size();
+    sum.left_out = of.values.size() - errors.size();
+    const double n = static_cast<double>(errors.size());
+    double squares = 0, mean_value = 0, spread = 0;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        sum.mean += errors[i] / n;
+        sum.mean_size += std::abs(errors[i]) / n;
+        squares += errors[i] * errors[i];
+        mean_value += values[i] / n;
+    }
+    for (const double value : values) spread += (value - mean_value) * (value - mean_value);
+    sum.rms = errors.empty() ? 0 : std::sqrt(squares / n);
+    if (spread > 0) sum.r2 = 1 - squares / spread;
+    return sum;
+}
+
+std::string with_unit(const Column& column, double value, int digits = 4) {
+    return core::rounded_text(value, digits) + (column.unit.empty() ? "" : " " + column.unit);
+}
+
+std::string place_text(const Curve& curve, const Measured& measured, const ErrorSummary& error) {
+    const Series& at = *measured.find(error.at);
+    const Column& column = curve.columns[error.at];
+    return column.quantity + " " + with_unit(column, at.values[error.largest_row]) + " (" + measured.source + ":" +
+           std::to_string(measured.lines[error.largest_row]) + ")";
+}
+
+std::string name_of(const Curve& curve, const ErrorSummary& error) {
+    return curve.columns[error.of].quantity + " at equal " + curve.columns[error.at].quantity;
+}
+
+}  // namespace
+
+std::vector<ErrorSummary> compare(const Curve& curve, const Measured& measured) {
+    const Path path(curve);
+    const auto base_of = [&](Source source) {
+        return std::find_if(measured.series.begin(), measured.series.end(),
+                            [&](const Series& series) { return curve.columns[series.column].source == source; });
+    };
+    const bool moves = base_of(Source::time) != measured.series.end();
+    const auto base = moves ? base_of(Source::time) : base_of(Source::load);
+    std::vector<ErrorSummary> errors;
+    for (const Series& other : measured.series) {
+        if (base == measured.series.end() || other.column == base->column) continue;
+        errors.push_back(moves ? summarise(path, other, *base) : summarise(path, *base, other));
+        if (!moves) errors.push_back(summarise(path, other, *base));
+    }
+    std::erase_if(errors, [](const ErrorSummary& error) { return error.points == 0; });
+    if (!errors.empty()) return errors;
+    const Series& series = measured.series.front();
+    const Column& column = curve.columns[series.column];
+    const Path::Range range = path.range(series.column);
+    const auto [low, high] = std::minmax_element(series.values.begin(), series.values.end());
+    throw Error(ExitCode::bad_input, measured.source, "no point lies on the path",
+                column.quantity + " goes from " + with_unit(column, *low) + " to " + with_unit(column, *high) +
+                    " here, from " + with_unit(column, range.lowest) + " to " + with_unit(column, range.highest) +
+                    " on the path");
+}
+
+std::string csv_text(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors) {
+    std::string text = "quantity,unit,at_equal,points,left_out,mean,mean_size,rms,largest,largest_line,measured,r2\n";
+    for (const ErrorSummary& error : errors) {
+        const Column& of = curve.columns[error.of];
+        std::vector<std::string> cells{of.quantity, of.unit, curve.columns[error.at].quantity,
+                                       std::to_string(error.points), std::to_string(error.left_out)};
+        for (const double value : {error.mean, error.mean_size, error.rms, error.largest})
+            cells.push_back(core::number_text(value));
+        cells.push_back(std::to_string(measured.lines[error.largest_row]));
+        cells.push_back(core::number_text(measured.find(error.of)->values[error.largest_row]));
+        cells.push_back(error.r2 ? core::number_text(*error.r2) : "");
+        text += core::join(cells, ",") + "\n";
+    }
+    return text;
+}
+
+std::vector<std::string> summary_lines(const Curve& curve, const Measured& measured,
+                                       std::span<const ErrorSummary> errors) {
+    std::vector<std::string> lines, origins;
+    for (const Series& series : measured.series)
+        origins.push_back(curve.columns[series.column].quantity + " from " + series.origin);
+    lines.push_back(measured.source + ": " + core::join(origins));
+    for (const ErrorSummary& error : errors) {
+        const Column& of = curve.columns[error.of];
+        lines.push_back(name_of(curve, error) + ": mean error " + with_unit(of, error.mean, 3) + " (of its size " +
+                        with_unit(of, error.mean_size, 3) + "), RMS " + with_unit(of, error.rms, 3) + ", largest " +
+                        with_unit(of, error.largest, 3) + " at " + place_text(curve, measured, error) +
+                        (error.r2 ? ", R2 " + core::rounded_text(*error.r2, 4) : "") + "; " +
+                        std::to_string(error.points) + " points" +
+                        (error.left_out > 0 ? ", " + std::to_string(error.left_out) + " beyond the path" : ""));
+    }
+    return lines;
+}
+
+std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors,
+                                 std::string_view limit) {
+    std::vector<Claim> claims;
+    for (const ErrorSummary& error : errors) {
+        const Column& of = curve.columns[error.of];
+        const auto parsed = core::parse_quantity(limit, of.dimension);
+        if (!std::holds_alternative<double>(parsed)) continue;
+        const double allowed = in_column_unit(of, std::get<double>(parsed));
+        Claim claim{"largest error of " + name_of(curve, error) + " is at most " + with_unit(of, allowed), ""};
+        if (std::abs(error.largest) > allowed)
+            claim.failure = "the largest error of " + name_of(curve, error) + " is " + with_unit(of, error.largest) +
+                            " at " + place_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);
+        claims.push_back(std::move(claim));
+    }
+    if (!claims.empty()) return claims;
+    std::vector<std::string> units;
+    for (const ErrorSummary& error : errors) units.push_back(curve.columns[error.of].unit);
+    throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is no quantity that was compared",
+                "give a number with a unit like " + core::join(units, " or "));
+}
+
+}  // namespace soft::post

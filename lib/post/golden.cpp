@@ -1,0 +1,225 @@
+#include "post/golden.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "post/align.hpp"
+#include "post/interpolate.hpp"
+
+namespace soft::post {
+namespace {
+
+constexpr double small_share = 1e-3;  // of a column's largest value: what is smaller counts as so large, see the header
+constexpr std::size_t absent = static_cast<std::size_t>(-1);
+
+/// A column of the golden table beside that of the curve.
+struct Pair {
+    std::string name;
+    std::size_t column = absent;
+    std::vector<double> golden;
+    double largest = 0;   ///< |golden|
+    double absolute = 0;  ///< allowed whatever the value
+
+    [[nodiscard]] double allowed(double value, double relative) const {
+        return absolute + relative * std::max(std::abs(value), small_share * largest);
+    }
+};
+
+std::vector<Pair> pair_columns(const Curve& curve, const table::Table& golden, const Tolerance& tolerance) {
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0; i < golden.headings.size(); ++i) {
+        Pair pair{golden.headings[i].name, absent, table::numbers(golden, i)};
+        for (const double value : pair.golden) pair.largest = std::max(pair.largest, std::abs(value));
+        for (std::size_t k = 0; k < curve.columns.size(); ++k)
+            if (curve.columns[k].name == pair.name) pair.column = k;
+        for (const Allowance& allowance : tolerance.absolute)
+            if (allowance.quantity.empty() ||
+                (pair.column != absent && curve.columns[pair.column].quantity == allowance.quantity))
+                pair.absolute = std::max(pair.absolute, allowance.value);
+        pairs.push_back(std::move(pair));
+    }
+    return pairs;
+}
+
+/// The coordinates that both have, in the order in which they are asked to lead.
+std::vector<Track> make_tracks(const Curve& curve, std::span<const Pair> pairs) {
+    std::vector<Track> tracks;
+    for (const Source source : {Source::time, Source::output, Source::volume, Source::load, Source::other})
+        for (const Pair& pair : pairs)
+            if (pair.column != absent && curve.columns[pair.column].role == Role::coordinate &&
+                curve.columns[pair.column].source == source)
+                tracks.push_back({pair.column, pair.golden});
+    return tracks;
+}
+
+/// A place between two rows of the path.
+struct Between {
+    std::size_t left, right;  ///< rows
+    double t;                 ///< share of the way
+    std::size_t first, last;  ///< rows whose stage and stability may hold here: a row may be held in place by the next
+};
+
+Between between(const Path& path, std::size_t row_count, double s) {
+    const auto parameters = path.row_parameters();
+    constexpr double at_a_row = 1e-6;  // of the way: the solver's own tolerance along the path is finer
+    if (parameters.size() < 2) return {0, 0, 0, 0, row_count - 1};
+    const auto above = std::upper_bound(parameters.begin() + 1, parameters.end() - 1, s);
+    const auto i = static_cast<std::size_t>(above - parameters.begin());
+    const double t = (s - parameters[i - 1]) / (parameters[i] - parameters[i - 1]);
+    Between place{path.rows()[i - 1], path.rows()[i], t, path.rows()[i - 1], path.rows()[i]};
+    if (t < at_a_row && i > 1) place.first = path.rows()[i - 2];
+    if (t > 1 - at_a_row) place.last = i + 1 < parameters.size() ? path.rows()[i + 1] : row_count - 1;
+    return place;
+}
+
+/// What may be granted besides the tolerance, because the solver knows this column at the rows only.
+double interpolation_doubt(const Column& column, const Between& place, double found, double golden) {
+    switch (column.role) {
+        case Role::coordinate:
+        case Role::counter: return 0;
+        case Role::follower: {
+            const double straight =
+                column.values[place.left] + place.t * (column.values[place.right] - column.values[place.left]);
+            return std::abs(found - straight);
+        }
+        case Role::flag:
+        case Role::stage: break;
+    }
+    for (std::size_t row = place.first; row <= place.last; ++row)
+        if (column.values[row] == golden) return HUGE_VAL;  // one of those it may be
+    return 0;
+}
+
+/// Values of the leading column; what misses the path by less than is allowed is held against its end.
+std::vector<double> within_reach(const Pair& lead, const Path::Range& range, double relative) {
+    std::vector<double> targets;
+    for (const double value : lead.golden) {
+        const double nearest = std::clamp(value, range.lowest, range.highest);
+        targets.push_back(std::abs(value - nearest) <= lead.allowed(value, relative) ? nearest : value);
+    }
+    return targets;
+}
+
+/// Row by row into a verdict.
+struct RowCheck {
+    const Curve& curve;
+    const Path& path;
+    std::span<const Pair> pairs;
+    double relative;
+    Verdict& verdict;
+    std::size_t differences = 0;
+
+    void compare(std::size_t i, Difference difference) {
+        const double off = std::abs(difference.found - difference.golden);
+        if (off > 0)
+            verdict.nearest_miss =
+                std::max(verdict.nearest_miss, difference.allowed > 0 ? off / difference.allowed : HUGE_VAL);
+        if (off <= difference.allowed) return;
+        if (!verdict.columns[i].first) verdict.columns[i].first = difference;
+        ++verdict.columns[i].differing_rows;
+        ++differences;
+    }
+    void unreached(std::size_t row, std::size_t lead) {
+        const double value = pairs[lead].golden[row];
+        const Path::Range range = path.range(pairs[lead].column);
+        compare(lead, {row, value, std::clamp(value, range.lowest, range.highest), pairs[lead].allowed(value, relative),
+                       false});
+    }
+    void at(std::size_t row, double s) {
+        const std::vector<double> found = path.at(s);
+        const Between place = between(path, curve.row_count(), s);
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            const Pair& pair = pairs[i];
+            if (pair.column == absent || curve.columns[pair.column].role == Role::counter) continue;
+            const double value = pair.golden[row], here = found[pair.column];
+            const double doubt = interpolation_doubt(curve.columns[pair.column], place, here, value);
+            compare(i, {row, value, here, pair.allowed(value, relative) + doubt});
+        }
+    }
+};
+
+std::string number(double value) { return core::rounded_text(value, 7); }
+
+}  // namespace
+
+bool Verdict::agrees() const noexcept {
+    return differing_rows == 0 &&
+           std::all_of(columns.begin(), columns.end(), [](const auto& column) { return column.present; });
+}
+
+Allowance parse_allowance(std::string_view text, const Curve& curve) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos)
+        return {"", core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::usage, "--atol")};
+    const std::string quantity{core::trimmed(text.substr(0, equals))};
+    const Column* column = curve.find(quantity);
+    if (column == nullptr) {
+        std::vector<std::string> known;
+        for (const Column& candidate : curve.columns) known.push_back(candidate.quantity);
+        throw Error(ExitCode::usage, "--atol", "the curve has no " + core::quoted(quantity),
+                    core::did_you_mean(quantity, known));
+    }
+    const double value =
+        core::quantity_or_throw(text.substr(equals + 1), column->dimension, ExitCode::usage, "--atol " + quantity);
+    return {quantity, in_column_unit(*column, value)};
+}
+
+Verdict check_golden(const Curve& curve, const table::Table& golden, const Tolerance& tolerance) {
+    if (golden.headings.empty())
+        throw Error(ExitCode::bad_input, golden.source, "has no header", "give a table that postprocess has written");
+    const std::vector<Pair> pairs = pair_columns(curve, golden, tolerance);
+    const std::vector<Track> tracks = make_tracks(curve, pairs);
+    if (tracks.empty())
+        throw Error(ExitCode::bad_input, golden.source, "has no column by which its rows could be found on the path",
+                    "it needs one of " + curve.coordinate_names());
+    const std::size_t leader = leading_track(tracks), column = tracks[leader].column;
+    const Path path(curve);
+    const auto lead = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.column == column; });
+    const std::vector<double> targets = within_reach(*lead, path.range(column), tolerance.relative);
+    const std::vector<double> places = align(path, tracks, leader, targets);
+
+    Verdict verdict{lead->name, {}, golden.rows.size(), 0, 0};
+    for (const Pair& pair : pairs) verdict.columns.push_back({pair.name, pair.column != absent, std::nullopt, 0});
+    RowCheck check{curve, path, pairs, tolerance.relative, verdict};
+    for (std::size_t row = 0; row < places.size(); ++row) {
+        const std::size_t before = check.differences;
+        if (std::isnan(places[row]))
+            check.unreached(row, static_cast<std::size_t>(lead - pairs.begin()));
+        else
+            check.at(row, places[row]);
+        verdict.differing_rows += check.differences > before ? 1 : 0;
+    }
+    return verdict;
+}
+
+std::string failure_text(const Verdict& verdict, const ColumnVerdict& column, const table::Table& golden) {
+    if (!column.present) return golden.source + ": the result has no column " + core::quoted(column.name);
+    if (!column.first) return {};
+    const Difference& first = *column.first;
+    const std::string line = golden.source + ":" + std::to_string(golden.lines[first.row]) + ": ";
+    if (!first.reached)
+        return line + "the path does not reach " + column.name + " " + number(first.golden) + "; it ends at " +
+               number(first.found);
+    std::string where;
+    for (std::size_t i = 0; i < golden.headings.size(); ++i)
+        if (golden.headings[i].name == verdict.leader && column.name != verdict.leader)
+            where = " where " + verdict.leader + " is " + number(table::numbers(golden, i)[first.row]);
+    return line + column.name + " is " + number(first.found) + where + ", golden " + number(first.golden) + ": " +
+           core::rounded_text(std::abs(first.found - first.golden), 3) + " apart, allowed " +
+           core::rounded_text(first.allowed, 3);
+}
+
+std::string failure_text(const Verdict& verdict, const table::Table& golden) {
+    const ColumnVerdict* worst = nullptr;
+    for (const ColumnVerdict& column : verdict.columns) {
+        if (!column.present) return failure_text(verdict, column, golden);
+        if (column.first && (worst == nullptr || column.first->row < worst->first->row)) worst = &column;
+    }
+    if (worst == nullptr) return {};
+    return failure_text(verdict, *worst, golden) + "; " + std::to_string(verdict.differing_rows) + " of " +
+           std::to_string(verdict.rows) + " rows differ";
+}
+
+}  // namespace soft::post

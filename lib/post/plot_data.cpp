@@ -1,0 +1,117 @@
+#include "post/plot_data.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/text.hpp"
+#include "post/interpolate.hpp"
+
+namespace soft::post {
+namespace {
+
+constexpr int samples_per_interval = 16;  // a cubic over at most a twentieth of the picture looks smooth
+
+std::string line(std::initializer_list<double> numbers) {
+    std::string text;
+    for (const double number : numbers) text.append(text.empty() ? "" : " ").append(core::number_text(number));
+    return text + "\n";
+}
+
+/// Sampled path in two blocks; a change of stability between two rows is drawn half-way.
+void sample_line(const Curve& curve, const Path& path, const PlotAxes& axes, Blocks& blocks) {
+    const std::vector<double>& flags = curve.find("stable")->values;
+    const auto s = path.row_parameters();
+    const std::string* current = nullptr;
+    for (std::size_t i = 0; i + 1 < s.size(); ++i)
+        for (int half = 0; half < 2; ++half) {
+            const bool stable = flags[path.rows()[i + static_cast<std::size_t>(half)]] > 0;
+            std::string& block = stable ? blocks.stable : blocks.unstable;
+            if (&block != current && !block.empty()) block += "\n";  // a gap: gnuplot starts a new stroke
+            current = &block;
+            for (int k = 0; k <= samples_per_interval / 2; ++k) {
+                const double t = (half + 2.0 * k / samples_per_interval) / 2;
+                const std::vector<double> row = path.at(s[i] + t * (s[i + 1] - s[i]));
+                block += line({row[axes.x], row[axes.y]});
+            }
+        }
+}
+
+/// Column with the half width of a column's error; nullptr where there is none.
+const Column* error_of(const Curve& curve, const Column& column) { return curve.find(column.quantity + "_error"); }
+
+std::size_t index_of(const Curve& curve, const Column& column) {
+    return static_cast<std::size_t>(&column - curve.columns.data());
+}
+
+/// The path shifted by its error one way, then back shifted the other way: along the ordinate where its error is known.
+std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& axes) {
+    const Column* up = error_of(curve, curve.columns[axes.y]);
+    const Column* across = error_of(curve, curve.columns[axes.x]);
+    if (up == nullptr && across == nullptr) return {};
+    const std::size_t error = index_of(curve, up != nullptr ? *up : *across);
+    const auto s = path.row_parameters();
+    std::string there;
+    std::vector<std::string> back;
+    for (std::size_t i = 0; i + 1 < s.size(); ++i)
+        for (int k = i == 0 ? 0 : 1; k <= samples_per_interval; ++k) {
+            const std::vector<double> row = path.at(s[i] + (s[i + 1] - s[i]) * k / samples_per_interval);
+            const double half = row[error], dx = up != nullptr ? 0 : half, dy = up != nullptr ? half : 0;
+            there += line({row[axes.x] + dx, row[axes.y] + dy});
+            back.push_back(line({row[axes.x] - dx, row[axes.y] - dy}));
+        }
+    for (auto point = back.rbegin(); point != back.rend(); ++point) there += *point;
+    return there;
+}
+
+void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t most, Blocks& blocks) {
+    const Column& x = curve.columns[axes.x];
+    const Column& y = curve.columns[axes.y];
+    const Column* dx = error_of(curve, x);
+    const Column* dy = error_of(curve, y);
+    const std::size_t rows = curve.row_count(), stride = std::max<std::size_t>(1, rows / most);
+    for (std::size_t row = 0; row < rows; ++row) {
+        if (row % stride != 0 && row + 1 != rows) continue;
+        blocks.markers += line({x.values[row], y.values[row]});
+        if (dx == nullptr && dy == nullptr) continue;
+        const double ex = dx != nullptr ? dx->values[row] : 0, ey = dy != nullptr ? dy->values[row] : 0;
+        blocks.bars += line({x.values[row], y.values[row], x.values[row] - ex, x.values[row] + ex, y.values[row] - ey,
+                             y.values[row] + ey});
+    }
+}
+
+/// A line "x y label" for a point with both coordinates.
+std::string labelled(const Column& x, const Column& y, const solution::LimitPoint& at) {
+    const auto along = value_at(x, at), up = value_at(y, at);
+    if (!along || !up) return {};
+    const std::string unit = y.unit.empty() ? "" : " " + y.unit;
+    return core::number_text(*along) + " " + core::number_text(*up) + " \"" + core::rounded_text(*up, 4) + unit +
+           "\"\n";
+}
+
+}  // namespace
+
+Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t most_markers) {
+    Blocks blocks;
+    const Curve& curve = series.curve;
+    const Column& x = curve.columns[axes.x];
+    const Column& y = curve.columns[axes.y];
+    const Path path(curve);
+    sample_line(curve, path, axes, blocks);
+    blocks.band = band_outline(curve, path, axes);
+    add_markers(curve, axes, most_markers, blocks);
+    for (const solution::LimitPoint& limit : series.end.limit_points) blocks.limits += labelled(x, y, limit);
+    for (const solution::Bifurcation& branch : series.end.bifurcations)
+        blocks.bifurcations += labelled(x, y, branch.at);
+    return blocks;
+}
+
+std::string point_block(const Measured& measured, const PlotAxes& axes) {
+    const Series* x = measured.find(axes.x);
+    const Series* y = measured.find(axes.y);
+    if (x == nullptr || y == nullptr) return {};
+    std::string text;
+    for (std::size_t row = 0; row < x->values.size(); ++row) text += line({x->values[row], y->values[row]});
+    return text;
+}
+
+}  // namespace soft::post

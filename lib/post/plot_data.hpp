@@ -1,0 +1,23 @@
+#pragma once
+/// The numbers of a picture as gnuplot's data blocks, "x y" a line. Internal; held by post/plot_test.
+#include <string>
+
+#include "post/plot.hpp"
+
+namespace soft::post {
+
+struct Blocks {
+    std::string stable, unstable;      ///< sampled path, strokes apart by an empty line
+    std::string markers;               ///< converged steps
+    std::string band;                  ///< outline of the errors, there and back
+    std::string bars;                  ///< "x y xlow xhigh ylow yhigh" at the markers
+    std::string limits, bifurcations;  ///< "x y label"
+};
+
+/// Markers are thinned out to about `most_markers`.
+[[nodiscard]] Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t most_markers);
+
+/// Measured values of both columns; empty where one was not measured.
+[[nodiscard]] std::string point_block(const Measured& measured, const PlotAxes& axes);
+
+}  // namespace soft::post

@@ -1,0 +1,165 @@
+#include "report/sections.hpp"
+
+#include <algorithm>
+
+#include "core/text.hpp"
+#include "post/csv.hpp"
+#include "post/gnuplot.hpp"
+#include "report/text.hpp"
+#include "report/viewer_bundle.hpp"
+
+namespace soft::report {
+namespace {
+
+std::string paragraph(const std::string& text) { return "<p>" + escaped(text) + "</p>\n"; }
+
+std::string with_unit(const post::Column& column, double value, int digits) {
+    return core::rounded_text(value, digits) + (column.unit.empty() ? "" : " " + column.unit);
+}
+
+/// "pressure 44.3 kPa, elongation 20 mm": what a limit point or bifurcation says.
+std::string place_text(const post::Curve& curve, const solution::LimitPoint& point) {
+    std::vector<std::string> words;
+    for (const post::Column& column : curve.columns)
+        if (const auto value = post::value_at(column, point))
+            words.push_back(column.quantity + " " + with_unit(column, *value, 4));
+    return core::join(words);
+}
+
+/// "pressure 0 to 24.7 kPa" of each coordinate.
+std::string reach_text(const post::Curve& curve) {
+    std::vector<std::string> words;
+    for (const post::Column& column : curve.columns) {
+        if (column.role != post::Role::coordinate || column.values.empty()) continue;
+        const auto [low, high] = std::minmax_element(column.values.begin(), column.values.end());
+        words.push_back(column.quantity + " " + core::rounded_text(*low, 4) + " to " + with_unit(column, *high, 4));
+    }
+    return core::join(words);
+}
+
+}  // namespace
+
+std::string html_table(std::span<const std::string> head, std::span<const Row> rows, std::string_view id) {
+    std::string html = id.empty() ? "<table>" : "<table id='" + std::string{id} + "'>";
+    html += "<thead><tr>";
+    for (const std::string& cell : head) html += "<th>" + escaped(cell) + "</th>";
+    html += "</tr></thead>\n<tbody>\n";
+    for (const Row& row : rows) {
+        html += row.attributes.empty() ? "<tr>" : "<tr " + row.attributes + ">";
+        for (const std::string& cell : row.cells) html += "<td>" + escaped(cell) + "</td>";
+        html += "</tr>\n";
+    }
+    return html + "</tbody></table>\n";
+}
+
+std::string summary_section(const Content& content) {
+    const io::Result& result = content.result;
+    const auto& end = result.end;
+    std::string html =
+        paragraph(std::to_string(result.steps.size()) + " converged steps: " + reach_text(content.curve) + ".");
+    if (!end) return html + paragraph("The path is not finished: solve was stopped or is still at work.");
+    html += paragraph("The path ended: " + std::string{solution::name(end->reason)} +
+                      (end->detail.empty() ? "" : " (" + end->detail + ")") + ".");
+    for (const solution::LimitPoint& point : end->limit_points)
+        html += paragraph("Limit point: " + place_text(content.curve, point) + ".");
+    for (const solution::Bifurcation& branch : end->bifurcations)
+        html += paragraph("Bifurcation: " + place_text(content.curve, branch.at) + ".");
+    return html;
+}
+
+std::string curve_section(const Content& content) {
+    const std::string script =
+        post::plot_script(content.series, content.measured, content.plot, post::PictureFormat::svg);
+    const std::string svg = post::gnuplot_output(script, "--report");
+    // As an image: within it neither scripts nor styles act on the page, whatever a label holds.
+    return "<h2>Curve</h2>\n<img id='curve' alt='" + escaped(content.result.model.name) +
+           "' src='data:image/svg+xml;base64," + base64(svg) + "'>\n";
+}
+
+std::string body_section(const Scene& scene) {
+    if (scene.json.empty())
+        return "<h2>Body</h2>\n" + paragraph("No step of this result holds its fields; solve --fields all keeps them.");
+    const std::string left_out =
+        scene.frames == scene.stored
+            ? ""
+            : paragraph(std::to_string(scene.frames) + " of " + std::to_string(scene.stored) +
+                        " stored steps are shown, so that this page stays small enough for a browser.");
+    return R"(<h2>Body</h2>
+<p>Drag to turn, wheel to come nearer, right button to shift.</p>
+<canvas id='body' aria-label='the deformed body'></canvas>
+<p id='trouble' hidden></p>
+<div class='controls'>
+<label class='wide'>Step <input id='frame' type='range' min='0' step='1' value='0'></label>
+<button id='play' type='button'>Play</button> <button id='reset' type='button'>Reset view</button>
+<label>Colour <select id='field'></select></label>
+<label><input id='outline' type='checkbox' checked> undeformed outline</label>
+<label hidden><input id='cut' type='checkbox'> cut open</label>
+</div>
+<p><strong id='step'></strong><br><span id='size'></span></p>
+<div class='colourbar'><span id='low'></span><div id='colours'></div><span id='high'></span></div>
+<p id='meaning'></p>
+)" + left_out +
+           "<script type='application/json' id='scene'>" + scene.json + "</script>\n";
+}
+
+std::string comparison_section(const Content& content) {
+    if (content.measured == nullptr) return {};
+    const std::vector<std::string> head = {"error of",  "at equal", "points",  "beyond the path", "mean",
+                                           "mean size", "RMS",      "largest", "largest at",      "R2"};
+    std::vector<Row> rows;
+    for (const post::ErrorSummary& error : content.errors) {
+        const post::Column& of = content.curve.columns[error.of];
+        const post::Column& at = content.curve.columns[error.at];
+        rows.push_back({{of.quantity, at.quantity, std::to_string(error.points), std::to_string(error.left_out),
+                         with_unit(of, error.mean, 3), with_unit(of, error.mean_size, 3), with_unit(of, error.rms, 3),
+                         with_unit(of, error.largest, 3),
+                         with_unit(at, content.measured->find(error.at)->values[error.largest_row], 4),
+                         error.r2 ? core::rounded_text(*error.r2, 4) : ""}});
+    }
+    return "<h2>Comparison with measured data</h2>\n" +
+           paragraph(content.measured->source +
+                     "; errors are calculated minus measured, over the points that the path reaches.") +
+           html_table(head, rows);
+}
+
+std::string table_section(const Content& content) {
+    std::vector<std::string> head;
+    for (const post::Column& column : content.curve.columns) head.push_back(column.name);
+    std::vector<Row> rows;
+    for (std::size_t row = 0; row < content.curve.row_count(); ++row) {
+        Row& line = rows.emplace_back(Row{{}, "data-step='" + std::to_string(row) + "'"});
+        for (const post::Column& column : content.curve.columns)
+            line.cells.push_back(core::rounded_text(column.values[row], 6));
+    }
+    return "<h2>Results</h2>\n<p><a download='curve.csv' href='data:text/csv;base64," +
+           base64(post::csv_text(content.curve)) + "'>The table as CSV, all digits</a></p>\n<div class='scroll'>" +
+           html_table(head, rows, "results") + "</div>\n";
+}
+
+std::string design_section(const Content& content) {
+    const io::DesignText& design =
+        content.result.changed_design ? *content.result.changed_design : content.result.design;
+    std::string html = "<h2>Design</h2>\n";
+    if (!design.overrides.empty())
+        html += paragraph("Changed on the command line: " + core::join(design.overrides) + ".");
+    return html + "<details open><summary>" + escaped(design.family) +
+           ", defaults and changes in place</summary>\n<pre>" + escaped(design.effective_yaml) + "</pre></details>\n";
+}
+
+std::string provenance_section(const Content& content) {
+    std::vector<Row> rows;
+    for (const io::Provenance& stage : content.result.provenance)
+        rows.push_back(
+            {{stage.tool + " " + stage.version, stage.revision, stage.command_line, core::join(stage.libraries)}});
+    const std::vector<std::string> head = {"program", "revision", "command", "libraries"};
+    return "<h2>Provenance</h2>\n" + html_table(head, rows) + paragraph("This page: " + content.made_by);
+}
+
+std::string licence_section() {
+    const ViewerBundle bundle = viewer_bundle();
+    return "<h2>Licences</h2>\n<details><summary>" + escaped(bundle.library) +
+           ", which draws the body</summary>\n<pre>" + escaped(joined(bundle.licence)) + "</pre></details>\n" +
+           paragraph("Colours: viridis by S. van der Walt and N. Smith, public domain (CC0).");
+}
+
+}  // namespace soft::report

@@ -1,0 +1,30 @@
+#pragma once
+/// The sections of the page, each a whole piece of HTML. Internal; held by report/report_test.
+#include <span>
+#include <string>
+
+#include "report/report.hpp"
+#include "report/scene.hpp"
+
+namespace soft::report {
+
+[[nodiscard]] std::string summary_section(const Content& content);
+[[nodiscard]] std::string curve_section(const Content& content);
+[[nodiscard]] std::string body_section(const Scene& scene);
+[[nodiscard]] std::string comparison_section(const Content& content);  ///< empty without measured data
+[[nodiscard]] std::string mesh_section(const Content& content);
+[[nodiscard]] std::string material_section(const Content& content);
+[[nodiscard]] std::string table_section(const Content& content);
+[[nodiscard]] std::string design_section(const Content& content);
+[[nodiscard]] std::string provenance_section(const Content& content);
+[[nodiscard]] std::string licence_section();
+
+/// <table> of escaped cells. Rows may carry attributes: "data-step='3'".
+struct Row {
+    std::vector<std::string> cells;
+    std::string attributes = {};
+};
+[[nodiscard]] std::string html_table(std::span<const std::string> head, std::span<const Row> rows,
+                                     std::string_view id = {});
+
+}  // namespace soft::report

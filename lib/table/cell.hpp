@@ -1,0 +1,11 @@
+#pragma once
+/// A cell as a number. Internal.
+#include <optional>
+#include <string>
+
+namespace soft::table {
+
+/// Decimal text for core/units ("1,5" becomes "1.5"); nullopt for anything but a finite decimal number.
+[[nodiscard]] std::optional<std::string> number_in(const std::string& cell);
+
+}  // namespace soft::table

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "table/cell.hpp"
+#include "table/table.hpp"
+
+namespace soft::table {
+namespace {
+
+std::string_view without_brackets(std::string_view text) {
+    text = core::trimmed(text);
+    if (text.size() > 1 && ((text.front() == '(' && text.back() == ')') || (text.front() == '[' && text.back() == ']')))
+        text = core::trimmed(text.substr(1, text.size() - 2));
+    return text;
+}
+
+std::string place(const Table& table, std::size_t row, std::size_t column) {
+    return table.source + ":" + std::to_string(table.lines[row]) + ": " + column_text(table, column);
+}
+
+std::string number_or_throw(const Table& table, std::size_t row, std::size_t column) {
+    const std::string& cell = table.rows[row][column];
+    if (auto number = number_in(cell)) return *number;
+    throw Error(ExitCode::bad_input, place(table, row, column),
+                core::trimmed(cell).empty() ? "the cell is empty" : core::quoted(cell) + " is no number",
+                "put # before lines that are no data");
+}
+
+}  // namespace
+
+std::optional<std::string> number_in(const std::string& cell) {
+    std::string text{core::trimmed(cell)};
+    if (text.starts_with('+')) text.erase(0, 1);
+    if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
+        std::replace(text.begin(), text.end(), ',', '.');
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+    return text;
+}
+
+std::optional<core::Dimension> dimension_of(std::string_view unit) {
+    using enum core::Dimension;
+    if (core::trimmed(unit).empty()) return std::nullopt;
+    for (const core::Dimension dimension : {ratio, length, area, volume, pressure, angle, density, mass, acceleration,
+                                            time, rate, flow_resistance, energy})
+        if (std::holds_alternative<double>(core::parse_quantity("1 " + std::string{unit}, dimension))) return dimension;
+    return std::nullopt;
+}
+
+Heading parse_heading(std::string_view name) {
+    name = core::trimmed(name);
+    Heading heading{std::string{name}, std::string{name}, {}};
+    if (const std::size_t open = name.find_last_of("(["); open != std::string_view::npos && open > 0) {
+        const std::string_view unit = without_brackets(name.substr(open));
+        if (unit.size() < name.size() - open) {  // the bracket is closed at the end
+            heading.quantity = core::trimmed(name.substr(0, open));
+            if (dimension_of(unit)) heading.unit = unit;
+            return heading;
+        }
+    }
+    for (const std::string_view separator : {"_", "/", " in ", ",", " "}) {
+        const std::size_t at = name.rfind(separator);
+        if (at == std::string_view::npos || at == 0) continue;
+        const std::string_view unit = core::trimmed(name.substr(at + separator.size()));
+        if (!dimension_of(unit)) continue;
+        heading.quantity = core::trimmed(name.substr(0, at));
+        heading.unit = unit;
+        return heading;
+    }
+    return heading;
+}
+
+std::string column_text(const Table& table, std::size_t column) {
+    const std::string number = "column " + std::to_string(column + 1);
+    return table.headings.empty() ? number : number + " " + core::quoted(table.headings[column].name);
+}
+
+std::vector<double> numbers(const Table& table, std::size_t column) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const std::string text = number_or_throw(table, row, column);
+        values.emplace_back();
+        std::from_chars(text.data(), text.data() + text.size(), values.back());
+    }
+    return values;
+}
+
+std::vector<double> values_SI(const Table& table, std::size_t column, std::string_view unit,
+                              core::Dimension dimension) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+        values.push_back(core::quantity_or_throw(number_or_throw(table, row, column) + " " + std::string{unit},
+                                                 dimension, ExitCode::bad_input, place(table, row, column)));
+    return values;
+}
+
+}  // namespace soft::table

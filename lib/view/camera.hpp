@@ -1,0 +1,26 @@
+#pragma once
+/// From where a body is looked at: a parallel projection, so that a scale bar holds all over the picture.
+/// x of the model (the axis of bodies of revolution) runs to the right in the front view, y up, z towards the eye. The
+/// eye goes round y by the azimuth (towards +x) and up by the elevation. Held by view/camera_test.
+#include <string>
+#include <string_view>
+
+#include "core/tensor.hpp"
+
+namespace soft::view {
+
+struct Camera {
+    double azimuth_deg = 0, elevation_deg = 0;
+};
+
+/// "front" (0, 0), "side" (90, 0: along the axis), "top" (0, 90), "iso" (-35, 25), or "AZIMUTH,ELEVATION" in degrees,
+/// elevation from -90 to 90. Throws Error(usage, place "--view").
+[[nodiscard]] Camera camera_from_text(std::string_view text);
+
+/// Unit vectors of the picture: to the right, up, and towards the eye.
+struct Screen {
+    Vector3 right, up, eye;
+};
+[[nodiscard]] Screen screen_of(const Camera& camera);
+
+}  // namespace soft::view

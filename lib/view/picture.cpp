@@ -1,0 +1,214 @@
+#include "view/picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "post/gnuplot.hpp"
+#include "view/creases.hpp"
+#include "view/shading.hpp"
+
+namespace soft::view {
+
+namespace {
+
+// Shares of the picture around the body: for the bars and the title.
+constexpr double left_margin = 0.05, right_margin = 0.2, top_margin = 0.11, bottom_margin = 0.12;
+
+/// Where a point is drawn, with its depth [m].
+Vector3 project(const Screen& screen, const Point& x) {
+    return {dot(screen.right, x), dot(screen.up, x), dot(screen.eye, x)};
+}
+
+struct Box2 {
+    std::array<double, 2> low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
+    std::array<double, 2> high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
+};
+
+void enclose(Box2& box, const Skin& skin, const Screen& screen, std::span<const Point> bases) {
+    for (const Point& x : vertex_positions(skin, bases)) {
+        const Vector3 at = project(screen, x);
+        for (std::size_t i = 0; i < 2; ++i) {
+            box.low[i] = std::min(box.low[i], at[i]);
+            box.high[i] = std::max(box.high[i], at[i]);
+        }
+    }
+}
+
+Range range_of(const Look& look, std::span<const Shot> shots) {
+    if (look.range) return *look.range;
+    Range range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+    for (const Shot& shot : shots)
+        for (const double value : shot.values) {
+            range.low = std::min(range.low, value);
+            range.high = std::max(range.high, value);
+        }
+    const double least = 1e-3 * fields::info(look.quantity).SI_per_unit, missing = least - (range.high - range.low);
+    if (missing > 0) {
+        range.low -= 0.5 * missing;
+        range.high += 0.5 * missing;
+    }
+    return range;
+}
+
+/// Vertices in pixels of the raster.
+std::vector<Vector3> in_raster(const Framing& frame, std::span<const Point> positions) {
+    const double scale = oversampling / frame.m_per_px;
+    const double x0 = oversampling * frame.width_px * (left_margin + (1 - right_margin - left_margin) / 2);
+    const double y0 = oversampling * frame.height_px * (bottom_margin + (1 - top_margin - bottom_margin) / 2);
+    std::vector<Vector3> out;
+    for (const Point& x : positions) {
+        const Vector3 at = project(frame.screen, x);
+        out.push_back(
+            {x0 + scale * (at[0] - frame.centre_m[0]), y0 + scale * (at[1] - frame.centre_m[1]), scale * at[2]});
+    }
+    return out;
+}
+
+std::vector<Segment> segments(std::span<const std::array<std::int32_t, 2>> edges, std::span<const Vector3> at) {
+    std::vector<Segment> out;
+    for (const auto& [a, b] : edges) out.push_back({at[static_cast<std::size_t>(a)], at[static_cast<std::size_t>(b)]});
+    return out;
+}
+
+void fill_body(Raster& raster, const Body& body, const Framing& frame, const Shot& shot,
+               std::span<const Point> positions, std::span<const Vector3> at) {
+    const auto& skin = body.skin;
+    const auto light = corner_light(skin.faces, positions, frame.screen);
+    const double span = frame.range.high - frame.range.low;
+    for (std::size_t f = 0; f < skin.faces.size(); ++f) {
+        std::array<Corner, 4> corner;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto v = static_cast<std::size_t>(skin.faces[f][i]);
+            const double value = shot.values[static_cast<std::size_t>(skin.vertices[v].base)];
+            corner[i] = {at[v], (value - frame.range.low) / span, light[f][i]};
+        }
+        raster.fill({corner[0], corner[1], corner[2]});
+        if (skin.faces[f][3] != skin.faces[f][2]) raster.fill({corner[0], corner[2], corner[3]});
+    }
+}
+
+/// The undeformed body: its edges and its silhouette, hidden by itself; seen through the deformed body faintly.
+void draw_outline(Raster& raster, const Body& body, const Framing& frame) {
+    const auto positions = vertex_positions(body.skin, body.undeformed_bases_m);
+    const auto at = in_raster(frame, positions);
+    Raster itself(raster.width(), raster.height());
+    for (const auto& [a, b, c] : triangles(body.skin))
+        itself.hide(
+            {at[static_cast<std::size_t>(a)], at[static_cast<std::size_t>(b)], at[static_cast<std::size_t>(c)]});
+    auto edges = segments(body.skin.creases, at);
+    const auto rim = segments(silhouette(body.skin.faces, positions, frame.screen.eye), at);
+    edges.insert(edges.end(), rim.begin(), rim.end());
+    const Stroke stroke{.colour = {0.25, 0.25, 0.25},
+                        .width = 1.6 * oversampling,
+                        .in_front = 0.8,
+                        .behind = 0.4,
+                        .bias = 1.5 * oversampling};
+    raster.lines(edges, stroke, &itself);
+}
+
+std::string number(double value) { return core::rounded_text(value, 8); }
+
+/// Inside gnuplot's single quotes only the quote itself is special.
+std::string gnuplot_text(std::string_view text) {
+    std::string out = "'";
+    for (const char c : core::one_line(text, 200)) out += c == '\'' ? "''" : std::string(1, c);
+    return out + "'";
+}
+
+std::string palette_text() {
+    std::string text;
+    int i = 0;
+    for (const Rgb& colour : viridis())
+        text += (text.empty() ? "" : ", ") + std::to_string(i++) + " " + number(colour.red) + " " +
+                number(colour.green) + " " + number(colour.blue);
+    return text;
+}
+
+}  // namespace
+
+Framing framing(const Body& body, const Look& look, std::span<const Shot> shots) {
+    Framing frame{.screen = screen_of(look.camera), .range = range_of(look, shots)};
+    Box2 box;
+    enclose(box, body.skin, frame.screen, body.undeformed_bases_m);
+    for (const Shot& shot : shots) enclose(box, body.skin, frame.screen, shot.bases_m);
+    std::array<double, 2> size{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        frame.centre_m[i] = 0.5 * (box.low[i] + box.high[i]);
+        size[i] = std::max(box.high[i] - box.low[i], std::numeric_limits<double>::min());
+    }
+    const double width = look.width_px * (1 - left_margin - right_margin), margins = 1 - top_margin - bottom_margin;
+    const double wanted = width * size[1] / size[0] / margins;  // height of the whole picture where the width decides
+    const double height = std::clamp(wanted, 0.5 * look.height_px, 1.0 * look.height_px);
+    frame.width_px = look.width_px / 2 * 2;
+    frame.height_px = static_cast<int>(height) / 2 * 2;
+    frame.m_per_px = std::max(size[0] / width, size[1] / (frame.height_px * margins));
+    return frame;
+}
+
+Raster paint(const Body& body, const Framing& frame, const Shot& shot) {
+    Raster raster(oversampling * frame.width_px, oversampling * frame.height_px);
+    const auto positions = vertex_positions(body.skin, shot.bases_m);
+    const auto at = in_raster(frame, positions);
+    fill_body(raster, body, frame, shot, positions, at);
+    raster.lines(segments(body.skin.creases, at), {.colour = {0.1, 0.1, 0.1},
+                                                   .width = 0.8 * oversampling,
+                                                   .in_front = 0.55,
+                                                   .behind = 0,
+                                                   .bias = 1.5 * oversampling});
+    draw_outline(raster, body, frame);
+    return raster;
+}
+
+double scale_bar_m(double longest_m) {
+    const double decade = std::pow(10.0, std::floor(std::log10(longest_m)));
+    for (const double step : {5.0, 2.0})
+        if (step * decade <= longest_m) return step * decade;
+    return decade;
+}
+
+std::string picture_script(const Look& look, const Framing& frame, const Shot& shot, const Raster& raster) {
+    const auto& info = fields::info(look.quantity);
+    const std::string w = std::to_string(frame.width_px), h = std::to_string(frame.height_px);
+    const double font = frame.width_px / 64.0;
+    // A letter is about 0.78 of the font's size in points wide; long titles are set smaller.
+    const double title_font = std::min(
+        font, 0.96 * frame.width_px / (0.78 * static_cast<double>(std::max<std::size_t>(shot.title.size(), 1))));
+    const std::string label = std::string(info.label) + (info.unit.empty() ? "" : " (" + std::string(info.unit) + ")");
+    const double bar_m = scale_bar_m(0.25 * frame.width_px * frame.m_per_px), bar_px = bar_m / frame.m_per_px;
+    const double x0 = left_margin * frame.width_px, y0 = 0.7 * font;
+
+    std::string script =
+        "set terminal pngcairo size " + w + "," + h + " font 'Sans," + number(font) + "' linewidth 2\n";
+    script += "set encoding utf8\nunset border\nunset tics\nunset key\n";
+    for (const char* side : {"lmargin", "bmargin"}) script += std::string("set ") + side + " at screen 0\n";
+    for (const char* side : {"rmargin", "tmargin"}) script += std::string("set ") + side + " at screen 1\n";
+    // Pixel k of the image is centred at k: otherwise one column and one row are drawn twice.
+    script += "set xrange [-0.5:" + number(frame.width_px - 0.5) +
+              "]\nset yrange [-0.5:" + number(frame.height_px - 0.5) + "]\n";
+    script += "set palette defined (" + palette_text() + ")\n";
+    script += "set cbrange [" + number(frame.range.low / info.SI_per_unit) + ":" +
+              number(frame.range.high / info.SI_per_unit) + "]\n";
+    script += "set colorbox user origin screen 0.855, screen 0.2 size screen 0.022, screen 0.6\nset cbtics scale 0.5\n";
+    script += "set cblabel " + gnuplot_text(label) + " noenhanced offset 1.5,0\n";
+    script += "set label 1 " + gnuplot_text(shot.title) + " noenhanced at screen 0.5, screen 0.955 center font 'Sans," +
+              number(title_font) + "' front\n";
+    script += "set arrow 1 from " + number(x0) + "," + number(y0) + " to " + number(x0 + bar_px) + "," + number(y0) +
+              " nohead linewidth 3 linecolor rgb 'black' front\n";
+    script += "set label 2 " + gnuplot_text(core::quantity_text(bar_m, core::Dimension::length)) + " at " +
+              number(x0 + bar_px / 2) + "," + number(y0 + 1.2 * font) + " center front\n";
+    script += "plot '-' binary array=(" + w + "," + h +
+              ") format='%uchar%uchar%uchar' using 1:2:3 with rgbimage, NaN with points palette\n";
+    const auto bytes = raster.reduced(oversampling);
+    script.append(bytes.begin(), bytes.end());
+    return script;
+}
+
+void draw_picture(const Body& body, const Look& look, const Framing& frame, const Shot& shot,
+                  const std::filesystem::path& file) {
+    post::run_gnuplot(picture_script(look, frame, shot, paint(body, frame, shot)), file);
+}
+
+}  // namespace soft::view

@@ -1,0 +1,151 @@
+#include "post/golden.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "path_samples.hpp"
+#include "post/csv.hpp"
+
+namespace soft::post {
+namespace {
+
+const model::Case growth = test::sample_case({"growth"});
+
+/// Rows of the closed form at evenly spaced stretches, as postprocess would write them.
+std::string exact_table(int rows, double last_stretch) {
+    std::string text = "step,pressure_kPa,growth_mm,volume_mL,stable\n";
+    for (int row = 0; row < rows; ++row) {
+        const double stretch = 1 + (last_stretch - 1) * row / (rows - 1);
+        text += std::to_string(row) + "," + core::number_text(test::sphere_pressure_Pa(stretch) / 1e3) + "," +
+                core::number_text((stretch - 1) * 1e3) + "," + core::number_text(test::ball_m3(stretch) * 1e6) + "," +
+                (stretch < 1.8281 ? "1" : "0") + "\n";
+    }
+    return text;
+}
+
+Verdict verdict_on(const std::string& golden, const Tolerance& tolerance = {}, int rows = 40, double last = 3) {
+    return check_golden(make_curve(growth, test::sphere_path(rows, last)), table::read_table(golden, "golden.csv"),
+                        tolerance);
+}
+
+std::string failure(const std::string& golden, const Tolerance& tolerance = {}, int rows = 40, double last = 3) {
+    return failure_text(verdict_on(golden, tolerance, rows, last), table::read_table(golden, "golden.csv"));
+}
+
+std::string replaced(std::string text, const std::string& old, const std::string& by) {
+    const auto at = text.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return text.replace(at, old.size(), by);
+}
+
+TEST(Golden, AnotherChoiceOfStepsOnTheSameCurveIsNoDifference) {
+    for (const int rows : {25, 40, 77}) {
+        const Verdict verdict = verdict_on(exact_table(31, 3), {}, rows);
+        EXPECT_TRUE(verdict.agrees()) << rows << failure(exact_table(31, 3), {}, rows);
+        EXPECT_EQ(verdict.rows, 31u);
+        EXPECT_EQ(verdict.leader, "growth_mm");
+    }
+}
+
+TEST(Golden, TheSameRowsAgreeToTheLastDigitInEveryColumn) {
+    const Curve curve = make_curve(growth, test::sphere_path(20, 3));
+    const table::Table golden = table::read_table(csv_text(curve), "golden.csv");
+    const Verdict verdict = check_golden(curve, golden, {1e-12, {}});
+    EXPECT_TRUE(verdict.agrees()) << failure_text(verdict, golden);
+    EXPECT_EQ(verdict.columns.size(), curve.columns.size());
+}
+
+TEST(Golden, TellsTheFirstDifferingRowWithColumnValuesAndDifference) {
+    // p(1.5) = 0.755433 mu (verification.md), here mu = 1 Pa: row 5 of 0..20 up to 3 is the stretch 1.5 (0.75543312 by the formula), as row 10 of the path
+    std::string golden = exact_table(21, 3);
+    const std::string right = core::number_text(test::sphere_pressure_Pa(1.5) / 1e3);
+    golden = replaced(golden, "5," + right + ",500,", "5,0.00077,500,");
+    EXPECT_EQ(failure(golden, {}, 41),
+              "golden.csv:7: pressure_kPa is 0.0007554331 where growth_mm is 500, golden 0.00077: 1.46e-05 apart, "
+              "allowed 7.7e-07; 1 of 21 rows differ");
+    EXPECT_FALSE(verdict_on(golden).agrees());
+    EXPECT_TRUE(verdict_on(golden, {0.02, {}}).agrees());
+    EXPECT_TRUE(verdict_on(golden, {1e-3, {{"pressure", 1.5e-5}}}).agrees());
+    EXPECT_FALSE(verdict_on(golden, {1e-3, {{"growth", 1.5e-5}}}).agrees());
+}
+
+TEST(Golden, APathThatEndsEarlyDiffersWhereItEnds) {
+    EXPECT_EQ(failure(exact_table(21, 3), {}, 40, 2),
+              "golden.csv:13: the path does not reach growth_mm 1100; it ends at 1000; 10 of 21 rows differ");
+    EXPECT_TRUE(verdict_on(exact_table(21, 3), {}, 40, 2.9995).agrees());  // 2000 mm within a thousandth
+}
+
+TEST(Golden, AColumnThatTheResultLacksIsADifference) {
+    const std::string golden = "step,pressure_kPa,growth_mm,bend_deg\n0,0,0,0\n";
+    const Verdict verdict = verdict_on(golden);
+    EXPECT_FALSE(verdict.agrees());
+    EXPECT_EQ(failure_text(verdict, table::read_table(golden, "golden.csv")),
+              "golden.csv: the result has no column 'bend_deg'");
+}
+
+TEST(Golden, StabilityIsHeldToTheRowsOnBothSides) {
+    const std::string golden = exact_table(31, 3);
+    EXPECT_EQ(failure(replaced(golden, ",1\n1,", ",0\n1,")).substr(0, 31), "golden.csv:2: stable is 1 where");
+    // between the last stable and the first unstable row of the path either is right
+    const std::string between = "growth_mm,stable\n825,1\n826,0\n";
+    EXPECT_TRUE(verdict_on(between, {}, 9).agrees());
+}
+
+TEST(Golden, APathThatGoesThereAndBackIsFollowedInItsOrder) {
+    // pressure up and down again on two different ways; the first output turns back with it
+    auto steps = test::sphere_path(9, 1.8);
+    const auto up = steps;
+    for (std::size_t i = up.size() - 1; i-- > 0;) {
+        steps.push_back(up[i]);
+        steps.back().pressure_Pa *= 0.9;
+        steps.back().tangent_outputs = {0};
+        steps.back().tangent_pressure = steps.back().tangent_volume = 0;
+    }
+    const Curve curve = make_curve(growth, steps);
+    table::Table golden = table::read_table(csv_text(curve), "golden.csv");
+    EXPECT_TRUE(check_golden(curve, golden, {1e-9, {}}).agrees());
+    golden.rows[12][1] = golden.rows[4][1];  // a row of the way back with the pressure of the way there
+    const Verdict verdict = check_golden(curve, golden, {1e-3, {}});
+    EXPECT_EQ(verdict.differing_rows, 1u) << failure_text(verdict, golden);
+    EXPECT_EQ(verdict.columns[1].first->row, 12u);
+}
+
+TEST(Golden, AStageThatHoldsTheStateIsFoundWhereItHolds) {
+    auto steps = test::sphere_path(6, 1.5);
+    steps.push_back(steps.back());
+    steps.back().stage = 1;
+    for (std::size_t i = 5; i-- > 0;) {
+        steps.push_back(steps[i]);
+        steps.back().stage = 2;
+        steps.back().tangent_outputs = {0};
+        steps.back().tangent_pressure = steps.back().tangent_volume = 0;
+    }
+    model::Case model = growth;
+    model.path.stages.resize(3);
+    const Curve curve = make_curve(model, steps);
+    table::Table golden = table::read_table(csv_text(curve), "golden.csv");
+    EXPECT_TRUE(check_golden(curve, golden, {1e-12, {}}).agrees())
+        << failure_text(check_golden(curve, golden, {1e-12, {}}), golden);
+    golden.rows[3][1] = "2";  // "stage" in the middle of the first
+    EXPECT_EQ(check_golden(curve, golden, {1e-12, {}}).differing_rows, 1u);
+}
+
+TEST(Golden, RefusesATableThatIsNone) {
+    EXPECT_THROW((void)verdict_on("1,2\n3,4\n"), Error);
+    EXPECT_THROW((void)verdict_on("step,stable\n0,1\n"), Error);
+    EXPECT_THROW((void)verdict_on("pressure_kPa,growth_mm\n0,x\n"), Error);
+}
+
+TEST(Allowance, IsReadInUnitsOfTheColumn) {
+    const Curve curve = make_curve(growth, test::sphere_path(9, 3));
+    EXPECT_EQ(parse_allowance("pressure=5Pa", curve).value, 0.005);
+    EXPECT_EQ(parse_allowance("growth = 1 um", curve).value, 0.001);
+    EXPECT_EQ(parse_allowance("min_J=1e-4", curve).value, 1e-4);
+    EXPECT_EQ(parse_allowance("1e-9", curve).quantity, "");
+    EXPECT_THROW((void)parse_allowance("pressure=5", curve), Error);
+    EXPECT_THROW((void)parse_allowance("presure=5Pa", curve), Error);
+}
+
+}  // namespace
+}  // namespace soft::post

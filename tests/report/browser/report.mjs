@@ -1,0 +1,119 @@
+// A report in a real browser: it loads, the slider moves the body, the pointer turns it, nothing is fetched, nothing complains.
+//   node report.mjs REPORT.html LENGTH_MM ELONGATION_MM [PICTURES]     PICTURES: folder for what was seen
+// LENGTH_MM is the undeformed length along x, ELONGATION_MM what the last step adds to it.
+import puppeteer from 'puppeteer-core';
+import { writeFileSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+
+const [file, length, elongation, pictures] = process.argv.slice(2);
+const page_url = pathToFileURL(file).href;
+let failures = 0, claims = 0;
+function claim(text, holds, seen = '') {
+  claims += 1;
+  if (holds) return;
+  failures += 1;
+  console.log(`NOT TRUE: ${text}${seen === '' ? '' : `; seen: ${seen}`}`);
+}
+
+const browser = await puppeteer.launch({
+  executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+  headless: true,
+  args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+});
+try {
+  const page = await browser.newPage();
+  await page.setViewport({ width: 1000, height: 1200 });
+  const requests = [], complaints = [];
+  await page.setRequestInterception(true);
+  page.on('request', (request) => {
+    const url = request.url();
+    if (url === page_url || url.startsWith('data:')) return void request.continue();
+    requests.push(url);
+    void request.abort();
+  });
+  page.on('console', (message) => { if (['error', 'warn'].includes(message.type())) complaints.push(message.text()); });
+  page.on('pageerror', (error) => complaints.push(error.message));
+  page.on('dialog', (dialog) => { complaints.push(dialog.message()); void dialog.dismiss(); });
+
+  await page.goto(page_url, { waitUntil: 'load', timeout: 120000 });
+  const text = (id) => page.$eval(`#${id}`, (element) => element.textContent);
+  const body = await page.$('#body');
+  // The share of pixels that are not white, decoded by the browser itself in a page without the report's policy.
+  const eye = await browser.newPage();
+  const look = async (name) => {
+    await page.bringToFront();
+    const png = await body.screenshot();
+    if (pictures) writeFileSync(`${pictures}/${name}.png`, png);
+    const inked = await eye.evaluate(async (base64) => {
+      const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), context = canvas.getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const pixels = context.getImageData(0, 0, bitmap.width, bitmap.height).data;
+      let count = 0;
+      for (let i = 0; i < pixels.length; i += 4) count += pixels[i] + pixels[i + 1] + pixels[i + 2] < 600 ? 1 : 0;
+      return 4 * count / pixels.length;
+    }, Buffer.from(png).toString('base64'));
+    return { png: Buffer.from(png).toString('base64'), inked };
+  };
+  const size_x = async () => Number(/drawn: ([0-9.]+) /.exec(await text('size'))[1]);
+  const slide = (value) => page.$eval('#frame', (slider, to) => {
+    slider.value = to;
+    slider.dispatchEvent(new Event('input'));
+  }, value);
+
+  claim('the body can be drawn', await page.$eval('#trouble', (element) => element.hidden), await text('trouble'));
+  const last = await look('last');
+  claim('the body fills part of its window', last.inked > 0.01 && last.inked < 0.9, last.inked);
+  const end = await size_x();
+  claim('the last step is as long as the result says', Math.abs(end - length - elongation) < 0.01 * end, end);
+
+  await slide(0);
+  const first = await look('first');
+  claim('the slider moves the body', first.png !== last.png && first.inked > 0.005, first.inked);
+  claim('back to its undeformed length', Math.abs(await size_x() - length) < 0.005 * length, await size_x());
+  claim('and tells the step', (await text('step')).startsWith('step 0:'), await text('step'));
+  claim('whose row is marked in the table', await page.$eval('#results tr.shown', (row) => row.dataset.step === '0'));
+
+  await slide(1e9);
+  claim('the slider ends at the last step', Math.abs(await size_x() - end) < 1e-6, await size_x());
+  const high = await text('high');
+  await page.select('#field', '1');
+  claim('another field has other colours', (await look('field')).png !== last.png && await text('high') !== high, await text('high'));
+  await page.select('#field', '0');
+  await page.click('#outline');
+  claim('the outline can be left out', (await look('outline')).png !== last.png);
+  await page.click('#outline');
+  claim('and comes back', (await look('again')).png === last.png);
+
+  if (await page.$eval('#cut', (element) => !element.parentElement.hidden)) {
+    const size = await text('size');
+    await page.click('#cut');
+    const closed = await look('closed');
+    claim('a symmetric body can be closed', closed.png !== last.png && await text('size') === size, await text('size'));
+    await page.click('#cut');
+  }
+
+  const box = await body.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2 + 40, { steps: 5 });
+  await page.mouse.up();
+  claim('the pointer turns the body', (await look('turned')).png !== last.png);
+  await page.click('#reset');
+  claim('and a button turns it back', (await look('reset')).png === last.png);
+
+  const playing = await page.$eval('#frame', (slider) => slider.value);
+  await page.click('#play');
+  const moved = await page.waitForFunction((value) => document.getElementById('frame').value !== value, { timeout: 20000 }, playing)
+    .then(() => true, () => false);
+  await page.click('#play');
+  claim('it plays and stops', moved && await text('play') === 'Play');
+
+  claim('the curve is seen', await page.$eval('#curve', (image) => image.complete && image.naturalWidth > 100));
+  claim('nothing is fetched', requests.length === 0, requests.join(' '));
+  claim('nothing complains', complaints.length === 0, complaints.join(' | '));
+} finally {
+  await browser.close();
+}
+console.log(failures === 0 ? `all of ${claims} claims hold` : `${failures} of ${claims} claims fail`);
+process.exit(failures === 0 && claims > 0 ? 0 : 1);

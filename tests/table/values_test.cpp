@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/error.hpp"
+#include "table/table.hpp"
+
+namespace soft::table {
+namespace {
+
+TEST(ParseHeading, TakesTheUnitWhereverPeoplePutIt) {
+    for (const std::string_view name :
+         {"Pressure (kPa)", "Pressure [kPa]", "Pressure_kPa", "Pressure / kPa", "Pressure/kPa", "Pressure in kPa",
+          "Pressure, kPa", "Pressure kPa", " Pressure( kPa ) "}) {
+        const Heading heading = parse_heading(name);
+        EXPECT_EQ(heading.quantity, "Pressure") << name;
+        EXPECT_EQ(heading.unit, "kPa") << name;
+    }
+}
+
+TEST(ParseHeading, LeavesANameWithoutUnitAsItIs) {
+    EXPECT_EQ(parse_heading("tip displacement").quantity, "tip displacement");
+    EXPECT_EQ(parse_heading("tip displacement").unit, "");
+    EXPECT_EQ(parse_heading("kPa").unit, "");  // a unit alone names no quantity
+    EXPECT_EQ(parse_heading("stretch_p99").quantity, "stretch_p99");
+    EXPECT_EQ(parse_heading("Force (N)").quantity, "Force");
+    EXPECT_EQ(parse_heading("Force (N)").unit, "");  // no unit of this program
+    EXPECT_EQ(parse_heading("pressure (gauge) kPa").quantity, "pressure (gauge)");
+    EXPECT_EQ(parse_heading("").quantity, "");
+}
+
+TEST(DimensionOf, KnowsUnits) {
+    EXPECT_EQ(dimension_of("psi"), core::Dimension::pressure);
+    EXPECT_EQ(dimension_of("cm"), core::Dimension::length);
+    EXPECT_EQ(dimension_of("deg"), core::Dimension::angle);
+    EXPECT_EQ(dimension_of(""), std::nullopt);
+    EXPECT_EQ(dimension_of("furlong"), std::nullopt);
+}
+
+TEST(ValuesSI, ConvertsByTheDefinitionsOfTheUnits) {
+    const Table table = read_table("psi,bar,in\n1,1,1\n10,\"0,5\",2\n", "m.csv");
+    const auto psi = values_SI(table, 0, "psi", core::Dimension::pressure);
+    EXPECT_DOUBLE_EQ(psi[1], 68947.57293168361);  // 1 psi = 4.4482216152605 N / (25.4 mm)^2
+    EXPECT_EQ(values_SI(table, 1, "bar", core::Dimension::pressure)[1], 50000.0);
+    EXPECT_DOUBLE_EQ(values_SI(table, 2, "in", core::Dimension::length)[1], 0.0508);
+}
+
+TEST(Values, RefuseACellByLineAndColumn) {
+    const Table table = read_table("Pressure (kPa),note\n1,start\n,end\n3x,\n", "m.csv");
+    const auto refusal = [](auto read) {
+        try {
+            read();
+        } catch (const Error& error) {
+            return std::string{error.what()};
+        }
+        return std::string{};
+    };
+    EXPECT_EQ(refusal([&] { (void)values_SI(table, 0, "kPa", core::Dimension::pressure); }),
+              "m.csv:3: column 1 'Pressure (kPa)': the cell is empty; put # before lines that are no data");
+    EXPECT_EQ(refusal([&] { (void)numbers(table, 1); }),
+              "m.csv:2: column 2 'note': 'start' is no number; put # before lines that are no data");
+}
+
+}  // namespace
+}  // namespace soft::table

@@ -1,0 +1,105 @@
+#include "postprocess_checks.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "cli.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "post/golden.hpp"
+#include "post/junit.hpp"
+#include "table/table.hpp"
+
+namespace soft {
+namespace {
+
+constexpr std::size_t longest_table = 64u << 20;  // bytes: a table is text that somebody has looked at
+
+table::Table read_csv(const std::string& file) {
+    const cli::Input input = cli::read_input(file, longest_table);
+    return table::read_table(input.text(), input.source);
+}
+
+nlohmann::ordered_json comparison_json(const post::Curve& curve, const Comparison& comparison) {
+    auto list = nlohmann::ordered_json::array();
+    for (const post::ErrorSummary& error : comparison.errors) {
+        const post::Column& of = curve.columns[error.of];
+        list.push_back({{"quantity", of.quantity},
+                        {"unit", of.unit},
+                        {"at_equal", curve.columns[error.at].quantity},
+                        {"points", error.points},
+                        {"left_out", error.left_out},
+                        {"mean", error.mean},
+                        {"mean_size", error.mean_size},
+                        {"rms", error.rms},
+                        {"largest", error.largest},
+                        {"largest_line", comparison.measured.lines[error.largest_row]},
+                        {"r2", error.r2 ? nlohmann::ordered_json(*error.r2) : nlohmann::ordered_json(nullptr)}});
+    }
+    return list;
+}
+
+void judge_comparison(const CompareOptions& options, const post::Curve& curve, const Comparison& comparison,
+                      Judgement& judgement) {
+    judgement.lines = post::summary_lines(curve, comparison.measured, comparison.errors);
+    if (options.max_error.empty()) return;
+    for (post::Claim& claim : post::check_largest(curve, comparison.measured, comparison.errors, options.max_error)) {
+        if (judgement.failure.empty()) judgement.failure = claim.failure;
+        judgement.claims.push_back(std::move(claim));
+    }
+}
+
+void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgement& judgement,
+                  nlohmann::ordered_json& summary) {
+    const double relative = core::quantity_or_throw(options.rtol, core::Dimension::ratio, ExitCode::usage, "--rtol");
+    if (relative < 0) throw Error(ExitCode::usage, "--rtol", core::quoted(options.rtol) + " is negative");
+    post::Tolerance tolerance{relative, {}};
+    for (const std::string& text : options.atol) tolerance.absolute.push_back(post::parse_allowance(text, curve));
+    const table::Table golden = read_csv(options.file);
+    const post::Verdict verdict = post::check_golden(curve, golden, tolerance);
+    for (const post::ColumnVerdict& column : verdict.columns)
+        judgement.claims.push_back({column.name + " agrees", post::failure_text(verdict, column, golden)});
+    summary["check"] = {
+        {"golden", golden.source},
+        {"agrees", verdict.agrees()},
+        {"rows", verdict.rows},
+        {"differing_rows", verdict.differing_rows},
+        {"largest_share_of_allowed", std::isfinite(verdict.nearest_miss) ? nlohmann::ordered_json(verdict.nearest_miss)
+                                                                         : nlohmann::ordered_json(nullptr)}};
+    if (!verdict.agrees())
+        judgement.failure = post::failure_text(verdict, golden);
+    else
+        judgement.lines.push_back(golden.source + ": " + std::to_string(verdict.rows) + " rows of " +
+                                  std::to_string(verdict.columns.size()) +
+                                  " columns agree; the largest difference is " +
+                                  core::rounded_text(100 * verdict.nearest_miss, 2) + " % of what is allowed");
+}
+
+}  // namespace
+
+std::optional<Comparison> compare(const CompareOptions& options, const post::Curve& curve) {
+    if (options.file.empty()) return std::nullopt;
+    const auto choices = post::parse_column_choices(options.columns);
+    post::Measured measured = post::read_measured(read_csv(options.file), curve, choices);
+    auto errors = post::compare(curve, measured);
+    return Comparison{std::move(measured), std::move(errors)};
+}
+
+Judgement judge(const PostprocessOptions& options, const post::Curve& curve,
+                const std::optional<Comparison>& comparison, nlohmann::ordered_json& summary) {
+    Judgement judgement;
+    if (comparison) {
+        summary["comparison"] = comparison_json(curve, *comparison);
+        judge_comparison(options.compare, curve, *comparison, judgement);
+    }
+    if (!options.check.file.empty()) judge_golden(options.check, curve, judgement, summary);
+    return judgement;
+}
+
+void conclude(const PostprocessOptions& options, const Judgement& judgement) {
+    if (!options.check.junit.empty())
+        cli::write_output(options.check.junit, post::junit_xml("postprocess " + options.input, judgement.claims));
+    if (!judgement.failure.empty()) throw Error(ExitCode::check_failed, "", judgement.failure);
+}
+
+}  // namespace soft

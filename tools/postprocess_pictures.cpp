@@ -1,0 +1,256 @@
+#include "postprocess_pictures.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "fields/quantity.hpp"
+#include "view/animation.hpp"
+#include "view/picture.hpp"
+
+namespace soft {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int film_width_px = 960, film_height_px = 720;
+constexpr int smooth_segments = 8, smooth_sectors = 120;  // to the eye at 1600 pixels
+
+std::string field_names() {
+    std::vector<std::string> names;
+    for (const fields::QuantityInfo& quantity : fields::quantities()) names.emplace_back(quantity.name);
+    return core::join(names);
+}
+
+core::Dimension dimension_of(fields::Quantity quantity) {
+    switch (quantity) {
+        case fields::Quantity::von_mises:
+        case fields::Quantity::pressure:
+        case fields::Quantity::energy: return core::Dimension::pressure;  // J/m^3 = Pa
+        case fields::Quantity::displacement: return core::Dimension::length;
+        case fields::Quantity::stretch:
+        case fields::Quantity::jacobian: break;
+    }
+    return core::Dimension::ratio;
+}
+
+std::optional<view::Range> range_of(const PictureOptions& options, fields::Quantity quantity) {
+    if (options.range.empty()) return std::nullopt;
+    const auto comma = options.range.find(',');
+    if (comma == std::string::npos)
+        throw Error(ExitCode::usage, "--range", core::quoted(options.range) + " has one end", "LOW,HIGH with units");
+    const auto value = [&](std::string_view text) {
+        return core::quantity_or_throw(text, dimension_of(quantity), ExitCode::usage, "--range");
+    };
+    const view::Range range{value(std::string_view{options.range}.substr(0, comma)),
+                            value(std::string_view{options.range}.substr(comma + 1))};
+    if (!(range.low < range.high)) throw Error(ExitCode::usage, "--range", "LOW is not below HIGH");
+    return range;
+}
+
+view::Look look_of(const PictureOptions& options, const model::Case& model) {
+    view::Look look;
+    look.quantity = fields::quantity_from_name(options.field);
+    const bool flat = options.section || model.kinematics == model::Kinematics::plane_strain;
+    look.camera = view::camera_from_text(flat ? "front" : options.view);
+    look.range = range_of(options, look.quantity);
+    return look;
+}
+
+view::SkinOptions skin_options(const PictureOptions& options) {
+    view::SkinOptions skin;
+    skin.segments = smooth_segments;
+    skin.sectors = smooth_sectors;
+    skin.extent = options.whole ? view::Extent::whole : view::Extent::opened;
+    if (options.section) skin.extent = view::Extent::flat;
+    return skin;
+}
+
+/// What a title says of a row: time, the leading load, and what is measured (the first volume where nothing else is).
+bool in_title(const post::Curve& curve, const post::Column& column) {
+    if (column.quantity == "step" || column.source == post::Source::time || column.source == post::Source::output)
+        return true;
+    const auto first = [&](post::Source source) {
+        return &*std::ranges::find(curve.columns, source, &post::Column::source) == &column;
+    };
+    const bool measures =
+        std::ranges::any_of(curve.columns, [](const post::Column& c) { return c.source == post::Source::output; });
+    return (column.source == post::Source::load && first(post::Source::load)) ||
+           (column.source == post::Source::volume && !measures && first(post::Source::volume));
+}
+
+/// "bellows   step 12   pressure 40 kPa   elongation 31.7 mm"
+std::string title_of(const Shown& shown, std::size_t row) {
+    std::string title = shown.result.model.name;
+    for (const post::Column& column : shown.curve.columns) {
+        if (!in_title(shown.curve, column) || column.role == post::Role::follower) continue;
+        std::string words = column.quantity;
+        std::ranges::replace(words, '_', ' ');
+        title += "   " + words + " " + core::rounded_text(column.values.at(row), 4) +
+                 (column.unit.empty() ? "" : " " + column.unit);
+    }
+    return title;
+}
+
+/// Draws one result: what does not change from step to step is made once.
+class Studio {
+public:
+    Studio(const PictureOptions& options, const Shown& shown)
+        : shown_(shown),
+          look_(look_of(options, shown.result.model)),
+          places_(fields::region_points(shown.result.model.mesh)),
+          skin_(view::make_skin(shown.result.model, places_, skin_options(options))),
+          body_{skin_, view::base_positions(skin_, shown.result.model, places_, {})} {}
+
+    [[nodiscard]] std::size_t polygons() const { return skin_.faces.size(); }
+
+    [[nodiscard]] view::Shot shot(std::int64_t row) const {
+        const model::Case& model = shown_.result.model;
+        const auto values = stored_fields(shown_.result, row);
+        const fields::NodalState state{values.displacement_m, values.pressure_Pa};
+        const auto nodal =
+            fields::nodal_values(look_.quantity, model, places_, state, fields::step_fields(model, places_, state));
+        return {view::base_positions(skin_, model, places_, values.displacement_m), view::base_values(skin_, nodal),
+                title_of(shown_, static_cast<std::size_t>(row))};
+    }
+
+    void draw(std::int64_t row, const fs::path& file) const {
+        const view::Shot one = shot(row);
+        view::draw_picture(body_, look_, view::framing(body_, look_, {&one, 1}), one, file);
+    }
+
+    void animate(const fs::path& file, cli::Console& console) const {
+        std::vector<view::Shot> shots;
+        for (const std::int64_t row : shown_.result.fields.steps()) shots.push_back(shot(row));
+        view::Look look = look_;
+        if (view::film_format(file) != view::FilmFormat::folder) {
+            look.width_px = film_width_px;
+            look.height_px = film_height_px;
+        }
+        view::draw_animation(body_, look, shots, file, [&](std::size_t done) {
+            console.progress(static_cast<double>(done) / static_cast<double>(shots.size()), "frames");
+        });
+    }
+
+private:
+    const Shown& shown_;
+    view::Look look_;
+    fields::RegionPoints places_;
+    view::Skin skin_;
+    view::Body body_;
+};
+
+/// The stored step nearest to a place on the path, counted in steps.
+std::int64_t nearest_stored(const std::vector<std::int64_t>& stored, double step) {
+    return *std::ranges::min_element(stored, {},
+                                     [&](std::int64_t row) { return std::abs(static_cast<double>(row) - step); });
+}
+
+}  // namespace
+
+std::vector<std::int64_t> shown_rows(const Shown& shown) {
+    const auto& stored = shown.result.fields.steps();
+    if (shown.rows == Shown::Rows::last) return {stored.back()};
+    std::vector<std::int64_t> rows;
+    for (const double step : shown.table.find("step")->values) {
+        const std::int64_t row = nearest_stored(stored, step);
+        if (std::ranges::find(rows, row) == rows.end()) rows.push_back(row);
+    }
+    return rows;
+}
+
+fs::path numbered(const fs::path& file, std::size_t k, std::size_t count) {
+    if (count == 1) return file;
+    return file.parent_path() / (file.stem().string() + "-" + std::to_string(k + 1) + file.extension().string());
+}
+
+io::FieldReader::Values stored_fields(const io::Result& result, std::int64_t row) {
+    auto values = result.fields.read(row);
+    if (!values) throw Error(ExitCode::bad_input, "/fields", "step " + std::to_string(row) + " has no fields");
+    return std::move(*values);
+}
+
+void add_picture_options(CLI::App& app, PictureOptions& options) {
+    app.add_option("--picture", options.picture,
+                   "The deformed body in colour at the last step, or at the stored step nearest "
+                   "to each --at (then FILE-1.png ...); needs gnuplot, no display")
+        ->type_name("FILE.png");
+    app.add_option("--animate", options.animate,
+                   "A picture of every stored step as a film (needs ffmpeg) or as single frames")
+        ->type_name("FILE.gif|FILE.mp4|FOLDER/");
+    app.add_option("--field", options.field, "What the colours of the body show: " + field_names())
+        ->type_name("FIELD")
+        ->capture_default_str();
+    app.add_option("--view", options.view, "From where: front, side, top, iso, or AZIMUTH,ELEVATION in degrees")
+        ->type_name("VIEW")
+        ->capture_default_str();
+    app.add_option("--range", options.range,
+                   "The values at the ends of the colour bar, e.g. 0kPa,200kPa; otherwise those of "
+                   "the picture or film")
+        ->type_name("LOW,HIGH");
+    app.add_flag("--section", options.section, "Draw the section of a body of revolution flat");
+    app.add_flag("--whole", options.whole,
+                 "Draw the whole actuator: turned all round, mirrored at its symmetry planes");
+    app.add_option(
+           "--paraview", options.paraview,
+           "For ParaView: a series with a .vtu for each stored step, or one step as .vtu, or a copy of the result with "
+           "the fields of that step in its mesh (.hdf, which ParaView 5.11 knows by this ending, .vtkhdf, .h5)")
+        ->type_name("FILE.pvd|FILE.vtu|FILE.hdf");
+}
+
+const std::string& pictures_help() {
+    static const std::string help =
+        "Pictures show the deformed body, its undeformed outline, a scale bar and a colour bar. The quarter between +y and +z is\n"
+        "left out of bodies of revolution and of quarters (of halves the part y > 0), so that one sees inside. front looks along\n"
+        "-z with x to the right and y up, side along the axis, top from above. Fields: stretch (the largest principal one),\n"
+        "von-mises, pressure (in the rubber, positive in compression), displacement, energy (per undeformed volume), J (current\n"
+        "over undeformed volume); at nodes they are means over the cells of one rubber.\n"
+        "ParaView gets displacement, deformation gradient, stretches with their directions, J, Cauchy and first Piola stress,\n"
+        "von Mises stress, pressure and energy density, at nodes and cells; a section's components are x, r, hoop.\n";
+    return help;
+}
+
+void check_picture_options(const CLI::App& app, const PictureOptions& options) {
+    const bool draws = !options.picture.empty() || !options.animate.empty();
+    for (const char* option : {"--field", "--view", "--range", "--section", "--whole"})
+        if (app.count(option) > 0 && !draws)
+            throw Error(ExitCode::usage, option, "says nothing without --picture or --animate");
+    if (options.section && options.whole)
+        throw Error(ExitCode::usage, "--section", "and --whole exclude each other",
+                    "a flat section, or the whole body");
+    if (options.section && app.count("--view") > 0)
+        throw Error(ExitCode::usage, "--section", "is drawn flat and has no --view");
+    static_cast<void>(range_of(options, fields::quantity_from_name(options.field)));
+    static_cast<void>(view::camera_from_text(options.view));
+    if (!options.picture.empty() && fs::path(options.picture).extension() != ".png")
+        throw Error(ExitCode::usage, "--picture " + options.picture, "pictures of the body are written as .png");
+    if (!options.animate.empty()) static_cast<void>(view::film_format(options.animate));
+    if (!options.paraview.empty()) static_cast<void>(paraview_format(options.paraview));
+}
+
+void make_pictures(const PictureOptions& options, const Shown& shown, cli::Console& console) {
+    if (options.picture.empty() && options.animate.empty() && options.paraview.empty()) return;
+    if (shown.result.fields.steps().empty())
+        throw Error(ExitCode::bad_input, "/fields", "the result holds no displacements", "solve with --fields all");
+    if (!options.paraview.empty()) write_paraview(options.paraview, shown, console);
+    if (options.picture.empty() && options.animate.empty()) return;
+    const Studio studio(options, shown);
+    console.detail("the body's surface has " + std::to_string(studio.polygons()) + " polygons");
+    if (!options.picture.empty()) {
+        const auto rows = shown_rows(shown);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            const fs::path file = numbered(options.picture, k, rows.size());
+            studio.draw(rows[k], file);
+            console.say(file.string() + ": step " + std::to_string(rows[k]));
+        }
+    }
+    if (!options.animate.empty()) {
+        studio.animate(options.animate, console);
+        console.say(options.animate + ": " + std::to_string(shown.result.fields.steps().size()) + " steps");
+    }
+}
+
+}  // namespace soft

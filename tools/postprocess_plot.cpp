@@ -1,0 +1,46 @@
+#include "postprocess_plot.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "cli.hpp"
+
+namespace soft {
+namespace {
+
+/// "FILE" or "FILE:LABEL"; a file that has a colon in its name is taken as it is.
+post::PlotSeries read_other(const std::string& text) {
+    std::string file = text, label;
+    const std::size_t colon = text.rfind(':');
+    std::error_code unreadable;  // then it is no file, and reading says why
+    if (colon != std::string::npos && !std::filesystem::exists(text, unreadable)) {
+        file = text.substr(0, colon);
+        label = text.substr(colon + 1);
+    }
+    cli::Input input = cli::read_input(file);
+    const io::Result other = io::read_result(std::move(input.bytes), input.source);
+    if (label.empty()) label = other.model.name;
+    return {label, post::make_curve(other.model, other.steps), other.end.value_or(solution::PathEnd{})};
+}
+
+}  // namespace
+
+std::vector<post::PlotSeries> plot_series(const PlotOptions& options, const io::Result& result,
+                                          const post::Curve& curve) {
+    std::vector<post::PlotSeries> series = {{result.model.name, curve, result.end.value_or(solution::PathEnd{})}};
+    for (const std::string& other : options.with) {
+        series.push_back(read_other(other));
+        const auto same = [&](const post::PlotSeries& one) { return one.label == series.back().label; };
+        if (std::count_if(series.begin(), series.end(), same) > 1)  // two runs of one design
+            series.back().label += " (" + std::filesystem::path(other).stem().string() + ")";
+    }
+    return series;
+}
+
+void draw_plot(const PlotOptions& options, std::span<const post::PlotSeries> series, const post::Measured* measured,
+               const std::string& title) {
+    if (options.file.empty()) return;
+    post::draw_plot(series, measured, {series.size() == 1 ? title : "", options.x, options.y}, options.file);
+}
+
+}  // namespace soft
