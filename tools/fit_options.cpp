@@ -15,7 +15,7 @@ namespace {
 /// What the options say as text.
 struct Words {
     std::string input, law = "yeoh", range, strain, stress, weights = "uniform", stability = "enforced",
-                       decimal = "point", delimiter;
+                       decimal, delimiter;
     std::map<fit::Mode, std::vector<std::string>> files;
     std::vector<std::string> mode_weights;
     bool offset = false, any_order = false;
@@ -87,7 +87,8 @@ void apply(const Words& words, FitOptions& options) {
                     core::did_you_mean(words.law, law_names()));
     options.reading.range = range_of(words.range);
     options.reading.format.delimiter = delimiter_of(words.delimiter);
-    if (words.decimal == "comma") options.reading.format.decimal = fit::Decimal::comma;
+    if (words.decimal == "point") options.reading.format.decimal = table::Decimal::point;
+    if (words.decimal == "comma") options.reading.format.decimal = table::Decimal::comma;
     if (words.any_order) options.reading.order = fit::RowOrder::points;
     if (words.strain == "engineering") options.reading.strain_measure = fit::StrainMeasure::engineering;
     if (words.strain == "true") options.reading.strain_measure = fit::StrainMeasure::logarithmic;
@@ -124,7 +125,7 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_option("--stress-unit", options.reading.stress_unit, "Pa, kPa, MPa, N/mm^2, psi, ...")->type_name("UNIT");
     app.add_option("--delimiter", words.delimiter, "One character, or tab, comma, semicolon, blank, bar")
         ->type_name("C");
-    app.add_option("--decimal", words.decimal, "How decimals are written")->check(CLI::IsMember({"point", "comma"}));
+    app.add_option("--decimal", words.decimal, "How decimals are written, where both could be meant (1,234)")->check(CLI::IsMember({"point", "comma"}));
     app.add_option("--skip-rows", options.reading.skipped_rows, "Leave out the first N rows of data")->type_name("N");
     app.add_flag("--any-order", words.any_order, "The rows are points in no order, not a pull");
 }
@@ -140,7 +141,7 @@ void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_option("--stability", words.stability,
                    "enforced: signs that make the law stable, where the free fit is not; reported: the free fit")
         ->check(CLI::IsMember({"enforced", "reported"}));
-    app.add_option("--plot", options.plot, "Draw data, fits and residuals to FILE.svg or FILE.png; needs gnuplot")
+    app.add_option("--plot", options.plot, "Draw data, fits and residuals to FILE.svg, .png or .pdf; needs gnuplot")
         ->type_name("FILE");
     app.add_option("--notice", options.notice, "Source and licence of the data, a comment in the material")
         ->type_name("TEXT");

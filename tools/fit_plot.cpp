@@ -23,6 +23,9 @@ std::string terminal(post::PictureFormat format, std::size_t panels) {
     switch (format) {
         case post::PictureFormat::svg:
             return "set terminal svg size " + size(1) + " font 'Helvetica,13' background rgb 'white'\n";
+        case post::PictureFormat::pdf:
+            return "set terminal pdfcairo size " + std::to_string(static_cast<int>(panels) * 12) +
+                   "cm,15cm font 'Helvetica,9' linewidth 1.2\n";
         case post::PictureFormat::png: break;
     }
     return "if (strstrt(GPVAL_TERMINALS, 'pngcairo')) set terminal pngcairo size " + size(2) +

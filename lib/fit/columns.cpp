@@ -4,11 +4,14 @@
 #include <cctype>
 #include <charconv>
 
+#include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 
 namespace soft::fit {
 namespace {
+
+using table::Table;
 
 std::string lower(std::string_view text) {
     std::string small{text};
@@ -28,7 +31,7 @@ bool is_strain(std::string_view title) { return holds(title, "strain") || holds(
 bool is_stress(std::string_view title) { return holds(title, "stress"); }
 
 std::string place_of(const Table& table) {
-    return table.source + ":" + std::to_string(table.header.empty() ? table.rows.front().line : table.header_line);
+    return table.source + ":" + std::to_string(table.headings.empty() ? table.lines.front() : table.header_line);
 }
 
 Error refusal(const Table& table, const std::string& problem, const std::string& remedy) {
@@ -37,8 +40,8 @@ Error refusal(const Table& table, const std::string& problem, const std::string&
 
 std::vector<std::string> quoted_titles(const Table& table) {
     std::vector<std::string> titles;
-    for (const std::string& title : table.header)
-        if (!title.empty()) titles.push_back(core::quoted(title));
+    for (const table::Heading& heading : table.headings)
+        if (!heading.name.empty()) titles.push_back(core::quoted(heading.name));
     return titles;
 }
 
@@ -51,7 +54,7 @@ struct Wanted {
 
 /// By number, exact title, part of a title.
 std::size_t named_column(const Table& table, const Wanted& wanted) {
-    const std::size_t width = std::max(table.header.size(), table.rows.front().fields.size());
+    const std::size_t width = table.width();
     std::size_t number = 0;
     const std::string_view text = wanted.request;
     const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -61,28 +64,28 @@ std::size_t named_column(const Table& table, const Wanted& wanted) {
                       "the table has " + std::to_string(width) + " columns, numbered from 1");
     }
     std::vector<std::size_t> hits;
-    for (std::size_t i = 0; i < table.header.size(); ++i) {
-        if (lower(table.header[i]) == lower(text)) return i;
-        if (holds(table.header[i], lower(text))) hits.push_back(i);
+    for (std::size_t i = 0; i < table.headings.size(); ++i) {
+        if (lower(table.headings[i].name) == lower(text)) return i;
+        if (holds(table.headings[i].name, lower(text))) hits.push_back(i);
     }
     if (hits.size() == 1) return hits.front();
     const std::string titles = core::join(quoted_titles(table));
     throw refusal(
         table, (hits.empty() ? "no column is called " : "more than one column is called ") + core::quoted(text),
-        table.header.empty() ? "the table has no header: name the column by its number" : "columns: " + titles);
+        table.headings.empty() ? "the table has no header: name the column by its number" : "columns: " + titles);
 }
 
 std::size_t column_by_title(const Table& table, const Wanted& wanted) {
     std::vector<std::size_t> hits, engineering;
-    for (std::size_t i = 0; i < table.header.size(); ++i)
-        if (wanted.fits(table.header[i])) {
+    for (std::size_t i = 0; i < table.headings.size(); ++i)
+        if (wanted.fits(table.headings[i].name)) {
             hits.push_back(i);
-            if (is_engineering(table.header[i])) engineering.push_back(i);
+            if (is_engineering(table.headings[i].name)) engineering.push_back(i);
         }
     if (hits.size() == 1) return hits.front();
     if (engineering.size() == 1) return engineering.front();
     const std::string what{wanted.what}, remedy = "name one with " + std::string{wanted.option} + " TITLE or NUMBER";
-    if (table.header.empty())
+    if (table.headings.empty())
         throw refusal(table, "the table has no header that says which column is the " + what, remedy);
     throw refusal(table,
                   hits.empty() ? "no title says which column is the " + what : "several columns may be the " + what,
@@ -93,39 +96,23 @@ std::size_t find_column(const Table& table, const Wanted& wanted) {
     return wanted.request.empty() ? column_by_title(table, wanted) : named_column(table, wanted);
 }
 
-/// What stands in brackets at the end of a title, or behind its last _ or /; empty where there is no such thing.
-std::string unit_in(std::string_view title) {
-    const std::string_view text = core::trimmed(title);
-    for (const auto& [open, close] : {std::pair{'(', ')'}, {'[', ']'}}) {
-        const auto begin = text.rfind(open);
-        if (begin != std::string_view::npos && text.ends_with(close))
-            return std::string{core::trimmed(text.substr(begin + 1, text.size() - begin - 2))};
-    }
-    const auto mark = text.find_last_of("_/");
-    return mark == std::string_view::npos ? std::string{} : std::string{core::trimmed(text.substr(mark + 1))};
-}
+bool is_stress_unit(std::string_view unit) { return table::dimension_of(unit) == core::Dimension::pressure; }
 
-std::optional<double> pressure_of(std::string_view unit) {
-    const auto parsed = core::parse_quantity("1 " + std::string{unit}, core::Dimension::pressure);
-    const double* value = std::get_if<double>(&parsed);
-    return value == nullptr || unit.empty() ? std::nullopt : std::optional{*value};
-}
-
-double stress_unit(const Table& table, std::string_view title, const ReadSettings& settings) {
-    const std::string unit = settings.stress_unit.empty() ? unit_in(title) : settings.stress_unit;
-    if (const auto value = pressure_of(unit)) return *value;
-    if (!settings.stress_unit.empty())
-        throw Error(ExitCode::usage, "--stress-unit", core::quoted(unit) + " is no unit of stress",
+std::string stress_unit(const Table& table, std::string_view in_header, const ReadSettings& settings) {
+    if (!settings.stress_unit.empty() && !is_stress_unit(settings.stress_unit))
+        throw Error(ExitCode::usage, "--stress-unit", core::quoted(settings.stress_unit) + " is no unit of stress",
                     "Pa, kPa, MPa, N/mm^2, psi, ...");
-    throw refusal(table, "the unit of the stress is nowhere stated",
-                  "give --stress-unit MPa (or Pa, kPa, N/mm^2, psi)");
+    if (!settings.stress_unit.empty()) return settings.stress_unit;
+    if (is_stress_unit(in_header)) return std::string{in_header};
+    throw refusal(table, "the unit of the stress is nowhere stated", "give --stress-unit MPa (or Pa, kPa, N/mm^2, psi)");
 }
 
-double strain_unit(std::string_view title, const ReadSettings& settings) {
-    const std::string unit = settings.strain_unit.empty() ? unit_in(title) : settings.strain_unit;
-    if (unit == "%") return 0.01;
-    if (settings.strain_unit.empty() || unit == "1") return 1.0;  // strain is a plain ratio unless it says otherwise
-    throw Error(ExitCode::usage, "--strain-unit", core::quoted(unit) + " is no unit of strain", "1 or %");
+std::string strain_unit(std::string_view in_header, const ReadSettings& settings) {
+    if (!settings.strain_unit.empty() && settings.strain_unit != "%" && settings.strain_unit != "1")
+        throw Error(ExitCode::usage, "--strain-unit", core::quoted(settings.strain_unit) + " is no unit of strain",
+                    "1 or %");
+    const std::string_view unit = settings.strain_unit.empty() ? in_header : settings.strain_unit;
+    return unit == "%" ? "%" : "";  // strain is a plain ratio unless it says otherwise
 }
 
 StrainMeasure strain_measure(const Table& table, std::string_view title, const ReadSettings& settings) {
@@ -154,13 +141,14 @@ Columns columns_of(const Table& table, const ReadSettings& settings) {
     if (columns.strain == columns.stress)
         throw refusal(table, "strain and stress are the same column",
                       "name two with --strain-column and --stress-column");
-    const auto title = [&](std::size_t column) {
-        return column < table.header.size() ? std::string_view{table.header[column]} : std::string_view{};
+    const auto heading = [&](std::size_t column) {
+        return column < table.headings.size() ? table.headings[column] : table::Heading{};
     };
-    columns.strain_measure = strain_measure(table, title(columns.strain), settings);
-    columns.stress_measure = stress_measure(table, title(columns.stress), settings);
-    columns.strain_factor = strain_unit(title(columns.strain), settings);
-    columns.stress_Pa = stress_unit(table, title(columns.stress), settings);
+    const table::Heading strain = heading(columns.strain), stress = heading(columns.stress);
+    columns.strain_measure = strain_measure(table, strain.name, settings);
+    columns.stress_measure = stress_measure(table, stress.name, settings);
+    columns.strain_unit = strain_unit(strain.unit, settings);
+    columns.stress_unit = stress_unit(table, stress.unit, settings);
     return columns;
 }
 

@@ -21,67 +21,64 @@ struct Point {
     std::size_t line = 0;
 };
 
-class Reader {
-public:
-    Reader(const Table& table, const ReadSettings& settings)
-        : table_(table), settings_(settings), columns_(columns_of(table, settings)) {}
+[[noreturn]] void refuse(const table::Table& table, std::size_t line, const std::string& problem,
+                         const std::string& remedy) {
+    throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(line), problem, remedy);
+}
 
-    [[nodiscard]] const Columns& columns() const { return columns_; }
+/// Where one of the two columns has a decimal point, a comma is none: "1,234" beside "0.1" is no 1.234.
+void settle_decimal(table::Table& table, const Columns& columns) {
+    if (table.decimal != table::Decimal::either) return;
+    const bool has_point = std::ranges::any_of(table.rows, [&](const std::vector<std::string>& row) {
+        return row[columns.strain].find('.') != std::string::npos || row[columns.stress].find('.') != std::string::npos;
+    });
+    if (has_point) table.decimal = table::Decimal::point;
+}
 
-    [[nodiscard]] std::vector<Point> points() const {
-        std::vector<Point> points;
-        for (std::size_t i = settings_.skipped_rows; i < table_.rows.size(); ++i)
-            points.push_back(point(table_.rows[i]));
-        return points;
+double stretch_of(double strain, StrainMeasure measure) {
+    switch (measure) {
+        case StrainMeasure::engineering: return 1.0 + strain;
+        case StrainMeasure::logarithmic: return std::exp(strain);
+        case StrainMeasure::stretch: break;
     }
+    return strain;
+}
 
-    [[noreturn]] void refuse(std::size_t line, const std::string& problem, const std::string& remedy) const {
-        throw Error(ExitCode::bad_input, table_.source + ":" + std::to_string(line), problem, remedy);
-    }
-
-private:
-    [[nodiscard]] double number(const Table::Row& row, std::size_t column, std::string_view what) const {
-        const std::string field = column < row.fields.size() ? row.fields[column] : "";
-        const std::string name = "the " + std::string{what} + " (column " + std::to_string(column + 1) + ")";
-        if (field.empty()) refuse(row.line, name + " is missing", "fill it in or take the line out");
-        const auto value = number_of(field, settings_.format.decimal);
-        if (!value)
-            refuse(row.line, name + " is no number: " + core::quoted(field),
-                   number_of(field, Decimal::comma) ? "give --decimal comma" : "correct it or take the line out");
-        return *value;
-    }
-
-    [[nodiscard]] Point point(const Table::Row& row) const {
-        const double strain = columns_.strain_factor * number(row, columns_.strain, "strain");
-        const double stress_Pa = columns_.stress_Pa * number(row, columns_.stress, "stress");
-        const bool unit_stated = !settings_.strain_unit.empty();
-        if (!unit_stated && columns_.strain_factor == 1.0 && strain > largest_ratio)
-            refuse(row.line, "a strain of " + core::number_text(strain) + " looks like a percentage",
+std::vector<Point> points_of(const table::Table& table, const Columns& columns, const ReadSettings& settings) {
+    const auto strains = table::values_SI(table, columns.strain, columns.strain_unit, core::Dimension::ratio);
+    const auto stresses = table::values_SI(table, columns.stress, columns.stress_unit, core::Dimension::pressure);
+    const bool unit_stated = !settings.strain_unit.empty() || !columns.strain_unit.empty();
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const std::size_t line = table.lines[i];
+        if (!unit_stated && strains[i] > largest_ratio)
+            refuse(table, line, "a strain of " + core::number_text(strains[i]) + " looks like a percentage",
                    "give --strain-unit % (or --strain-unit 1)");
-        const double stretch = columns_.strain_measure == StrainMeasure::engineering   ? 1.0 + strain
-                               : columns_.strain_measure == StrainMeasure::logarithmic ? std::exp(strain)
-                                                                                       : strain;
+        const double stretch = stretch_of(strains[i], columns.strain_measure);
         if (!(stretch > 0.0))
-            refuse(row.line, "a stretch of " + core::rounded_text(stretch, 6) + " is not positive",
+            refuse(table, line, "a stretch of " + core::rounded_text(stretch, 6) + " is not positive",
                    "a strain is more than -100 %; is it a strain or a stretch (--strain)?");
-        const bool is_cauchy = columns_.stress_measure == StressMeasure::cauchy;
-        return {stretch, is_cauchy ? stress_Pa / stretch : stress_Pa, row.line};
+        const bool is_cauchy = columns.stress_measure == StressMeasure::cauchy;
+        points.push_back({stretch, is_cauchy ? stresses[i] / stretch : stresses[i], line});
     }
+    return points;
+}
 
-    const Table& table_;
-    const ReadSettings& settings_;
-    Columns columns_;
-};
-
-void check_path(const Reader& reader, const std::vector<Point>& points) {
+void check_path(const table::Table& table, const std::vector<Point>& points) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double first = points[1].stretch - points[0].stretch, step = points[i].stretch - points[i - 1].stretch;
         if (step == 0.0)
-            reader.refuse(points[i].line, "the strain is that of the row before", "one row for each strain");
+            refuse(table, points[i].line, "the strain is that of the row before", "one row for each strain");
         if (step * first < 0.0)
-            reader.refuse(points[i].line, "the strain turns back",
-                          "fit one pull; --any-order takes rows that are points in no order");
+            refuse(table, points[i].line, "the strain turns back",
+                   "fit one pull; --any-order takes rows that are points in no order");
     }
+}
+
+void skip_rows(table::Table& table, std::size_t count) {
+    const auto rows = static_cast<std::ptrdiff_t>(std::min(count, table.rows.size()));
+    table.rows.erase(table.rows.begin(), table.rows.begin() + rows);
+    table.lines.erase(table.lines.begin(), table.lines.begin() + rows);
 }
 
 }  // namespace
@@ -97,12 +94,15 @@ std::string_view name_of(Mode mode) {
 }
 
 TestCurve read_test(std::string_view text, std::string_view source, Mode mode, const ReadSettings& settings) {
-    const Table table = read_table(text, source, settings.format);
-    const Reader reader{table, settings};
-    const std::vector<Point> points = reader.points();
-    if (settings.order == RowOrder::path && points.size() > 1) check_path(reader, points);
+    table::Table table = table::read_table(text, source, settings.format);
+    const Columns columns = columns_of(table, settings);
+    const std::size_t last_line = table.lines.back();
+    skip_rows(table, settings.skipped_rows);
+    settle_decimal(table, columns);
+    const std::vector<Point> points = points_of(table, columns, settings);
+    if (settings.order == RowOrder::path && points.size() > 1) check_path(table, points);
     TestCurve test{.mode = mode, .source = std::string{source}, .sha256 = core::sha256_hex(text)};
-    test.measured = reader.columns().stress_measure;
+    test.measured = columns.stress_measure;
     for (const Point& point : points) {
         const double strain = point.stretch - 1.0;
         if (strain < settings.range.least - end_tolerance || strain > settings.range.most + end_tolerance) continue;
@@ -110,9 +110,8 @@ TestCurve read_test(std::string_view text, std::string_view source, Mode mode, c
         test.nominal_Pa.push_back(point.nominal_Pa);
     }
     if (test.stretch.size() < 2)
-        reader.refuse(table.rows.back().line,
-                      "only " + std::to_string(test.stretch.size()) + " of the rows to this one take part",
-                      "two or more must lie in --range behind --skip-rows");
+        refuse(table, last_line, "only " + std::to_string(test.stretch.size()) + " of the rows to this one take part",
+               "two or more must lie in --range behind --skip-rows");
     return test;
 }
 

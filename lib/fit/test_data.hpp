@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/table.hpp"
 #include "material/homogeneous.hpp"
+#include "table/table.hpp"
 
 namespace soft::fit {
 
@@ -46,7 +46,7 @@ enum class RowOrder {
 /// Columns are named by (part of) their title, letter case free, or by their number from 1. What is empty is taken from the
 /// header: "Engineering Strain", "True Stress (MPa)", "stretch", "stress_kPa"; of engineering and true the former.
 struct ReadSettings {
-    TableFormat format = {};
+    table::Format format = {.layout = table::Layout::described};
     std::string strain_column = {}, stress_column = {};
     std::optional<StrainMeasure> strain_measure = {};
     std::optional<StressMeasure> stress_measure = {};

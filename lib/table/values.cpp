@@ -24,7 +24,7 @@ std::string place(const Table& table, std::size_t row, std::size_t column) {
 
 std::string number_or_throw(const Table& table, std::size_t row, std::size_t column) {
     const std::string& cell = table.rows[row][column];
-    if (auto number = number_in(cell)) return *number;
+    if (auto number = number_in(cell, table.decimal)) return *number;
     throw Error(ExitCode::bad_input, place(table, row, column),
                 core::trimmed(cell).empty() ? "the cell is empty" : core::quoted(cell) + " is no number",
                 "put # before lines that are no data");
@@ -32,10 +32,12 @@ std::string number_or_throw(const Table& table, std::size_t row, std::size_t col
 
 }  // namespace
 
-std::optional<std::string> number_in(const std::string& cell) {
+std::optional<std::string> number_in(const std::string& cell, Decimal decimal) {
     std::string text{core::trimmed(cell)};
     if (text.starts_with('+')) text.erase(0, 1);
-    if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
+    const bool has_point = text.find('.') != std::string::npos;
+    if (decimal == Decimal::comma && has_point) return std::nullopt;
+    if (decimal != Decimal::point && !has_point && std::count(text.begin(), text.end(), ',') == 1)
         std::replace(text.begin(), text.end(), ',', '.');
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -58,9 +58,9 @@ void expect_refused(const std::string& text, const std::string& words, const Rea
 TEST(TestData, EveryFaultIsRefusedWithItsLine) {
     expect_refused("time;Engineering Stress (MPa)\n0.1;1\n0.2;2\n",
                    "a.csv:1: no title says which column is the strain");
-    expect_refused(header + "0.1;1\n0.2;2x\n", "a.csv:3: the stress (column 2) is no number: '2x'");
-    expect_refused(header + "0.1;1\n0.2;\n", "a.csv:3: the stress (column 2) is missing");
-    expect_refused(header + "0.1;1\n0.2\n0.3;4\n", "a.csv:3: the stress (column 2) is missing");
+    expect_refused(header + "0.1;1\n0.2;2x\n", "a.csv:3: column 2 'Engineering Stress (MPa)': '2x' is no number");
+    expect_refused(header + "0.1;1\n0.2;\n", "a.csv:3: column 2 'Engineering Stress (MPa)': the cell is empty");
+    expect_refused(header + "0.1;1\n0.2\n0.3;4\n", "a.csv:3: column 2 'Engineering Stress (MPa)': the cell is empty");
     expect_refused(header + "0.1;1\n", "a.csv:2: only 1 of the rows");
     expect_refused(header + "0.1;1\n-1.2;2\n", "a.csv:3: a stretch of -0.2");
     expect_refused(header + "0.1;1\n0.2;2\n0.15;3\n", "a.csv:4: the strain turns back");
@@ -70,6 +70,32 @@ TEST(TestData, EveryFaultIsRefusedWithItsLine) {
     expect_refused(header + "0.1;1\n0.2;2\n", "a.csv:1: no column is called 'force'", {.stress_column = "force"});
     expect_refused(header + "0.1;1\n0.2;2\n", "more than one column is called 'engineering'",
                    {.stress_column = "engineering"});
+}
+
+TEST(TestData, DecimalCommasAreReadUnlessAPointShowsThatTheyAreNone) {
+    const TestCurve wanted = read_test(header + "0.25;1.5\n1;2.5\n", "a", Mode::uniaxial, {});
+    const TestCurve commas = read_test(header + "0,25;1,5\n1;2,5\n", "a", Mode::uniaxial, {});
+    EXPECT_EQ(commas.stretch, wanted.stretch);
+    EXPECT_EQ(commas.nominal_Pa, wanted.nominal_Pa);
+    expect_refused("Engineering Strain;Engineering Stress (Pa)\n0.1;1,234\n0.2;2,345\n", "a.csv:2: column 2", {});
+}
+
+TEST(TestData, AHeaderlessTableBelowADescriptionIsReadByNumbersOfColumns) {
+    const TestCurve test = read_test("Pull of 3 May\n1.1 5\n1.2 6\n", "a", Mode::uniaxial,
+                                     {.strain_column = "1",
+                                      .stress_column = "2",
+                                      .strain_measure = StrainMeasure::stretch,
+                                      .stress_measure = StressMeasure::engineering,
+                                      .stress_unit = "kPa"});
+    EXPECT_EQ(test.stretch, (std::vector{1.1, 1.2}));
+    EXPECT_EQ(test.nominal_Pa, (std::vector{5e3, 6e3}));
+}
+
+TEST(TestData, UnitsMayStandInALineOfTheirOwn) {
+    const TestCurve test = read_test("Lab;Chambery;\nTime;Engineering Strain;Engineering Stress\n(s);(%);(MPa)\n0;10;1\n1;20;2\n",
+                                     "a", Mode::uniaxial, {});
+    EXPECT_EQ(test.stretch, (std::vector{1.1, 1.2}));
+    EXPECT_EQ(test.nominal_Pa, (std::vector{1e6, 2e6}));
 }
 
 TEST(TestData, WhatIsNotStatedIsAskedFor) {
