@@ -96,7 +96,7 @@ void add_errors(const Solution& solution, const std::vector<TestCurve>& tests, c
                                  : std::numeric_limits<double>::infinity();
 }
 
-/// Stable at every stretch by the signs of the constants alone; a scan would add rounding (of powers, at long stretches).
+/// Stable at every stretch by the signs of the constants alone.
 bool signs_suffice(const Fit& fit) {
     const material::Constants& constants = fit.constants;
     const auto least = [&](std::initializer_list<const char*> names) {
