@@ -14,7 +14,10 @@ claim 'the band of neo-Hookean rubber is the error of mu' within \
 
 # 24 samples give a deviation to 15 %: three of these
 runs 'fit-material data/dragon-skin-20.csv --law yeoh --json three.json > three.yaml'
-LIMIT=250 runs "$here/../../scripts/uncertainty designs/rod.yaml three.json --at elongation=50mm --samples 24 $coarse > three.csv"
+LIMIT=250 runs "$here/../../scripts/uncertainty designs/rod.yaml three.json --at elongation=25mm,50mm --samples 24 --plot band.svg $coarse > three.csv"
 claim 'linearised and sampled bands agree' within \
     "$(awk -v b="$(band band_linear three.csv)" -v s="$(band band_sampled three.csv)" 'BEGIN { print s / b }')" 0.55 1.45
+claim 'the picture shows both bands' grep -q 'one standard deviation, linearised' band.svg
+claim 'and the samples' grep -q '24 samples' band.svg
+refuses 64 'uncertainty: band.jpg: pictures are written as *' "$here/../../scripts/uncertainty designs/rod.yaml one.json --at elongation=50mm --plot band.jpg"
 refuses 64 'uncertainty: say where: *' "$here/../../scripts/uncertainty designs/rod.yaml one.json"
