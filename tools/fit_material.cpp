@@ -17,12 +17,17 @@ namespace {
 
 using cli::FitOptions;
 
-std::vector<fit::TestCurve> read_tests(const FitOptions& options) {
+/// A law that explains less of the spread of the stress was given the wrong columns, or data with a fault.
+constexpr double poor_r2 = 0.9;
+
+std::vector<fit::TestCurve> read_tests(const FitOptions& options, cli::Console& console) {
     std::vector<fit::TestCurve> tests;
     for (const cli::TestFile& file : options.files) {
         const cli::Input input = cli::read_input(file.name);
         tests.push_back(fit::read_test(input.text(), input.source, file.mode, options.reading));
         tests.back().weight = file.weight;
+        if (!input.text().ends_with('\n') && !input.text().ends_with('\r'))
+            console.warn(input.source + ": the last line has no end: is the file whole?");
     }
     return tests;
 }
@@ -42,6 +47,9 @@ void tell(const std::vector<fit::Ranked>& ranked, cli::Console& console) {
                          ": not stable where the data are: " + core::join(fitted.flags, " "));
     }
     const fit::Fit& best = ranked.front().fit;
+    if (best.r2 < poor_r2)
+        console.warn("the best fit is poor (R2 " + core::rounded_text(best.r2, 3) +
+                     "): are the columns the right ones, and does the range end before the specimen breaks?");
     console.say(std::string{best.candidate.name} + ": RMSE " + core::rounded_text(best.rmse_Pa / 1e3, 4) + " kPa, R2 " +
                 core::rounded_text(best.r2, 6) + ", " + std::to_string(best.rows) +
                 " rows, flags: " + (best.flags.empty() ? "none" : core::join(best.flags, " ")));
@@ -49,7 +57,7 @@ void tell(const std::vector<fit::Ranked>& ranked, cli::Console& console) {
 
 ExitCode fit_material(const FitOptions& options) {
     cli::Console console{cli::fit_about().tool, options.common.verbosity};
-    const std::vector<fit::TestCurve> tests = read_tests(options);
+    const std::vector<fit::TestCurve> tests = read_tests(options, console);
     const std::vector<fit::Ranked> ranked =
         options.rank ? fit::rank(tests, options.settings)
                      : std::vector<fit::Ranked>{{fit::fit(*options.candidate, tests, options.settings), {}}};

@@ -1,7 +1,8 @@
 #include "fit_options.hpp"
 
 #include <CLI/CLI.hpp>
-
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/text.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 /// What the options say as text.
 struct Words {
-    std::string input, law = "yeoh", range, strain, stress, weights = "uniform", stability = "enforced",
-                       decimal, delimiter;
+    std::string input, law = "yeoh", range, strain, stress, weights = "uniform", stability = "enforced", decimal,
+                       delimiter;
     std::map<fit::Mode, std::vector<std::string>> files;
     std::vector<std::string> mode_weights;
     bool offset = false, any_order = false;
@@ -40,6 +41,9 @@ fit::StrainRange range_of(const std::string& text) {
         throw Error(ExitCode::usage, "--range", core::quoted(text) + " has no colon", "for example --range 0:110%");
     if (colon > 0) range.least = value(text.substr(0, colon));
     if (colon + 1 < text.size()) range.most = value(text.substr(colon + 1));
+    if (range.most > fit::largest_ratio && std::isfinite(range.most))
+        throw Error(ExitCode::usage, "--range", core::quoted(text) + " looks like percentages, and holds plain ratios",
+                    "write 0:110% or 0:1.1");
     if (!(range.least < range.most))
         throw Error(ExitCode::usage, "--range", "its end is not above its start", "for example --range 0:110%");
     return range;
@@ -76,6 +80,8 @@ std::vector<TestFile> files_of(const Words& words) {
     for (const auto& [mode, names] : words.files)
         for (const std::string& name : names) files.push_back({name, mode});
     for (const std::string& weight : words.mode_weights) apply_weight(weight, files);
+    if (std::ranges::count_if(files, [](const TestFile& file) { return file.name.empty() || file.name == "-"; }) > 1)
+        throw Error(ExitCode::usage, "-", "stdin can be read once only", "name a file for the other tests");
     return files;
 }
 
@@ -125,8 +131,11 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_option("--stress-unit", options.reading.stress_unit, "Pa, kPa, MPa, N/mm^2, psi, ...")->type_name("UNIT");
     app.add_option("--delimiter", words.delimiter, "One character, or tab, comma, semicolon, blank, bar")
         ->type_name("C");
-    app.add_option("--decimal", words.decimal, "How decimals are written, where both could be meant (1,234)")->check(CLI::IsMember({"point", "comma"}));
-    app.add_option("--skip-rows", options.reading.skipped_rows, "Leave out the first N rows of data")->type_name("N");
+    app.add_option("--decimal", words.decimal, "How decimals are written, where both could be meant (1,234)")
+        ->check(CLI::IsMember({"point", "comma"}));
+    app.add_option("--skip-rows", options.reading.skipped_rows, "Leave out the first N rows of data")
+        ->type_name("N")
+        ->check(CLI::NonNegativeNumber);
     app.add_flag("--any-order", words.any_order, "The rows are points in no order, not a pull");
 }
 

@@ -104,7 +104,8 @@ std::string stress_unit(const Table& table, std::string_view in_header, const Re
                     "Pa, kPa, MPa, N/mm^2, psi, ...");
     if (!settings.stress_unit.empty()) return settings.stress_unit;
     if (is_stress_unit(in_header)) return std::string{in_header};
-    throw refusal(table, "the unit of the stress is nowhere stated", "give --stress-unit MPa (or Pa, kPa, N/mm^2, psi)");
+    throw refusal(table, "the unit of the stress is nowhere stated",
+                  "give --stress-unit MPa (or Pa, kPa, N/mm^2, psi)");
 }
 
 std::string strain_unit(std::string_view in_header, const ReadSettings& settings) {

@@ -85,7 +85,9 @@ std::string unstable_comment(const Fit& fit) {
 
 std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, const Provenance& provenance) {
     std::string text = comment_lines(provenance.notice);
-    if (!provenance.command_line.empty()) text += "# " + provenance.command_line + "\n";
+    // An argument may hold a line feed, which would end the comment.
+    if (!provenance.command_line.empty())
+        text += "# " + core::one_line(provenance.command_line, provenance.command_line.size()) + "\n";
     for (const TestQuality& test : fit.tests) {
         text += "# " + std::string{name_of(test.mode)} + ", " + std::to_string(test.rows) + " rows: RMSE " +
                 core::rounded_text(test.rmse_Pa / kilo, 4) + " kPa, largest " +

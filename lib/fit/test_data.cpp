@@ -11,8 +11,6 @@
 namespace soft::fit {
 namespace {
 
-// A strain of 30 is past what any rubber bears, and a small percentage.
-constexpr double largest_ratio = 30.0;
 // The ends of a range are typed in decimals: a row at 1.1 belongs to 110 % whatever the last bit says.
 constexpr double end_tolerance = 1e-9;
 

@@ -156,7 +156,8 @@ void read_rows(Table& table, const std::vector<std::string_view>& lines) {
         table.lines.push_back(begin);
     }
     if (parser.is_open())
-        throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(begin), "a quote is opened and not closed");
+        throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(begin),
+                    "a quote is opened and not closed");
 }
 
 }  // namespace soft::table

@@ -20,9 +20,11 @@ void check_is_text(std::string_view text, std::string_view source) {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         throw Error(ExitCode::bad_input, source, "is UTF-16 text", remedy);
     if (text.starts_with(zip_mark))
-        throw Error(ExitCode::bad_input, source, "is an archive or a spreadsheet (xlsx, ods), not a text table", remedy);
+        throw Error(ExitCode::bad_input, source, "is an archive or a spreadsheet (xlsx, ods), not a text table",
+                    remedy);
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-        throw bad(source, split_lines(text.substr(0, zero + 1)).size(), "holds a zero byte: the file is no text", remedy);
+        throw bad(source, split_lines(text.substr(0, zero + 1)).size(), "holds a zero byte: the file is no text",
+                  remedy);
 }
 
 void check_widths(Table& table) {
@@ -62,14 +64,17 @@ std::optional<std::size_t> find_header(const Table& table, std::size_t first_num
 }
 
 /// Takes the description away, so that the header or the numbers are the first row; equal widths.
-void take_description(Table& table) {
+void take_description(Table& table, const Format& format) {
     const auto numeric = std::ranges::find_if(table.rows, [&](const std::vector<std::string>& row) {
         const Content content = content_of(row, table.decimal);
         return content.numbers >= 2 && content.words == 0;
     });
     if (numeric == table.rows.end())
         throw bad(table.source, table.lines.empty() ? 1 : table.lines.back(),
-                  "no line holds two numbers and nothing else", "a table has a row a line, from there on nothing but rows");
+                  "no line holds two numbers and nothing else",
+                  format.delimiter || format.decimal != Decimal::either
+                      ? "is it written with the delimiter and the decimal mark that are stated?"
+                      : "write one row a line: numbers, and a delimiter between them");
     const auto first_numbers = static_cast<std::size_t>(numeric - table.rows.begin());
     const auto begin = static_cast<std::ptrdiff_t>(find_header(table, first_numbers).value_or(first_numbers));
     table.rows.erase(table.rows.begin(), table.rows.begin() + begin);
@@ -108,7 +113,7 @@ Table read_table(std::string_view text, std::string_view source, const Format& f
     table.delimiter = format.delimiter ? *format.delimiter : find_delimiter(lines, format.decimal);
     read_rows(table, lines);
     if (!table.rows.empty()) {
-        format.layout == Layout::described ? take_description(table) : check_widths(table);
+        format.layout == Layout::described ? take_description(table, format) : check_widths(table);
         take_headings(table);
     }
     if (table.rows.empty()) throw Error(ExitCode::bad_input, source, "holds no row of numbers");

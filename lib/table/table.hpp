@@ -22,10 +22,10 @@ enum class Decimal {
 };
 
 enum class Layout {
-    plain,     ///< header or numbers in the first line; every line has as many cells as the first
+    plain,  ///< header or numbers in the first line; every line has as many cells as the first
     described  ///< lines of description may stand above the header: the last line before the first row of two or more numbers
-               ///< (and nothing else) that holds words in two or more cells and no number. Every line from there on is data,
-               ///< so that a slip of the pen in one is an error, not a description. Short lines have empty cells at their end.
+    ///< (and nothing else) that holds words in two or more cells and no number. Every line from there on is data,
+    ///< so that a slip of the pen in one is an error, not a description. Short lines have empty cells at their end.
 };
 
 struct Format {

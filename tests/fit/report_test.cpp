@@ -26,8 +26,11 @@ TEST(Report, ConstantsCarryUnitsErrorsAndWhatTheyRestOn) {
 TEST(Report, NamesCannotEndTheirLine) {
     std::vector<TestCurve> tests{sample("dragon-skin-20.csv")};
     tests[0].source = "a'\n  law: b";
-    const std::string yaml = material_yaml(fit(law("neo-hookean"), tests), tests, {});
+    const std::string yaml =
+        material_yaml(fit(law("neo-hookean"), tests), tests,
+                      {.command_line = "fit-material --protocol 'x\nlaw: c'", .protocol = "x\nlaw: c"});
     EXPECT_TRUE(holds(yaml, "source: 'uniaxial a''?  law: b'\n")) << yaml;
+    EXPECT_FALSE(holds(yaml, "\nlaw: c")) << yaml;
 }
 
 TEST(Report, OgdensTermsAreLists) {

@@ -92,8 +92,9 @@ TEST(TestData, AHeaderlessTableBelowADescriptionIsReadByNumbersOfColumns) {
 }
 
 TEST(TestData, UnitsMayStandInALineOfTheirOwn) {
-    const TestCurve test = read_test("Lab;Chambery;\nTime;Engineering Strain;Engineering Stress\n(s);(%);(MPa)\n0;10;1\n1;20;2\n",
-                                     "a", Mode::uniaxial, {});
+    const TestCurve test =
+        read_test("Lab;Chambery;\nTime;Engineering Strain;Engineering Stress\n(s);(%);(MPa)\n0;10;1\n1;20;2\n", "a",
+                  Mode::uniaxial, {});
     EXPECT_EQ(test.stretch, (std::vector{1.1, 1.2}));
     EXPECT_EQ(test.nominal_Pa, (std::vector{1e6, 2e6}));
 }

@@ -93,8 +93,9 @@ TEST(ReadTable, FindsTheDelimiterOfTheNumbersWhateverStandsAbove) {
 }
 
 TEST(ReadTable, SkipsTheDescriptionAboveTheHeaderWhereItIsTold) {
-    const Table table = read_table(
-        "\xEF\xBB\xBF# made\nSpeed;450;;\n;;;\nLab;X, Y;;\nstrain;stress\n(%);(MPa)\n\n0.1;5\n0.2\n", "a.csv", described);
+    const Table table =
+        read_table("\xEF\xBB\xBF# made\nSpeed;450;;\n;;;\nLab;X, Y;;\nstrain;stress\n(%);(MPa)\n\n0.1;5\n0.2\n",
+                   "a.csv", described);
     ASSERT_EQ(table.headings.size(), 2u);
     EXPECT_EQ(table.headings[1].name, "stress");
     EXPECT_EQ(table.headings[1].unit, "MPa");
@@ -125,8 +126,9 @@ TEST(ReadTable, RefusesWhatIsNoText) {
 }
 
 TEST(ReadTable, RefusesADescriptionWithoutATable) {
-    EXPECT_EQ(refusal("e;s\na;b\n", described), "m.csv:2: no line holds two numbers and nothing else; a table has a row a line, "
-                                                 "from there on nothing but rows");
+    EXPECT_EQ(refusal("e;s\na;b\n", described),
+              "m.csv:2: no line holds two numbers and nothing else; write one row a "
+              "line: numbers, and a delimiter between them");
     EXPECT_EQ(refusal("", described), "m.csv: holds no row of numbers");
 }
 
