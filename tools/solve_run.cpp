@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "contact_check.hpp"
+#include "core/text.hpp"
 #include "design/fitted.hpp"
 #include "io/result_file.hpp"
 #include "ranks.hpp"
@@ -124,19 +125,42 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     return summary;
 }
 
+/// Follows the path of the task; what stood in the output before is gone.
+SolveSummary solve_once(const Task& task, const SolveOptions& options, const About& about,
+                        std::optional<io::ResultWriter>* writer, Console& console) {
+    assembly::System system{task.from.file.model, PETSC_COMM_WORLD};
+    if (writer != nullptr) writer->emplace(make_writer(options, about, task));
+    return follow(system, task, options.tolerance, writer != nullptr ? &**writer : nullptr, console);
+}
+
+/// Which set of a silicone's constants fits is known only when the path has been followed: where it is another and the design
+/// leaves the choice, the path is followed again. To a narrower set only at first, so that this comes to an end.
+SolveSummary solve_with_fitting_set(Task& task, const SolveOptions& options, const About& about,
+                                    std::optional<io::ResultWriter>* writer, Console& console) {
+    for (bool first = true;; first = false) {
+        SolveSummary summary = solve_once(task, options, about, writer, console);
+        const double stretch = of_first_rank(summary.largest_stretch_p99);
+        const io::DesignText& design = task.changed ? *task.changed : task.from.file.design;
+        const auto set = task.resumes ? std::nullopt : design::fitting_set(design.effective_yaml, stretch);
+        if (!set || !(first || set->is_wider)) return summary;
+        console.say("the rubber reaches a stretch of " + core::rounded_text(stretch, 3) +
+                    ": solves again with the constants of " + set->text);
+        task.changed = apply_change(set->change, design, task.from.file.model);
+        if (writer != nullptr) writer->reset();
+    }
+}
+
 }  // namespace
 
 ExitCode run_solve(const SolveOptions& options, const About& about, const linalg::Session& session) {
     const auto start = std::chrono::steady_clock::now();
     const bool first = session.rank() == 0;
     Console console{about.tool, first ? options.common.verbosity : Verbosity::quiet};
-    const Task task = read_task(options, session.rank());
+    Task task = read_task(options, session.rank());
     const model::Case& model = task.from.file.model;
     check_motion(options, model);
-    assembly::System system{model, PETSC_COMM_WORLD};
     std::optional<io::ResultWriter> writer;
-    if (first) writer = make_writer(options, about, task);
-    SolveSummary summary = follow(system, task, options.tolerance, writer ? &*writer : nullptr, console);
+    SolveSummary summary = solve_with_fitting_set(task, options, about, first ? &writer : nullptr, console);
     summary.ranks = session.size();
     if (first) {
         if (!writer->is_in_place()) console.warn(task.output + " was removed or replaced meanwhile; it is written anew");

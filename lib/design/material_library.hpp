@@ -1,11 +1,12 @@
 #pragma once
 /// Silicones by name: designs/materials/*.yaml, built into the program so that a design finds them from anywhere.
-///   material: dragon-skin-20                                      Yeoh, the narrowest range that covers a strain of 300 %
+///   material: dragon-skin-20                                      Yeoh, the range that fits the stretch of the path
 ///   material: {name: dragon-skin-20, range: 110 %, law: yeoh}     the narrowest range that covers this engineering strain
 /// A set of constants is a fit over a range of strain; how far the rubber will be stretched is known only when the path has
-/// been solved. So the design says what it expects, and solve tells when the stretch leaves the range, or when a narrower
-/// set covers it. Other keys of the material (kappa, density, a constant) stand beside `name` and win over the set's.
-/// Private to the room but for fit_advice (design/fitted.hpp). Held by design/material_library_test.
+/// been solved. A design that leaves the range open begins with the set that covers 300 %, marked `fit.choice: by stretch`,
+/// and solve follows the path again where another fits (fitting_set); a range that is stated stays, and solve tells when the
+/// stretch leaves it. Other keys of the material (kappa, density, a constant) stand beside `name` and win over the set's.
+/// Private to the room but for design/fitted.hpp. Held by design/material_library_test.
 #include <span>
 #include <string>
 #include <string_view>

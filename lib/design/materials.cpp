@@ -92,8 +92,8 @@ bool has_young_poisson(const Node& material, const material::LawInfo& law) {
 void add_fit_keys(Schema& schema, const Node& material) {
     const Node* fit = find(material, "fit");
     if (fit == nullptr) return;
-    static const std::vector<std::string> texts = {"name",  "range", "rmse_kPa", "r2",     "stress",
-                                                   "rows",  "flags", "source",   "sha256", "protocol"};
+    static const std::vector<std::string> texts = {"name", "choice", "range",  "rmse_kPa", "r2",      "stress",
+                                                   "rows", "flags",  "source", "sha256",   "protocol"};
     schema.names[fit_path] = texts;
     for (const Member& member : fit->members) {
         const std::string path = std::string{fit_path} + "." + member.key;

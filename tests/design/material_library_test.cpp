@@ -103,11 +103,41 @@ TEST(MaterialLibrary, APathIsToldWhenItLeavesTheDataAndWhenANarrowerSetCoversIt)
     EXPECT_TRUE(holds(fit_advice(yaml, 4.5).value_or(""), "beyond the data its constants were fitted to"));
     EXPECT_TRUE(holds(fit_advice(yaml, 4.5).value_or(""), "range: 897.7 %"));
     EXPECT_FALSE(fit_advice(yaml, 3.5));
-    EXPECT_TRUE(holds(fit_advice(yaml, 1.5).value_or(""), "range: 110 %"));
+    EXPECT_FALSE(fit_advice(yaml, 1.5));  // solve takes the narrower set by itself
+    const std::string stated = read(pipe_of("{name: dragon-skin-20, range: 300 %}")).effective_yaml;
+    EXPECT_TRUE(holds(fit_advice(stated, 1.5).value_or(""), "range: 110 %"));
     EXPECT_FALSE(fit_advice(read(pipe_of("{law: neo-hookean, mu: 1 kPa}")).effective_yaml, 9.0));
     const std::string own =
         read(pipe_of("{law: neo-hookean, mu: 1 kPa, fit: {largest_I1: 5.3, range: '0:110 %'}}")).effective_yaml;
     EXPECT_TRUE(holds(fit_advice(own, 3.0).value_or(""), "beyond the data"));
+}
+
+TEST(MaterialLibrary, AConstantThatSolveIsGivenIsNotReplacedByAnotherSet) {
+    const Override overrides[] = {{"material.c1", "50 kPa"}};
+    const SolveChanges changes = apply_overrides(read(pipe_of("dragon-skin-20")).effective_yaml, overrides);
+    EXPECT_FALSE(fitting_set(changes.effective_yaml, 1.5));
+}
+
+TEST(MaterialLibrary, ASetThatFitsTheStretchIsOfferedWhereTheRangeIsLeftOpen) {
+    const auto range_at = [](const std::string& text, double stretch) -> std::string {
+        std::string yaml = read(pipe_of(text)).effective_yaml;
+        const auto set = fitting_set(yaml, stretch);
+        if (!set) return "kept";
+        const SolveChanges changes = apply_overrides(yaml, std::span{&set->change, 1});
+        EXPECT_EQ(changes.material.density_kg_m3, read(pipe_of(text)).material.density_kg_m3);
+        EXPECT_EQ(changes.material.bulk_modulus_Pa, read(pipe_of(text)).material.bulk_modulus_Pa);
+        EXPECT_FALSE(fitting_set(changes.effective_yaml, stretch)) << "it stays open, and the set is the one that fits";
+        return fitted_material(changes.effective_yaml).value().range;
+    };
+    EXPECT_EQ(range_at("dragon-skin-20", 1.5), "4.46:109.091 %");
+    EXPECT_EQ(range_at("dragon-skin-20", 3.5), "kept");
+    EXPECT_EQ(range_at("dragon-skin-20", 4.5), "4.46:897.727 %");
+    EXPECT_EQ(range_at("dragon-skin-20", 30.0), "4.46:897.727 %");  // none covers it: the widest
+    EXPECT_EQ(range_at("{name: dragon-skin-20, law: neo-hookean, density: 1080 kg/m^3, kappa: 9 MPa}", 1.5),
+              "4.46:109.091 %");
+    EXPECT_EQ(range_at("{name: dragon-skin-20, range: 300 %}", 1.5), "kept");
+    EXPECT_EQ(range_at("{name: dragon-skin-20, c1: 50 kPa}", 1.5), "kept");  // constants of one's own go with one set
+    EXPECT_EQ(range_at("{law: neo-hookean, mu: 1 kPa, fit: {largest_I1: 5.3}}", 1.5), "kept");
 }
 
 }  // namespace
