@@ -57,6 +57,7 @@ ExitCode postprocess(const PostprocessOptions& options) {
     write_report(options, result, curve, series, comparison);
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
     for (const std::string& line : summary_lines(json)) console.say(line);
+    if (const auto advice = material_advice(json)) console.warn(*advice);
     for (const std::string& line : judgement.lines) console.say(line);
     conclude(options, judgement);
     return ExitCode::ok;

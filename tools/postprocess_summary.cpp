@@ -1,9 +1,11 @@
 #include "postprocess_summary.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli.hpp"
 #include "core/text.hpp"
+#include "design/fitted.hpp"
 
 namespace soft {
 namespace {
@@ -24,6 +26,27 @@ std::string place_line(const nlohmann::ordered_json& place) {
     return core::join(words);
 }
 
+/// The data behind the constants, and what the rubber makes of them; null for constants of which nothing is said.
+nlohmann::ordered_json fit_json(const io::Result& result) {
+    const std::string& design = (result.changed_design ? *result.changed_design : result.design).effective_yaml;
+    const auto fitted = design::fitted_material(design);
+    if (!fitted) return nullptr;
+    double stretch = 1;
+    for (const solution::Step& step : result.steps) stretch = std::max(stretch, step.stretch_p99);
+    nlohmann::ordered_json json = {{"name", nullptr},         {"law", fitted->law},
+                                   {"range", fitted->range},  {"largest_I1", fitted->largest_I1},
+                                   {"stretch_p99", stretch},  {"within", fitted->holds(stretch)}};
+    if (!fitted->name.empty()) json["name"] = fitted->name;
+    if (const auto advice = design::fit_advice(design, stretch)) json["advice"] = *advice;
+    return json;
+}
+
+std::string fit_line(const nlohmann::ordered_json& fit) {
+    return "material: " + (fit["name"].is_null() ? "" : fit["name"].get<std::string>() + ", ") +
+           fit["law"].get<std::string>() + " fitted over " + fit["range"].get<std::string>() +
+           " of strain; the rubber reaches a stretch of " + core::rounded_text(fit["stretch_p99"].get<double>(), 3);
+}
+
 }  // namespace
 
 nlohmann::ordered_json postprocess_summary(const io::Result& result, const post::Curve& curve, std::size_t rows) {
@@ -34,6 +57,7 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
                                    {"rows", rows},
                                    {"steps", result.steps.size()},
                                    {"columns", nlohmann::ordered_json::array()},
+                                   {"material_fit", fit_json(result)},
                                    {"stop_reason", nullptr},
                                    {"limit_points", nlohmann::ordered_json::array()},
                                    {"bifurcations", nlohmann::ordered_json::array()}};
@@ -62,7 +86,13 @@ std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
                                    (detail.empty() ? "" : " (" + detail + ")")};
     for (const auto& limit : json["limit_points"]) lines.push_back("limit point: " + place_line(limit));
     for (const auto& branch : json["bifurcations"]) lines.push_back("bifurcation: " + place_line(branch));
+    if (const auto& fit = json["material_fit"]; !fit.is_null()) lines.push_back(fit_line(fit));
     return lines;
+}
+
+std::optional<std::string> material_advice(const nlohmann::ordered_json& json) {
+    const auto& fit = json["material_fit"];
+    return fit.contains("advice") ? std::optional{fit["advice"].get<std::string>()} : std::nullopt;
 }
 
 }  // namespace soft

@@ -2,6 +2,7 @@
 /// What postprocess tells of a result besides the curve.
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,10 @@ namespace soft {
 [[nodiscard]] nlohmann::ordered_json postprocess_summary(const io::Result& result, const post::Curve& curve,
                                                          std::size_t rows);
 
-/// The same for people: one line on the path, one a limit point or bifurcation.
+/// The same for people: one line on the path, one a limit point or bifurcation, one on the data behind fitted constants.
 [[nodiscard]] std::vector<std::string> summary_lines(const nlohmann::ordered_json& json);
+
+/// The warning where the rubber is stretched beyond the data its constants were fitted to (design::fit_advice).
+[[nodiscard]] std::optional<std::string> material_advice(const nlohmann::ordered_json& json);
 
 }  // namespace soft

@@ -22,14 +22,8 @@ void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& chan
     loads = std::move(changed);
 }
 
-}  // namespace
-
-std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, io::CaseFile& file) {
-    if (sets.empty()) return std::nullopt;
-    std::vector<design::Override> overrides;
-    for (const std::string& set : sets) overrides.push_back(design::parse_override(set));
-    design::SolveChanges changes = design::apply_overrides(file.design.effective_yaml, overrides);
-    model::Case& model = file.model;
+io::DesignText apply(const std::vector<design::Override>& overrides, const io::DesignText& design, model::Case& model) {
+    design::SolveChanges changes = design::apply_overrides(design.effective_yaml, overrides);
     for (model::Material& material : model.materials) {   // the mesh decides names and fibre frame
         changes.material.name = material.name;
         changes.material.fiber_frame = material.fiber_frame;
@@ -42,7 +36,22 @@ std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, i
     model.path = std::move(changes.path);
     model.solver = changes.solver;
     model.dynamics = changes.dynamics;
-    return io::DesignText{file.design.family, std::move(changes.effective_yaml), sets};
+    return {design.family, std::move(changes.effective_yaml), design.overrides};
+}
+
+}  // namespace
+
+std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, io::CaseFile& file) {
+    if (sets.empty()) return std::nullopt;
+    std::vector<design::Override> overrides;
+    for (const std::string& set : sets) overrides.push_back(design::parse_override(set));
+    io::DesignText changed = apply(overrides, file.design, file.model);
+    changed.overrides = sets;
+    return changed;
+}
+
+io::DesignText apply_change(const design::Override& change, const io::DesignText& design, model::Case& model) {
+    return apply({change}, design, model);
 }
 
 }  // namespace soft::cli

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "design/design.hpp"
 #include "io/case_file.hpp"
 
 namespace soft::cli {
@@ -11,5 +12,8 @@ namespace soft::cli {
 /// Applies the overrides to the case and returns the design they make of its own; nullopt without overrides.
 /// Errors: those of design::apply_overrides.
 [[nodiscard]] std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, io::CaseFile& file);
+
+/// The same of one change to a design that has its overrides already.
+[[nodiscard]] io::DesignText apply_change(const design::Override& change, const io::DesignText& design, model::Case& model);
 
 }  // namespace soft::cli

@@ -1,10 +1,13 @@
 #include "solve_run.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "contact_check.hpp"
+#include "core/text.hpp"
+#include "design/fitted.hpp"
 #include "dynamics/motion.hpp"
 #include "io/result_file.hpp"
 #include "linalg/profile.hpp"
@@ -16,6 +19,10 @@
 
 namespace soft::cli {
 namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 /// A case with its --set applied, or what an interrupted solve has left.
 struct Task {
@@ -84,6 +91,7 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     Progress progress{model};
     const auto count = [&](const solution::Step& step) {
         summary.last = step;
+        summary.largest_stretch_p99 = std::max(summary.largest_stretch_p99, step.stretch_p99);
         ++summary.steps;
         // A stress without an energy has no balance.
         if (step.motion && system.has_symmetric_tangent()) summary.energy.add(*step.motion);
@@ -124,33 +132,62 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     return summary;
 }
 
+/// Follows the path of the task; what stood in the output before is gone.
+SolveSummary solve_once(const Task& task, const SolveOptions& options, const About& about,
+                        std::optional<io::ResultWriter>* writer, Console& console) {
+    const auto begin = std::chrono::steady_clock::now();
+    assembly::System system{task.from.file.model, PETSC_COMM_WORLD};
+    if (writer != nullptr) writer->emplace(make_writer(options, about, task));
+    const double start_s = seconds_since(begin);
+    SolveSummary summary = follow(system, task, options.tolerance, writer != nullptr ? &**writer : nullptr, console);
+    summary.start_s = start_s;
+    return summary;
+}
+
+/// Which set of a silicone's constants fits is known only when the path has been followed: where it is another and the design
+/// leaves the choice, the path is followed again. To a narrower set only at first, so that this comes to an end.
+SolveSummary solve_with_fitting_set(Task& task, const SolveOptions& options, const About& about,
+                                    std::optional<io::ResultWriter>* writer, Console& console) {
+    for (bool first = true;; first = false) {
+        SolveSummary summary = solve_once(task, options, about, writer, console);
+        const double stretch = of_first_rank(summary.largest_stretch_p99);
+        const io::DesignText& design = task.changed ? *task.changed : task.from.file.design;
+        const auto set = task.resumes ? std::nullopt : design::fitting_set(design.effective_yaml, stretch);
+        if (!set || !(first || set->is_wider)) return summary;
+        console.say("the rubber reaches a stretch of " + core::rounded_text(stretch, 3) +
+                    ": solves again with the constants of " + set->text);
+        task.changed = apply_change(set->change, design, task.from.file.model);
+        if (writer != nullptr) writer->reset();
+    }
+}
+
 }  // namespace
 
 ExitCode run_solve(const SolveOptions& options, const About& about, const linalg::Session& session) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto begin = std::chrono::steady_clock::now();
     const bool first = session.rank() == 0;
     Console console{about.tool, first ? options.common.verbosity : Verbosity::quiet};
-    const Task task = read_task(options, session.rank());
+    Task task = read_task(options, session.rank());
     const model::Case& model = task.from.file.model;
     check_motion(options, model);
-    assembly::System system{model, PETSC_COMM_WORLD};
+    const double read_s = seconds_since(begin);
     std::optional<io::ResultWriter> writer;
-    if (first) writer = make_writer(options, about, task);
-    const double start_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    SolveSummary summary = follow(system, task, options.tolerance, writer ? &*writer : nullptr, console);
+    SolveSummary summary = solve_with_fitting_set(task, options, about, first ? &writer : nullptr, console);
     summary.ranks = session.size();
-    summary.start_s = start_s;
+    summary.start_s += read_s;
     if (first) {
         if (!writer->is_in_place()) console.warn(task.output + " was removed or replaced meanwhile; it is written anew");
         const auto bytes = writer->finish(summary.end);
         if (task.output == "-") write_output("-", bytes, Content::binary);
         measure_process(summary);
         if (options.profile) summary.profile = linalg::profile_rows();
-        summary.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        summary.wall_s = seconds_since(begin);
         for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
         console.say(summary_line(summary, model));
         for (const std::string& line : profile_lines(summary)) console.say(line);
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
+        const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
+        if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99)) console.warn(*advice);
         for (const std::string& option : session.unused_options()) console.warn("PETSc knows no option -" + option);
         if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));
     }

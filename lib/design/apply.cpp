@@ -7,6 +7,7 @@
 #include "design/dynamics_keys.hpp"
 #include "design/load_keys.hpp"
 #include "design/load_names.hpp"
+#include "design/material_library.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
 #include "design/solver_keys.hpp"
@@ -118,6 +119,7 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
     Node changed = original;
     for (const Override& change : overrides) check_changeable(change);
     override_tree(changed, in_names_of(original, overrides, faces));
+    name_to_material(changed);
     name_empty_ends(changed);
     const Part built = part_of(original, faces), part = part_of(changed, faces);
     const Values was = values_of(collect(only_changeable(original), built.schema, case_source, built.examples));

@@ -1,5 +1,7 @@
 #include "design/materials.hpp"
 
+#include <algorithm>
+
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
 
@@ -9,7 +11,7 @@ namespace {
 constexpr std::string_view usual_material = "{law: neo-hookean, mu: 0.1644 MPa}";
 constexpr const char *kappa_path = "material.kappa", *young_path = "material.young", *poisson_path = "material.poisson",
                      *volumetric_path = "material.volumetric", *frame_path = "material.frame",
-                     *density_path = "material.density", *strain_path = "material.strain";
+                     *density_path = "material.density", *strain_path = "material.strain", *fit_path = "material.fit";
 
 Kind kind_of(material::Quantity quantity) {
     switch (quantity) {
@@ -86,6 +88,23 @@ bool has_young_poisson(const Node& material, const material::LawInfo& law) {
     return young != nullptr;
 }
 
+/// What fit-material says of the data; only what is there, so that no default stands in an effective design.
+void add_fit_keys(Schema& schema, const Node& material) {
+    const Node* fit = find(material, "fit");
+    if (fit == nullptr) return;
+    static const std::vector<std::string> texts = {"name", "choice", "range",  "rmse_kPa", "r2",      "stress",
+                                                   "rows", "flags",  "source", "sha256",   "protocol"};
+    schema.names[fit_path] = texts;
+    for (const Member& member : fit->members) {
+        const std::string path = std::string{fit_path} + "." + member.key;
+        if (std::ranges::find(texts, member.key) != texts.end())
+            schema.keys.push_back({.path = path, .kind = Kind::text, .meaning = "of the data behind the constants"});
+        if (member.key == "largest_I1")
+            schema.keys.push_back({.path = path, .kind = Kind::ratio, .meaning = "where the data end; solve warns beyond", .min = 3});
+    }
+    schema.names[fit_path].emplace_back("largest_I1");
+}
+
 void add_law_keys(Schema& schema, const Node& material, const material::LawInfo& law, Examples& examples,
                   std::string_view usual_frame) {
     if (has_young_poisson(material, law)) {
@@ -111,6 +130,7 @@ void add_law_keys(Schema& schema, const Node& material, const material::LawInfo&
     }
     schema.keys.push_back(density_key());
     schema.keys.push_back(strain_key());
+    add_fit_keys(schema, material);
     if (law.fibers)
         schema.keys.push_back(
             {.path = frame_path,
@@ -161,9 +181,6 @@ void add_material_keys(Schema& schema, const Node& root, std::string_view source
     if (material == nullptr || material->kind == Node::Kind::empty)
         refuse(material == nullptr ? std::string{source} + ":1:1" : material->place, "material", "missing (the rubber)",
                "add material: " + std::string{usual_material});
-    if (material->kind == Node::Kind::scalar)
-        refuse(material->place, "material", "materials by name are not in this version",
-               "write " + std::string{usual_material});
     const Key key = law_key();
     examples[key.path] = core::join(law_names(), " | ");
     schema.keys.push_back(key);

@@ -15,7 +15,7 @@ namespace soft::design {
 /// The key of a parameter of a law, "material.<name>".
 [[nodiscard]] Key parameter_key(const material::Parameter& parameter);
 
-/// Throws Error(bad_input) for a law that is unknown or missing, a material given by name, keys of two ways to state the
+/// Throws Error(bad_input) for a law that is unknown or missing, keys of two ways to state the
 /// moduli, and `volumetric` for a law that has its own. `usual_frame` (cylindrical | cartesian) is that of fibres.
 void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples,
                        std::string_view usual_frame);

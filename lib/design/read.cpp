@@ -5,6 +5,7 @@
 #include "design/dynamics_keys.hpp"
 #include "design/formulation.hpp"
 #include "design/load_names.hpp"
+#include "design/material_library.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
 #include "design/solver_keys.hpp"
@@ -80,12 +81,14 @@ void override_tree(Node& root, std::span<const Override> overrides) {
 
 Node overridden_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
                        std::span<const Override> overrides) {
-    const Node written = parse_yaml(text, source);
+    Node written = parse_yaml(text, source);
+    name_to_key(written);
     Node root = written;
     override_tree(root, overrides);
     const FamilyKeys& family = family_of(root, source, families);   // an override may name it
     root = written;
     override_tree(root, in_names_of(written, overrides, {family.faces, family.aliases, {}}));
+    name_to_material(root);
     return root;
 }
 

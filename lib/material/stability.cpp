@@ -58,7 +58,9 @@ Matrix stiffness_at(const Rubber<L>& rubber, const Stretches& stretch) {
     } else {
         Dual<3> W;
         if constexpr (StretchLaw<L>) {
-            W = energy_of_log_stretches(rubber.law, {std::log(stretch[0]), std::log(stretch[1]), std::log(stretch[2])});
+            // Only isochoric increments are asked for: the stretches need no division by J, which would mix the three
+            // stiffnesses and leave of a small one the rounding of the largest.
+            W = rubber.law.isochoric_energy(IsochoricStretches<Dual<3>>{sqrt(l2[0]), sqrt(l2[1]), sqrt(l2[2])});
         } else {
             W = shear_energy(rubber.law, I, J);
             if (increments_of(rubber) == Increments::all) {
@@ -72,23 +74,26 @@ Matrix stiffness_at(const Rubber<L>& rubber, const Stretches& stretch) {
     }
 }
 
-/// Smallest second work over the unit increments.
+/// Positive as long as the second work of all increments is. Of the isochoric ones (the plane normal to (1, 1, 1)) that is
+/// the trace and the determinant of the form in the plane; the latter is the sum of the cofactors over 3. Written so, the
+/// products of stiffnesses of one sign only add, and none is lost beside one larger by sixteen decades, as powers of long
+/// stretches are.
 double least_work(const Matrix& matrix, Increments increments) {
-    const auto work = [&](const Stretches& u, const Stretches& v) {
-        double sum = 0;
-        for (int a = 0; a < 3; ++a)
-            for (int b = 0; b < 3; ++b) sum += 0.5 * (matrix[a][b] + matrix[b][a]) * u[a] * v[b];
-        return sum;
-    };
+    const auto at = [&](int a, int b) { return 0.5 * (matrix[a][b] + matrix[b][a]); };
     if (increments == Increments::isochoric) {
-        const double r2 = std::sqrt(0.5), r6 = std::sqrt(1.0 / 6.0);
-        const Stretches u{r2, -r2, 0.0}, v{r6, r6, -2.0 * r6};
-        const double uu = work(u, u), vv = work(v, v), uv = work(u, v);
-        return 0.5 * (uu + vv) - std::hypot(0.5 * (uu - vv), uv);
+        const double sides = at(0, 1) + at(1, 2) + at(2, 0);
+        const double trace = 2.0 / 3.0 * (at(0, 0) + at(1, 1) + at(2, 2) - sides);
+        double determinant = 0;
+        for (int a = 0; a < 3; ++a) {
+            const int b = (a + 1) % 3, c = (a + 2) % 3;
+            determinant += at(b, b) * at(c, c) - at(b, c) * at(b, c);
+            determinant += 2.0 * (at(a, b) * at(a, c) - at(b, c) * at(a, a));
+        }
+        return std::min(trace, determinant / 3.0);
     }
     Tensor symmetric;
     for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b) symmetric[3 * a + b] = 0.5 * (matrix[a][b] + matrix[b][a]);
+        for (int b = 0; b < 3; ++b) symmetric[3 * a + b] = at(a, b);
     const Spectral form = spectral_form(symmetric);
     return std::min({form.value[0], form.value[1], form.value[2]});
 }

@@ -1,130 +1,30 @@
-#include <csv.h>
-
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "table/cell.hpp"
+#include "table/lines.hpp"
 #include "table/table.hpp"
 
 namespace soft::table {
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-constexpr std::size_t sampled_lines = 50;  // enough to tell the delimiter
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF", zip_mark = "PK\x03\x04";
 
 Error bad(std::string_view source, std::size_t line, const std::string& problem, std::string_view remedy = {}) {
     return {ExitCode::bad_input, std::string{source} + ":" + std::to_string(line), problem, remedy};
 }
 
-/// Lines with their ends: "\n", "\r\n" or "\r".
-std::vector<std::string_view> split_lines(std::string_view text) {
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = text.find_first_of("\r\n");
-        lines.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) break;
-        text.remove_prefix(end + (text.substr(end).starts_with("\r\n") ? 2 : 1));
-    }
-    return lines;
-}
-
-bool is_comment(std::string_view line) { return core::trimmed(line).starts_with('#'); }
-
-/// ' ' stands for a run of blanks.
-std::size_t count_cells(std::string_view line, char delimiter) {
-    std::size_t cells = 1;
-    bool quoted = false, after_blank = true;
-    for (const char c : core::trimmed(line)) {
-        if (c == '"') quoted = !quoted;
-        const bool separates = !quoted && (delimiter == ' ' ? c == ' ' || c == '\t' : c == delimiter);
-        if (separates && !(delimiter == ' ' && after_blank)) ++cells;
-        after_blank = separates;
-    }
-    return cells;
-}
-
-/// The one by which most lines have the same number of cells, two or more; of equally good ones the first.
-char find_delimiter(const std::vector<std::string_view>& lines) {
-    char best = ',';
-    std::size_t best_lines = 0;
-    for (const char delimiter : {';', '\t', '|', ',', ' '}) {
-        std::map<std::size_t, std::size_t> lines_of;  // by their number of cells
-        std::size_t sampled = 0, most = 0;
-        for (const std::string_view line : lines) {
-            if (core::trimmed(line).empty() || is_comment(line)) continue;
-            const std::size_t cells = count_cells(line, delimiter), same = ++lines_of[cells];
-            if (cells > 1) most = std::max(most, same);
-            if (++sampled == sampled_lines) break;
-        }
-        if (2 * most <= sampled || most <= best_lines) continue;
-        best = delimiter;
-        best_lines = most;
-    }
-    return best;
-}
-
-std::string with_tabs_for_blanks(std::string_view line) {
-    std::string text;
-    for (const char c : core::trimmed(line)) {
-        if (c != ' ' && c != '\t')
-            text += c;
-        else if (!text.ends_with('\t'))
-            text += '\t';
-    }
-    return text;
-}
-
-/// libcsv's parser, and the rows it has found.
-class Parser {
-public:
-    explicit Parser(char delimiter) {
-        if (csv_init(&parser_, CSV_STRICT_FINI) != 0)
-            throw Error(ExitCode::internal, "csv", "the parser does not start");
-        csv_set_delim(&parser_, static_cast<unsigned char>(delimiter));
-    }
-    ~Parser() { csv_free(&parser_); }
-    Parser(const Parser&) = delete;
-    Parser& operator=(const Parser&) = delete;
-
-    /// The row that this line completes; nullopt for an empty line and within quotes.
-    [[nodiscard]] std::optional<std::vector<std::string>> take(std::string line) {
-        line += '\n';
-        complete_ = false;
-        const std::size_t taken = csv_parse(&parser_, line.data(), line.size(), on_cell, on_row, this);
-        if (taken != line.size()) throw Error(ExitCode::internal, "csv", csv_strerror(csv_error(&parser_)));
-        open_ = !complete_ && (open_ || !core::trimmed(line).empty());
-        if (!complete_) return std::nullopt;
-        return std::exchange(cells_, {});
-    }
-    /// Within a quoted cell.
-    [[nodiscard]] bool is_open() const noexcept { return open_; }
-
-private:
-    static void on_cell(void* text, std::size_t size, void* self) {
-        static_cast<Parser*>(self)->cells_.emplace_back(static_cast<const char*>(text), size);
-    }
-    static void on_row(int, void* self) { static_cast<Parser*>(self)->complete_ = true; }
-
-    csv_parser parser_{};
-    std::vector<std::string> cells_;
-    bool complete_ = false, open_ = false;
-};
-
-void read_rows(Table& table, const std::vector<std::string_view>& lines) {
-    Parser parser(table.delimiter == ' ' ? '\t' : table.delimiter);
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (!parser.is_open()) begin = i + 1;
-        if (!parser.is_open() && is_comment(lines[i])) continue;
-        auto row = parser.take(table.delimiter == ' ' ? with_tabs_for_blanks(lines[i]) : std::string{lines[i]});
-        if (!row) continue;
-        table.rows.push_back(std::move(*row));
-        table.lines.push_back(begin);
-    }
-    if (parser.is_open()) throw bad(table.source, begin, "a quote is opened and not closed");
+void check_is_text(std::string_view text, std::string_view source) {
+    constexpr std::string_view remedy = "save it as CSV in UTF-8";
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        throw Error(ExitCode::bad_input, source, "is UTF-16 text", remedy);
+    if (text.starts_with(zip_mark))
+        throw Error(ExitCode::bad_input, source, "is an archive or a spreadsheet (xlsx, ods), not a text table",
+                    remedy);
+    if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
+        throw bad(source, split_lines(text.substr(0, zero + 1)).size(), "holds a zero byte: the file is no text",
+                  remedy);
 }
 
 void check_widths(Table& table) {
@@ -139,6 +39,51 @@ void check_widths(Table& table) {
     }
 }
 
+/// The unit that a cell of a line of units holds: "(kPa)", "kPa".
+std::string unit_of(const std::string& cell) { return parse_heading("x " + cell).unit; }
+
+/// Whether the row below a header states units: no numbers, a known unit, nothing beside it in its cell.
+bool is_row_of_units(const std::vector<std::string>& row, Decimal decimal) {
+    return content_of(row, decimal).numbers == 0 && std::ranges::any_of(row, [](const std::string& cell) {
+               const Heading heading = parse_heading("x " + cell);
+               return !heading.unit.empty() && heading.quantity == "x";
+           });
+}
+
+/// The row of the header; nullopt where there is none. What stands above it, or above the numbers, is description. Between
+/// blanks a sentence looks like a header, unless it has more words than there are columns.
+std::optional<std::size_t> find_header(const Table& table, std::size_t first_numbers) {
+    const auto is_title = [&](std::size_t i) {
+        const Content content = content_of(table.rows[i], table.decimal);
+        const bool is_sentence = table.delimiter == ' ' && table.rows[i].size() > table.rows[first_numbers].size();
+        return content.numbers == 0 && content.words >= 2 && !is_sentence;
+    };
+    for (std::size_t i = first_numbers; i-- > 0;)
+        if (is_title(i)) return i > 0 && is_row_of_units(table.rows[i], table.decimal) && is_title(i - 1) ? i - 1 : i;
+    return std::nullopt;
+}
+
+/// Takes the description away, so that the header or the numbers are the first row; equal widths.
+void take_description(Table& table, const Format& format) {
+    const auto numeric = std::ranges::find_if(table.rows, [&](const std::vector<std::string>& row) {
+        const Content content = content_of(row, table.decimal);
+        return content.numbers >= 2 && content.words == 0;
+    });
+    if (numeric == table.rows.end())
+        throw bad(table.source, table.lines.empty() ? 1 : table.lines.back(),
+                  "no line holds two numbers and nothing else",
+                  format.delimiter || format.decimal != Decimal::either
+                      ? "is it written with the delimiter and the decimal mark that are stated?"
+                      : "write one row a line: numbers, and a delimiter between them");
+    const auto first_numbers = static_cast<std::size_t>(numeric - table.rows.begin());
+    const auto begin = static_cast<std::ptrdiff_t>(find_header(table, first_numbers).value_or(first_numbers));
+    table.rows.erase(table.rows.begin(), table.rows.begin() + begin);
+    table.lines.erase(table.lines.begin(), table.lines.begin() + begin);
+    std::size_t width = 0;
+    for (const auto& row : table.rows) width = std::max(width, row.size());
+    for (auto& row : table.rows) row.resize(width);
+}
+
 /// What the first row says of the columns, and the second if it holds their units.
 void take_headings(Table& table) {
     const auto take_first = [&] {
@@ -147,31 +92,28 @@ void take_headings(Table& table) {
         table.lines.erase(table.lines.begin());
         return row;
     };
-    if (std::any_of(table.rows.front().begin(), table.rows.front().end(), number_in)) return;
+    if (content_of(table.rows.front(), table.decimal).numbers > 0) return;
+    table.header_line = table.lines.front();
     for (const std::string& name : take_first()) table.headings.push_back(parse_heading(name));
-    const auto unit_in = [](const std::string& cell) { return parse_heading("x " + cell).unit; };
-    const auto is_unit = [&](const std::string& cell) { return !unit_in(cell).empty(); };
-    if (table.rows.empty() || std::any_of(table.rows[0].begin(), table.rows[0].end(), number_in) ||
-        std::none_of(table.rows[0].begin(), table.rows[0].end(), is_unit))
-        return;
+    if (table.rows.empty() || !is_row_of_units(table.rows.front(), table.decimal)) return;
     const std::vector<std::string> units = take_first();
     for (std::size_t i = 0; i < units.size(); ++i)
-        if (table.headings[i].unit.empty()) table.headings[i].unit = unit_in(units[i]);
+        if (table.headings[i].unit.empty()) table.headings[i].unit = unit_of(units[i]);
 }
 
 }  // namespace
 
-Table read_table(std::string_view text, std::string_view source) {
+Table read_table(std::string_view text, std::string_view source, const Format& format) {
+    check_is_text(text, source);
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        throw Error(ExitCode::bad_input, source, "is UTF-16 text", "save it as CSV in UTF-8");
     const std::vector<std::string_view> lines = split_lines(text);
     Table table;
     table.source = source;
-    table.delimiter = find_delimiter(lines);
+    table.decimal = format.decimal;
+    table.delimiter = format.delimiter ? *format.delimiter : find_delimiter(lines, format.decimal);
     read_rows(table, lines);
     if (!table.rows.empty()) {
-        check_widths(table);
+        format.layout == Layout::described ? take_description(table, format) : check_widths(table);
         take_headings(table);
     }
     if (table.rows.empty()) throw Error(ExitCode::bad_input, source, "holds no row of numbers");

@@ -1,9 +1,10 @@
 #pragma once
 /// Tables as people and instruments write them: CSV with any usual delimiter. Held by table/read_test, table/values_test.
 ///
-/// What is understood: of ; tab | , and runs of blanks the one that gives most lines the same number of cells, two or more (of
-/// equally good ones the first); quotes as in RFC 4180; a decimal comma where the delimiter is another; lines that start with # and empty lines are
-/// no data; a byte order mark and CR LF; a first line without any number as header, and a line of units below it.
+/// What is understood: of ; tab | , and runs of blanks the one that makes the most lines rows of numbers (the first of equals;
+/// where none does, the first that gives most lines the same number of cells); quotes as in RFC 4180; a decimal comma where
+/// the delimiter is another; lines that start with #, empty lines and lines of delimiters alone are no data; a byte order mark
+/// and CR LF; a first line without any number as header, and a line of units below it.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -13,6 +14,25 @@
 #include "core/units.hpp"
 
 namespace soft::table {
+
+enum class Decimal {
+    either,  ///< each cell as it is: "1.5" and "1,5"
+    point,
+    comma
+};
+
+enum class Layout {
+    plain,  ///< header or numbers in the first line; every line has as many cells as the first
+    described  ///< lines of description may stand above the header: the last line before the first row of two or more numbers
+    ///< (and nothing else) that holds words in two or more cells and no number. Every line from there on is data,
+    ///< so that a slip of the pen in one is an error, not a description. Short lines have empty cells at their end.
+};
+
+struct Format {
+    std::optional<char> delimiter = {};  ///< nullopt: found; ' ' stands for runs of blanks
+    Decimal decimal = Decimal::either;
+    Layout layout = Layout::plain;
+};
 
 /// A column's name taken apart: "Pressure (psi)", "Pressure [psi]", "pressure_psi", "Pressure / psi", "Pressure in psi" and
 /// "Pressure, psi" are the quantity "Pressure" in psi.
@@ -25,15 +45,18 @@ struct Heading {
 struct Table {
     std::string source;                          ///< file, for errors
     std::vector<Heading> headings;               ///< one a column; empty where the file has no header
+    std::size_t header_line = 0;                 ///< of the file, from 1; 0 where there is no header
     std::vector<std::vector<std::string>> rows;  ///< all of the same width
     std::vector<std::size_t> lines;              ///< of the file, from 1: where each row begins
     char delimiter = ',';
+    Decimal decimal = Decimal::either;  ///< how cells are read as numbers
 
     [[nodiscard]] std::size_t width() const noexcept { return rows.empty() ? headings.size() : rows.front().size(); }
 };
 
-/// Errors (bad_input, with source:line): no data, a line with another number of cells, a quote that stays open.
-[[nodiscard]] Table read_table(std::string_view text, std::string_view source);
+/// Errors (bad_input, with source:line): no data, a line with another number of cells (plain), a quote that stays open, a file
+/// that is no text (zero bytes, an archive such as xlsx and ods).
+[[nodiscard]] Table read_table(std::string_view text, std::string_view source, const Format& format = {});
 
 [[nodiscard]] Heading parse_heading(std::string_view name);
 

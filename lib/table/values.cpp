@@ -33,7 +33,7 @@ bool may_be_thousands(std::string_view cell) {
 /// Somewhere a point stands for the decimals, so a comma does not.
 bool has_decimal_points(const Table& table) {
     return std::ranges::any_of(table.rows, [](const auto& row) {
-        return std::ranges::any_of(row, [](const std::string& cell) { return cell.find('.') != std::string::npos && number_in(cell); });
+        return std::ranges::any_of(row, [](const std::string& cell) { return cell.find('.') != std::string::npos && number_in(cell, Decimal::point); });
     });
 }
 
@@ -47,7 +47,7 @@ public:
         if (may_be_thousands(cell) && !commas_are_decimal())
             throw Error(ExitCode::bad_input, place(table_, row, column_),
                         core::quoted(cell) + " may have a decimal comma or one for thousands", "write it without the comma");
-        if (auto number = number_in(cell)) return *number;
+        if (auto number = number_in(cell, table_.decimal)) return *number;
         throw Error(ExitCode::bad_input, place(table_, row, column_),
                     core::trimmed(cell).empty() ? "the cell is empty" : core::quoted(cell) + " is no number",
                     "put # before lines that are no data");
@@ -55,6 +55,7 @@ public:
 
 private:
     [[nodiscard]] bool commas_are_decimal() {
+        if (table_.decimal == Decimal::comma) return true;
         if (!decimal_) decimal_ = table_.delimiter != ',' && !has_decimal_points(table_);
         return *decimal_;
     }
@@ -66,10 +67,12 @@ private:
 
 }  // namespace
 
-std::optional<std::string> number_in(const std::string& cell) {
+std::optional<std::string> number_in(const std::string& cell, Decimal decimal) {
     std::string text{core::trimmed(cell)};
     if (text.starts_with('+')) text.erase(0, 1);
-    if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
+    const bool has_point = text.find('.') != std::string::npos;
+    if (decimal == Decimal::comma && has_point) return std::nullopt;
+    if (decimal != Decimal::point && !has_point && std::count(text.begin(), text.end(), ',') == 1)
         std::replace(text.begin(), text.end(), ',', '.');
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -37,4 +37,5 @@ target_link_libraries(soft_csv INTERFACE ${CSV_LIBRARY})
 
 find_package(OpenMP REQUIRED COMPONENTS CXX)   # comes with the compiler; the threads of the element loops
 find_package(CGAL CONFIG REQUIRED)
+find_package(Ceres 2.1 REQUIRED)   # brings Eigen
 find_package(pugixml REQUIRED)

@@ -70,7 +70,8 @@ TEST(Refusal, NamesOfFamilyLawFaceAndChoiceAreSuggested) {
     expect("family: pip\n", "p.yaml:1:9: family: no family is called 'pip'", "did you mean 'pipe'?");
     expect("family: pipe\nmaterial: {law: neo-hokean}\n", "p.yaml:2:17: material.law: no law is called",
            "did you mean 'neo-hookean'?");
-    expect("family: pipe\nmaterial: dragon-skin-20\n", "p.yaml:2:11: material: materials by name", "law: neo-hookean");
+    expect("family: pipe\nmaterial: dragon-skin-2O\n", "p.yaml:2:11: material.name: no silicone is called 'dragon-skin-2O'",
+           "did you mean 'dragon-skin-20'?");
     expect(base + "supports: {fixed: inlt}\n", "p.yaml:4:19: supports.fixed: no face is called 'inlt'",
            "did you mean 'inlet'?");
     expect(base + "supports: {fixed: [inlet, end-disc]}\n", "p.yaml:4:27: supports.fixed:", "did you mean 'end_disc'?");

@@ -117,6 +117,25 @@ TEST(Stability, OfAnOgdenRubberIsThatOfTheSameMooneyRivlin) {
     for (std::size_t k = 0; k < one.size(); ++k) EXPECT_NEAR(one[k].stretch, two[k].stretch, 1e-9);
 }
 
+TEST(Stability, OfAnOgdenRubberIsExactWhereItsPowersSpanFortyDecades) {
+    // d tau/d e = diag(h), h_a = sum mu_i alpha_i l_a^alpha_i. Equibiaxial tension, increment (1, -1, 0): the work 2 h_1 is
+    // zero where A l^-10 = B l^2, at l = 8; there h_3 = A l^20 is 1e27 times either part of h_1.
+    const double A = 1e5, B = A / std::pow(8.0, 12);
+    const AnyRubber rubber =
+        make_rubber({.law = "ogden", .constants = {{"mu", {A / -10, -B / 2}}, {"alpha", {-10, 2}}}});
+    const auto limits = stability_limits(rubber, {0.3, 12.0});
+    ASSERT_TRUE(limit(limits, Mode::equibiaxial, Sense::tension));
+    EXPECT_NEAR(*limit(limits, Mode::equibiaxial, Sense::tension), 8.0, 1e-9);
+}
+
+TEST(Stability, OgdenRubbersWithTermsOfPositiveStiffnessAreStableAtEveryStretch) {
+    for (const double alpha : {-12.0, -2.0, 2.0, 12.0}) {
+        const AnyRubber rubber = make_rubber(
+            {.law = "ogden", .constants = {{"mu", {1e5 / alpha, 1e3, -1e3}}, {"alpha", {alpha, 5, -7}}}});
+        EXPECT_TRUE(stability_limits(rubber, {0.05, 19.0}).empty()) << alpha;
+    }
+}
+
 TEST(Stability, TextNamesModesAndStretches) {
     const auto limits = stability_limits(make_rubber(description_of("saint-venant-kirchhoff", 0.3e6)));
     const std::string text = stability_text(limits);

@@ -8,9 +8,11 @@
 namespace soft::table {
 namespace {
 
-std::string refusal(std::string_view text) {
+const Format described{.layout = Layout::described};
+
+std::string refusal(std::string_view text, const Format& format = {}) {
     try {
-        static_cast<void>(read_table(text, "m.csv"));
+        static_cast<void>(read_table(text, "m.csv", format));
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::bad_input);
         return error.what();
@@ -75,6 +77,66 @@ TEST(ReadTable, RefusesALineOfAnotherWidthByItsNumber) {
 
 TEST(ReadTable, RefusesAnOpenQuoteWhereItBegins) {
     EXPECT_EQ(refusal("a,b\n1,2\n3,\"4\n5,6\n"), "m.csv:3: a quote is opened and not closed");
+}
+
+TEST(ReadTable, DropsLinesOfDelimitersAlone) {
+    const Table table = read_table("a;b\n;\n1;2\n ; \n", "m.csv");
+    EXPECT_EQ(table.lines, (std::vector<std::size_t>{3}));
+}
+
+TEST(ReadTable, TakesTheDelimiterAndTheDecimalItIsTold) {
+    EXPECT_EQ(numbers(read_table("1!2\n3!4\n", "m.csv", {.delimiter = '!'}), 1), (std::vector<double>{2, 4}));
+    const std::string_view text = "1,5;2\n2,5;3\n";
+    EXPECT_EQ(numbers(read_table(text, "m.csv", {.decimal = Decimal::comma}), 0), (std::vector<double>{1.5, 2.5}));
+    EXPECT_THROW((void)numbers(read_table(text, "m.csv", {.delimiter = ';', .decimal = Decimal::point}), 0), Error);
+    EXPECT_THROW((void)numbers(read_table("1.5;2\n", "m.csv", {.decimal = Decimal::comma}), 0), Error);
+}
+
+TEST(ReadTable, FindsTheDelimiterOfTheNumbersWhateverStandsAbove) {
+    // more lines of description than of data, with commas and blanks
+    std::string text = "strain;stress\n0,1;2\n0,2;3\n";
+    for (int i = 0; i < 60; ++i) text.insert(0, "Lab, town, country and street\n");
+    EXPECT_EQ(read_table(text, "m.csv", described).delimiter, ';');
+}
+
+TEST(ReadTable, SkipsTheDescriptionAboveTheHeaderWhereItIsTold) {
+    const Table table =
+        read_table("\xEF\xBB\xBF# made\nSpeed;450;;\n;;;\nLab;X, Y;;\nstrain;stress\n(%);(MPa)\n\n0.1;5\n0.2\n",
+                   "a.csv", described);
+    ASSERT_EQ(table.headings.size(), 2u);
+    EXPECT_EQ(table.headings[1].name, "stress");
+    EXPECT_EQ(table.headings[1].unit, "MPa");
+    EXPECT_EQ(table.header_line, 5u);
+    EXPECT_EQ(table.lines, (std::vector<std::size_t>{8, 9}));
+    EXPECT_EQ(table.rows[1], (std::vector<std::string>{"0.2", ""}));  // cells that are not there are empty
+}
+
+TEST(ReadTable, ASlipBelowADescriptionIsARowAndNumbersAloneHaveNoHeader) {
+    EXPECT_EQ(read_table("made by hand\nstrain;stress\n0.1;5x\n0.2;6\n", "a.csv", described).rows[0][1], "5x");
+    const Table table = read_table("made by hand\n0.1 5\n0.2 6\n", "a.txt", described);
+    EXPECT_TRUE(table.headings.empty());
+    EXPECT_EQ(table.header_line, 0u);
+    EXPECT_EQ(table.rows.size(), 2u);
+}
+
+TEST(ReadTable, QuotedCellsAmongBlanksStayWhole) {
+    const Table table = read_table("\"true strain\"  'stress'\n\"1\" 2\n", "m.csv");
+    EXPECT_EQ(table.headings[0].name, "true strain");
+    EXPECT_EQ(numbers(table, 0), (std::vector<double>{1}));
+}
+
+TEST(ReadTable, RefusesWhatIsNoText) {
+    EXPECT_EQ(refusal(std::string_view{"a,b\n1,2\n\0\0,3\n", 13}),
+              "m.csv:3: holds a zero byte: the file is no text; save it as CSV in UTF-8");
+    EXPECT_EQ(refusal("PK\x03\x04..."),
+              "m.csv: is an archive or a spreadsheet (xlsx, ods), not a text table; save it as CSV in UTF-8");
+}
+
+TEST(ReadTable, RefusesADescriptionWithoutATable) {
+    EXPECT_EQ(refusal("e;s\na;b\n", described),
+              "m.csv:2: no line holds two numbers and nothing else; write one row a "
+              "line: numbers, and a delimiter between them");
+    EXPECT_EQ(refusal("", described), "m.csv: holds no row of numbers");
 }
 
 TEST(ReadTable, RefusesFilesWithoutData) {

@@ -61,6 +61,12 @@ TEST(ValuesSI, ConvertsByTheDefinitionsOfTheUnits) {
     EXPECT_DOUBLE_EQ(values_SI(table, 2, "in", core::Dimension::length)[1], 0.0508);
 }
 
+TEST(Values, ANumberIsTheWholeCellAndFinite) {
+    EXPECT_EQ(numbers(read_table("a;b\n +1.5e-3 ;1\n", "m.csv"), 0), (std::vector<double>{1.5e-3}));
+    for (const std::string cell : {"1.5x", "nan", "inf", "1.234,5", "1,2,3", "--1", "0x10", "1e999"})
+        EXPECT_THROW((void)numbers(read_table("a;b\n" + cell + ";1\n2;3\n", "m.csv"), 0), Error) << cell;
+}
+
 TEST(Values, RefuseACellByLineAndColumn) {
     const Table table = read_table("Pressure (kPa),note\n1,start\n,end\n3x,\n", "m.csv");
     const auto refusal = [](auto read) {

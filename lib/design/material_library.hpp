@@ -1,0 +1,48 @@
+#pragma once
+/// Silicones by name: designs/materials/*.yaml, built into the program so that a design finds them from anywhere.
+///   material: dragon-skin-20                                      Yeoh, the range that fits the stretch of the path
+///   material: {name: dragon-skin-20, range: 110 %, law: yeoh}     the narrowest range that covers this engineering strain
+/// A set of constants is a fit over a range of strain; how far the rubber will be stretched is known only when the path has
+/// been solved. A design that leaves the range open begins with the set that covers 300 %, marked `fit.choice: by stretch`,
+/// and solve follows the path again where another fits (fitting_set); a range that is stated stays, and solve tells when the
+/// stretch leaves it. Other keys of the material (kappa, density, a constant) stand beside `name` and win over the set's.
+/// Private to the room but for design/fitted.hpp. Held by design/material_library_test.
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "design/tree.hpp"
+
+namespace soft::design {
+
+struct MaterialFile {
+    std::string_view name;  ///< dragon-skin-20
+    std::string_view yaml;
+};
+
+/// In the order of their names.
+[[nodiscard]] std::span<const MaterialFile> material_files();
+
+/// One fit of the library.
+struct MaterialSet {
+    std::string law;
+    double strain = 0;        ///< engineering, where its range ends
+    std::string strain_text;  ///< "110 %"
+    Node block;               ///< what stands below `material:` of a design
+};
+
+/// In the order of the file: a law's ranges from the narrowest on.
+[[nodiscard]] std::vector<MaterialSet> material_sets(const MaterialFile& file);
+
+/// nullptr for an unknown name.
+[[nodiscard]] const MaterialFile* find_material(std::string_view name);
+
+/// `material: dragon-skin-20` becomes `material: {name: dragon-skin-20}`, so that --set material.range=110% has a place.
+void name_to_key(Node& root);
+
+/// Puts the constants in the place of a name. Throws Error (bad_input) at its place for a name, law or range that the
+/// library does not have. A material that states its law itself is left alone.
+void name_to_material(Node& root);
+
+}  // namespace soft::design

@@ -1,0 +1,156 @@
+#include "fit/columns.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
+
+namespace soft::fit {
+namespace {
+
+using table::Table;
+
+std::string lower(std::string_view text) {
+    std::string small{text};
+    for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return small;
+}
+
+bool holds(std::string_view title, std::string_view word) { return lower(title).find(word) != std::string::npos; }
+
+bool is_true_measure(std::string_view title) {
+    return holds(title, "true") || holds(title, "cauchy") || holds(title, "log") || holds(title, "hencky");
+}
+bool is_engineering(std::string_view title) {
+    return holds(title, "eng") || holds(title, "nominal") || holds(title, "piola");
+}
+bool is_strain(std::string_view title) { return holds(title, "strain") || holds(title, "stretch"); }
+bool is_stress(std::string_view title) { return holds(title, "stress"); }
+
+std::string place_of(const Table& table) {
+    return table.source + ":" + std::to_string(table.headings.empty() ? table.lines.front() : table.header_line);
+}
+
+Error refusal(const Table& table, const std::string& problem, const std::string& remedy) {
+    return {ExitCode::bad_input, place_of(table), problem, remedy};
+}
+
+std::vector<std::string> quoted_titles(const Table& table) {
+    std::vector<std::string> titles;
+    for (const table::Heading& heading : table.headings)
+        if (!heading.name.empty()) titles.push_back(core::quoted(heading.name));
+    return titles;
+}
+
+struct Wanted {
+    std::string_view what;     // "strain"
+    std::string_view option;   // "--strain-column"
+    std::string_view request;  // what the user said
+    bool (*fits)(std::string_view);
+};
+
+/// By number, exact title, part of a title.
+std::size_t named_column(const Table& table, const Wanted& wanted) {
+    const std::size_t width = table.width();
+    std::size_t number = 0;
+    const std::string_view text = wanted.request;
+    const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (failure == std::errc{} && stop == text.data() + text.size()) {
+        if (number >= 1 && number <= width) return number - 1;
+        throw refusal(table, "there is no column " + std::string{text},
+                      "the table has " + std::to_string(width) + " columns, numbered from 1");
+    }
+    std::vector<std::size_t> hits;
+    for (std::size_t i = 0; i < table.headings.size(); ++i) {
+        if (lower(table.headings[i].name) == lower(text)) return i;
+        if (holds(table.headings[i].name, lower(text))) hits.push_back(i);
+    }
+    if (hits.size() == 1) return hits.front();
+    const std::string titles = core::join(quoted_titles(table));
+    throw refusal(
+        table, (hits.empty() ? "no column is called " : "more than one column is called ") + core::quoted(text),
+        table.headings.empty() ? "the table has no header: name the column by its number" : "columns: " + titles);
+}
+
+std::size_t column_by_title(const Table& table, const Wanted& wanted) {
+    std::vector<std::size_t> hits, engineering;
+    for (std::size_t i = 0; i < table.headings.size(); ++i)
+        if (wanted.fits(table.headings[i].name)) {
+            hits.push_back(i);
+            if (is_engineering(table.headings[i].name)) engineering.push_back(i);
+        }
+    if (hits.size() == 1) return hits.front();
+    if (engineering.size() == 1) return engineering.front();
+    const std::string what{wanted.what}, remedy = "name one with " + std::string{wanted.option} + " TITLE or NUMBER";
+    if (table.headings.empty())
+        throw refusal(table, "the table has no header that says which column is the " + what, remedy);
+    throw refusal(table,
+                  hits.empty() ? "no title says which column is the " + what : "several columns may be the " + what,
+                  remedy + "; columns: " + core::join(quoted_titles(table)));
+}
+
+std::size_t find_column(const Table& table, const Wanted& wanted) {
+    return wanted.request.empty() ? column_by_title(table, wanted) : named_column(table, wanted);
+}
+
+bool is_stress_unit(std::string_view unit) { return table::dimension_of(unit) == core::Dimension::pressure; }
+
+std::string stress_unit(const Table& table, std::string_view in_header, const ReadSettings& settings) {
+    if (!settings.stress_unit.empty() && !is_stress_unit(settings.stress_unit))
+        throw Error(ExitCode::usage, "--stress-unit", core::quoted(settings.stress_unit) + " is no unit of stress",
+                    "Pa, kPa, MPa, N/mm^2, psi, ...");
+    if (!settings.stress_unit.empty()) return settings.stress_unit;
+    if (is_stress_unit(in_header)) return std::string{in_header};
+    throw refusal(table, "the unit of the stress is nowhere stated",
+                  "give --stress-unit MPa (or Pa, kPa, N/mm^2, psi)");
+}
+
+std::string strain_unit(std::string_view in_header, const ReadSettings& settings) {
+    if (!settings.strain_unit.empty() && settings.strain_unit != "%" && settings.strain_unit != "1")
+        throw Error(ExitCode::usage, "--strain-unit", core::quoted(settings.strain_unit) + " is no unit of strain",
+                    "1 or %");
+    const std::string_view unit = settings.strain_unit.empty() ? in_header : settings.strain_unit;
+    return unit == "%" ? "%" : "";  // strain is a plain ratio unless it says otherwise
+}
+
+StrainMeasure strain_measure(const Table& table, std::string_view title, const ReadSettings& settings) {
+    if (settings.strain_measure) return *settings.strain_measure;
+    if (holds(title, "stretch")) return StrainMeasure::stretch;
+    if (is_true_measure(title)) return StrainMeasure::logarithmic;
+    if (is_engineering(title)) return StrainMeasure::engineering;
+    throw refusal(table, "the title does not say whether the strain is engineering, true, or a stretch",
+                  "give --strain engineering, true or stretch");
+}
+
+StressMeasure stress_measure(const Table& table, std::string_view title, const ReadSettings& settings) {
+    if (settings.stress_measure) return *settings.stress_measure;
+    if (is_true_measure(title)) return StressMeasure::cauchy;
+    if (is_engineering(title)) return StressMeasure::engineering;
+    throw refusal(table, "the title does not say whether the stress is engineering or true",
+                  "give --stress engineering or true");
+}
+
+}  // namespace
+
+Columns columns_of(const Table& table, const ReadSettings& settings) {
+    Columns columns;
+    columns.strain = find_column(table, {"strain", "--strain-column", settings.strain_column, is_strain});
+    columns.stress = find_column(table, {"stress", "--stress-column", settings.stress_column, is_stress});
+    if (columns.strain == columns.stress)
+        throw refusal(table, "strain and stress are the same column",
+                      "name two with --strain-column and --stress-column");
+    const auto heading = [&](std::size_t column) {
+        return column < table.headings.size() ? table.headings[column] : table::Heading{};
+    };
+    const table::Heading strain = heading(columns.strain), stress = heading(columns.stress);
+    columns.strain_measure = strain_measure(table, strain.name, settings);
+    columns.stress_measure = stress_measure(table, stress.name, settings);
+    columns.strain_unit = strain_unit(strain.unit, settings);
+    columns.stress_unit = stress_unit(table, stress.unit, settings);
+    return columns;
+}
+
+}  // namespace soft::fit

@@ -1,0 +1,84 @@
+#pragma once
+/// A law fitted to tests: constants, how well they fit, and how far to trust them.
+/// Least squares of the nominal stress, all rows of all tests together. What is linear is solved exactly (bounded.hpp); the
+/// shapes are searched by Ceres, a maintained least-squares library with bounds on the unknowns, from several starts
+/// (of ogden: the best of a dense list of exponents in every pattern of signs), so that the result does not depend on
+/// the unit, the order of the rows or a guess. Held by fit/fit_test, fit/treloar_test.
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/candidates.hpp"
+#include "fit/test_data.hpp"
+#include "material/stability.hpp"
+
+namespace soft::fit {
+
+enum class Stability {
+    enforced,  ///< the free fit where it is stable in every mode up to the largest I1 of the data, else the best one with
+               ///< signs that suffice for stability
+    reported  ///< the free fit, whatever it is
+};
+enum class RowWeights {
+    uniform,  ///< equal: nominal stress has a nearly uniform noise
+    relative  ///< 1 / max(s, 5 % of the largest s)
+};
+enum class Offset { none, fitted };  ///< fitted: a constant stress of each test, within +- 10 kPa
+
+struct Settings {
+    Stability stability = Stability::enforced;
+    RowWeights weights = RowWeights::uniform;
+    Offset offset = Offset::none;
+};
+
+/// Unbounded, an offset would absorb the error of the law.
+inline constexpr double largest_offset_Pa = 10e3;
+
+struct Constant {
+    std::string name;  ///< "mu", of several terms "mu 1", "mu 2", ...
+    double value = 0;  ///< SI
+    double standard_error =
+        0;  ///< from the covariance: a lower bound, since residuals along a curve are correlated; 0 at a bound
+    bool is_stress = true;
+};
+
+struct TestQuality {
+    Mode mode = Mode::uniaxial;
+    std::string source;
+    std::size_t rows = 0;
+    double rmse_Pa = 0, largest_Pa = 0;  ///< of the nominal stress, without weights
+    double r2 = 0;
+    std::optional<double> offset_Pa = {};
+};
+
+struct Fit {
+    Candidate candidate;
+    material::Constants constants;  ///< as a design states them
+    std::vector<Constant> list;
+    std::vector<double> covariance;  ///< of `list`, by rows [SI]
+    std::vector<TestQuality> tests;
+    std::size_t rows = 0;
+    double rmse_Pa = 0, largest_Pa = 0, r2 = 0;
+    double aicc = 0;        ///< n ln(weighted sum of squares / n) + 2 k + 2 k (k+1)/(n-k-1)
+    double largest_I1 = 3;  ///< of the data: beyond it the law is a guess
+    double condition = 1;   ///< of the Jacobian with columns of length 1
+    std::vector<material::StabilityLimit>
+        limits;           ///< first unstable stretch of each mode, looked for beyond the data too
+    bool stable = false;  ///< up to largest_I1, in every mode
+    /// unstable:<mode>@<stretch> (up to largest_I1), mu0<=0, at-bound, ill-conditioned (condition > 1e4), offset>10% (of
+    /// the stress at e = 0.25), signs-constrained, terms:<n> (fewer than asked for are of use)
+    std::vector<std::string> flags;
+
+    /// [Pa]; NaN beyond the largest stretch of the law.
+    [[nodiscard]] double nominal_stress_Pa(Mode mode, double stretch) const;
+};
+
+/// Throws Error (bad_input) where there are fewer rows than constants and one, for a stress that does not resist the
+/// strain, and for simple shear.
+[[nodiscard]] Fit fit(const Candidate& candidate, const std::vector<TestCurve>& tests, const Settings& settings = {});
+
+/// Root mean square of prediction less measurement [Pa].
+[[nodiscard]] double prediction_rmse_Pa(const Fit& fit, const TestCurve& test);
+
+}  // namespace soft::fit

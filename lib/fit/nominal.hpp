@@ -1,0 +1,35 @@
+#pragma once
+/// Nominal stress of an incompressible rubber in a homogeneous test, from the law's own energy: along the path of a mode,
+/// F = diag(l, t(l), ...) with det F = 1, the stress does the work dW/dl = k P, k = 1 (uniaxial, planar) or 2 (equibiaxial:
+/// two directions are pulled). W is differentiated forward, in one variable; many times as fast as
+/// material::homogeneous_state, with which fit/nominal_test compares it. Source: work conjugacy, derived here.
+#include "core/dual.hpp"
+#include "material/homogeneous.hpp"
+#include "material/law.hpp"
+
+namespace soft::fit {
+
+/// [Pa]; NaN beyond the largest stretch of the law.
+template <class L>
+[[nodiscard]] double nominal_stress_Pa(const L& law, material::Mode mode, double stretch) {
+    using D = Dual<1>;
+    const D l = D::variable(stretch, 0);
+    D second = 1.0, third = 1.0;
+    double directions = 1.0;
+    switch (mode) {
+        case material::Mode::uniaxial: second = third = 1.0 / sqrt(l); break;
+        case material::Mode::equibiaxial: second = l, third = 1.0 / (l * l), directions = 2.0; break;
+        case material::Mode::planar: third = 1.0 / l; break;
+        case material::Mode::simple_shear: return std::numeric_limits<double>::quiet_NaN();
+    }
+    D energy;
+    if constexpr (material::StretchLaw<L>) {
+        energy = law.isochoric_energy(material::IsochoricStretches<D>{l, second, third});
+    } else {
+        const D a = l * l, b = second * second, c = third * third;
+        energy = law.isochoric_energy(material::Invariants<D>{a + b + c, a * b + b * c + c * a});
+    }
+    return energy.g[0] / directions;
+}
+
+}  // namespace soft::fit

@@ -1,0 +1,172 @@
+#include "fit/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/text.hpp"
+#include "fit/covariance.hpp"
+
+namespace soft::fit {
+namespace {
+
+constexpr double largest_condition = 1e4;  // beyond it constants trade off against each other
+constexpr double offset_strain = 0.25;     // where an offset is compared with the stress
+constexpr double largest_offset_share = 0.1;
+constexpr double invariant_tolerance = 1e-9;  // of I1 at the end of the data, computed another way
+constexpr double least_scan = 0.3;            // as material::usual_range
+
+/// Stretch of the mode at which I1 has a value above 3, in tension or compression, by bisection.
+double stretch_of_invariant(Mode mode, double I1, material::Sense sense) {
+    double inner = 1.0, outer = sense == material::Sense::tension ? std::sqrt(I1) + 1.0 : 0.5 / I1;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (inner + outer);
+        (first_invariant(mode, middle) < I1 ? inner : outer) = middle;
+    }
+    return inner;
+}
+
+void add_list(const Solution& solution, const Rows& rows, Fit& fit) {
+    const bool ogden = solution.candidate.law == "ogden";
+    const auto linear = static_cast<std::size_t>(solution.candidate.linear);
+    const std::vector<material::Parameter>& parameters = material::find_law(solution.candidate.law)->parameters;
+    std::vector<double> c, shapes;
+    for (std::size_t j = 0; j < linear; ++j)
+        c.push_back(solution.projection.linear.c[static_cast<Eigen::Index>(j)] * rows.scale_Pa);
+    for (const double q : solution.q) shapes.push_back(shape_of(solution.candidate, rows, q));
+    fit.constants = constants_of(solution.candidate, c, shapes);
+    const auto name = [&](std::size_t parameter, std::size_t term) {
+        std::string text{parameters[parameter].name};
+        if (ogden && linear > 1) text.append(" ").append(std::to_string(term + 1));
+        return text;
+    };
+    for (std::size_t j = 0; j < linear; ++j)
+        fit.list.push_back({name(ogden ? 0 : j, j), ogden ? fit.constants.at("mu")[j] : c[j], 0, true});
+    for (std::size_t j = 0; j < shapes.size(); ++j)
+        fit.list.push_back({name(ogden ? 1 : linear, j), shapes[j], 0, false});
+}
+
+struct Sums {
+    double squares = 0, largest = 0, total = 0, total_squares = 0;
+    std::size_t rows = 0;
+    void add(double residual, double stress) {
+        squares += residual * residual;
+        largest = std::max(largest, std::abs(residual));
+        total += stress;
+        total_squares += stress * stress;
+        ++rows;
+    }
+    [[nodiscard]] double rmse() const { return std::sqrt(squares / static_cast<double>(rows)); }
+    [[nodiscard]] double r2() const {
+        const double spread = total_squares - total * total / static_cast<double>(rows);
+        return spread > 0.0 ? 1.0 - squares / spread : 0.0;
+    }
+};
+
+void add_errors(const Solution& solution, const std::vector<TestCurve>& tests, const Rows& rows, Fit& fit) {
+    Sums all;
+    for (std::size_t t = 0; t < tests.size(); ++t) {
+        const TestCurve& test = tests[t];
+        TestQuality quality{.mode = test.mode, .source = test.source, .rows = test.stretch.size()};
+        if (rows.offset == Offset::fitted)
+            quality.offset_Pa =
+                solution.projection.linear
+                    .c[static_cast<Eigen::Index>(solution.candidate.linear) + static_cast<Eigen::Index>(t)] *
+                rows.scale_Pa;
+        Sums sums;
+        for (std::size_t i = 0; i < test.stretch.size(); ++i) {
+            const double residual =
+                fit.nominal_stress_Pa(test.mode, test.stretch[i]) + quality.offset_Pa.value_or(0) - test.nominal_Pa[i];
+            sums.add(residual, test.nominal_Pa[i]);
+            all.add(residual, test.nominal_Pa[i]);
+        }
+        quality.rmse_Pa = sums.rmse();
+        quality.largest_Pa = sums.largest;
+        quality.r2 = sums.r2();
+        fit.tests.push_back(quality);
+    }
+    fit.rows = all.rows;
+    fit.rmse_Pa = all.rmse();
+    fit.largest_Pa = all.largest;
+    fit.r2 = all.r2();
+    const double n = static_cast<double>(all.rows);
+    const double k = static_cast<double>(solution.projection.A.cols()) + static_cast<double>(solution.q.size()) + 1.0;
+    const double mean = std::max(solution.projection.residual.squaredNorm() / n, std::numeric_limits<double>::min());
+    fit.aicc = n - k - 1.0 > 0.0 ? n * std::log(mean) + 2.0 * k + 2.0 * k * (k + 1.0) / (n - k - 1.0)
+                                 : std::numeric_limits<double>::infinity();
+}
+
+/// Stable at every stretch by the signs of the constants alone.
+bool signs_suffice(const Fit& fit) {
+    const material::Constants& constants = fit.constants;
+    const auto least = [&](std::initializer_list<const char*> names) {
+        double value = std::numeric_limits<double>::infinity();
+        for (const char* name : names) value = std::min(value, constants.at(name).front());
+        return value;
+    };
+    if (fit.candidate.law == "yeoh") return least({"c1", "c2", "c3"}) >= 0.0;
+    if (fit.candidate.name == "mooney-rivlin-2") return least({"c10", "c01"}) >= 0.0;
+    if (fit.candidate.law == "mooney-rivlin") return false;
+    if (fit.candidate.law != "ogden") return true;  // one modulus, which is positive
+    const std::vector<double>&mu = constants.at("mu"), &alpha = constants.at("alpha");
+    for (std::size_t i = 0; i < mu.size(); ++i)
+        if (mu[i] * alpha[i] < 0.0) return false;
+    return true;
+}
+
+void add_stability(Fit& fit) {
+    const auto rubber = rubber_of(fit.candidate, fit.constants);
+    if (!rubber) {
+        fit.flags.push_back("mu0<=0");
+        return;
+    }
+    fit.stable = true;
+    if (signs_suffice(fit)) return;
+    const double end = fit.largest_I1 * (1.0 + invariant_tolerance);
+    const material::StretchRange range{
+        std::min(least_scan, stretch_of_invariant(Mode::uniaxial, end, material::Sense::compression)),
+        std::max(material::usual_range.most, stretch_of_invariant(Mode::uniaxial, end, material::Sense::tension))};
+    fit.limits = material::stability_limits(*rubber, range);
+    for (const material::StabilityLimit& limit : fit.limits) {
+        if (first_invariant(limit.mode, limit.stretch) > end) continue;
+        fit.stable = false;
+        fit.flags.push_back("unstable:" + std::string{name_of(limit.mode)} + "@" +
+                            core::rounded_text(limit.stretch, 4));
+    }
+}
+
+/// Stress of the test nearest to e = 0.25.
+double stress_at_offset_strain(const TestCurve& test) {
+    const auto nearest = std::min_element(test.stretch.begin(), test.stretch.end(), [](double a, double b) {
+        return std::abs(a - 1.0 - offset_strain) < std::abs(b - 1.0 - offset_strain);
+    });
+    return test.nominal_Pa[static_cast<std::size_t>(nearest - test.stretch.begin())];
+}
+
+void add_flags(const Solution& solution, const std::vector<TestCurve>& tests, Fit& fit) {
+    const auto& free = solution.projection.linear.free;
+    if (solution.at_search_bound || std::find(free.begin(), free.end(), false) != free.end())
+        fit.flags.push_back("at-bound");
+    if (solution.signs == Signs::stable) fit.flags.push_back("signs-constrained");
+    if (!(fit.condition <= largest_condition)) fit.flags.push_back("ill-conditioned");
+    for (std::size_t t = 0; t < tests.size(); ++t)
+        if (fit.tests[t].offset_Pa &&
+            std::abs(*fit.tests[t].offset_Pa) > largest_offset_share * std::abs(stress_at_offset_strain(tests[t])))
+            fit.flags.push_back("offset>10%");
+}
+
+}  // namespace
+
+Fit describe(const Solution& solution, const std::vector<TestCurve>& tests, const Rows& rows) {
+    Fit fit;
+    fit.candidate = solution.candidate;
+    fit.largest_I1 = rows.largest_I1;
+    add_list(solution, rows, fit);
+    add_errors(solution, tests, rows, fit);
+    add_covariance(solution, rows, fit);
+    add_stability(fit);
+    add_flags(solution, tests, fit);
+    return fit;
+}
+
+}  // namespace soft::fit

@@ -1,0 +1,142 @@
+#include "fit/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "core/text.hpp"
+
+namespace soft::fit {
+namespace {
+
+constexpr int digits = 10;
+constexpr double kilo = 1e3;
+
+std::string kPa(double value_Pa) { return core::rounded_text(value_Pa / kilo, digits) + " kPa"; }
+std::string shown(const Constant& constant) {
+    return constant.is_stress ? kPa(constant.value) : core::rounded_text(constant.value, digits);
+}
+std::string error_of(const Constant& constant) {
+    if (!(constant.standard_error > 0.0)) return "at a bound";
+    return "+- " +
+           core::rounded_text(constant.is_stress ? constant.standard_error / kilo : constant.standard_error, 3) +
+           (constant.is_stress ? " kPa" : "");
+}
+
+std::string line(const std::string& key, const std::string& value, const std::string& comment = {}) {
+    return key + ": " + value + (comment.empty() ? "" : "   # " + comment) + "\n";
+}
+
+/// One line, quoted so that no character of a file's name can end it; cut to what a design takes.
+std::string yaml_text(const std::string& text) {
+    constexpr std::size_t longest = 200;
+    std::string quoted = "'";
+    for (const char c : core::one_line(text, longest)) quoted += c == '\'' ? std::string{"''"} : std::string(1, c);
+    return quoted + "'";
+}
+
+/// Without folders: they are those of one machine.
+std::string bare_name(const std::string& source) { return source.substr(source.rfind('/') + 1); }
+
+std::string constants(const Fit& fit) {
+    std::string text;
+    const bool ogden = fit.candidate.law == "ogden";
+    if (!ogden) {
+        for (const Constant& constant : fit.list)
+            text += line(std::string{"  "}.append(constant.name), shown(constant), error_of(constant));
+        return text;
+    }
+    for (const bool stress : {true, false}) {
+        std::vector<std::string> values, errors;
+        for (const Constant& constant : fit.list)
+            if (constant.is_stress == stress) values.push_back(shown(constant)), errors.push_back(error_of(constant));
+        text += line(stress ? "  mu" : "  alpha", std::string{"["}.append(core::join(values)).append("]"),
+                     core::join(errors));
+    }
+    return text;
+}
+
+std::string range_text(const std::vector<TestCurve>& tests) {
+    double least = tests.front().stretch.front(), most = least;
+    for (const TestCurve& test : tests)
+        for (const double stretch : test.stretch) least = std::min(least, stretch), most = std::max(most, stretch);
+    return core::rounded_text((least - 1.0) * 100.0, 6) + ":" + core::rounded_text((most - 1.0) * 100.0, 6) + " %";
+}
+
+std::string stress_text(const std::vector<TestCurve>& tests) {
+    const bool all_engineering = std::all_of(
+        tests.begin(), tests.end(), [](const TestCurve& test) { return test.measured == StressMeasure::engineering; });
+    return all_engineering ? "engineering" : "engineering, from true";
+}
+
+std::string comment_lines(const std::string& text) {
+    std::string lines;
+    std::istringstream in{text};
+    for (std::string one; std::getline(in, one);) lines += "# " + one + "\n";
+    return lines;
+}
+
+std::string unstable_comment(const Fit& fit) {
+    const std::string text = material::stability_text(fit.limits);
+    return text.empty() ? "" : "# " + text + "\n";
+}
+
+}  // namespace
+
+std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, const Provenance& provenance) {
+    std::string text = comment_lines(provenance.notice);
+    // An argument may hold a line feed, which would end the comment.
+    if (!provenance.command_line.empty())
+        text += "# " + core::one_line(provenance.command_line, provenance.command_line.size()) + "\n";
+    for (const TestQuality& test : fit.tests) {
+        text += "# " + std::string{name_of(test.mode)} + ", " + std::to_string(test.rows) + " rows: RMSE " +
+                core::rounded_text(test.rmse_Pa / kilo, 4) + " kPa, largest " +
+                core::rounded_text(test.largest_Pa / kilo, 4) + " kPa, R2 " + core::rounded_text(test.r2, 6);
+        if (test.offset_Pa) text += ", offset " + core::rounded_text(*test.offset_Pa / kilo, 4) + " kPa";
+        text += "\n";
+    }
+    text += unstable_comment(fit);
+    text += "material:\n" + line("  law", std::string{fit.candidate.law}) + constants(fit) +
+            line("  kappa", "incompressible") + "  fit:\n";
+    text += line("    range", yaml_text(range_text(tests)), "engineering strain of the data");
+    text += line("    largest_I1", core::rounded_text(fit.largest_I1, digits), "beyond it the law is a guess");
+    text += line("    rmse_kPa", core::rounded_text(fit.rmse_Pa / kilo, 4));
+    text += line("    r2", core::rounded_text(fit.r2, 8));
+    text += line("    stress", yaml_text(stress_text(tests)));
+    text += line("    rows", std::to_string(fit.rows));
+    text += line("    flags", yaml_text(fit.flags.empty() ? "none" : core::join(fit.flags, " ")));
+    std::vector<std::string> sources, hashes;
+    for (const TestCurve& test : tests) {
+        sources.push_back(std::string{name_of(test.mode)} + " " + bare_name(test.source));
+        if (!test.sha256.empty()) hashes.push_back(test.sha256);
+    }
+    text += line("    source", yaml_text(core::join(sources)));
+    if (!hashes.empty()) text += line("    sha256", yaml_text(core::join(hashes, " ")));
+    if (!provenance.protocol.empty()) text += line("    protocol", yaml_text(provenance.protocol));
+    return text;
+}
+
+std::string rank_table(const std::vector<Ranked>& ranked) {
+    const auto padded = [](std::string text, std::size_t width) {
+        text.resize(std::max(width, text.size() + 1), ' ');
+        return text;
+    };
+    std::string text =
+        padded("law", 17) + padded("constants", 11) + padded("AICc", 10) + padded("RMSE_kPa", 11) + padded("R2", 11);
+    if (!ranked.front().predictions.empty())
+        for (const CrossPrediction& prediction : ranked.front().predictions)
+            text += padded("predicts_" + std::string{name_of(prediction.mode)}, 22);
+    text += "flags\n";
+    for (const Ranked& one : ranked) {
+        text += padded(std::string{one.fit.candidate.name}, 17) + padded(std::to_string(one.fit.list.size()), 11) +
+                padded(core::rounded_text(one.fit.aicc, 6), 10) +
+                padded(core::rounded_text(one.fit.rmse_Pa / kilo, 4), 11) +
+                padded(core::rounded_text(one.fit.r2, 6), 11);
+        for (const CrossPrediction& prediction : one.predictions)
+            text += padded(core::rounded_text(100.0 * prediction.relative, 3) + " %", 22);
+        text += (one.fit.flags.empty() ? "-" : core::join(one.fit.flags, " ")) + "\n";
+    }
+    return text;
+}
+
+}  // namespace soft::fit

@@ -1,0 +1,159 @@
+#include "fit/separable.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace soft::fit {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Exponents beyond these differ from their neighbours by less than the noise (small) or overflow at long stretches.
+constexpr double least_exponent = 0.05, most_exponent = 12.0;
+/// exp(-8) of the largest I1 from the pole, or 3000 times beyond the data: past either end the data tell nothing.
+constexpr double most_q = 8.0;
+constexpr double near_bound = 1e-6;
+/// The first modulus of a law that asks for a positive one, in S: small against any rubber, and not 0.
+constexpr double least_modulus = 1e-6;
+/// Relative to the largest stress: the first rows carry the error of the load cell.
+constexpr double weight_floor = 0.05;
+/// Central differences in q of smooth parts: error of order step^2, of rounding 1e-16 / step.
+constexpr double slope_step = 1e-5;
+
+double largest_stress(const std::vector<TestCurve>& tests) {
+    double largest = 0;
+    for (const TestCurve& test : tests)
+        for (const double stress : test.nominal_Pa) largest = std::max(largest, std::abs(stress));
+    return largest > 0.0 ? largest : 1.0;
+}
+
+struct Place {
+    std::size_t test, row;
+};
+
+std::vector<Place> sorted_places(const std::vector<TestCurve>& tests) {
+    std::vector<Place> places;
+    for (std::size_t t = 0; t < tests.size(); ++t)
+        for (std::size_t i = 0; i < tests[t].stretch.size(); ++i) places.push_back({t, i});
+    const auto key = [&](const Place& p) {
+        const TestCurve& test = tests[p.test];
+        return std::tuple{test.mode, test.stretch[p.row], test.nominal_Pa[p.row], test.weight};
+    };
+    std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) { return key(a) < key(b); });
+    return places;
+}
+
+struct Bounds {
+    Eigen::VectorXd low, high;
+};
+
+/// Sufficient for stability (Drucker) without a scan: neo-Hookean, Gent, Arruda-Boyce mu > 0; Mooney-Rivlin of two c10,
+/// c01 >= 0; Yeoh c1 > 0, c2, c3 >= 0; Ogden mu_i alpha_i >= 0. Of Mooney-Rivlin's five the scan decides.
+Bounds bounds_of(const Candidate& candidate, const Rows& rows, Signs signs) {
+    const auto n = static_cast<Eigen::Index>(candidate.linear);
+    const auto offsets = static_cast<Eigen::Index>(rows.offset == Offset::fitted ? rows.test_count : 0);
+    Bounds bounds{Eigen::VectorXd::Constant(n + offsets, -infinity), Eigen::VectorXd::Constant(n + offsets, infinity)};
+    if (signs == Signs::stable) bounds.low.head(n).setZero();
+    const bool asks_for_positive = candidate.law != "mooney-rivlin" && candidate.law != "ogden";
+    if (signs == Signs::stable && asks_for_positive) bounds.low[0] = least_modulus;
+    bounds.low.tail(offsets).setConstant(-largest_offset_Pa / rows.scale_Pa);
+    bounds.high.tail(offsets).setConstant(largest_offset_Pa / rows.scale_Pa);
+    return bounds;
+}
+
+Eigen::VectorXd mixed(const Rows& rows, const Eigen::VectorXd& column) {
+    if (rows.mix.size() == 0) return column;
+    return rows.mix * column;
+}
+
+Eigen::VectorXd offset_column(const Rows& rows, std::size_t test) {
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.weight.size());
+    for (Eigen::Index i = 0; i < column.size(); ++i)
+        if (rows.test[static_cast<std::size_t>(i)] == test) column[i] = rows.weight[i];
+    return mixed(rows, column);
+}
+
+}  // namespace
+
+Rows rows_of(const std::vector<TestCurve>& tests, const Settings& settings) {
+    Rows rows;
+    rows.scale_Pa = largest_stress(tests);
+    rows.largest_I1 = largest_invariant(tests);
+    rows.test_count = tests.size();
+    rows.offset = settings.offset;
+    const std::vector<Place> places = sorted_places(tests);
+    const auto count = static_cast<Eigen::Index>(places.size());
+    rows.weight.resize(count);
+    rows.target.resize(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto [t, row] = places[static_cast<std::size_t>(i)];
+        const double stress = tests[t].nominal_Pa[row] / rows.scale_Pa;
+        rows.mode.push_back(tests[t].mode);
+        rows.stretch.push_back(tests[t].stretch[row]);
+        rows.test.push_back(t);
+        const double relative = settings.weights == RowWeights::relative ? 1.0 / std::max(stress, weight_floor) : 1.0;
+        rows.weight[i] = std::sqrt(tests[t].weight) * relative;
+        rows.target[i] = rows.weight[i] * stress;
+    }
+    return rows;
+}
+
+SearchBounds search_bounds(const Candidate& candidate, double start) {
+    if (candidate.law != "ogden") return {-most_q, most_q};
+    return start > 0.0 ? SearchBounds{least_exponent, most_exponent} : SearchBounds{-most_exponent, -least_exponent};
+}
+
+bool is_at_search_bound(const Candidate& candidate, double q) {
+    const SearchBounds bounds = search_bounds(candidate, q);
+    return std::min(q - bounds.least, bounds.most - q) < near_bound;
+}
+
+double shape_of(const Candidate& candidate, const Rows& rows, double q) {
+    if (candidate.law == "gent") return (1.0 + std::exp(q)) * (rows.largest_I1 - 3.0);
+    if (candidate.law == "arruda-boyce") return std::sqrt((1.0 + std::exp(q)) * rows.largest_I1 / 3.0);
+    return q;
+}
+
+double shape_slope(const Candidate& candidate, const Rows& rows, double q) {
+    if (candidate.law == "gent") return std::exp(q) * (rows.largest_I1 - 3.0);
+    if (candidate.law == "arruda-boyce") return std::exp(q) * rows.largest_I1 / 6.0 / shape_of(candidate, rows, q);
+    return 1.0;
+}
+
+Eigen::VectorXd part(const Candidate& candidate, const Rows& rows, std::size_t j, double q) {
+    Eigen::VectorXd stress = Eigen::VectorXd::Zero(rows.weight.size());
+    const CurvePoints points{rows.mode, rows.stretch};
+    const std::span<double> out{stress.data(), static_cast<std::size_t>(stress.size())};
+    if (candidate.shapes > 0) {  // a term alone is a law of its own
+        const std::array unit{1.0}, shape{shape_of(candidate, rows, q)};
+        add_stresses(candidate, constants_of(candidate, unit, shape), points, out);
+    } else {
+        std::vector<double> unit(static_cast<std::size_t>(candidate.linear), 0.0);
+        unit[j] = 1.0;
+        add_stresses(candidate, constants_of(candidate, unit, {}), points, out);
+    }
+    return mixed(rows, stress.cwiseProduct(rows.weight));
+}
+
+Eigen::VectorXd part_slope(const Candidate& candidate, const Rows& rows, std::size_t j, double q) {
+    return (part(candidate, rows, j, q + slope_step) - part(candidate, rows, j, q - slope_step)) / (2.0 * slope_step);
+}
+
+Projection project(const Candidate& candidate, const Rows& rows, const std::vector<double>& q, Signs signs) {
+    const Bounds bounds = bounds_of(candidate, rows, signs);
+    Projection projection;
+    projection.A.setZero(rows.target.size(), bounds.low.size());
+    const auto parts = static_cast<std::size_t>(candidate.linear);
+    for (std::size_t j = 0; j < parts; ++j)
+        projection.A.col(static_cast<Eigen::Index>(j)) = part(candidate, rows, j, j < q.size() ? q[j] : 0.0);
+    if (rows.offset == Offset::fitted)
+        for (std::size_t t = 0; t < rows.test_count; ++t)
+            projection.A.col(static_cast<Eigen::Index>(parts + t)) = offset_column(rows, t);
+    projection.linear = solve_bounded(projection.A, rows.target, bounds.low, bounds.high);
+    projection.residual = projection.A * projection.linear.c - rows.target;
+    return projection;
+}
+
+}  // namespace soft::fit

@@ -1,0 +1,133 @@
+#include "fit/test_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/hash.hpp"
+#include "core/text.hpp"
+#include "fit/columns.hpp"
+
+namespace soft::fit {
+namespace {
+
+// The ends of a range are typed in decimals: a row at 1.1 belongs to 110 % whatever the last bit says.
+constexpr double end_tolerance = 1e-9;
+
+struct Point {
+    double stretch = 0, nominal_Pa = 0;
+    std::size_t line = 0;
+};
+
+[[noreturn]] void refuse(const table::Table& table, std::size_t line, const std::string& problem,
+                         const std::string& remedy) {
+    throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(line), problem, remedy);
+}
+
+/// Where one of the two columns has a decimal point, a comma is none: "1,234" beside "0.1" is no 1.234.
+void settle_decimal(table::Table& table, const Columns& columns) {
+    if (table.decimal != table::Decimal::either) return;
+    const bool has_point = std::ranges::any_of(table.rows, [&](const std::vector<std::string>& row) {
+        return row[columns.strain].find('.') != std::string::npos || row[columns.stress].find('.') != std::string::npos;
+    });
+    if (has_point) table.decimal = table::Decimal::point;
+}
+
+double stretch_of(double strain, StrainMeasure measure) {
+    switch (measure) {
+        case StrainMeasure::engineering: return 1.0 + strain;
+        case StrainMeasure::logarithmic: return std::exp(strain);
+        case StrainMeasure::stretch: break;
+    }
+    return strain;
+}
+
+std::vector<Point> points_of(const table::Table& table, const Columns& columns, const ReadSettings& settings) {
+    const auto strains = table::values_SI(table, columns.strain, columns.strain_unit, core::Dimension::ratio);
+    const auto stresses = table::values_SI(table, columns.stress, columns.stress_unit, core::Dimension::pressure);
+    const bool unit_stated = !settings.strain_unit.empty() || !columns.strain_unit.empty();
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < strains.size(); ++i) {
+        const std::size_t line = table.lines[i];
+        if (!unit_stated && strains[i] > largest_ratio)
+            refuse(table, line, "a strain of " + core::number_text(strains[i]) + " looks like a percentage",
+                   "give --strain-unit % (or --strain-unit 1)");
+        const double stretch = stretch_of(strains[i], columns.strain_measure);
+        if (!(stretch > 0.0))
+            refuse(table, line, "a stretch of " + core::rounded_text(stretch, 6) + " is not positive",
+                   "a strain is more than -100 %; is it a strain or a stretch (--strain)?");
+        const bool is_cauchy = columns.stress_measure == StressMeasure::cauchy;
+        points.push_back({stretch, is_cauchy ? stresses[i] / stretch : stresses[i], line});
+    }
+    return points;
+}
+
+void check_path(const table::Table& table, const std::vector<Point>& points) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const double first = points[1].stretch - points[0].stretch, step = points[i].stretch - points[i - 1].stretch;
+        if (step == 0.0)
+            refuse(table, points[i].line, "the strain is that of the row before", "one row for each strain");
+        if (step * first < 0.0)
+            refuse(table, points[i].line, "the strain turns back",
+                   "fit one pull; --any-order takes rows that are points in no order");
+    }
+}
+
+void skip_rows(table::Table& table, std::size_t count) {
+    const auto rows = static_cast<std::ptrdiff_t>(std::min(count, table.rows.size()));
+    table.rows.erase(table.rows.begin(), table.rows.begin() + rows);
+    table.lines.erase(table.lines.begin(), table.lines.begin() + rows);
+}
+
+}  // namespace
+
+std::string_view name_of(Mode mode) {
+    switch (mode) {
+        case Mode::uniaxial: return "uniaxial";
+        case Mode::equibiaxial: return "equibiaxial";
+        case Mode::planar: return "planar";
+        case Mode::simple_shear: return "simple shear";
+    }
+    return "";
+}
+
+TestCurve read_test(std::string_view text, std::string_view source, Mode mode, const ReadSettings& settings) {
+    table::Table table = table::read_table(text, source, settings.format);
+    const Columns columns = columns_of(table, settings);
+    const std::size_t last_line = table.lines.back();
+    skip_rows(table, settings.skipped_rows);
+    settle_decimal(table, columns);
+    const std::vector<Point> points = points_of(table, columns, settings);
+    if (settings.order == RowOrder::path && points.size() > 1) check_path(table, points);
+    TestCurve test{.mode = mode, .source = std::string{source}, .sha256 = core::sha256_hex(text)};
+    test.measured = columns.stress_measure;
+    for (const Point& point : points) {
+        const double strain = point.stretch - 1.0;
+        if (strain < settings.range.least - end_tolerance || strain > settings.range.most + end_tolerance) continue;
+        test.stretch.push_back(point.stretch);
+        test.nominal_Pa.push_back(point.nominal_Pa);
+    }
+    if (test.stretch.size() < 2)
+        refuse(table, last_line, "only " + std::to_string(test.stretch.size()) + " of the rows to this one take part",
+               "two or more must lie in --range behind --skip-rows");
+    return test;
+}
+
+double first_invariant(Mode mode, double l) {
+    switch (mode) {
+        case Mode::uniaxial: return l * l + 2.0 / l;
+        case Mode::equibiaxial: return 2.0 * l * l + 1.0 / (l * l * l * l);
+        case Mode::planar: return l * l + 1.0 + 1.0 / (l * l);
+        case Mode::simple_shear: return 3.0 + l * l;
+    }
+    return 3.0;
+}
+
+double largest_invariant(const std::vector<TestCurve>& tests) {
+    double largest = 3.0;
+    for (const TestCurve& test : tests)
+        for (const double stretch : test.stretch) largest = std::max(largest, first_invariant(test.mode, stretch));
+    return largest;
+}
+
+}  // namespace soft::fit

@@ -1,0 +1,188 @@
+#include "fit/fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "core/error.hpp"
+#include "samples.hpp"
+
+namespace soft::fit {
+namespace {
+
+bool has_flag(const Fit& fit, std::string_view flag) {
+    return std::any_of(fit.flags.begin(), fit.flags.end(), [&](const std::string& f) { return f.starts_with(flag); });
+}
+
+void expect_same(const Fit& a, const Fit& b, double tolerance) {
+    ASSERT_EQ(a.list.size(), b.list.size());
+    for (std::size_t i = 0; i < a.list.size(); ++i) {
+        EXPECT_EQ(a.list[i].name, b.list[i].name);
+        EXPECT_NEAR(a.list[i].value, b.list[i].value, tolerance * std::abs(a.list[i].value))
+            << a.candidate.name << " " << i;
+    }
+}
+
+/// Neo-Hookean C1 [MPa] over e <= 1.10: numbers of an independent fit, five decimals, that come with the data.
+TEST(Fit, NeoHookeanOfTheSiliconesIsThatOfAnIndependentFit) {
+    const std::map<std::string, double> wanted{{"dragon-skin-10-medium", 0.02930},
+                                               {"dragon-skin-20", 0.08267},
+                                               {"dragon-skin-30", 0.11501},
+                                               {"ecoflex-00-30", 0.00813},
+                                               {"ecoflex-00-50", 0.01132}};
+    constexpr double last_digit_MPa = 0.5e-5;
+    for (const auto& [name, c1_MPa] : wanted) {
+        const Fit fitted = fit(law("neo-hookean"), {sample(name + ".csv", Mode::uniaxial, {.range = {0.0, 1.10}})});
+        EXPECT_NEAR(fitted.list[0].value / 2e6, c1_MPa, last_digit_MPa) << name;
+    }
+}
+
+TEST(Fit, ConstantsOfMadeUpDataAreFoundAgain) {
+    const std::map<std::string, material::Constants> rubbers{
+        {"neo-hookean", {{"mu", {164.4e3}}}},
+        {"mooney-rivlin-2", {{"c10", {64e3}}, {"c01", {18e3}}}},
+        {"mooney-rivlin-5", {{"c10", {64e3}}, {"c01", {18e3}}, {"c20", {2e3}}, {"c11", {1e3}}, {"c02", {100.0}}}},
+        {"yeoh", {{"c1", {82e3}}, {"c2", {-1e3}}, {"c3", {50.0}}}},
+        {"gent", {{"mu", {164e3}}, {"jm", {40.0}}}},
+        {"arruda-boyce", {{"mu", {164e3}}, {"locking_stretch", {3.0}}}},
+        {"ogden-1", {{"mu", {50e3}}, {"alpha", {3.3}}}},
+        {"ogden-2", {{"mu", {-2e3, 60e3}}, {"alpha", {-2.5, 2.7}}}},
+        {"ogden-3", {{"mu", {-10e3, 630e3, 1.2e3}}, {"alpha", {-2.0, 1.3, 5.0}}}}};  // Ogden 1972, Treloar's rubber
+    for (const auto& [name, constants] : rubbers) {
+        const auto rubber = rubber_of(law(name), constants);
+        ASSERT_TRUE(rubber);
+        const Fit fitted =
+            fit(law(name), {made_of(*rubber, Mode::uniaxial, 5.0), made_of(*rubber, Mode::equibiaxial, 3.0),
+                            made_of(*rubber, Mode::planar, 4.0)});
+        for (const auto& [key, values] : constants) {
+            ASSERT_EQ(fitted.constants.at(key).size(), values.size()) << name;
+            for (std::size_t i = 0; i < values.size(); ++i)
+                EXPECT_NEAR(fitted.constants.at(key)[i], values[i], 1e-5 * std::abs(values[i])) << name << " " << key;
+        }
+        EXPECT_LT(fitted.rmse_Pa, 1e-3) << name;
+    }
+}
+
+TEST(Fit, DoesNotDependOnTheOrderOfRowsOrTests) {
+    std::vector<TestCurve> tests = treloar();
+    for (const Candidate& candidate : candidates()) {
+        const Fit before = fit(candidate, tests);
+        std::vector<TestCurve> shuffled{tests[2], tests[0], tests[1]};
+        for (TestCurve& test : shuffled) {
+            std::vector<std::size_t> order(test.stretch.size());
+            for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+            std::shuffle(order.begin(), order.end(), std::mt19937{7});
+            const TestCurve old = test;
+            for (std::size_t i = 0; i < order.size(); ++i)
+                test.stretch[i] = old.stretch[order[i]], test.nominal_Pa[i] = old.nominal_Pa[order[i]];
+        }
+        expect_same(before, fit(candidate, shuffled), 0.0);  // rows are sorted: the same bits
+    }
+}
+
+TEST(Fit, DoesNotDependOnTheUnit) {
+    const std::vector<TestCurve> tests = treloar();
+    for (const Candidate& candidate : candidates()) {
+        const Fit before = fit(candidate, tests);
+        std::vector<TestCurve> scaled = tests;
+        for (TestCurve& test : scaled)
+            for (double& stress : test.nominal_Pa) stress *= 6894.757293168361;  // as if psi had been read as Pa
+        Fit after = fit(candidate, scaled);
+        for (Constant& constant : after.list)
+            if (constant.is_stress) constant.value /= 6894.757293168361;
+        // Rounding moves where a search over exponents stops: the sum of squares is flat there. RMSE agrees to its digits.
+        expect_same(before, after, candidate.shapes > 1 ? 1e-4 : 1e-7);
+        EXPECT_NEAR(after.rmse_Pa / 6894.757293168361, before.rmse_Pa, 1e-9 * before.rmse_Pa) << candidate.name;
+    }
+}
+
+TEST(Fit, EnforcedStabilityHoldsInEveryModeUpToTheDataAndReportedSaysWhereNot) {
+    // A free fit of these data has c01 < 0, as of nearly every silicone (early stiffening).
+    const std::vector<TestCurve> tests{sample("dragon-skin-20.csv")};
+    const Fit reported = fit(law("mooney-rivlin-2"), tests, {.stability = Stability::reported});
+    const Fit enforced = fit(law("mooney-rivlin-2"), tests);
+    EXPECT_FALSE(reported.stable);
+    EXPECT_TRUE(has_flag(reported, "unstable:") || has_flag(reported, "mu0<=0"));
+    EXPECT_LT(reported.rmse_Pa, enforced.rmse_Pa);
+    EXPECT_TRUE(enforced.stable);
+    EXPECT_TRUE(has_flag(enforced, "signs-constrained"));
+    EXPECT_TRUE(has_flag(enforced, "at-bound"));
+    EXPECT_EQ(enforced.constants.at("c01")[0], 0.0);
+    EXPECT_NEAR(2.0 * enforced.constants.at("c10")[0], fit(law("neo-hookean"), tests).list[0].value, 1e-6 * 165e3);
+}
+
+TEST(Fit, TheFirstUnstableStretchOfMooneyRivlinIsItsClosedForm) {
+    // c01 < 0: equibiaxial stress turns at c10 + c01 l^2 ..., and uniaxial stability ends at sqrt(-c10/c01).
+    const auto rubber = rubber_of(law("mooney-rivlin-2"), {{"c10", {100e3}}, {"c01", {-20e3}}});
+    const Fit fitted =
+        fit(law("mooney-rivlin-2"), {made_of(*rubber, Mode::uniaxial, 4.0)}, {.stability = Stability::reported});
+    for (const material::StabilityLimit& limit : fitted.limits)
+        if (limit.mode == Mode::uniaxial && limit.sense == material::Sense::tension) {
+            EXPECT_NEAR(limit.stretch, std::sqrt(5.0), 1e-6);
+        }
+    EXPECT_TRUE(has_flag(fitted, "unstable:uniaxial@2.236"));
+}
+
+TEST(Fit, AnOffsetIsFoundAndBoundedToTenKilopascal) {
+    const auto rubber = rubber_of(law("yeoh"), {{"c1", {80e3}}, {"c2", {1e3}}, {"c3", {0.0}}});
+    TestCurve test = made_of(*rubber, Mode::uniaxial, 3.0);
+    for (double& stress : test.nominal_Pa) stress -= 6e3;
+    const Settings with_offset{.offset = Offset::fitted};
+    EXPECT_NEAR(*fit(law("yeoh"), {test}, with_offset).tests[0].offset_Pa, -6e3, 1e-3);
+    for (double& stress : test.nominal_Pa) stress -= 20e3;
+    const Fit bounded = fit(law("yeoh"), {test}, with_offset);
+    EXPECT_NEAR(*bounded.tests[0].offset_Pa, -10e3, 1e-6);
+    EXPECT_TRUE(has_flag(bounded, "at-bound"));
+    EXPECT_TRUE(has_flag(bounded, "offset>10%"));
+}
+
+TEST(Fit, CovarianceIsTheScatterOfRepeatedTests) {
+    // Gent, noise of 2 kPa: standard deviation of 400 fits, of which the error is 1/sqrt(800) = 3.5 %; three of these.
+    const auto rubber = rubber_of(law("gent"), {{"mu", {150e3}}, {"jm", {30.0}}});
+    const TestCurve exact = made_of(*rubber, Mode::uniaxial, 4.0, 50);
+    std::mt19937 generator{1};
+    std::normal_distribution<double> noise{0.0, 2e3};
+    constexpr int repetitions = 400;
+    double sum[2] = {}, squares[2] = {}, predicted[2] = {};
+    for (int i = 0; i < repetitions; ++i) {
+        TestCurve test = exact;
+        for (double& stress : test.nominal_Pa) stress += noise(generator);
+        const Fit fitted = fit(law("gent"), {test});
+        for (std::size_t k = 0; k < 2; ++k) {
+            sum[k] += fitted.list[k].value;
+            squares[k] += fitted.list[k].value * fitted.list[k].value;
+            predicted[k] += fitted.list[k].standard_error / repetitions;
+        }
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double mean = sum[k] / repetitions, deviation = std::sqrt(squares[k] / repetitions - mean * mean);
+        EXPECT_NEAR(predicted[k], deviation, 0.11 * deviation);
+    }
+}
+
+TEST(Fit, WeightsPullTowardsTheirTest) {
+    std::vector<TestCurve> tests = treloar();
+    const Fit even = fit(law("yeoh"), tests);
+    tests[1].weight = 100.0;
+    const Fit biased = fit(law("yeoh"), tests);
+    EXPECT_LT(biased.tests[1].rmse_Pa, even.tests[1].rmse_Pa);
+    EXPECT_GT(biased.tests[0].rmse_Pa, even.tests[0].rmse_Pa);
+}
+
+TEST(Fit, TooFewRowsAreRefused) {
+    const TestCurve two{.mode = Mode::uniaxial, .stretch = {1.1, 1.2}, .nominal_Pa = {1e4, 2e4}, .source = "a.csv"};
+    EXPECT_THROW(static_cast<void>(fit(law("yeoh"), {two})), Error);
+}
+
+TEST(Fit, AStressThatDoesNotResistTheStrainIsRefused) {
+    for (const double stress : {-1e4, 0.0}) {
+        const TestCurve test{.stretch = {1.1, 1.2, 1.3}, .nominal_Pa = {stress, stress, stress}, .source = "a.csv"};
+        EXPECT_THROW(static_cast<void>(fit(law("neo-hookean"), {test})), Error);
+    }
+}
+
+}  // namespace
+}  // namespace soft::fit

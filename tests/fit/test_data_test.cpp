@@ -1,0 +1,124 @@
+#include "fit/test_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "samples.hpp"
+
+namespace soft::fit {
+namespace {
+
+const std::string header = "Engineering Strain;Engineering Stress (MPa)\n";
+
+TEST(TestData, StrainAndStressInEveryMeasureAreTheSameTest) {
+    const TestCurve wanted = read_test(header + "0.5;0.2\n1;0.3\n", "a", Mode::uniaxial, {});
+    EXPECT_EQ(wanted.stretch, (std::vector{1.5, 2.0}));
+    EXPECT_EQ(wanted.nominal_Pa, (std::vector{0.2e6, 0.3e6}));
+    for (const std::string text :
+         {"stretch,nominal stress [kPa]\n1.5,200\n2,300\n", "eng_strain (%),eng. stress_Pa\n50,200000\n100,300000\n",
+          "True Strain;True Stress (MPa)\n0.4054651081081644;0.3\n0.6931471805599453;0.6\n"}) {
+        const TestCurve test = read_test(text, "a", Mode::uniaxial, {});
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_NEAR(test.stretch[i], wanted.stretch[i], 1e-14) << text;
+            EXPECT_NEAR(test.nominal_Pa[i], wanted.nominal_Pa[i], 1e-8) << text;
+        }
+    }
+}
+
+TEST(TestData, OfEngineeringAndTrueColumnsTheFormerIsTakenUnlessNamed) {
+    const TestCurve engineering = sample("dragon-skin-20.csv");
+    EXPECT_DOUBLE_EQ(engineering.stretch[0], 1.0446);  // the file's first row
+    EXPECT_DOUBLE_EQ(engineering.nominal_Pa[0], 9343.333);
+    const TestCurve by_number =
+        sample("dragon-skin-20.csv", Mode::uniaxial, {.strain_column = "2", .stress_column = "True Stress"});
+    EXPECT_EQ(by_number.measured, StressMeasure::cauchy);
+    for (std::size_t i = 0; i < by_number.stretch.size(); ++i) {
+        // the README of the data: e agrees to 1e-5, stress to 0.1 kPa
+        EXPECT_NEAR(by_number.stretch[i], engineering.stretch[i], 3e-5);
+        EXPECT_NEAR(by_number.nominal_Pa[i], engineering.nominal_Pa[i], 100.0);
+    }
+}
+
+TEST(TestData, TheRangeHoldsItsEnds) {
+    const TestCurve test = read_test(header + "0.1;1\n1.1;2\n1.2;3\n", "a", Mode::uniaxial, {.range = {0.1, 1.1}});
+    EXPECT_EQ(test.stretch.size(), 2u);
+}
+
+void expect_refused(const std::string& text, const std::string& words, const ReadSettings& settings = {}) {
+    try {
+        static_cast<void>(read_test(text, "a.csv", Mode::uniaxial, settings));
+        ADD_FAILURE() << text;
+    } catch (const Error& error) {
+        EXPECT_NE(std::string{error.what()}.find(words), std::string::npos) << error.what();
+    }
+}
+
+TEST(TestData, EveryFaultIsRefusedWithItsLine) {
+    expect_refused("time;Engineering Stress (MPa)\n0.1;1\n0.2;2\n",
+                   "a.csv:1: no title says which column is the strain");
+    expect_refused(header + "0.1;1\n0.2;2x\n", "a.csv:3: column 2 'Engineering Stress (MPa)': '2x' is no number");
+    expect_refused(header + "0.1;1\n0.2;\n", "a.csv:3: column 2 'Engineering Stress (MPa)': the cell is empty");
+    expect_refused(header + "0.1;1\n0.2\n0.3;4\n", "a.csv:3: column 2 'Engineering Stress (MPa)': the cell is empty");
+    expect_refused(header + "0.1;1\n", "a.csv:2: only 1 of the rows");
+    expect_refused(header + "0.1;1\n-1.2;2\n", "a.csv:3: a stretch of -0.2");
+    expect_refused(header + "0.1;1\n0.2;2\n0.15;3\n", "a.csv:4: the strain turns back");
+    expect_refused(header + "0.1;1\n0.1;2\n", "a.csv:3: the strain is that of the row before");
+    expect_refused(header + "10;1\n60;2\n", "a.csv:3: a strain of 60 looks like a percentage");
+    expect_refused(header + "0.1;1\n0.2;2\n", "a.csv:1: there is no column 7", {.strain_column = "7"});
+    expect_refused(header + "0.1;1\n0.2;2\n", "a.csv:1: no column is called 'force'", {.stress_column = "force"});
+    expect_refused(header + "0.1;1\n0.2;2\n", "more than one column is called 'engineering'",
+                   {.stress_column = "engineering"});
+}
+
+TEST(TestData, DecimalCommasAreReadUnlessAPointShowsThatTheyAreNone) {
+    const TestCurve wanted = read_test(header + "0.25;1.5\n1;2.5\n", "a", Mode::uniaxial, {});
+    const TestCurve commas = read_test(header + "0,25;1,5\n1;2,5\n", "a", Mode::uniaxial, {});
+    EXPECT_EQ(commas.stretch, wanted.stretch);
+    EXPECT_EQ(commas.nominal_Pa, wanted.nominal_Pa);
+    expect_refused("Engineering Strain;Engineering Stress (Pa)\n0.1;1,234\n0.2;2,345\n", "a.csv:2: column 2", {});
+}
+
+TEST(TestData, AHeaderlessTableBelowADescriptionIsReadByNumbersOfColumns) {
+    const TestCurve test = read_test("Pull of 3 May\n1.1 5\n1.2 6\n", "a", Mode::uniaxial,
+                                     {.strain_column = "1",
+                                      .stress_column = "2",
+                                      .strain_measure = StrainMeasure::stretch,
+                                      .stress_measure = StressMeasure::engineering,
+                                      .stress_unit = "kPa"});
+    EXPECT_EQ(test.stretch, (std::vector{1.1, 1.2}));
+    EXPECT_EQ(test.nominal_Pa, (std::vector{5e3, 6e3}));
+}
+
+TEST(TestData, UnitsMayStandInALineOfTheirOwn) {
+    const TestCurve test =
+        read_test("Lab;Chambery;\nTime;Engineering Strain;Engineering Stress\n(s);(%);(MPa)\n0;10;1\n1;20;2\n", "a",
+                  Mode::uniaxial, {});
+    EXPECT_EQ(test.stretch, (std::vector{1.1, 1.2}));
+    EXPECT_EQ(test.nominal_Pa, (std::vector{1e6, 2e6}));
+}
+
+TEST(TestData, WhatIsNotStatedIsAskedFor) {
+    expect_refused("Engineering Strain;Engineering Stress\n0.1;1\n0.2;2\n",
+                   "the unit of the stress is nowhere stated; give --stress-unit");
+    expect_refused("Strain;Engineering Stress (MPa)\n0.1;1\n0.2;2\n", "give --strain engineering, true or stretch");
+    expect_refused("Engineering Strain;Stress (MPa)\n0.1;1\n0.2;2\n", "give --stress engineering or true");
+    expect_refused("0.1;1\n0.2;2\n", "no header that says which column is the strain");
+    EXPECT_EQ(read_test("Strain;Stress\n10;1\n20;2\n", "a", Mode::uniaxial,
+                        {.strain_measure = StrainMeasure::engineering,
+                         .stress_measure = StressMeasure::engineering,
+                         .strain_unit = "%",
+                         .stress_unit = "psi"})
+                  .stretch[1],
+              1.2);
+}
+
+TEST(TestData, InvariantsAreThoseOfTheModes) {
+    EXPECT_DOUBLE_EQ(first_invariant(Mode::uniaxial, 4.0), 16.5);
+    EXPECT_DOUBLE_EQ(first_invariant(Mode::equibiaxial, 2.0), 8.0 + 1.0 / 16.0);
+    EXPECT_DOUBLE_EQ(first_invariant(Mode::planar, 2.0), 5.25);
+}
+
+}  // namespace
+}  // namespace soft::fit

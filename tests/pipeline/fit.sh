@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# fit-material as a user calls it: data in, a material out that mesh-gen takes; what it refuses; the rest of its options.
+# shellcheck disable=SC2016
+. "$(dirname "$0")/check.sh" "$@"
+cp -R "$here/../fit/data" data
+
+runs 'fit-material data/dragon-skin-20.csv --law yeoh --notice "ODbL 1.0" -o yeoh.yaml --json yeoh.json --plot fit.svg'
+claim 'the picture is one' grep -q '</svg>' fit.svg
+claim 'it shows the residuals' grep -q 'law less test' fit.svg
+claim 'the notice is kept' grep -q '^# ODbL 1.0$' yeoh.yaml
+claim 'the hash is that of the file' grep -q "$(sha256sum data/dragon-skin-20.csv | cut -d' ' -f1)" yeoh.yaml
+claim 'the summary names the law' has yeoh yeoh.json fits 0 law
+runs 'sed "/^material:/,/^model:/{/^model:/!d}" designs/bellows.yaml > rest.yaml; cat rest.yaml yeoh.yaml > own.yaml; mesh-gen --check own.yaml'
+runs 'mesh-gen own.yaml --set path.until.elongation=10mm | solve --quiet | postprocess > own.csv'
+claim 'the fitted material gives a curve' table own.csv
+runs 'fit-material < data/dragon-skin-20.csv | diff <(sed /^#/d yeoh.yaml | grep -v "source:") <(fit-material data/dragon-skin-20.csv | sed /^#/d | grep -v "source:")'
+claim 'stdin and stdout are the file' exits 0
+
+runs 'fit-material --uniaxial data/treloar-uniaxial.csv --equibiaxial data/treloar-equibiaxial.csv --planar data/treloar-planar.csv --rank --plot rank.png > rank.txt'
+claim 'every law has its line' [ "$(wc -l <rank.txt)" -eq 11 ]
+claim 'the modes are predicted' grep -q predicts_equibiaxial rank.txt
+claim 'a PNG is one' [ "$(head -c 4 rank.png | tail -c 3)" = PNG ]
+
+runs 'mesh-gen designs/bellows.yaml --set material=dragon-skin-20 -o named.h5'
+runs 'solve named.h5 --set path.until.elongation=10mm | postprocess > named.csv'
+claim 'a silicone by its name gives a curve' table named.csv
+claim 'solve takes the set that fits the stretch' grep -q 'solves again with the constants of dragon-skin-20 over 110 % of strain' "$seen/err"
+claim 'the result says over which range its material was fitted' grep -q 'dragon-skin-20, yeoh fitted over 4.46:109.091 % of strain' "$seen/err"
+runs 'solve named.h5 --set path.until.elongation=10mm --set "material={name: dragon-skin-20, range: 110 %}" -q | postprocess -q | cmp - named.csv'
+runs 'solve named.h5 --set path.until.elongation=10mm --set "material={name: dragon-skin-20, range: 300 %}" -q -o wide.h5; postprocess wide.h5 --json wide.json > wide.csv'
+claim 'a range that is stated stays, and a narrower set is advised' grep -q 'range: 110 %} was fitted there' "$seen/err"
+claim 'the summary holds the range' has '4.46:300 %' wide.json material_fit range
+runs 'sed "s/largest_I1: .*/largest_I1: 3.0001/" own.yaml | mesh-gen - --set path.until.elongation=10mm | solve 2> solve.err | postprocess > beyond.csv'
+claim 'solve warns beyond the data' grep -q 'beyond the data its constants were fitted to' solve.err
+claim 'so does postprocess' grep -q 'beyond the data its constants were fitted to' "$seen/err"
+
+printf 'Engineering Strain;Engineering Stress (MPa)\n0.1;1\n0.2;2x\n0.3;3\n' >text.csv
+printf 'Engineering Strain;Force (N)\n0.1;1\n0.2;2\n' >column.csv
+printf 'Engineering Strain;Engineering Stress (MPa)\n0.1;1\n' >one.csv
+printf 'Engineering Strain;Engineering Stress (MPa)\n0.1;1\n-1.2;2\n' >negative.csv
+printf 'Engineering Strain;Engineering Stress (MPa)\n0.1;1\n0.2;2\n0.15;3\n' >back.csv
+printf 'Engineering Strain;Engineering Stress\n0.1;1\n0.2;2\n' >unit.csv
+refuses 65 "fit-material: text.csv:3: column 2 'Engineering Stress (MPa)': '2x' is no number; *" 'fit-material text.csv'
+refuses 65 'fit-material: column.csv:1: no title says which column is the stress; name one with --stress-column*' 'fit-material column.csv'
+refuses 65 'fit-material: one.csv:2: only 1 of the rows*' 'fit-material one.csv'
+refuses 65 'fit-material: negative.csv:3: a stretch of -0.2 is not positive; *' 'fit-material negative.csv'
+refuses 65 'fit-material: back.csv:4: the strain turns back; *' 'fit-material back.csv'
+refuses 65 'fit-material: unit.csv:1: the unit of the stress is nowhere stated; give --stress-unit*' 'fit-material unit.csv'
+refuses 65 'fit-material: back.csv: 3 rows are too few for the 3 constants of yeoh; *' 'fit-material back.csv --any-order'
+refuses 66 'fit-material: none.csv: *' 'fit-material none.csv'
+refuses 64 "fit-material: --law: no law is called 'yeho'; did you mean 'yeoh'*" 'fit-material text.csv --law yeho'
+refuses 64 "fit-material: --range: '110%' has no colon; *" 'fit-material text.csv --range 110%'
+refuses 64 "fit-material: --range: '0:110' looks like percentages*" 'fit-material text.csv --range 0:110'
+refuses 64 'fit-material: -: stdin can be read once only; *' 'fit-material --uniaxial - --planar -'
+refuses 64 "fit-material: --weight: 'planar=2' is no weight of a mode that is given; *" 'fit-material text.csv --weight planar=2'
+refuses 64 'fit-material: fit.jpg: pictures are written as .svg, .png or .pdf' 'fit-material text.csv --plot fit.jpg'
+
+# What people have: decimal commas, no header, true stress, other things than tables.
+sed 's/\./,/g' data/dragon-skin-20.csv >comma.csv
+sed 's/;/\t/g' data/dragon-skin-20.csv >tabs.tsv
+awk -F';' '/^[0-9.]+;[0-9]/ { print $4, $5 }' data/dragon-skin-20.csv >bare.txt
+same() { cmp <(sed '/^#/d; /source:/d; /sha256:/d' "$1") <(sed '/^#/d; /source:/d; /sha256:/d' yeoh.yaml); }
+runs 'fit-material comma.csv > comma.yaml'
+claim 'decimal commas make no difference' same comma.yaml
+runs 'fit-material tabs.tsv > tabs.yaml'
+claim 'nor do tabs' same tabs.yaml
+runs 'fit-material bare.txt --strain-column 1 --stress-column 2 --strain engineering --stress engineering --stress-unit MPa > bare.yaml'
+claim 'nor does a missing header' same bare.yaml
+refuses 65 'fit-material: bare.txt:1: the table has no header that says which column is the strain; name one with --strain-column*' 'fit-material bare.txt'
+runs 'fit-material data/dragon-skin-20.csv --strain-column "true strain" --stress-column "true stress" > true.yaml'
+claim 'true stress is said' grep -q "stress: 'engineering, from true'" true.yaml
+: >empty.csv
+head -c 900 data/dragon-skin-20.csv | sed '$ s/;[^;]*$//' >cut.csv
+printf 'strain,stress\n0.1,1\000\n' >zero.csv
+refuses 65 'fit-material: empty.csv: holds no row of numbers' 'fit-material empty.csv'
+runs 'head -c 1500 data/dragon-skin-20.csv > short.csv; fit-material short.csv > short.yaml'
+claim 'a file without an end is told' grep -q 'short.csv: the last line has no end: is the file whole?' "$seen/err"
+claim 'so is a poor fit' grep -q 'the best fit is poor' "$seen/err"
+refuses 65 "fit-material: cut.csv:*: column * 'Engineering Stress (MPa)': the cell is empty; *" 'fit-material cut.csv'
+refuses 65 'fit-material: zero.csv:2: holds a zero byte: the file is no text; *' 'fit-material zero.csv'
+refuses 65 'fit-material: wide.h5:*: holds a zero byte: the file is no text; *' 'fit-material wide.h5'
+refuses 66 'fit-material: data: *' 'fit-material data'
+
+runs 'fit-material --help; fit-material --version; fit-material --man; fit-material --completion bash'
+claim 'the help has examples' grep -q 'fit-material --uniaxial ut.csv' "$seen/out"

@@ -1,0 +1,33 @@
+#pragma once
+/// The command line of fit-material. Held by tests/pipeline/fit.sh.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli.hpp"
+#include "fit/fit.hpp"
+
+namespace soft::cli {
+
+struct TestFile {
+    std::string name;  ///< empty or "-": stdin
+    fit::Mode mode = fit::Mode::uniaxial;
+    double weight = 1;
+};
+
+struct FitOptions {
+    CommonOptions common;
+    std::vector<TestFile> files;
+    fit::ReadSettings reading;
+    fit::Settings settings;
+    const fit::Candidate* candidate = nullptr;
+    bool rank = false;
+    std::string plot, notice, protocol;
+};
+
+[[nodiscard]] const About& fit_about();
+
+/// Errors as cli::parse; Error (usage) for values that cannot be.
+[[nodiscard]] std::optional<FitOptions> parse_fit_options(int argc, char** argv);
+
+}  // namespace soft::cli

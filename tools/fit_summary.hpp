@@ -1,0 +1,13 @@
+#pragma once
+/// The --json of fit-material: one entry a law, constants in SI with errors and covariance. Held by tests/pipeline/fit.sh.
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "fit/rank.hpp"
+
+namespace soft::cli {
+
+[[nodiscard]] nlohmann::ordered_json fit_summary(const std::vector<fit::Ranked>& ranked,
+                                                 const std::vector<fit::TestCurve>& tests);
+
+}  // namespace soft::cli
