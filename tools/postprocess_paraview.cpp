@@ -1,9 +1,10 @@
 #include <filesystem>
-#include <system_error>
+#include <set>
 
 #include "fields/arrays.hpp"
 #include "io/vtk_fields.hpp"
 #include "postprocess_pictures.hpp"
+#include "view/numbered_files.hpp"
 #include "view/vtu.hpp"
 
 namespace soft {
@@ -31,26 +32,26 @@ public:
         cli::write_output(file.string(), bytes, cli::Content::binary);
     }
 
-    /// FILE.pvd, and FILE/step-0000.vtu and so on beside it.
-    void series(const fs::path& file, cli::Console& console) const {
+    /// FILE.pvd, and FILE/step-0000.vtu and so on beside it. Returns how many steps of an earlier result were removed.
+    [[nodiscard]] std::size_t series(const fs::path& file, cli::Console& console) const {
         const fs::path folder = file.parent_path() / file.stem();
-        std::error_code failure;
-        fs::create_directory(folder, failure);
-        if (failure) throw Error(ExitCode::cannot_create, folder.string(), failure.message());
+        view::make_folder(folder, "--paraview " + file.string());
         std::vector<view::SeriesEntry> entries;
+        std::set<std::size_t> written;
         const auto& rows = shown_.result.fields.steps();
         for (const std::int64_t row : rows) {
             console.progress(static_cast<double>(entries.size()) / static_cast<double>(rows.size()),
                              "steps for ParaView");
-            const std::string digits = std::to_string(row);
-            const std::string name =
-                "step-" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits + ".vtu";
+            const auto number = static_cast<std::size_t>(row);
+            const std::string name = view::numbered_name(view::step_numbering, number);
             vtu(row, folder / name);
-            const auto& motion = shown_.result.steps[static_cast<std::size_t>(row)].motion;
+            written.insert(number);
+            const auto& motion = shown_.result.steps[number].motion;
             entries.push_back(
                 {motion ? motion->time_s : static_cast<double>(row), (file.stem() / name).generic_string()});
         }
-        cli::write_output(file.string(), view::pvd_text(entries));  // last: it names whole files only
+        cli::write_output(file.string(), view::pvd_text(entries));  // after them: it names whole files only
+        return view::remove_others(folder, view::step_numbering, written);
     }
 
 private:
@@ -88,8 +89,9 @@ void write_paraview(const std::string& file, const Shown& shown, cli::Console& c
     const Exporter exporter(shown);
     const ParaviewFormat format = paraview_format(file);
     if (format == ParaviewFormat::series) {
-        exporter.series(file, console);
-        return console.say(file + ": " + std::to_string(shown.result.fields.steps().size()) + " steps");
+        const std::size_t removed = exporter.series(file, console);
+        return console.say(file + ": " + std::to_string(shown.result.fields.steps().size()) + " steps" +
+                           removed_text(removed, "step"));
     }
     const auto rows = shown_rows(shown);
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -98,7 +100,7 @@ void write_paraview(const std::string& file, const Shown& shown, cli::Console& c
             exporter.vtu(rows[k], one);
         else
             exporter.copy(rows[k], one);
-        console.say(one.string() + ": step " + std::to_string(rows[k]));
+        console.say(one.string() + ": " + state_text(shown.curve, rows[k]));
     }
 }
 

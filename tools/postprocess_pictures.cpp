@@ -55,7 +55,7 @@ view::Look look_of(const PictureOptions& options, const model::Case& model) {
     view::Look look;
     look.quantity = fields::quantity_from_name(options.field);
     const bool flat = options.section || model.kinematics == model::Kinematics::plane_strain;
-    look.camera = view::camera_from_text(flat ? "front" : options.view);
+    look.camera = view::camera_from_text(!options.view.empty() ? options.view : flat ? "front" : "iso");
     look.range = range_of(options, look.quantity);
     return look;
 }
@@ -82,17 +82,33 @@ bool in_title(const post::Curve& curve, const post::Column& column) {
            (column.source == post::Source::volume && !measures && first(post::Source::volume));
 }
 
-/// "bellows   step 12   pressure 40 kPa   elongation 31.7 mm"
-std::string title_of(const Shown& shown, std::size_t row) {
-    std::string title = shown.result.model.name;
-    for (const post::Column& column : shown.curve.columns) {
-        if (!in_title(shown.curve, column) || column.role == post::Role::follower) continue;
+/// "step 12", "pressure 40 kPa", "elongation 31.7 mm"
+std::vector<std::string> state_words(const post::Curve& curve, std::size_t row) {
+    std::vector<std::string> all;
+    for (const post::Column& column : curve.columns) {
+        if (!in_title(curve, column) || column.role == post::Role::follower) continue;
         std::string words = column.quantity;
         std::ranges::replace(words, '_', ' ');
-        title += "   " + words + " " + core::rounded_text(column.values.at(row), 4) +
-                 (column.unit.empty() ? "" : " " + column.unit);
+        all.push_back(words + " " + core::rounded_text(column.values.at(row), 4) +
+                      (column.unit.empty() ? "" : " " + column.unit));
     }
-    return title;
+    return all;
+}
+
+std::string title_of(const Shown& shown, std::size_t row) {
+    return shown.result.model.name + "   " + core::join(state_words(shown.curve, row), "   ");
+}
+
+/// What an option asks for and the body does not have. A body in plane strain has no third dimension to be looked at.
+void check_body(const PictureOptions& options, const model::Case& model) {
+    if (options.section && model.kinematics == model::Kinematics::solid)
+        throw Error(ExitCode::usage, "--section", "the body is no body of revolution and has no such section",
+                    "leave --section out; --view chooses from where it is seen");
+    if (options.view.empty() || model.kinematics != model::Kinematics::plane_strain) return;
+    const view::Camera camera = view::camera_from_text(options.view), front = view::camera_from_text("front");
+    if (camera.azimuth_deg != front.azimuth_deg || camera.elevation_deg != front.elevation_deg)
+        throw Error(ExitCode::usage, "--view", "a body in plane strain is drawn flat, from the front",
+                    "leave --view out");
 }
 
 /// Draws one result: what does not change from step to step is made once.
@@ -122,7 +138,8 @@ public:
         view::draw_picture(body_, look_, view::framing(body_, look_, {&one, 1}), one, file);
     }
 
-    void animate(const fs::path& file, cli::Console& console) const {
+    /// Returns how many frames of an earlier animation were removed.
+    [[nodiscard]] std::size_t animate(const fs::path& file, cli::Console& console) const {
         std::vector<view::Shot> shots;
         for (const std::int64_t row : shown_.result.fields.steps()) shots.push_back(shot(row));
         view::Look look = look_;
@@ -130,7 +147,7 @@ public:
             look.width_px = film_width_px;
             look.height_px = film_height_px;
         }
-        view::draw_animation(body_, look, shots, file, [&](std::size_t done) {
+        return view::draw_animation(body_, look, shots, file, [&](std::size_t done) {
             console.progress(static_cast<double>(done) / static_cast<double>(shots.size()), "frames");
         });
     }
@@ -149,17 +166,32 @@ std::int64_t nearest_stored(const std::vector<std::int64_t>& stored, double step
                                      [&](std::int64_t row) { return std::abs(static_cast<double>(row) - step); });
 }
 
+void draw_pictures(const std::string& name, const Studio& studio, const Shown& shown, cli::Console& console) {
+    const auto rows = shown_rows(shown);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const fs::path file = numbered(name, k, rows.size());
+        studio.draw(rows[k], file);
+        console.say(file.string() + ": " + state_text(shown.curve, rows[k]));
+    }
+}
+
 }  // namespace
 
 std::vector<std::int64_t> shown_rows(const Shown& shown) {
     const auto& stored = shown.result.fields.steps();
     if (shown.rows == Shown::Rows::last) return {stored.back()};
     std::vector<std::int64_t> rows;
-    for (const double step : shown.table.find("step")->values) {
-        const std::int64_t row = nearest_stored(stored, step);
-        if (std::ranges::find(rows, row) == rows.end()) rows.push_back(row);
-    }
+    for (const double step : shown.table.find("step")->values) rows.push_back(nearest_stored(stored, step));
     return rows;
+}
+
+std::string state_text(const post::Curve& curve, std::int64_t row) {
+    return core::join(state_words(curve, static_cast<std::size_t>(row)));
+}
+
+std::string removed_text(std::size_t count, const std::string& what) {
+    if (count == 0) return "";
+    return "; " + std::to_string(count) + " " + what + (count == 1 ? "" : "s") + " of an earlier result removed";
 }
 
 fs::path numbered(const fs::path& file, std::size_t k, std::size_t count) {
@@ -176,7 +208,7 @@ io::FieldReader::Values stored_fields(const io::Result& result, std::int64_t row
 void add_picture_options(CLI::App& app, PictureOptions& options) {
     app.add_option("--picture", options.picture,
                    "The deformed body in colour at the last step, or at the stored step nearest "
-                   "to each --at (then FILE-1.png ...); needs gnuplot, no display")
+                   "to each value of --at (of several FILE-1.png ...); needs gnuplot, no display")
         ->type_name("FILE.png");
     app.add_option("--animate", options.animate,
                    "A picture of every stored step as a film (needs ffmpeg) or as single frames")
@@ -186,7 +218,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
         ->capture_default_str();
     app.add_option("--view", options.view, "From where: front, side, top, iso, or AZIMUTH,ELEVATION in degrees")
         ->type_name("VIEW")
-        ->capture_default_str();
+        ->default_str("iso");
     app.add_option("--range", options.range,
                    "The values at the ends of the colour bar, e.g. 0kPa,200kPa; otherwise those of "
                    "the picture or film")
@@ -224,7 +256,7 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
     if (options.section && app.count("--view") > 0)
         throw Error(ExitCode::usage, "--section", "is drawn flat and has no --view");
     static_cast<void>(range_of(options, fields::quantity_from_name(options.field)));
-    static_cast<void>(view::camera_from_text(options.view));
+    if (app.count("--view") > 0) static_cast<void>(view::camera_from_text(options.view));
     if (!options.picture.empty() && fs::path(options.picture).extension() != ".png")
         throw Error(ExitCode::usage, "--picture " + options.picture, "pictures of the body are written as .png");
     if (!options.animate.empty()) static_cast<void>(view::film_format(options.animate));
@@ -235,22 +267,17 @@ void make_pictures(const PictureOptions& options, const Shown& shown, cli::Conso
     if (options.picture.empty() && options.animate.empty() && options.paraview.empty()) return;
     if (shown.result.fields.steps().empty())
         throw Error(ExitCode::bad_input, "/fields", "the result holds no displacements", "solve with --fields all");
+    check_body(options, shown.result.model);
+    if (!options.animate.empty()) view::prepare_animation(options.animate);
     if (!options.paraview.empty()) write_paraview(options.paraview, shown, console);
     if (options.picture.empty() && options.animate.empty()) return;
     const Studio studio(options, shown);
     console.detail("the body's surface has " + std::to_string(studio.polygons()) + " polygons");
-    if (!options.picture.empty()) {
-        const auto rows = shown_rows(shown);
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-            const fs::path file = numbered(options.picture, k, rows.size());
-            studio.draw(rows[k], file);
-            console.say(file.string() + ": step " + std::to_string(rows[k]));
-        }
-    }
-    if (!options.animate.empty()) {
-        studio.animate(options.animate, console);
-        console.say(options.animate + ": " + std::to_string(shown.result.fields.steps().size()) + " steps");
-    }
+    if (!options.picture.empty()) draw_pictures(options.picture, studio, shown, console);
+    if (options.animate.empty()) return;
+    const std::size_t removed = studio.animate(options.animate, console);
+    console.say(options.animate + ": " + std::to_string(shown.result.fields.steps().size()) + " steps" +
+                removed_text(removed, "frame"));
 }
 
 }  // namespace soft

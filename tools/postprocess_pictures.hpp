@@ -21,7 +21,7 @@ struct PictureOptions {
     std::string animate;   ///< FILE.gif, FILE.mp4 or FOLDER/; empty: none
     std::string paraview;  ///< FILE.pvd, FILE.vtu, FILE.hdf, FILE.vtkhdf or FILE.h5; empty: none
     std::string field = "stretch";
-    std::string view = "iso";
+    std::string view;   ///< empty: iso, and front for what is drawn flat
     std::string range;  ///< "0kPa,200kPa"; empty: that of the picture
     bool section = false, whole = false;
 };
@@ -52,11 +52,15 @@ struct Shown {
     enum class Rows { last, asked } rows;
 };
 
-/// The stored steps to be shown, each once: nearest to the rows of --at in steps, in its order; without it the last
-/// stored one.
+/// The stored steps to be shown: for each row of --at the one nearest to it in steps, in its order, also where two rows
+/// have the same; without --at the last stored one.
 [[nodiscard]] std::vector<std::int64_t> shown_rows(const Shown& shown);
 /// FILE.png for one product; FILE-1.png, FILE-2.png ... for several.
 [[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& file, std::size_t k, std::size_t count);
+/// "step 4, pressure 12 kPa, elongation 40 mm": which state a file shows.
+[[nodiscard]] std::string state_text(const post::Curve& curve, std::int64_t row);
+/// "; 3 frames of an earlier result removed" for `what` "frame", or nothing.
+[[nodiscard]] std::string removed_text(std::size_t count, const std::string& what);
 /// Error(bad_input) for a step without fields.
 [[nodiscard]] io::FieldReader::Values stored_fields(const io::Result& result, std::int64_t row);
 

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -56,10 +57,15 @@ std::string beginning_of(std::FILE* stream) {
     return {buffer.data(), std::fread(buffer.data(), 1, buffer.size(), stream)};
 }
 
-}  // namespace
+/// A program at work: its input handed over, its complaints collected.
+struct Started {
+    pid_t child;
+    Stream errors;
+};
 
-ProgramEnd run_program(const ProgramCall& call, std::string_view place) {
-    const Stream input = scratch(place), errors = scratch(place);
+Started start(const ProgramCall& call, int output, std::string_view place) {
+    const Stream input = scratch(place);
+    Stream errors = scratch(place);
     const bool empty = call.input.empty();   // and then perhaps without an address
     if ((!empty && std::fwrite(call.input.data(), 1, call.input.size(), input.get()) != call.input.size()) ||
         std::fflush(input.get()) != 0)
@@ -69,10 +75,10 @@ ProgramEnd run_program(const ProgramCall& call, std::string_view place) {
 
     Redirections redirect;
     redirect.onto(::fileno(input.get()), STDIN_FILENO);
-    if (call.output < 0)
+    if (output < 0)
         redirect.drop(STDOUT_FILENO);
     else
-        redirect.onto(call.output, STDOUT_FILENO);
+        redirect.onto(output, STDOUT_FILENO);
     redirect.onto(::fileno(errors.get()), STDERR_FILENO);
 
     std::vector<std::string> words{call.name};
@@ -88,9 +94,52 @@ ProgramEnd run_program(const ProgramCall& call, std::string_view place) {
                     "the program " + call.name + ", which " + call.purpose + ", is not installed", call.remedy);
     if (failure != 0)
         throw Error(ExitCode::cannot_create, place, call.name + " cannot be started: " + std::strerror(failure));
+    return {child, std::move(errors)};
+}
 
-    const int status = wait_for(child);
-    return {WIFEXITED(status) && WEXITSTATUS(status) == 0, beginning_of(errors.get())};
+ProgramEnd end_of(const Started& program) {
+    const int status = wait_for(program.child);
+    return {WIFEXITED(status) && WEXITSTATUS(status) == 0, beginning_of(program.errors.get())};
+}
+
+/// Both ends stay with this process: a writing end in the child besides its stdout would keep the pipe open.
+class Pipe {
+public:
+    explicit Pipe(std::string_view place) {
+        if (::pipe(ends_.data()) != 0)
+            throw Error(ExitCode::cannot_create, place, std::string("no pipe: ") + std::strerror(errno));
+        for (const int end : ends_) static_cast<void>(::fcntl(end, F_SETFD, FD_CLOEXEC));
+    }
+    ~Pipe() {
+        close_writer();
+        ::close(ends_[0]);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+    [[nodiscard]] int reader() const noexcept { return ends_[0]; }
+    [[nodiscard]] int writer() const noexcept { return ends_[1]; }
+    void close_writer() noexcept {
+        if (ends_[1] >= 0) ::close(std::exchange(ends_[1], -1));
+    }
+
+private:
+    std::array<int, 2> ends_{};
+};
+
+}  // namespace
+
+ProgramEnd run_program(const ProgramCall& call, std::string_view place) {
+    return end_of(start(call, call.output, place));
+}
+
+ProgramOutput program_output(const ProgramCall& call, std::string_view place) {
+    Pipe pipe(place);
+    const Started program = start(call, pipe.writer(), place);
+    pipe.close_writer();  // so that the end of the program is the end of the stream
+    ProgramOutput result;
+    result.bytes = read_descriptor(pipe.reader(), place);
+    result.end = end_of(program);
+    return result;
 }
 
 }  // namespace soft::core

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/files.hpp"
+
 namespace soft::core {
 
 struct ProgramCall {
@@ -23,5 +25,14 @@ struct ProgramEnd {
 /// Waits for its end. Throws Error(cannot_create, `place`) where it is not installed or cannot be started,
 /// Error(io_error) where the input cannot be handed over.
 [[nodiscard]] ProgramEnd run_program(const ProgramCall& call, std::string_view place);
+
+struct ProgramOutput {
+    ProgramEnd end;
+    Bytes bytes;  ///< all that it wrote to standard output
+};
+
+/// The same with its output in memory (`call.output` is not used). Programs may well end with exit code 0 after a write
+/// that failed; into a pipe that is read to its end no write fails, whatever room disks have.
+[[nodiscard]] ProgramOutput program_output(const ProgramCall& call, std::string_view place);
 
 }  // namespace soft::core

@@ -1,11 +1,6 @@
 #include "post/gnuplot.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <memory>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -22,39 +17,30 @@ std::string reason(std::string text) {
     return words.empty() ? "it gave no reason" : core::one_line(words.substr(0, words.find('\n')));
 }
 
-/// Script in, picture into the descriptor of a file.
-void draw(const std::string& script, int descriptor, std::string_view place) {
-    const core::ProgramEnd end =
-        core::run_program({.name = "gnuplot",
-                           .arguments = {},
-                           .input = script,
-                           .output = descriptor,
-                           .purpose = "draws the picture",
-                           .remedy = "install the package gnuplot-nox (Debian, Ubuntu) or gnuplot (Fedora, Homebrew)"},
-                          place);
-    if (!end.well || ::lseek(descriptor, 0, SEEK_END) <= 0)
-        throw Error(ExitCode::cannot_create, place, "gnuplot failed: " + reason(end.complaint));
-}
-
-struct CloseFile {
-    void operator()(std::FILE* stream) const noexcept { std::fclose(stream); }
-};
-
 }  // namespace
 
-void run_gnuplot(const std::string& script, const std::filesystem::path& file) {
-    core::AtomicFile picture(file);
-    draw(script, picture.descriptor(), file.string());
-    picture.commit();
+core::Bytes gnuplot_bytes(std::string_view script, std::string_view place) {
+    core::ProgramOutput drawn = core::program_output(
+        {.name = "gnuplot",
+         .arguments = {},
+         .input = script,
+         .purpose = "draws the picture",
+         .remedy = "install the package gnuplot-nox (Debian, Ubuntu) or gnuplot (Fedora, Homebrew)"},
+        place);
+    if (!drawn.end.well || drawn.bytes.empty())
+        throw Error(ExitCode::cannot_create, place, "gnuplot failed: " + reason(drawn.end.complaint));
+    return std::move(drawn.bytes);
 }
 
-std::string gnuplot_output(const std::string& script, std::string_view place) {
-    const std::unique_ptr<std::FILE, CloseFile> scratch{std::tmpfile()};  // nameless: gone when closed
-    if (!scratch)
-        throw Error(ExitCode::cannot_create, place, std::string("no temporary file: ") + std::strerror(errno));
-    draw(script, ::fileno(scratch.get()), place);
-    std::rewind(scratch.get());
-    const core::Bytes bytes = core::read_descriptor(::fileno(scratch.get()), place);
+void run_gnuplot(std::string_view script, const std::filesystem::path& file) {
+    const core::Bytes picture = gnuplot_bytes(script, file.string());
+    core::AtomicFile target(file);  // only now: whatever ends the program before leaves no temporary file
+    static_cast<void>(target.write(picture));
+    target.commit();
+}
+
+std::string gnuplot_output(std::string_view script, std::string_view place) {
+    const core::Bytes bytes = gnuplot_bytes(script, place);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

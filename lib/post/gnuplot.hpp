@@ -4,14 +4,20 @@
 #include <string>
 #include <string_view>
 
+#include "core/files.hpp"
+
 namespace soft::post {
 
-/// Runs gnuplot (found along PATH) with `script` and puts what it writes to stdout into `file`, under a temporary name
-/// in the same folder until it is whole. Error(cannot_create): no gnuplot (names the package), the file cannot be
-/// written, or gnuplot refused the script (its first words are in the message).
-void run_gnuplot(const std::string& script, const std::filesystem::path& file);
+/// What gnuplot (found along PATH) writes to stdout when it is given `script`. It passes through a pipe: gnuplot ends
+/// well also where its writes fail, so it must not write to a disk itself. Error(cannot_create, `place`): no gnuplot
+/// (names the package), or it refused the script (its first words are in the message).
+[[nodiscard]] core::Bytes gnuplot_bytes(std::string_view script, std::string_view place);
 
-/// What gnuplot writes to stdout, as text: an SVG picture. `place` stands in errors, which are those of the other.
-[[nodiscard]] std::string gnuplot_output(const std::string& script, std::string_view place);
+/// The same into `file`, whole or not at all; no temporary file exists while gnuplot works. Besides:
+/// Error(cannot_create) or Error(io_error) where the file cannot be written.
+void run_gnuplot(std::string_view script, const std::filesystem::path& file);
+
+/// The same as text: an SVG picture.
+[[nodiscard]] std::string gnuplot_output(std::string_view script, std::string_view place);
 
 }  // namespace soft::post

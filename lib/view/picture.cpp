@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "post/gnuplot.hpp"
+#include "view/colour_bar.hpp"
 #include "view/creases.hpp"
 #include "view/shading.hpp"
 
@@ -45,7 +46,9 @@ Range range_of(const Look& look, std::span<const Shot> shots) {
             range.low = std::min(range.low, value);
             range.high = std::max(range.high, value);
         }
-    const double least = 1e-3 * fields::info(look.quantity).SI_per_unit, missing = least - (range.high - range.low);
+    const double size = std::max(std::abs(range.low), std::abs(range.high));
+    const double least = std::max(1e-3 * fields::info(look.quantity).SI_per_unit, 1e-4 * size);
+    const double missing = least - (range.high - range.low);
     if (missing > 0) {
         range.low -= 0.5 * missing;
         range.high += 0.5 * missing;
@@ -110,13 +113,6 @@ void draw_outline(Raster& raster, const Body& body, const Framing& frame) {
 }
 
 std::string number(double value) { return core::rounded_text(value, 8); }
-
-/// Inside gnuplot's single quotes only the quote itself is special.
-std::string gnuplot_text(std::string_view text) {
-    std::string out = "'";
-    for (const char c : core::one_line(text, 200)) out += c == '\'' ? "''" : std::string(1, c);
-    return out + "'";
-}
 
 std::string palette_text() {
     std::string text;
@@ -189,10 +185,12 @@ std::string picture_script(const Look& look, const Framing& frame, const Shot& s
     script += "set xrange [-0.5:" + number(frame.width_px - 0.5) +
               "]\nset yrange [-0.5:" + number(frame.height_px - 0.5) + "]\n";
     script += "set palette defined (" + palette_text() + ")\n";
-    script += "set cbrange [" + number(frame.range.low / info.SI_per_unit) + ":" +
-              number(frame.range.high / info.SI_per_unit) + "]\n";
-    script += "set colorbox user origin screen 0.855, screen 0.2 size screen 0.022, screen 0.6\nset cbtics scale 0.5\n";
-    script += "set cblabel " + gnuplot_text(label) + " noenhanced offset 1.5,0\n";
+    script += colour_bar_script({.low = frame.range.low / info.SI_per_unit,
+                                 .high = frame.range.high / info.SI_per_unit,
+                                 .label = label,
+                                 .width_px = 1.0 * frame.width_px,
+                                 .height_px = 1.0 * frame.height_px,
+                                 .font = font});
     script += "set label 1 " + gnuplot_text(shot.title) + " noenhanced at screen 0.5, screen 0.955 center font 'Sans," +
               number(title_font) + "' front\n";
     script += "set arrow 1 from " + number(x0) + "," + number(y0) + " to " + number(x0 + bar_px) + "," + number(y0) +
@@ -204,6 +202,11 @@ std::string picture_script(const Look& look, const Framing& frame, const Shot& s
     const auto bytes = raster.reduced(oversampling);
     script.append(bytes.begin(), bytes.end());
     return script;
+}
+
+core::Bytes picture_png(const Body& body, const Look& look, const Framing& frame, const Shot& shot,
+                        std::string_view place) {
+    return post::gnuplot_bytes(picture_script(look, frame, shot, paint(body, frame, shot)), place);
 }
 
 void draw_picture(const Body& body, const Look& look, const Framing& frame, const Shot& shot,

@@ -6,8 +6,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/files.hpp"
 #include "fields/quantity.hpp"
 #include "view/camera.hpp"
 #include "view/raster.hpp"
@@ -50,7 +52,7 @@ struct Framing {
 };
 
 /// Holds all shots and the undeformed body. The range is that of the values, widened to a thousandth of the quantity's
-/// unit.
+/// unit and to 1e-4 of the largest value: an even field has one colour, whatever its rounding.
 [[nodiscard]] Framing framing(const Body& body, const Look& look, std::span<const Shot> shots);
 
 /// The body alone. The frame's pixels, each of `oversampling` x `oversampling` of the raster.
@@ -63,6 +65,10 @@ inline constexpr int oversampling = 2;
 /// The gnuplot script (with the image's bytes in it) that writes the PNG to gnuplot's stdout.
 [[nodiscard]] std::string picture_script(const Look& look, const Framing& frame, const Shot& shot,
                                          const Raster& raster);
+
+/// The PNG. Errors: post::gnuplot_bytes.
+[[nodiscard]] core::Bytes picture_png(const Body& body, const Look& look, const Framing& frame, const Shot& shot,
+                                      std::string_view place);
 
 /// Writes FILE.png (temporary name in the same folder, renamed when whole). Error(cannot_create) without gnuplot or
 /// where the file cannot be written.

@@ -28,6 +28,16 @@ TEST(Program, InputAndArgumentsGoInAndOutputComesOut) {
     EXPECT_EQ(std::string(buffer, size), "a b'c|text");
 }
 
+TEST(Program, OutputOfAnyLengthIsReadWhole) {
+    const Arguments arguments{"-c", "cat; head -c 1000000 /dev/zero"};  // far more than a pipe holds
+    const ProgramOutput output =
+        program_output({.name = "sh", .arguments = arguments, .input = "text", .purpose = {}, .remedy = {}}, "x");
+    EXPECT_TRUE(output.end.well);
+    ASSERT_EQ(output.bytes.size(), 1000004U);
+    EXPECT_EQ(output.bytes[3], std::byte{'t'});
+    EXPECT_EQ(output.bytes.back(), std::byte{0});
+}
+
 TEST(Program, AFailureIsReportedWithWhatItSaid) {
     const Arguments arguments{"-c", "echo too bad >&2; exit 3"};
     const ProgramEnd end =

@@ -13,12 +13,20 @@ steps=$(column step rod.csv | wc -l)
 claim "a file a step" [ "$(find rod -name 'step-*.vtu' | wc -l)" -eq "$steps" ]
 claim "the .pvd lists them" [ "$(grep -c '<DataSet' rod.pvd)" -eq "$steps" ]
 runs 'postprocess copy.hdf > again.csv'
+touch rod/step-9999.vtu rod/step-99.vtu
+runs 'postprocess rod.h5 --paraview rod.pvd'
+claim "a step of a longer path is gone" [ ! -e rod/step-9999.vtu ]
+claim "which is told" grep -qx "postprocess: rod.pvd: $steps steps; 1 step of an earlier result removed" "$seen/err"
+claim "what is not ours stays" rm rod/step-99.vtu
+claim "a file a step as before" [ "$(find rod -type f | wc -l)" -eq "$steps" ]
 claim "the copy is still the result" cmp rod.csv again.csv
 runs 'postprocess rod.h5 --paraview early.vtu --at elongation=50mm --quiet'
 claim "--at picks another step" not cmp -s early.vtu rod.vtu
 
 refuses 64 'postprocess: --paraview x.vtk: ParaView gets .pvd, .vtu or .hdf files*' 'postprocess rod.h5 --paraview x.vtk'
-refuses 73 'postprocess: none/x: No such file or directory' 'postprocess rod.h5 --paraview none/x.pvd'
+refuses 73 "postprocess: --paraview none/x.pvd: there is no folder 'none' to make 'x' in; make it first*" 'postprocess rod.h5 --paraview none/x.pvd'
+refuses 73 "postprocess: --paraview ser.pvd: 'ser' exists and is no folder; choose another name, or move it away" \
+    'touch ser; postprocess rod.h5 --paraview ser.pvd'
 runs 'solve --fields none < <(mesh-gen designs/verification/rod-uniaxial.yaml) > bare.h5'
 refuses 65 'postprocess: /fields: the result holds no displacements; solve with --fields all' 'postprocess bare.h5 --paraview x.pvd'
 

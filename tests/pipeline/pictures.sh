@@ -16,36 +16,83 @@ claim "nothing on stderr" quiet
 for view in front side top iso 30,60; do
     runs "postprocess dome.h5 --picture view.png --view $view"
     claim "seen from $view" is_png view.png
-    claim "which step is told" like "$(head -n 1 "$seen/err")" 'postprocess: view.png: step [0-9]*'
+    claim "which state is told" like "$(head -n 1 "$seen/err")" 'postprocess: view.png: step [0-9]*, pressure 5 kPa, apex -* mm'
 done
 runs 'postprocess dome.h5 --picture whole.png --whole && postprocess dome.h5 --picture flat.png --section'
 claim "the whole is not the section" not cmp -s whole.png flat.png
 
 # --at: the stored step nearest to it; several give several pictures
-runs 'postprocess dome.h5 --picture at.png --at apex=-5mm,-10mm'
-claim "two pictures" is_png at-1.png && is_png at-2.png
-claim "of two steps" [ "$(grep -c 'at-[12].png: step [0-9]' "$seen/err")" -eq 2 ]
+runs 'postprocess dome.h5 --picture each.png --at apex=-10mm,-10.0001mm,-5mm'
+for k in 1 2 3; do claim "a file for request $k" is_png "each-$k.png"; done
+claim "two requests next to one step show it both" cmp each-1.png each-2.png
+claim "and say so" [ "$(grep -o '^postprocess: each-[12].png: step [0-9]*, pressure .* kPa, apex .* mm$' "$seen/err" | cut -d: -f3 | uniq -c | awk '{ print $1 }')" = 2 ]
+claim "which is the nearest one" within "$(grep -o 'each-1.png: .* apex .* mm' "$seen/err" | awk '{ print $(NF - 1) }')" -11.5 -8.5
 runs 'postprocess dome.h5 --picture same.png --range 1,1.2'
 claim "the range changes the colours" not cmp -s same.png view.png
 runs 'postprocess dome.h5 --picture again.png --range 1,1.2'
 claim "the same request gives the same bytes" cmp same.png again.png
 
 # films
-runs 'mesh-gen designs/ring.yaml | solve --fields every=4 > ring.h5 && postprocess ring.h5 --animate frames/ --quiet'
-frames=$(find frames -name 'frame-*.png' | wc -l)
+mkdir frames && touch frames/frame-9999.png frames/frame-99.png frames/notes.txt   # of a longer film, and not ours
+runs 'mesh-gen designs/ring.yaml | tee ring-case.h5 | solve --fields every=4 > ring.h5 && postprocess ring.h5 --animate frames/'
+frames=$(find frames -name 'frame-????.png' | wc -l)
 claim "a frame for each stored step" [ "$frames" -ge 2 ]
+claim "a frame beyond the end is gone" [ ! -e frames/frame-9999.png ]
+claim "which is told" grep -qx "postprocess: frames/: $frames steps; 1 frame of an earlier result removed" "$seen/err"
+claim "what is not ours stays" rm frames/frame-99.png frames/notes.txt
+claim "nothing else is there" [ "$(find frames -type f | wc -l)" -eq "$frames" ]
 if [ -n "$(type -P ffmpeg)" ]; then
     runs 'postprocess ring.h5 --animate film.gif --quiet && postprocess ring.h5 --animate film.mp4 --quiet'
     claim "a GIF" [ "$(head -c 6 film.gif)" = GIF89a ]
     claim "an MP4" [ "$(head -c 8 film.mp4 | tail -c 4)" = ftyp ]
 fi
+# What cannot be made is told before the first frame, in one line, and leaves nothing.
 mkdir gnuplot-alone && ln -s "$(type -P gnuplot)" "$bin/postprocess" gnuplot-alone/
 refuses 73 'postprocess: film2.mp4: the program ffmpeg, which makes films, is not installed; install the package ffmpeg*' \
-    'PATH=$PWD/gnuplot-alone postprocess ring.h5 --animate film2.mp4 --quiet'
+    'PATH=$PWD/gnuplot-alone postprocess ring.h5 --animate film2.mp4'
+refuses 73 'postprocess: none/film2.mp4: cannot be created: No such file or directory' 'postprocess ring.h5 --animate none/film2.mp4'
+refuses 73 "postprocess: --animate a/b/: there is no folder 'a' to make 'b' in; make it first*" 'postprocess ring.h5 --animate a/b/'
+refuses 73 "postprocess: --animate film2/: 'film2' exists and is no folder; choose another name*" \
+    'touch film2; postprocess ring.h5 --animate film2/'
 mkdir alone && ln -s "$bin/postprocess" alone/
 refuses 73 'postprocess: a.png: the program gnuplot, which draws the picture, is not installed; install the package gnuplot-nox*' \
     'PATH=$PWD/alone postprocess ring.h5 --picture a.png --quiet'
-claim "no file is left behind" [ ! -e a.png ] && [ ! -e film2.mp4 ]
+claim "no file is left behind" [ ! -e a.png ]
+claim "nor of the film" [ ! -e film2.mp4 ]
+
+# No room: gnuplot and ffmpeg end well all the same.
+ln -s /dev/full full.png
+refuses 74 'postprocess: full.png: cannot be written: No space left on device' 'postprocess -q ring.h5 --picture full.png'
+films='gif mp4'
+if [ -z "$(type -P ffmpeg)" ]; then films=; fi
+runs 'solve -q ring-case.h5 --fields last -o short.h5'
+mkdir disk
+if mount -t tmpfs -o size=16k tmpfs disk 2>"$seen/err"; then
+    for file in disk/a.png ${films:+disk/a.gif disk/a.mp4}; do
+        option=--animate
+        if [ "$file" = disk/a.png ]; then option=--picture; fi
+        echo old >"$file"
+        refuses 74 "postprocess: $file: cannot be written: No space left on device" "postprocess -q short.h5 $option $file"
+        claim "the old file stays" [ "$(cat "$file")" = old ]
+        claim "and nothing beside it" [ "$(ls disk)" = "${file#disk/}" ]
+        rm -f "$file"
+    done
+    umount disk
+else
+    echo "no small disk can be mounted here: left out"
+fi
+
+# Ended from outside at any instant nothing is left behind, neither beside the film nor among temporary files.
+mkdir stopped temporary
+for how in INT:0.2 TERM:0.5 INT:0.8 TERM:1.1; do
+    for file in a.png ${films:+a.gif a.mp4}; do
+        option=--animate
+        if [ "$file" = a.png ]; then option=--picture; fi
+        run "TMPDIR=\$PWD/temporary timeout -s ${how%:*} ${how#*:} postprocess -q dome.h5 $option stopped/$file"
+        claim "it is whole or not there" [ "$(find stopped temporary -mindepth 1 ! -name "$file" | wc -l)" -eq 0 ]
+        rm -f "stopped/$file"
+    done
+done
 
 refuses 64 "postprocess: --field: 'stretches' is no field; did you mean 'stretch'?" 'postprocess ring.h5 --picture a.png --field stretches'
 refuses 64 "postprocess: --view: 'behind' is no view; *" 'postprocess ring.h5 --picture a.png --view behind'
@@ -56,3 +103,10 @@ refuses 64 'postprocess: --range: LOW is not below HIGH' 'postprocess ring.h5 --
 refuses 64 'postprocess: --range: *' 'postprocess ring.h5 --picture a.png --field von-mises --range 1,2'
 refuses 64 'postprocess: --section: and --whole exclude each other; *' 'postprocess ring.h5 --picture a.png --section --whole'
 refuses 65 'postprocess: --at pressure=900000kPa: the path does not reach it; *' 'postprocess dome.h5 --picture a.png --at pressure=900MPa'
+refuses 64 'postprocess: --view: a body in plane strain is drawn flat, from the front; leave --view out' \
+    'postprocess ring.h5 --picture a.png --view side'
+runs 'postprocess -q ring.h5 --picture a.png --view front && mesh-gen designs/plate.yaml | solve --fields last > plate.h5'
+refuses 64 'postprocess: --section: the body is no body of revolution and has no such section; *' \
+    'postprocess plate.h5 --picture a.png --section'
+refuses 64 'postprocess: --section: the body is no body of revolution and has no such section; *' \
+    'postprocess plate.h5 --animate film3.gif --section'

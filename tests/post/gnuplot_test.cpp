@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "core/error.hpp"
@@ -65,6 +70,46 @@ TEST(Gnuplot, AFolderThatDoesNotExistIsAnOutputThatCannotBeCreated) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::cannot_create);
     }
+}
+
+/// No file may become longer, as on a full disk.
+class FileSizeLimit {
+public:
+    explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit limit{bytes, before_.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    ~FileSizeLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FileSizeLimit(const FileSizeLimit&) = delete;
+    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+    rlimit before_{};
+    void (*handler_)(int);
+};
+
+TEST(Gnuplot, WithoutRoomForThePictureTheOldOneStays) {
+    const auto folder = fresh_folder("soft_no_room");
+    const auto file = folder / "a.svg";
+    std::ofstream(file) << "old";
+    for (const char* terminal : {"svg", "pngcairo", "pdfcairo"}) {
+        ExitCode code = ExitCode::ok;
+        {
+            const FileSizeLimit limit{2000};
+            try {
+                run_gnuplot("set terminal " + std::string(terminal) + "\nset samples 5000\nplot sin(10*x)\n", file);
+            } catch (const Error& error) {
+                code = error.code();
+            }
+        }
+        EXPECT_EQ(code, ExitCode::io_error) << terminal;
+        EXPECT_EQ(std::filesystem::file_size(file), 3U) << terminal;
+    }
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);  // no temporary file
 }
 
 }  // namespace

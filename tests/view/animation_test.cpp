@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <array>
 
 #include "core/error.hpp"
 #include "core/files.hpp"
@@ -14,18 +14,6 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-/// Where a program stands, or an empty path.
-fs::path program(const std::string& name) {
-    std::string path = std::getenv("PATH") ? std::getenv("PATH") : "";
-    for (std::size_t start = 0; start <= path.size();) {
-        const std::size_t end = std::min(path.find(':', start), path.size());
-        const fs::path file = fs::path(path.substr(start, end - start)) / name;
-        if (fs::exists(file)) return file;
-        start = end + 1;
-    }
-    return {};
-}
-
 TEST(Animation, TheFormatIsToldByTheName) {
     EXPECT_EQ(film_format("a.gif"), FilmFormat::gif);
     EXPECT_EQ(film_format("b/a.mp4"), FilmFormat::mp4);
@@ -33,12 +21,6 @@ TEST(Animation, TheFormatIsToldByTheName) {
     EXPECT_EQ(film_format(fresh_folder("soft_known_folder")), FilmFormat::folder);
     EXPECT_THROW(static_cast<void>(film_format("a.avi")), Error);
     EXPECT_THROW(static_cast<void>(film_format("frames")), Error);
-}
-
-TEST(Animation, ALongPathIsShownFasterThanAShortOne) {
-    EXPECT_DOUBLE_EQ(frames_per_second(3), 2.0);
-    EXPECT_DOUBLE_EQ(frames_per_second(50), 10.0);
-    EXPECT_DOUBLE_EQ(frames_per_second(1000), 25.0);
 }
 
 TEST(Animation, AFolderGetsAFrameForEachShot) {
@@ -67,22 +49,50 @@ TEST(Animation, FilmsHaveTheirFormatsMagicNumbers) {
     EXPECT_EQ(head("a.mp4").substr(4, 4), "ftyp");
 }
 
-TEST(Animation, TheAbsenceOfFfmpegNamesThePackageAndLeavesNoFile) {
-    const auto folder = fresh_folder("soft_no_ffmpeg"), bin = fresh_folder("soft_gnuplot_alone");
-    ASSERT_FALSE(program("gnuplot").empty());
-    fs::create_symlink(program("gnuplot"), bin / "gnuplot");
-    const std::string before = std::getenv("PATH");
-    ::setenv("PATH", bin.c_str(), 1);
-    std::string message;
+TEST(Animation, AShorterOneRemovesTheFramesOfALongerOneBeforeIt) {
+    const Cube cube;
+    const std::array<Shot, 3> shots{cube.pulled(1.0), cube.pulled(1.5), cube.pulled(2.0)};
+    const auto folder = fresh_folder("soft_fewer_frames");
+    EXPECT_EQ(draw_animation(cube.body, cube.look, shots, folder, [](std::size_t) {}), 0U);
+    EXPECT_EQ(draw_animation(cube.body, cube.look, {shots.data(), 2}, folder, [](std::size_t) {}), 1U);
+    EXPECT_TRUE(fs::exists(folder / "frame-0001.png"));
+    EXPECT_FALSE(fs::exists(folder / "frame-0002.png"));
+}
+
+TEST(Animation, NoNameIsAProtocolAnOptionOrAPattern) {
+    if (program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
     const Cube cube;
     const Shot shot = cube.pulled(1.5);
-    try {
-        draw_animation(cube.body, cube.look, {&shot, 1}, folder / "a.mp4", [](std::size_t) {});
-    } catch (const Error& error) {
-        message = error.what();
+    const auto folder = fresh_folder("soft_film_names"), before = fs::current_path();
+    fs::current_path(folder);
+    for (const char* name : {"run:3.gif", "-x%d.gif", "a b'\"$.mp4"}) {
+        prepare_animation(name);
+        EXPECT_TRUE(fs::is_empty(folder)) << name;  // a trial leaves nothing
+        draw_animation(cube.body, cube.look, {&shot, 1}, name, [](std::size_t) {});
+        EXPECT_TRUE(fs::remove(name)) << name;
     }
-    ::setenv("PATH", before.c_str(), 1);
-    EXPECT_NE(message.find("install the package ffmpeg"), std::string::npos) << message;
+    fs::current_path(before);
+}
+
+std::string refusal(const fs::path& file) {
+    try {
+        prepare_animation(file);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::cannot_create);
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(Animation, WhatWouldFailAtTheEndIsToldBeforeTheFirstFrame) {
+    const auto folder = fresh_folder("soft_no_ffmpeg"), bin = fresh_folder("soft_gnuplot_alone");
+    EXPECT_EQ(refusal(folder / "none/a.gif"),
+              (folder / "none/a.gif").string() + ": cannot be created: No such file or directory");
+    EXPECT_NE(refusal(folder / "none/a/").find("there is no folder"), std::string::npos);
+    {
+        const PathVariable path{bin.string()};
+        EXPECT_NE(refusal(folder / "a.mp4").find("install the package ffmpeg"), std::string::npos);
+    }
     EXPECT_TRUE(fs::is_empty(folder));
 }
 

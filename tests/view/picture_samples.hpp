@@ -1,6 +1,9 @@
 #pragma once
 /// A unit cube that is pulled, seen from the front.
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <string>
 
 #include "../assembly/block_mesh.hpp"
 #include "view/picture.hpp"
@@ -33,5 +36,37 @@ inline std::filesystem::path fresh_folder(const char* name) {
     std::filesystem::create_directories(folder);
     return folder;
 }
+
+/// Where a program stands, or an empty path.
+inline std::filesystem::path program(const std::string& name) {
+    const std::string path = std::getenv("PATH") ? std::getenv("PATH") : "";
+    for (std::size_t start = 0; start <= path.size();) {
+        const std::size_t end = std::min(path.find(':', start), path.size());
+        const auto file = std::filesystem::path(path.substr(start, end - start)) / name;
+        if (std::filesystem::exists(file)) return file;
+        start = end + 1;
+    }
+    return {};
+}
+
+/// A program that is a few lines of shell.
+inline void write_program(const std::filesystem::path& file, const std::string& lines) {
+    std::ofstream(file) << "#!/bin/sh\n" << lines << "\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+}
+
+/// Another PATH for the length of a test.
+class PathVariable {
+public:
+    explicit PathVariable(const std::string& value) : before_(std::getenv("PATH") ? std::getenv("PATH") : "") {
+        ::setenv("PATH", value.c_str(), 1);
+    }
+    ~PathVariable() { ::setenv("PATH", before_.c_str(), 1); }
+    PathVariable(const PathVariable&) = delete;
+    PathVariable& operator=(const PathVariable&) = delete;
+
+private:
+    std::string before_;
+};
 
 }  // namespace soft::view::test

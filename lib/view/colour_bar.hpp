@@ -1,0 +1,32 @@
+#pragma once
+/// The colour bar of a picture as lines of a gnuplot script: its ticks can be told from each other, and numbers and
+/// label stay inside the picture however long they are. Held by view/colour_bar_test.
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace soft::view {
+
+struct Tick {
+    double value;
+    std::string text;
+};
+
+/// Multiples of 1, 2 or 5 times a power of ten from `low` to `high` (low < high): 4 to 9 of them. All texts have the
+/// same decimals, as many as tell neighbours apart.
+[[nodiscard]] std::vector<Tick> bar_ticks(double low, double high);
+
+struct ColourBar {
+    double low = 0, high = 1;            ///< in the unit of the label
+    std::string label;                   ///< "von Mises stress (kPa)"
+    double width_px = 0, height_px = 0;  ///< of the whole picture
+    double font = 0;                     ///< size of the picture's letters, points
+};
+
+/// For a plot that fills the whole picture. Uses label 3.
+[[nodiscard]] std::string colour_bar_script(const ColourBar& bar);
+
+/// Inside gnuplot's single quotes only the quote itself is special. One line.
+[[nodiscard]] std::string gnuplot_text(std::string_view text);
+
+}  // namespace soft::view
