@@ -54,7 +54,7 @@ ExitCode postprocess(const PostprocessOptions& options) {
     const std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
     draw_plot(options.plot, series, comparison ? &comparison->measured : nullptr, result.model.name);
     make_pictures(options.pictures, {result, image, curve, table, options.at.empty() ? Shown::Rows::last : Shown::Rows::asked}, console);
-    write_report(options, result, curve, series, comparison);
+    write_report(options, {.result = result, .curve = curve, .series = series, .material_notes = material_notes(json)}, comparison);
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
     for (const std::string& line : summary_lines(json)) console.say(line);
     if (const auto advice = material_advice(json)) console.warn(*advice);

@@ -1,17 +1,14 @@
 #pragma once
 /// --report: the page about a result. Held by tests/report.
 #include <optional>
-#include <span>
 
-#include "io/result_file.hpp"
-#include "post/plot.hpp"
 #include "postprocess_checks.hpp"
 #include "postprocess_options.hpp"
+#include "report/report.hpp"
 
 namespace soft {
 
-/// Without --report nothing.
-void write_report(const PostprocessOptions& options, const io::Result& result, const post::Curve& curve,
-                  std::span<const post::PlotSeries> series, const std::optional<Comparison>& comparison);
+/// Without --report nothing. The content lacks the comparison and what stands in the options.
+void write_report(const PostprocessOptions& options, report::Content content, const std::optional<Comparison>& comparison);
 
 }  // namespace soft

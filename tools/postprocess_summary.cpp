@@ -95,4 +95,12 @@ std::optional<std::string> material_advice(const nlohmann::ordered_json& json) {
     return fit.contains("advice") ? std::optional{fit["advice"].get<std::string>()} : std::nullopt;
 }
 
+std::vector<std::string> material_notes(const nlohmann::ordered_json& json) {
+    std::vector<std::string> notes;
+    if (json["material_fit"].is_null()) return notes;
+    notes.push_back(fit_line(json["material_fit"]));
+    if (const auto advice = material_advice(json)) notes.push_back(*advice);
+    return notes;
+}
+
 }  // namespace soft

@@ -20,5 +20,7 @@ namespace soft {
 
 /// The warning where the rubber is stretched beyond the data its constants were fitted to (design::fit_advice).
 [[nodiscard]] std::optional<std::string> material_advice(const nlohmann::ordered_json& json);
+/// Both, for the report; empty for constants of which nothing is said.
+[[nodiscard]] std::vector<std::string> material_notes(const nlohmann::ordered_json& json);
 
 }  // namespace soft

@@ -24,6 +24,7 @@ struct Content {
     std::span<const post::ErrorSummary> errors = {};  ///< of `curve` against `measured`
     post::PlotRequest plot = {};
     std::string made_by = {};  ///< program, version, command line
+    std::vector<std::string> material_notes = {};  ///< what is known of the data behind the constants, a sentence each
 };
 
 /// Largest size of the moving body in the page [bytes], before base64 adds a third; see report/scene.hpp.

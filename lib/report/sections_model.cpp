@@ -122,6 +122,7 @@ std::string material_section(const Content& content) {
         html += "<p>On this path 99 % of the rubber stays below a principal stretch of " +
                 core::rounded_text(reached, 4) + ".</p>\n";
     }
+    for (const std::string& note : content.material_notes) html += "<p>" + escaped(note) + "</p>\n";
     return html;
 }
 
