@@ -11,6 +11,9 @@
 
 namespace soft {
 
+/// A table that the user names.
+[[nodiscard]] table::Table read_csv(const std::string& file);
+
 /// Measured data, where --compare names some, with what they say of the path.
 struct Comparison {
     post::Measured measured;

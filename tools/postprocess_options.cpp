@@ -24,6 +24,8 @@ void add_plot_options(CLI::App& app, PlotOptions& plot) {
     repeatable(
         app.add_option("--with", plot.with, "Another result in the same plot, also that of --report (repeatable)"))
         ->type_name("FILE[:LABEL]");
+    app.add_option("--band", plot.band, "In the plot: the band of the errors of the constants, a table by scripts/uncertainty")
+        ->type_name("FILE.csv");
 }
 
 void add_compare_options(CLI::App& app, CompareOptions& compare) {
@@ -83,7 +85,7 @@ void check_combinations(const CLI::App& app) {
         if (app.count(option) > 0)
             throw Error(ExitCode::usage, option, "says nothing without " + core::join(names, " or "));
     };
-    for (const char* option : {"--with", "--x", "--y"}) needs(option, {"--plot", "--report"});
+    for (const char* option : {"--with", "--x", "--y", "--band"}) needs(option, {"--plot", "--report"});
     for (const char* option : {"--columns", "--max-error"}) needs(option, {"--compare"});
     for (const char* option : {"--rtol", "--atol"}) needs(option, {"--check"});
     needs("--junit", {"--check", "--max-error"});
@@ -95,7 +97,7 @@ void check_combinations(const CLI::App& app) {
 
 /// No file twice, and those of the right kind.
 void check_files(const PostprocessOptions& options) {
-    std::vector<cli::NamedFile> inputs = {{"RESULT", options.input}, {"--compare", options.compare.file}, {"--check", options.check.file}};
+    std::vector<cli::NamedFile> inputs = {{"RESULT", options.input}, {"--compare", options.compare.file}, {"--check", options.check.file}, {"--band", options.plot.band}};
     for (const std::string& other : options.plot.with) inputs.push_back({"--with", other.substr(0, other.rfind(':'))});
     const std::vector<cli::NamedFile> outputs = {
         {"--output", options.wants_table ? options.common.output : ""}, {"--json", options.common.json},

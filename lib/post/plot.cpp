@@ -141,7 +141,7 @@ std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest&
 
 /// What the legend has to explain once for all paths.
 struct Seen {
-    bool unstable = false, band = false, limits = false, bifurcations = false;
+    bool unstable = false, band = false, constants = false, limits = false, bifurcations = false;
 };
 
 void add_path(Script& script, const Blocks& blocks, std::size_t index, double point_size, Seen& seen) {
@@ -151,6 +151,7 @@ void add_path(Script& script, const Blocks& blocks, std::size_t index, double po
     script.add("stable" + n, blocks.stable, "with lines linewidth 2" + colour + " notitle");
     script.add("unstable" + n, blocks.unstable, "with lines linewidth 2 dashtype (8,6)" + colour + " notitle");
     script.add("bars" + n, blocks.bars, "with xyerrorbars linewidth 1 pointtype 0" + colour + " notitle");
+    script.add("constants" + n, blocks.constants, "with xyerrorbars linewidth 5 pointtype 0 linecolor rgb '#E69F00' notitle");
     script.add("markers" + n, blocks.markers,
                "with points " + script.points(style.point, point_size) + colour + " notitle");
     script.add("limits" + n, blocks.limits,
@@ -162,6 +163,7 @@ void add_path(Script& script, const Blocks& blocks, std::size_t index, double po
     if (!blocks.bifurcations.empty()) script.plot("$bifurcations" + n + labels);
     seen.unstable |= !blocks.unstable.empty();
     seen.band |= !blocks.band.empty();
+    seen.constants |= !blocks.constants.empty();
     seen.limits |= !blocks.limits.empty();
     seen.bifurcations |= !blocks.bifurcations.empty();
 }
@@ -178,6 +180,8 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const Seen& 
             script.legend("with linespoints " + sign(i), gnuplot_text(series[i].label));
     if (seen.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
     if (seen.band) script.legend("with filledcurves linecolor rgb '#0072B2'", "'error of the mesh'");
+    if (seen.constants)
+        script.legend("with lines linewidth 5 linecolor rgb '#E69F00'", "'one standard deviation of the constants'");
     if (seen.limits)
         script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
     if (seen.bifurcations)

@@ -1,7 +1,8 @@
 #pragma once
 /// Picture of one or more paths: any column of the curve over any other. Each path is the smooth curve of post::Path, its
 /// unstable part dashed, converged steps as markers, limit points as filled triangles and bifurcations as filled squares with
-/// their value, the error of the mesh (`solve --tolerance`) as a band with bars, measured points as crosses. Paths differ in
+/// their value, the error of the mesh (`solve --tolerance`) as a band with bars, that of the constants as thick bars, measured points as
+/// crosses. Paths differ in
 /// their markers, so nothing depends on colour; the colours are those of Okabe and Ito (2008), told apart by all eyes.
 /// Held by post/plot_test.
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "post/band.hpp"
 #include "post/curve.hpp"
 #include "post/measured.hpp"
 #include "solution/path.hpp"
@@ -25,6 +27,7 @@ struct PlotSeries {
     std::string label;  ///< in the legend, where there are several
     Curve curve;
     solution::PathEnd end;  ///< its limit points and bifurcations are drawn
+    std::optional<Band> band = {};  ///< of its constants, drawn where the load is on an axis
 };
 
 enum class PictureFormat { svg, png, pdf };

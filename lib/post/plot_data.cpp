@@ -63,6 +63,19 @@ std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& a
     return there;
 }
 
+/// One bar a row of the band's table: between them the path is no straight line. Empty where the load is on no axis.
+std::string constants_bars(const Band& band, const PlotAxes& axes) {
+    const Series* x = band.points.find(axes.x);
+    const Series* y = band.points.find(axes.y);
+    if (x == nullptr || y == nullptr || (axes.x != band.load && axes.y != band.load)) return {};
+    std::string bars;
+    for (std::size_t row = 0; row < band.half.size(); ++row) {
+        const double dx = axes.x == band.load ? band.half[row] : 0, dy = axes.x == band.load ? 0 : band.half[row];
+        bars += line({x->values[row], y->values[row], x->values[row] - dx, x->values[row] + dx, y->values[row] - dy, y->values[row] + dy});
+    }
+    return bars;
+}
+
 void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t most, Blocks& blocks) {
     const Column& x = curve.columns[axes.x];
     const Column& y = curve.columns[axes.y];
@@ -98,6 +111,7 @@ Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t m
     const Path path(curve);
     sample_line(curve, path, axes, blocks);
     blocks.band = band_outline(curve, path, axes);
+    if (series.band) blocks.constants = constants_bars(*series.band, axes);
     add_markers(curve, axes, most_markers, blocks);
     for (const solution::LimitPoint& limit : series.end.limit_points) blocks.limits += labelled(x, y, limit);
     for (const solution::Bifurcation& branch : series.end.bifurcations)

@@ -10,6 +10,7 @@ struct Blocks {
     std::string stable, unstable;      ///< sampled path, strokes apart by an empty line
     std::string markers;               ///< converged steps
     std::string band;                  ///< outline of the errors, there and back
+    std::string constants;             ///< band of the constants, as bars
     std::string bars;                  ///< "x y xlow xhigh ylow yhigh" at the markers
     std::string limits, bifurcations;  ///< "x y label"
 };

@@ -19,5 +19,7 @@ claim 'linearised and sampled bands agree' within \
     "$(awk -v b="$(band band_linear three.csv)" -v s="$(band band_sampled three.csv)" 'BEGIN { print s / b }')" 0.55 1.45
 claim 'the picture shows both bands' grep -q 'one standard deviation, linearised' band.svg
 claim 'and the samples' grep -q '24 samples' band.svg
+runs "mesh-gen designs/rod.yaml $coarse | solve --quiet -o rod.h5; postprocess --quiet rod.h5 --plot rod.svg --band three.csv -o rod.csv"
+claim "postprocess draws it too" grep -q "one standard deviation of the constants" rod.svg
 refuses 64 'uncertainty: band.jpg: pictures are written as *' "$here/../../scripts/uncertainty designs/rod.yaml one.json --at elongation=50mm --plot band.jpg"
 refuses 64 'uncertainty: say where: *' "$here/../../scripts/uncertainty designs/rod.yaml one.json"
