@@ -187,6 +187,9 @@ std::optional<FitOptions> parse_fit_options(int argc, char** argv) {
     if (!parse(app, fit_about(), options.common, argc, argv)) return std::nullopt;
     std::erase_if(words.files, [](const auto& entry) { return entry.second.empty(); });
     apply(words, options);
+    std::vector<NamedFile> inputs;
+    for (const TestFile& file : options.files) inputs.push_back({"TEST.csv", file.name});
+    check_distinct(inputs, {{"--output", options.common.output}, {"--json", options.common.json}, {"--plot", options.plot}});
     return options;
 }
 

@@ -48,6 +48,7 @@ refuses 65 'fit-material: back.csv:4: the strain turns back; *' 'fit-material ba
 refuses 65 'fit-material: unit.csv:1: the unit of the stress is nowhere stated; give --stress-unit*' 'fit-material unit.csv'
 refuses 65 'fit-material: back.csv: 3 rows are too few for the 3 constants of yeoh; *' 'fit-material back.csv --any-order'
 refuses 66 'fit-material: none.csv: *' 'fit-material none.csv'
+refuses 64 'fit-material: --output text.csv: would overwrite the input; *' 'fit-material text.csv -o text.csv'
 refuses 64 "fit-material: --law: no law is called 'yeho'; did you mean 'yeoh'*" 'fit-material text.csv --law yeho'
 refuses 64 "fit-material: --range: '110%' has no colon; *" 'fit-material text.csv --range 110%'
 refuses 64 "fit-material: --range: '0:110' looks like percentages*" 'fit-material text.csv --range 0:110'
