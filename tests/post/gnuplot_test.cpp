@@ -10,24 +10,13 @@
 #include <iterator>
 #include <string>
 
+#include "../core/path_variable.hpp"
 #include "core/error.hpp"
 
 namespace soft::post {
 namespace {
 
-/// Another PATH for the length of a test.
-class PathVariable {
-public:
-    explicit PathVariable(const std::string& value) : before_(std::getenv("PATH") ? std::getenv("PATH") : "") {
-        ::setenv("PATH", value.c_str(), 1);
-    }
-    ~PathVariable() { ::setenv("PATH", before_.c_str(), 1); }
-    PathVariable(const PathVariable&) = delete;
-    PathVariable& operator=(const PathVariable&) = delete;
-
-private:
-    std::string before_;
-};
+using soft::test::PathVariable;
 
 std::filesystem::path fresh_folder(const char* name) {
     const auto folder = std::filesystem::path(::testing::TempDir()) / name;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "../assembly/block_mesh.hpp"
+#include "../core/path_variable.hpp"
 #include "view/picture.hpp"
 
 namespace soft::view::test {
@@ -55,18 +56,6 @@ inline void write_program(const std::filesystem::path& file, const std::string& 
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);
 }
 
-/// Another PATH for the length of a test.
-class PathVariable {
-public:
-    explicit PathVariable(const std::string& value) : before_(std::getenv("PATH") ? std::getenv("PATH") : "") {
-        ::setenv("PATH", value.c_str(), 1);
-    }
-    ~PathVariable() { ::setenv("PATH", before_.c_str(), 1); }
-    PathVariable(const PathVariable&) = delete;
-    PathVariable& operator=(const PathVariable&) = delete;
-
-private:
-    std::string before_;
-};
+using soft::test::PathVariable;
 
 }  // namespace soft::view::test
