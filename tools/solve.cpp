@@ -56,7 +56,7 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
         ->type_name("PART");
     app.add_option("--resume", options.resume, "Goes on with the file that an interrupted `solve -o FILE` has left; no CASE")
         ->type_name("FILE");
-    app.add_flag("--profile", options.profile, "A table of where time and memory went, after the solve");
+    app.add_flag("--profile", options.profile, "After the solve a table of where the time went, and the most memory used");
     cli::add_set_option(app, options.sets);
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
