@@ -10,7 +10,7 @@ help:
 	@echo 'make test    build and run the tests; LABEL=unit, verification, pipeline or slow runs only those'
 	@echo 'make verify  the verification table: to the terminal, results/verification.csv and tests/verification/README.md'
 	@echo 'make build   everything, into build/ (binaries in build/bin)'
-	@echo 'make bench   timings of the standard cases'
+	@echo 'make bench   timings of the standard cases: to the terminal and results/benchmarks; BENCH="rod solid" or all for others'
 	@echo 'make format  clang-format over lib, tools and tests'
 	@echo 'make tidy    clang-tidy over lib and tools (needs a build)'
 	@echo 'make clean   remove build/ and results/'
@@ -37,8 +37,7 @@ verify: setup
 	@scripts/verify
 
 bench: build
-	@test -x scripts/benchmark || { echo 'bench: there is no scripts/benchmark yet' >&2; exit 1; }
-	@scripts/benchmark
+	@scripts/benchmark $(BENCH)
 
 format:
 	@command -v clang-format >/dev/null || { echo 'format: needs clang-format (apt-get install clang-format)' >&2; exit 1; }

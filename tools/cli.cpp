@@ -25,23 +25,10 @@ std::string bare_name(std::string_view program) {
     return std::string{slash == std::string_view::npos ? program : program.substr(slash + 1)};
 }
 
-/// Quoted so that the line can be pasted into a shell.
 std::string command_line_of(int argc, char** argv) {
-    std::string line = argc > 0 ? bare_name(argv[0]) : std::string{};
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word{argv[i]};
-        const bool plain =
-            !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string_view::npos;
-        line += ' ';
-        if (plain) {
-            line += word;
-            continue;
-        }
-        line += '\'';
-        for (const char c : word) line += c == '\'' ? std::string{"'\\''"} : std::string{c};
-        line += '\'';
-    }
-    return line;
+    std::vector<std::string> words(argv, argv + argc);
+    if (!words.empty()) words.front() = bare_name(words.front());
+    return cli::command_line_of(words);
 }
 
 /// A file opened later must not take the number of a closed standard stream: data would go into it unasked.
@@ -58,12 +45,10 @@ void print_error(std::string_view line) {
     std::fflush(stderr);
 }
 
-int report_bug(int argc, char** argv, std::string_view what) {
-    const std::string tool = argc > 0 ? bare_name(argv[0]) : std::string{"soft"};
-    print_error(tool + ": internal error: " + core::one_line(what, 500) +
-                "; this is a bug, please report it with the input files of: " +
-                core::one_line(command_line_of(argc, argv), 500));
-    return static_cast<int>(ExitCode::internal);
+ExitCode report_bug(std::string_view tool, std::string_view command_line, std::string_view what) {
+    print_error(std::string{tool} + ": internal error: " + core::one_line(what, 500) +
+                "; this is a bug, please report it with the input files of: " + core::one_line(command_line, 500));
+    return ExitCode::internal;
 }
 
 std::vector<std::string> long_options(const CLI::App& app) {
@@ -142,6 +127,10 @@ void add_common_options(CLI::App& app, CommonOptions& common, const About& about
 
 void add_input(CLI::App& app, std::string& input, const std::string& name, const std::string& help) {
     app.add_option(name, input, help + "; - or nothing: stdin")->type_name("FILE");
+}
+
+void add_inputs(CLI::App& app, std::vector<std::string>& inputs, const std::string& name, const std::string& help) {
+    app.add_option(name, inputs, help + "; - or nothing: stdin")->type_name("FILE");
 }
 
 void add_set_option(CLI::App& app, std::vector<std::string>& overrides) {
@@ -228,22 +217,43 @@ std::vector<std::string> library_lines(const About& about) {
     return lines;
 }
 
+std::string command_line_of(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) {
+        if (!line.empty()) line += ' ';
+        const bool plain = !word.empty() && word.find_first_of(" \t\n\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos;
+        if (plain) {
+            line += word;
+            continue;
+        }
+        line += '\'';
+        for (const char c : word) line += c == '\'' ? std::string{"'\\''"} : std::string{c};
+        line += '\'';
+    }
+    return line;
+}
+
+ExitCode telling_errors(std::string_view tool, std::string_view command_line, const std::function<ExitCode()>& body) {
+    try {
+        return body();
+    } catch (const Error& error) {
+        if (error.code() == ExitCode::internal) return report_bug(tool, command_line, error.what());
+        print_error(std::string{tool} + ": " + error.what());
+        return error.code();
+    } catch (const std::bad_alloc&) {
+        return report_bug(tool, command_line, "out of memory");
+    } catch (const std::exception& error) {
+        return report_bug(tool, command_line, error.what());
+    } catch (...) {
+        return report_bug(tool, command_line, "an exception of no known type");
+    }
+}
+
 int guarded(int argc, char** argv, const std::function<ExitCode()>& body) {
     open_missing_streams();
     std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is seen as EPIPE by core::write_all
-    try {
-        return static_cast<int>(body());
-    } catch (const Error& error) {
-        if (error.code() == ExitCode::internal) return report_bug(argc, argv, error.what());
-        print_error((argc > 0 ? bare_name(argv[0]) : std::string{"soft"}) + ": " + error.what());
-        return static_cast<int>(error.code());
-    } catch (const std::bad_alloc&) {
-        return report_bug(argc, argv, "out of memory");
-    } catch (const std::exception& error) {
-        return report_bug(argc, argv, error.what());
-    } catch (...) {
-        return report_bug(argc, argv, "an exception of no known type");
-    }
+    const std::string tool = argc > 0 ? bare_name(argv[0]) : std::string{"soft"};
+    return static_cast<int>(telling_errors(tool, command_line_of(argc, argv), body));
 }
 
 }  // namespace soft::cli

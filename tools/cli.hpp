@@ -57,6 +57,7 @@ struct CommonOptions {
 void add_common_options(CLI::App& app, CommonOptions& common, const About& about);
 /// The positional input; left empty when it is not given.
 void add_input(CLI::App& app, std::string& input, const std::string& name, const std::string& help);
+void add_inputs(CLI::App& app, std::vector<std::string>& inputs, const std::string& name, const std::string& help);
 /// --set key.path=value, repeatable.
 void add_set_option(CLI::App& app, std::vector<std::string>& overrides);
 
@@ -87,6 +88,12 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 /// "tool: place: problem; remedy" and its exit code, anything else exit code 70 with a request to report it.
 [[nodiscard]] int guarded(int argc, char** argv, const std::function<ExitCode()>& body);
 
+/// The part of it that tells errors; for one piece of work of several. `command_line` stands in requests to report.
+[[nodiscard]] ExitCode telling_errors(std::string_view tool, std::string_view command_line, const std::function<ExitCode()>& body);
+
+/// "mesh-gen 'my tube.yaml' -o t.h5": quoted so that it can be pasted into a shell.
+[[nodiscard]] std::string command_line_of(const std::vector<std::string>& words);
+
 /// parse: (int, char**) -> std::optional<Options>, run: (const Options&) -> ExitCode.
 template <class Parse, class Run>
 [[nodiscard]] int run_guarded(int argc, char** argv, Parse parse_options, Run run) {
@@ -113,6 +120,8 @@ void check_output(const std::string& name, Content content);
 /// To the file, whole or not at all, or to stdout for "-". A reader that closed early is not an error.
 void write_output(const std::string& name, std::span<const std::byte> bytes, Content content);
 void write_output(const std::string& name, std::string_view text);
+/// Also the folders it is in; nothing where it is there. Error(cannot_create) with the reason.
+void make_folder(const std::string& name);
 /// Indented JSON with a final newline.
 void write_json(const std::string& name, const nlohmann::ordered_json& json);
 

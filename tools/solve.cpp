@@ -2,10 +2,7 @@
 ///     int P : grad(du) dV = pressure x (change of enclosed volume),   int dp (Theta(J) - p/kappa) dV = 0.
 ///     mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv
 ///     mpirun -n 2 solve case.h5 -o result.h5 -- -mat_mumps_icntl_14 120
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <optional>
 
 #include "cli.hpp"
@@ -85,19 +82,10 @@ ExitCode solve(const SolveOptions& options) {
     return cli::on_all_ranks(session.rank(), session.size(), [&] { return cli::run_solve(options, about, session); });
 }
 
-/// OpenBLAS picks its kernels when it is loaded; where it has picked badly the program starts itself again with the
-/// right name set. Any value the user has set is left alone.
-void choose_blas_kernel(char** argv) {
-    std::string better;
-    if (std::getenv("OPENBLAS_CORETYPE") != nullptr || !linalg::blas_kernel_is_poor(better)) return;
-    setenv("OPENBLAS_CORETYPE", better.c_str(), 0);
-    execv("/proc/self/exe", argv);   // returns only on failure: then it runs on, slower
-}
-
 }  // namespace
 }  // namespace soft
 
 int main(int argc, char** argv) {
-    soft::choose_blas_kernel(argv);
+    soft::linalg::choose_blas_kernel(argv);
     return soft::cli::run_guarded(argc, argv, soft::parse_solve_options, soft::solve);
 }

@@ -188,7 +188,7 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
         const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
         if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99)) console.warn(*advice);
-        for (const std::string& option : session.unused_options()) console.warn("PETSc knows no option -" + option);
+        for (const std::string& option : session.unused_options()) console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");
         if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));
     }
     if (summary.end.reason != solution::StopReason::done) return ExitCode::stopped_early;

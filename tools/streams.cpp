@@ -65,6 +65,12 @@ void write_output(const std::string& name, std::string_view text) {
     write_output(name, std::as_bytes(std::span{text}), Content::text);
 }
 
+void make_folder(const std::string& name) {
+    std::error_code failed;
+    std::filesystem::create_directories(name, failed);
+    if (failed) throw Error(ExitCode::cannot_create, name, "cannot be created: " + failed.message());
+}
+
 void write_json(const std::string& name, const nlohmann::ordered_json& json) {
     // File names need not be UTF-8; JSON must be.
     constexpr int indent = 2;

@@ -156,11 +156,12 @@ void System::for_each_point(Visit&& visit) const {
     std::vector<element::PointState> points;
     for (const auto& group : groups_) {
         LocalCell local(*group.reference);
+        element::CellPoints work(*group.reference);
         const auto frame = std::visit([](const auto& rubber) { return rubber.fiber_frame; }, *group.rubber);
         for (std::size_t c = 0; c < group.cells.size(); ++c) {
             gather_cell(group, c, local);
             points.clear();
-            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), points);
+            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work, points);
             for (const auto& point : points) visit(point, *group.rubber);
         }
     }

@@ -99,8 +99,9 @@ SparseVector body_force(const model::Case& input, const DofMap& map, std::span<c
             for (int a = 0; a < reference.nodes; ++a) X[i * reference.nodes + a] = mesh.point(nodes[a])[i];
         points.clear();
         const std::size_t moving = X.size();
+        element::CellPoints work(reference);
         element::sample_cell(reference, input.kinematics, material::FiberFrame::cartesian,
-                             {X, {rest.data(), moving}, {rest.data() + moving, rest.size() - moving}, 1.0}, points);
+                             {X, {rest.data(), moving}, {rest.data() + moving, rest.size() - moving}, 1.0}, work, points);
         for (std::size_t q = 0; q < points.size(); ++q)
             for (int a = 0; a < reference.nodes; ++a)
                 mass[nodes[a]] += density[mesh.cell_regions[cell]] * points[q].weight_m3 * reference.N[q * reference.nodes + a];

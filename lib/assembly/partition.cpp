@@ -40,11 +40,17 @@ void allocate(PetscInt count, PetscInt** memory) { SOFT_PETSC(PetscMalloc1(count
 }  // namespace
 
 std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm) {
+    int size = 1;
+    MPI_Comm_size(comm, &size);
+    return partition_cells(mesh, comm, size);
+}
+
+std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm, int parts) {
     int size = 1, rank = 0;
     MPI_Comm_size(comm, &size);
     MPI_Comm_rank(comm, &rank);
     std::vector<int> ranks(mesh.cell_types.size(), 0);
-    if (size == 1) return ranks;
+    if (parts == 1) return ranks;
 
     const auto graph = dual_graph(mesh);
     const auto total = static_cast<PetscInt>(graph.size());
@@ -63,7 +69,7 @@ std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm) {
     SOFT_PETSC(MatPartitioningCreate(comm, partitioning.out()));
     SOFT_PETSC(MatPartitioningSetAdjacency(partitioning, adjacency));
     SOFT_PETSC(MatPartitioningSetType(partitioning, MATPARTITIONINGPTSCOTCH));
-    SOFT_PETSC(MatPartitioningSetNParts(partitioning, size));
+    SOFT_PETSC(MatPartitioningSetNParts(partitioning, parts));
     SOFT_PETSC(MatPartitioningSetFromOptions(partitioning));
     linalg::IndexSet mine, all;
     SOFT_PETSC(MatPartitioningApply(partitioning, mine.out()));

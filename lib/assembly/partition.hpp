@@ -11,4 +11,7 @@ namespace soft::assembly {
 /// Rank of every cell, the same on all ranks; all zero on one rank.
 [[nodiscard]] std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm);
 
+/// The same cut into any number of parts by the ranks there are: what a run on that many ranks would be given.
+[[nodiscard]] std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm, int parts);
+
 }  // namespace soft::assembly

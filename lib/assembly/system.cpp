@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "assembly/pattern.hpp"
 #include "core/error.hpp"
 
 namespace soft::assembly {
@@ -215,32 +216,7 @@ linalg::Vector System::make_vector() const {
     return vector;
 }
 
-linalg::Matrix System::make_matrix() const {
-    const PetscInt own = map_.end - map_.begin;
-    linalg::Matrix pattern;
-    SOFT_PETSC(MatCreate(comm_, pattern.out()));
-    SOFT_PETSC(MatSetType(pattern, MATPREALLOCATOR));
-    SOFT_PETSC(MatSetSizes(pattern, own, own, map_.total, map_.total));
-    SOFT_PETSC(MatSetUp(pattern));
-    std::vector<PetscScalar> zeros;
-    for (const auto& group : groups_) {
-        const PetscInt n = group.reference->dofs();
-        zeros.assign(static_cast<std::size_t>(n) * n, 0.0);
-        for (std::size_t c = 0; c < group.cells.size(); ++c) {
-            const PetscInt* dofs = &group.dofs[c * n];
-            SOFT_PETSC(MatSetValues(pattern, n, dofs, n, dofs, zeros.data(), INSERT_VALUES));
-        }
-    }
-    SOFT_PETSC(MatAssemblyBegin(pattern, MAT_FINAL_ASSEMBLY));
-    SOFT_PETSC(MatAssemblyEnd(pattern, MAT_FINAL_ASSEMBLY));
-    linalg::Matrix K;
-    SOFT_PETSC(MatCreate(comm_, K.out()));
-    SOFT_PETSC(MatSetType(K, MATAIJ));
-    SOFT_PETSC(MatSetSizes(K, own, own, map_.total, map_.total));
-    SOFT_PETSC(MatPreallocatorPreallocate(pattern, PETSC_TRUE, K));
-    SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
-    return K;
-}
+linalg::Matrix System::make_matrix() const { return make_zero_matrix(input_.mesh, map_, references_, comm_); }
 
 void System::read_state(Vec x) {
     SOFT_PETSC(VecScatterBegin(ghost_scatter_, x, ghost_values_, INSERT_VALUES, SCATTER_FORWARD));

@@ -63,6 +63,7 @@ struct FamilyKeys {
 struct Override {
     std::string path;                           ///< "geometry.wall"
     std::string value;                          ///< "2.5mm"
+    std::string place = {};                     ///< where it is written, for errors; empty: "--set geometry.wall"
 };
 
 struct Design {
@@ -125,6 +126,10 @@ struct SolveChanges {
     std::string effective_yaml;
 };
 [[nodiscard]] SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Override> overrides);
+
+/// The file that a value at `place` names: one in a file is meant from that file's folder, one on the command line or stdin
+/// from the working directory.
+[[nodiscard]] std::string file_from(std::string_view place, const std::string& file);
 
 /// "a.b=value" -> Override; Error(usage) otherwise. `load.` is short for `loads.cavity.`.
 [[nodiscard]] Override parse_override(std::string_view argument);

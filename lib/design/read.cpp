@@ -76,7 +76,7 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
 
 void override_tree(Node& root, std::span<const Override> overrides) {
     for (const Override& change : overrides)
-        put(root, change.path, parse_fragment(change.value, "--set " + change.path));
+        put(root, change.path, parse_fragment(change.value, change.place.empty() ? "--set " + change.path : change.place));
 }
 
 Node overridden_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,

@@ -10,7 +10,7 @@
 
 namespace soft::design {
 
-/// Puts the overrides into the tree; their places are "--set path".
+/// Puts the overrides into the tree; their places are "--set path" where they have none of their own.
 void override_tree(Node& root, std::span<const Override> overrides);
 
 /// The design's tree with the overrides in it, those of loads under any name of the face.

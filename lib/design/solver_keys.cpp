@@ -30,6 +30,7 @@ constexpr std::array preconditioner_words{Word<Preconditioner>{"lu", Preconditio
                                           Word<Preconditioner>{"asm-boomeramg", Preconditioner::asm_boomeramg},
                                           Word<Preconditioner>{"boomeramg", Preconditioner::boomeramg},
                                           Word<Preconditioner>{"gamg", Preconditioner::gamg},
+                                          Word<Preconditioner>{"multigrid", Preconditioner::multigrid},
                                           Word<Preconditioner>{"jacobi", Preconditioner::jacobi},
                                           Word<Preconditioner>{"none", Preconditioner::none}};
 constexpr std::array step_words{Word<StepRule>{"error-adaptive", StepRule::error_adaptive},
@@ -95,7 +96,8 @@ std::vector<Key> newton_keys(const model::SolverSettings& defaults) {
 std::vector<Key> linear_keys(const model::SolverSettings& defaults) {
     return {
         choice(linear_path, linear_words, defaults.linear.method,
-               "how the linear systems are solved; auto is mumps-ldlt, and mumps-lu where the tangent is not symmetric"),
+               "how the linear systems are solved; auto is mumps-ldlt, mumps-lu where the tangent is not symmetric, and krylov with "
+               "multigrid for solids of more than 500,000 unknowns"),
         choice(preconditioner_path, preconditioner_words, defaults.linear.preconditioner,
                "of krylov and jacobian-free; asm is additive Schwarz with one block a rank"),
         number("solver.linear_tolerance", defaults.linear.tolerance,

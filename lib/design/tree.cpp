@@ -22,6 +22,8 @@ constexpr std::size_t deepest = 16;
 struct Places {
     std::string source;
     bool numbered;  // false: a fragment, which has one place
+    DocumentKind kind = {};
+    [[nodiscard]] std::string a_kind() const { return "a " + std::string{kind.noun}; }
     [[nodiscard]] std::string at(int line, int column) const {
         if (!numbered) return source;
         return source + ":" + std::to_string(std::max(line, 0) + 1) + ":" + std::to_string(std::max(column, 0) + 1);
@@ -37,7 +39,7 @@ public:
     Node take() { return std::move(root_); }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
-        if (++documents_ > 1) refuse(places_.at(mark), "", "a second document starts here", "keep one design a file");
+        if (++documents_ > 1) refuse(places_.at(mark), "", "a second document starts here", "keep one " + std::string{places_.kind.noun} + " a file");
     }
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -71,16 +73,16 @@ private:
     };
 
     [[noreturn]] void refuse_anchor(const YAML::Mark& mark) const {
-        refuse(places_.at(mark), "", "anchors and aliases are not part of a design", "write the value out");
+        refuse(places_.at(mark), "", "anchors and aliases are not part of " + places_.a_kind(), "write the value out");
     }
 
     void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         if (anchor != 0) refuse_anchor(mark);
         const bool ordinary = tag.empty() || tag == "?" || tag == "!";  // plain and quoted scalars
-        if (!ordinary) refuse(places_.at(mark), "", "tags are not part of a design", "leave out " + core::quoted(tag));
+        if (!ordinary) refuse(places_.at(mark), "", "tags are not part of " + places_.a_kind(), "leave out " + core::quoted(tag));
         if (++nodes_ > most_nodes)
             refuse(places_.at(mark), "", "more than " + std::to_string(most_nodes) + " values",
-                   "a design is a page of text");
+                   places_.a_kind() + " is a page of text");
     }
 
     void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
@@ -149,8 +151,8 @@ std::string place_of_byte(std::string_view text, std::size_t offset, const Place
 
 void check_characters(std::string_view text, const Places& places) {
     if (text.size() > longest_document)
-        refuse(places.source, "", "the design is longer than 1 MiB",
-               "a design is a page of text; is this the right file?");
+        refuse(places.source, "", "the " + std::string{places.kind.noun} + " is longer than 1 MiB",
+               places.a_kind() + " is a page of text; is this the right file?");
     const auto is_control = [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
@@ -161,7 +163,7 @@ void check_characters(std::string_view text, const Places& places) {
     if (offset == text.size()) return;
     const bool is_utf8 = !invalid || offset < *invalid;
     refuse(place_of_byte(text, offset, places), "", is_utf8 ? "a control character" : "not UTF-8 text",
-           "a design is a YAML text; is this the right file?");
+           places.a_kind() + " is a YAML text; is this the right file?");
 }
 
 Node parse(std::string_view text, const Places& places) {
@@ -175,14 +177,16 @@ Node parse(std::string_view text, const Places& places) {
         while (parser.HandleNextDocument(builder)) {}
     } catch (const YAML::Exception& error) {
         const std::string place = error.mark.is_null() ? places.source : places.at(error.mark);
-        refuse(place, "", "not YAML: " + core::one_line(error.msg), "see `mesh-gen --template` for a design");
+        refuse(place, "", "not YAML: " + core::one_line(error.msg), places.kind.example);
     }
     return builder.take();
 }
 
 }  // namespace
 
-Node parse_yaml(std::string_view text, std::string_view source) { return parse(text, {std::string{source}, true}); }
+Node parse_yaml(std::string_view text, std::string_view source, const DocumentKind& kind) {
+    return parse(text, {std::string{source}, true, kind});
+}
 
 Node parse_fragment(std::string_view text, std::string_view place) { return parse(text, {std::string{place}, false}); }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// A YAML document as a plain tree that remembers where everything stood. Only what designs need: maps with plain
-/// keys, lists, single values; anchors, aliases, tags and further documents are refused. Private to the room.
+/// keys, lists, single values; anchors, aliases, tags and further documents are refused. For this room and for sweep.
 /// Held by design/tree_test.
 #include <string>
 #include <string_view>
@@ -28,8 +28,14 @@ struct Member {
 
 inline constexpr std::string_view place_default = "default";  ///< place of what the user did not write
 
+/// What a document is, for its errors.
+struct DocumentKind {
+    std::string_view noun = "design";
+    std::string_view example = "see `mesh-gen --template` for a design";
+};
+
 /// Throws Error(bad_input) "source:line:column: problem; remedy". At most 1 MiB, 20000 nodes, 16 levels.
-[[nodiscard]] Node parse_yaml(std::string_view text, std::string_view source);
+[[nodiscard]] Node parse_yaml(std::string_view text, std::string_view source, const DocumentKind& kind = {});
 
 /// A fragment that is not in a file: every place in it and in its errors is `place`.
 [[nodiscard]] Node parse_fragment(std::string_view text, std::string_view place);

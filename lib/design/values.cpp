@@ -1,4 +1,5 @@
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
 #include "core/text.hpp"
@@ -49,6 +50,12 @@ Error Values::refuse(std::string_view path, std::string_view problem, std::strin
     std::string place = entry == entries_.end() ? std::string{} : entry->second.place;
     if (place != "--set " + std::string{path}) place.append(place.empty() ? "" : ": ").append(path);
     return Error(ExitCode::bad_input, place, problem, remedy);
+}
+
+std::string file_from(std::string_view place, const std::string& file) {
+    if (place.starts_with("--set") || place.starts_with('<')) return file;
+    for (int part = 0; part < 2; ++part) place = place.substr(0, place.rfind(':'));   // "designs/part.yaml:3:9"
+    return (std::filesystem::path{place}.parent_path() / file).string();
 }
 
 void Values::set(std::string path, Entry entry) { entries_.insert_or_assign(std::move(path), std::move(entry)); }

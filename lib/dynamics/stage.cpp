@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "assembly/element_levels.hpp"
+
 namespace soft::dynamics {
 
 namespace {
@@ -42,11 +44,12 @@ StageSolver::StageSolver(MotionEquations& equations)
     : equations_(equations),
       settings_(equations.system().input().solver),
       J_(equations.system().make_matrix()),
-      solver_(J_, symmetry_of(equations.system()), with_a_matrix(settings_.linear)),
+      solver_(J_, symmetry_of(equations.system()), with_a_matrix(assembly::choose_linear(settings_.linear, equations.system().input(), equations.system().dofs().total))),
       r_(equations.system().make_vector()),
       dx_(equations.system().make_vector()),
       inertia_(equations.system().make_vector()),
       masked_(equations.system().make_vector()) {
+    assembly::equip(solver_, equations.system(), J_);
     for (std::size_t k = 0; k < equations.line_count(); ++k) {
         columns_.push_back(equations.system().make_vector());
         gradients_.push_back(equations.system().make_vector());

@@ -1,16 +1,14 @@
 #pragma once
-/// What a cell is given and returns, and what all its kernels share: the map of a point, F, and the sums over the points.
+/// What a cell is given and returns, and what all its kernels share: the map of its points, F, and the sums over the points.
 /// F = I + grad u in the reference configuration; axisymmetric: F_33 = r/R and dV = 2 pi R dX dR.
 /// Element unknowns are numbered component by component: u_x of all nodes, u_y (u_r) of all nodes, (u_z), pressures.
 /// For element/solid_kernel.hpp, whose tests hold it.
-#include <cmath>
-#include <numbers>
 #include <span>
 #include <vector>
 
 #include "core/tensor.hpp"
 #include "element/reference_cell.hpp"
-#include "material/response.hpp"
+#include "material/point_batch.hpp"
 #include "model/case.hpp"
 
 namespace soft::element {
@@ -23,117 +21,59 @@ struct CellInput {
     double pressure_scale_Pa = 1;        ///< makes displacement and pressure rows alike in size; see assembly/dof_map.hpp
 };
 
+/// The quadrature points of a cell, side by side: component c of point q at [c * stride + q] with the stride of `law`, whose F
+/// is that of the displacement until an element form puts another in its place.
+struct CellPoints {
+    explicit CellPoints(const ReferenceCell& cell);
+
+    std::vector<double> values;          ///< [X_i, then u_i][by xi_d, then at the point]
+    std::vector<double> inverse;         ///< [3 J + d] dxi_d/dX_J
+    std::vector<double> volume;          ///< reference volume [m^3], 2 pi R included; zero beyond the last point
+    std::vector<double> jacobian;        ///< det F
+    std::vector<double> gradient;        ///< [direction][point][node], not padded but with a vector's room behind: dN/dX, then N/R for bodies of revolution
+    std::vector<double> basis;           ///< [pressure function], scaled so that p [Pa] = sum basis x unknown
+    material::PointBatch law;
+};
+
 /// What a cell returns, with the work space it needs; made once a thread and cell type, reused for every cell.
 struct CellOutput {
     explicit CellOutput(const ReferenceCell& cell)
-        : residual(cell.dofs()), stiffness(static_cast<std::size_t>(cell.dofs()) * cell.dofs()),
-          gradient(static_cast<std::size_t>(cell.dimension + 1) * cell.nodes), basis(cell.pressure_dofs),
-          product(static_cast<std::size_t>(3) * cell.nodes) {}
+        : residual(cell.dofs()), stiffness(static_cast<std::size_t>(cell.dofs()) * cell.dofs()), points(cell) {}
 
     std::vector<double> residual;        ///< [N] (pressure rows in the scaled unknown)
     std::vector<double> stiffness;       ///< row-major, dofs x dofs
     double min_jacobian = 1;             ///< least det F over the quadrature points
-    std::vector<double> gradient, basis, product;   ///< work space: dN/dX and N/R; pressure functions; A : grad N
+    CellPoints points;
+    std::vector<double> product;         ///< work space: A : grad N at all points
 };
 
 namespace detail {
 
-/// Reference position of a quadrature point.
-[[nodiscard]] Vector3 position(const ReferenceCell& cell, const CellInput& in, int q);
-
-/// Fills `gradient` with dN/dX (and N/R), returns the reference volume of the point.
+/// Fills volume, jacobian, gradient, F, and in mixed form basis and law.p.
 template <bool Axisymmetric>
-double map_point(const ReferenceCell& cell, const CellInput& in, int q, std::vector<double>& gradient) {
-    const int n = cell.nodes, dim = cell.dimension;
-    Tensor dX{};
-    dX[8] = 1.0;
-    const double* dN = &cell.dN_dxi[static_cast<std::size_t>(q) * dim * n];
-    for (int i = 0; i < dim; ++i)
-        for (int d = 0; d < dim; ++d) {
-            double sum = 0;
-            for (int a = 0; a < n; ++a) sum += in.X[i * n + a] * dN[d * n + a];
-            dX[3 * i + d] = sum;
-        }
-    const double det = determinant(dX);
-    const Tensor cof = cofactor(dX);   // inverse transpose x det
-    for (int J = 0; J < dim; ++J)
-        for (int a = 0; a < n; ++a) {
-            double sum = 0;
-            for (int d = 0; d < dim; ++d) sum += cof[3 * J + d] * dN[d * n + a];
-            gradient[J * n + a] = sum / det;
-        }
-    double volume = det * cell.weight[q];
-    if constexpr (Axisymmetric) {
-        const double* N = &cell.N[static_cast<std::size_t>(q) * n];
-        double R = 0;
-        for (int a = 0; a < n; ++a) R += N[a] * in.X[n + a];
-        for (int a = 0; a < n; ++a) gradient[2 * n + a] = N[a] / R;
-        volume *= 2.0 * std::numbers::pi * R;
-    }
-    return volume;
-}
+void map_points(const ReferenceCell& cell, const CellInput& in, CellPoints& points);
 
-template <bool Axisymmetric>
-Tensor deformation_gradient(const ReferenceCell& cell, const CellInput& in, const std::vector<double>& gradient) {
-    const int n = cell.nodes, dim = cell.dimension;
-    Tensor F = identity_tensor;
-    for (int i = 0; i < dim; ++i)
-        for (int J = 0; J < dim; ++J)
-            for (int a = 0; a < n; ++a) F[3 * i + J] += in.u[i * n + a] * gradient[J * n + a];
-    if constexpr (Axisymmetric)
-        for (int a = 0; a < n; ++a) F[8] += in.u[n + a] * gradient[2 * n + a];
-    return F;
-}
+[[nodiscard]] double least_jacobian(const ReferenceCell& cell, const CellPoints& points);
 
-/// The fibre frame at quadrature point q: e1 = x, e2 = y or the hoop direction about x. A section of a body of revolution
+/// The pressure functions at a node, scaled.
+void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X, int node, double scale_Pa, std::span<double> basis);
+
+/// The fibre frames at the points into law.axes: e1 = x, e2 = y or the hoop direction about x. A section of a body of revolution
 /// lies in (x, r, hoop), so its hoop is the third axis.
 template <bool Axisymmetric>
-material::FiberAxes fiber_axes(const ReferenceCell& cell, material::FiberFrame frame, const CellInput& in, int q) {
-    if (frame == material::FiberFrame::cartesian) return {};
-    if constexpr (Axisymmetric) return {{1, 0, 0}, {0, 0, 1}};
-    const int n = cell.nodes;
-    const double* N = &cell.N[static_cast<std::size_t>(q) * n];
-    double y = 0, z = 0;
-    for (int a = 0; a < n; ++a) {
-        y += N[a] * in.X[n + a];
-        if (cell.dimension == 3) z += N[a] * in.X[2 * n + a];
-    }
-    const double r = std::hypot(y, z);   // > 0 inside a cell: quadrature points do not lie on the axis
-    return {{1, 0, 0}, {0, -z / r, y / r}};
-}
+void find_fiber_axes(const ReferenceCell& cell, material::FiberFrame frame, CellPoints& points);
 
-/// Pressure functions at quadrature point q, scaled so that p [Pa] = sum basis x unknown.
-void pressure_basis(const ReferenceCell& cell, const CellInput& in, int q, std::span<double> basis);
-
-/// Adds the part of the residual that one point gives.
+/// The residual from the law's answers.
 template <bool Axisymmetric>
-void add_residual(const ReferenceCell& cell, const material::PointResponse& point, double volume,
-                  double inverse_bulk_modulus, double p, CellOutput& out) {
-    const int n = cell.nodes, dim = cell.dimension;
-    for (int i = 0; i < dim; ++i) {
-        double* R = &out.residual[i * n];
-        for (int J = 0; J < dim; ++J) {
-            const double stress = volume * point.first_piola[3 * i + J];
-            for (int a = 0; a < n; ++a) R[a] += stress * out.gradient[J * n + a];
-        }
-    }
-    if constexpr (Axisymmetric)
-        for (int a = 0; a < n; ++a) out.residual[n + a] += volume * point.first_piola[8] * out.gradient[2 * n + a];
-    for (int s = 0; s < cell.pressure_dofs; ++s)
-        out.residual[dim * n + s] += volume * out.basis[s] * (point.theta - p * inverse_bulk_modulus);
-}
+void sum_residual(const ReferenceCell& cell, double inverse_bulk_modulus, CellOutput& out);
 
-/// symmetric: only the blocks on and above the diagonal are computed, mirror_stiffness fills the rest.
+/// symmetric: only the blocks on and above the diagonal are computed, then mirrored.
 enum class TangentKind { symmetric, full };
 
-/// Adds the part of the stiffness that one point gives: first A : grad N for every node and component, then
-/// grad N : (that). Columns run over the nodes so that the inner loops vectorise.
+/// The stiffness from the law's answers: first A : grad N for every point, node and component, then one product of matrices
+/// grad N : (that) a component, by BLAS.
 template <bool Axisymmetric, TangentKind Kind>
-void add_stiffness(const ReferenceCell& cell, const material::PointResponse& point, double volume,
-                   double inverse_bulk_modulus, CellOutput& out);
-
-/// Copies the blocks above the diagonal to below it.
-void mirror_stiffness(const ReferenceCell& cell, CellOutput& out);
+void sum_stiffness(const ReferenceCell& cell, double inverse_bulk_modulus, CellOutput& out);
 
 }  // namespace detail
 }  // namespace soft::element

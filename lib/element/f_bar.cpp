@@ -50,73 +50,65 @@ void make_effective(const Terms& terms, double tau, Wanted wanted, PointResponse
                     point.tangent[9 * (3 * i + J) + 3 * k + L] += (t / 3.0 - tau) * Q[3 * i + L] * Q[3 * k + J];
 }
 
-/// vector += weight T : grad, over the displacement unknowns.
+/// vector += weight T : grad at point q, over the displacement unknowns.
 template <bool Axisymmetric>
-void add_contraction(const ReferenceCell& cell, const Tensor& T, double weight, const std::vector<double>& gradient,
+void add_contraction(const ReferenceCell& cell, const Tensor& T, double weight, const CellPoints& points, int q,
                      std::span<double> vector) {
     const int n = cell.nodes;
+    const auto gradient = [&](int J) { return &points.gradient[static_cast<std::size_t>(J * cell.points + q) * n]; };
     for (int i = 0; i < cell.dimension; ++i)
         for (int J = 0; J < cell.dimension; ++J)
-            for (int a = 0; a < n; ++a) vector[i * n + a] += weight * T[3 * i + J] * gradient[J * n + a];
+            for (int a = 0; a < n; ++a) vector[i * n + a] += weight * T[3 * i + J] * gradient(J)[a];
     if constexpr (Axisymmetric)
-        for (int a = 0; a < n; ++a) vector[n + a] += weight * T[8] * gradient[2 * n + a];
+        for (int a = 0; a < n; ++a) vector[n + a] += weight * T[8] * gradient(2)[a];
 }
 
 }  // namespace
 
-template <bool Axisymmetric>
-FBarState f_bar_state(const ReferenceCell& cell, const CellInput& in, std::vector<double>& gradient) {
+FBarState f_bar_state(const ReferenceCell& cell, const CellPoints& points) {
     FBarState state;
-    state.min_jacobian = 1e300;
+    state.min_jacobian = least_jacobian(cell, points);   // a mean that is positive may hide an inverted corner
     for (int q = 0; q < cell.points; ++q) {
-        state.volume[q] = map_point<Axisymmetric>(cell, in, q, gradient);
-        state.F[q] = deformation_gradient<Axisymmetric>(cell, in, gradient);
-        state.jacobian[q] = determinant(state.F[q]);
+        state.volume[q] = points.volume[q];
+        state.F[q] = points.law.gradient(q);
+        state.jacobian[q] = points.jacobian[q];
         state.reference_volume += state.volume[q];
         state.current_volume += state.volume[q] * state.jacobian[q];
-        // Told from J itself: a mean that is positive may hide an inverted corner.
-        state.min_jacobian = state.jacobian[q] < state.min_jacobian ? state.jacobian[q] : state.min_jacobian;
     }
     return state;
 }
 
 template <bool Axisymmetric>
-void assemble_f_bar(const ReferenceCell& cell, const CellInput& in, const FBarState& state, Wanted wanted,
-                    std::span<PointResponse> points, CellOutput& out) {
-    const bool tangent = wanted == Wanted::stress_and_tangent;
-    const std::size_t size = out.residual.size();
+void assemble_f_bar(const ReferenceCell& cell, const FBarState& state, Wanted wanted, CellOutput& out) {
+    CellPoints& points = out.points;
     std::array<Terms, most_f_bar_points> terms;
+    std::array<PointResponse, most_f_bar_points> answers;
     double power = 0, c = 0;   // int t dV, int (b/9 - t/3) dV
     for (int q = 0; q < cell.points; ++q) {
-        terms[q] = scaled_terms(state.F[q], state.jacobian[q], state.scale(q), wanted, points[q]);
+        answers[q] = points.law.response(q);
+        terms[q] = scaled_terms(state.F[q], state.jacobian[q], state.scale(q), wanted, answers[q]);
         power += state.volume[q] * terms[q].t;
         c += state.volume[q] * (terms[q].b / 9.0 - terms[q].t / 3.0);
     }
-    out.residual.assign(size, 0.0);
-    if (tangent) out.stiffness.assign(out.stiffness.size(), 0.0);
     std::array<double, 24> g{}, B{};
     for (int q = 0; q < cell.points; ++q) {
-        map_point<Axisymmetric>(cell, in, q, out.gradient);
         const double J = state.jacobian[q], volume = state.volume[q];
-        make_effective(terms[q], J * power / (3.0 * state.current_volume), wanted, points[q]);
-        add_residual<Axisymmetric>(cell, points[q], volume, 0.0, 0.0, out);
-        if (!tangent) continue;
-        add_stiffness<Axisymmetric, TangentKind::symmetric>(cell, points[q], volume, 0.0, out);
-        add_contraction<Axisymmetric>(cell, terms[q].Q, volume * J / state.current_volume, out.gradient, g);
-        add_contraction<Axisymmetric>(cell, terms[q].h, volume / 3.0, out.gradient, B);
-        add_contraction<Axisymmetric>(cell, terms[q].Q, -volume * terms[q].b / 9.0, out.gradient, B);
+        make_effective(terms[q], J * power / (3.0 * state.current_volume), wanted, answers[q]);
+        points.law.set_response(q, answers[q], wanted);
+        if (wanted == Wanted::stress) continue;
+        add_contraction<Axisymmetric>(cell, terms[q].Q, volume * J / state.current_volume, points, q, g);
+        add_contraction<Axisymmetric>(cell, terms[q].h, volume / 3.0, points, q, B);
+        add_contraction<Axisymmetric>(cell, terms[q].Q, -volume * terms[q].b / 9.0, points, q, B);
     }
-    if (!tangent) return;
-    mirror_stiffness(cell, out);
+    sum_residual<Axisymmetric>(cell, 0.0, out);
+    if (wanted == Wanted::stress) return;
+    sum_stiffness<Axisymmetric, TangentKind::symmetric>(cell, 0.0, out);
+    const std::size_t size = out.residual.size();
     for (std::size_t m = 0; m < size; ++m)
         for (std::size_t n = 0; n < size; ++n) out.stiffness[m * size + n] += g[m] * B[n] + B[m] * g[n] + c * g[m] * g[n];
 }
 
-template FBarState f_bar_state<true>(const ReferenceCell&, const CellInput&, std::vector<double>&);
-template FBarState f_bar_state<false>(const ReferenceCell&, const CellInput&, std::vector<double>&);
-template void assemble_f_bar<true>(const ReferenceCell&, const CellInput&, const FBarState&, Wanted,
-                                   std::span<PointResponse>, CellOutput&);
-template void assemble_f_bar<false>(const ReferenceCell&, const CellInput&, const FBarState&, Wanted,
-                                    std::span<PointResponse>, CellOutput&);
+template void assemble_f_bar<true>(const ReferenceCell&, const FBarState&, Wanted, CellOutput&);
+template void assemble_f_bar<false>(const ReferenceCell&, const FBarState&, Wanted, CellOutput&);
 
 }  // namespace soft::element::detail

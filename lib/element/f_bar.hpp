@@ -49,27 +49,24 @@ struct FBarState {
     }
 };
 
-template <bool Axisymmetric>
-[[nodiscard]] FBarState f_bar_state(const ReferenceCell& cell, const CellInput& in, std::vector<double>& gradient);
+/// From the mapped points.
+[[nodiscard]] FBarState f_bar_state(const ReferenceCell& cell, const CellPoints& points);
 
-/// Residual and stiffness from the laws' answers at Fbar, one a point.
+/// Residual and stiffness from the laws' answers at Fbar, in out.points.law, which become P* and A*.
 template <bool Axisymmetric>
-void assemble_f_bar(const ReferenceCell& cell, const CellInput& in, const FBarState& state, material::Wanted wanted,
-                    std::span<material::PointResponse> points, CellOutput& out);
+void assemble_f_bar(const ReferenceCell& cell, const FBarState& state, material::Wanted wanted, CellOutput& out);
 
 template <bool Axisymmetric, class L>
 void integrate_f_bar(const ReferenceCell& cell, const material::Rubber<L>& rubber, const CellInput& in,
                      material::Wanted wanted, CellOutput& out) {
-    const FBarState state = f_bar_state<Axisymmetric>(cell, in, out.gradient);
+    map_points<Axisymmetric>(cell, in, out.points);
+    const FBarState state = f_bar_state(cell, out.points);
     out.min_jacobian = state.min_jacobian;
     if (!(state.min_jacobian > 0.0)) return;
-    std::array<material::PointResponse, most_f_bar_points> points;
-    material::FiberAxes axes;
-    for (int q = 0; q < cell.points; ++q) {
-        if constexpr (material::FiberLaw<L>) axes = fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, in, q);
-        displacement_response(rubber, axes, state.law_gradient(q), wanted, points[static_cast<std::size_t>(q)]);
-    }
-    assemble_f_bar<Axisymmetric>(cell, in, state, wanted, {points.data(), static_cast<std::size_t>(cell.points)}, out);
+    if constexpr (material::FiberLaw<L>) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
+    for (int q = 0; q < cell.points; ++q) out.points.law.set_gradient(q, state.law_gradient(q));
+    material::respond(rubber, cell.form, wanted, out.points.law);
+    assemble_f_bar<Axisymmetric>(cell, state, wanted, out);
 }
 
 }  // namespace soft::element::detail

@@ -1,6 +1,9 @@
 #include "element/reference_cell.hpp"
 
+#include <algorithm>
+
 #include "core/error.hpp"
+#include "core/lanes.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
 
@@ -42,6 +45,17 @@ void add_point(const mesh::QuadraturePoint& point, ReferenceCell& ref) {
     ++ref.points;
 }
 
+void fill_by_node(ReferenceCell& ref) {
+    const int n = ref.nodes, dim = ref.dimension, stride = padded(ref.points);
+    ref.by_node.reserve(static_cast<std::size_t>(n) * (dim + 1) * stride);
+    for (int a = 0; a < n; ++a)
+        for (int d = 0; d <= dim; ++d)
+            for (int lane = 0; lane < stride; ++lane) {
+                const int q = std::min(lane, ref.points - 1);
+                ref.by_node.push_back(d < dim ? ref.dN_dxi[(q * dim + d) * n + a] : ref.N[q * n + a]);
+            }
+}
+
 struct Refusal {
     std::string problem, remedy;
 };
@@ -77,6 +91,7 @@ ReferenceCell make_reference_cell(mesh::CellType type, Form form) {
     if (ref.pressure == PressureSpace::discontinuous_linear) ref.pressure_dofs = cell.dimension + 1;
     if (ref.pressure == PressureSpace::continuous_vertex) ref.pressure_dofs = cell.vertex_count;
     for (const auto& point : mesh::quadrature(cell.shape, quadrature_degree(cell, form))) add_point(point, ref);
+    fill_by_node(ref);
     return ref;
 }
 

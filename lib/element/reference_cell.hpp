@@ -40,6 +40,7 @@ struct ReferenceCell {
     std::vector<double> N;              ///< [point][node]
     std::vector<double> dN_dxi;         ///< [point][direction][node]
     std::vector<double> vertex_N;       ///< [point][vertex], continuous_vertex only
+    std::vector<double> by_node;        ///< [node][direction, then N itself][padded(points)]: dN_dxi and N, the last point repeated
 
     [[nodiscard]] int displacement_dofs() const noexcept { return dimension * nodes; }
     [[nodiscard]] int dofs() const noexcept { return displacement_dofs() + pressure_dofs; }

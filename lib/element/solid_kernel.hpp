@@ -23,44 +23,17 @@ struct PointState {
 
 namespace detail {
 
-/// The law's answer at a point in displacement or mixed form.
-template <class L>
-void respond(const ReferenceCell& cell, const material::Rubber<L>& rubber, const material::FiberAxes& axes,
-             const Tensor& F, double p, material::Wanted wanted, material::PointResponse& point) {
-    if (cell.pressure == PressureSpace::none) return displacement_response(rubber, axes, F, wanted, point);
-    if constexpr (material::StressLaw<L>)
-        throw std::logic_error("integrate_cell: a stress without an energy has no mixed form");
-    else
-        mixed_response(rubber, axes, F, p, wanted, point);
-}
-
 template <bool Axisymmetric, class L>
 void integrate(const ReferenceCell& cell, const material::Rubber<L>& rubber, const CellInput& in,
                material::Wanted wanted, CellOutput& out) {
     constexpr auto kind = material::StressLaw<L> ? TangentKind::full : TangentKind::symmetric;
-    const bool tangent = wanted == material::Wanted::stress_and_tangent;
-    out.residual.assign(out.residual.size(), 0.0);
-    if (tangent) out.stiffness.assign(out.stiffness.size(), 0.0);
-    out.min_jacobian = 1e300;
-    material::PointResponse point;
-    material::FiberAxes axes;
-    for (int q = 0; q < cell.points; ++q) {
-        const double volume = map_point<Axisymmetric>(cell, in, q, out.gradient);
-        const Tensor F = deformation_gradient<Axisymmetric>(cell, in, out.gradient);
-        const double J = determinant(F);
-        out.min_jacobian = J < out.min_jacobian ? J : out.min_jacobian;
-        if (!(J > 0.0)) return;   // the caller reports the cell; an energy of J <= 0 has no meaning
-        if constexpr (material::FiberLaw<L>) axes = fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, in, q);
-        double p = 0;
-        if (cell.pressure != PressureSpace::none) {
-            pressure_basis(cell, in, q, out.basis);
-            for (int s = 0; s < cell.pressure_dofs; ++s) p += out.basis[s] * in.p[s];
-        }
-        respond(cell, rubber, axes, F, p, wanted, point);
-        add_residual<Axisymmetric>(cell, point, volume, rubber.inverse_bulk_modulus, p, out);
-        if (tangent) add_stiffness<Axisymmetric, kind>(cell, point, volume, rubber.inverse_bulk_modulus, out);
-    }
-    if (tangent && kind == TangentKind::symmetric) mirror_stiffness(cell, out);
+    map_points<Axisymmetric>(cell, in, out.points);
+    out.min_jacobian = least_jacobian(cell, out.points);
+    if (!(out.min_jacobian > 0.0)) return;   // the caller reports the cell; an energy of J <= 0 has no meaning
+    if constexpr (material::FiberLaw<L>) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
+    material::respond(rubber, cell.form, wanted, out.points.law);
+    sum_residual<Axisymmetric>(cell, rubber.inverse_bulk_modulus, out);
+    if (wanted == material::Wanted::stress_and_tangent) sum_stiffness<Axisymmetric, kind>(cell, rubber.inverse_bulk_modulus, out);
 }
 
 template <bool Axisymmetric, class L>
@@ -85,9 +58,9 @@ void integrate_cell(const ReferenceCell& cell, model::Kinematics kinematics, con
     return detail::integrate_form<false>(cell, rubber, in, wanted, out);
 }
 
-/// The states of a cell's quadrature points, appended to `states`; `frame` is that of the cell's rubber.
+/// The states of a cell's quadrature points, appended to `states`; `frame` is that of the cell's rubber, `points` work space.
 void sample_cell(const ReferenceCell& cell, model::Kinematics kinematics, material::FiberFrame frame,
-                 const CellInput& in, std::vector<PointState>& states);
+                 const CellInput& in, CellPoints& points, std::vector<PointState>& states);
 
 /// W per undeformed volume [J/m^3] at a point, in mixed form the W(F, p) of material/law.hpp (at p = K Theta, weakly, the
 /// energy of the state). The sum over a cell's points has the residual as its derivative. 0 for a stress without an energy.

@@ -113,7 +113,8 @@ private:
         const auto frame = std::visit([](const auto& r) { return r.fiber_frame; }, rubber);
         samples_.clear();
         gather(cell, reference);
-        element::sample_cell(reference, model_.kinematics, frame, {X_, u_, p_, 1.0}, samples_);
+        element::sample_cell(reference, model_.kinematics, frame, {X_, u_, p_, 1.0},
+                             work_.try_emplace(reference.type, reference).first->second, samples_);
         LocalState mean = zero_state();
         double volume = 0;
         for (const PointState& sample : samples_) {
@@ -170,6 +171,7 @@ private:
     std::vector<material::AnyRubber> rubbers_;  ///< one a region
     std::vector<bool> shared_;                  ///< [mesh point] of several regions
     std::map<mesh::CellType, ReferenceCell> references_;
+    std::map<mesh::CellType, element::CellPoints> work_;
     std::vector<PointState> samples_;
     std::vector<double> X_, u_, p_;
 };

@@ -21,13 +21,6 @@ using model::Kinematics;
 constexpr const char* cavity_face = "cavity";
 constexpr const char* file_key = "geometry.file";
 
-/// A name in a design file is meant from that file's folder, one on the command line or stdin from the working directory.
-std::filesystem::path resolved(const std::string& file, std::string_view place) {
-    if (place.starts_with("--set") || place.starts_with('<')) return file;
-    for (int part = 0; part < 2; ++part) place = place.substr(0, place.rfind(':'));   // "designs/part.yaml:3:9"
-    return std::filesystem::path{place}.parent_path() / file;
-}
-
 double unit_m(const std::string& unit) {
     static const std::map<std::string, double> units{{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}};
     return units.at(unit);
@@ -35,7 +28,7 @@ double unit_m(const std::string& unit) {
 
 /// The mesh of the file; faces in several pieces also piece by piece.
 mesh::Mesh read(const std::string& file, std::string_view place, double file_unit_m) {
-    mesh::Mesh mesh = import_mesh(resolved(file, place), file_unit_m);
+    mesh::Mesh mesh = import_mesh(design::file_from(place, file), file_unit_m);
     name_pieces(mesh);
     return mesh;
 }

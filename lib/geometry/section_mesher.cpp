@@ -6,31 +6,13 @@
 #include <unordered_map>
 #include <utility>
 
-#include <gmsh.h>
-
 #include "core/error.hpp"
+#include "geometry/gmsh_session.hpp"
 
 namespace soft::geometry {
 namespace {
 
 using mesh::Index;
-
-/// gmsh speaks only while this lives: quiet, no configuration files, no arguments.
-class GmshSession {
-public:
-    GmshSession() {
-        gmsh::initialize(0, nullptr, false);
-        gmsh::option::setNumber("General.Terminal", 0);
-    }
-    ~GmshSession() {
-        try {
-            gmsh::finalize();
-        } catch (...) {   // a destructor has nobody to tell
-        }
-    }
-    GmshSession(const GmshSession&) = delete;
-    GmshSession& operator=(const GmshSession&) = delete;
-};
 
 constexpr int tag_of(std::size_t number) { return static_cast<int>(number) + 1; }   // gmsh counts from 1
 
@@ -57,31 +39,27 @@ std::vector<Step> steps(const Section& section, const std::vector<int>& side) {
     return result;
 }
 
-void describe(const Section& section, double scale) {
+void describe(GmshSession& gmsh, const Section& section, double scale) {
     for (std::size_t p = 0; p < section.points.size(); ++p)
-        gmsh::model::geo::addPoint(section.points[p][0] * scale, section.points[p][1] * scale, 0, 0, tag_of(p));
+        gmsh.add_point(tag_of(p), {section.points[p][0] * scale, section.points[p][1] * scale});
     for (std::size_t c = 0; c < section.curves.size(); ++c) {
         const Curve& curve = section.curves[c];
         if (curve.centre == Curve::straight)
-            gmsh::model::geo::addLine(curve.start + 1, curve.end + 1, tag_of(c));
+            gmsh.add_line(tag_of(c), {curve.start + 1, curve.end + 1});
         else
-            gmsh::model::geo::addCircleArc(curve.start + 1, curve.centre + 1, curve.end + 1, tag_of(c));
+            gmsh.add_arc(tag_of(c), {curve.start + 1, curve.centre + 1, curve.end + 1});
         // A cell is two of gmsh's intervals: the ratio of neighbours that makes the last cell `grading` times the first.
         const double ratio = curve.cells > 1 ? std::pow(curve.grading, 0.5 / (curve.cells - 1)) : 1.0;
-        gmsh::model::geo::mesh::setTransfiniteCurve(tag_of(c), 2 * curve.cells + 1, "Progression", ratio);
+        gmsh.divide_curve(tag_of(c), {2 * curve.cells + 1, ratio});
     }
     for (std::size_t b = 0; b < section.blocks.size(); ++b) {
-        std::vector<int> loop, corners;
+        GmshSession::Surface surface;
         for (const auto& side : section.blocks[b].sides) {
-            corners.push_back(side.front() + 1);
-            for (const Step& step : steps(section, side)) loop.push_back(step.sign * (step.curve + 1));
+            surface.corners.push_back(side.front() + 1);
+            for (const Step& step : steps(section, side)) surface.loop.push_back(step.sign * (step.curve + 1));
         }
-        gmsh::model::geo::addCurveLoop(loop, tag_of(b));
-        gmsh::model::geo::addPlaneSurface({tag_of(b)}, tag_of(b));
-        gmsh::model::geo::mesh::setTransfiniteSurface(tag_of(b), "Left", corners);
-        gmsh::model::geo::mesh::setRecombine(2, tag_of(b));
+        gmsh.add_grid(tag_of(b), std::move(surface));
     }
-    gmsh::model::geo::synchronize();
 }
 
 using Quad = std::array<std::size_t, 4>;   ///< gmsh node tags
@@ -93,22 +71,13 @@ struct FineMesh {
     std::vector<std::vector<Quad>> blocks;
 };
 
-std::vector<std::size_t> element_nodes(int dimension, int tag) {
-    std::vector<int> types;
-    std::vector<std::vector<std::size_t>> elements, nodes;
-    gmsh::model::mesh::getElements(types, elements, nodes, dimension, tag);
-    return types.size() == 1 ? std::move(nodes.front()) : std::vector<std::size_t>{};
-}
-
-FineMesh fetch(const Section& section, double scale) {
+FineMesh fetch(const GmshSession& gmsh, const Section& section, double scale) {
     FineMesh fine;
-    std::vector<std::size_t> tags;
-    std::vector<double> xyz, parameters;
-    gmsh::model::mesh::getNodes(tags, xyz, parameters, -1, -1, false, false);
+    const auto [tags, xyz] = gmsh.nodes();
     fine.nodes.reserve(tags.size());
     for (std::size_t i = 0; i < tags.size(); ++i) fine.nodes[tags[i]] = {xyz[3 * i] / scale, xyz[3 * i + 1] / scale};
     for (std::size_t c = 0; c < section.curves.size(); ++c) {
-        const auto pairs = element_nodes(1, tag_of(c));
+        const auto pairs = gmsh.cells(1, tag_of(c));
         std::vector<std::size_t> chain;
         if (!pairs.empty()) chain.push_back(pairs.front());
         for (std::size_t i = 1; i < pairs.size(); i += 2) chain.push_back(pairs[i]);
@@ -117,7 +86,7 @@ FineMesh fetch(const Section& section, double scale) {
         fine.curves.push_back(std::move(chain));
     }
     for (std::size_t b = 0; b < section.blocks.size(); ++b) {
-        const auto corners = element_nodes(2, tag_of(b));
+        const auto corners = gmsh.cells(2, tag_of(b));
         std::vector<Quad> quads(corners.size() / 4);
         for (std::size_t q = 0; q < quads.size(); ++q)
             for (std::size_t k = 0; k < 4; ++k) quads[q][k] = corners[4 * q + k];
@@ -242,14 +211,10 @@ private:
 
 FineMesh run_gmsh(const Section& section) {
     const double scale = unit_scale(section);
-    try {
-        const GmshSession session;
-        describe(section, scale);
-        gmsh::model::mesh::generate(2);
-        return fetch(section, scale);
-    } catch (const std::string& message) {   // gmsh 4.8 throws strings
-        throw Error(ExitCode::internal, "section mesh", "gmsh failed: " + message);
-    }
+    GmshSession gmsh;
+    describe(gmsh, section, scale);
+    gmsh.mesh();
+    return fetch(gmsh, section, scale);
 }
 
 }  // namespace

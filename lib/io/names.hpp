@@ -105,6 +105,7 @@ inline constexpr std::array preconditioner_names{
     Named{model::Preconditioner::asm_boomeramg, std::string_view{"asm_boomeramg"}},
     Named{model::Preconditioner::boomeramg, std::string_view{"boomeramg"}},
     Named{model::Preconditioner::gamg, std::string_view{"gamg"}},
+    Named{model::Preconditioner::multigrid, std::string_view{"multigrid"}},
     Named{model::Preconditioner::jacobi, std::string_view{"jacobi"}},
     Named{model::Preconditioner::none, std::string_view{"none"}},
 };

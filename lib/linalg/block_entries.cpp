@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "linalg/matrix_rows.hpp"
 
 namespace soft::linalg {
 
@@ -26,21 +27,8 @@ Parts parts_of(Mat K) {
     return parts;
 }
 
-struct Rows {
-    const PetscInt* begin = nullptr;
-    const PetscInt* columns = nullptr;
-    PetscInt count = 0;
-};
-
-Rows rows_of(Mat sequential) {
-    Rows rows;
-    SOFT_PETSC(MatGetLocalSize(sequential, &rows.count, nullptr));
-    SOFT_PETSC(MatSeqAIJGetCSRAndMemType(sequential, &rows.begin, &rows.columns, nullptr, nullptr));
-    return rows;
-}
-
 /// Position of a column in a sorted row; throws where it is not there.
-std::size_t find(const Rows& rows, PetscInt row, PetscInt column) {
+std::size_t find(const MatrixRows& rows, PetscInt row, PetscInt column) {
     const PetscInt *first = rows.columns + rows.begin[row], *last = rows.columns + rows.begin[row + 1];
     const PetscInt* place = std::lower_bound(first, last, column);
     if (place == last || *place != column)
@@ -58,7 +46,7 @@ std::uint64_t pattern_hash(Mat K) {
     const auto mix = [&](PetscInt value) { hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x100000001b3; };
     for (Mat part : {parts.diagonal, parts.rest}) {
         if (part == nullptr) continue;
-        const Rows rows = rows_of(part);
+        const MatrixRows rows = rows_of(part);
         for (PetscInt r = 0; r <= rows.count; ++r) mix(rows.begin[r]);
         for (PetscInt k = 0; k < rows.begin[rows.count]; ++k) mix(rows.columns[k]);
     }
@@ -67,7 +55,7 @@ std::uint64_t pattern_hash(Mat K) {
 
 BlockPlaces::BlockPlaces(Mat K, std::span<const std::span<const PetscInt>> blocks) {
     const Parts parts = parts_of(K);
-    const Rows diagonal = rows_of(parts.diagonal), rest = parts.rest == nullptr ? Rows{} : rows_of(parts.rest);
+    const MatrixRows diagonal = rows_of(parts.diagonal), rest = parts.rest == nullptr ? MatrixRows{} : rows_of(parts.rest);
     PetscInt begin = 0, end = 0, first = 0, last = 0, rest_columns = 0;
     SOFT_PETSC(MatGetOwnershipRange(K, &begin, &end));
     SOFT_PETSC(MatGetOwnershipRangeColumn(K, &first, &last));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linalg/preconditioner.hpp"
+#include "linalg/profile.hpp"
 
 namespace soft::linalg {
 
@@ -11,24 +12,77 @@ namespace {
 
 using model::LinearMethod;
 
-/// Vectors of GMRES kept at most before it starts again.
-constexpr int longest_restart = 300;
+/// Vectors of GMRES kept at most before it starts again; of multigrid, which is for large systems, two a hundred MB or more.
+constexpr int longest_restart = 300, longest_multigrid_restart = 100;
+
+int restart_of(const model::LinearSettings& settings) {
+    const bool large = settings.preconditioner == model::Preconditioner::multigrid;
+    return std::min(settings.iteration_limit, large ? longest_multigrid_restart : longest_restart);
+}
 
 /// An LDL^T factor that needs more than this misses too much of K: LU costs twice the factorisation, once a matrix.
 constexpr int many_iterations_for_ldlt = 6;
+
+/// Beyond this MUMPS's dense blocks win over CHOLMOD's columns (a section of 70,000 unknowns; a solid of 4,000).
+constexpr double small_flops = 1e8;
+
+/// Ordering alone would take long.
+constexpr PetscInt most_small_unknowns = 200'000;
+
+PetscErrorCode solve_by_small_factors(PC pc, Vec b, Vec x) {
+    void* context = nullptr;
+    SOFT_PETSC(PCShellGetContext(pc, &context));
+    const Timed timed(Phase::factor_solve);
+    static_cast<SparseLdlt*>(context)->solve(b, x);
+    return 0;
+}
 
 }  // namespace
 
 LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings& settings) : K_(K), settings_(settings) {
     SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
-    SOFT_PETSC(KSPGMRESSetRestart(ksp_, std::min(settings.iteration_limit, longest_restart)));
+    SOFT_PETSC(KSPGMRESSetRestart(ksp_, restart_of(settings)));
     SOFT_PETSC(KSPSetTolerances(ksp_, settings.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, settings.iteration_limit));
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    set_type(pc, settings, symmetry);
+    if (settings.method == LinearMethod::automatic && symmetry == Symmetry::symmetric) take_small_factors();
+    if (!small_) set_type(pc, settings, symmetry);
     SOFT_PETSC(KSPSetFromOptions(ksp_));
     set_operators();
+}
+
+void LinearSolver::take_small_factors() {
+    PetscBool sequential = PETSC_FALSE, chosen = PETSC_FALSE;
+    PetscInt size = 0;
+    SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));   // by the user, of what set_type gives
+    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(K_), MATSEQAIJ, &sequential));
+    SOFT_PETSC(MatGetSize(K_, &size, nullptr));
+    if (chosen == PETSC_TRUE || sequential == PETSC_FALSE || size > most_small_unknowns) return;
+    {
+        const Timed timed(Phase::ordering);
+        small_.emplace(K_);
+    }
+    if (small_->flops() > small_flops) return small_.reset();
+    PC pc = nullptr;
+    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    SOFT_PETSC(PCSetType(pc, PCSHELL));
+    SOFT_PETSC(PCShellSetContext(pc, &*small_));
+    SOFT_PETSC(PCShellSetApply(pc, solve_by_small_factors));
+    SOFT_PETSC(PCShellSetName(pc, "LDL^T without pivoting, CHOLMOD"));
+}
+
+bool LinearSolver::has_small_factors() const {
+    PC pc = nullptr;
+    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    return small_ && is_type(pc, PCSHELL);
+}
+
+void LinearSolver::set_levels(ElementLevels levels) {
+    PC pc = nullptr;
+    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    multigrid_ = std::make_unique<Multigrid>(std::move(levels));
+    multigrid_->attach(pc);
 }
 
 void LinearSolver::set_operators() {
@@ -58,6 +112,11 @@ bool LinearSolver::is_numerical_failure(PetscErrorCode code, const char* call) c
 Factorization LinearSolver::factorize() {
     ++factorizations_;
     set_operators();
+    if (has_small_factors()) {
+        const Timed timed(Phase::factorization);
+        if (small_->factorize(K_)) return {true, small_->negative_pivots(), std::nullopt};
+    }
+    if (has_small_factors()) (void)take_next_factorization();
     SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_FALSE));
     const bool raised = is_numerical_failure(set_up(), "KSPSetUp");
     SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_TRUE));
@@ -109,17 +168,36 @@ std::optional<bool> LinearSolver::determinant_is_negative() {
 }
 
 LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
-    const LinearSolve first = solve_once(b, x);
+    LinearSolve result = solve_once(b, x);
+    if (settings_.method != LinearMethod::automatic || factor == Factor::stale) return result;
+    const auto is_poor = [&] { return result.iterations > many_iterations_for_ldlt || (has_small_factors() && !result.converged); };
+    while (is_poor() && take_next_factorization()) {
+        if (!factorize().succeeded) return {};
+        result = solve_once(b, x);
+    }
+    return result;
+}
+
+bool LinearSolver::take_next_factorization() {
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    if (settings_.method != LinearMethod::automatic || factor == Factor::stale ||
-        first.iterations <= many_iterations_for_ldlt || !is_type(pc, PCCHOLESKY))
-        return first;
-    SOFT_PETSC(PCSetType(pc, PCLU));
-    SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+    const bool small = has_small_factors();
+    if (!small && !is_type(pc, PCCHOLESKY)) return false;
+    model::LinearSettings next = settings_;
+    next.method = small ? LinearMethod::mumps_ldlt : LinearMethod::mumps_lu;
+    set_type(pc, next, Symmetry::symmetric);
     SOFT_PETSC(PCSetFromOptions(pc));
-    if (!factorize().succeeded) return {};
-    return solve_once(b, x);
+    small_.reset();
+    return true;
+}
+
+LinearSolve LinearSolver::solve_roughly(Vec b, Vec x, double tolerance) {
+    PetscReal usual = 0;
+    SOFT_PETSC(KSPGetTolerances(ksp_, &usual, nullptr, nullptr, nullptr));
+    SOFT_PETSC(KSPSetTolerances(ksp_, std::max<PetscReal>(tolerance, usual), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    const LinearSolve result = solve_once(b, x);
+    SOFT_PETSC(KSPSetTolerances(ksp_, usual, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    return result;
 }
 
 LinearSolve LinearSolver::improve(Vec b, Vec x) {

@@ -1,7 +1,8 @@
 #pragma once
 /// Solves K x = b for a sequence of slowly changing tangents K by flexible GMRES (Saad 1993) with a preconditioner made from
 /// one of them: a direct factorisation or one of the cheaper kinds (model::LinearSettings).
-///   automatic: MUMPS LDL^T. With a fresh factor of a symmetric K this is one application; the same loop corrects the part of K
+///   automatic: LDL^T, on one rank and where it takes few flops without pivoting (sparse_ldlt.hpp), else by MUMPS, which also
+///       takes over for good where the first vanishes or takes many iterations. With a fresh factor of a symmetric K this is one application; the same loop corrects the part of K
 ///       that is not symmetric (a pressure whose surface has a free rim), which LDL^T does not see. Where that part is large
 ///       the loop takes many iterations: then the solver goes over to LU for good; where it is known beforehand, LU is taken
 ///       from the start.
@@ -11,7 +12,9 @@
 /// Held by linalg/linear_solver_test, solver/linear_methods_test.
 #include <optional>
 
+#include "linalg/multigrid.hpp"
 #include "linalg/petsc.hpp"
+#include "linalg/sparse_ldlt.hpp"
 #include "model/settings.hpp"
 
 namespace soft::linalg {
@@ -40,6 +43,9 @@ public:
     /// library that this PETSc was built without, and for CHOLMOD on several ranks.
     explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric, const model::LinearSettings& settings = {});
 
+    /// What Preconditioner::multigrid needs, before the first factorize().
+    void set_levels(ElementLevels levels);
+
     /// The operator of method jacobian_free, not owned; K then is what the preconditioner is made from.
     void set_operator(Mat A) { operator_ = A; }
 
@@ -56,12 +62,17 @@ public:
     /// iterations is reason to go over to LU (automatic).
     [[nodiscard]] LinearSolve solve(Vec b, Vec x, Factor factor = Factor::fresh);
 
+    /// The same with a stale factor, no further than a residual of `tolerance` times the right-hand side.
+    [[nodiscard]] LinearSolve solve_roughly(Vec b, Vec x, double tolerance);
+
     /// Goes on from x, where a solve of a Krylov method has reached its limit; as many iterations once more.
     [[nodiscard]] LinearSolve improve(Vec b, Vec x);
 
     [[nodiscard]] bool is_krylov() const noexcept {
         return settings_.method == model::LinearMethod::krylov || settings_.method == model::LinearMethod::jacobian_free;
     }
+    /// By a factorisation, whose stale factor is a good preconditioner for a while.
+    [[nodiscard]] bool is_direct() const noexcept { return !is_krylov(); }
     [[nodiscard]] const model::LinearSettings& settings() const noexcept { return settings_; }
     [[nodiscard]] int factorizations() const noexcept { return factorizations_; }
     [[nodiscard]] long iterations() const noexcept { return iterations_; }   ///< of all solves so far
@@ -70,12 +81,18 @@ public:
 private:
     void set_operators();
     [[nodiscard]] PetscErrorCode set_up();
+    void take_small_factors();
+    [[nodiscard]] bool has_small_factors() const;
+    /// From small factors to MUMPS, from LDL^T to LU. False where there is nothing left.
+    [[nodiscard]] bool take_next_factorization();
     [[nodiscard]] LinearSolve solve_once(Vec b, Vec x);
     /// True where the failure is a property of the numbers; throws where it is not.
     [[nodiscard]] bool is_numerical_failure(PetscErrorCode code, const char* call) const;
 
     Mat K_, operator_ = nullptr;
     model::LinearSettings settings_;
+    std::optional<SparseLdlt> small_;           // behind the preconditioner of ksp_, which goes first
+    std::unique_ptr<Multigrid> multigrid_;
     KrylovSolver ksp_;
     int factorizations_ = 0;
     long iterations_ = 0;

@@ -1,6 +1,5 @@
 #include "linalg/preconditioner.hpp"
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -15,20 +14,6 @@ using model::Preconditioner;
 
 /// Work space of MUMPS beyond its estimate [%]: small by default, and the pivoting of a saddle point needs more.
 constexpr int mumps_work_space = 80;
-
-struct Default {
-    const char* option;
-    const char* value;
-};
-
-/// What the user has given behind -- stays.
-void set_defaults(std::initializer_list<Default> defaults) {
-    for (const auto& [option, value] : defaults) {
-        PetscBool given = PETSC_FALSE;
-        SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, option, &given));
-        if (!given) SOFT_PETSC(PetscOptionsSetValue(nullptr, option, value));
-    }
-}
 
 [[noreturn]] void refuse_library(const std::string& place, const std::string& library) {
     throw Error(ExitCode::bad_input, place, "this PETSc was built without " + library, "choose another, or automatic");
@@ -80,6 +65,7 @@ void set_krylov(PC pc, Preconditioner preconditioner) {
         case Preconditioner::asm_boomeramg: return SOFT_PETSC(PCSetType(pc, PCASM));
         case Preconditioner::boomeramg: return set_boomeramg(pc);
         case Preconditioner::gamg: return SOFT_PETSC(PCSetType(pc, PCGAMG));
+        case Preconditioner::multigrid: return SOFT_PETSC(PCSetType(pc, PCSHELL));   // Multigrid::attach does the rest
         case Preconditioner::jacobi: return SOFT_PETSC(PCSetType(pc, PCJACOBI));
         case Preconditioner::none: return SOFT_PETSC(PCSetType(pc, PCNONE));
     }
@@ -123,10 +109,19 @@ void set_block_type(PC pc, Preconditioner preconditioner) {
             case Preconditioner::lu:
             case Preconditioner::boomeramg:
             case Preconditioner::gamg:
+            case Preconditioner::multigrid:
             case Preconditioner::jacobi:
             case Preconditioner::none: break;   // -pc_type asm behind --
         }
         SOFT_PETSC(KSPSetFromOptions(solvers[i]));
+    }
+}
+
+void set_defaults(std::initializer_list<Default> defaults) {
+    for (const auto& [option, value] : defaults) {
+        PetscBool given = PETSC_FALSE;
+        SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, option, &given));
+        if (!given) SOFT_PETSC(PetscOptionsSetValue(nullptr, option, value));
     }
 }
 

@@ -9,7 +9,9 @@ namespace soft::linalg {
 
 namespace {
 
-constexpr std::array<const char*, 5> phase_events{"Residual", "Tangent", "Measures", "Contact", "Writing"};
+constexpr std::array<const char*, 8> phase_events{"Residual", "Tangent", "Measures", "Contact", "Writing", "LdltOrder", "LdltFactor", "LdltSolve"};
+
+constexpr const char* name_of(Phase phase) { return phase_events[static_cast<std::size_t>(phase)]; }
 
 PetscLogEvent event_of(Phase phase) {
     // PETSc numbers events once a process; a name that is known keeps its number.
@@ -51,19 +53,19 @@ void start_profile() {
 }
 
 std::vector<ProfileRow> profile_rows() {
-    const ProfileRow triangular = row("", {"MatSolve"});
+    const ProfileRow triangular = row("solves by factors", {"MatSolve", name_of(Phase::factor_solve)});
     ProfileRow krylov = row("iterations of the linear solver, without its solves by factors", {"KSPSolve"});
     krylov.seconds -= triangular.seconds;
     std::vector<ProfileRow> rows{
-        row("residuals: cells, facets, loads", {phase_events[0]}),
-        row("tangents: cells, facets, their sums", {phase_events[1]}),
-        row("volumes, outputs, stretches", {phase_events[2]}),
-        row("ordering of the unknowns", {"MatLUFactorSym", "MatCholFctrSym"}),
-        row("factorisations", {"MatLUFactorNum", "MatCholFctrNum"}),
-        row("solves by factors", {"MatSolve"}),
+        row("residuals: cells, facets, loads", {name_of(Phase::residual)}),
+        row("tangents: cells, facets, their sums", {name_of(Phase::tangent)}),
+        row("volumes, outputs, stretches", {name_of(Phase::measures)}),
+        row("ordering of the unknowns", {"MatLUFactorSym", "MatCholFctrSym", name_of(Phase::ordering)}),
+        row("factorisations", {"MatLUFactorNum", "MatCholFctrNum", name_of(Phase::factorization)}),
+        triangular,
         krylov,
-        row("search for walls that touch", {phase_events[3]}),
-        row("rows of the result", {phase_events[4]}),
+        row("search for walls that touch", {name_of(Phase::contact)}),
+        row("rows of the result", {name_of(Phase::writing)}),
     };
     std::erase_if(rows, [](const ProfileRow& r) { return r.calls == 0; });
     return rows;

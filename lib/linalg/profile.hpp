@@ -8,7 +8,7 @@
 namespace soft::linalg {
 
 /// What PETSc does not time by itself.
-enum class Phase { residual, tangent, measures, contact, writing };
+enum class Phase { residual, tangent, measures, contact, writing, ordering, factorization, factor_solve };
 
 /// From construction to destruction the time counts for the phase; phases do not nest.
 class Timed {

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 #include <petscksp.h>
+#include <unistd.h>
 
 #include <cstdarg>
 #include <cstdio>
@@ -111,6 +112,13 @@ bool blas_kernel_is_poor(std::string& better) {
 #endif
     (void)old_kernel;
     return false;
+}
+
+void choose_blas_kernel(char** argv) {
+    std::string better;
+    if (std::getenv("OPENBLAS_CORETYPE") != nullptr || !blas_kernel_is_poor(better)) return;
+    setenv("OPENBLAS_CORETYPE", better.c_str(), 0);
+    execv("/proc/self/exe", argv);
 }
 
 }  // namespace soft::linalg

@@ -36,4 +36,8 @@ private:
 /// library loads, so the process must be started again with it.
 [[nodiscard]] bool blas_kernel_is_poor(std::string& better);
 
+/// To be called first in a main, before anything is read or written: where the kernels are poor the program starts itself again
+/// with the right name set. A value that the user has set is left alone; where the start fails it runs on, slower.
+void choose_blas_kernel(char** argv);
+
 }  // namespace soft::linalg

@@ -1,17 +1,15 @@
 #pragma once
 /// Stress and tangent at a point: the law's energy is differentiated in its own variables (I1, I2, J; the principal
-/// stretches; I4) by automatic differentiation, and the kinematic chain rules below carry the result to F, once for all
-/// laws.
-///   P = W1 dI1/dF + W2 dI2/dF + WJ cof F,   A = sum_ab W_ab dIa (x) dIb + sum_a W_a d2Ia/dF2
-///   dI1/dF = 2 F, dI2/dF = 2 (I1 F - F C); second derivatives in index form in the code.
-/// Reference configuration throughout, Pa. Sources: derived here; principal stretches Holzapfel, Nonlinear Solid
-/// Mechanics (2000), 6.180. Held against nine-variable differentiation in F by material/law_test.
+/// stretches; I4) by automatic differentiation, and chain rules (material/chain_rule.hpp, principal.hpp) carry the result to F,
+/// once for all laws. Many points at once: material/point_batch.hpp.
+/// Reference configuration throughout, Pa. Held against nine-variable differentiation in F by material/law_test.
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "core/dual.hpp"
 #include "core/tensor.hpp"
+#include "material/chain_rule.hpp"
 #include "material/law.hpp"
 #include "material/principal.hpp"
 
@@ -51,21 +49,11 @@ struct PointResponse {
     Tensor dtheta_dF;        ///< dTheta/dF (mixed form only)
 };
 
-enum class Wanted { stress, stress_and_tangent };
+/// P, and A where it is wanted, from slopes by (I1, I2, J).
+void apply_chain_rule(const Tensor& F, const Slopes& slopes, Wanted wanted, PointResponse& out);
 
-/// W_a and dW_a/dI_b by (I1, I2, J). The second is symmetric where the first are derivatives of an energy.
-struct Slopes {
-    std::array<double, 3> first{};
-    std::array<std::array<double, 3>, 3> second{};
-};
 [[nodiscard]] Slopes slopes_of(const Dual<3>& energy);
 [[nodiscard]] Slopes slopes_of(const std::array<Dual<3>, 3>& coefficients);
-
-/// P and A from these, into `out`.
-void chain_rule(const Tensor& F, const Slopes& slopes, Wanted wanted, PointResponse& out);
-
-/// dTheta/dF into out.dtheta_dF.
-void chain_rule_of_dilatation(const Tensor& F, const Dual<3>& dilatation, PointResponse& out);
 
 /// Adds the pull of fibres along the unit vector a0: w1 = dW/dI4, w2 = d2W/dI4^2.
 void add_fiber_response(const Tensor& F, const Vector3& a0, const Dual<1>& energy, Wanted wanted, PointResponse& out);
@@ -78,7 +66,7 @@ template <class T>
 [[nodiscard]] Invariants<T> principal_invariants(const TensorOf<T>& F) {
     const TensorOf<T> C = right_cauchy_green(F);
     const T I1 = trace(C);
-    T trace_C2 = 0.0;
+    T trace_C2{};
     for (const T& c : C) trace_C2 += c * c;
     return {I1, 0.5 * (I1 * I1 - trace_C2)};
 }
@@ -124,28 +112,66 @@ template <FiberLaw L>
     return sum;
 }
 
+/// What a law says of a state in (I1, I2, J): the slopes of its energy, for laws in principal stretches those of the volumetric
+/// part alone, and Theta with its slopes (mixed form only).
+struct LawSlopes {
+    Slopes energy;
+    double theta = 0;
+    std::array<double, 3> theta_slopes{};
+};
+
 namespace detail {
 
-/// The variables of the chain rule at F, ready to be differentiated by.
+/// The variables of the chain rule, ready to be differentiated by.
 struct Variables {
     Invariants<Dual<3>> I;
     Dual<3> J;
+    Variables(const Invariants<double>& values, double jacobian)
+        : I{Dual<3>::variable(values.I1, 0), Dual<3>::variable(values.I2, 1)}, J(Dual<3>::variable(jacobian, 2)) {}
 };
-[[nodiscard]] inline Variables variables_at(const Tensor& F) {
-    const auto [I1, I2] = principal_invariants(F);
-    return {{Dual<3>::variable(I1, 0), Dual<3>::variable(I2, 1)}, Dual<3>::variable(determinant(F), 2)};
-}
 
 /// Everything but the volumetric part, which comes in as `volumetric`, a function of (I1, I2, J).
 template <class L>
-void add_up(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, const Variables& at,
-            const Dual<3>& volumetric, Wanted wanted, PointResponse& out) {
-    if constexpr (StretchLaw<L>) {
-        chain_rule(F, slopes_of(volumetric), wanted, out);
-        add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr, out.first_piola);
+[[nodiscard]] Slopes with_shear(const Rubber<L>& rubber, const Variables& at, const Dual<3>& volumetric) {
+    if constexpr (StretchLaw<L>)
+        return slopes_of(volumetric);
+    else
+        return slopes_of(shear_energy(rubber.law, at.I, at.J) + volumetric);
+}
+
+}  // namespace detail
+
+/// Mixed formulation: energy W(F, p) at fixed p.
+template <Law L>
+    requires(!StressLaw<L> && !std::same_as<L, LinearElastic>)
+[[nodiscard]] LawSlopes mixed_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J, double p) {
+    const detail::Variables at(I, J);
+    const Dual<3> dilation = dilatation(rubber, at.I, at.J);
+    return {detail::with_shear(rubber, at, p * dilation), dilation.v, dilation.g};
+}
+
+/// Displacement formulation: energy W(F) with a finite K.
+template <Law L>
+    requires(!std::same_as<L, LinearElastic>)
+[[nodiscard]] LawSlopes displacement_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J) {
+    const detail::Variables at(I, J);
+    if constexpr (StressLaw<L>) {
+        return {slopes_of(rubber.law.stress_coefficients(at.I, at.J)), 0.0, {}};
     } else {
-        chain_rule(F, slopes_of(shear_energy(rubber.law, at.I, at.J) + volumetric), wanted, out);
+        const Dual<3> dilation = dilatation(rubber, at.I, at.J);
+        return {detail::with_shear(rubber, at, 0.5 / rubber.inverse_bulk_modulus * dilation * dilation), 0.0, {}};
     }
+}
+
+/// A law that says more of a state than its slopes by (I1, I2, J).
+template <class L>
+concept LawBeyondInvariants = StretchLaw<L> || FiberLaw<L>;
+
+/// Adds what goes beyond the slopes by (I1, I2, J): principal stretches and fibres.
+template <LawBeyondInvariants L>
+void add_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted, PointResponse& out) {
+    if constexpr (StretchLaw<L>)
+        add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr, out.first_piola);
     if constexpr (FiberLaw<L>)
         for (int family = 0; family < rubber.law.families; ++family) {
             const Vector3 a0 = fiber_direction(rubber.law, axes, family);
@@ -153,8 +179,6 @@ void add_up(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, con
             add_fiber_response(F, a0, energy, wanted, out);
         }
 }
-
-}  // namespace detail
 
 /// Mixed formulation: energy W(F, p) at fixed p. Not for laws without that form (LawInfo::mixed).
 template <Law L>
@@ -165,11 +189,12 @@ void mixed_response(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor
     } else if constexpr (StressLaw<L>) {
         throw std::logic_error("mixed_response: a stress without an energy has no mixed form");
     } else {
-        const auto at = detail::variables_at(F);
-        const Dual<3> dilation = dilatation(rubber, at.I, at.J);
-        detail::add_up(rubber, axes, F, at, p * dilation, wanted, out);
-        out.theta = dilation.v;
-        chain_rule_of_dilatation(F, dilation, out);
+        out.jacobian = determinant(F);
+        const LawSlopes slopes = mixed_slopes(rubber, principal_invariants(F), out.jacobian, p);
+        apply_chain_rule(F, slopes.energy, wanted, out);
+        out.theta = slopes.theta;
+        chain_rule(F, slopes.theta_slopes, out.dtheta_dF);
+        if constexpr (LawBeyondInvariants<L>) add_beyond_invariants(rubber, axes, F, wanted, out);
     }
 }
 
@@ -183,13 +208,11 @@ void displacement_response(const Rubber<L>& rubber, const FiberAxes& axes, const
         if (wanted == Wanted::stress) return;
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k) out.tangent[9 * (4 * i) + 4 * k] += K;
-    } else if constexpr (StressLaw<L>) {
-        const auto at = detail::variables_at(F);
-        chain_rule(F, slopes_of(rubber.law.stress_coefficients(at.I, at.J)), wanted, out);
     } else {
-        const auto at = detail::variables_at(F);
-        const Dual<3> dilation = dilatation(rubber, at.I, at.J);
-        detail::add_up(rubber, axes, F, at, 0.5 / rubber.inverse_bulk_modulus * dilation * dilation, wanted, out);
+        out.jacobian = determinant(F);
+        const LawSlopes slopes = displacement_slopes(rubber, principal_invariants(F), out.jacobian);
+        apply_chain_rule(F, slopes.energy, wanted, out);
+        if constexpr (LawBeyondInvariants<L>) add_beyond_invariants(rubber, axes, F, wanted, out);
     }
 }
 

@@ -5,14 +5,16 @@
 namespace soft::model {
 
 /// How the linear systems of Newton's method are solved.
-///   automatic: MUMPS LDL^T, over to LU where the tangent is not symmetric enough (linalg/linear_solver.hpp)
+///   automatic: LDL^T by CHOLMOD where that takes few flops, else by MUMPS, over to LU where the tangent is not symmetric enough
+///       (linalg/linear_solver.hpp); krylov with multigrid where a solid is too large for it (assembly/element_levels.hpp)
 ///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: that factorisation; cholmod needs a positive definite tangent and one rank
 ///   krylov: flexible GMRES on the assembled tangent         jacobian_free: on differences of the residual instead
 enum class LinearMethod { automatic, mumps_ldlt, mumps_lu, superlu_dist, cholmod, krylov, jacobian_free };
 
 /// Of the two Krylov methods. asm_*: additive Schwarz, one block a rank, solved by LU, ILU(0) or a BoomerAMG cycle.
-/// gamg: smoothed aggregation with the rigid motions as near-nullspace.
-enum class Preconditioner { lu, asm_lu, asm_ilu, asm_boomeramg, boomeramg, gamg, jacobi, none };
+/// gamg: smoothed aggregation with the rigid motions as near-nullspace. multigrid: second-order cells by way of first-order ones,
+/// mixed or not (linalg/multigrid.hpp).
+enum class Preconditioner { lu, asm_lu, asm_ilu, asm_boomeramg, boomeramg, gamg, multigrid, jacobi, none };
 
 /// Where the assembled tangent comes from: the exact derivatives, or coloured differences of the residual.
 enum class TangentSource { exact, finite_difference };

@@ -9,6 +9,13 @@ namespace {
 
 /// Where a correction ends in a state without any stress (a prestressed body set free) its forces are no scale any more.
 constexpr double vanishing_forces = 1e-3;
+/// A residual that has fallen to this part of itself since the last factorisation: what is left is solved with that factor.
+constexpr double little_left = 0.05;
+/// Of the residual that is wanted, what the linear solves may leave.
+constexpr double share_of_linear_solves = 0.1;
+constexpr double loosest_linear_tolerance = 1e-2;
+/// Beyond this a new factor is cheaper.
+constexpr int many_iterations_for_a_kept_factor = 6;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
 
@@ -61,7 +68,7 @@ NewtonResult Newton::correct(const Constraint& constraint, double target, State&
             return report(*end);
         }
         ++now.result.iterations;
-        if (const auto failed = solve_blocks(state, now.result.iterations)) return report(*failed);
+        if (const auto failed = solve_blocks(state, now)) return report(*failed);
         const auto step = increment(now);
         if (!step) return report(NewtonEnd::singular);
         const Search found = move(*step, state, trial, now);
@@ -79,11 +86,12 @@ std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
     const double load_scale = std::abs(state.load_factor) * linalg::norm(wanted_.back().out);
     const double scale = std::max({now.evaluation.force_scale, load_scale, vanishing_forces * now.first_force_scale});
     now.result.residual = scale > 0.0 ? now.residual / scale : 0.0;
+    now.aim = settings_.residual_tolerance * scale;
     const bool supplied = std::ranges::all_of(supply_, [&](const SupplyEquation& equation) {
         return std::abs(equation.value) <= settings_.residual_tolerance;
     });
     if (!std::isfinite(now.residual) || !std::isfinite(now.missing)) return NewtonEnd::not_finite;
-    if (now.residual <= settings_.residual_tolerance * scale && supplied &&
+    if (now.residual <= now.aim && supplied &&
         std::abs(now.missing) <= settings_.residual_tolerance * now.constraint_scale)
         return NewtonEnd::converged;
     if (now.result.iterations == settings_.newton_limit) return NewtonEnd::iteration_limit;
@@ -101,14 +109,33 @@ linalg::LinearSolve Newton::solve_updated(Vec b, Vec x) {
 }
 
 /// a = K^-1 (-R) and the columns, with a new K or that of the first iteration. R_ is -R afterwards.
-std::optional<NewtonEnd> Newton::solve_blocks(const State& state, int iteration) {
+std::optional<NewtonEnd> Newton::solve_blocks(const State& state, const Correction& now) {
     linear_limit_met_ = false;
-    if (iteration == 1 || settings_.newton == model::NewtonMethod::full)
+    const bool full = settings_.newton == model::NewtonMethod::full;
+    if (full && now.result.iterations > 1 && solve_with_kept_factor(now)) return std::nullopt;
+    if (full || now.result.iterations == 1) {
         if (const auto failed = linearize(state)) return failed;
+        residual_at_factor_ = now.residual;
+    }
     SOFT_PETSC(VecScale(R_, -1.0));
-    if (!solve_updated(R_, correction_).usable() || !solve_columns([this](Vec b, Vec x) { return solve_updated(b, x); }))
-        return solve_failure();
+    if (!solve_all([this](Vec b, Vec x) { return solve_updated(b, x); })) return solve_failure();
     return std::nullopt;
+}
+
+bool Newton::solve_all(const SolveOne& solve) { return solve(R_, correction_).usable() && solve_columns(solve); }
+
+/// K_ is that of this iteration, its factor that of one before.
+bool Newton::solve_with_kept_factor(const Correction& now) {
+    if (!factor_is_recent_ || differences_ || !solver_.is_direct() || now.residual > little_left * residual_at_factor_) return false;
+    const double enough = now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
+    const double tolerance = std::min(enough, loosest_linear_tolerance);
+    SOFT_PETSC(VecScale(R_, -1.0));
+    const bool served = solve_all([&](Vec b, Vec x) {
+        const auto solve = solver_.solve_roughly(b, x, tolerance);
+        return solve.iterations <= many_iterations_for_a_kept_factor ? solve : linalg::LinearSolve{};
+    });
+    if (!served) SOFT_PETSC(VecScale(R_, -1.0));
+    return served;
 }
 
 /// Eliminates the border; nullopt where it is singular.

@@ -1,9 +1,11 @@
 #pragma once
 /// Newton's method on the bordered system
 ///   R(x, lambda, p) = 0,   e_k(V_k(x), p_k, lambda) = 0 for the free supplies (stage_loads.hpp),   c = target,
-/// with a line search (line_search.hpp) that also keeps det F > 0. Each iteration factorises K once and eliminates blocks:
+/// with a line search (line_search.hpp) that also keeps det F > 0. Each iteration has a new K and eliminates blocks:
 ///   K a = -R,  K b_k = f_k (force of 1 Pa in supply k),  K b_l = -dR/dlambda;   dx = a + sum dp_k b_k + dlambda b_l,
-/// where (dp, dlambda) solve the small system of the e_k and c with dx put in. NewtonMethod::modified and bfgs keep the K of a
+/// where (dp, dlambda) solve the small system of the e_k and c with dx put in. With a direct solver the K of an iteration that has
+/// little left to do is not factorised: the factor before it preconditions the solves, which go no further than equilibrium
+/// asks for (inexact Newton: Dembo, Eisenstat and Steihaug, SIAM J. Numer. Anal. 19 (1982) 400). NewtonMethod::modified and bfgs keep the K of a
 /// correction's first iteration, and its factor, for all of it; right-hand sides and columns are new in each. bfgs learns from
 /// the pairs dx, R_new - R_old + sum dp_k f_k - dlambda dR/dlambda, which leaves the loads out (quasi_newton.hpp). Where
 /// TangentSource::finite_difference or LinearMethod::jacobian_free is chosen, K or K v are differences of R (differences.hpp).
@@ -91,6 +93,7 @@ private:
         double residual = 0;                    // |R| at the state
         double first_force_scale = 0, constraint_scale = 0;
         double missing = 0;                     // of the constraint
+        double aim = 0;                         // of the residual: equilibrium
         NewtonResult result;
     };
     /// dx is in correction_; and what the bordered system adds to it.
@@ -103,7 +106,10 @@ private:
 
     // newton.cpp
     [[nodiscard]] std::optional<NewtonEnd> judge(const State& state, Correction& now);
-    [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, int iteration);
+    [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
+    /// True where the factor before this iteration has served it.
+    [[nodiscard]] bool solve_with_kept_factor(const Correction& now);
+    [[nodiscard]] bool solve_all(const SolveOne& solve);
     [[nodiscard]] std::optional<Increment> increment(const Correction& now);
     [[nodiscard]] Search move(const Increment& step, const State& state, State& trial, Correction& now);
     void learn(double length);
@@ -133,7 +139,9 @@ private:
     [[nodiscard]] std::optional<NewtonEnd> solve_tangent_columns();
     [[nodiscard]] linalg::LinearSolve solve_well(Vec b, Vec x, linalg::Factor factor);
     [[nodiscard]] std::optional<int> unstable_modes();
-    /// Negative pivots of K beyond one a pressure unknown; with LU their parity.
+    /// Negative pivots of K beyond one a pressure unknown, with LU their parity: those of the last factor, and what they are taken
+    /// for.
+    [[nodiscard]] std::optional<int> pivots_of_factor() const;
     [[nodiscard]] std::optional<int> excess_pivots();
 
     assembly::System& system_;
@@ -145,6 +153,7 @@ private:
     std::optional<ResidualDifferences> differences_;
     linalg::Factorization factor_;
     bool factor_is_recent_ = false;             // made in the last correction
+    double residual_at_factor_ = 0;             // |R| where it was made
     bool linear_limit_met_ = false;             // in the last iteration
     NewtonEnd tangent_end_ = NewtonEnd::converged;
     int confirmed_pivots_ = 0;                  // excess_pivots() of the tangent before

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "assembly/near_nullspace.hpp"
+#include "assembly/element_levels.hpp"
 #include "solver/newton.hpp"
 
 namespace soft::solver {
@@ -13,14 +13,18 @@ linalg::Symmetry symmetry_of(const assembly::System& system) {
     return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
 }
 
+model::SolverSettings with_choice(const assembly::System& system, model::SolverSettings settings) {
+    settings.linear = assembly::choose_linear(settings.linear, system.input(), system.dofs().total);
+    return settings;
+}
+
 }  // namespace
 
 Newton::Newton(assembly::System& system, const model::SolverSettings& settings)
-    : system_(system), settings_(settings), K_(system.make_matrix()), solver_(K_, symmetry_of(system), settings.linear),
+    : system_(system), settings_(with_choice(system, settings)), K_(system.make_matrix()), solver_(K_, symmetry_of(system), settings_.linear),
       R_(system.make_vector()), correction_(system.make_vector()) {
-    const bool matrix_free = settings.linear.method == model::LinearMethod::jacobian_free;
-    if (solver_.is_krylov() && settings.linear.preconditioner == model::Preconditioner::gamg)
-        assembly::attach_rigid_motions(system, K_);
+    const bool matrix_free = settings_.linear.method == model::LinearMethod::jacobian_free;
+    assembly::equip(solver_, system, K_);
     if (matrix_free || settings.tangent == model::TangentSource::finite_difference) differences_.emplace(system, K_, settings.tangent);
     if (matrix_free) solver_.set_operator(differences_->jacobian());
     if (settings.newton != model::NewtonMethod::bfgs) return;

@@ -26,7 +26,12 @@ std::optional<NewtonEnd> Newton::solve_tangent_columns() {
         return good ? solve : linalg::LinearSolve{};
     };
     const auto with_a_new = [this](Vec b, Vec x) { return solve_well(b, x, linalg::Factor::fresh); };
-    if (factor_is_recent_ && solve_columns(with_the_last)) return std::nullopt;
+    // The factor may be that of a state a little before this one: what it says of stability counts where it says nothing new.
+    const auto says_the_same = [this] {
+        const auto pivots = pivots_of_factor();
+        return !pivots || (factor_.negative_pivots ? *pivots == confirmed_pivots_ : (*pivots - confirmed_pivots_) % 2 == 0);
+    };
+    if (factor_is_recent_ && says_the_same() && solve_columns(with_the_last)) return std::nullopt;
     factor_ = solver_.factorize();
     factor_is_recent_ = factor_.succeeded;
     if (!factor_.succeeded) return factor_failure();
@@ -63,19 +68,23 @@ std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const S
     return tangent;
 }
 
-std::optional<int> Newton::excess_pivots() {
+std::optional<int> Newton::pivots_of_factor() const {
     const auto pressures = system_.dofs().pressures;   // one negative pivot each belongs to the saddle point
-    if (factor_.negative_pivots) {
-        const int count = static_cast<int>(*factor_.negative_pivots - pressures);
-        if (count != confirmed_pivots_) {
-            const auto negative = solver_.determinant_is_negative();
-            const auto agrees = [&](int pivots) { return *negative == ((pressures + pivots) % 2 != 0); };
-            if (negative && !agrees(count) && agrees(confirmed_pivots_)) return confirmed_pivots_;
-        }
-        return confirmed_pivots_ = count;
-    }
+    if (factor_.negative_pivots) return static_cast<int>(*factor_.negative_pivots - pressures);
     if (factor_.determinant_is_negative) return *factor_.determinant_is_negative != (pressures % 2 == 1) ? 1 : 0;
     return std::nullopt;
+}
+
+std::optional<int> Newton::excess_pivots() {
+    const auto count = pivots_of_factor();
+    if (!count) return std::nullopt;
+    if (factor_.negative_pivots && *count != confirmed_pivots_) {
+        const auto negative = solver_.determinant_is_negative();
+        const auto agrees = [&](int pivots) { return *negative == ((system_.dofs().pressures + pivots) % 2 != 0); };
+        if (negative && !agrees(*count) && agrees(confirmed_pivots_)) return confirmed_pivots_;
+    }
+    confirmed_pivots_ = *count;
+    return count;
 }
 
 std::optional<int> Newton::unstable_modes() {

@@ -55,6 +55,7 @@ private:
     [[nodiscard]] double control_slope(const Constraint& control, const PathPoint& point) const;
     [[nodiscard]] double bend_under(const Constraint& control);
     [[nodiscard]] double controlled_value(const PathPoint& point, double arc_length) const;
+    [[nodiscard]] bool nears_a_maximum();
     void soften();
     [[nodiscard]] int wanted_steps() const;
     [[nodiscard]] double first_step(double slope, double sense) const;

@@ -190,9 +190,27 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
     rejected_error_.reset();
 }
 
-/// Automatic control: away from the load factor while the path is still easy under it.
+/// Whether the load is at its maximum within a few steps, by how its slope over the length of the path falls, and the steps are
+/// short already.
+bool PathFollower::nears_a_maximum() {
+    if (!before_ || std::abs(step_) > short_step_of_load * std::abs(last_->q)) return false;
+    linalg::copy(last_->state.x, scratch_);
+    linalg::add(scratch_, -1.0, before_->state.x);
+    const double length = linalg::norm(scratch_);
+    const auto slope = [](const PathPoint& point) { return 1.0 / linalg::norm(point.tangent.x); };   // d load factor / d length
+    const double fall = slope(*before_) - slope(*last_);
+    return length > 0.0 && slope(*last_) < steps_to_a_maximum * fall;
+}
+
+/// Away from the load factor while the path is still easy under it: automatic control; and, where the user has chosen the load,
+/// before steps that may not pass its maximum become shorter and shorter.
 void PathFollower::soften() {
-    if (stage().control != Control::automatic || control_.kind != ConstraintKind::load_factor) return;
+    if (control_.kind != ConstraintKind::load_factor) return;
+    if (stage().control != Control::automatic) {
+        if (settings_.steps != model::StepRule::error_adaptive || !nears_a_maximum()) return;
+        chosen_ = control_;
+        return change_control({ConstraintKind::arc}, "the load nears a maximum");
+    }
     const Constraint other = softer_control();
     const bool softer = linalg::norm(last_->tangent.x) > softening * first_slope_;
     if (!softer && !(bend_under(other) < straighter * bend_under(control_))) return;

@@ -53,16 +53,12 @@ std::vector<Index> run_through(const std::vector<Index>& line) {
     return line.size() == 3 ? std::vector<Index>{line[0], line[2], line[1]} : line;
 }
 
-/// About this many triangles, for speed: CGAL takes some 5 us each. A surface of revolution crosses itself exactly where
-/// its outline does, whatever the number of sectors, and its enlarged polygons keep the volume.
-constexpr int wanted_triangles = 4000;
-constexpr int fewest_sectors = 8, most_sectors = 48;
+/// Few, for speed: CGAL takes some 5 us a triangle. Between two planes through the axis the surface is its outline, drawn
+/// along straight lines, so that it crosses itself exactly where the outline does, whatever the number of sectors; and the
+/// enlarged polygons keep the volume.
+constexpr int sectors = 4;
 
 void revolve(const model::Case& model, const std::vector<mesh::Facet>& facets, Triangles& surface) {
-    std::size_t segments = 0;
-    for (const mesh::Facet& facet : facets) segments += facet_nodes(model.mesh, facet).size() - 1;
-    const int sectors =
-        std::clamp(wanted_triangles / std::max(2 * static_cast<int>(segments), 1), fewest_sectors, most_sectors);
     const double angle = 2 * std::numbers::pi / sectors, enlarged = std::sqrt(angle / std::sin(angle));
     const double tolerance_m = model::plane_tolerance * model::extent_m(model.mesh);
 

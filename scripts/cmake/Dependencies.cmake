@@ -13,7 +13,14 @@ target_include_directories(soft_petsc SYSTEM INTERFACE ${PETSC_PC_INCLUDE_DIRS})
 target_link_libraries(soft_petsc INTERFACE ${PETSC_PC_LINK_LIBRARIES} MPI::MPI_C)
 target_compile_definitions(soft_petsc INTERFACE OMPI_SKIP_MPICXX)
 
-find_library(LAPACK_LIBRARY NAMES lapack flexiblas openblas REQUIRED)   # comes with PETSc
+find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+add_library(soft_cholmod INTERFACE)
+target_include_directories(soft_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
+target_link_libraries(soft_cholmod INTERFACE ${CHOLMOD_LIBRARY})
+
+find_library(BLAS_LIBRARY NAMES blas flexiblas openblas REQUIRED)       # these come with PETSc
+find_library(LAPACK_LIBRARY NAMES lapack flexiblas openblas REQUIRED)
 
 # HDF5: the flavour PETSc was built with; two flavours in one process do not share identifiers.
 pkg_search_module(HDF5_PC REQUIRED hdf5-openmpi hdf5)
@@ -25,9 +32,11 @@ target_compile_definitions(soft_hdf5 INTERFACE H5_USE_110_API OMPI_SKIP_MPICXX)
 
 find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)
+add_library(soft_gmsh_header INTERFACE)   # the programs load the library when they need it: lib/geometry/CMakeLists.txt
+target_include_directories(soft_gmsh_header SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
+target_link_libraries(soft_gmsh_header INTERFACE ${CMAKE_DL_LIBS})
 add_library(soft_gmsh INTERFACE)
-target_include_directories(soft_gmsh SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
-target_link_libraries(soft_gmsh INTERFACE ${GMSH_LIBRARY})
+target_link_libraries(soft_gmsh INTERFACE soft_gmsh_header ${GMSH_LIBRARY})
 
 find_path(CSV_INCLUDE_DIR csv.h REQUIRED)
 find_library(CSV_LIBRARY csv REQUIRED)

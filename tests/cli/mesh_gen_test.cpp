@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -39,6 +40,46 @@ TEST(MeshGen, PipeAndFileGiveTheSameBytesTwice) {
             "mesh-gen --template tube > t.yaml && mesh-gen -q t.yaml -o a.h5 && mesh-gen -q t.yaml -o a2.h5 && "
             "mesh-gen -q - < t.yaml > b.h5 && mv a2.h5 a.copy && mesh-gen -q - < t.yaml | cmp - b.h5");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST(MeshGen, SeveralDesignsGiveTheBytesOfEachAlone) {
+    Folder folder;
+    const Outcome outcome =
+        run(folder,
+            "mesh-gen --template tube > 'a tube.yaml' && mesh-gen --template rod > rod.yaml && "
+            "mesh-gen -q 'a tube.yaml' rod.yaml --output-folder new/cases --set mesh.size=3mm && mkdir kept && "
+            "mv new/cases/* kept && mesh-gen 'a tube.yaml' -o 'new/cases/a tube.h5' --set mesh.size=3mm 2>tube.txt && "
+            "cmp 'kept/a tube.h5' 'new/cases/a tube.h5' && mesh-gen rod.yaml -o new/cases/rod.h5 --set mesh.size=3mm 2>rod.txt && "
+            "cmp kept/rod.h5 new/cases/rod.h5");
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST(MeshGen, OfSeveralDesignsOneThatIsRefusedDoesNotStopTheOthers) {
+    Folder folder;
+    const Outcome outcome =
+        run(folder, "mesh-gen --template tube > a.yaml && sed 's/inner_radius: .*/inner_radius: 1 m/' a.yaml > b.yaml && "
+                    "cp a.yaml c.yaml && mesh-gen -q a.yaml absent.yaml b.yaml c.yaml --output-folder cases; code=$?; ls cases; exit $code");
+    EXPECT_EQ(outcome.code, 66) << outcome.err;
+    EXPECT_EQ(outcome.out, "a.h5\nc.h5\n");
+    EXPECT_TRUE(holds(outcome.err, "mesh-gen: absent.yaml: ")) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, "mesh-gen: b.yaml:")) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 2) << outcome.err;
+}
+
+/// Loading it and what it needs takes longer than everything else that a program does to start.
+TEST(MeshGen, GmshIsLoadedOnlyToMakeAMesh) {
+    Folder folder;
+    const auto loads = [&folder](const std::string& command) {
+        const Outcome outcome = run(folder, "LD_DEBUG=files " + command + " 2>&1 >out.txt | grep -c 'libgmsh.*generating link map'");
+        return std::stoi(outcome.out);
+    };
+    EXPECT_EQ(loads("mesh-gen --version"), 0);
+    EXPECT_EQ(loads("mesh-gen --template tube"), 0);
+    run(folder, "mesh-gen --template tube > t.yaml");
+    EXPECT_EQ(loads("mesh-gen --explain t.yaml"), 0);
+    EXPECT_EQ(loads("mesh-gen --check t.yaml --set geometry.wal=2mm"), 0);
+    EXPECT_EQ(loads("mesh-gen --check t.yaml"), 1);
 }
 
 TEST(MeshGen, TheSummaryHoldsTheVolumesOfTheClosedForm) {

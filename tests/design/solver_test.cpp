@@ -54,7 +54,7 @@ TEST(Solver, EveryWordMeansItsSetting) {
         {"lu", Preconditioner::lu},           {"asm-lu", Preconditioner::asm_lu},
         {"asm-ilu", Preconditioner::asm_ilu}, {"asm-boomeramg", Preconditioner::asm_boomeramg},
         {"gamg", Preconditioner::gamg},       {"boomeramg", Preconditioner::boomeramg},
-        {"jacobi", Preconditioner::jacobi},   {"none", Preconditioner::none}};
+        {"multigrid", Preconditioner::multigrid}, {"jacobi", Preconditioner::jacobi},   {"none", Preconditioner::none}};
     for (const auto& [word, meant] : words)
         EXPECT_EQ(solver("linear: krylov, preconditioner: " + word).linear.preconditioner, meant) << word;
 }

@@ -92,7 +92,8 @@ struct Sample {
     [[nodiscard]] std::vector<PointState> points(const std::vector<double>& values) const {
         std::vector<PointState> states;
         const auto frame = std::visit([](const auto& r) { return r.fiber_frame; }, rubber);
-        sample_cell(cell, combination.kinematics, frame, input(values), states);
+        CellPoints work(cell);
+        sample_cell(cell, combination.kinematics, frame, input(values), work, states);
         return states;
     }
     /// W integrated over the cell; its derivative is the residual.

@@ -56,7 +56,7 @@ TEST(LinearSolver, GoesOverToLuWhereTheUnsymmetricPartIsLarge) {
     LinearSolver solver(A);
     EXPECT_TRUE(solver.factorize().negative_pivots.has_value());
     EXPECT_LT(residual_after_solve(solver, A), 1e-8);
-    EXPECT_EQ(solver.factorizations(), 2);
+    EXPECT_GE(solver.factorizations(), 2);
     EXPECT_FALSE(solver.factorize().negative_pivots.has_value());   // LU knows no inertia
 }
 

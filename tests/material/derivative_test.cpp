@@ -1,6 +1,7 @@
 // Stress and tangent of every law against differentiation in the nine components of F.
 #include <gtest/gtest.h>
 
+#include "law_types.hpp"
 #include "oracle.hpp"
 
 namespace soft::material {
@@ -8,16 +9,9 @@ namespace {
 
 using namespace sample;
 
-template <class List>
-struct TypesOf;
-template <class... L>
-struct TypesOf<std::tuple<L...>> {
-    using type = ::testing::Types<L...>;
-};
-
 template <class L>
 class Derivatives : public ::testing::Test {};
-TYPED_TEST_SUITE(Derivatives, TypesOf<LawList>::type);
+TYPED_TEST_SUITE(Derivatives, EveryLawType);
 
 /// Compressed, sheared and turned; F of the samples; a large stretch.
 constexpr std::array<Tensor, 3> states{F, Tensor{0.62, -0.31, 0.05, 0.24, 0.81, -0.12, 0.33, 0.07, 1.44},

@@ -5,19 +5,13 @@
 #include <numeric>
 
 #include "material/response.hpp"
+#include "law_types.hpp"
 #include "samples.hpp"
 
 namespace soft::material {
 namespace {
 
 using namespace sample;
-
-template <class List>
-struct TypesOf;
-template <class... L>
-struct TypesOf<std::tuple<L...>> {
-    using type = ::testing::Types<L...>;
-};
 
 template <class L>
 class EveryLaw : public ::testing::Test {
@@ -26,7 +20,7 @@ protected:
     static constexpr bool stress_law = StressLaw<L>;
     static double bulk() { return 1.0 / rubber<L>().inverse_bulk_modulus; }
 };
-TYPED_TEST_SUITE(EveryLaw, TypesOf<LawList>::type);
+TYPED_TEST_SUITE(EveryLaw, EveryLawType);
 
 TYPED_TEST(EveryLaw, HasNoStressInTheReferenceState) {
     for (const auto volumetric : volumetric_laws) {

@@ -4,9 +4,10 @@
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=3 -o case.h5 && solve -q case.h5 -o result.h5'
 runs 'postprocess -q result.h5 > curve.csv'
-declare -A command=([mesh-gen]='mesh-gen -q designs/tube.yaml' [solve]='solve -q case.h5' [postprocess]='postprocess -q result.h5')
+declare -A command=([mesh-gen]='mesh-gen -q designs/tube.yaml' [solve]='solve -q case.h5' [postprocess]='postprocess -q result.h5'
+                   [sweep-plan]='sweep-plan -q designs/sweeps/rod.yaml')
 
-for tool in mesh-gen solve postprocess; do
+for tool in mesh-gen solve postprocess sweep-plan; do
     refuses 73 "$tool: no/such/file: cannot be created: No such file or directory" "${command[$tool]} -o no/such/file"
     refuses 73 "$tool: designs: is a folder; name a file" "${command[$tool]} -o designs"
     refuses 74 "$tool: <stdout>: cannot be written: No space left on device" "${command[$tool]} > /dev/full"

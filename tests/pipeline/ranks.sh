@@ -12,6 +12,12 @@ for options in '--set path.until.steps=16' \
     claim "the curve is the same to $tolerance" agree one.csv two.csv "$tolerance"
 done
 
+# So does multigrid, whose smoother works rank by rank; and its curve is that of the factorisation.
+multigrid='--set solver.linear=krylov --set solver.preconditioner=multigrid --set solver.linear_tolerance=1e-10 --set solver.linear_limit=300'
+runs "solve -q case.h5 $multigrid | postprocess -q > multigrid.csv; mpirun -n 2 solve -q case.h5 $multigrid -o two.h5; postprocess -q two.h5 > two.csv"
+claim "multigrid gives the curve of the factorisation to $tolerance" agree one.csv multigrid.csv "$tolerance"
+claim "and with two ranks that of one to $tolerance" agree multigrid.csv two.csv "$tolerance"
+
 # Row by row on the slender bellows too, whose steps would fall elsewhere if they were not chosen with few digits.
 runs "mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set path.until.elongation=25mm -o case.h5"
 runs 'solve -q case.h5 | postprocess -q > one.csv; mpirun -n 2 solve -q case.h5 -o two.h5; postprocess -q two.h5 > two.csv'

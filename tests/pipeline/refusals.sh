@@ -8,7 +8,7 @@ runs 'mesh-gen -q designs/tube.yaml -o case.h5 && solve -q case.h5 --set path.un
 refuses 64 "mesh-gen: unknown option '--lst'; did you mean '--list'[?]" 'mesh-gen --lst'
 refuses 64 "solve: unknown option '--feilds'; did you mean '--fields'[?]" 'solve --feilds all case.h5'
 refuses 64 "postprocess: unknown option '--plto'; did you mean '--plot'[?]" 'postprocess --plto x.svg result.h5'
-for tool in mesh-gen solve postprocess; do
+for tool in mesh-gen solve postprocess sweep-plan; do
     refuses 64 "$tool: one argument too many: 'two'; see *--help*" "$tool one two"
     refuses 64 "$tool: *exclude each other; *" "$tool --quiet --verbose x"
     refuses 64 "$tool: data and --json cannot both go to stdout; use *" "$tool --json - x"
@@ -17,6 +17,8 @@ done
 refuses 64 'postprocess: --check: its value is empty; leave it out, or give one' 'postprocess --check "" --junit v.xml result.h5'
 refuses 64 'solve: --output: its value is empty; *' 'solve -o "" case.h5'
 refuses 64 'mesh-gen: --output tube.yaml: would overwrite the input; write to another file' 'cp designs/tube.yaml tube.yaml; mesh-gen tube.yaml -o tube.yaml'
+refuses 64 'sweep-plan: --output designs/sweeps/../sweeps/rod.yaml: would overwrite the input; *' 'sweep-plan designs/sweeps/rod.yaml -o designs/sweeps/../sweeps/rod.yaml'
+refuses 64 'mesh-gen: --output designs/tube.h5: would overwrite the input; *' 'cp designs/tube.yaml designs/tube.h5; mesh-gen designs/tube.h5 --output-folder designs'
 refuses 64 'solve: --json ./case.h5: would overwrite the input; *' 'solve case.h5 --json ./case.h5 -o x.h5'
 refuses 64 'postprocess: --report ./x.html: is also the file of --json; *' 'postprocess result.h5 --json x.html --report ./x.html'
 refuses 64 'postprocess: --output result.h5: would overwrite the input; *' 'postprocess result.h5 -o result.h5'
@@ -98,7 +100,7 @@ refuses 65 'solve: result.h5: already holds a solution; give solve the case from
 refuses 65 'postprocess: --at pressure=99kPa: the path does not reach it; it goes from 0 to * kPa' 'postprocess --at pressure=99kPa result.h5'
 
 # 66: an input that cannot be opened
-for tool in mesh-gen solve postprocess; do
+for tool in mesh-gen solve postprocess sweep-plan; do
     refuses 66 "$tool: absent: cannot be opened: No such file or directory" "$tool absent"
     refuses 66 "$tool: designs: is a folder; name a file" "$tool designs"
 done

@@ -17,7 +17,10 @@ claim "the limit point is told, 44.34 kPa" within "$(json solve.json limit_point
 claim "by postprocess in the units of the table" within "$(json curve.json limit_points 0 pressure_kPa)" 44.317 44.361
 claim "rows are counted" [ "$(json curve.json rows)" = "$(column step curve.csv | wc -l)" ]
 
-for tool in mesh-gen solve postprocess; do
+runs 'sweep-plan designs/sweeps/rod.yaml --json sweep.json > plan.csv'
+claim "designs are counted" [ "$(json sweep.json designs)" -eq 4 ]
+
+for tool in mesh-gen solve postprocess sweep-plan; do
     runs "$tool --version"
     claim "the first line is name, version, revision" like "$(head -n 1 "$seen/out")" "$tool [0-9]*.[0-9]*.[0-9]* (*)"
     runs "$tool --version --json > version.json"

@@ -6,6 +6,7 @@
 #include "../assembly/sample_cases.hpp"
 #include "assembly/near_nullspace.hpp"
 #include "bench.hpp"
+#include "mesh/split.hpp"
 
 namespace soft::solver {
 namespace {
@@ -55,7 +56,7 @@ TEST(LinearMethods, EveryPreconditionerGivesTheSameCurve) {
     const auto input = pulled_box(model::Formulation::displacement);
     for (const auto preconditioner :
          {Preconditioner::lu, Preconditioner::asm_lu, Preconditioner::asm_ilu, Preconditioner::asm_boomeramg,
-          Preconditioner::boomeramg, Preconditioner::gamg, Preconditioner::jacobi, Preconditioner::none})
+          Preconditioner::boomeramg, Preconditioner::gamg, Preconditioner::multigrid, Preconditioner::jacobi, Preconditioner::none})
         expect_the_curve_of_the_default(input, LinearMethod::krylov, preconditioner);
 }
 
@@ -65,6 +66,34 @@ TEST(LinearMethods, WithPressureUnknownsThePivotingOnesGiveTheSameCurve) {
         expect_the_curve_of_the_default(input, method, Preconditioner::none);
     for (const auto preconditioner : {Preconditioner::lu, Preconditioner::asm_lu})
         expect_the_curve_of_the_default(input, LinearMethod::krylov, preconditioner);
+}
+
+TEST(LinearMethods, WithPressureUnknownsMultigridGivesTheSameCurve) {
+    auto input = pulled_box(model::Formulation::mixed);
+    auto tetrahedra = input;   // Taylor and Hood: a pressure at each vertex
+    tetrahedra.mesh = mesh::split_into_simplices(input.mesh);
+    auto incompressible = input;
+    incompressible.materials[0].bulk_modulus_Pa.reset();
+    for (const auto& body : {input, tetrahedra, incompressible})
+        expect_the_curve_of_the_default(body, LinearMethod::krylov, Preconditioner::multigrid);
+    expect_the_curve_of_the_default(input, LinearMethod::jacobian_free, Preconditioner::multigrid);
+}
+
+/// Iterations of the first linear solve of a glued box of n x n x n mixed cells, incompressible.
+int multigrid_iterations(int n) {
+    auto input = pulled_box(model::Formulation::mixed);
+    input.mesh = box_case(n, true).mesh;
+    input.materials[0].bulk_modulus_Pa.reset();
+    input.solver.linear.method = LinearMethod::krylov;
+    input.solver.linear.preconditioner = Preconditioner::multigrid;
+    Bench bench(input, input.solver);
+    EXPECT_TRUE(bench.newton.tangent({ConstraintKind::load_factor}, bench.rest()));
+    return static_cast<int>(bench.newton.linear_iterations());
+}
+
+// Published bounds of the smoother, the coarse space and the Schur complement know no cell size.
+TEST(LinearMethods, IterationsOfMultigridDoNotGrowWithTheMesh) {
+    EXPECT_LE(multigrid_iterations(8), 1.2 * multigrid_iterations(4));
 }
 
 TEST(LinearMethods, WithoutAJacobianTheCurveIsTheSame) {

@@ -1,0 +1,102 @@
+#include "assembly/pattern.hpp"
+
+#include <algorithm>
+
+namespace soft::assembly {
+
+namespace {
+
+using mesh::Index;
+
+/// The cells of each of this rank's unknowns.
+struct CellsOfRows {
+    std::vector<std::size_t> begin;   // of each row, and one beyond the last
+    std::vector<Index> cells;
+};
+
+/// Calls visit(cell, its unknowns) for every cell of the mesh.
+template <class Visit>
+void for_each_cell(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references, Visit&& visit) {
+    std::vector<PetscInt> dofs;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+        map.cell_dofs(mesh, cell, reference_of(references, mesh.cell_type(cell)), dofs);
+        visit(cell, dofs);
+    }
+}
+
+CellsOfRows cells_of_rows(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references) {
+    CellsOfRows rows;
+    rows.begin.assign(static_cast<std::size_t>(map.end - map.begin) + 2, 0);
+    const auto for_each_own = [&](auto&& visit) {
+        for_each_cell(mesh, map, references, [&](Index cell, const std::vector<PetscInt>& dofs) {
+            for (const PetscInt dof : dofs)
+                if (dof >= map.begin && dof < map.end) visit(static_cast<std::size_t>(dof - map.begin), cell);
+        });
+    };
+    for_each_own([&](std::size_t row, Index) { ++rows.begin[row + 2]; });
+    for (std::size_t r = 2; r < rows.begin.size(); ++r) rows.begin[r] += rows.begin[r - 1];
+    rows.cells.resize(rows.begin.back());
+    for_each_own([&](std::size_t row, Index cell) { rows.cells[rows.begin[row + 1]++] = cell; });
+    rows.begin.pop_back();
+    return rows;
+}
+
+/// Calls visit(row, its columns in ascending order) for this rank's rows. Neighbouring rows mostly have the same cells (the
+/// components of a node): their columns are found once.
+template <class Visit>
+void for_each_row(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references,
+                  const CellsOfRows& rows, Visit&& visit) {
+    std::vector<PetscInt> columns, dofs;
+    std::vector<char> met(static_cast<std::size_t>(map.total), 0);
+    std::span<const Index> before;
+    for (std::size_t row = 0; row + 1 < rows.begin.size(); ++row) {
+        const std::span<const Index> cells(&rows.cells[rows.begin[row]], rows.begin[row + 1] - rows.begin[row]);
+        if (!std::ranges::equal(cells, before)) {
+            columns.clear();
+            for (const Index cell : cells) {
+                map.cell_dofs(mesh, cell, reference_of(references, mesh.cell_type(cell)), dofs);
+                for (const PetscInt dof : dofs)
+                    if (dof >= 0 && met[static_cast<std::size_t>(dof)] == 0) {
+                        met[static_cast<std::size_t>(dof)] = 1;
+                        columns.push_back(dof);
+                    }
+            }
+            for (const PetscInt dof : columns) met[static_cast<std::size_t>(dof)] = 0;
+            std::ranges::sort(columns);
+            before = cells;
+        }
+        visit(static_cast<PetscInt>(row), columns);
+    }
+}
+
+}  // namespace
+
+linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references,
+                                MPI_Comm comm) {
+    const auto rows = cells_of_rows(mesh, map, references);
+    const PetscInt own = map.end - map.begin;
+    std::vector<PetscInt> here(static_cast<std::size_t>(own)), elsewhere(here.size());
+    for_each_row(mesh, map, references, rows, [&](PetscInt row, const std::vector<PetscInt>& columns) {
+        const auto first = std::ranges::lower_bound(columns, map.begin), last = std::ranges::lower_bound(columns, map.end);
+        here[static_cast<std::size_t>(row)] = static_cast<PetscInt>(last - first);
+        elsewhere[static_cast<std::size_t>(row)] = static_cast<PetscInt>(columns.size()) - here[static_cast<std::size_t>(row)];
+    });
+    linalg::Matrix K;
+    SOFT_PETSC(MatCreate(comm, K.out()));
+    SOFT_PETSC(MatSetType(K, MATAIJ));
+    SOFT_PETSC(MatSetSizes(K, own, own, map.total, map.total));
+    SOFT_PETSC(MatSeqAIJSetPreallocation(K, 0, here.data()));
+    SOFT_PETSC(MatMPIAIJSetPreallocation(K, 0, here.data(), 0, elsewhere.data()));
+    std::vector<PetscScalar> zeros;
+    for_each_row(mesh, map, references, rows, [&](PetscInt row, const std::vector<PetscInt>& columns) {
+        zeros.resize(columns.size(), 0.0);
+        const PetscInt number = map.begin + row;
+        SOFT_PETSC(MatSetValues(K, 1, &number, static_cast<PetscInt>(columns.size()), columns.data(), zeros.data(), INSERT_VALUES));
+    });
+    SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
+    return K;
+}
+
+}  // namespace soft::assembly

@@ -1,0 +1,56 @@
+#pragma once
+/// gmsh, loaded when a mesh is made and no earlier: with it come ninety libraries (CAD, windows, images), and looking up their
+/// symbols costs more than everything else a program does to start. Private to the room.
+/// Held by geometry/section_mesher_test.
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace soft::geometry {
+
+/// gmsh speaks only while this lives: quiet, no configuration files, no arguments. Tags are the caller's, from 1.
+/// What gmsh cannot do is an Error(internal) with its words, a gmsh that cannot be loaded Error(cannot_open). gmsh keeps one
+/// state per process.
+class GmshSession {
+public:
+    GmshSession();
+    ~GmshSession();
+    GmshSession(const GmshSession&) = delete;
+    GmshSession& operator=(const GmshSession&) = delete;
+
+    struct Line {
+        int start, end;
+    };
+    struct Arc {
+        int start, centre, end;
+    };
+    /// Points that divide a curve, ends included; the ratio of neighbouring intervals.
+    struct Division {
+        int points;
+        double ratio;
+    };
+    struct Surface {
+        std::vector<int> loop, corners;   ///< curves, minus those run backwards; the four points
+    };
+    void add_point(int tag, std::array<double, 2> place);
+    void add_line(int tag, Line line);
+    void add_arc(int tag, Arc arc);
+    void divide_curve(int tag, Division division);
+    void add_grid(int tag, Surface surface);   ///< plane, of quadrilaterals
+    void mesh();                               ///< all that was added
+
+    struct Nodes {
+        std::vector<std::size_t> tags;
+        std::vector<double> xyz;
+    };
+    [[nodiscard]] Nodes nodes() const;
+    /// Node tags of the linear cells of a curve (dimension 1) or surface (2), cell by cell; none where the types are mixed.
+    [[nodiscard]] std::vector<std::size_t> cells(int dimension, int tag) const;
+
+private:
+    struct Functions;
+    std::unique_ptr<const Functions> gmsh_;
+};
+
+}  // namespace soft::geometry

@@ -1,0 +1,24 @@
+#pragma once
+/// The rows of a sequential AIJ matrix as PETSc stores them, not owned. Internal to the room.
+/// Held by linalg/block_entries_test and linalg/sparse_ldlt_test.
+#include "linalg/petsc.hpp"
+
+namespace soft::linalg {
+
+struct MatrixRows {
+    PetscInt count = 0;
+    const PetscInt* begin = nullptr;     ///< [row] of its entries, and one beyond the last
+    const PetscInt* columns = nullptr;   ///< ascending in a row
+    const double* values = nullptr;
+};
+
+[[nodiscard]] inline MatrixRows rows_of(Mat sequential) {
+    MatrixRows rows;
+    PetscScalar* values = nullptr;
+    SOFT_PETSC(MatGetLocalSize(sequential, &rows.count, nullptr));
+    SOFT_PETSC(MatSeqAIJGetCSRAndMemType(sequential, &rows.begin, &rows.columns, &values, nullptr));
+    rows.values = values;
+    return rows;
+}
+
+}  // namespace soft::linalg

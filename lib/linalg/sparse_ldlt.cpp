@@ -1,0 +1,143 @@
+#include "linalg/sparse_ldlt.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "core/error.hpp"
+#include "linalg/matrix_rows.hpp"
+
+namespace soft::linalg {
+
+namespace {
+
+static_assert(sizeof(PetscInt) == sizeof(int), "CHOLMOD's functions for int are used");
+
+constexpr double least_diagonal = 1e-6;
+
+}  // namespace
+
+struct SparseLdlt::Parts {
+    cholmod_common common{};
+    cholmod_sparse* upper = nullptr;     // row i of K's upper triangle as column i of the lower one
+    cholmod_factor* factor = nullptr;
+    cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;   // of cholmod_solve2, kept from solve to solve
+    std::vector<double> diagonal;
+    double flops = 0;
+
+    Parts() {
+        cholmod_start(&common);
+        common.print = 0;
+        common.supernodal = CHOLMOD_SIMPLICIAL;
+        common.final_ll = 0;
+        common.nmethods = 1;
+        common.method[0].ordering = CHOLMOD_AMD;
+        common.postorder = 1;
+    }
+    ~Parts() {
+        for (auto** dense : {&x, &y, &e}) cholmod_free_dense(dense, &common);
+        cholmod_free_factor(&factor, &common);
+        cholmod_free_sparse(&upper, &common);
+        cholmod_finish(&common);
+    }
+    Parts(const Parts&) = delete;
+    Parts& operator=(const Parts&) = delete;
+
+    void check() const {
+        if (common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+        if (common.status < CHOLMOD_OK)
+            throw Error(ExitCode::internal, "CHOLMOD", "status " + std::to_string(common.status));
+    }
+    void read_pattern(const MatrixRows& rows);
+    void read_values(const MatrixRows& rows);
+    [[nodiscard]] double bounded_diagonal(const MatrixRows& rows, PetscInt row) const;
+};
+
+void SparseLdlt::Parts::read_pattern(const MatrixRows& rows) {
+    upper = cholmod_allocate_sparse(rows.count, rows.count, rows.begin[rows.count], 1, 1, -1, CHOLMOD_REAL, &common);
+    check();
+    auto* start = static_cast<int*>(upper->p);
+    auto* index = static_cast<int*>(upper->i);
+    int place = 0;
+    for (PetscInt row = 0; row < rows.count; ++row) {
+        start[row] = place;
+        for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
+            if (rows.columns[k] >= row) index[place++] = rows.columns[k];
+    }
+    start[rows.count] = place;
+}
+
+void SparseLdlt::Parts::read_values(const MatrixRows& rows) {
+    diagonal.assign(static_cast<std::size_t>(rows.count), 0.0);
+    for (PetscInt row = 0; row < rows.count; ++row)
+        for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
+            if (rows.columns[k] == row) diagonal[static_cast<std::size_t>(row)] = rows.values[k];
+    auto* value = static_cast<double*>(upper->x);
+    for (PetscInt row = 0; row < rows.count; ++row)
+        for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
+            if (rows.columns[k] >= row) *value++ = rows.columns[k] == row ? bounded_diagonal(rows, row) : rows.values[k];
+}
+
+double SparseLdlt::Parts::bounded_diagonal(const MatrixRows& rows, PetscInt row) const {
+    const double own = diagonal[static_cast<std::size_t>(row)];
+    if (own > 0.0) return own;
+    double schur = 0;
+    for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k) {
+        const double other = diagonal[static_cast<std::size_t>(rows.columns[k])];
+        if (other > 0.0) schur += rows.values[k] * rows.values[k] / other;
+    }
+    return std::min(own, -least_diagonal * schur);
+}
+
+SparseLdlt::SparseLdlt(Mat K) : parts_(std::make_unique<Parts>()) {
+    parts_->read_pattern(rows_of(K));
+    parts_->factor = cholmod_analyze(parts_->upper, &parts_->common);
+    parts_->check();
+    parts_->flops = parts_->common.fl;
+}
+
+SparseLdlt::~SparseLdlt() = default;
+SparseLdlt::SparseLdlt(SparseLdlt&&) noexcept = default;
+SparseLdlt& SparseLdlt::operator=(SparseLdlt&&) noexcept = default;
+
+double SparseLdlt::flops() const { return parts_->flops; }
+
+bool SparseLdlt::factorize(Mat K) {
+    parts_->read_values(rows_of(K));
+    cholmod_factorize(parts_->upper, parts_->factor, &parts_->common);
+    parts_->check();
+    const auto& factor = *parts_->factor;
+    if (parts_->common.status != CHOLMOD_OK || factor.minor < factor.n) return false;
+    const auto* start = static_cast<const int*>(factor.p);
+    const auto* value = static_cast<const double*>(factor.x);
+    return std::all_of(start, start + factor.n, [&](int first) { return std::isfinite(value[first]) && value[first] != 0.0; });
+}
+
+PetscInt SparseLdlt::negative_pivots() const {
+    const auto& factor = *parts_->factor;
+    const auto* start = static_cast<const int*>(factor.p);
+    const auto* value = static_cast<const double*>(factor.x);
+    return static_cast<PetscInt>(std::count_if(start, start + factor.n, [&](int first) { return value[first] < 0.0; }));
+}
+
+void SparseLdlt::solve(Vec b, Vec x) {
+    const PetscScalar* from = nullptr;
+    SOFT_PETSC(VecGetArrayRead(b, &from));
+    cholmod_dense right{};
+    right.nrow = right.d = right.nzmax = parts_->factor->n;
+    right.ncol = 1;
+    right.x = const_cast<PetscScalar*>(from);   // CHOLMOD only reads it
+    right.xtype = CHOLMOD_REAL;
+    right.dtype = CHOLMOD_DOUBLE;
+    cholmod_solve2(CHOLMOD_A, parts_->factor, &right, nullptr, &parts_->x, nullptr, &parts_->y, &parts_->e, &parts_->common);
+    SOFT_PETSC(VecRestoreArrayRead(b, &from));
+    parts_->check();
+    PetscScalar* to = nullptr;
+    SOFT_PETSC(VecGetArray(x, &to));
+    std::copy_n(static_cast<const double*>(parts_->x->x), parts_->factor->n, to);
+    SOFT_PETSC(VecRestoreArray(x, &to));
+}
+
+}  // namespace soft::linalg

@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "design/tree.hpp"
+#include "sweep/sweep.hpp"
+
+namespace soft::sweep {
+namespace {
+
+using design::Member;
+using design::Node;
+using design::refuse;
+
+const std::vector<std::string>& top_keys() {
+    static const std::vector<std::string> keys{"design", "method", "samples", "seed", "vary", "set", "at", "outputs"};
+    return keys;
+}
+const std::vector<std::string>& range_keys() {
+    static const std::vector<std::string> keys{"from", "to", "steps", "scale"};
+    return keys;
+}
+
+void check_keys(const Node& map, const std::vector<std::string>& known, const std::string& path) {
+    for (const Member& member : map.members)
+        if (std::ranges::find(known, member.key) == known.end())
+            refuse(member.place, path.empty() ? member.key : path + "." + member.key, "unknown key",
+                   core::did_you_mean(member.key, known));
+}
+
+Written single(const Node& node, const std::string& path, const std::string& example) {
+    if (node.kind != Node::Kind::scalar || core::trimmed(node.text).empty())
+        refuse(node.place, path, "a single value is needed here", "write for example " + example);
+    return {std::string{core::trimmed(node.text)}, node.place};
+}
+
+/// One value, or a list of them.
+std::vector<Written> several(const Node& node, const std::string& path, const std::string& example) {
+    if (node.kind != Node::Kind::list) return {single(node, path, example)};
+    if (node.items.empty()) refuse(node.place, path, "the list is empty", "write for example [" + example + "]");
+    std::vector<Written> values;
+    for (const Node& item : node.items) values.push_back(single(item, path, example));
+    return values;
+}
+
+template <class Choice>
+Choice choice_of(const Node& node, const std::string& path, const std::vector<std::pair<std::string, Choice>>& choices) {
+    std::vector<std::string> words;
+    for (const auto& [word, choice] : choices) words.push_back(word);
+    const std::string text = single(node, path, words.front()).text;
+    for (const auto& [word, choice] : choices)
+        if (word == text) return choice;
+    refuse(node.place, path, core::quoted(text) + " is not a choice here", core::did_you_mean(text, words));
+}
+
+struct Limits {
+    long least, most;
+};
+long whole_number(const Node& node, const std::string& path, Limits limits) {
+    const Written written = single(node, path, std::to_string(limits.least));
+    const auto parsed = core::parse_count(written.text);
+    if (const auto* refusal = std::get_if<core::Refusal>(&parsed)) refuse(node.place, path, refusal->problem, refusal->remedy);
+    const long value = std::get<long>(parsed);
+    if (value < limits.least || value > limits.most)
+        refuse(node.place, path, written.text + " is out of range",
+               "it must be at least " + std::to_string(limits.least) + ", at most " + std::to_string(limits.most));
+    return value;
+}
+
+struct Quantity {
+    double number;
+    std::string unit;
+};
+Quantity quantity_of(const Written& written, const std::string& path) {
+    const std::string tidy = core::tidy_quantity(written.text);
+    const std::size_t blank = std::min(tidy.find(' '), tidy.size());
+    const char* first = tidy.data() + (tidy.starts_with('+') ? 1 : 0);
+    Quantity quantity{0, tidy.substr(std::min(blank + 1, tidy.size()))};
+    const auto end = std::from_chars(first, tidy.data() + blank, quantity.number);
+    if (end.ec != std::errc{} || end.ptr != tidy.data() + blank || !std::isfinite(quantity.number))
+        refuse(written.place, path, core::quoted(written.text) + " is not a number", "words stand in a list: [one, two]");
+    return quantity;
+}
+
+const Node& needed(const Node& map, std::string_view key, const Written& at, const std::string& example) {
+    if (const Node* node = design::find(map, key)) return *node;
+    refuse(at.place, at.text, "missing", "add " + std::string{key} + ": " + example);
+}
+
+Range range_of(const Node& node, const std::string& path, Method method) {
+    check_keys(node, range_keys(), path);
+    Range range;
+    range.from = single(needed(node, "from", {path + ".from", node.place}, "2 mm"), path + ".from", "2 mm");
+    range.to = single(needed(node, "to", {path + ".to", node.place}, "4 mm"), path + ".to", "4 mm");
+    const Quantity from = quantity_of(range.from, path), to = quantity_of(range.to, path);
+    if (from.unit != to.unit)
+        refuse(range.to.place, path, core::quoted(range.to.text) + " has another unit than " + core::quoted(range.from.text),
+               "write both in the same");
+    if (!(from.number < to.number))
+        refuse(range.to.place, path, range.to.text + " is not more than " + range.from.text, "write the smaller one first");
+    range.low = from.number, range.high = to.number, range.unit = from.unit;
+    if (const Node* scale = design::find(node, "scale"))
+        range.scale = choice_of<Scale>(*scale, path + ".scale",
+                                       {{"linear", Scale::linear}, {"log", Scale::log}, {"whole", Scale::whole}});
+    if (range.scale == Scale::log && range.low <= 0)
+        refuse(range.from.place, path, range.from.text + " has no logarithm", "a log scale starts above 0");
+    if (range.scale == Scale::whole && (std::floor(range.low) != range.low || std::floor(range.high) != range.high))
+        refuse(range.from.place, path, "the ends are not whole numbers", "write for example {from: 5, to: 12, scale: whole}");
+    const Node* steps = design::find(node, "steps");
+    if (method == Method::grid)
+        range.steps = static_cast<int>(
+            whole_number(needed(node, "steps", {path + ".steps", node.place}, "5"), path + ".steps", {2, most_designs}));
+    else if (steps != nullptr)
+        refuse(steps->place, path + ".steps", "only a grid has steps", "leave it out; samples says how many designs there are");
+    return range;
+}
+
+std::vector<Factor> factors_of(const Node& vary, Method method) {
+    if (vary.kind != Node::Kind::map || vary.members.empty())
+        refuse(vary.place, "vary", "a group of keys is needed here", "write geometry.wall: {from: 2 mm, to: 4 mm}");
+    std::vector<Factor> factors;
+    for (const Member& member : vary.members) {
+        const Node& node = member.value;
+        Factor factor{member.key, member.place, Choices{}};
+        if (node.kind == Node::Kind::map)
+            factor.values = range_of(node, member.key, method);
+        else if (node.kind == Node::Kind::list)
+            factor.values = several(node, member.key, "2 mm, 3 mm");
+        else
+            refuse(node.place, member.key, "a range or a list is needed here",
+                   "write {from: 2 mm, to: 4 mm} or [2 mm, 3 mm]; what does not vary stands in set");
+        factors.push_back(std::move(factor));
+    }
+    return factors;
+}
+
+std::vector<design::Override> overrides_of(const Node& set) {
+    if (set.kind != Node::Kind::map) refuse(set.place, "set", "a group of keys is needed here", "write {mesh.size: 2 mm}");
+    std::vector<design::Override> overrides;
+    for (const Member& member : set.members) {
+        if (member.value.kind == Node::Kind::map)
+            refuse(member.value.place, member.key, "a single value or a list is needed here",
+                   "write the whole key path: " + member.key + ".key: value");
+        std::vector<std::string> texts;
+        for (const Written& value : several(member.value, member.key, "2 mm")) texts.push_back(value.text);
+        const bool list = member.value.kind == Node::Kind::list;
+        overrides.push_back({member.key, list ? std::string{"["}.append(core::join(texts)).append("]") : texts.front(), member.value.place});
+    }
+    return overrides;
+}
+
+/// "elongation=5mm,10mm" is two; what has no '=' behind one that has goes on with its quantity, as in a YAML list.
+std::vector<Written> points_of(const Node& at) {
+    std::vector<Written> points;
+    std::string quantity;
+    for (const Written& entry : several(at, "at", "elongation=20mm")) {
+        for (std::size_t start = 0; start <= entry.text.size();) {
+            const std::size_t comma = std::min(entry.text.find(',', start), entry.text.size());
+            std::string word{core::trimmed(std::string_view{entry.text}.substr(start, comma - start))};
+            start = comma + 1;
+            const std::size_t equals = word.find('=');
+            if (equals != std::string::npos)
+                quantity = word.substr(0, equals);
+            else if (word == "end" || word == "limit")
+                quantity.clear();
+            else if (quantity.empty() || word.empty())
+                refuse(entry.place, "at", core::quoted(word) + " is no place on a path", "write elongation=20mm, limit or end");
+            else
+                word.insert(0, quantity + "=");
+            points.push_back({std::move(word), entry.place});
+        }
+    }
+    return points;
+}
+
+void check_size(const Sweep& sweep, const std::string& place) {
+    if (sweep.method != Method::grid) return;
+    double designs = 1;
+    for (const Factor& factor : sweep.factors) designs *= level_count(factor);
+    if (designs > most_designs)
+        refuse(place, "vary", "the grid has " + core::rounded_text(designs, 3) + " designs",
+               "at most " + std::to_string(most_designs) + "; fewer steps, or method: latin-hypercube");
+}
+
+}  // namespace
+
+Sweep read_sweep(std::string_view text, std::string_view source) {
+    const Node root = design::parse_yaml(text, source, {"sweep", "see README.md, 'Sweeps', for one"});
+    const std::string top = std::string{source} + ":1:1";
+    if (root.kind != Node::Kind::map) refuse(top, "", "a sweep is a group of keys", "write design: ..., vary: {...}");
+    check_keys(root, top_keys(), "");
+    Sweep sweep;
+    sweep.source = source;
+    sweep.design = single(needed(root, "design", {"design", top}, "designs/tube.yaml"), "design", "designs/tube.yaml");
+    if (const Node* method = design::find(root, "method"))
+        sweep.method = choice_of<Method>(
+            *method, "method", {{"grid", Method::grid}, {"random", Method::random}, {"latin-hypercube", Method::latin_hypercube}});
+    for (const char* key : {"samples", "seed"})
+        if (const Member* member = design::find_member(root, key); member != nullptr && sweep.method == Method::grid)
+            refuse(member->place, key, "a grid has none", "write method: random or method: latin-hypercube, or leave it out");
+    if (sweep.method != Method::grid)
+        sweep.samples = static_cast<int>(whole_number(needed(root, "samples", {"samples", top}, "100"), "samples", {1, most_designs}));
+    if (const Node* seed = design::find(root, "seed"))
+        sweep.seed = static_cast<std::uint64_t>(whole_number(*seed, "seed", {0, std::numeric_limits<long>::max()}));
+    const Node& vary = needed(root, "vary", {"vary", top}, "{geometry.wall: [2 mm, 3 mm]}");
+    sweep.factors = factors_of(vary, sweep.method);
+    if (const Node* set = design::find(root, "set")) sweep.fixed = overrides_of(*set);
+    for (const design::Override& fixed : sweep.fixed)
+        if (std::ranges::find(sweep.factors, fixed.path, &Factor::path) != sweep.factors.end())
+            refuse(fixed.place, fixed.path, "it varies, so it cannot be set", "write it once");
+    sweep.at = {{"end", "default"}};
+    if (const Node* at = design::find(root, "at")) sweep.at = points_of(*at);
+    if (const Node* outputs = design::find(root, "outputs")) sweep.outputs = several(*outputs, "outputs", "pressure_kPa");
+    check_size(sweep, vary.place);
+    return sweep;
+}
+
+}  // namespace soft::sweep

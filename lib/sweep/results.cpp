@@ -1,0 +1,129 @@
+#include "sweep/results.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+
+namespace soft::sweep {
+namespace {
+
+std::string cell(const std::string& text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string{"\"\""} : std::string{c};
+    return quoted + "\"";
+}
+
+struct Quantity {
+    std::string number, unit;
+};
+Quantity taken_apart(const std::string& value) {
+    const std::string tidy = core::tidy_quantity(value);
+    const std::size_t blank = std::min(tidy.find(' '), tidy.size());
+    return {tidy.substr(0, blank), tidy.substr(std::min(blank + 1, tidy.size()))};
+}
+
+bool is_number(const std::string& text) {
+    return std::holds_alternative<double>(core::parse_quantity(text, core::Dimension::ratio));
+}
+
+/// The unit that all values of a factor have; empty where there is none.
+std::string common_unit(const Plan& plan, std::size_t factor) {
+    std::string unit;
+    for (const Planned& design : plan.designs) {
+        const Quantity quantity = taken_apart(design.values[factor]);
+        if (!is_number(quantity.number) || quantity.unit.empty() || (!unit.empty() && quantity.unit != unit)) return "";
+        unit = quantity.unit;
+    }
+    return unit;
+}
+
+/// Header and cells of the factors.
+class FactorColumns {
+public:
+    FactorColumns(const Sweep& sweep, const Plan& plan) {
+        for (std::size_t f = 0; f < sweep.factors.size(); ++f) {
+            units_.push_back(common_unit(plan, f));
+            std::string name = sweep.factors[f].path;
+            if (!units_[f].empty()) name.append("_").append(units_[f]);
+            header_.append(",").append(cell(name));
+        }
+    }
+    [[nodiscard]] const std::string& header() const noexcept { return header_; }
+    [[nodiscard]] std::string of(const Planned& design) const {
+        std::string text;
+        for (std::size_t f = 0; f < units_.size(); ++f)
+            text.append(",").append(cell(units_[f].empty() ? design.values[f] : taken_apart(design.values[f]).number));
+        return text;
+    }
+
+private:
+    std::vector<std::string> units_;
+    std::string header_;
+};
+
+std::string_view word(State state) {
+    switch (state) {
+        case State::waiting: return "waiting";
+        case State::done: return "done";
+        case State::refused: return "refused";
+    }
+    return "waiting";
+}
+
+/// Column names of all outcomes, place by place as each design has them; what only some have stands behind.
+std::vector<std::string> output_columns(std::span<const Outcome> outcomes) {
+    std::vector<std::string> columns;
+    for (const Outcome& outcome : outcomes)
+        for (const Cell& output : outcome.outputs)
+            if (std::ranges::find(columns, output.column) == columns.end()) columns.push_back(output.column);
+    return columns;
+}
+
+void check_outputs(const Sweep& sweep, std::span<const Outcome> outcomes) {
+    std::vector<std::string> known;
+    for (const Outcome& outcome : outcomes)
+        for (const std::string& column : outcome.columns)
+            if (std::ranges::find(known, column) == known.end()) known.push_back(column);
+    if (known.empty()) return;
+    for (const Written& output : sweep.outputs)
+        if (std::ranges::find(known, output.text) == known.end())
+            throw Error(ExitCode::bad_input, output.place + ": outputs", "no curve has a column " + core::quoted(output.text),
+                        core::did_you_mean(output.text, known));
+}
+
+}  // namespace
+
+std::string plan_csv(const Sweep& sweep, const Plan& plan, std::span<const State> states) {
+    const FactorColumns factors{sweep, plan};
+    std::string text = "id,state" + factors.header() + ",settings,refusal\n";
+    for (std::size_t d = 0; d < plan.designs.size(); ++d) {
+        const Planned& design = plan.designs[d];
+        text.append(design.id).append(",").append(word(states[d])).append(factors.of(design)).append(",");
+        text.append(cell(settings_text(sweep, design))).append(",").append(cell(design.refusal)).append("\n");
+    }
+    return text;
+}
+
+std::string results_csv(const Sweep& sweep, const Plan& plan, std::span<const Outcome> outcomes) {
+    check_outputs(sweep, outcomes);
+    const FactorColumns factors{sweep, plan};
+    const std::vector<std::string> columns = output_columns(outcomes);
+    std::string text = "id" + factors.header();
+    for (const std::string& column : columns) text.append(",").append(cell(column));
+    text += ",stop_reason,exit_code,error\n";
+    for (std::size_t d = 0; d < plan.designs.size(); ++d) {
+        const Outcome& outcome = outcomes[d];
+        std::map<std::string, std::string> outputs;
+        for (const Cell& output : outcome.outputs) outputs[output.column] = output.value ? core::number_text(*output.value) : "";
+        text.append(plan.designs[d].id).append(factors.of(plan.designs[d]));
+        for (const std::string& column : columns) text.append(",").append(outputs[column]);
+        text.append(",").append(cell(outcome.stop_reason)).append(",");
+        text.append(outcome.exit_code ? std::to_string(*outcome.exit_code) : "").append(",").append(cell(outcome.error)).append("\n");
+    }
+    return text;
+}
+
+}  // namespace soft::sweep

@@ -1,0 +1,56 @@
+#include "sweep/sampling.hpp"
+
+#include <numeric>
+#include <random>
+#include <utility>
+
+namespace soft::sweep {
+namespace {
+
+using Engine = std::mt19937_64;
+
+/// The upper 53 bits as a binary fraction: every double is exact, 1 is never reached.
+double uniform(Engine& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
+
+/// A whole number below `bound`, each equally often: numbers beyond the last whole multiple of it are drawn again.
+std::uint64_t below(Engine& engine, std::uint64_t bound) {
+    const std::uint64_t excess = (Engine::max() % bound + 1) % bound;
+    std::uint64_t drawn = engine();
+    while (drawn > Engine::max() - excess) drawn = engine();
+    return drawn % bound;
+}
+
+/// Fisher and Yates.
+std::vector<int> permutation(Engine& engine, int count) {
+    std::vector<int> order(static_cast<std::size_t>(count));
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t left = order.size(); left > 1; --left) std::swap(order[left - 1], order[below(engine, left)]);
+    return order;
+}
+
+Points empty_points(SampleSize size) {
+    return Points(static_cast<std::size_t>(size.samples), std::vector<double>(static_cast<std::size_t>(size.dimensions)));
+}
+
+}  // namespace
+
+Points random_points(SampleSize size, std::uint64_t seed) {
+    Engine engine{seed};
+    Points points = empty_points(size);
+    for (auto& point : points)
+        for (double& coordinate : point) coordinate = uniform(engine);
+    return points;
+}
+
+Points latin_hypercube(SampleSize size, std::uint64_t seed) {
+    Engine engine{seed};
+    Points points = empty_points(size);
+    for (std::size_t d = 0; d < static_cast<std::size_t>(size.dimensions); ++d) {
+        const std::vector<int> intervals = permutation(engine, size.samples);
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i][d] = (intervals[i] + uniform(engine)) / static_cast<double>(size.samples);
+    }
+    return points;
+}
+
+}  // namespace soft::sweep

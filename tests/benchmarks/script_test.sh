@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# scripts/benchmark as its reader calls it; no figure is judged.   script_test.sh TREE BIN
+# shellcheck disable=SC2317  # claim calls the little checks
+# The script runs in a copy, so that the tree's own results stay.
+set -uo pipefail
+tree=$(realpath "$1")
+bin=$(realpath "$2")
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+mkdir -p "$work/tree" "$work/build"
+cp -R "$tree/scripts" "$tree/designs" "$work/tree/"
+ln -s "$bin" "$work/build/bin"
+unset KRAKEN_MESHES PEERS RUNS
+export BUILD_DIR=$work/build
+failures=0
+
+run() { output=$("$work/tree/scripts/benchmark" "$@" 2>"$work/err" </dev/null); status=$?; }
+claim() {   # claim TEXT COMMAND...: the command must succeed
+    if ! "${@:2}"; then
+        printf 'NOT TRUE: %s\n--- exit %s; stdout:\n%s\n--- stderr:\n%s\n' "$1" "$status" "$output" "$(cat "$work/err")"
+        failures=$((failures + 1))
+    fi
+}
+exits() { [[ $status -eq $1 ]]; }
+says() { [[ $output == *"$1"* ]]; }
+tells() { grep -qF -- "$1" "$work/err"; }
+table() { cat "$work"/tree/results/benchmarks/*.csv; }
+figure() { table | awk -F, -v what="$1" '$1 == "start" && $2 == what && $3 > 0 && $4 == "CPU s" && $5 == 2 && $6 <= $3 && $3 <= $7 { found = 1 } END { exit !found }'; }
+
+run --help
+claim "--help ends well" exits 0
+for group in start bellows kernels ranks rod solid size sweep; do claim "and names the group $group" says "$group  "; done
+run speed
+claim "an unknown group is a usage error" exits 64
+claim "that names the groups" tells 'start bellows kernels ranks rod solid size sweep'
+
+RUNS=2 run start
+claim "the group start ends well" exits 0
+for tool in mesh-gen solve postprocess; do claim "$tool has its row" figure "$tool starts"; done
+claim "the BLAS is named" says 'BLAS: '
+claim "the file has a header" grep -q '^group,what,value,unit,runs,least,most,peer,peer_value,ratio,command,revision,machine,time$' <(table)
+RUNS=2 run rod solid
+claim "without the paper's meshes it ends well too" exits 0
+claim "and says what is left out" tells 'rod: left out without KRAKEN_MESHES'
+BUILD_DIR=$work/absent run start
+claim "without the tools it says so" tells 'run make build'
+claim "and fails" exits 1
+((failures == 0)) && echo "every claim holds"
+exit $((failures > 0))

@@ -1,0 +1,184 @@
+#!/usr/bin/env bash
+# scripts/sweep on this machine: results, nothing computed twice, kill -9 in the middle, designs that fail, faulty files.
+#   sweep.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+LIMIT=240
+sweep=$here/../../scripts/sweep
+folder=results/sweeps
+if [ -z "$(type -P parallel)" ]; then
+    echo 'skipped: parallel (package parallel) is not installed'
+    claim "without the engine it is said which" [ ! -x "$(type -P parallel)" ]
+    exit 0
+fi
+
+cell() { awk -F, -v name="$1" -v row="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; next } NR == row + 1 { print $c }' "$3"; }
+ages() { stat -c '%n %Y %i' "$1"/*/status; }
+only_whole() {   # only_whole FOLDER: what has the name of a design is whole
+    local each
+    for each in "$1"/????????????????; do
+        [ ! -e "$each" ] || { [ -s "$each/status" ] && [ -s "$each/design.yaml" ] && [ -s "$each/result.h5" ]; } || return 1
+    done
+}
+
+# Four rods, whose answer is known: the pull on the deformed end is mu (l^2 - 1/l), whatever the width.
+cat >rods.yaml <<'END'
+design: designs/rod.yaml
+vary:
+  geometry.width: {from: 8 mm, to: 12 mm, steps: 2}
+  material.mu: [100 kPa, 164.4 kPa]
+set: {mesh.size: 20 mm, material.kappa: incompressible, loads.end.pressure: -100 kPa}
+outputs: [pressure_kPa, elongation_mm]
+END
+refuses 64 "sweep: no sweep is named; see *" "$sweep"
+refuses 64 "sweep: there is no engine 'paralel' *" "$sweep rods.yaml --engine paralel"
+refuses 64 "sweep: unknown option '--job'; *" "$sweep rods.yaml --job 3"
+runs "$sweep rods.yaml --dry-run"
+claim "a dry run shows the plan" [ "$(grep -c waiting "$seen/out")" -eq 4 ]
+claim "and counts the designs" says 'sweep: 4 designs: 4 waiting, 0 done, 0 refused'
+claim "and writes nothing" [ ! -e results ]
+runs "$sweep rods.yaml"
+claim "nothing is printed but messages" [ ! -s "$seen/out" ]
+claim "they tell how far it is" grep -q '^sweep: 2 of 4 designs, [0-9.]* .* left$' "$seen/err"
+table=$folder/rods/results.csv
+claim "a row a design" [ "$(wc -l <"$table")" -eq 5 ]
+claim "its columns" [ "$(head -n 1 "$table")" = 'id,geometry.width_mm,material.mu_kPa,pressure_kPa@end,elongation_mm@end,stop_reason,exit_code,error' ]
+for row in 1 2 3 4; do
+    stretch=$(cell elongation_mm@end $row "$table" | awk '{ printf "%.15g", 1 + $1 / 100 }')
+    claim "row $row is done" [ "$(cell stop_reason $row "$table"),$(cell exit_code $row "$table")" = done,0 ]
+    pull=$(awk -v l="$stretch" -v mu="$(cell material.mu_kPa $row "$table")" 'BEGIN { print mu * (l * l - 1 / l) }')
+    claim "row $row: the pull is mu (l^2 - 1/l)" within "$pull" 99.9999 100.0001
+done
+id=$(cell id 1 "$table")
+claim "a folder a design" [ "$(find $folder/rods -mindepth 2 -name status | wc -l)" -eq 4 ]
+for file in design.yaml result.h5 curve.csv summary.json log; do claim "with its $file" [ -s "$folder/rods/$id/$file" ]; done
+runs "mesh-gen -q $folder/rods/$id/design.yaml | solve -q | postprocess -q | cmp - $folder/rods/$id/curve.csv"
+ages $folder/rods >before.txt
+cp "$table" first.csv
+
+runs "$sweep rods.yaml"
+claim "the second time nothing is computed" grep -q ' 4 designs, 0 to compute ' "$seen/err"
+claim "no folder is touched" cmp before.txt <(ages $folder/rods)
+claim "the table is the same" cmp first.csv "$table"
+sed -i 's/\[pressure_kPa, elongation_mm\]/[stretch_p99]/; s/steps: 2/steps: 3/' rods.yaml
+runs "$sweep rods.yaml"
+claim "only what is new is computed" grep -q ' 6 designs, 2 to compute ' "$seen/err"
+claim "other outputs need no new computation" [ -n "$(cell stretch_p99@end 1 "$table")" ]
+sed -i 's/\[stretch_p99\]/[pressure_kPa, elongation_mm]/; s/steps: 3/steps: 2/' rods.yaml
+
+# kill -9 of everything, somewhere in the middle
+setsid "$sweep" rods.yaml --folder killed --jobs 1 >out.txt 2>err.txt </dev/null &
+session=$!
+for _ in {1..1200}; do
+    if [ -n "$(find killed -mindepth 2 -maxdepth 2 -name status -not -path '*/.part/*' 2>/dev/null)" ]; then break; fi
+    sleep 0.05
+done
+for _ in 1 2 3; do   # what a process starts while the others are killed, too
+    pkill -KILL --session "$session"
+    sleep 0.2
+done
+{ wait "$session"; } 2>/dev/null
+computed=$(find killed -mindepth 2 -maxdepth 2 -name status -not -path '*/.part/*' | wc -l)
+claim "the kill came in the middle" within "$computed" 1 3
+claim "nothing looks done that is not" only_whole killed
+runs "$sweep rods.yaml --folder killed"
+claim "it goes on" grep -q " 4 designs, $((4 - computed)) to compute " "$seen/err"
+claim "with the same table in the end" cmp first.csv killed/results.csv
+claim "nothing is left behind" [ -z "$(ls -A killed/.part)" ]
+
+# What fails: a wall of no thickness, a path that ends at its limit point, a program that is killed
+cat >orders.yaml <<'END'
+design: designs/rod.yaml
+vary: {mesh.order: [1, 2], mesh.formulation: [displacement, mixed]}
+set: {mesh.size: 50 mm}
+END
+runs "$sweep orders.yaml"
+claim "three are done" [ "$(grep -c ',done,0,$' $folder/orders/results.csv)" -eq 3 ]
+claim "a combination that the key table refuses is a row" \
+    grep -q ',1,mixed,.*,refused,65,"\?orders.yaml:2:[0-9]*: mesh.order: ' $folder/orders/results.csv
+cat >tubes.yaml <<'END'
+design: designs/tube.yaml
+vary: {geometry.inner_radius: [7 mm, 12 mm]}
+set: {mesh.size: 3 mm, path.control: pressure}
+at: [limit, volume=15mL]
+END
+runs "$sweep tubes.yaml"
+table=$folder/tubes/results.csv
+claim "two designs are two rows" [ "$(wc -l <"$table")" -eq 3 ]
+claim "an early end is a row with its reason" [ "$(cell stop_reason 1 "$table"),$(cell exit_code 1 "$table")" = limit_point,2 ]
+claim "and its outputs" within "$(cell pressure_kPa@limit 1 "$table")" 44 45
+claim "and so is what the mesher refuses" grep -q ',refused,65,.*inner_radius' "$table"
+runs "$sweep tubes.yaml"
+claim "what failed is not tried again" grep -q ' 2 designs, 0 to compute ' "$seen/err"
+
+# Long sweeps give a worker several designs, which one mesh-gen meshes
+runs 'sweep-plan tubes.yaml --folder several --prepare -o plan.csv'
+ids=$(sed '1d; s/,.*//' plan.csv | xargs)
+runs "$sweep-design several $ids"
+claim "each is told" [ "$(cut -d ' ' -f 2 "$seen/out" | xargs)" = '2 65' ]
+runs 'sweep-plan tubes.yaml --folder several --results -o results.csv'
+claim "together they give what they give alone" cmp <(cut -d, -f 2- "$table" | sed 's/[0-9a-f]*\.yaml//') <(cut -d, -f 2- results.csv | sed 's/[0-9a-f]*\.yaml//')
+claim "nothing else is left" [ -z "$(ls -A several/.part)" ]
+
+mkdir fake && cat >fake/solve <<END
+#!/bin/sh
+if [ "\$1" = --version ]; then exec $bin/solve --version; fi
+kill -9 \$\$
+END
+chmod +x fake/solve
+run "PATH=$PWD/fake:\$PATH $sweep rods.yaml --folder crashed"
+claim "where programs are killed, the exit code is 2" exits 2
+claim "the rows say so" [ "$(grep -c ',failed,137,solve: killed by signal 9$' crashed/results.csv)" -eq 4 ]
+runs "$sweep rods.yaml --folder crashed"
+claim "and the next call computes them" cmp first.csv crashed/results.csv
+
+sed -i 's/^kill .*/sleep 30/' fake/solve
+printf 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\nset: {mesh.size: 20 mm}\n' >one.yaml
+run "PATH=$PWD/fake:\$PATH $sweep one.yaml --limit 1"
+claim "a program that takes too long is stopped, and its row says so" \
+    grep -q ',failed,124,[a-z-]*: stopped after 1 s$' $folder/one/results.csv
+
+# Names that a shell would take apart; and a result that something has spoilt
+strange="it's a & b/\$folder"
+runs "$sweep rods.yaml --folder \"it's a & b/\\\$folder\" --jobs 1"
+claim "a folder may have any name" cmp first.csv "$strange/results.csv"
+printf 'spoilt' >"$strange/$id/result.h5"
+run "$sweep rods.yaml --folder \"it's a & b/\\\$folder\""
+claim "a result that cannot be read is a row" [ "$(grep -c ",failed,65,.*$id/result.h5: .*computed anew" "$strange/results.csv")" -eq 1 ]
+claim "beside the others" [ "$(grep -c ',done,0,$' "$strange/results.csv")" -eq 3 ]
+claim "which the exit code tells" exits 2
+rm -rf "${strange:?}/$id"
+runs "$sweep rods.yaml --folder \"it's a & b/\\\$folder\""
+claim "as it says" cmp first.csv "$strange/results.csv"
+
+# Ctrl-C on a terminal goes to all of the group (what bash starts in the background would not hear it)
+setsid env --default-signal=INT "$sweep" rods.yaml --folder stopped --jobs 1 >out.txt 2>err.txt </dev/null &
+session=$!
+for _ in {1..1200}; do
+    if [ -n "$(find stopped -mindepth 3 -name result.h5 -path '*/.part/*' 2>/dev/null)" ] || [ -e stopped/results.csv ]; then break; fi
+    sleep 0.02
+done
+kill -INT -- "-$session"
+{ wait "$session"; } 2>/dev/null
+claim "nothing looks done that is not after Ctrl-C either" only_whole stopped
+runs "$sweep rods.yaml --folder stopped"
+claim "and it goes on" cmp first.csv stopped/results.csv
+
+exec 8>killed/.lock
+flock 8
+refuses 73 "sweep: *killed: another scripts/sweep is at work there" "$sweep rods.yaml --folder killed 8>&-"
+exec 8>&-
+
+# Faulty files, each with its place
+faulty() {   # faulty PATTERN TEXT
+    printf '%b' "$2" >bad.yaml
+    refuses 65 "sweep: bad.yaml:$1" "$sweep bad.yaml"
+    claim "and nothing is written" [ ! -e $folder/bad ]
+}
+faulty "2:1: vry: unknown key; did you mean 'vary'[?]" 'design: designs/rod.yaml\nvry: {geometry.width: [8 mm]}\n'
+faulty "2:25: geometry.widht: unknown key; did you mean 'width'[?]" 'design: designs/rod.yaml\nvary: {geometry.widht: [8 mm]}\n'
+faulty "2:31: geometry.width: '9' has no unit*" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm, 9]}\n'
+faulty "3:18: mesh.size: *" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\nset: {mesh.size: 3 kPa}\n'
+faulty "1:1: vary: missing; *" 'design: designs/rod.yaml\n'
+printf 'design: absent.yaml\nvary: {geometry.width: [8 mm]}\n' >bad.yaml
+refuses 66 "sweep: bad.yaml:1:9: design: absent.yaml is not there; *" "$sweep bad.yaml"
+refuses 66 "sweep: absent.yaml: *" "$sweep absent.yaml"

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# scripts/sweep --engine snakemake: the workflow is sound, and gives the rows of any engine.   sweep_snakemake.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+LIMIT=240
+sweep=$here/../../scripts/sweep
+if [ -z "$(type -P snakemake)" ]; then
+    echo 'skipped: snakemake (package snakemake) is not installed'
+    claim "it is not there" [ ! -x "$(type -P snakemake)" ]
+    exit 0
+fi
+export XDG_CACHE_HOME=$PWD/cache
+cat >rods.yaml <<'END'
+design: designs/tube.yaml
+vary: {geometry.inner_radius: [7 mm, 12 mm]}
+set: {mesh.size: 5 mm, path.until.steps: 3}
+END
+run "$sweep rods.yaml --engine snakemake --folder cloud -- --dry-run"
+claim "a dry run of the workflow computes nothing" [ -z "$(find cloud -name status)" ]
+claim "which the rows say" [ "$(grep -c ',not_computed,,$' cloud/results.csv)" -eq 2 ]
+claim "and the exit code" exits 2
+runs "$sweep rods.yaml --engine snakemake --folder cloud --jobs 2"
+claim "one design is done" grep -q ',7,.*,done,0,$' cloud/results.csv
+claim "one is refused, which ends nothing" grep -q ',12,.*,refused,65,.*inner_radius' cloud/results.csv
+runs "$sweep rods.yaml --engine snakemake --folder cloud"
+claim "nothing is computed twice" grep -q ' 2 designs, 0 to compute ' "$seen/err"

@@ -1,0 +1,95 @@
+#include "mesh_gen_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <set>
+
+#include "core/text.hpp"
+#include "geometry/family.hpp"
+#include "library_versions.hpp"
+
+namespace soft::cli {
+namespace {
+
+std::vector<Library> libraries() {
+    using namespace built_with;
+    return {{"gmsh", gmsh}, {"CGAL", cgal}, {"HDF5", hdf5}, {"yaml-cpp", yaml_cpp}};
+}
+
+const About about{
+    .tool = "mesh-gen",
+    .summary = "a parametric soft actuator (YAML) to a case (HDF5): mesh, materials, supports and loads",
+    .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
+                  "the whole way from design to curve"},
+                 {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
+                  "a design to start from, changed and meshed"}},
+    .libraries = libraries};
+
+std::vector<std::string> family_names() {
+    std::vector<std::string> names;
+    for (const design::FamilyKeys& family : geometry::catalogue_keys()) names.push_back(family.name);
+    return names;
+}
+
+}  // namespace
+
+const About& mesh_gen_about() noexcept { return about; }
+
+std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
+    MeshGenOptions options;
+    CLI::App app;
+    const auto task = [&options](Task chosen) { return [&options, chosen] { options.task = chosen; }; };
+    add_inputs(app, options.inputs, "DESIGN", "The design (YAML)");
+    app.add_option("--output-folder", options.folder, "Write FOLDER/NAME.h5 for each NAME.yaml of several designs; one that fails "
+                                                      "is told, the others go on")
+        ->type_name("FOLDER");
+    app.add_flag_callback("--check", task(Task::check), "Validate the design and write nothing");
+    app.add_flag_callback("--explain", task(Task::explain),
+                          "Print the effective design: what is given, what is a default, what it means");
+    app.add_flag_callback("--list", task(Task::list), "Print the actuator families");
+    auto* materials = app.add_flag_callback("--list-materials", task(Task::list_materials),
+                                            "Print the material laws: energy, parameters, ranges, sources");
+    app.add_flag_callback("--markdown", [&options] { options.law_style = design::LawListStyle::markdown; },
+                          "Print the laws as the tables of the README")
+        ->needs(materials);
+    app.add_option("--template", options.family, "Print a commented, runnable design of the family")
+        ->type_name("FAMILY")
+        ->check(CLI::IsMember(family_names()));
+    add_set_option(app, options.sets);
+    add_common_options(app, options.common, about);
+    if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
+    at_most_one_of(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials", "--template",
+                                                 "--output-folder"});
+    at_most_one_of(app, std::vector<std::string>{"--output-folder", "--output"});
+    at_most_one_of(app, std::vector<std::string>{"--output-folder", "--json"});
+    if (!options.family.empty()) options.task = Task::print_template;
+    if (options.inputs.empty()) options.inputs.emplace_back();
+    if (options.inputs.size() > 1 && options.folder.empty())
+        throw Error(ExitCode::usage, "", "one argument too many: " + core::quoted(options.inputs[1]),
+                    "see `mesh-gen --help` (several designs need --output-folder)");
+    return options;
+}
+
+std::vector<MeshGenOptions> one_by_one(const MeshGenOptions& options) {
+    namespace fs = std::filesystem;
+    std::vector<MeshGenOptions> all;
+    std::set<std::string> files;
+    for (const std::string& input : options.inputs) {
+        if (input.empty() || input == "-")
+            throw Error(ExitCode::usage, "--output-folder", "a design from stdin has no name", "name its file, or use -o");
+        MeshGenOptions& one = all.emplace_back(options);
+        one.inputs = {input};
+        one.folder.clear();
+        one.common.output = (fs::path{options.folder} / fs::path{input}.filename().replace_extension(".h5")).string();
+        if (!files.insert(one.common.output).second)
+            throw Error(ExitCode::usage, "--output-folder", "two designs would write " + core::quoted(one.common.output),
+                        "call them differently");
+        std::vector<std::string> words{std::string{about.tool}, input, "-o", one.common.output};
+        for (const std::string& set : options.sets) words.insert(words.end(), {"--set", set});
+        one.common.command_line = command_line_of(words);
+    }
+    return all;
+}
+
+}  // namespace soft::cli

@@ -1,0 +1,110 @@
+#include "sweep_folder.hpp"
+
+#include <optional>
+#include <system_error>
+
+#include "cli.hpp"
+#include "core/files.hpp"
+#include "io/result_file.hpp"
+#include "post/csv.hpp"
+#include "post/curve.hpp"
+
+namespace soft {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has_curve(int exit_code) {
+    return exit_code == static_cast<int>(ExitCode::ok) || exit_code == static_cast<int>(ExitCode::stopped_early);
+}
+
+bool is_there(const fs::path& file) {
+    std::error_code unknown;
+    return fs::exists(file, unknown);
+}
+
+std::optional<sweep::Status> status_in(const fs::path& folder) {
+    if (!is_there(folder / "status")) return std::nullopt;
+    const core::Bytes bytes = core::read_file(folder / "status");
+    return sweep::read_status({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+sweep::State state_in(const fs::path& folder, const sweep::Planned& design) {
+    if (!design.refusal.empty()) return sweep::State::refused;
+    const auto status = folder.empty() ? std::nullopt : status_in(folder / design.id);
+    const bool done = status && sweep::is_final(status->exit_code) &&
+                      (!has_curve(status->exit_code) || is_there(folder / design.id / "result.h5"));
+    return done ? sweep::State::done : sweep::State::waiting;
+}
+
+io::Result whole_result(const fs::path& file) {
+    io::Result result = io::read_result(core::read_file(file), file.string());
+    if (!result.end) throw Error(ExitCode::bad_input, file.string(), "holds an unfinished path");
+    return result;
+}
+
+/// The curve goes to `table` too, which the engines leave to this place: made here it costs next to nothing, while a program
+/// of its own would have to start for it.
+void add_curve(const io::Result& result, const fs::path& table, const sweep::Sweep& sweep, sweep::Outcome& outcome) {
+    const post::Curve curve = post::make_curve(result.model, result.steps);
+    if (!is_there(table)) cli::write_output(table.string(), post::csv_text(curve));
+    outcome.outputs = sweep::outputs_of(sweep, curve, result.end->limit_points);
+    for (const post::Column& column : curve.columns) outcome.columns.push_back(column.name);
+    outcome.stop_reason = solution::name(result.end->reason);
+    if (outcome.exit_code != static_cast<int>(ExitCode::ok)) outcome.error = result.end->detail;
+}
+
+sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::Planned& design) {
+    sweep::Outcome outcome;
+    if (!design.refusal.empty()) {
+        outcome.exit_code = static_cast<int>(ExitCode::bad_input);
+        outcome.stop_reason = "refused";
+        outcome.error = design.refusal;
+        return outcome;
+    }
+    const auto status = status_in(folder / design.id);
+    outcome.stop_reason = status ? "failed" : "not_computed";
+    if (!status) return outcome;
+    outcome.exit_code = status->exit_code;
+    outcome.error = status->error;
+    if (status->exit_code == static_cast<int>(ExitCode::bad_input)) outcome.stop_reason = "refused";
+    if (!has_curve(status->exit_code)) return outcome;
+    const fs::path file = folder / design.id / "result.h5";
+    if (!is_there(file))
+        return {.exit_code = {}, .stop_reason = "not_computed", .error = "its result.h5 has been removed", .columns = {}, .outputs = {}};
+    std::optional<io::Result> result;
+    try {
+        result = whole_result(file);
+    } catch (const Error& error) {
+        outcome.exit_code = static_cast<int>(error.code());
+        outcome.error = error.what() + std::string{"; without its folder it would be computed anew"};
+        return outcome;
+    }
+    add_curve(*result, folder / design.id / "curve.csv", sweep, outcome);
+    return outcome;
+}
+
+}  // namespace
+
+std::vector<sweep::State> states_in(const fs::path& folder, const sweep::Plan& plan) {
+    std::vector<sweep::State> states;
+    for (const sweep::Planned& design : plan.designs) states.push_back(state_in(folder, design));
+    return states;
+}
+
+std::vector<sweep::Outcome> outcomes_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::Plan& plan) {
+    std::vector<sweep::Outcome> outcomes;
+    for (const sweep::Planned& design : plan.designs) outcomes.push_back(outcome_in(folder, sweep, design));
+    return outcomes;
+}
+
+void write_designs(const fs::path& folder, const sweep::Plan& plan, const std::vector<sweep::State>& states) {
+    const fs::path designs = folder / "designs";
+    cli::make_folder(designs.string());
+    for (std::size_t d = 0; d < states.size(); ++d) {
+        const fs::path file = designs / (plan.designs[d].id + ".yaml");
+        if (states[d] == sweep::State::waiting && !is_there(file)) cli::write_output(file.string(), plan.designs[d].design_yaml);
+    }
+}
+
+}  // namespace soft

@@ -1,0 +1,122 @@
+/// sweep-plan: a sweep (YAML) -> its designs, checked, one row each (CSV); and, once they are computed, their results.
+///     sweep-plan designs/sweeps/tube.yaml
+///     sweep-plan designs/sweeps/tube.yaml --folder results/sweeps/tube --results
+/// scripts/sweep runs what is planned.
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include "cli.hpp"
+#include "core/text.hpp"
+#include "geometry/family.hpp"
+#include "library_versions.hpp"
+#include "sweep_folder.hpp"
+
+namespace {
+
+using namespace soft;
+namespace fs = std::filesystem;
+
+std::vector<cli::Library> libraries() {
+    using namespace cli::built_with;
+    return {{"gmsh", gmsh}, {"HDF5", hdf5}, {"yaml-cpp", yaml_cpp}};
+}
+
+const cli::About about{
+    .tool = "sweep-plan",
+    .summary = "a sweep (YAML) to its designs, one row each (CSV); with --results to what came of them",
+    .examples = {{"sweep-plan designs/sweeps/tube.yaml", "the designs, each with its values and its address"},
+                 {"sweep-plan designs/sweeps/tube.yaml --folder results/sweeps/tube -o plan.csv",
+                  "and which of them scripts/sweep has computed there"}},
+    .libraries = libraries};
+
+struct SweepPlanOptions {
+    cli::CommonOptions common;
+    std::string input, folder, programs;
+    bool prepare = false, results = false;
+};
+
+std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) {
+    SweepPlanOptions options;
+    CLI::App app;
+    cli::add_input(app, options.input, "SWEEP", "The sweep (YAML)");
+    auto* folder = app.add_option("--folder", options.folder, "Where the designs are computed, a folder each: tells which are done");
+    folder->type_name("FOLDER");
+    app.add_flag("--prepare", options.prepare, "Also write the designs that wait, as FOLDER/designs/ID.yaml")->needs(folder);
+    app.add_flag("--results", options.results, "Print the results of the designs in FOLDER instead of the plan, and write the "
+                                               "curve of each beside its result; exit code 2: some are not computed, or "
+                                               "failed for reasons that are not theirs")
+        ->needs(folder);
+    app.add_option("--programs", options.programs, "Text that tells the versions of the programs; part of the addresses")
+        ->type_name("FILE");
+    cli::add_common_options(app, options.common, about);
+    if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
+    cli::at_most_one_of(app, std::vector<std::string>{"--prepare", "--results"});
+    cli::check_distinct({{"SWEEP", options.input}, {"--programs", options.programs}},
+                        {{"--output", options.common.output}, {"--json", options.common.json}});
+    return options;
+}
+
+/// "1000 designs: 990 done, 10 refused", and the same as JSON.
+void tell(const SweepPlanOptions& options, std::size_t designs, const std::vector<std::pair<std::string, std::ptrdiff_t>>& counts) {
+    nlohmann::ordered_json json = {
+        {"tool", about.tool}, {"version", cli::version()}, {"revision", cli::revision()}, {"designs", designs}};
+    std::vector<std::string> words;
+    for (const auto& [word, count] : counts) {
+        json[word] = count;
+        std::string text = std::to_string(count) + " " + word;
+        std::ranges::replace(text, '_', ' ');
+        words.push_back(std::move(text));
+    }
+    cli::Console{about.tool, options.common.verbosity}.say(std::to_string(designs) + " designs: " + core::join(words));
+    if (!options.common.json.empty()) cli::write_json(options.common.json, json);
+}
+
+ExitCode write_results(const SweepPlanOptions& options, const sweep::Sweep& sweep, const sweep::Plan& plan) {
+    const std::vector<sweep::Outcome> outcomes = outcomes_in(options.folder, sweep, plan);
+    cli::write_output(options.common.output, sweep::results_csv(sweep, plan, outcomes));
+    const auto count = [&](std::string_view reason) { return std::ranges::count(outcomes, reason, &sweep::Outcome::stop_reason); };
+    const auto done = std::ranges::count(outcomes, std::optional{0}, &sweep::Outcome::exit_code);
+    const auto refused = count("refused"), failed = count("failed"), open = count("not_computed");
+    const auto early = static_cast<std::ptrdiff_t>(outcomes.size()) - done - refused - failed - open;
+    tell(options, outcomes.size(),
+         {{"done", done}, {"ended_early", early}, {"refused", refused}, {"failed", failed}, {"not_computed", open}});
+    return failed + open > 0 ? ExitCode::stopped_early : ExitCode::ok;
+}
+
+ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, const sweep::Plan& plan) {
+    const std::vector<sweep::State> states = states_in(options.folder, plan);
+    if (options.prepare) write_designs(options.folder, plan, states);
+    cli::write_output(options.common.output, sweep::plan_csv(sweep, plan, states));
+    const auto count = [&](sweep::State state) { return std::ranges::count(states, state); };
+    tell(options, states.size(),
+         {{"waiting", count(sweep::State::waiting)}, {"done", count(sweep::State::done)}, {"refused", count(sweep::State::refused)}});
+    return ExitCode::ok;
+}
+
+std::string text_of(const fs::path& file) {
+    const core::Bytes bytes = core::read_file(file);
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+ExitCode sweep_plan(const SweepPlanOptions& options) {
+    const cli::Input input = cli::read_input(options.input);
+    const sweep::Sweep sweep = sweep::read_sweep(input.text(), input.source);
+    const fs::path file = design::file_from(sweep.design.place, sweep.design.text);
+    std::error_code unknown;
+    if (!fs::exists(file, unknown))
+        throw Error(ExitCode::cannot_open, sweep.design.place + ": design", file.string() + " is not there",
+                    "the design is looked for from the folder of the sweep");
+    const std::string design = text_of(file), source = file.lexically_normal().string();
+    const std::string programs =
+        options.programs.empty() ? std::string{cli::version()} + " " + std::string{cli::revision()} : text_of(options.programs);
+    const sweep::Plan plan = sweep::make_plan(sweep, {design, source, geometry::catalogue_keys(), programs});
+    return options.results ? write_results(options, sweep, plan) : write_plan(options, sweep, plan);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return soft::cli::run_guarded(argc, argv, parse_sweep_plan_options, sweep_plan); }
