@@ -20,6 +20,8 @@ inline void store(const Lanes& from, double* to) { std::memcpy(to, &from, sizeof
 // and the program takes the widest at its start. Elsewhere it is compiled once.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define SOFT_VECTOR_CLONES __attribute__((flatten, target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+// For the code of one level alone, behind a test of the processor (__builtin_cpu_supports("x86-64-v4")).
+#define SOFT_WIDE_VECTORS __attribute__((flatten, target("arch=x86-64-v4")))
 #else
 #define SOFT_VECTOR_CLONES
 #endif

@@ -71,7 +71,7 @@ void sum_residual(const ReferenceCell& cell, double inverse_bulk_modulus, CellOu
 enum class TangentKind { symmetric, full };
 
 /// The stiffness from the law's answers: first A : grad N for every point, node and component, then one product of matrices
-/// grad N : (that) a component, by BLAS.
+/// grad N : (that) a component.
 template <bool Axisymmetric, TangentKind Kind>
 void sum_stiffness(const ReferenceCell& cell, double inverse_bulk_modulus, CellOutput& out);
 

@@ -1,10 +1,6 @@
 /// The sums over the points of a cell: most of the flops of the assembly.
+#include "core/small_product.hpp"
 #include "element/cell_kinematics.hpp"
-
-/// C = alpha op(A) op(B) + beta C, column by column (reference BLAS; any BLAS has it under this name).
-extern "C" void dgemm_(const char* op_a, const char* op_b, const int* m, const int* n, const int* k, const double* alpha,
-                       const double* A, const int* lda, const double* B, const int* ldb, const double* beta, double* C,
-                       const int* ldc);
 
 namespace soft::element::detail {
 
@@ -136,7 +132,7 @@ template <bool Axisymmetric, TangentKind Kind>
 void sum_stiffness(const ReferenceCell& cell, double inverse_bulk_modulus, CellOutput& out) {
     const int n = cell.nodes, dim = cell.dimension, size = cell.dofs();
     const CellPoints& points = out.points;
-    out.product.resize(static_cast<std::size_t>(3) * cell.points * size + lane_count);   // the last block's lanes too
+    out.product.resize(static_cast<std::size_t>(3) * cell.points * size + room_behind_product);
     for (int i = 0; i < dim; ++i) {
         const int first = Kind == TangentKind::symmetric ? i : 0, columns = size - first * n;
         const int depth = directions_of<Axisymmetric>(dim, i) * cell.points;
@@ -144,10 +140,8 @@ void sum_stiffness(const ReferenceCell& cell, double inverse_bulk_modulus, CellO
             fill_product_of_revolution(cell, points, i, first, out.product.data());
         else
             fill_product_of_unit_depth(cell, points, i, first, out.product.data());
-        // Rows here are columns to BLAS: (stiffness rows)^T = product^T gradient.
-        constexpr double one = 1.0, zero = 0.0;
-        dgemm_("N", "T", &columns, &n, &depth, &one, out.product.data(), &columns, points.gradient.data(), &n, &zero,
-               &out.stiffness[static_cast<std::size_t>(i * n) * size + first * n], &size);
+        transposed_product(depth, {points.gradient.data(), n}, {out.product.data(), columns},
+                           &out.stiffness[static_cast<std::size_t>(i * n) * size + first * n], size);
     }
     fill_compliance(cell, points, inverse_bulk_modulus, out.stiffness);
     if constexpr (Kind == TangentKind::symmetric) mirror(cell, out.stiffness);

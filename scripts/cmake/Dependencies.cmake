@@ -19,8 +19,7 @@ add_library(soft_cholmod INTERFACE)
 target_include_directories(soft_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(soft_cholmod INTERFACE ${CHOLMOD_LIBRARY})
 
-find_library(BLAS_LIBRARY NAMES blas flexiblas openblas REQUIRED)       # these come with PETSc
-find_library(LAPACK_LIBRARY NAMES lapack flexiblas openblas REQUIRED)
+find_library(LAPACK_LIBRARY NAMES lapack flexiblas openblas REQUIRED)   # comes with PETSc
 
 # HDF5: the flavour PETSc was built with; two flavours in one process do not share identifiers.
 pkg_search_module(HDF5_PC REQUIRED hdf5-openmpi hdf5)
