@@ -25,9 +25,12 @@ void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& chan
 io::DesignText apply(const std::vector<design::Override>& overrides, const io::DesignText& design, model::Case& model) {
     design::SolveChanges changes = design::apply_overrides(design.effective_yaml, overrides);
     for (model::Material& material : model.materials) {   // the mesh decides names and fibre frame
-        changes.material.name = material.name;
-        changes.material.fiber_frame = material.fiber_frame;
-        material = changes.material;
+        model::Material changed = changes.material;
+        for (const auto& [name, other] : changes.materials)
+            if (other.source == material.source) changed = other;
+        changed.name = material.name;
+        changed.fiber_frame = material.fiber_frame;
+        material = std::move(changed);
     }
     model.loads = std::move(changes.loads);
     scale(model.tractions, changes.tractions, &model::TractionLoad::traction_Pa);

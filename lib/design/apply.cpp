@@ -18,8 +18,8 @@ namespace {
 constexpr std::string_view case_source = "/design";  // the group of the case that holds the text
 
 /// Sections that solve may still change; the mesh and its named faces depend on none of them.
-constexpr std::array<std::string_view, 5> changeable = {"material", "loads", "path", "dynamics", "solver"};
-constexpr std::string_view changeable_remedy = "solve changes material, loads, path, dynamics, solver";
+constexpr std::array<std::string_view, 6> changeable = {"material", "materials", "loads", "path", "dynamics", "solver"};
+constexpr std::string_view changeable_remedy = "solve changes material, materials, loads, path, dynamics, solver";
 
 void check_changeable(const Override& change) {
     const std::string section = change.path.substr(0, change.path.find('.'));
@@ -102,6 +102,16 @@ std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& w
     return loads;
 }
 
+/// Which region is of which material is built into the case.
+void check_same_materials(const Node& original, const Node& changed) {
+    std::vector<std::string> known;
+    for (const Member& own : members_of(original, materials_group)) known.push_back(own.key);
+    for (const Member& own : members_of(changed, materials_group))
+        if (std::ranges::find(known, own.key) == known.end())
+            refuse(own.place, std::string{materials_group} + "." + own.key, "the case has no such material",
+                   known.empty() ? "give the same --set to mesh-gen" : core::did_you_mean(own.key, known));
+}
+
 Node only_changeable(const Node& root) {
     Node part;
     part.kind = Node::Kind::map;
@@ -119,7 +129,8 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
     Node changed = original;
     for (const Override& change : overrides) check_changeable(change);
     override_tree(changed, in_names_of(original, overrides, faces));
-    name_to_material(changed);
+    check_same_materials(original, changed);
+    names_to_materials(changed);
     name_empty_ends(changed);
     const Part built = part_of(original, faces), part = part_of(changed, faces);
     const Values was = values_of(collect(only_changeable(original), built.schema, case_source, built.examples));
@@ -129,6 +140,7 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
     for (const Member& output : members_of(original, "outputs")) outputs.push_back(output.key);
     SolveChanges changes;
     changes.material = material_of(values);
+    changes.materials = materials_of(values);
     Loads loads = loads_of(part.loads, values);
     const Node* formulation = find_path(original, "mesh.formulation");
     changes.dynamics =
@@ -140,7 +152,8 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
     changes.motions = scaled(LoadKind::motion, built, was, part, values);
     changes.solver = solver_of(values);
     const Node canonical = tree_of(items);
-    for (const std::string_view section : changeable) put(changed, section, *find(canonical, section));
+    for (const std::string_view section : changeable)
+        if (const Node* made = find(canonical, section)) put(changed, section, *made);
     changes.effective_yaml = write_yaml(changed);
     return changes;
 }

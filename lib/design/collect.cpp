@@ -120,7 +120,7 @@ Node tree_of(std::span<const Item> items) {
     sorted.kind = Node::Kind::map;
     for (const SectionNote& section : section_notes()) {
         if (find(root, section.name) == nullptr) {
-            if (section.name == "names") continue;   // few families have any
+            if (section.name == "names" || section.name == "materials") continue;   // few designs have any
             add_empty(section.name);
         }
         sorted.members.push_back(*find_member(root, section.name));

@@ -175,6 +175,7 @@ const std::vector<SectionNote>& section_notes() {
         {"name", ""},
         {"geometry", "dimensions of the undeformed actuator"},
         {"material", "of the rubber"},
+        {"materials", "of other regions, by name: what material may be"},
         {"model", ""},
         {"mesh", ""},
         {"names", "other names of faces"},

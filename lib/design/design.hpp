@@ -52,6 +52,8 @@ struct FamilyKeys {
     /// Names of its cavities, each that of its wall among `faces`; a cavity whose wall is no face is not there.
     std::vector<std::string> cavities = {"cavity"};
     std::string defaults;                       ///< YAML of supports, loads, outputs where the design is silent
+    /// Materials that keys "geometry.<part>.material" may name without the design stating them: name -> YAML {law: ..., ...}.
+    std::map<std::string, std::string> materials = {};
     std::vector<Key> mesh = {};                 ///< own defaults for keys under "mesh." (override the common ones)
     /// For a family whose mesh stands in a file: the names of the faces in it, from what `geometry.file` says and the
     /// place where it says so; throws Error. `faces` then are those of the template's file. Such a family has no
@@ -71,6 +73,7 @@ struct Design {
     std::string name;
     Values values;                              ///< geometry.*, mesh.*, model, ... (scalars)
     model::Material material;                   ///< region name "rubber"
+    std::map<std::string, model::Material, std::less<>> materials;   ///< of other regions, by their names below `materials`
     std::vector<model::Support> supports;       ///< by face name (aliases resolved); symmetry planes not included
     std::vector<model::PressureLoad> loads;
     /// Dead traction along: axis | x | y | z | r | normal
@@ -107,7 +110,10 @@ struct Design {
 [[nodiscard]] Design read_design(std::string_view text, std::string_view source,
                                  std::span<const FamilyKeys> families, std::span<const Override> overrides);
 
-/// Applies overrides to the keys solve may still change (material, loads, path, dynamics, solver) of a case's effective design
+/// The name of the main material where a key asks for one by name.
+inline constexpr std::string_view main_region = "rubber";
+
+/// Applies overrides to the keys solve may still change (material, materials, loads, path, dynamics, solver) of a case's effective design
 /// and returns the changed parts; geometry, mesh, model, supports, outputs and family are refused with the reason.
 /// Loads may change in size and kind, but stay on the faces and cavities that the case loads, whatever these are called.
 /// What has a direction keeps the one the mesh gave it: the changed load is `factor` times the case's.
@@ -118,6 +124,7 @@ struct ScaledLoad {
 };
 struct SolveChanges {
     model::Material material;
+    std::map<std::string, model::Material, std::less<>> materials;
     std::vector<model::PressureLoad> loads;
     std::vector<ScaledLoad> tractions, body_forces, motions;   ///< of Case::tractions, body_forces, motions
     model::PathSettings path;

@@ -1,6 +1,7 @@
 #include "design/dynamics_keys.hpp"
 
 #include "core/text.hpp"
+#include "design/materials.hpp"
 #include "design/words.hpp"
 
 namespace soft::design {
@@ -134,9 +135,7 @@ std::optional<model::Dynamics> dynamics_of(const DynamicParts& parts, const Valu
     dynamics.mass_damping_1_s = values.number("dynamics.mass_damping");
     dynamics.stiffness_damping_s = values.number("dynamics.stiffness_damping");
     dynamics.rows = values.count("dynamics.rows");
-    if (values.text("material.density") == "none")
-        throw values.refuse(duration_path, "the rubber has no density",
-                            "add material: {density: 1080 kg/m^3}, that of the undeformed rubber");
+    require_density(values, duration_path);
     if (dynamics.step_s > dynamics.duration_s)
         throw values.refuse("dynamics.step", "a step longer than the duration", "a shorter step, or auto");
     check_path_keys(parts, values);

@@ -1,5 +1,7 @@
 #include "design/formulation.hpp"
 
+#include "design/materials.hpp"
+
 namespace soft::design {
 
 void check_formulation(const Values& values) {
@@ -18,10 +20,11 @@ void check_formulation(const Values& values) {
             throw values.refuse(formulation, "f-bar does nothing for triangles and tetrahedra: their change of volume is constant",
                                 "cells: auto, or formulation: mixed with order: 2");
     }
-    const bool mixed = says(formulation, "mixed");
-    if (values.has(formulation) && !mixed && says("material.kappa", "incompressible"))
-        throw values.refuse(formulation, values.text(formulation) + " needs a finite bulk modulus",
-                            "formulation: mixed, or a value for material.kappa");
+    if (!values.has(formulation) || says(formulation, "mixed")) return;
+    for (const std::string& section : material_sections(values))
+        if (const std::string kappa = section + ".kappa"; says(kappa.c_str(), "incompressible"))
+            throw values.refuse(formulation, values.text(formulation) + " needs a finite bulk modulus",
+                                "formulation: mixed, or a value for " + kappa);
 }
 
 }  // namespace soft::design

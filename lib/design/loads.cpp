@@ -6,6 +6,7 @@
 #include "design/course_keys.hpp"
 #include "design/load_keys.hpp"
 #include "design/load_names.hpp"
+#include "design/materials.hpp"
 
 namespace soft::design {
 namespace {
@@ -196,9 +197,7 @@ LoadSlot take(const LoadEntry& entry, double value, Loads& loads, const Values& 
             loads.tractions.push_back({entry.name, value, values.text(entry.path + ".along"), course_of(values, entry.path)});
             return {entry.kind, loads.tractions.size() - 1, value};
         case LoadKind::gravity:
-            if (values.text("material.density") == "none")
-                throw values.refuse(entry.value, "the rubber has no density",
-                                    "add material: {density: 1080 kg/m^3}, that of the undeformed rubber");
+            require_density(values, entry.value);
             loads.body_forces.push_back({entry.name, value, values.text(entry.path + ".along"), course_of(values, entry.path)});
             return {entry.kind, loads.body_forces.size() - 1, value};
         case LoadKind::motion:

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "design/fitted.hpp"
+#include "design/materials.hpp"
 
 namespace soft::design {
 namespace {
@@ -94,6 +96,7 @@ bool is_chosen_by_stretch(std::string_view effective_yaml) {
 }
 
 struct Wish {
+    std::string section;   // "material", "materials.cap"
     std::string name, place;
     std::optional<Node> law, strain;  // as written
 };
@@ -105,24 +108,24 @@ const MaterialSet& chosen(const std::vector<MaterialSet>& sets, const Wish& wish
         std::vector<std::string> laws;
         for (const MaterialSet& set : sets)
             if (std::ranges::find(laws, set.law) == laws.end()) laws.push_back(set.law);
-        refuse(wish.law->place, "material.law", wish.name + " has no constants of " + core::quoted(law),
+        refuse(wish.law->place, wish.section + ".law", wish.name + " has no constants of " + core::quoted(law),
                core::did_you_mean(law, laws));
     }
-    const double strain = wish.strain ? ratio_of(wish.strain->text, wish.strain->place + ": material.range")
+    const double strain = wish.strain ? ratio_of(wish.strain->text, wish.strain->place + ": " + wish.section + ".range")
                                       : ratio_of(usual_strain, usual_strain);
     if (const MaterialSet* set = narrowest(sets, law, strain)) return *set;
     if (wish.strain)
-        refuse(wish.strain->place, "material.range", "the data of " + wish.name + " end before " + wish.strain->text,
+        refuse(wish.strain->place, wish.section + ".range", "the data of " + wish.name + " end before " + wish.strain->text,
                "ranges: " + ranges);
     return *widest(sets, law);
 }
 
-Wish wish_of(const Node& material) {
-    if (material.kind == Node::Kind::scalar) return {material.text, material.place, {}, {}};
+Wish wish_of(const Node& material, const std::string& section) {
+    if (material.kind == Node::Kind::scalar) return {section, material.text, material.place, {}, {}};
     const Node& name = *find(material, "name");
     if (name.kind != Node::Kind::scalar)
-        refuse(name.place, "material.name", "a single value is needed here", "name: dragon-skin-20");
-    Wish wish{name.text, name.place, {}, {}};
+        refuse(name.place, section + ".name", "a single value is needed here", "name: dragon-skin-20");
+    Wish wish{section, name.text, name.place, {}, {}};
     if (const Node* law = find(material, "law")) wish.law = *law;
     if (const Node* strain = find(material, "range"); strain != nullptr && strain->kind == Node::Kind::scalar)
         wish.strain = *strain;
@@ -150,31 +153,33 @@ std::vector<MaterialSet> material_sets(const MaterialFile& file) {
     return sets;
 }
 
-void name_to_key(Node& root) {
-    const Node* written = find(root, "material");
+namespace {
+
+void name_to_key(Node& root, const std::string& section) {
+    const Node* written = find_path(std::as_const(root), section);
     if (written == nullptr || written->kind != Node::Kind::scalar) return;
     Node name = *written, group;
     group.kind = Node::Kind::map;
     group.place = name.place;
     group.members.push_back({"name", name.place, std::move(name)});
-    put(root, "material", std::move(group));
+    put(root, section, std::move(group));
 }
 
-void name_to_material(Node& root) {
-    const Node* written = find(root, "material");
+void name_to_material(Node& root, const std::string& section) {
+    const Node* written = find_path(std::as_const(root), section);
     if (written == nullptr) return;
     const bool is_name = written->kind == Node::Kind::scalar;
     if (!is_name && (written->kind != Node::Kind::map || find(*written, "name") == nullptr)) return;
     const Node material = *written;
-    const Wish wish = wish_of(material);
+    const Wish wish = wish_of(material, section);
     const MaterialFile* file = find_material(wish.name);
     if (file == nullptr)
-        refuse(wish.place, "material.name", "no silicone is called " + core::quoted(wish.name),
+        refuse(wish.place, section + ".name", "no silicone is called " + core::quoted(wish.name),
                core::did_you_mean(wish.name, names()) + "; or write {law: neo-hookean, mu: 0.1644 MPa}");
     const std::vector<MaterialSet> sets = material_sets(*file);
     const MaterialSet& set = chosen(sets, wish);
     Node block = set.block;
-    if (!wish.strain && std::ranges::none_of(constants_of(set), [&](const Member* constant) {
+    if (section == main_material && !wish.strain && std::ranges::none_of(constants_of(set), [&](const Member* constant) {
             return find(material, constant->key) != nullptr;
         }))
         put(block, "fit.choice", scalar_node(std::string{by_stretch}, wish.place));
@@ -186,7 +191,25 @@ void name_to_material(Node& root) {
         else
             put(block, member.key, member.value);
     }
-    put(root, "material", std::move(block));
+    put(root, section, std::move(block));
+}
+
+/// "material" and "materials.<name>", as far as they are there.
+std::vector<std::string> sections_of(const Node& root) {
+    std::vector<std::string> sections{std::string{main_material}};
+    for (const Member& own : members_of(root, materials_group))
+        if (own.key.find('.') == std::string::npos) sections.push_back(std::string{materials_group} + "." + own.key);
+    return sections;
+}
+
+}  // namespace
+
+void names_to_keys(Node& root) {
+    for (const std::string& section : sections_of(root)) name_to_key(root, section);
+}
+
+void names_to_materials(Node& root) {
+    for (const std::string& section : sections_of(root)) name_to_material(root, section);
 }
 
 std::optional<FittedMaterial> fitted_material(std::string_view effective_yaml) {

@@ -5,7 +5,7 @@
 /// A set of constants is a fit over a range of strain; how far the rubber will be stretched is known only when the path has
 /// been solved. A design that leaves the range open begins with the set that covers 300 %, marked `fit.choice: by stretch`,
 /// and solve follows the path again where another fits (fitting_set); a range that is stated stays, and solve tells when the
-/// stretch leaves it. Other keys of the material (kappa, density, a constant) stand beside `name` and win over the set's.
+/// stretch leaves it. The stretch of a path is that of the whole body: those below `materials` keep the set for 300 %. Other keys of the material (kappa, density, a constant) stand beside `name` and win over the set's.
 /// Private to the room but for design/fitted.hpp. Held by design/material_library_test.
 #include <span>
 #include <string>
@@ -38,11 +38,12 @@ struct MaterialSet {
 /// nullptr for an unknown name.
 [[nodiscard]] const MaterialFile* find_material(std::string_view name);
 
-/// `material: dragon-skin-20` becomes `material: {name: dragon-skin-20}`, so that --set material.range=110% has a place.
-void name_to_key(Node& root);
+/// `material: dragon-skin-20` becomes `material: {name: dragon-skin-20}`, so that --set material.range=110% has a place;
+/// those below `materials` too.
+void names_to_keys(Node& root);
 
-/// Puts the constants in the place of a name. Throws Error (bad_input) at its place for a name, law or range that the
+/// Puts the constants in the place of the names. Throws Error (bad_input) at its place for a name, law or range that the
 /// library does not have. A material that states its law itself is left alone.
-void name_to_material(Node& root);
+void names_to_materials(Node& root);
 
 }  // namespace soft::design

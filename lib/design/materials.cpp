@@ -9,9 +9,15 @@ namespace soft::design {
 namespace {
 
 constexpr std::string_view usual_material = "{law: neo-hookean, mu: 0.1644 MPa}";
-constexpr const char *kappa_path = "material.kappa", *young_path = "material.young", *poisson_path = "material.poisson",
-                     *volumetric_path = "material.volumetric", *frame_path = "material.frame",
-                     *density_path = "material.density", *strain_path = "material.strain", *fit_path = "material.fit";
+
+/// The key of a section: of "material", or of "materials.<name>".
+std::string at(const std::string& section, std::string_view key) { return section + "." + std::string{key}; }
+
+/// A key that is declared for the main material, in another section.
+Key in_section(Key key, const std::string& section) {
+    key.path = section + key.path.substr(key.path.rfind('.'));
+    return key;
+}
 
 Kind kind_of(material::Quantity quantity) {
     switch (quantity) {
@@ -23,13 +29,13 @@ Kind kind_of(material::Quantity quantity) {
     return Kind::ratio;
 }
 
-[[noreturn]] void refuse_law(const Node& law) {
-    refuse(law.place, "material.law", "no law is called " + core::quoted(law.text),
+[[noreturn]] void refuse_law(const Node& law, const std::string& section) {
+    refuse(law.place, at(section, "law"), "no law is called " + core::quoted(law.text),
            core::did_you_mean(law.text, law_names()) + " (mesh-gen --list-materials)");
 }
 
 Key young_key() {
-    return {.path = young_path,
+    return {.path = "material.young",
             .kind = Kind::pressure,
             .meaning = "Young's modulus, in place of mu and kappa",
             .min = 0,
@@ -38,7 +44,7 @@ Key young_key() {
 
 Key poisson_key(const material::LawInfo& law) {
     const bool incompressible = law.bulk == material::Bulk::selectable;
-    return {.path = poisson_path,
+    return {.path = "material.poisson",
             .kind = Kind::ratio,
             .meaning = incompressible ? "Poisson's ratio; 0.5 is incompressible"
                                       : "Poisson's ratio below 0.5; the law has no incompressible form",
@@ -48,7 +54,7 @@ Key poisson_key(const material::LawInfo& law) {
 }
 
 Key density_key() {
-    return {.path = density_path,
+    return {.path = "material.density",
             .kind = Kind::density,
             .fallback = "none",
             .meaning = "of the undeformed rubber, for gravity and dynamics",
@@ -58,7 +64,7 @@ Key density_key() {
 }
 
 Key strain_key() {
-    return {.path = strain_path,
+    return {.path = "material.strain",
             .kind = Kind::choice,
             .fallback = "finite",
             .meaning = "finite: the law as it is; small: Hooke's law with its moduli, linear in the displacements",
@@ -74,29 +80,36 @@ Key bulk_key(const material::LawInfo& law) {
     return key;
 }
 
+/// A section as it stands in the tree.
+struct Written {
+    const std::string& section;
+    const Node& material;
+};
+
 /// Whether the design states young and poisson; a mixture with mu and kappa is refused.
-bool has_young_poisson(const Node& material, const material::LawInfo& law) {
+bool has_young_poisson(const Written& written, const material::LawInfo& law) {
     if (!law.takes_young_poisson) return false;
     const Member *young = nullptr, *other = nullptr;
-    for (const Member& member : material.members) {
+    for (const Member& member : written.material.members) {
         if (member.key == "young" || member.key == "poisson") young = &member;
         if (member.key == "mu" || member.key == "kappa") other = &member;
     }
     if (young != nullptr && other != nullptr)
-        refuse(other->place, "material." + other->key, "stands beside " + core::quoted(young->key),
+        refuse(other->place, at(written.section, other->key), "stands beside " + core::quoted(young->key),
                "give young and poisson, or mu and kappa");
     return young != nullptr;
 }
 
 /// What fit-material says of the data; only what is there, so that no default stands in an effective design.
-void add_fit_keys(Schema& schema, const Node& material) {
-    const Node* fit = find(material, "fit");
+void add_fit_keys(Schema& schema, const Written& written) {
+    const Node* fit = find(written.material, "fit");
     if (fit == nullptr) return;
+    const std::string fit_path = at(written.section, "fit");
     static const std::vector<std::string> texts = {"name", "choice", "range",  "rmse_kPa", "r2",      "stress",
                                                    "rows", "flags",  "source", "sha256",   "protocol"};
     schema.names[fit_path] = texts;
     for (const Member& member : fit->members) {
-        const std::string path = std::string{fit_path} + "." + member.key;
+        const std::string path = at(fit_path, member.key);
         if (std::ranges::find(texts, member.key) != texts.end())
             schema.keys.push_back({.path = path, .kind = Kind::text, .meaning = "of the data behind the constants"});
         if (member.key == "largest_I1")
@@ -105,35 +118,32 @@ void add_fit_keys(Schema& schema, const Node& material) {
     schema.names[fit_path].emplace_back("largest_I1");
 }
 
-void add_law_keys(Schema& schema, const Node& material, const material::LawInfo& law, Examples& examples,
+void add_law_keys(Schema& schema, const Written& written, const material::LawInfo& law, Examples& examples,
                   std::string_view usual_frame) {
-    if (has_young_poisson(material, law)) {
-        schema.keys.push_back(young_key());
-        schema.keys.push_back(poisson_key(law));
-        examples[young_path] = "0.49 MPa";
-        examples[poisson_path] = "0.49";
+    const auto add = [&](const Key& key, std::string_view example = {}) {
+        schema.keys.push_back(in_section(key, written.section));
+        if (!example.empty()) examples[schema.keys.back().path] = example;
+    };
+    if (has_young_poisson(written, law)) {
+        add(young_key(), "0.49 MPa");
+        add(poisson_key(law), "0.49");
     } else {
-        for (const material::Parameter& parameter : law.parameters) {
-            schema.keys.push_back(parameter_key(parameter));
-            examples[schema.keys.back().path] = parameter.example;
-        }
-        schema.keys.push_back(bulk_key(law));
-        examples[kappa_path] = "16.44 MPa";
+        for (const material::Parameter& parameter : law.parameters) add(parameter_key(parameter), parameter.example);
+        add(bulk_key(law), "16.44 MPa");
     }
     if (law.takes_volumetric) {
-        schema.keys.push_back(volumetric_key());
+        add(volumetric_key());
         // With ln J this law is the one of the textbooks.
         if (law.name == material::NeoHookeanCompressible::info().name) schema.keys.back().fallback = "log";
-    } else if (const Member* volumetric = find_member(material, "volumetric")) {
-        refuse(volumetric->place, volumetric_path,
+    } else if (const Member* volumetric = find_member(written.material, "volumetric")) {
+        refuse(volumetric->place, at(written.section, "volumetric"),
                "the law " + std::string{law.name} + " states its own change of volume", "leave it out");
     }
-    schema.keys.push_back(density_key());
-    schema.keys.push_back(strain_key());
-    add_fit_keys(schema, material);
+    add(density_key());
+    add(strain_key());
+    add_fit_keys(schema, written);
     if (law.fibers)
-        schema.keys.push_back(
-            {.path = frame_path,
+        add({.path = "material.frame",
              .kind = Kind::choice,
              .fallback = std::string{usual_frame},
              .meaning = "fibres lie in the surface of x and the hoop direction about x, or of x and y",
@@ -141,19 +151,36 @@ void add_law_keys(Schema& schema, const Node& material, const material::LawInfo&
 }
 
 /// An error whose place is a parameter of the law, at that key.
-Error at_its_key(const Values& values, const Error& error) {
+Error at_its_key(const Values& values, const std::string& section, const Error& error) {
     const std::string_view line = error.what();
     const auto colon = line.find(": ");
-    std::string path = "material." + std::string{line.substr(0, colon)};
-    if (!values.has(path)) path = values.has(poisson_path) ? poisson_path : "material.law";
+    std::string path = at(section, line.substr(0, colon));
+    if (!values.has(path)) path = at(section, values.has(at(section, "poisson")) ? "poisson" : "law");
     return values.refuse(path, line.substr(colon == std::string_view::npos ? 0 : colon + 2));
 }
 
 model::Material from_young_poisson(const Values& values, model::Material material) {
-    const double young_Pa = values.number(young_path), poisson = values.number(poisson_path);
+    const double young_Pa = values.number(at(material.source, "young")), poisson = values.number(at(material.source, "poisson"));
     material.constants["mu"] = {young_Pa / (2.0 * (1.0 + poisson))};
     if (poisson < 0.5) material.bulk_modulus_Pa = young_Pa / (3.0 * (1.0 - 2.0 * poisson));
     return material;
+}
+
+void add_section_keys(Schema& schema, const Written& written, Examples& examples, std::string_view usual_frame) {
+    schema.keys.push_back(in_section(law_key(), written.section));
+    examples[schema.keys.back().path] = core::join(law_names(), " | ");
+    const Node* name = find(written.material, "law");
+    if (name == nullptr || name->kind != Node::Kind::scalar) return;  // collect() asks for it
+    const material::LawInfo* law = material::find_law(name->text);
+    if (law == nullptr) refuse_law(*name, written.section);
+    add_law_keys(schema, written, *law, examples, usual_frame);
+}
+
+/// Cell regions of files, too, may be called so.
+bool is_region_name(std::string_view text) {
+    return !text.empty() && std::ranges::all_of(text, [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
 }
 
 }  // namespace
@@ -177,45 +204,71 @@ Key parameter_key(const material::Parameter& parameter) {
 
 void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples,
                        std::string_view usual_frame) {
-    const Node* material = find(root, "material");
+    const Node* material = find(root, main_material);
     if (material == nullptr || material->kind == Node::Kind::empty)
         refuse(material == nullptr ? std::string{source} + ":1:1" : material->place, "material", "missing (the rubber)",
                "add material: " + std::string{usual_material});
-    const Key key = law_key();
-    examples[key.path] = core::join(law_names(), " | ");
-    schema.keys.push_back(key);
-    const Node* name = find(*material, "law");
-    if (name == nullptr || name->kind != Node::Kind::scalar) return;  // collect() asks for it
-    const material::LawInfo* law = material::find_law(name->text);
-    if (law == nullptr) refuse_law(*name);
-    add_law_keys(schema, *material, *law, examples, usual_frame);
+    add_section_keys(schema, {std::string{main_material}, *material}, examples, usual_frame);
+    schema.names[std::string{materials_group}];
+    for (const Member& own : members_of(root, materials_group)) {
+        const std::string section = at(std::string{materials_group}, own.key);
+        if (!is_region_name(own.key)) refuse(own.place, section, "not a name of a material", "letters, digits, _ and -");
+        if (own.value.kind == Node::Kind::empty)
+            refuse(own.place, section, "has no value", "write " + own.key + ": " + std::string{usual_material});
+        add_section_keys(schema, {section, own.value}, examples, usual_frame);
+    }
 }
 
-model::Material material_of(const Values& values) {
+model::Material material_of(const Values& values, const std::string& section) {
     static const std::map<std::string, model::Volumetric> volumetrics = {{"quadratic", model::Volumetric::quadratic},
                                                                          {"log", model::Volumetric::log},
                                                                          {"mixed", model::Volumetric::mixed}};
+    const auto path = [&](std::string_view key) { return at(section, key); };
     model::Material material;
     material.name = "rubber";
-    material.law = values.text("material.law");
-    if (values.has(young_path)) {
+    material.source = section;
+    material.law = values.text(path("law"));
+    if (values.has(path("young"))) {
         material = from_young_poisson(values, std::move(material));
     } else {
         for (const material::Parameter& parameter : material::find_law(material.law)->parameters)
-            material.constants[std::string{parameter.name}] = values.numbers("material." + std::string{parameter.name});
-        if (values.text(kappa_path) != "incompressible") material.bulk_modulus_Pa = values.number(kappa_path);
+            material.constants[std::string{parameter.name}] = values.numbers(path(parameter.name));
+        if (values.text(path("kappa")) != "incompressible") material.bulk_modulus_Pa = values.number(path("kappa"));
     }
-    if (values.text(density_path) != "none") material.density_kg_m3 = values.number(density_path);
-    if (values.has(volumetric_path)) material.volumetric = volumetrics.at(values.text(volumetric_path));
-    if (values.text(strain_path) == "small") material.strain = model::Strain::small;
-    if (values.has(frame_path) && values.text(frame_path) == "cylindrical")
+    if (values.text(path("density")) != "none") material.density_kg_m3 = values.number(path("density"));
+    if (values.has(path("volumetric"))) material.volumetric = volumetrics.at(values.text(path("volumetric")));
+    if (values.text(path("strain")) == "small") material.strain = model::Strain::small;
+    if (values.has(path("frame")) && values.text(path("frame")) == "cylindrical")
         material.fiber_frame = model::FiberFrame::cylindrical;
     try {
         static_cast<void>(model::make_rubber(material));
     } catch (const Error& error) {
-        throw at_its_key(values, error);
+        throw at_its_key(values, section, error);
     }
     return material;
+}
+
+std::map<std::string, model::Material, std::less<>> materials_of(const Values& values) {
+    std::map<std::string, model::Material, std::less<>> materials;
+    for (const std::string& name : values.names_below(materials_group)) {
+        model::Material& material = materials[name] = material_of(values, at(std::string{materials_group}, name));
+        material.name = name;
+    }
+    return materials;
+}
+
+std::vector<std::string> material_sections(const Values& values) {
+    std::vector<std::string> sections{std::string{main_material}};
+    for (const std::string& name : values.names_below(materials_group))
+        sections.push_back(at(std::string{materials_group}, name));
+    return sections;
+}
+
+void require_density(const Values& values, std::string_view needed_by) {
+    for (const std::string& section : material_sections(values))
+        if (values.text(at(section, "density")) == "none")
+            throw values.refuse(needed_by, section == main_material ? "the rubber has no density" : section + " has no density",
+                                "add " + section + ": {density: 1080 kg/m^3}, that of the undeformed rubber");
 }
 
 void check_law_formulation(const Values& values, const model::Material& material) {
@@ -225,7 +278,7 @@ void check_law_formulation(const Values& values, const model::Material& material
     constexpr const char* formulation = "mesh.formulation";
     if (!values.has(formulation)) return;
     const std::string reason = material::why_not(model::make_rubber(material), forms.at(values.text(formulation)));
-    if (!reason.empty()) throw values.refuse(values.given(formulation) ? formulation : "material.law", reason);
+    if (!reason.empty()) throw values.refuse(values.given(formulation) ? formulation : at(material.source, "law"), reason);
 }
 
 }  // namespace soft::design

@@ -15,6 +15,7 @@ namespace {
 
 // Silicones: from the softest gels to hard, filled grades, with room on both sides.
 constexpr double softest_young_Pa = 1e3, hardest_young_Pa = 50e6;
+constexpr double hardest_solid_Pa = 300e9;   // above steel
 // Neo-Hookean shells pass their limit point at pressures of the order of the shear modulus.
 constexpr double pressure_over_modulus = 10.0;
 // Around one standard atmosphere, 101.325 kPa.
@@ -25,28 +26,34 @@ constexpr double least_bulk_ratio = 20.0;
 std::string pressure_text(double value_Pa) { return core::quantity_text(value_Pa, core::Dimension::pressure); }
 std::string length_text(double value_m) { return core::quantity_text(value_m, core::Dimension::length); }
 
-void check_material(const Design& design, double mu_Pa, std::vector<std::string>& warnings) {
+void check_material(const model::Material& material, double mu_Pa, std::vector<std::string>& warnings) {
     const double young_Pa = 3.0 * mu_Pa;
-    if (young_Pa < softest_young_Pa || young_Pa > hardest_young_Pa)
+    const bool main = material.source == main_material;   // the others may be paper, fabric, a stiff cap
+    if (main && (young_Pa < softest_young_Pa || young_Pa > hardest_young_Pa))
         warnings.push_back("material: an initial Young's modulus of " + pressure_text(young_Pa) +
                            " is unusual for a silicone (1 kPa to 50 MPa); is the unit right?");
-    if (!design.material.bulk_modulus_Pa) return;
-    const double ratio = *design.material.bulk_modulus_Pa / mu_Pa;
+    if (!main && (young_Pa < softest_young_Pa || young_Pa > hardest_solid_Pa))
+        warnings.push_back(material.source + ": an initial Young's modulus of " + pressure_text(young_Pa) +
+                           " is softer than any gel or harder than steel; is the unit right?");
+    if (!main || !material.bulk_modulus_Pa) return;
+    const double ratio = *material.bulk_modulus_Pa / mu_Pa;
     if (ratio < least_bulk_ratio)
         warnings.push_back("material.kappa: only " + core::rounded_text(ratio, 3) +
                            " times the shear modulus, the rubber is visibly compressible");
 }
 
-void check_law(const material::AnyRubber& rubber, double mu_Pa, std::vector<std::string>& warnings) {
+void check_law(const model::Material& material, const material::AnyRubber& rubber, double mu_Pa,
+               std::vector<std::string>& warnings) {
     const std::string law{material::info_of(rubber).name};
     if (!material::has_symmetric_tangent(rubber))
-        warnings.push_back("material: the undeformed state of " + law + " carries the stress mu = " + pressure_text(mu_Pa) +
-                           "; free of load it first shrinks by about mu/(3 kappa)");
+        warnings.push_back(material.source + ": the undeformed state of " + law + " carries the stress mu = " +
+                           pressure_text(mu_Pa) + "; free of load it first shrinks by about mu/(3 kappa)");
     const auto limits = material::stability_limits(rubber);
     if (limits.empty()) return;
     const auto& range = material::usual_range;
-    warnings.push_back("material: " + law + " is " + material::stability_text(limits) + " (Drucker, looked at from " +
-                       core::rounded_text(range.least, 3) + " to " + core::rounded_text(range.most, 3) + ")");
+    warnings.push_back(material.source + ": " + law + " is " + material::stability_text(limits) +
+                       " (Drucker, looked at from " + core::rounded_text(range.least, 3) + " to " +
+                       core::rounded_text(range.most, 3) + ")");
 }
 
 void check_pressure(const std::string& path, double pressure_Pa, double mu_Pa, std::vector<std::string>& warnings) {
@@ -99,14 +106,23 @@ std::string too_stiff(LockingChoice choice) {
     return core::rounded_text(locking_factor(choice), 2) + " times too stiff on " + std::string{locking_measured_on};
 }
 
-void check_locking(const Design& design, double mu_Pa, std::vector<std::string>& warnings) {
+double largest_bulk_ratio(const Design& design) {
+    const auto ratio_of = [](const model::Material& material) {
+        return material.bulk_modulus_Pa.value_or(0) / material::initial_shear_modulus_Pa(model::make_rubber(material));
+    };
+    double ratio = ratio_of(design.material);
+    for (const auto& [name, material] : design.materials) ratio = std::max(ratio, ratio_of(material));
+    return ratio;
+}
+
+void check_locking(const Design& design, std::vector<std::string>& warnings) {
     const auto says = [&](const char* path, std::string_view word) {
         return design.values.has(path) && design.values.text(path) == word;
     };
     if (says("mesh.cells", "simplices") && says("mesh.order", "1"))
         warnings.push_back("mesh.cells: " + first_order_simplices_lock());
-    if (!says("mesh.formulation", "displacement") || !design.material.bulk_modulus_Pa) return;
-    const double ratio = *design.material.bulk_modulus_Pa / mu_Pa;
+    if (!says("mesh.formulation", "displacement")) return;
+    const double ratio = largest_bulk_ratio(design);
     const auto choice = says("mesh.order", "1") ? LockingChoice::first_order_displacement
                                                 : LockingChoice::second_order_displacement;
     if (ratio > locking_bulk_ratio)
@@ -143,12 +159,16 @@ std::string first_order_simplices_lock() {
 
 std::vector<std::string> plausibility(const Design& design) {
     std::vector<std::string> warnings;
-    const material::AnyRubber rubber = model::make_rubber(design.material);
-    const double mu_Pa = material::initial_shear_modulus_Pa(rubber);
-    check_material(design, mu_Pa, warnings);
-    check_law(rubber, mu_Pa, warnings);
+    const double mu_Pa = material::initial_shear_modulus_Pa(model::make_rubber(design.material));
+    const auto look_at = [&](const model::Material& material) {
+        const material::AnyRubber law = model::make_rubber(material);
+        check_material(material, material::initial_shear_modulus_Pa(law), warnings);
+        check_law(material, law, material::initial_shear_modulus_Pa(law), warnings);
+    };
+    look_at(design.material);
+    for (const auto& [name, material] : design.materials) look_at(material);
     check_loads(design, mu_Pa, warnings);
-    check_locking(design, mu_Pa, warnings);
+    check_locking(design, warnings);
     if (!design.values.has("mesh.size")) return warnings;
     const double size_m = design.values.number("mesh.size");
     const std::optional<Wall> wall = thinnest_wall(design.values);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
@@ -29,6 +30,38 @@ void fill_sections(Node& root, const Node& defaults) {
     for (const char* section : {"supports", "outputs"}) {
         const Node* usual = find(defaults, section);
         if (usual != nullptr && find(root, section) == nullptr) put(root, section, *usual);
+    }
+}
+
+/// "geometry.layer.material": a part that may be of another material.
+bool is_material_reference(std::string_view path) { return path.starts_with("geometry.") && path.ends_with(".material"); }
+
+/// Names of materials that geometry refers to: "geometry.layer.material", as written or by default.
+std::vector<std::pair<std::string, std::string>> materials_named(const Node& root, const FamilyKeys& family) {
+    std::vector<std::pair<std::string, std::string>> named;
+    for (const Key& key : family.geometry) {
+        if (!is_material_reference(key.path)) continue;
+        const Node* written = find_path(root, key.path);
+        named.emplace_back(key.path, written == nullptr ? key.fallback : written->text);
+    }
+    return named;
+}
+
+/// A built-in material of the family that the geometry names: what the design leaves out of it. One that states its law has all.
+void fill_materials(Node& root, const FamilyKeys& family) {
+    const Node* group = find(root, materials_group);
+    if (group != nullptr && group->kind != Node::Kind::map && group->kind != Node::Kind::empty) return;   // refused later
+    for (const auto& [key, name] : materials_named(root, family)) {
+        const auto usual = family.materials.find(name);
+        if (usual == family.materials.end()) continue;
+        const std::string section = std::string{materials_group} + "." + name;
+        const Node own = parse_fragment(usual->second, place_default);
+        const Node* written = find_path(std::as_const(root), section);
+        if (written == nullptr) put(root, section, own);
+        if (written == nullptr || written->kind != Node::Kind::map || find(*written, "law") != nullptr) continue;
+        for (const Member& member : own.members)
+            if (find_path(std::as_const(root), section + "." + member.key) == nullptr)
+                put(root, section + "." + member.key, member.value);
     }
 }
 
@@ -72,6 +105,18 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
     return names;
 }
 
+void check_material_references(const Values& values, const FamilyKeys& family) {
+    std::vector<std::string> known{std::string{main_region}};
+    for (const std::string& name : values.names_below(materials_group)) known.push_back(name);
+    for (const Key& key : family.geometry) {
+        if (!is_material_reference(key.path)) continue;
+        const std::string& name = values.text(key.path);
+        if (std::ranges::find(known, name) == known.end())
+            throw values.refuse(key.path, "no material is called " + core::quoted(name),
+                                core::did_you_mean(name, known) + "; or add materials: {" + name + ": {law: neo-hookean, mu: 0.1644 MPa}}");
+    }
+}
+
 }  // namespace
 
 void override_tree(Node& root, std::span<const Override> overrides) {
@@ -82,13 +127,13 @@ void override_tree(Node& root, std::span<const Override> overrides) {
 Node overridden_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
                        std::span<const Override> overrides) {
     Node written = parse_yaml(text, source);
-    name_to_key(written);
+    names_to_keys(written);
     Node root = written;
     override_tree(root, overrides);
     const FamilyKeys& family = family_of(root, source, families);   // an override may name it
     root = written;
     override_tree(root, in_names_of(written, overrides, {family.faces, family.aliases, {}}));
-    name_to_material(root);
+    names_to_materials(root);
     return root;
 }
 
@@ -116,6 +161,7 @@ const FamilyKeys& family_of(const Node& root, std::string_view source, std::span
 Checked check_design(Node root, std::string_view source, const FamilyKeys& family) {
     const Node defaults = parse_fragment(family.defaults, place_default);
     if (!family.faces_of_file) fill_sections(root, defaults);  // faces of a file have no usual roles
+    fill_materials(root, family);
     name_empty_ends(root);
     Checked checked;
     Schema schema;
@@ -159,8 +205,11 @@ Design read_design(std::string_view text, std::string_view source, std::span<con
     design.name = design.values.text("name");
     design.material = material_of(design.values);
     design.supports = supports_of(checked.items, checked.faces, design.values);
+    design.materials = materials_of(design.values);
+    check_material_references(design.values, family);
     check_formulation(design.values);
     check_law_formulation(design.values, design.material);
+    for (const auto& [name, material] : design.materials) check_law_formulation(design.values, material);
     Loads loads = loads_of(checked.loads, design.values);
     const bool has_formulation = design.values.has("mesh.formulation");
     design.dynamics = dynamics_of(

@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "element/reference_cell.hpp"
+#include "geometry/keys.hpp"
 #include "geometry/loading.hpp"
 #include "geometry/section_mesher.hpp"
 #include "mesh/raise_order.hpp"
@@ -23,9 +24,6 @@ const Family& family_named(const std::string& name) {
     throw Error(ExitCode::bad_input, "family", "no family is called " + core::quoted(name));
 }
 
-constexpr double most_cells = 5e6;
-
-/// A slip in mesh.size must not fill the memory before anybody can say so.
 void refuse_too_many(const Body& body, const design::Values& values) {
     const auto cells_along = [&](const std::vector<int>& side) {
         double cells = 0;
@@ -43,8 +41,7 @@ void refuse_too_many(const Body& body, const design::Values& values) {
     } else if (model != Model::plane_strain) {
         cells *= std::get<Extrusion>(body.sweep).layers;
     }
-    if (cells > most_cells)
-        throw values.refuse("mesh.size", "it would take " + core::rounded_text(cells, 2) + " cells", "a larger size");
+    refuse_too_many_cells(values, cells);
 }
 
 Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& revolution, Model model) {
@@ -132,6 +129,32 @@ mesh::Mesh refined(const mesh::Mesh& mesh, const design::Values& values) {
     return mesh::refine(mesh, times);
 }
 
+/// Of every region: the material that the family names for it; else the one of its own name; else the main one.
+std::vector<model::Material> region_materials(const design::Design& design, const Body& body, const Solid& solid) {
+    std::vector<model::Material> materials;
+    for (const std::string& region : solid.mesh.region_names) {
+        const auto named = body.region_materials.find(region);
+        const auto found = design.materials.find(named == body.region_materials.end() ? region : named->second);
+        materials.push_back(found == design.materials.end() ? design.material : found->second);
+        materials.back().name = region;
+    }
+    return materials;
+}
+
+/// A material that shows nowhere is most likely misspelt. What a family has built in may stay unused.
+void check_materials(const design::Design& design, const design::FamilyKeys& keys, const Solid& solid,
+                     const std::vector<model::Material>& materials) {
+    for (const model::Material& material : materials)
+        if (const std::string reason = model::why_not(material, solid.kinematics); !reason.empty())
+            throw design.values.refuse(material.source + ".families", reason);
+    for (const auto& [name, material] : design.materials) {
+        const bool used = std::ranges::find(materials, material.source, &model::Material::source) != materials.end();
+        if (!used && !keys.materials.contains(name))
+            throw design.values.refuse(material.source + ".law", "no region is of this material",
+                                       "the regions: " + core::join(solid.mesh.region_names));
+    }
+}
+
 }  // namespace
 
 Solid mesh_body(const Body& body, const design::Values& values) {
@@ -158,8 +181,6 @@ model::Case build_case(const design::Design& design) {
     const Body body = family.build(design.values);
     Solid solid = mesh_body(body, design.values);
     for (const model::Support& support : design.supports) require_face(solid.mesh, support.face, "supports", family.keys);
-    if (const std::string reason = model::why_not(design.material, solid.kinematics); !reason.empty())
-        throw design.values.refuse("material.families", reason);
 
     model::Case result;
     result.name = design.name;
@@ -167,10 +188,8 @@ model::Case build_case(const design::Design& design) {
     result.formulation = formulation_of(design.values, solid.mesh);
     result.model_fraction = solid.fraction;
     result.symmetry_planes = solid.symmetry_planes;
-    for (const std::string& region : solid.mesh.region_names) {   // one rubber for all regions
-        result.materials.push_back(design.material);
-        result.materials.back().name = region;
-    }
+    result.materials = region_materials(design, body, solid);
+    check_materials(design, family.keys, solid, result.materials);
     result.supports = design.supports;
     for (model::Support& support : own_supports(body, solid)) result.supports.push_back(std::move(support));
     result.supports.insert(result.supports.end(), body.supports.begin(), body.supports.end());

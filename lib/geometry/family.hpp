@@ -2,7 +2,9 @@
 /// Actuator families: one file each (rod.cpp ... bellows.cpp) says which keys a design may use and builds the body from
 /// their values. A new family is one file and one line of catalogue.cpp.
 #include <array>
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -46,6 +48,9 @@ struct Body {
     std::array<bool, 3> symmetry_planes{};     ///< cuts the section or the extrusion has already (not those of a revolution)
     double fraction = 1;                       ///< of the actuator that remains after these cuts
     Anchoring anchoring = Anchoring::supports;
+    /// Names of the materials of regions, those below `materials` of the design; a region that is not here is of the material
+    /// of its own name, or of the main one.
+    std::map<std::string, std::string> region_materials = {};
     std::vector<model::Support> supports;      ///< that belong to the shape, besides symmetry planes and axis
 };
 

@@ -1,5 +1,6 @@
 #include "geometry/keys.hpp"
 
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "geometry/section.hpp"
 
@@ -46,6 +47,20 @@ design::Key sectors_key() {
             .meaning = "cells around a quarter turn of a solid of revolution",
             .min = 2,
             .max = 1000};
+}
+
+design::Key grading_key(std::string_view fallback) {
+    return {.path = "mesh.grading",
+            .kind = design::Kind::ratio,
+            .fallback = std::string{fallback},
+            .meaning = "longest over shortest cell of a part: cells get shorter toward re-entrant edges; 1 = even",
+            .min = 1,
+            .max = 1000};
+}
+
+void refuse_too_many_cells(const design::Values& values, double cells) {
+    if (cells > most_cells)
+        throw values.refuse("mesh.size", "it would take " + core::rounded_text(cells, 2) + " cells", "a larger size");
 }
 
 int cells_through_wall(const design::Values& values, double wall_m, int least) {

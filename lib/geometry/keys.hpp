@@ -17,6 +17,13 @@ namespace soft::geometry {
 /// mesh.sectors, for bodies of revolution.
 [[nodiscard]] design::Key sectors_key();
 
+/// mesh.grading, for bodies of boxes (box_grid.hpp).
+[[nodiscard]] design::Key grading_key(std::string_view fallback);
+
+/// A slip in mesh.size must not fill the memory before anybody can say so: throws Error beyond 5 million cells.
+inline constexpr double most_cells = 5e6;
+void refuse_too_many_cells(const design::Values& values, double cells);
+
 /// Cells through a wall: mesh.through_wall where it is not 0, else by mesh.size but no fewer than `least`.
 [[nodiscard]] int cells_through_wall(const design::Values& values, double wall_m, int least = 1);
 

@@ -48,12 +48,12 @@ int add_arc(Section& section, Ends ends, int centre, int cells, std::vector<std:
     return static_cast<int>(section.curves.size()) - 1;
 }
 
-int add_block(Section& section, std::array<std::vector<int>, 4> sides) {
+int add_block(Section& section, std::array<std::vector<int>, 4> sides, std::string region) {
     if (turning(section, sides) < 0) {
         std::reverse(sides.begin(), sides.end());
         for (auto& side : sides) std::reverse(side.begin(), side.end());
     }
-    section.blocks.push_back({std::move(sides)});
+    section.blocks.push_back({std::move(sides), std::move(region)});
     return static_cast<int>(section.blocks.size()) - 1;
 }
 

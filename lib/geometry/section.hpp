@@ -28,6 +28,7 @@ struct Curve {
 /// where the one before ends.
 struct Block {
     std::array<std::vector<int>, 4> sides;
+    std::string region = "rubber";    ///< of its cells; blocks of different regions are bonded where they share a curve
 };
 
 struct Section {
@@ -54,7 +55,7 @@ int add_graded_line(Section& section, Ends ends, int cells, double grading);
 int add_arc(Section& section, Ends ends, int centre, int cells, std::vector<std::string> faces = {});
 
 /// The outline may run either way round (mirrored ends do); it is stored counter-clockwise.
-int add_block(Section& section, std::array<std::vector<int>, 4> sides);
+int add_block(Section& section, std::array<std::vector<int>, 4> sides, std::string region = "rubber");
 
 /// The curve between two neighbouring points of a chain; std::logic_error if no curve joins them.
 [[nodiscard]] int curve_between(const Section& section, Ends ends);

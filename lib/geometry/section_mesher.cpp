@@ -152,7 +152,6 @@ class Builder {
 public:
     Builder(const Section& section, const FineMesh& fine) : section_(section), fine_(fine) {
         result_.dimension = 2;
-        result_.region_names = {rubber_region};
         for (const PlanePoint& p : section.points) snap_m_ = std::max({snap_m_, std::abs(p[0]), std::abs(p[1])});
         snap_m_ *= 1e-13;   // rounding of the interpolation; a node on the axis must have r = 0
     }
@@ -160,8 +159,9 @@ public:
     void add(std::size_t block) {
         const Grid grid = grid_of(section_, fine_, block);
         const Index first = result_.cell_count();
+        const std::int32_t own_region = region(section_.blocks[block].region);
         for (std::size_t j = 0; j + 2 < grid.rows; j += 2)
-            for (std::size_t i = 0; i + 2 < grid.columns; i += 2) add_quad(grid, i, j);
+            for (std::size_t i = 0; i + 2 < grid.columns; i += 2) add_quad(grid, i, j, own_region);
         name_sides(block, first, static_cast<Index>(grid.columns / 2), static_cast<Index>(grid.rows / 2));
     }
 
@@ -178,12 +178,20 @@ private:
         return entry->second;
     }
 
-    void add_quad(const Grid& grid, std::size_t i, std::size_t j) {
+    std::int32_t region(const std::string& name) {
+        auto& names = result_.region_names;
+        const auto found = std::ranges::find(names, name);
+        const auto place = found - names.begin();
+        if (found == names.end()) names.push_back(name);
+        return static_cast<std::int32_t>(place);
+    }
+
+    void add_quad(const Grid& grid, std::size_t i, std::size_t j, std::int32_t own_region) {
         constexpr std::array<std::array<std::size_t, 2>, 9> vtk{
             {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}}};
         std::array<Index, 9> nodes{};
         for (std::size_t k = 0; k < 9; ++k) nodes[k] = number(grid.at(i + vtk[k][0], j + vtk[k][1]));
-        add_cell(result_, mesh::CellType::quad9, nodes, 0);
+        add_cell(result_, mesh::CellType::quad9, nodes, own_region);
     }
 
     void name_sides(std::size_t block, Index first, Index columns, Index rows) {

@@ -14,6 +14,7 @@ std::vector<model::Material> read_materials(const GroupReader& group) {
         model::Material& material = materials.emplace_back();
         material.name = name;
         material.law = one.text("law");
+        if (one.has("source")) material.source = one.text("source");
         material.volumetric = one.word("volumetric", volumetric_names);
         material.strain = one.word("strain", strain_names);
         material.fiber_frame = one.word("fiber_frame", fiber_frame_names);

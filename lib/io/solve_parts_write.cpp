@@ -13,6 +13,7 @@ void write_materials(hid_t parent, const std::vector<model::Material>& materials
         const GroupHandle one = create_group(group.get(), material.name, "hyperelastic law and constants");
         write_count(one.get(), {"order", "1", "place in the list of materials"}, order++);
         write_text(one.get(), {"law", "1", "name of the law"}, material.law);
+        write_text(one.get(), {"source", "1", "section of the design that states it"}, material.source);
         write_text(one.get(), {"volumetric", "1", "volumetric energy: quadratic | log | mixed"},
                    name_of(volumetric_names, material.volumetric));
         write_text(one.get(), {"strain", "1", "finite | small"}, name_of(strain_names, material.strain));

@@ -31,6 +31,7 @@ struct Material {
     Volumetric volumetric = Volumetric::quadratic;
     Strain strain = Strain::finite;                      ///< small: the law's tangent at the undeformed state, linear in grad u
     FiberFrame fiber_frame = FiberFrame::cartesian;      ///< of laws with fibres; the others do not look at it
+    std::string source = "material";                     ///< section of the design that states it: "material" or "materials.<name>"
 };
 
 /// Zero displacement of the marked components (x, y, z; axisymmetric: x, r, unused) on a named face.

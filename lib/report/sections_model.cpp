@@ -107,6 +107,7 @@ std::string material_section(const Content& content) {
         const material::LawInfo* law = material::find_law(rubber.law);
         if (law == nullptr) continue;  // read_result has refused it
         const std::vector<Row> rows = {
+            {{"in the design", rubber.source}},
             {{"law", rubber.law + (rubber.strain == model::Strain::small ? ", linear in the strain" : "")}},
             {{"energy per undeformed volume", std::string{law->energy}}},
             {{"constants", constants_text(*law, rubber)}},

@@ -242,7 +242,9 @@ TEST(Imported, EveryRegionGetsTheRubber) {
         gmsh::model::mesh::generate(2);
         sample::write(file.path, {});
     }
-    const model::Case c = built(design_text(file.path, "mesh: {formulation: displacement}\nloads: {base: {pressure: 5 kPa}}\nmodel: plane-strain\n"));
+    const std::string text =
+        design_text(file.path, "mesh: {formulation: displacement}\nloads: {base: {pressure: 5 kPa}}\nmodel: plane-strain\n");
+    const model::Case c = built(text);
     std::set<std::string> names;
     for (const model::Material& material : c.materials) {
         names.insert(material.name);
@@ -250,6 +252,14 @@ TEST(Imported, EveryRegionGetsTheRubber) {
     }
     EXPECT_EQ(names, (std::set<std::string>{"soft", "stiff"}));
     EXPECT_EQ(std::set<std::string>(c.mesh.region_names.begin(), c.mesh.region_names.end()), names);
+
+    const model::Case two = built(text + "materials: {stiff: {law: yeoh, c1: 1 MPa, c2: 0 kPa, c3: 0 kPa, kappa: 1 GPa}}\n");
+    for (const model::Material& material : two.materials) {
+        EXPECT_EQ(material.law, material.name == "stiff" ? "yeoh" : "neo-hookean");
+        EXPECT_EQ(material.source, material.name == "stiff" ? "materials.stiff" : "material");
+    }
+    EXPECT_EQ(refusal(text + "materials: {stif: {law: neo-hookean, mu: 1 MPa, kappa: 1 GPa}}\n"),
+              "part.yaml:7:25: materials.stif.law: no region is of this material; the regions: soft, stiff");
 }
 
 TEST(Imported, TheTemplateIsADesignOfTheMeshThatComesAlong) {

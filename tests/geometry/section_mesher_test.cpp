@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "geometry/section_mesher.hpp"
+#include "geometry/sweep.hpp"
 #include "mesh/quality.hpp"
 #include "sample.hpp"
 
@@ -51,6 +52,28 @@ TEST(SectionMesher, AreaOfARingConvergesWithTheFourthPower) {
     };
     EXPECT_NEAR(std::log2(error(2) / error(4)), 4, 0.1);
     EXPECT_NEAR(std::log2(error(4) / error(8)), 4, 0.1);
+}
+
+TEST(SectionMesher, BlocksOfDifferentRegionsShareTheNodesBetweenThem) {
+    Section s;
+    const std::array<int, 6> p{add_point(s, {0, 1}), add_point(s, {1, 1}), add_point(s, {1, 2}),
+                               add_point(s, {0, 2}), add_point(s, {1, 3}), add_point(s, {0, 3})};
+    for (const auto& [a, b, cells] : std::vector<std::array<int, 3>>{{0, 1, 2}, {1, 2, 1}, {2, 3, 2}, {3, 0, 1}, {2, 4, 3}, {4, 5, 2}, {5, 3, 3}})
+        add_line(s, {p[a], p[b]}, cells);
+    add_block(s, {{{p[0], p[1]}, {p[1], p[2]}, {p[2], p[3]}, {p[3], p[0]}}}, "layer");
+    add_block(s, {{{p[3], p[2]}, {p[2], p[4]}, {p[4], p[5]}, {p[5], p[3]}}});
+    const mesh::Mesh plane = mesh_section(s);
+    EXPECT_EQ(plane.region_names, (std::vector<std::string>{"layer", "rubber"}));
+    EXPECT_EQ(plane.points.size(), 5u * 9u);
+    const auto cells_of = [](const mesh::Mesh& mesh, int region) { return std::ranges::count(mesh.cell_regions, region); };
+    EXPECT_EQ(cells_of(plane, 0), 2);
+    EXPECT_EQ(cells_of(plane, 1), 6);
+    const mesh::Mesh drawn = extrude(plane, {1.0, 3, {}, {}}), turned = revolve(plane, Turn::quarter, 3);
+    for (const mesh::Mesh* solid : {&drawn, &turned}) {
+        EXPECT_EQ(solid->region_names, plane.region_names);
+        EXPECT_EQ(cells_of(*solid, 0), 3 * 2);
+        EXPECT_EQ(cells_of(*solid, 1), 3 * 6);
+    }
 }
 
 TEST(SectionMesher, FacesMayOverlapAndCoverTheOutline) {

@@ -1,4 +1,5 @@
 // Spheres and plane-strain cylinders of incompressible rubber: pressures along the curve and limit points.
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.hpp"
@@ -182,6 +183,27 @@ Problem thick_cylinder() {
             }};
 }
 
+/// Yeoh inside, neo-Hookean outside, each region with its own material.
+Problem layered_cylinder() {
+    return {group, "plane-strain cylinder of two rubbers, 10 / 12.5 / 20 mm", [] {
+                const auto run = run_design("verification/two-layers.yaml", {});
+                const auto pulls = [&](const char* region) {
+                    return pulls_of(*std::ranges::find(run.model.materials, region, &model::Material::name));
+                };
+                Outcome outcome;
+                for (const double l : {1.2, 1.5, 2.0})
+                    outcome.rows.push_back(
+                        {.quantity = "pressure at a/A = " + core::number_text(l) + " [kPa]",
+                         .reference = 1e-3 * layered_cylinder_pressure_Pa(pulls("liner"), pulls("jacket"),
+                                                                          {10e-3, 20e-3, 1}, 12.5e-3, l),
+                         .source = "quadrature",
+                         .ours = 1e-3 * run.at("volume", *run.steps.front().volume_m3 * l * l).pressure_Pa,
+                         .mesh = run.mesh,
+                         .seconds = run.seconds});
+                return outcome;
+            }};
+}
+
 }  // namespace
 
 std::vector<Problem> inflation_problems() {
@@ -191,6 +213,7 @@ std::vector<Problem> inflation_problems() {
     problems.push_back(thin_sphere());
     problems.push_back(plane_cylinder());
     problems.push_back(thick_cylinder());
+    problems.push_back(layered_cylinder());
     return problems;
 }
 

@@ -53,6 +53,13 @@ double cylinder_pressure_Pa(const Pulls& pulls, const Cylinder& c, double inner_
         c.inner_m, c.outer_m);
 }
 
+double layered_cylinder_pressure_Pa(const Pulls& inside, const Pulls& outside, const Cylinder& c, double interface_m,
+                                    double inner_stretch) {
+    const Cylinder outer{interface_m, c.outer_m, c.axial_stretch};
+    return cylinder_pressure_Pa(inside, {c.inner_m, interface_m, c.axial_stretch}, inner_stretch) +
+           cylinder_pressure_Pa(outside, outer, c.deformed_radius_m(interface_m, inner_stretch) / interface_m);
+}
+
 double neo_hookean_cylinder_pressure_Pa(double mu_Pa, double inner_stretch, double ratio) {
     const double outer = std::sqrt(1.0 + (inner_stretch * inner_stretch - 1.0) / (ratio * ratio));
     return mu_Pa *

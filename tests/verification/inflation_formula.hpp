@@ -26,6 +26,10 @@ struct Cylinder {
 };
 [[nodiscard]] double cylinder_pressure_Pa(const Pulls& pulls, const Cylinder& cylinder, double inner_stretch);
 
+/// A cylinder of two bonded rubbers, the first from the bore to `interface_m`: the same integral, layer by layer.
+[[nodiscard]] double layered_cylinder_pressure_Pa(const Pulls& inside, const Pulls& outside, const Cylinder& cylinder,
+                                                  double interface_m, double inner_stretch);
+
 /// Neo-Hookean, plane strain, closed form: mu [ln(l_a/l_b) + (1/l_b^2 - 1/l_a^2)/2].
 [[nodiscard]] double neo_hookean_cylinder_pressure_Pa(double mu_Pa, double inner_stretch, double ratio);
 
