@@ -117,7 +117,7 @@ Line line_along(const Blocks& blocks, std::size_t axis, const Spacing& spacing) 
     Line line;
     for (int b = 0; b < blocks.count(axis); ++b) {
         const double length_m = blocks.length(axis, b);
-        const int cells = divisions(length_m, spacing.size_m, spacing.least);
+        const int cells = divisions(length_m, spacing.size_m, spacing.least[axis]);
         double at = blocks.planes[axis][static_cast<std::size_t>(b)];
         for (const double share :
              graded_shares(cells, spacing.grading, {is_sharp(blocks, axis, b), is_sharp(blocks, axis, b + 1)})) {
@@ -250,7 +250,7 @@ std::vector<double> graded_shares(int cells, double grading, SharpEnds sharp) {
 double cells_of_boxes(const BoxBody& body, const Spacing& spacing) {
     const Blocks blocks = blocks_of(body);
     const auto cells = [&](std::size_t axis, int block) {
-        return static_cast<double>(divisions(blocks.length(axis, block), spacing.size_m, spacing.least));
+        return static_cast<double>(divisions(blocks.length(axis, block), spacing.size_m, spacing.least[axis]));
     };
     double sum = 0;
     for (int i = 0; i < blocks.count(0); ++i)

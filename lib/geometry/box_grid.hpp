@@ -36,9 +36,9 @@ struct BoxBody {
 };
 
 struct Spacing {
-    double size_m;     ///< wished length of a cell
-    int least;         ///< cells between neighbouring planes, at least: through every wall, across every slot
-    double grading;    ///< longest over shortest cell between two planes of which one or both have re-entrant edges
+    double size_m;               ///< wished length of a cell
+    std::array<int, 3> least;    ///< cells between neighbouring planes along x, y, z, at least: through every wall, across every slot
+    double grading;              ///< longest over shortest cell between two planes of which one or both have re-entrant edges
 };
 
 /// Lengths of the cells between two planes as shares of their distance; geometric, shortest at the sharp ends.

@@ -1,5 +1,7 @@
 /// A bending finger: a row of chambers with slots between them, joined by a channel, over a base that stretches less. All
 /// corners sharp. x from the held end, z up from the lower face, y = 0 in the middle; the half model is y >= 0.
+#include <algorithm>
+
 #include "geometry/box_grid.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
@@ -96,7 +98,9 @@ Body build(const design::Values& values) {
     boxes.borders[0] = {{{"fixed", true}, {"tip"}}};
     if (half) boxes.borders[1][0] = {symmetry_y_face};
     boxes.borders[2][0] = {"bottom"};
-    const Spacing spacing{values.number("mesh.size"), values.count("mesh.through_wall"), values.number("mesh.grading")};
+    // Of two chambers on 2, 2, 2 cells a third one along x moves the bend by 0.65 %, along y by 0.62 %, along z by 0.01 %.
+    const int through = values.count("mesh.through_wall");
+    const Spacing spacing{values.number("mesh.size"), {through, through, std::max(1, through - 1)}, values.number("mesh.grading")};
     refuse_too_many_cells(values, cells_of_boxes(boxes, spacing));
 
     Body body;
@@ -159,10 +163,10 @@ Family pneunet() {
     // Copy paper: Young's modulus 6.5 GPa, Poisson's ratio 0.2, as in the Soft Robotics Toolkit's model of this actuator.
     keys.materials = {{"paper", "{law: neo-hookean, mu: 2.708 GPa, kappa: 3.611 GPa, density: 750 kg/m^3}"}};
     design::Key least = through_wall_key();
-    least.fallback = "2";
-    least.meaning = "least number of cells between neighbouring planes of the body: through walls, roof and base, across slots";
+    least.fallback = "3";
+    least.meaning = "least number of cells between neighbouring planes of the body, through walls and across slots; one fewer along z";
     least.min = 1;
-    keys.mesh = {size_key("2.5 mm"), std::move(least), grading_key("2")};
+    keys.mesh = {size_key("2.5 mm"), std::move(least), grading_key("8")};
     return {std::move(keys), build};
 }
 

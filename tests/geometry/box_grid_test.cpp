@@ -13,7 +13,7 @@
 namespace soft::geometry {
 namespace {
 
-constexpr Spacing even{1, 1, 1};
+constexpr Spacing even{1, {1, 1, 1}, 1};
 constexpr double sums = 1e-11;   // rounding, of volumes and areas up to 50
 
 /// Coordinates along an axis, each once, of corners (with mid nodes: every second).
@@ -56,7 +56,7 @@ TEST(GradedShares, GrowGeometricallyFromTheSharpEnd) {
 }
 
 TEST(BoxGrid, CellsGetShorterTowardReentrantEdgesAlone) {
-    const mesh::Mesh mesh = mesh_of_boxes(step(), {1, 2, 3});
+    const mesh::Mesh mesh = mesh_of_boxes(step(), {1, {2, 2, 2}, 3});
     EXPECT_EQ(coordinates(mesh, 0), (std::vector<double>{0, 1, 2, 3, 4}));   // the edge runs along x: no grading
     const std::vector<double> y = coordinates(mesh, 1), z = coordinates(mesh, 2);
     ASSERT_EQ(y.size(), 5u);
@@ -70,7 +70,7 @@ TEST(BoxGrid, CellsGetShorterTowardReentrantEdgesAlone) {
 TEST(BoxGrid, CellsGetShorterTowardAHeldFace) {
     BoxBody body{.boxes = {{{0, 0, 0}, {3, 1, 1}, Fill::solid, "bar"}}};
     body.borders[0][0] = {"fixed", true};
-    const std::vector<double> x = coordinates(mesh_of_boxes(body, {1.5, 1, 2}), 0);
+    const std::vector<double> x = coordinates(mesh_of_boxes(body, {1.5, {1, 1, 1}, 2}), 0);
     ASSERT_EQ(x.size(), 3u);
     EXPECT_NEAR(x[1], 1, 1e-15);
 }
@@ -104,11 +104,11 @@ TEST(BoxGrid, TheMirroredBodyIsTheDrawnOneAndItsImage) {
     BoxBody body = step();
     body.boxes.push_back({{1, 0, 0.5}, {3, 0.5, 1.5}, Fill::hollow, "room"});   // reaches the plane of symmetry
     body.borders[1][1] = {"far"};
-    const mesh::Mesh half = mesh_of_boxes(body, {1, 2, 3});
+    const mesh::Mesh half = mesh_of_boxes(body, {1, {2, 2, 2}, 3});
     body.extent = Extent::mirrored_in_y;
-    const mesh::Mesh whole = mesh_of_boxes(body, {1, 2, 3});
+    const mesh::Mesh whole = mesh_of_boxes(body, {1, {2, 2, 2}, 3});
     EXPECT_EQ(whole.cell_count(), 2 * half.cell_count());
-    EXPECT_EQ(cells_of_boxes(body, {1, 2, 3}), static_cast<double>(whole.cell_count()));
+    EXPECT_EQ(cells_of_boxes(body, {1, {2, 2, 2}, 3}), static_cast<double>(whole.cell_count()));
     EXPECT_NEAR(mesh::measure(whole, mesh::Measure::plain), 2 * mesh::measure(half, mesh::Measure::plain), sums);
     EXPECT_NEAR(area(whole, "far"), 2 * area(half, "far"), sums);
     EXPECT_NEAR(area(whole, "room"), 2 * area(half, "room"), sums);
