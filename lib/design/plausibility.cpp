@@ -172,7 +172,8 @@ std::vector<std::string> plausibility(const Design& design) {
     if (!design.values.has("mesh.size")) return warnings;
     const double size_m = design.values.number("mesh.size");
     const std::optional<Wall> wall = thinnest_wall(design.values);
-    if (wall && wall->thickness_m > 0 && size_m > wall->thickness_m)
+    const bool several = design.values.has("mesh.through_wall") && design.values.count("mesh.through_wall") > 1;
+    if (wall && !several && wall->thickness_m > 0 && size_m > wall->thickness_m)
         warnings.push_back("mesh.size: " + length_text(size_m) + " is more than the wall, " + wall->path + " = " +
                            length_text(wall->thickness_m) + "; one cell through it is coarse");
     return warnings;

@@ -68,6 +68,8 @@ struct Family {
 [[nodiscard]] Family ring();
 [[nodiscard]] Family two_spheres();
 [[nodiscard]] Family dome();
+[[nodiscard]] Family pneunet();
+[[nodiscard]] Family segment();
 [[nodiscard]] Family imported();
 
 /// All families, in the order of --list.

@@ -5,11 +5,8 @@
 #include "geometry/section.hpp"
 
 namespace soft::geometry {
-namespace {
 
 std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
-
-}  // namespace
 
 design::Key length_key(std::string_view name, std::string_view fallback, std::string_view meaning) {
     return {.path = "geometry." + std::string{name},

@@ -27,6 +27,9 @@ void refuse_too_many_cells(const design::Values& values, double cells);
 /// Cells through a wall: mesh.through_wall where it is not 0, else by mesh.size but no fewer than `least`.
 [[nodiscard]] int cells_through_wall(const design::Values& values, double wall_m, int least = 1);
 
+/// "12 mm"
+[[nodiscard]] std::string length_text(double length_m);
+
 /// "12 mm is not smaller than outer_radius 10 mm"
 [[nodiscard]] std::string not_smaller(double value_m, std::string_view other_name, double other_m);
 

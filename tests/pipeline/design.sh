@@ -5,6 +5,7 @@ case $3 in   # what the design is there to show
     vacuum) code=2 ends=self_contact ;;
     *) code=0 ends="done" ;;
 esac
+case $3 in pneunet | segment) export LIMIT=800 ;; esac   # solids
 run "mesh-gen designs/$3.yaml --json mesh.json -o case.h5 && solve case.h5 --json solve.json | postprocess --json curve.json -o curve.csv"
 claim "it runs to its end" exits "$code"
 claim "stdout has nothing" [ ! -s "$seen/out" ]
@@ -16,4 +17,7 @@ claim "the curve holds each step and the undeformed state" [ "$(json solve.json 
 claim "the mesh has cells" within "$(json mesh.json cells)" 1 1e9
 claim "and no bad ones" within "$(json mesh.json min_scaled_jacobian)" 0.1 1
 claim "no cell is turned inside out" within "$(column min_J curve.csv | sort -g | head -n 1)" 0.1 1
+if [ "$3" = pneunet ]; then   # 12.52 is extrapolated from the mesh study in the design
+    claim "the finger bends as on fine meshes, within 1 %" within "$(column bend_deg curve.csv | tail -n 1)" 12.395 12.645
+fi
 claim "zero has no sign" not grep -qE '(^|,)-0(,|$)' curve.csv

@@ -1,4 +1,8 @@
 // The actuators of the specification against numbers from an independent code.
+#include <array>
+#include <cmath>
+#include <numbers>
+
 #include "core/text.hpp"
 #include "problem.hpp"
 #include "work.hpp"
@@ -93,6 +97,94 @@ Outcome solve_tube_mesh(const TubeMesh& mesh) {
             {}};
 }
 
+// A long prism with closed ends under inner pressure, linear elasticity, far from its ends (derived here). The section is that
+// of designs/verification/pneunet-long.yaml. Of the stresses in its plane only two moments are needed, and equilibrium gives
+// them: virtual work with the displacements (y, z) and (y z, (z^2 - y^2)/2), whose strains are 1 and z times the unit tensor,
+//     int (s_yy + s_zz) dA = 2 p A,    int (s_yy + s_zz) z dA = 2 p A c      (A, c: area and centroid of the hole).
+// With s_xx = E (e + k z) + nu (s_yy + s_zz), int s_xx dA = p A and int s_xx z dA = p A c, at equal nu of all layers:
+//     int E (e + k z) dA = (1 - 2 nu) p A,    int E (e + k z) z dA = (1 - 2 nu) p A c.
+// An incompressible prism neither lengthens nor bends in the first order. A Q2 mesh holds both displacements: exact on any.
+struct Prism {
+    double pressure_Pa, poisson;
+    struct Layer {
+        double low_m, high_m, width_m, young_Pa;   ///< negative where the hole takes rubber away
+    };
+    std::vector<Layer> layers;
+    Layer hole;
+
+    struct Strain {
+        double at_zero, curvature_1_m;
+    };
+    [[nodiscard]] Strain strain() const {
+        std::array<double, 3> moment{};   // int E z^n dA
+        for (const Layer& l : layers)
+            for (std::size_t n = 0; n < 3; ++n) {
+                const double power = static_cast<double>(n) + 1;
+                moment[n] += l.young_Pa * l.width_m * (std::pow(l.high_m, power) - std::pow(l.low_m, power)) / power;
+            }
+        const double force = (1 - 2 * poisson) * pressure_Pa * hole.width_m * (hole.high_m - hole.low_m);
+        const double torque = force * 0.5 * (hole.low_m + hole.high_m);
+        const double determinant = moment[0] * moment[2] - moment[1] * moment[1];
+        return {(force * moment[2] - torque * moment[1]) / determinant, (torque * moment[0] - force * moment[1]) / determinant};
+    }
+};
+
+/// Two lengths have the same ends: the difference is that of a beam.
+Outcome solve_long_finger() {
+    constexpr double short_m = 100e-3, long_m = 140e-3, tip_middle_m = 4.5e-3;
+    const auto run = [](double length_m) {
+        return run_design("verification/pneunet-long.yaml",
+                          {"geometry.chamber_length=" + core::number_text(1e3 * length_m) + " mm"});
+    };
+    const Run one = run(short_m), other = run(long_m);
+    constexpr double base_m = 3e-3, top_m = 12e-3, width_m = 12e-3, strip_m = 1e-3, young_Pa = 1e6, strip_Pa = 5e6;
+    const Prism::Layer hole{base_m, 9e-3, 6e-3, -young_Pa};
+    const Prism prism{10, 0.3, {{0, strip_m, width_m, strip_Pa}, {strip_m, top_m, width_m, young_Pa}, hole}, hole};
+    const auto [strain, curvature_1_m] = prism.strain();
+    const auto row = [&](const char* quantity, double reference, double ours) {
+        return Row{.quantity = quantity,
+                   .reference = reference,
+                   .source = "closed form: virtual work on the section",
+                   .ours = ours,
+                   .mesh = other.mesh,
+                   .seconds = one.seconds + other.seconds,
+                   .tolerance = homogeneous};
+    };
+    const auto more = [&](std::size_t output) { return other.steps.back().outputs.at(output) - one.steps.back().outputs.at(output); };
+    return {{row("bend by 40 mm more of chamber [urad]", 1e6 * curvature_1_m * (long_m - short_m), 1e6 * more(0)),
+             row("lengthening by 40 mm more of chamber [nm]", 1e9 * (strain + curvature_1_m * tip_middle_m) * (long_m - short_m),
+                 1e9 * more(1))},
+            {}};
+}
+
+/// The same of a section whose centroid lies on the axis and whose second moment I is the same about all its diameters, as
+/// with three equal chambers: strain (1 - 2 nu) p A / (E A_rubber), curvature (1 - 2 nu) p A c / (E I).
+Outcome solve_long_segment() {
+    constexpr double short_m = 120e-3, long_m = 160e-3;
+    const auto run = [](double length_m) {
+        return run_design("verification/segment-long.yaml", {"geometry.length=" + core::number_text(1e3 * length_m) + " mm"});
+    };
+    const Run one = run(short_m), other = run(long_m);
+    constexpr double pi = std::numbers::pi, bore_m = 3e-3, inside_m = 5e-3, outside_m = 10e-3, outer_m = 12e-3;
+    constexpr double angle = pi / 2, load = (1 - 2 * 0.3) * 10 / 1e6;   // (1 - 2 nu) p / E; 120 less 30 degrees
+    const auto difference = [](double high, double low, int power) { return std::pow(high, power) - std::pow(low, power); };
+    const double hole_m2 = 0.5 * angle * difference(outside_m, inside_m, 2);
+    const double hole_m3 = 2.0 / 3.0 * std::sin(0.5 * angle) * difference(outside_m, inside_m, 3);   // A c
+    const double rubber_m2 = pi * difference(outer_m, bore_m, 2) - 3 * hole_m2;
+    const double second_m4 = 0.25 * pi * difference(outer_m, bore_m, 4) - 3 * 0.125 * angle * difference(outside_m, inside_m, 4);
+    const auto row = [&](const char* quantity, double reference, std::size_t output) {
+        return Row{.quantity = quantity,
+                   .reference = reference,
+                   .source = "closed form: virtual work on the section",
+                   .ours = 1e6 * (other.steps.back().outputs.at(output) - one.steps.back().outputs.at(output)),
+                   .mesh = other.mesh,
+                   .seconds = one.seconds + other.seconds};
+    };
+    return {{row("bend by 40 mm more [urad]", 1e6 * load * hole_m3 / second_m4 * (long_m - short_m), 0),
+             row("lengthening by 40 mm more [um]", 1e6 * load * hole_m2 / rubber_m2 * (long_m - short_m), 1)},
+            {}};
+}
+
 }  // namespace
 
 std::vector<Problem> actuator_problems() {
@@ -121,6 +213,8 @@ std::vector<Problem> actuator_problems() {
                    1e-2,
                    corners}})
         problems.push_back({group, mesh.name, [mesh] { return solve_tube_mesh(mesh); }});
+    problems.push_back({group, "bending finger, one long chamber", solve_long_finger});
+    problems.push_back({group, "segment, one of three long chambers", solve_long_segment});
     return problems;
 }
 

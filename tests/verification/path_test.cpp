@@ -39,6 +39,22 @@ TEST(Tube, FibresThatBeginToPullDoNotStopThePath) {
     EXPECT_LT(run.output_mm(), 0.0);  // fibres nearer to the axis than the magic angle 54.74 degrees: it shortens
 }
 
+// The mesh of the whole is that of the half and its mirror image, so the states are the same but for what Newton leaves.
+TEST(Pneunet, TheWholeBendsLikeTheHalf) {
+    const std::vector<std::string> coarse{"geometry.chambers=2", "mesh.size=8 mm", "mesh.through_wall=1", "loads.cavity.pressure=3 kPa"};
+    auto whole_sets = coarse;
+    whole_sets.push_back("model=solid");
+    const auto half = run_design("pneunet.yaml", coarse), whole = run_design("pneunet.yaml", whole_sets);
+    EXPECT_EQ(half.end.reason, solution::StopReason::done);
+    EXPECT_EQ(whole.end.reason, solution::StopReason::done);
+    ASSERT_EQ(half.steps.back().outputs.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(whole.steps.back().outputs[i] / half.steps.back().outputs[i], 1.0, 1e-6);
+    EXPECT_NEAR(*whole.steps.back().volume_m3 / *half.steps.back().volume_m3, 1.0, 1e-9);
+    EXPECT_GT(half.steps.back().outputs[0], 0.0);   // toward the base
+    EXPECT_LT(half.steps.back().outputs[2], 0.0);
+}
+
 TEST(Bellows, AnElongationAsGoalIsMetExactly) {
     const auto run = run_design("bellows.yaml", {"mesh.size=3 mm", "path.until.elongation=20 mm"});
     EXPECT_EQ(run.end.reason, solution::StopReason::done);

@@ -1,0 +1,231 @@
+/// A round body about x with two to four closed chambers around its middle, each with a pressure of its own: what bends it in
+/// any direction. Chambers are sectors of a ring, the first about the direction z; caps close them at both ends.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/units.hpp"
+#include "geometry/family.hpp"
+#include "geometry/hollow.hpp"
+#include "geometry/keys.hpp"
+#include "geometry/section_mesher.hpp"
+
+namespace soft::geometry {
+namespace {
+
+constexpr const char *jacket_region = "jacket", *jacket_material = "geometry.jacket.material";
+constexpr int most_chambers = 4;
+
+constexpr const char* chamber_prefix = "chamber_";
+std::string chamber_name(int k) { return chamber_prefix + std::to_string(k + 1); }
+
+/// Rings of the section from the bore outward; the chambers lie in the second one.
+constexpr std::size_t chamber_ring = 1;
+
+struct Shape {
+    int chambers;
+    double length_m, cap_m, web_rad;
+    std::vector<double> radii_m;   ///< of the bore, both sides of the chambers, [the jacket's inside,] the outside
+    bool jacket;
+
+    [[nodiscard]] double chamber_rad() const { return 2 * std::numbers::pi / chambers - web_rad; }
+    /// Where chamber k begins and ends, from y toward z.
+    [[nodiscard]] double begin_rad(int k) const {
+        return 0.5 * std::numbers::pi + 2 * std::numbers::pi * k / chambers - 0.5 * chamber_rad();
+    }
+};
+
+Shape checked_shape(const design::Values& values) {
+    const auto number = [&](const char* key) { return values.number(std::string{"geometry."} + key); };
+    const double outer_m = number("outer_radius"), bore_m = number("bore_radius"), wall_m = number("wall");
+    const double jacket_m = number("jacket.thickness");
+    Shape shape{values.count("geometry.chambers"), number("length"), number("cap"), number("web"), {}, jacket_m > 0};
+    const double inside_m = bore_m + number("core"), outside_m = outer_m - wall_m;
+    if (!(inside_m < outside_m))
+        throw values.refuse("geometry.wall", length_text(wall_m) + " leaves no chamber between core and wall",
+                            outer_m > inside_m ? smaller_than(outer_m - inside_m) + " = outer_radius - bore_radius - core"
+                                               : "outer_radius " + larger_than(inside_m));
+    if (!(jacket_m < wall_m))
+        throw values.refuse("geometry.jacket.thickness", not_smaller(jacket_m, "wall", wall_m), smaller_than(wall_m));
+    if (!(2 * shape.cap_m < shape.length_m))
+        throw values.refuse("geometry.cap", not_smaller(shape.cap_m, "half the length", 0.5 * shape.length_m),
+                            smaller_than(0.5 * shape.length_m));
+    if (!(shape.chamber_rad() > 0))
+        throw values.refuse("geometry.web", "it leaves no angle for the chambers",
+                            "smaller than " + core::quantity_text(2 * std::numbers::pi / shape.chambers, core::Dimension::angle));
+    shape.radii_m = {bore_m, inside_m, outside_m};
+    if (shape.jacket) shape.radii_m.push_back(outer_m - jacket_m);
+    shape.radii_m.push_back(outer_m);
+    return shape;
+}
+
+struct Counts {
+    std::vector<int> rings;   ///< across each
+    int chamber, web;         ///< around
+    int cap, along;
+};
+
+Counts counts_of(const Shape& shape, const design::Values& values) {
+    constexpr int least_around = 3;   // a chamber's arc, as a curved beam
+    const double size_m = values.number("mesh.size"), middle_m = 0.5 * (shape.radii_m[1] + shape.radii_m[2]);
+    Counts n{{},
+             divisions(middle_m * shape.chamber_rad(), size_m, least_around),
+             cells_through_wall(values, middle_m * shape.web_rad),
+             cells_through_wall(values, shape.cap_m),
+             divisions(shape.length_m - 2 * shape.cap_m, size_m)};
+    for (std::size_t ring = 0; ring + 1 < shape.radii_m.size(); ++ring) {
+        const double width_m = shape.radii_m[ring + 1] - shape.radii_m[ring];
+        n.rings.push_back(ring == chamber_ring ? divisions(width_m, size_m) : cells_through_wall(values, width_m));
+    }
+    return n;
+}
+
+std::string region_of(const Shape& shape, std::size_t ring, int piece) {
+    if (ring == chamber_ring && piece % 2 == 0) return chamber_name(piece / 2);
+    return shape.jacket && ring + 2 == shape.radii_m.size() ? jacket_region : rubber_region;
+}
+
+/// In (y, z): rings cut into chambers and webs in turn, chambers meshed like the rest.
+Section section_of(const Shape& shape, const Counts& n) {
+    Section s;
+    const int centre = add_point(s, {0, 0}), pieces = 2 * shape.chambers;
+    const std::size_t rings = n.rings.size();
+    std::vector<std::vector<int>> points(rings + 1);
+    for (std::size_t i = 0; i <= rings; ++i)
+        for (int j = 0; j < pieces; ++j) {
+            const double angle = shape.begin_rad(j / 2) + (j % 2 == 0 ? 0 : shape.chamber_rad());
+            points[i].push_back(add_point(s, {shape.radii_m[i] * std::cos(angle), shape.radii_m[i] * std::sin(angle)}));
+        }
+    const auto at = [&](std::size_t i, int j) { return points[i][static_cast<std::size_t>(j % pieces)]; };
+    using Names = std::vector<std::string>;
+    for (int j = 0; j < pieces; ++j) {
+        for (std::size_t i = 0; i <= rings; ++i)
+            add_arc(s, {at(i, j), at(i, j + 1)}, centre, j % 2 == 0 ? n.chamber : n.web,
+                    i == 0 ? Names{"bore"} : i == rings ? Names{"outer"} : Names{});
+        for (std::size_t i = 0; i < rings; ++i) add_line(s, {at(i, j), at(i + 1, j)}, n.rings[i]);
+    }
+    for (int j = 0; j < pieces; ++j)
+        for (std::size_t i = 0; i < rings; ++i)
+            add_block(s,
+                      {{{at(i, j), at(i + 1, j)},
+                        {at(i + 1, j), at(i + 1, j + 1)},
+                        {at(i + 1, j + 1), at(i, j + 1)},
+                        {at(i, j + 1), at(i, j)}}},
+                      region_of(shape, i, j));
+    return s;
+}
+
+/// Drawn out in layers of unit length along the third axis, which then become x: the caps' and the chambers'.
+void lay_along_x(mesh::Mesh& block, const Shape& shape, const Counts& n) {
+    const double cap = n.cap, along = n.along;
+    for (mesh::Point& p : block.points) {
+        const double t = p[2];
+        const double x = t <= cap           ? shape.cap_m * t / cap
+                         : t <= cap + along ? shape.cap_m + (shape.length_m - 2 * shape.cap_m) * (t - cap) / along
+                                            : shape.length_m - shape.cap_m * (2 * cap + along - t) / cap;
+        p = {x, p[0], p[1]};
+    }
+}
+
+/// What lies before and behind a chamber is rubber.
+void close_chambers(mesh::Mesh& block, const Shape& shape) {
+    const auto rubber = static_cast<std::int32_t>(std::ranges::find(block.region_names, rubber_region) - block.region_names.begin());
+    for (mesh::Index cell = 0; cell < block.cell_count(); ++cell) {
+        std::int32_t& region = block.cell_regions[static_cast<std::size_t>(cell)];
+        if (!block.region_names[static_cast<std::size_t>(region)].starts_with(chamber_prefix)) continue;
+        const auto corners = block.cell_nodes(cell).first(8);
+        double x = 0;
+        for (const mesh::Index node : corners) x += block.point(node)[0] / static_cast<double>(corners.size());
+        if (x < shape.cap_m || x > shape.length_m - shape.cap_m) region = rubber;
+    }
+}
+
+mesh::Mesh mesh_of(const Shape& shape, const Counts& n) {
+    const int layers = 2 * n.cap + n.along;
+    mesh::Mesh block = extrude(mesh_section(section_of(shape, n)),
+                               {static_cast<double>(layers), layers, {"fixed"}, {"end"}, Extrusion::Along::z});
+    lay_along_x(block, shape, n);
+    close_chambers(block, shape);
+    return hollowed(block, [&](mesh::Index cell) {
+        const std::string& region = block.region_names[static_cast<std::size_t>(block.cell_regions[static_cast<std::size_t>(cell)])];
+        return region.starts_with(chamber_prefix) ? region : std::string{};
+    });
+}
+
+double cells_of(const Shape& shape, const Counts& n) {
+    double across = 0;
+    for (const int cells : n.rings) across += cells;
+    return across * shape.chambers * (static_cast<double>(n.chamber) + n.web) * (2.0 * n.cap + n.along);
+}
+
+Body build(const design::Values& values) {
+    const Shape shape = checked_shape(values);
+    const Counts n = counts_of(shape, values);
+    refuse_too_many_cells(values, cells_of(shape, n));
+    Body body;
+    body.sweep = ReadyMesh{mesh_of(shape, n), model::Kinematics::solid};
+    for (int k = 0; k < shape.chambers; ++k) body.cavities.push_back({chamber_name(k), chamber_name(k), {}, {}});
+    body.region_materials = {{jacket_region, values.text(jacket_material)}};
+    return body;
+}
+
+std::vector<design::Key> geometry_keys() {
+    design::Key chambers{.path = "geometry.chambers",
+                         .kind = design::Kind::count,
+                         .fallback = "3",
+                         .meaning = "chambers around the axis, called chamber_1, ...; the first lies in direction z, the second toward -y",
+                         .min = 2,
+                         .max = most_chambers};
+    design::Key web{.path = "geometry.web",
+                    .kind = design::Kind::angle,
+                    .fallback = "30 deg",
+                    .meaning = "angle between neighbouring chambers",
+                    .min = 0,
+                    .max = std::numbers::pi,
+                    .min_open = true};
+    design::Key jacket = length_key("jacket.thickness", "0 mm",
+                                    "of the outermost part of the wall, which may be of another material; 0 = none");
+    jacket.min_open = false;
+    design::Key material{.path = jacket_material,
+                         .kind = design::Kind::text,
+                         .fallback = rubber_region,
+                         .meaning = "of the jacket: a name below `materials`, or rubber"};
+    return {std::move(chambers),
+            length_key("length", "40 mm", "along x, from the held face x = 0; caps included"),
+            length_key("outer_radius", "12 mm", "of the body"),
+            length_key("bore_radius", "3 mm", "of the open bore along the axis"),
+            length_key("core", "2 mm", "between bore and chambers"),
+            length_key("wall", "2 mm", "between chambers and outer face, jacket included"),
+            std::move(web),
+            length_key("cap", "3 mm", "thickness of each cap"),
+            std::move(jacket),
+            std::move(material)};
+}
+
+}  // namespace
+
+Family segment() {
+    design::FamilyKeys keys;
+    keys.name = "segment";
+    keys.summary = "a round body with 2 to 4 chambers around its axis, each with its own pressure";
+    keys.geometry = geometry_keys();
+    keys.models = {"solid"};
+    keys.faces = {"fixed", "end", "outer", "bore"};
+    keys.cavities.clear();
+    for (int k = 0; k < most_chambers; ++k) {
+        keys.faces.push_back(chamber_name(k));
+        keys.cavities.push_back(chamber_name(k));
+    }
+    keys.defaults = "supports: {fixed: fixed}\n"
+                    "loads:\n"
+                    "  cavities:\n"
+                    "    chamber_1: {pressure: 20 kPa}\n"
+                    "outputs:\n"
+                    "  bend: {face: end, measure: bend, reference: fixed, along: y}      # away from chamber_1\n"
+                    "  sideways: {face: end, measure: bend, reference: fixed, along: z}\n"
+                    "  elongation: {face: end, along: axis}\n";
+    keys.mesh = {size_key("3 mm"), through_wall_key()};
+    return {std::move(keys), build};
+}
+
+}  // namespace soft::geometry

@@ -1,0 +1,195 @@
+// The body of several chambers: volumes by closed form, where the chambers lie, its jacket, what is refused; rooms in a block.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "core/text.hpp"
+#include "geometry/hollow.hpp"
+#include "mesh/quality.hpp"
+#include "sample.hpp"
+
+namespace soft::geometry {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double curved = 1.5e-4;   // quadratic edges miss an arc by the fourth power of their angle
+
+struct Module {
+    int chambers = 3;
+    double length = 40, outer = 12, bore = 3, core = 2, wall = 2, web_deg = 30, cap = 3, jacket = 0;   // mm
+
+    [[nodiscard]] double chamber_rad() const { return 2 * pi / chambers - web_deg * pi / 180; }
+    [[nodiscard]] double inside() const { return bore + core; }
+    [[nodiscard]] double outside() const { return outer - wall; }
+    [[nodiscard]] double chamber_mm3() const {
+        return 0.5 * chamber_rad() * (outside() * outside() - inside() * inside()) * (length - 2 * cap);
+    }
+    [[nodiscard]] double rubber_mm3() const { return pi * (outer * outer - bore * bore) * length - chambers * chamber_mm3(); }
+    [[nodiscard]] double chamber_mm2() const {   // two curved and two plane sides, two ends
+        return (chamber_rad() * (inside() + outside()) + 2 * (outside() - inside())) * (length - 2 * cap) +
+               chamber_rad() * (outside() * outside() - inside() * inside());
+    }
+};
+
+sample::Changes changes_of(const Module& m) {
+    const auto mm = [](double value) { return core::number_text(value) + " mm"; };
+    return {{"geometry.chambers", std::to_string(m.chambers)}, {"geometry.length", mm(m.length)},
+            {"geometry.outer_radius", mm(m.outer)},            {"geometry.bore_radius", mm(m.bore)},
+            {"geometry.core", mm(m.core)},                     {"geometry.wall", mm(m.wall)},
+            {"geometry.web", core::number_text(m.web_deg) + " deg"}, {"geometry.cap", mm(m.cap)},
+            {"geometry.jacket.thickness", mm(m.jacket)}};
+}
+
+std::string chamber(int k) { return "chamber_" + std::to_string(k + 1); }
+
+void expect_closed_forms(const Module& m, const Solid& solid, double tolerance) {
+    EXPECT_NEAR(1e9 * sample::rubber_m3(solid) / m.rubber_mm3(), 1, tolerance);
+    for (int k = 0; k < m.chambers; ++k) {
+        EXPECT_NEAR(1e9 * sample::cavity_m3(solid, 0, chamber(k)) / m.chamber_mm3(), 1, tolerance) << k;
+        EXPECT_NEAR(1e6 * sample::area_m2(solid, chamber(k)) / m.chamber_mm2(), 1, tolerance) << k;
+    }
+    for (const char* face : {"fixed", "end"})
+        EXPECT_NEAR(1e6 * sample::area_m2(solid, face) / (pi * (m.outer * m.outer - m.bore * m.bore)), 1, tolerance);
+    EXPECT_NEAR(1e6 * sample::area_m2(solid, "outer") / (2 * pi * m.outer * m.length), 1, tolerance);
+    EXPECT_NEAR(1e6 * sample::area_m2(solid, "bore") / (2 * pi * m.bore * m.length), 1, tolerance);
+}
+
+TEST(Segment, VolumesAndAreasMatch) {
+    for (const int chambers : {2, 3, 4}) {
+        Module module;
+        module.chambers = chambers;
+        for (const double jacket : {0.0, 0.5}) {
+            module.jacket = jacket;
+            expect_closed_forms(module, sample::solid("segment", "solid", changes_of(module)), curved);
+        }
+        sample::Changes split = changes_of(module);
+        split["mesh.cells"] = "simplices";
+        expect_closed_forms(module, sample::solid("segment", "solid", split), curved);
+    }
+}
+
+/// The first about z, the next ones a turn of 360 degrees over their number from y toward z on.
+TEST(Segment, ChambersLieWhereTheyAreSaidTo) {
+    for (const int chambers : {2, 3, 4}) {
+        Module module;
+        module.chambers = chambers;
+        const Solid solid = sample::solid("segment", "solid", changes_of(module));
+        for (int k = 0; k < chambers; ++k) {
+            const double middle = 0.5 * pi + 2 * pi * k / chambers, half = 0.5 * module.chamber_rad() + 1e-9;
+            for (const mesh::Facet& facet : solid.mesh.facet_sets.at(chamber(k)))
+                for (const mesh::Index n : facet_nodes(solid.mesh, facet)) {
+                    const mesh::Point& p = solid.mesh.point(n);
+                    const double along = p[1] * std::cos(middle) + p[2] * std::sin(middle);
+                    const double across = -p[1] * std::sin(middle) + p[2] * std::cos(middle);
+                    EXPECT_LE(std::abs(std::atan2(across, along)), half);
+                    EXPECT_GE(p[0], 3e-3 * (1 - 1e-12));
+                    EXPECT_LE(p[0], 37e-3 * (1 + 1e-12));
+                }
+        }
+        EXPECT_FALSE(solid.mesh.facet_sets.contains(chamber(chambers)));
+    }
+}
+
+TEST(Segment, TheJacketMayBeOfAnotherMaterial) {
+    const auto built = [](const std::string& jacket) {
+        return build_case(design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
+                                              "materials: {cloth: {law: neo-hookean, mu: 5 MPa}}\n"
+                                              "loads: {cavities: {chamber_2: {pressure: 5 kPa}}}\ngeometry: {jacket: " + jacket + "}\n",
+                                              "s.yaml", catalogue_keys(), {}));
+    };
+    const model::Case dressed = built("{thickness: 0.5 mm, material: cloth}");
+    ASSERT_EQ(dressed.materials.size(), 2u);
+    for (const model::Material& material : dressed.materials)
+        EXPECT_EQ(material.constants.at("mu").at(0), material.name == "jacket" ? 5e6 : 0.1e6);
+    const double outer_m = 12e-3, inner_m = 11.5e-3;
+    double volume_m3 = 0;
+    const mesh::Mesh& mesh = dressed.mesh;
+    for (mesh::Index c = 0; c < mesh.cell_count(); ++c)
+        if (mesh.region_names[static_cast<std::size_t>(mesh.cell_regions[static_cast<std::size_t>(c)])] == "jacket")
+            for (const mesh::QuadraturePoint& point : mesh::volume_rule(mesh.cell_type(c)))
+                volume_m3 += point.weight * mesh::map_cell(mesh, c, mesh::shape_values(mesh.cell_type(c), point.xi)).determinant;
+    EXPECT_NEAR(volume_m3 / (pi * (outer_m * outer_m - inner_m * inner_m) * 40e-3), 1, curved);
+    EXPECT_THROW((void)built("{thickness: 0 mm, material: rubber}"), Error);   // cloth is used nowhere
+}
+
+TEST(Segment, AChamberThatIsNotThereIsRefused) {
+    const auto refused = [](const std::string& chambers, const std::string& load) {
+        return sample::refusal(design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
+                                                   "geometry: {chambers: " + chambers + "}\n"
+                                                   "loads: {cavities: {" + load + ": {pressure: 5 kPa}}}\n",
+                                                   "s.yaml", catalogue_keys(), {}));
+    };
+    EXPECT_EQ(refused("4", "chamber_4"), "accepted");
+    EXPECT_NE(refused("3", "chamber_4").find("face 'chamber_4' is not part of this model"), std::string::npos);
+}
+
+TEST(Segment, TwentyRandomOnesInRangeAreSound) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        std::mt19937 engine{seed};
+        const auto draw = [&](double low, double high) {
+            const double share = static_cast<double>(engine()) / static_cast<double>(std::mt19937::max());
+            return std::round(1000 * (low + share * (high - low))) / 1000;
+        };
+        Module m;
+        m.chambers = 2 + static_cast<int>(seed % 3);
+        m.bore = draw(0.5, 8);
+        m.core = draw(0.3, 4);
+        const double depth = draw(0.5, 8);
+        m.wall = draw(0.3, 4);
+        m.outer = std::round(1000 * (m.bore + m.core + depth + m.wall)) / 1000;
+        m.web_deg = draw(3, 360.0 / m.chambers - 10);
+        m.cap = draw(0.5, 8);
+        m.length = 2 * m.cap + draw(2, 60);
+        m.jacket = seed % 2 == 0 ? 0 : draw(0.1, 0.9) * m.wall;
+        const Solid solid = sample::solid("segment", "solid", changes_of(m));
+        expect_closed_forms(m, solid, 1e-3);   // arcs of up to 60 degrees a cell
+        EXPECT_GT(mesh::quality(solid.mesh).min_scaled_jacobian, 0.1) << seed;
+    }
+}
+
+TEST(Segment, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
+    struct Refusal {
+        const char *key, *value, *words;
+    };
+    for (const Refusal& r :
+         {Refusal{"wall", "7 mm", "7 mm leaves no chamber between core and wall; smaller than 7 mm = outer_radius - bore_radius - core"},
+          Refusal{"cap", "20 mm", "20 mm is not smaller than half the length 20 mm; smaller than 20 mm"},
+          Refusal{"jacket.thickness", "2 mm", "2 mm is not smaller than wall 2 mm; smaller than 2 mm"},
+          Refusal{"web", "120 deg", "it leaves no angle for the chambers; smaller than 120 deg"}}) {
+        const std::string key = std::string{"geometry."} + r.key;
+        try {
+            (void)sample::solid("segment", "solid", {{key, r.value}});
+            ADD_FAILURE() << key << " accepted";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::bad_input);
+            EXPECT_EQ(std::string{error.what()}, "test: " + key + ": " + r.words);
+        }
+    }
+}
+
+TEST(Hollowed, TakesCellsAwayAndNamesWhatIsLaidBare) {
+    const Solid bar = sample::solid("rod", "solid", {{"mesh.size", "10 mm"}, {"geometry.length", "30 mm"}});   // three cells in a row
+    ASSERT_EQ(bar.mesh.cell_count(), 3);
+    const auto middle = [&](mesh::Index cell) {
+        double x = 0;
+        for (const mesh::Index n : bar.mesh.cell_nodes(cell)) x += bar.mesh.point(n)[0] / 27;
+        return std::abs(x - 15e-3) < 1e-9 ? std::string{"room"} : std::string{};
+    };
+    const mesh::Mesh rest = hollowed(bar.mesh, middle);
+    EXPECT_EQ(rest.cell_count(), 2);
+    EXPECT_EQ(rest.points.size(), std::size_t{2 * 27});
+    EXPECT_NEAR(mesh::measure(rest, mesh::Measure::plain), 2e-6, 1e-18);
+    EXPECT_EQ(rest.facet_sets.at("room").size(), 2u);
+    EXPECT_EQ(rest.facet_sets.at("top").size(), 2u);
+    EXPECT_EQ(rest.facet_sets.at("fixed").size(), 1u);
+    const auto boundary = mesh::boundary_facets(rest);
+    EXPECT_EQ(boundary.size(), 12u);
+    for (const mesh::Facet& facet : rest.facet_sets.at("room"))
+        for (const mesh::Index n : facet_nodes(rest, facet))
+            EXPECT_NEAR(std::abs(rest.point(n)[0] - 15e-3), 5e-3, 1e-12);
+}
+
+}  // namespace
+}  // namespace soft::geometry
