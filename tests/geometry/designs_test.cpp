@@ -90,7 +90,7 @@ TEST_P(Shown, BecomesACaseWithoutWarning) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome",
-                                                        "bellows-inflation"),
+                                                        "bellows-inflation", "bending-bellows"),
                          [](const auto& test) { return test_name(test.param); });
 
 }  // namespace
