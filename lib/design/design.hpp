@@ -55,9 +55,9 @@ struct FamilyKeys {
     /// Materials that keys "geometry.<part>.material" may name without the design stating them: name -> YAML {law: ..., ...}.
     std::map<std::string, std::string> materials = {};
     std::vector<Key> mesh = {};                 ///< own defaults for keys under "mesh." (override the common ones)
-    /// For a family whose mesh stands in a file: the names of the faces in it, from what `geometry.file` says and the
-    /// place where it says so; throws Error. `faces` then are those of the template's file. Such a family has no
-    /// mesh.size, and `geometry.cavity: [face, face]` adds the face and cavity "cavity", their union; `geometry.cavities:
+    /// For a family whose shape stands in a file: the names of the faces in it, from what the first key of `geometry` says
+    /// and the place where it says so; throws Error. `faces` then are those of the template's file. Such a family has
+    /// mesh.size only among its own keys, and `geometry.cavity: [face, face]` adds the face and cavity "cavity", their union; `geometry.cavities:
     /// {left: [face, face], ...}` adds several.
     std::function<std::vector<std::string>(const std::string& file, std::string_view place)> faces_of_file = {};
 };

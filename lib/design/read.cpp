@@ -85,10 +85,14 @@ void add_cavity_keys(Schema& schema, const Node& root) {
 /// What supports, loads and outputs may name. Other checks need the faces, so a missing file is refused before them.
 FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys& family) {
     if (!family.faces_of_file) return with_cavities({family.faces, family.aliases}, family);
-    const Node* file = find_path(root, "geometry.file");
-    if (file == nullptr || file->kind != Node::Kind::scalar)
-        refuse(file == nullptr ? std::string{source} + ":1:1" : file->place, "geometry.file",
-               "missing (the mesh, a Gmsh file)", "add geometry: {file: part.msh}");
+    const Key& key = family.geometry.front();
+    const Node* file = find_path(root, key.path);
+    if (file == nullptr || file->kind != Node::Kind::scalar) {
+        const Node usual = parse_fragment(family.defaults, place_default);
+        const Node* example = find_path(usual, key.path);
+        refuse(file == nullptr ? std::string{source} + ":1:1" : file->place, key.path, "missing (" + key.meaning + ")",
+               example == nullptr ? "" : "add geometry: {" + key.path.substr(key.path.rfind('.') + 1) + ": " + example->text + "}");
+    }
     FaceNames names{family.faces_of_file(file->text, file->place), family.aliases};
     const Node* cavity = find_path(root, "geometry.cavity");
     const bool has_cavity = cavity != nullptr && (cavity->kind == Node::Kind::list || cavity->text != no_face);

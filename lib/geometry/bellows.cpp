@@ -1,9 +1,11 @@
 /// The bellows: convolutions between two discs, the inlet's with a bore through it. First trough at x = -pitch, last at
-/// x = (convolutions - 1) pitch; the end disc behind it is held, the inlet moves towards -x.
+/// x = (convolutions - 1) pitch (the ends of their lands, if they have some); the end disc behind it is held, the inlet moves towards -x.
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "core/text.hpp"
 #include "geometry/bellows_shape.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
@@ -14,7 +16,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 struct Counts {
-    int through, bend, straight, below_neck, above_neck, neck, disc, disc_radial, core;
+    int through, bend, straight, crest_land, trough_land, below_neck, above_neck, neck, disc, disc_radial, core;
 };
 
 Counts counts_of(const BellowsShape& shape, const design::Values& values) {
@@ -27,6 +29,8 @@ Counts counts_of(const BellowsShape& shape, const design::Values& values) {
     return {.through = cells_through_wall(values, shape.wall_m, least_through),
             .bend = cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, least_bend),
             .straight = cells(shape.straight_m / straight_stretch),
+            .crest_land = cells(shape.crest_land_m),
+            .trough_land = cells(shape.trough_land_m),
             .below_neck = cells(shape.neck_at_m),
             .above_neck = cells((shape.straight_m - shape.neck_at_m) / straight_stretch),
             .neck = cells(shape.neck_length_m),
@@ -49,16 +53,21 @@ struct Frame {
 
 class Drawing {
 public:
-    Drawing(const BellowsShape& shape, const Counts& counts) : shape_(shape), n_(counts) {}
+    explicit Drawing(const design::Values& values) : shapes_(shapes_of(values)), values_(values) {}
 
     Section draw() {
         Cut trough{};
-        for (int i = 0; i < shape_.convolutions; ++i) {
-            const Frame rising{(i - 1) * shape_.pitch_m, 1}, falling{i * shape_.pitch_m, -1};
-            const Cut crest = crest_middle(rising);
+        const int convolutions = static_cast<int>(shapes_.size());
+        for (int i = 0; i < convolutions; ++i) {
+            shape_ = shapes_[static_cast<std::size_t>(i)];
+            n_ = counts_of(shape_, values_);
+            const double half_land_m = 0.5 * shape_.trough_land_m;
+            const Frame rising{(i - 1) * shape_.pitch_m + half_land_m, 1}, falling{i * shape_.pitch_m - half_land_m, -1};
+            Cut crest = crest_middle(rising);
             if (i == 0) wall(rising, add_end(rising, "inlet", {"cavity"}), n_.above_neck, crest);
-            else convolution_half(rising, trough, crest);
-            if (i == shape_.convolutions - 1) {
+            else convolution_half(rising, half_land_m > 0 ? land(trough, trough_middle(rising), n_.trough_land) : trough, crest);
+            if (shape_.crest_land_m > 0) crest = land(crest, crest_middle(falling), n_.crest_land);
+            if (i == convolutions - 1) {
                 wall(falling, add_end(falling, "fixed", {}), n_.above_neck, crest);
                 add_core(falling);
             } else {
@@ -88,7 +97,7 @@ private:
         return add_cut(frame, {0, shape_.bore_m}, {0, shape_.bore_m + shape_.wall_m}, 0);
     }
     Cut crest_middle(const Frame& frame) {
-        const double half_m = 0.5 * shape_.pitch_m;
+        const double half_m = shape_.half_m;
         return add_cut(frame, {half_m, shape_.crest_m - shape_.wall_m}, {half_m, shape_.crest_m}, 1);
     }
 
@@ -98,6 +107,11 @@ private:
         add_arc(section_, {from.outside, to.outside}, centre, cells, {"outer"});
         add_block(section_, {{{from.inside, to.inside}, {to.inside, to.outside}, {to.outside, from.outside},
                               {from.outside, from.inside}}});
+    }
+
+    Cut land(Cut from, Cut to, int cells) {
+        strip(from, to, Curve::straight, cells);
+        return to;
     }
 
     void convolution_half(const Frame& frame, Cut trough, Cut crest) {
@@ -110,14 +124,16 @@ private:
     void wall(const Frame& frame, Cut start, int cells, Cut crest) {
         const Cut top = wall_cut(frame, shape_.straight_m);
         strip(start, top, Curve::straight, cells);
-        strip(top, crest, point(frame, {0.5 * shape_.pitch_m, shape_.crest_centre_m}), n_.bend);
+        strip(top, crest, point(frame, {shape_.half_m, shape_.crest_centre_m}), n_.bend);
     }
 
     Cut add_end(const Frame& frame, const std::string& end_face, const Names& bore_faces);
     void add_core(const Frame& frame);
 
-    const BellowsShape& shape_;
-    const Counts n_;
+    std::vector<BellowsShape> shapes_;
+    const design::Values& values_;
+    BellowsShape shape_{};   ///< of the convolution that is drawn
+    Counts n_{};
     Section section_;
     int bore_inner_ = 0, bore_outer_ = 0;   ///< of the end drawn last: the line where disc and bore (or core) meet
 };
@@ -176,13 +192,35 @@ void Drawing::add_core(const Frame& frame) {
     add_block(s, {{{inner, outer}, {outer, bore_outer_}, {bore_outer_, bore_inner_}, {bore_inner_, inner}}});
 }
 
+design::Key land_key(std::string_view name, std::string_view meaning) {
+    design::Key key = length_key(name, "0 mm", meaning);
+    key.min_open = false;
+    return key;
+}
+
+/// Made of whole cells, so that the volume of the strip is exact.
+std::optional<Body::Strip> strip_of(const design::Values& values) {
+    constexpr const char* key = "geometry.strip.angle";
+    const double angle_rad = values.number(key);
+    if (angle_rad == 0) return std::nullopt;
+    if (const Model model = model_of(values); model != Model::solid && model != Model::half)
+        throw values.refuse(key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0", "model: solid or half");
+    const double step_rad = std::numbers::pi / values.count("mesh.sectors"), steps = angle_rad / step_rad;
+    if (std::abs(steps - std::round(steps)) > 1e-9 * steps)
+        throw values.refuse(key, "the strip's edges do not lie between cells",
+                            "a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) + " deg, or other mesh.sectors");
+    return Body::Strip{angle_rad, "strip"};
+}
+
 Body build(const design::Values& values) {
-    const BellowsShape shape = shape_of(values);
+    const double bore_m = values.number("geometry.bore_radius");
     Body body;
-    body.section = Drawing{shape, counts_of(shape, values)}.draw();
+    body.section = Drawing{values}.draw();
+    body.strip = strip_of(values);
+    if (body.strip) body.region_materials = {{body.strip->region, values.text("geometry.strip.material")}};
     body.sweep = Revolution{values.count("mesh.sectors")};
     body.axis = {-1, 0, 0};   // the inlet lies at the lower x
-    const model::Opening bore{"inlet", std::numbers::pi * shape.bore_m * shape.bore_m, {-1, 0, 0}};
+    const model::Opening bore{"inlet", std::numbers::pi * bore_m * bore_m, {-1, 0, 0}};
     body.cavities = {{"cavity", "cavity", {"cavity_end"}, {bore}}};
     return body;
 }
@@ -200,16 +238,33 @@ Family bellows() {
     convolutions.meaning = "number of crests";
     convolutions.min = 1;
     convolutions.max = 1000;
+    design::Key last_crest = length_key("last_crest_radius", "same", "crest_radius of the convolution at the held end; evenly in between");
+    last_crest.choices = {"same"};
+    design::Key strip{.path = "geometry.strip.angle",
+                      .kind = design::Kind::angle,
+                      .fallback = "0 deg",
+                      .meaning = "sector about the side z < 0 that is of another material all through, so that the bellows bends; 0 = none",
+                      .min = 0,
+                      .max = std::numbers::pi};
     keys.geometry = {std::move(convolutions),
                      length_key("pitch", "9.25 mm", "length of a convolution, trough to trough"),
                      length_key("crest_radius", "19 mm", "outermost radius of the rubber"),
                      length_key("bore_radius", "2.5 mm", "innermost radius of the rubber: of the bore and of the troughs"),
                      length_key("wall", "3 mm", "thickness of the wall"),
                      length_key("fillet", "0.25 mm", "inner radius of every bend; its outer radius is fillet + wall"),
+                     land_key("crest_land", "straight length of every crest along x, besides its bends"),
+                     land_key("trough_land", "straight length of every trough between two convolutions; where both lands are half the "
+                                             "pitch less wall and two fillets, the walls stand upright: square convolutions"),
+                     std::move(last_crest),
                      length_key("end_disc.length", "6 mm", "from the plane of the last trough to the outer face, at both ends"),
                      length_key("end_disc.radius", "14.5 mm", "radius of both discs"),
                      length_key("neck.length", "1 mm", "between disc and outer wall"),
-                     length_key("neck.radius", "7 mm", "radius of the neck; must meet the straight part of the outer wall")};
+                     length_key("neck.radius", "7 mm", "radius of the neck; must meet the straight part of the outer wall"),
+                     std::move(strip),
+                     {.path = "geometry.strip.material",
+                      .kind = design::Kind::text,
+                      .fallback = std::string{design::main_region},
+                      .meaning = "name of the strip's material below materials; rubber = material"}};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"fixed", "inlet", "cavity", "cavity_end", "outer"};
     keys.aliases = {{"end_disc", "fixed"}};

@@ -20,6 +20,8 @@ BellowsShape read(const design::Values& values) {
     s.bore_m = length("bore_radius");
     s.wall_m = length("wall");
     s.fillet_m = length("fillet");
+    s.crest_land_m = length("crest_land");
+    s.trough_land_m = length("trough_land");
     s.disc_length_m = length("end_disc.length");
     s.disc_radius_m = length("end_disc.radius");
     s.neck_length_m = length("neck.length");
@@ -29,15 +31,17 @@ BellowsShape read(const design::Values& values) {
 
 /// The straight wall is an inner common tangent of the trough's and the crest's arcs: seen along its normal the two
 /// centres are 2 fillet + wall apart.
-void derive_wall(BellowsShape& s, const design::Values& values) {
-    const double bend_m = s.fillet_m + s.wall_m, apart_m = 2 * s.fillet_m + s.wall_m, half_m = 0.5 * s.pitch_m;
-    if (!(s.pitch_m > 2 * bend_m))
+void derive_wall(BellowsShape& s, const design::Values& values, const char* crest_key) {
+    const double bend_m = s.fillet_m + s.wall_m, apart_m = 2 * s.fillet_m + s.wall_m, lands_m = s.crest_land_m + s.trough_land_m;
+    const double half_m = 0.5 * (s.pitch_m - lands_m);
+    s.half_m = half_m;
+    if (!(half_m > bend_m))
         throw values.refuse("geometry.pitch", length_text(s.pitch_m) + " lets neighbouring convolutions overlap",
-                            larger_than(2 * bend_m) + " = 2 (fillet + wall)");
+                            larger_than(2 * bend_m + lands_m) + " = 2 (fillet + wall)" + (lands_m > 0 ? " + crest_land + trough_land" : ""));
     const double least_rise_m = std::sqrt(std::max(0.0, apart_m * apart_m - half_m * half_m));
     const double least_crest_m = s.bore_m + 2 * bend_m + least_rise_m;
     if (!(s.crest_m > least_crest_m))
-        throw values.refuse("geometry.crest_radius",
+        throw values.refuse(crest_key,
                             length_text(s.crest_m) + " leaves no straight wall between trough and crest",
                             larger_than(least_crest_m));
     s.trough_centre_m = s.bore_m + bend_m;
@@ -66,7 +70,7 @@ void derive_neck(BellowsShape& s, const design::Values& values) {
     s.neck_corner[1] = s.neck_radius_m;
     s.disc_corner = {s.neck_corner[0] - s.neck_length_m, s.neck_radius_m};
     // The wall may lean over the neck: the disc must stay clear of the first crest.
-    const double crest_edge_m = 0.5 * s.pitch_m - s.fillet_m - s.wall_m;
+    const double crest_edge_m = s.half_m - s.fillet_m - s.wall_m;
     if (!(s.disc_corner[0] < crest_edge_m))
         throw values.refuse("geometry.neck.length", length_text(s.neck_length_m) + " lets the first crest touch the disc",
                             larger_than(s.neck_corner[0] - crest_edge_m));
@@ -89,12 +93,25 @@ void derive_fork(BellowsShape& s, const design::Values& values) {
 
 }  // namespace
 
-BellowsShape shape_of(const design::Values& values) {
+BellowsShape shape_of(const design::Values& values, int convolution) {
+    constexpr const char* last_key = "geometry.last_crest_radius";
     BellowsShape s = read(values);
-    derive_wall(s, values);
+    const double last_m = values.number(last_key);
+    const bool tapers = last_m > 0 && s.convolutions > 1;   // 0 stands for "same"
+    if (tapers) s.crest_m += (last_m - s.crest_m) * convolution / (s.convolutions - 1);
+    derive_wall(s, values, tapers && convolution > 0 ? last_key : "geometry.crest_radius");
     derive_neck(s, values);
     derive_fork(s, values);
     return s;
+}
+
+std::vector<BellowsShape> shapes_of(const design::Values& values) {
+    const int last = values.count("geometry.convolutions") - 1;
+    static_cast<void>(shape_of(values, 0));
+    static_cast<void>(shape_of(values, last));   // a taper that does not fit is refused with its end, not with a crest on the way
+    std::vector<BellowsShape> shapes;
+    for (int i = 0; i <= last; ++i) shapes.push_back(shape_of(values, i));
+    return shapes;
 }
 
 }  // namespace soft::geometry

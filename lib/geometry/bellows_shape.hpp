@@ -1,9 +1,12 @@
 #pragma once
 /// Dimensions of the bellows' meridian. A wall of constant thickness runs from trough to crest and back; its bends are
 /// concentric arcs of radii fillet and fillet + wall, joined by straight lines tangent to both. Each half convolution is
-/// described in its own frame: trough centre at x = 0, crest centre at x = half_pitch, mirrored for the way down.
+/// described in its own frame: trough centre at x = 0, crest centre at x = half_m, mirrored for the way down. Crests and
+/// troughs may go on straight along x before they turn (lands); walls that stand upright then make square convolutions. The
+/// crests' radius may change evenly from the first convolution to the last.
 /// Held by geometry/bellows_test (volumes in closed form).
 #include <cmath>
+#include <vector>
 
 #include "design/design.hpp"
 #include "geometry/section.hpp"
@@ -13,9 +16,11 @@ namespace soft::geometry {
 struct BellowsShape {
     int convolutions;
     double pitch_m, crest_m, bore_m, wall_m, fillet_m;
+    double crest_land_m, trough_land_m;       ///< straight lengths along x
     double disc_length_m, disc_radius_m, neck_length_m, neck_radius_m;
 
     // Derived; see shape_of.
+    double half_m;                            ///< from the trough's centre to the crest's along x
     double trough_centre_m, crest_centre_m;   ///< radii of the arcs' centres
     PlanePoint along;                         ///< unit vector of the straight wall, from trough to crest
     PlanePoint outward;                       ///< its unit normal, from the cavity to the outside
@@ -42,7 +47,11 @@ struct BellowsShape {
     PlanePoint below_corner;   ///< inside the rubber, beside the fork and below the disc's corner
 };
 
-/// Throws values.refuse(...) with the key and its admissible range where the arcs, walls and ends do not fit together.
-[[nodiscard]] BellowsShape shape_of(const design::Values& values);
+/// Of a convolution, from 0. Throws values.refuse(...) with the key and its admissible range where the arcs, walls and ends do
+/// not fit together.
+[[nodiscard]] BellowsShape shape_of(const design::Values& values, int convolution = 0);
+
+/// Of all convolutions.
+[[nodiscard]] std::vector<BellowsShape> shapes_of(const design::Values& values);
 
 }  // namespace soft::geometry

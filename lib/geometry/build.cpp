@@ -9,6 +9,8 @@
 #include "element/reference_cell.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/loading.hpp"
+#include "geometry/outline_mesher.hpp"
+#include "geometry/outline_sizes.hpp"
 #include "geometry/section_mesher.hpp"
 #include "mesh/raise_order.hpp"
 #include "mesh/refine.hpp"
@@ -24,6 +26,16 @@ const Family& family_named(const std::string& name) {
     throw Error(ExitCode::bad_input, "family", "no family is called " + core::quoted(name));
 }
 
+/// Where a triangle of the section meets the axis, a solid has tetrahedra; a quadrilateral that does so in a corner has no
+/// counterpart. So a solid of revolution that closes on its axis is of simplices.
+FreeCells free_cells(const Body& body, const design::Values& values, Model model) {
+    const bool simplices = values.has("mesh.cells") && values.text("mesh.cells") == "simplices";
+    const bool turned = std::holds_alternative<Revolution>(body.sweep) && model != Model::axisymmetric;
+    const auto on_axis = [](const OutlineEdge& edge) { return edge.points.front()[1] == 0; };
+    const bool closes = std::ranges::any_of(body.outline.loops, [&](const Loop& loop) { return std::ranges::any_of(loop, on_axis); });
+    return simplices || (turned && closes) ? FreeCells::triangles : FreeCells::quadrilaterals;
+}
+
 void refuse_too_many(const Body& body, const design::Values& values) {
     const auto cells_along = [&](const std::vector<int>& side) {
         double cells = 0;
@@ -33,6 +45,7 @@ void refuse_too_many(const Body& body, const design::Values& values) {
     };
     double cells = 0;
     for (const Block& block : body.section.blocks) cells += cells_along(block.sides[0]) * cells_along(block.sides[1]);
+    if (!body.outline.loops.empty()) cells = expected_cells(body.outline);
     const Model model = model_of(values);
     if (const auto* revolution = std::get_if<Revolution>(&body.sweep)) {
         if (model != Model::axisymmetric) cells *= revolution->sectors_per_quarter;
@@ -42,6 +55,19 @@ void refuse_too_many(const Body& body, const design::Values& values) {
         cells *= std::get<Extrusion>(body.sweep).layers;
     }
     refuse_too_many_cells(values, cells);
+}
+
+void mark_strip(mesh::Mesh& solid, const Body::Strip& strip) {
+    const auto region = static_cast<std::int32_t>(solid.region_names.size());
+    solid.region_names.push_back(strip.region);
+    for (mesh::Index cell = 0; cell < solid.cell_count(); ++cell) {
+        double y = 0, z = 0;
+        for (const mesh::Index node : solid.cell_nodes(cell)) {
+            y += solid.point(node)[1];
+            z += solid.point(node)[2];
+        }
+        if (std::atan2(std::abs(y), -z) < 0.5 * strip.angle_rad) solid.cell_regions[static_cast<std::size_t>(cell)] = region;
+    }
 }
 
 Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& revolution, Model model) {
@@ -64,6 +90,7 @@ Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& re
             solid.fraction *= 0.25;
             break;
     }
+    if (body.strip) mark_strip(solid.mesh, *body.strip);
     return solid;
 }
 
@@ -113,7 +140,8 @@ Solid swept(const Body& body, const design::Values& values) {
         return {ready->mesh, ready->kinematics, body.symmetry_planes, body.fraction};
     const Model model = model_of(values);
     refuse_too_many(body, values);
-    const mesh::Mesh section = mesh_section(body.section);
+    const mesh::Mesh section =
+        body.outline.loops.empty() ? mesh_section(body.section) : mesh_outline(body.outline, free_cells(body, values, model));
     if (const auto* revolution = std::get_if<Revolution>(&body.sweep))
         return revolved(section, body, *revolution, model);
     if (model == Model::plane_strain)
@@ -159,7 +187,9 @@ void check_materials(const design::Design& design, const design::FamilyKeys& key
 
 Solid mesh_body(const Body& body, const design::Values& values) {
     Solid solid = swept(body, values);
-    if (says(values, "mesh.cells", "simplices")) solid.mesh = split_into_simplices(solid.mesh);
+    const bool mixed = std::ranges::find(solid.mesh.cell_types, mesh::CellType::tet10) != solid.mesh.cell_types.end() &&
+                       !std::holds_alternative<ReadyMesh>(body.sweep);   // some sides are cut already
+    if (mixed || says(values, "mesh.cells", "simplices")) solid.mesh = split_into_simplices(solid.mesh);
     solid.mesh = refined(solid.mesh, values);   // before mid nodes go: they know the curved edges
     if (values.has("mesh.order") && values.count("mesh.order") == 1) solid.mesh = mesh::lower_order(solid.mesh);
     if (body.anchoring == Anchoring::middle_planes && solid.kinematics == model::Kinematics::solid)
@@ -172,7 +202,7 @@ std::vector<std::string> warnings_of(const design::Design& design, const model::
     const auto locks = [](mesh::CellType type) { return type == mesh::CellType::triangle3 || type == mesh::CellType::tet4; };
     const bool told = design.values.has("mesh.cells") && design.values.text("mesh.cells") == "simplices";
     if (!told && std::ranges::any_of(built.mesh.cell_types, locks))
-        warnings.push_back("geometry.file: " + design::first_order_simplices_lock());
+        warnings.push_back((design.values.has("geometry.file") ? "geometry.file: " : "mesh.order: ") + design::first_order_simplices_lock());
     return warnings;
 }
 

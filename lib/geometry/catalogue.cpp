@@ -6,8 +6,8 @@
 namespace soft::geometry {
 
 std::span<const Family> catalogue() {
-    static const std::array<Family, 12> families{bellows(), pneunet(), segment(), tube(),  sphere(), two_spheres(),
-                                              ring(),    rod(),     panel(),   plate(), dome(),   imported()};
+    static const std::array<Family, 14> families{bellows(), pneunet(), segment(), tube(), sphere(),   two_spheres(), ring(),
+                                                 rod(),     panel(),   plate(),   dome(), revolved(), extruded(),    imported()};
     return families;
 }
 

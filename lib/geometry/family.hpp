@@ -3,6 +3,7 @@
 /// their values. A new family is one file and one line of catalogue.cpp.
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "design/design.hpp"
+#include "geometry/outline.hpp"
 #include "geometry/section.hpp"
 #include "geometry/sweep.hpp"
 #include "model/case.hpp"
@@ -41,7 +43,8 @@ enum class Anchoring {
 
 /// A family's answer to a set of values. SI, whole actuator unless `section` is said to be cut.
 struct Body {
-    Section section;                                        ///< empty beside a ReadyMesh
+    Section section;                                        ///< empty beside an outline or a ReadyMesh
+    Outline outline;                                        ///< in place of the section: any shape, meshed without a grid
     std::variant<Revolution, Extrusion, ReadyMesh> sweep;   ///< an Extrusion is not used in plane strain
     std::vector<model::Cavity> cavities;
     std::array<double, 3> axis{1, 0, 0};       ///< `along: axis`, from the held to the moving face: positive is longer
@@ -51,6 +54,12 @@ struct Body {
     /// Names of the materials of regions, those below `materials` of the design; a region that is not here is of the material
     /// of its own name, or of the main one.
     std::map<std::string, std::string> region_materials = {};
+    /// Of a solid of revolution: the cells within half of `angle_rad` of the side z < 0 are a region of their own.
+    struct Strip {
+        double angle_rad;
+        std::string region;
+    };
+    std::optional<Strip> strip = {};
     std::vector<model::Support> supports;      ///< that belong to the shape, besides symmetry planes and axis
 };
 
@@ -70,6 +79,8 @@ struct Family {
 [[nodiscard]] Family dome();
 [[nodiscard]] Family pneunet();
 [[nodiscard]] Family segment();
+[[nodiscard]] Family revolved();
+[[nodiscard]] Family extruded();
 [[nodiscard]] Family imported();
 
 /// All families, in the order of --list.

@@ -69,6 +69,9 @@ struct GmshSession::Functions {
     decltype(gmshModelGeoAddCurveLoop)* add_loop = function<decltype(gmshModelGeoAddCurveLoop)>(library, "gmshModelGeoAddCurveLoop");
     decltype(gmshModelGeoAddPlaneSurface)* add_surface =
         function<decltype(gmshModelGeoAddPlaneSurface)>(library, "gmshModelGeoAddPlaneSurface");
+    decltype(gmshModelGeoAddSpline)* add_spline = function<decltype(gmshModelGeoAddSpline)>(library, "gmshModelGeoAddSpline");
+    decltype(gmshModelMeshSetSizeCallback)* set_size =
+        function<decltype(gmshModelMeshSetSizeCallback)>(library, "gmshModelMeshSetSizeCallback");
     decltype(gmshModelGeoMeshSetTransfiniteCurve)* divide =
         function<decltype(gmshModelGeoMeshSetTransfiniteCurve)>(library, "gmshModelGeoMeshSetTransfiniteCurve");
     decltype(gmshModelGeoMeshSetTransfiniteSurface)* make_grid =
@@ -129,6 +132,38 @@ void GmshSession::add_grid(int tag, Surface surface) {
 
 void GmshSession::mesh() {
     gmsh_->call(gmsh_->synchronize);
+    gmsh_->call(gmsh_->generate, 2);
+}
+
+void GmshSession::add_spline(int tag, std::vector<int> points) {
+    gmsh_->call(gmsh_->add_spline, points.data(), points.size(), tag);
+}
+
+void GmshSession::add_loop(int tag, std::vector<int> curves) {
+    gmsh_->call(gmsh_->add_loop, curves.data(), curves.size(), tag, 0);
+}
+
+void GmshSession::add_plane(int tag, std::vector<int> loops) {
+    gmsh_->call(gmsh_->add_surface, loops.data(), loops.size(), tag);
+}
+
+void GmshSession::mesh_freely(Free cells, const Size& size) {
+    gmsh_->call(gmsh_->synchronize);
+    struct Option {
+        const char* name;
+        double value;
+    };
+    constexpr double frontal_delaunay = 6, blossom = 1, into_quadrilaterals = 1;   // 8, made for them, crashes in gmsh 4.8
+    for (const Option& option : {Option{"Mesh.MeshSizeExtendFromBoundary", 0}, Option{"Mesh.MeshSizeFromPoints", 0},
+                                 Option{"Mesh.Algorithm", frontal_delaunay}, Option{"Mesh.ElementOrder", 2}})
+        gmsh_->call(gmsh_->set_option, option.name, option.value);
+    if (cells == Free::quadrilaterals)
+        for (const Option& option : {Option{"Mesh.RecombineAll", 1}, Option{"Mesh.RecombinationAlgorithm", blossom},
+                                     Option{"Mesh.SubdivisionAlgorithm", into_quadrilaterals}})
+            gmsh_->call(gmsh_->set_option, option.name, option.value);
+    const auto ask = [](int, int, double x, double y, double, void* wished) { return (*static_cast<const Size*>(wished))({x, y}); };
+    gmsh_->call(gmsh_->set_size, static_cast<double (*)(int, int, double, double, double, void*)>(ask),
+                const_cast<void*>(static_cast<const void*>(&size)));
     gmsh_->call(gmsh_->generate, 2);
 }
 

@@ -4,6 +4,7 @@
 /// Held by geometry/section_mesher_test.
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -39,6 +40,14 @@ public:
     void divide_curve(int tag, Division division);
     void add_grid(int tag, Surface surface);   ///< plane, of quadrilaterals
     void mesh();                               ///< all that was added
+
+    void add_spline(int tag, std::vector<int> points);   ///< uniform Catmull-Rom
+    void add_loop(int tag, std::vector<int> curves);
+    void add_plane(int tag, std::vector<int> loops);     ///< the first round it, the others round its holes
+    /// What was added, with curved cells of second order: triangles of the given length, or quadrilaterals of half of it.
+    enum class Free { triangles, quadrilaterals };
+    using Size = std::function<double(std::array<double, 2>)>;
+    void mesh_freely(Free cells, const Size& size);
 
     struct Nodes {
         std::vector<std::size_t> tags;

@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "geometry/family.hpp"
 #include "geometry/import.hpp"
+#include "geometry/keys.hpp"
 #include "geometry/openings.hpp"
 #include "geometry/pieces.hpp"
 #include "mesh/raise_order.hpp"
@@ -72,17 +73,6 @@ void add_axis(mesh::Mesh& mesh, const design::Values& values) {
     if (own != mesh.facet_sets.end() && own->second != on_axis)
         throw values.refuse(file_key, "its face 'axis' is not what lies on the axis of revolution y = 0", "rename the face");
     if (!on_axis.empty()) mesh.facet_sets[axis_face] = std::move(on_axis);
-}
-
-/// Names of a Kind::faces value; faces of a file hold neither blanks nor commas.
-std::vector<std::string> listed(const std::string& text) {
-    std::vector<std::string> names;
-    for (std::size_t at = 0; at <= text.size();) {
-        const std::size_t end = std::min(text.find(", ", at), text.size());
-        names.push_back(text.substr(at, end - at));
-        at = end + 2;
-    }
-    return names;
 }
 
 /// The key that says whether a cavity's load is sealed; one that shares its gas goes by the other's.

@@ -1,5 +1,7 @@
 #include "geometry/keys.hpp"
 
+#include <algorithm>
+
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "geometry/section.hpp"
@@ -63,6 +65,16 @@ void refuse_too_many_cells(const design::Values& values, double cells) {
 int cells_through_wall(const design::Values& values, double wall_m, int least) {
     const int wished = values.count("mesh.through_wall");
     return wished > 0 ? wished : divisions(wall_m, values.number("mesh.size"), least);
+}
+
+std::vector<std::string> listed(const std::string& text) {
+    std::vector<std::string> names;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find(", ", at), text.size());
+        names.push_back(text.substr(at, end - at));
+        at = end + 2;
+    }
+    return names;
 }
 
 std::string not_smaller(double value_m, std::string_view other_name, double other_m) {

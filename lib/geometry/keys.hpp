@@ -2,6 +2,7 @@
 /// Keys that several families share, and words for their refusals.
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "design/design.hpp"
 
@@ -17,7 +18,7 @@ namespace soft::geometry {
 /// mesh.sectors, for bodies of revolution.
 [[nodiscard]] design::Key sectors_key();
 
-/// mesh.grading, for bodies of boxes (box_grid.hpp).
+/// mesh.grading, for bodies of boxes (box_grid.hpp) and of outlines (outline_sizes.hpp).
 [[nodiscard]] design::Key grading_key(std::string_view fallback);
 
 /// A slip in mesh.size must not fill the memory before anybody can say so: throws Error beyond 5 million cells.
@@ -29,6 +30,8 @@ void refuse_too_many_cells(const design::Values& values, double cells);
 
 /// "12 mm"
 [[nodiscard]] std::string length_text(double length_m);
+/// The names of a value of Kind::faces or "none"; names of faces hold neither blanks nor commas.
+[[nodiscard]] std::vector<std::string> listed(const std::string& text);
 
 /// "12 mm is not smaller than outer_radius 10 mm"
 [[nodiscard]] std::string not_smaller(double value_m, std::string_view other_name, double other_m);

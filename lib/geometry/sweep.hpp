@@ -13,8 +13,9 @@ namespace soft::geometry {
 enum class Turn { quarter, half, full };
 
 /// Turns the section (x, r) about x: y = r cos(angle), z = r sin(angle). Quadrilaterals become 27-node hexahedra, those
-/// with an edge on the axis 18-node wedges; triangles off the axis become wedges. A quarter turn has
-/// `sectors_per_quarter` cells. std::logic_error for a triangle on the axis or a cell that meets it in a corner only.
+/// with an edge on the axis 18-node wedges; triangles off the axis become wedges, those on it tetrahedra, which meet the
+/// wedges only once these are split into simplices. A quarter turn has `sectors_per_quarter` cells. std::logic_error for a
+/// quadrilateral that meets the axis in a corner only.
 [[nodiscard]] mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter);
 
 /// Draws the section out from 0 to width_m: (x, z) along y, or (x, y) along z; the end planes get the given names.

@@ -1,6 +1,7 @@
 #include "sweep/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr int digits = 9;   // more than any dimension is known to, fewer than logarithms agree on everywhere
 constexpr std::size_t id_length = 16;
-constexpr const char* file_key = "geometry.file";
+constexpr std::array file_keys{"geometry.file", "geometry.profile"};
 
 std::string number_of(const Range& range, double value) {
     return core::rounded_text(value, digits) + (range.unit.empty() ? "" : " " + range.unit);
@@ -50,7 +51,8 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
     try {
         design::Design design = design::read_design(basis.design_text, basis.design_source, basis.families, settings);
         std::string content = design.effective_yaml;
-        if (design.values.has(file_key)) {   // it is to be found from any folder, and to count by what is in it
+        for (const char* file_key : file_keys) {   // it is to be found from any folder, and to count by what is in it
+            if (!design.values.has(file_key)) continue;
             const std::filesystem::path file = design::file_from(design.values.place(file_key), design.values.text(file_key));
             content += core::sha256_hex(core::read_file(file));
             settings.push_back({file_key, std::filesystem::absolute(file).lexically_normal().string()});

@@ -16,21 +16,28 @@ constexpr double pi = std::numbers::pi;
 class Meridian {
 public:
     double pitch = 9.25, crest = 19, bore = 2.5, wall = 3, fillet = 0.25;
+    double crest_land = 0, trough_land = 0, last_crest = 19;
     double disc_length = 6, disc_radius = 14.5, neck_length = 1, neck_radius = 7;
     int convolutions = 10;
 
     /// Enclosed by the wall's inner face from the first to the last trough, and by the bore through the inlet's disc.
     [[nodiscard]] double cavity() const {
-        return 2 * convolutions * half(fillet + wall, fillet, bend()) + pi * bore * bore * disc_length;
+        double sum = pi * bore * bore * (disc_length + (convolutions - 1) * trough_land);
+        for (int i = 0; i < convolutions; ++i) {
+            const Meridian m = with_crest(i);
+            sum += 2 * m.half(fillet + wall, fillet, m.bend()) + pi * (m.crest - wall) * (m.crest - wall) * crest_land;
+        }
+        return sum;
     }
 
     /// The outer envelope less the cavity.
     [[nodiscard]] double rubber() const {
-        const double walls = 2 * convolutions * half(fillet, fillet + wall, bend());
-        // At both ends disc and neck fill what lies outside the wall between its corner and the trough.
-        const double disc = pi * disc_radius * disc_radius * (disc_length - neck_length + neck_corner());
-        const double neck = pi * neck_radius * neck_radius * neck_length;
-        return walls + 2 * (disc + neck - outer_to_neck()) - cavity();
+        double walls = pi * (bore + wall) * (bore + wall) * (convolutions - 1) * trough_land;
+        for (int i = 0; i < convolutions; ++i) {
+            const Meridian m = with_crest(i);
+            walls += 2 * m.half(fillet, fillet + wall, m.bend()) + pi * m.crest * m.crest * crest_land;
+        }
+        return walls + end() + with_crest(convolutions - 1).end() - cavity();
     }
 
     /// x of the point where the outer wall meets the neck, from the trough.
@@ -40,12 +47,23 @@ public:
     }
 
 private:
+    [[nodiscard]] Meridian with_crest(int convolution) const {
+        Meridian m = *this;
+        if (convolutions > 1) m.crest += (last_crest - crest) * convolution / (convolutions - 1);
+        return m;
+    }
+    /// Disc and neck fill what lies outside the wall between its corner and the trough.
+    [[nodiscard]] double end() const {
+        return pi * disc_radius * disc_radius * (disc_length - neck_length + neck_corner()) + pi * neck_radius * neck_radius * neck_length -
+               outer_to_neck();
+    }
+    [[nodiscard]] double half_pitch() const { return 0.5 * (pitch - crest_land - trough_land); }
     [[nodiscard]] double trough() const { return bore + fillet + wall; }
     [[nodiscard]] double rise() const { return crest - bore - 2 * (fillet + wall); }
 
     /// Angle of the straight wall against the axis: the line of centres, turned by the cross tangent's angle.
     [[nodiscard]] double bend() const {
-        return std::atan2(rise(), 0.5 * pitch) + std::asin((2 * fillet + wall) / std::hypot(rise(), 0.5 * pitch));
+        return std::atan2(rise(), half_pitch()) + std::asin((2 * fillet + wall) / std::hypot(rise(), half_pitch()));
     }
 
     static double line(double x0, double r0, double x1, double r1) { return pi * (x1 - x0) * (r0 * r0 + r0 * r1 + r1 * r1) / 3; }
@@ -62,7 +80,7 @@ private:
         const double top = trough() + rise();
         return arc(trough(), trough_radius, 1, angle) +
                line(trough_radius * std::sin(angle), trough() - trough_radius * std::cos(angle),
-                    0.5 * pitch - crest_radius * std::sin(angle), top + crest_radius * std::cos(angle)) +
+                    half_pitch() - crest_radius * std::sin(angle), top + crest_radius * std::cos(angle)) +
                arc(top, crest_radius, -1, angle);
     }
 
@@ -115,6 +133,34 @@ TEST(Bellows, TheWallIsThreeMillimetresThickEverywhere) {
     EXPECT_NEAR(std::hypot(top[0] - 0.5 * shape.pitch_m, top[1] - shape.crest_centre_m), 0.25e-3, 1e-15);
 }
 
+TEST(Bellows, AStripIsItsShareOfTheRubber) {
+    for (const char* model : {"half", "solid"}) {
+        const Solid whole = sample::solid("bellows", model, {{"geometry.convolutions", "2"}});
+        Solid body = sample::solid("bellows", model, {{"geometry.convolutions", "2"}, {"geometry.strip.angle", "72 deg"}});
+        ASSERT_EQ(body.mesh.region_names, (std::vector<std::string>{"rubber", "strip"}));
+        mesh::Mesh strip = body.mesh;
+        strip.cell_types.clear();
+        strip.offsets = {0};
+        strip.connectivity.clear();
+        strip.cell_regions.clear();
+        for (mesh::Index cell = 0; cell < body.mesh.cell_count(); ++cell)
+            if (body.mesh.cell_regions[static_cast<std::size_t>(cell)] == 1) {
+                add_cell(strip, body.mesh.cell_type(cell), body.mesh.cell_nodes(cell), 1);
+                double z = 0;
+                for (const mesh::Index node : body.mesh.cell_nodes(cell)) z += body.mesh.point(node)[2];
+                EXPECT_LT(z, 0);
+            }
+        EXPECT_NEAR(mesh::measure(strip, mesh::Measure::plain) / mesh::measure(whole.mesh, mesh::Measure::plain), 0.2, 1e-12);
+    }
+}
+
+TEST(Bellows, LandsOfHalfThePitchLessWallAndFilletsLeaveUprightWalls) {
+    const BellowsShape shape = shape_of(sample::values(
+        "bellows", "axisymmetric", {{"geometry.pitch", "16 mm"}, {"geometry.crest_land", "4.5 mm"}, {"geometry.trough_land", "4.5 mm"}}));
+    EXPECT_NEAR(shape.bend_rad, 0.5 * pi, 1e-12);
+    EXPECT_NEAR(shape.along[0], 0, 1e-12);
+}
+
 TEST(Bellows, FacesHaveTheirAreas) {
     const Solid solid = sample::solid("bellows", "axisymmetric");
     EXPECT_NEAR(1e6 * sample::area_m2(solid, "fixed"), pi * 14.5 * 14.5, 1e-9);
@@ -135,7 +181,7 @@ TEST(Bellows, OtherShapesAreSoundToo) {
         sample::Changes changes;
         Meridian meridian;
     };
-    std::vector<Other> others(6);
+    std::vector<Other> others(10);
     others[0] = {{{"geometry.convolutions", "1"}}, {}};
     others[0].meridian.convolutions = 1;
     others[1] = {{{"geometry.pitch", "14 mm"}, {"geometry.fillet", "1.5 mm"}}, {}};
@@ -153,7 +199,26 @@ TEST(Bellows, OtherShapesAreSoundToo) {
     others[5] = {{{"geometry.pitch", "7 mm"}, {"geometry.crest_radius", "12 mm"}}, {}};   // and over the neck
     others[5].meridian.pitch = 7;
     others[5].meridian.crest = 12;
+    // Square convolutions (upright walls), rounded ones (all bend but for a little of the wall), a taper, and all at once.
+    others[6] = {{{"geometry.pitch", "16 mm"}, {"geometry.crest_land", "4.5 mm"}, {"geometry.trough_land", "4.5 mm"}, {"geometry.convolutions", "3"}}, {}};
+    others[6].meridian.pitch = 16;
+    others[6].meridian.crest_land = others[6].meridian.trough_land = 4.5;
+    others[6].meridian.convolutions = 3;
+    others[7] = {{{"geometry.pitch", "14 mm"}, {"geometry.fillet", "2.5 mm"}, {"geometry.wall", "2 mm"}, {"geometry.crest_radius", "14 mm"}, {"geometry.neck.radius", "8.5 mm"}}, {}};
+    others[7].meridian.pitch = 14;
+    others[7].meridian.fillet = 2.5;
+    others[7].meridian.wall = 2;
+    others[7].meridian.crest = 14;
+    others[7].meridian.neck_radius = 8.5;
+    others[8] = {{{"geometry.last_crest_radius", "12 mm"}}, {}};
+    others[8].meridian.last_crest = 12;
+    others[9] = {{{"geometry.last_crest_radius", "25 mm"}, {"geometry.crest_land", "1 mm"}, {"geometry.trough_land", "0.5 mm"}, {"geometry.pitch", "11 mm"}}, {}};
+    others[9].meridian.last_crest = 25;
+    others[9].meridian.crest_land = 1;
+    others[9].meridian.trough_land = 0.5;
+    others[9].meridian.pitch = 11;
     for (Other& other : others) {
+        if (other.changes.count("geometry.last_crest_radius") == 0) other.meridian.last_crest = other.meridian.crest;
         const std::string what = other.changes.begin()->first + " " + other.changes.begin()->second;
         EXPECT_GT(mesh::quality(sample::solid("bellows", "axisymmetric", other.changes).mesh).min_scaled_jacobian, 0.05) << what;
         EXPECT_GT(mesh::quality(sample::solid("bellows", "quarter", other.changes).mesh).min_scaled_jacobian, 0.05) << what;

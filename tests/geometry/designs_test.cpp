@@ -99,7 +99,7 @@ TEST_P(Shown, BecomesACaseWithoutWarning) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome",
-                                                        "bellows-inflation", "pneunet", "segment"),
+                                                         "bellows-inflation", "bending-bellows", "pneunet", "segment"),
                          [](const auto& test) { return test_name(test.param); });
 
 }  // namespace

@@ -78,7 +78,7 @@ TEST_F(ImportedSolid, TheFileIsFoundFromTheDesignsFolderAndFromWhereACommandRuns
     const std::string missing = refusal(design_text("elsewhere.msh", usual));
     EXPECT_TRUE(missing.starts_with("part.yaml:2:18: geometry.file: elsewhere.msh: ")) << missing;
     EXPECT_EQ(refusal("family: imported\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {inner: {pressure: 5 kPa}}\n"),
-              "part.yaml:1:1: geometry.file: missing (the mesh, a Gmsh file); add geometry: {file: part.msh}");
+              "part.yaml:1:1: geometry.file: missing (the mesh: Gmsh .msh 2.2 or 4.1, from the design's folder); add geometry: {file: meshes/finger.msh}");
 }
 
 TEST_F(ImportedSolid, ListedFacesAreACavity) {

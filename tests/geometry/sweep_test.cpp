@@ -107,12 +107,17 @@ TEST(Revolve, CutPlanesAreExactAndNamed) {
     for (const mesh::Point& p : half.points) EXPECT_GE(p[1], 0);
 }
 
-TEST(Revolve, TrianglesOffTheAxisBecomeWedgesAndOnTheAxisAreRefused) {
+TEST(Revolve, TrianglesOffTheAxisBecomeWedgesAndOnTheAxisTetrahedra) {
     const mesh::Mesh ring = revolve(mesh::split_into_simplices(bar(2)), Turn::quarter, 4);
     EXPECT_EQ(std::count(ring.cell_types.begin(), ring.cell_types.end(), CellType::wedge18), ring.cell_count());
     EXPECT_GT(mesh::quality(ring).min_scaled_jacobian, 0.5);
     EXPECT_NEAR(4 * mesh::measure(ring, mesh::Measure::plain) / (15 * std::numbers::pi), 1, 1e-4);
-    EXPECT_THROW((void)revolve(mesh::split_into_simplices(bar(0)), Turn::quarter, 4), std::logic_error);
+    const mesh::Mesh section = mesh::split_into_simplices(bar(0)), solid = revolve(section, Turn::quarter, 4);
+    EXPECT_GT(std::count(solid.cell_types.begin(), solid.cell_types.end(), CellType::tet10), 0);
+    const mesh::Mesh split = mesh::split_into_simplices(solid), known = mesh::split_into_simplices(revolve(bar(0), Turn::quarter, 4));
+    EXPECT_GT(mesh::quality(split).min_scaled_jacobian, 0.1);
+    EXPECT_NEAR(mesh::measure(split, mesh::Measure::plain) / mesh::measure(known, mesh::Measure::plain), 1, 1e-12);
+    EXPECT_EQ(mesh::boundary_facets(split).size(), mesh::boundary_facets(known).size());   // no gap between cells
 }
 
 TEST(Revolve, ACornerOnTheAxisIsRefused) {

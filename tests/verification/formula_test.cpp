@@ -5,6 +5,7 @@
 
 #include "beam_formula.hpp"
 #include "inflation_formula.hpp"
+#include "membrane_formula.hpp"
 #include "principal_law.hpp"
 #include "snapping_cap.hpp"
 #include "two_phase_tube.hpp"
@@ -205,6 +206,16 @@ TEST(Formula, ABeamThatGetsSlenderLosesShearAndRotaryInertiaAsTheirFirstOrderSay
         const Beam beam{1.0, height, 4.0, 1.0, 1.0};
         const double lost = 1.0 - beam.frequency() / beam.slender_frequency();
         EXPECT_NEAR(lost / (taken * height * height), 1.0, 20 * height * height) << height;
+    }
+}
+
+// Strains of 1e-4 leave first-order differences of the same size; the deflection is already thirty times the strain's root.
+TEST(Formula, AMembraneOfSmallStrainsDeflectsAsHencky) {
+    EXPECT_NEAR(hencky_deflection(1.0, 0.3), 0.6536, 1e-4);   // his constant, after Fichter 0.653
+    for (const double stretch : {1.00005, 1.0002}) {
+        const MembraneState state = membrane_at({0.05, 1e-3, 2e5}, stretch);
+        const double q = state.pressure_Pa * 0.05 / (3 * 2e5 * 1e-3);
+        EXPECT_NEAR(state.deflection_m / 0.05 / hencky_deflection(q, 0.5), 1, 2 * (stretch - 1));
     }
 }
 

@@ -1,0 +1,62 @@
+/// Any body of revolution about x, its half section drawn as a table (profile.hpp).
+#include <algorithm>
+#include <numbers>
+
+#include "geometry/family.hpp"
+#include "geometry/keys.hpp"
+#include "geometry/profile.hpp"
+
+namespace soft::geometry {
+namespace {
+
+constexpr Across across = Across::r;
+
+/// Where the wall ends away from the axis, a plug would sit on the edge that goes on there. The solid lies to the left of the
+/// wall, so a wall that comes to its end looks along x out of the cavity: closed integral of n dA = 0.
+std::vector<model::Opening> plugs(const Outline& outline, const std::string& wall) {
+    const auto is_wall = [&](const OutlineEdge& edge) { return std::ranges::find(edge.faces, wall) != edge.faces.end(); };
+    std::vector<model::Opening> openings;
+    for (const Loop& loop : outline.loops)
+        for (std::size_t e = 0; e < loop.size(); ++e) {
+            const OutlineEdge &before = loop[e], &after = loop[(e + 1) % loop.size()];
+            const OutlineEdge& rim = is_wall(before) ? after : before;
+            const double radius_m = after.points.front()[1];
+            if (is_wall(before) == is_wall(after) || radius_m == 0 || rim.faces.front() == symmetry_x_face) continue;
+            openings.push_back({rim.faces.front(), std::numbers::pi * radius_m * radius_m, {is_wall(before) ? 1.0 : -1.0, 0, 0}});
+        }
+    return openings;
+}
+
+std::vector<std::string> faces_of_file(const std::string& file, std::string_view place) {
+    return tags_of(outline_of_file(file, place, across));
+}
+
+Body build(const design::Values& values) {
+    Body body = body_of_profile(values, across);
+    for (model::Cavity& cavity : body.cavities) cavity.openings = plugs(body.outline, cavity.wall);
+    body.sweep = Revolution{values.count("mesh.sectors")};
+    return body;
+}
+
+}  // namespace
+
+Family revolved() {
+    design::FamilyKeys keys;
+    keys.name = "revolved";
+    keys.summary = "any body of revolution, its half section in a table (CSV) of lines, arcs and splines";
+    keys.geometry = {file_key(across)};
+    keys.models = {"axisymmetric", "solid", "half", "quarter"};
+    keys.faces = {"fixed", "cavity", "outer", "tip"};   // of the template's table
+    keys.defaults = "geometry: {profile: designs/profiles/fingertip.csv}\n"
+                    "supports: {fixed: fixed}\n"
+                    "loads:\n"
+                    "  cavity: {pressure: 20 kPa}\n"
+                    "outputs:\n"
+                    "  elongation: {face: tip, along: x}\n";
+    keys.mesh = profile_mesh_keys("2 mm");
+    keys.mesh.push_back(sectors_key());
+    keys.faces_of_file = faces_of_file;
+    return {std::move(keys), build};
+}
+
+}  // namespace soft::geometry

@@ -1,0 +1,44 @@
+// Bodies drawn as tables (family revolved) against the independent code's numbers for the same bodies, and a round plate that
+// gets thin against the membrane's equations.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "membrane_formula.hpp"
+#include "run_design.hpp"
+
+namespace soft::verification {
+namespace {
+
+TEST(Drawn, ABellowsGivenAsATableHasTheCurveOfTheBellows) {
+    const auto run = run_design("verification/bellows-table.yaml", {"loads.cavity.sealed=false", "path.until.elongation=42 mm"});
+    for (const auto& [elongation_mm, pressure_kPa] : std::map<double, double>{{20, 1.38862}, {40, 3.31042}})
+        EXPECT_NEAR(1e-3 * run.at("elongation", 1e-3 * elongation_mm).pressure_Pa / pressure_kPa, 1, 1e-3) << elongation_mm;
+}
+
+// Its held rim and its inner corners are singular: the table's cells are graded toward them.
+TEST(Drawn, ATubeGivenAsATableHasTheCurveOfTheTube) {
+    const auto run = run_design("verification/tube-table.yaml", {"path.until.elongation=6 mm"});
+    for (const auto& [pressure_kPa, elongation_mm] : std::map<double, double>{{10, 0.2817}, {20, 0.9168}, {30, 2.2875}, {40, 5.8978}})
+        EXPECT_NEAR(1e3 * run.at("pressure", 1e3 * pressure_kPa).outputs.at(0) / elongation_mm, 1, 1e-3) << pressure_kPa;
+}
+
+// The rim where the plate bends is as wide as the plate is thick: its part of the pressure is of first order in the thickness, so
+// that two thicknesses tell what is left without it, but for the square of thickness over deflection, which bending takes.
+TEST(Membrane, AThinRoundPlateComesToTheMembranesPressureAtFirstOrderInItsThickness) {
+    for (const auto& [deflection_mm, left] : std::map<int, double>{{8, 4e-3}, {15, 2e-3}}) {
+        const auto over_membrane = [mm = deflection_mm](double thickness_mm) {
+            const auto run = run_design("verification/membrane.yaml", {"geometry.thickness=" + std::to_string(thickness_mm) + " mm",
+                                                                       "path.until.deflection=" + std::to_string(mm) + " mm"});
+            return 1e3 * run.pressure_kPa() / membrane_deflected({50e-3, 1e-3 * thickness_mm, 164.4e3}, 1e-3 * mm).pressure_Pa - 1;
+        };
+        const double one = over_membrane(0.5), half = over_membrane(0.25);
+        EXPECT_GT(half, 0) << deflection_mm;   // bending only adds
+        EXPECT_LT(half, 0.03) << deflection_mm;
+        EXPECT_NEAR(2 * half - one, 0, left) << deflection_mm;
+    }
+}
+
+}  // namespace
+}  // namespace soft::verification
