@@ -6,7 +6,7 @@
 namespace soft::geometry {
 
 std::span<const Family> catalogue() {
-    static const std::array<Family, 10> families{bellows(), tube(),  sphere(), two_spheres(), ring(),
+    static const std::array<Family, 11> families{bellows(), tube(), fiber_tube(), sphere(), two_spheres(), ring(),
                                               rod(),     panel(), plate(),  dome(),        imported()};
     return families;
 }

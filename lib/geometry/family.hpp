@@ -51,6 +51,7 @@ struct Body {
     /// Names of the materials of regions, those below `materials` of the design; a region that is not here is of the material
     /// of its own name, or of the main one.
     std::map<std::string, std::string> region_materials = {};
+    std::map<std::string, model::Fibers> region_fibers = {};   ///< about the axis x, by the region they lie in
     std::vector<model::Support> supports;      ///< that belong to the shape, besides symmetry planes and axis
 };
 
@@ -63,6 +64,7 @@ struct Family {
 [[nodiscard]] Family plate();
 [[nodiscard]] Family sphere();
 [[nodiscard]] Family tube();
+[[nodiscard]] Family fiber_tube();
 [[nodiscard]] Family bellows();
 [[nodiscard]] Family panel();
 [[nodiscard]] Family ring();

@@ -59,7 +59,7 @@ TEST_P(EveryFamily, HasATemplateThatBecomesACase) {
 }
 
 TEST_P(EveryFamily, IsRunnableWithFamilyMaterialAndAPressureAlone) {
-    const std::set<std::string> hollow_ones{"sphere", "tube", "bellows", "ring", "two-spheres"}, silent{"sphere", "ring", "two-spheres"};
+    const std::set<std::string> hollow_ones{"sphere", "tube", "fiber-tube", "bellows", "ring", "two-spheres"}, silent{"sphere", "ring", "two-spheres"};
     const bool hollow = hollow_ones.contains(GetParam());
     const std::string target = GetParam() == "two-spheres" ? "cavities: {left" : hollow ? "cavity"
                                : GetParam() == "rod"       ? "end"
@@ -74,7 +74,7 @@ TEST_P(EveryFamily, IsRunnableWithFamilyMaterialAndAPressureAlone) {
     EXPECT_EQ(c.outputs.size(), silent.contains(GetParam()) ? 0u : 1u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily, testing::Values("rod", "panel", "plate", "sphere", "two-spheres", "ring", "tube", "dome", "bellows"),
+INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily, testing::Values("rod", "panel", "plate", "sphere", "two-spheres", "ring", "tube", "fiber-tube", "dome", "bellows"),
                          [](const auto& test) { return test_name(test.param); });
 
 /// Designs that show a path rather than a family.
@@ -89,7 +89,7 @@ TEST_P(Shown, BecomesACaseWithoutWarning) {
     EXPECT_GT(mesh::quality(build_case(design).mesh).min_scaled_jacobian, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome",
+INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome", "twisting-tube",
                                                         "bellows-inflation"),
                          [](const auto& test) { return test_name(test.param); });
 
