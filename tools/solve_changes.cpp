@@ -24,12 +24,13 @@ void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& chan
 
 io::DesignText apply(const std::vector<design::Override>& overrides, const io::DesignText& design, model::Case& model) {
     design::SolveChanges changes = design::apply_overrides(design.effective_yaml, overrides);
-    for (model::Material& material : model.materials) {   // the mesh decides names and fibre frame
+    for (model::Material& material : model.materials) {   // the mesh decides names and fibres
         model::Material changed = changes.material;
         for (const auto& [name, other] : changes.materials)
             if (other.source == material.source) changed = other;
         changed.name = material.name;
         changed.fiber_frame = material.fiber_frame;
+        changed.fibers = material.fibers;
         material = std::move(changed);
     }
     model.loads = std::move(changes.loads);

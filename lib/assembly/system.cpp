@@ -30,7 +30,7 @@ std::vector<AnyRubber> make_rubbers(const model::Case& input) {
         const auto material = std::ranges::find(input.materials, region, &model::Material::name);
         if (material == input.materials.end())
             throw Error(ExitCode::bad_input, "materials", "region '" + region + "' has no material");
-        if (const std::string reason = model::why_not(*material, input.kinematics); !reason.empty())
+        if (const std::string reason = model::why_not(*material, input.kinematics, input.symmetry_planes); !reason.empty())
             throw Error(ExitCode::bad_input, "materials/" + region, reason);
         rubbers.push_back(make_rubber(*material, input.formulation));
     }

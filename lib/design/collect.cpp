@@ -93,7 +93,9 @@ std::vector<Item> collect(const Node& root, const Schema& schema, std::string_vi
             refuse(place_for_missing(root, key.path, source), key.path, "missing (" + key.meaning + ")",
                    "add " + name + ": " + (example == examples.end() ? range_text(key) : example->second));
         }
-        items.push_back(check_value(key, scalar_node(key.fallback, place_default), schema.faces));
+        const bool list = key.most > 1 && key.fallback.starts_with('[');
+        const Node fallback = list ? parse_fragment(key.fallback, place_default) : scalar_node(key.fallback, place_default);
+        items.push_back(check_value(key, fallback, schema.faces));
     }
     return items;
 }

@@ -63,7 +63,7 @@ void integrate_f_bar(const ReferenceCell& cell, const material::Rubber<L>& rubbe
     const FBarState state = f_bar_state(cell, out.points);
     out.min_jacobian = state.min_jacobian;
     if (!(state.min_jacobian > 0.0)) return;
-    if constexpr (material::FiberLaw<L>) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
+    if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
     for (int q = 0; q < cell.points; ++q) out.points.law.set_gradient(q, state.law_gradient(q));
     material::respond(rubber, cell.form, wanted, out.points.law);
     assemble_f_bar<Axisymmetric>(cell, state, wanted, out);

@@ -30,7 +30,7 @@ void integrate(const ReferenceCell& cell, const material::Rubber<L>& rubber, con
     map_points<Axisymmetric>(cell, in, out.points);
     out.min_jacobian = least_jacobian(cell, out.points);
     if (!(out.min_jacobian > 0.0)) return;   // the caller reports the cell; an energy of J <= 0 has no meaning
-    if constexpr (material::FiberLaw<L>) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
+    if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
     material::respond(rubber, cell.form, wanted, out.points.law);
     sum_residual<Axisymmetric>(cell, rubber.inverse_bulk_modulus, out);
     if (wanted == material::Wanted::stress_and_tangent) sum_stiffness<Axisymmetric, kind>(cell, rubber.inverse_bulk_modulus, out);

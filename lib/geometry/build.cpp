@@ -157,7 +157,8 @@ mesh::Mesh refined(const mesh::Mesh& mesh, const design::Values& values) {
     return mesh::refine(mesh, times);
 }
 
-/// Of every region: the material that the family names for it; else the one of its own name; else the main one.
+/// Of every region: the material that the family names for it; else the one of its own name; else the main one. With the
+/// fibres that the family lays into it.
 std::vector<model::Material> region_materials(const design::Design& design, const Body& body, const Solid& solid) {
     std::vector<model::Material> materials;
     for (const std::string& region : solid.mesh.region_names) {
@@ -165,16 +166,32 @@ std::vector<model::Material> region_materials(const design::Design& design, cons
         const auto found = design.materials.find(named == body.region_materials.end() ? region : named->second);
         materials.push_back(found == design.materials.end() ? design.material : found->second);
         materials.back().name = region;
+        if (const auto fibers = body.region_fibers.find(region); fibers != body.region_fibers.end()) {
+            materials.back().fibers = fibers->second;
+            materials.back().fiber_frame = model::FiberFrame::cylindrical;
+        }
     }
     return materials;
+}
+
+/// Whether the rubber between the fibres may have any; the family's keys have checked the fibres themselves.
+void check_fibers(const design::Design& design, const model::Material& material) {
+    try {
+        static_cast<void>(model::make_rubber(material));
+    } catch (const Error& error) {
+        throw design.values.refuse(material.source + ".law", error.what());
+    }
 }
 
 /// A material that shows nowhere is most likely misspelt. What a family has built in may stay unused.
 void check_materials(const design::Design& design, const design::FamilyKeys& keys, const Solid& solid,
                      const std::vector<model::Material>& materials) {
-    for (const model::Material& material : materials)
-        if (const std::string reason = model::why_not(material, solid.kinematics); !reason.empty())
-            throw design.values.refuse(material.source + ".families", reason);
+    for (const model::Material& material : materials) {
+        if (material.fibers) check_fibers(design, material);
+        const std::string reason = model::why_not(material, solid.kinematics, solid.symmetry_planes);
+        if (!reason.empty())
+            throw design.values.refuse((material.fibers ? "geometry.fibers" : material.source) + std::string{".families"}, reason);
+    }
     for (const auto& [name, material] : design.materials) {
         const bool used = std::ranges::find(materials, material.source, &model::Material::source) != materials.end();
         if (!used && !keys.materials.contains(name))

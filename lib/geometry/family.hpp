@@ -60,6 +60,7 @@ struct Body {
         std::string region;
     };
     std::optional<Strip> strip = {};
+    std::map<std::string, model::Fibers> region_fibers = {};   ///< about the axis x, by the region they lie in
     std::vector<model::Support> supports;      ///< that belong to the shape, besides symmetry planes and axis
 };
 
@@ -72,6 +73,7 @@ struct Family {
 [[nodiscard]] Family plate();
 [[nodiscard]] Family sphere();
 [[nodiscard]] Family tube();
+[[nodiscard]] Family fiber_tube();
 [[nodiscard]] Family bellows();
 [[nodiscard]] Family panel();
 [[nodiscard]] Family ring();

@@ -109,6 +109,13 @@ void check_materials(const Checker& check) {
             check.require_name(key, place + "/constants");
             for (const double value : values) check.require_finite(value, place + "/constants/" + key);
         }
+        if (material.fibers) {
+            check.require_finite(material.fibers->angle_rad, place + "/fibers/angle");
+            check.require_positive(material.fibers->k1_Pa, place + "/fibers/k1");
+            check.require_positive(material.fibers->k2, place + "/fibers/k2");
+            check.require(material.fibers->families == 1 || material.fibers->families == 2, place + "/fibers/families",
+                          "must be 1 or 2");
+        }
         const double kappa = material.bulk_modulus_Pa.value_or(1);
         check.require_positive(kappa, place + "/bulk_modulus");
         check.require_positive(material.density_kg_m3.value_or(1), place + "/density");

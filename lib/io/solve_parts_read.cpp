@@ -20,6 +20,11 @@ std::vector<model::Material> read_materials(const GroupReader& group) {
         material.fiber_frame = one.word("fiber_frame", fiber_frame_names);
         if (one.has("bulk_modulus")) material.bulk_modulus_Pa = one.number("bulk_modulus");
         if (one.has("density")) material.density_kg_m3 = one.number("density");
+        if (one.has("fibers")) {
+            const GroupReader fibers = one.group("fibers");
+            material.fibers = model::Fibers{fibers.number("angle"), fibers.number("k1"), fibers.number("k2"),
+                                            fibers.small_count("families", 1)};
+        }
         const GroupReader constants = one.group("constants");
         for (const std::string& key : constants.names()) material.constants[key] = constants.array<double>(key, {any});
     }

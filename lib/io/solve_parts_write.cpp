@@ -24,6 +24,14 @@ void write_materials(hid_t parent, const std::vector<model::Material>& materials
         if (material.density_kg_m3)
             write_number(one.get(), {"density", "kg/m3", "undeformed; absent: no body force acts, and the path is static"},
                          *material.density_kg_m3);
+        if (material.fibers) {
+            const GroupHandle fibers = create_group(one.get(), "fibers", "laid into the region besides the law; absent: none");
+            write_number(fibers.get(), {"angle", "rad", "from the first direction of the frame"}, material.fibers->angle_rad);
+            write_number(fibers.get(), {"k1", "Pa", "stiffness at small stretch"}, material.fibers->k1_Pa);
+            write_number(fibers.get(), {"k2", "1", "how fast the fibres stiffen"}, material.fibers->k2);
+            write_count(fibers.get(), {"families", "1", "2: at plus and minus the angle; 1: at plus the angle"},
+                        material.fibers->families);
+        }
         const GroupHandle constants = create_group(one.get(), "constants", "by the law's own keys");
         for (const auto& [key, values] : material.constants)
             write_list(constants.get(), {key, "SI", "constant of the law, one value or a list"}, values);

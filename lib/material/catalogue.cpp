@@ -54,9 +54,35 @@ Constants checked(const LawInfo& law, const Constants& given) {
     return constants;
 }
 
+void check(const Fibers& fibers) {
+    constexpr double right_angle_rad = 1.5707963267948966;
+    if (!(fibers.angle_rad >= 0.0 && fibers.angle_rad <= right_angle_rad))
+        refuse("fibers.angle", core::number_text(fibers.angle_rad) + " rad is outside its range", "0 to 90 degrees from the axis");
+    if (!(fibers.k1_Pa > 0.0)) refuse("fibers.k1", core::number_text(fibers.k1_Pa) + " Pa is not positive");
+    if (!(fibers.k2 > 0.0)) refuse("fibers.k2", core::number_text(fibers.k2) + " is not positive");
+    if (fibers.families != 1 && fibers.families != 2)
+        refuse("fibers.families", std::to_string(fibers.families) + " families", "1 or 2");
+}
+
+template <Law L>
+std::optional<Fibers> fibers_in(const Constants& constants, const Description& description) {
+    const std::string law = "the law " + std::string(L::info().name);
+    if constexpr (FiberLaw<L>) {
+        if (description.fibers) refuse("fibers", law + " has its own", "a law without fibres for the rubber between them");
+        return L::fibers_from(constants);
+    } else {
+        if (!description.fibers) return std::nullopt;
+        if (!MayHaveFibers<L>)
+            refuse("fibers", law + " has no finite-strain energy to which theirs could be added", "neo-hookean, for example");
+        check(*description.fibers);
+        return description.fibers;
+    }
+}
+
 template <Law L>
 Rubber<L> rubber_of(const Constants& constants, const Description& description) {
-    Rubber<L> rubber{L::from(constants), description.volumetric, 0.0, description.fiber_frame};
+    Rubber<L> rubber{L::from(constants), description.volumetric, 0.0, description.fiber_frame,
+                     fibers_in<L>(constants, description)};
     if (!description.bulk_modulus_Pa) {
         if (L::info().bulk == Bulk::finite)
             refuse("kappa", "the law " + std::string(L::info().name) + " has no incompressible form", "give a bulk modulus");
@@ -141,6 +167,10 @@ double reference_stress_Pa(const AnyRubber& rubber) {
         },
         rubber);
     return largest;
+}
+
+const std::optional<Fibers>& fibers_of(const AnyRubber& rubber) {
+    return std::visit([](const auto& r) -> const std::optional<Fibers>& { return r.fibers; }, rubber);
 }
 
 bool has_symmetric_tangent(const AnyRubber& rubber) {

@@ -23,10 +23,12 @@ struct Description {
     std::optional<double> bulk_modulus_Pa = {};   ///< kappa; nullopt = incompressible
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     FiberFrame fiber_frame = FiberFrame::cartesian;
+    std::optional<Fibers> fibers = {};            ///< besides the law; not where the law brings its own
 };
 
 /// Throws Error (bad_input) whose place is the parameter's name ("mu", "kappa", "law") for an unknown law, a missing or
-/// superfluous constant, one outside its range, and constants that do not fit together.
+/// superfluous constant, one outside its range, and constants that do not fit together; "fibers" or "fibers.k1" for fibres
+/// outside their range or in a law that cannot have them.
 [[nodiscard]] AnyRubber make_rubber(const Description& description);
 
 /// Why a rubber cannot be run in a form, with what would be right ("problem; remedy"); empty where it can.
@@ -42,6 +44,9 @@ struct Description {
 
 /// Largest stress component of the undeformed rubber [Pa]: 0 but for a law that starts under stress (kraken).
 [[nodiscard]] double reference_stress_Pa(const AnyRubber& rubber);
+
+/// Of the law or beside it.
+[[nodiscard]] const std::optional<Fibers>& fibers_of(const AnyRubber& rubber);
 
 /// False for a stress without an energy.
 [[nodiscard]] bool has_symmetric_tangent(const AnyRubber& rubber);

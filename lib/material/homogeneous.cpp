@@ -138,9 +138,8 @@ std::optional<HomogeneousState> state_of(const Rubber<L>& rubber, Mode mode, dou
 }  // namespace
 
 std::optional<HomogeneousState> homogeneous_state(const AnyRubber& rubber, Mode mode, double stretch) {
-    const LawInfo& law = info_of(rubber);
-    if (law.fibers)
-        throw Error(ExitCode::bad_input, "law", std::string(law.name) + " is not isotropic",
+    if (fibers_of(rubber))
+        throw Error(ExitCode::bad_input, "law", std::string(info_of(rubber).name) + " with fibres is not isotropic",
                     "homogeneous states are those of isotropic rubber");
     return std::visit([&](const auto& r) { return state_of(r, mode, stretch); }, rubber);
 }

@@ -25,7 +25,7 @@ struct HomogeneousState {
 };
 
 /// `stretch` l > 0, or the amount of shear g. nullopt where there is no such state: no lateral equilibrium, or beyond the
-/// largest stretch of the law. Throws Error (bad_input) for a law with fibres, whose states have less symmetry.
+/// largest stretch of the law. Throws Error (bad_input) for a rubber with fibres, whose states have less symmetry.
 [[nodiscard]] std::optional<HomogeneousState> homogeneous_state(const AnyRubber& rubber, Mode mode, double stretch);
 
 /// The stress that a test reports: sigma_11, or sigma_12 in simple shear.

@@ -10,12 +10,14 @@
 ///   isochoric_energy(Invariants of J^-2/3 C)            with Theta(J) chosen by the design and K = kappa
 ///   isochoric_energy(IsochoricStretches)                the same in principal stretches
 ///   shear_energy(Invariants of C, J)                    with Theta(J), or its own `dilatation`
-/// and, where it has them, fiber_energy(I4). Two laws fit no such form and have their own branch in response.hpp: small
-/// strain (LinearElastic) and a stress without an energy (Kraken).
+/// Fibres (material/fibers.hpp) may lie in a rubber of any of these; a law may also bring its own (`fibers_from`). Two laws
+/// fit no such form, take no fibres and have their own branch in response.hpp: small strain (LinearElastic) and a stress
+/// without an energy (Kraken).
 /// A new law is a header with such a struct, its LawInfo and `from`, and its name in `LawList` below.
 /// Source: two-field form of Sussman and Bathe, Comput. Struct. 26 (1987) 357, with Theta for J - 1 (derived here).
 /// Held by material/law_test (every law: stress-free reference, frame indifference, P = dW/dF, A = dP/dF).
 #include <concepts>
+#include <optional>
 #include <tuple>
 #include <variant>
 
@@ -23,6 +25,7 @@
 #include "core/tensor.hpp"
 #include "material/form.hpp"
 #include "material/arruda_boyce.hpp"
+#include "material/fibers.hpp"
 #include "material/gent.hpp"
 #include "material/holzapfel_gasser_ogden.hpp"
 #include "material/kraken.hpp"
@@ -47,6 +50,7 @@ struct Rubber {
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     double inverse_bulk_modulus = 0;
     FiberFrame fiber_frame = FiberFrame::cartesian;
+    std::optional<Fibers> fibers = {};   ///< only of laws with MayHaveFibers
 };
 
 template <class L>
@@ -66,15 +70,19 @@ template <class L>
 concept OwnDilatation = requires(const Invariants<Dual<3>>& I, const Dual<3>& J) {
     { L::dilatation(I, J) } -> std::same_as<Dual<3>>;
 };
+/// A law that brings its own fibres.
 template <class L>
-concept FiberLaw = requires(const L& law, const Dual<1>& I4) {
-    { law.fiber_energy(I4) } -> std::same_as<Dual<1>>;
+concept FiberLaw = requires(const Constants& constants) {
+    { L::fibers_from(constants) } -> std::same_as<Fibers>;
 };
 /// A stress that derives from no energy: its tangent is not symmetric, and it has no mixed form.
 template <class L>
 concept StressLaw = requires(const L& law, const Invariants<Dual<3>>& I, const Dual<3>& J) {
     { law.stress_coefficients(I, J) } -> std::same_as<std::array<Dual<3>, 3>>;
 };
+/// Finite strain and an energy, to which that of fibres can be added.
+template <class L>
+concept MayHaveFibers = !StressLaw<L> && !std::same_as<L, LinearElastic>;
 template <class L>
 concept Law = (InvariantLaw<L> || StretchLaw<L> || CoupledLaw<L> || StressLaw<L> || std::same_as<L, LinearElastic>) &&
               requires(const L& law, const Constants& constants) {

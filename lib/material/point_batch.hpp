@@ -19,7 +19,7 @@ struct PointBatch {
     int stride;                          ///< padded(points)
     std::vector<double> F;               ///< [9]
     std::vector<double> p;               ///< pressure unknown's value [Pa] (mixed form only)
-    std::vector<FiberAxes> axes;         ///< one a point; only laws with fibres look at them
+    std::vector<FiberAxes> axes;         ///< one a point; only rubbers with fibres look at them
     std::vector<double> first_piola;     ///< [9] P = dW/dF [Pa]
     std::vector<double> tangent;         ///< [81] A = dP/dF [Pa] (only if asked for)
     std::vector<double> theta;           ///< Theta (mixed form only)
@@ -76,7 +76,7 @@ void respond(const Rubber<L>& rubber, Form form, Wanted wanted, PointBatch& batc
                 detail::set_slopes(batch, q, mixed_slopes(rubber, I, J, batch.p[q]));
         }
         detail::apply_chain_rules(batch, form, StressLaw<L> ? Symmetry::none : Symmetry::energy, wanted);
-        if constexpr (LawBeyondInvariants<L>)
+        if (goes_beyond_invariants(rubber))
             for (int q = 0; q < batch.points; ++q) {
                 PointResponse point = batch.response(q);
                 add_beyond_invariants(rubber, batch.axes[q], batch.gradient(q), wanted, point);

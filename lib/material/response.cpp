@@ -2,6 +2,26 @@
 
 namespace soft::material {
 
+namespace {
+
+/// Adds the pull of fibres along the unit vector a0: w1 = dW/dI4, w2 = d2W/dI4^2.
+void add_fiber_response(const Tensor& F, const Vector3& a0, const Dual<1>& energy, Wanted wanted, PointResponse& out) {
+    Vector3 a;   // F a0
+    for (int i = 0; i < 3; ++i) a[i] = F[3 * i] * a0[0] + F[3 * i + 1] * a0[1] + F[3 * i + 2] * a0[2];
+    const double slope = 2.0 * energy.g[0], curvature = 4.0 * energy.hessian(0, 0);
+    for (int i = 0; i < 3; ++i)
+        for (int J = 0; J < 3; ++J) out.first_piola[3 * i + J] += slope * a[i] * a0[J];
+    if (wanted == Wanted::stress) return;
+    for (int i = 0; i < 3; ++i)
+        for (int J = 0; J < 3; ++J)
+            for (int k = 0; k < 3; ++k)
+                for (int L = 0; L < 3; ++L)
+                    out.tangent[9 * (3 * i + J) + 3 * k + L] +=
+                        a0[J] * a0[L] * (curvature * a[i] * a[k] + (i == k ? slope : 0.0));
+}
+
+}  // namespace
+
 Slopes slopes_of(const Dual<3>& energy) {
     Slopes slopes;
     for (int a = 0; a < 3; ++a) {
@@ -25,19 +45,12 @@ void apply_chain_rule(const Tensor& F, const Slopes& slopes, Wanted wanted, Poin
                                                 [&](int m, int n, double entry) { out.tangent[9 * m + n] = entry; });
 }
 
-void add_fiber_response(const Tensor& F, const Vector3& a0, const Dual<1>& energy, Wanted wanted, PointResponse& out) {
-    Vector3 a;   // F a0
-    for (int i = 0; i < 3; ++i) a[i] = F[3 * i] * a0[0] + F[3 * i + 1] * a0[1] + F[3 * i + 2] * a0[2];
-    const double slope = 2.0 * energy.g[0], curvature = 4.0 * energy.hessian(0, 0);
-    for (int i = 0; i < 3; ++i)
-        for (int J = 0; J < 3; ++J) out.first_piola[3 * i + J] += slope * a[i] * a0[J];
-    if (wanted == Wanted::stress) return;
-    for (int i = 0; i < 3; ++i)
-        for (int J = 0; J < 3; ++J)
-            for (int k = 0; k < 3; ++k)
-                for (int L = 0; L < 3; ++L)
-                    out.tangent[9 * (3 * i + J) + 3 * k + L] +=
-                        a0[J] * a0[L] * (curvature * a[i] * a[k] + (i == k ? slope : 0.0));
+void add_fibers_response(const Fibers& fibers, const FiberAxes& axes, const Tensor& F, Wanted wanted, PointResponse& out) {
+    for (int family = 0; family < fibers.families; ++family) {
+        const Vector3 a0 = fiber_direction(fibers, axes, family);
+        const auto energy = fiber_energy(fibers, Dual<1>::variable(squared_fiber_stretch(F, a0), 0));
+        add_fiber_response(F, a0, energy, wanted, out);
+    }
 }
 
 void linear_response(double mu_Pa, const Tensor& F, double p, Wanted wanted, PointResponse& out) {

@@ -35,7 +35,7 @@ template <class T>
     return J - 1.0;
 }
 
-/// The unit vectors e1, e2 of the fibre frame at a point; laws without fibres do not look at them.
+/// The unit vectors e1, e2 of the fibre frame at a point; rubbers without fibres do not look at them.
 struct FiberAxes {
     Vector3 e1{1, 0, 0}, e2{0, 1, 0};
 };
@@ -55,8 +55,8 @@ void apply_chain_rule(const Tensor& F, const Slopes& slopes, Wanted wanted, Poin
 [[nodiscard]] Slopes slopes_of(const Dual<3>& energy);
 [[nodiscard]] Slopes slopes_of(const std::array<Dual<3>, 3>& coefficients);
 
-/// Adds the pull of fibres along the unit vector a0: w1 = dW/dI4, w2 = d2W/dI4^2.
-void add_fiber_response(const Tensor& F, const Vector3& a0, const Dual<1>& energy, Wanted wanted, PointResponse& out);
+/// Adds the pull of all families.
+void add_fibers_response(const Fibers& fibers, const FiberAxes& axes, const Tensor& F, Wanted wanted, PointResponse& out);
 
 /// Small strain: P = 2 mu dev e + p I, with Theta = tr e; its constant tangent without the part of p.
 void linear_response(double mu_Pa, const Tensor& F, double p, Wanted wanted, PointResponse& out);
@@ -94,9 +94,8 @@ template <class L, class T>
 }
 
 /// Direction of family 0 (+ angle) or 1 (- angle).
-template <FiberLaw L>
-[[nodiscard]] Vector3 fiber_direction(const L& law, const FiberAxes& axes, int family) {
-    const double c = std::cos(law.angle_rad), s = (family == 0 ? 1.0 : -1.0) * std::sin(law.angle_rad);
+[[nodiscard]] inline Vector3 fiber_direction(const Fibers& fibers, const FiberAxes& axes, int family) {
+    const double c = std::cos(fibers.angle_rad), s = (family == 0 ? 1.0 : -1.0) * std::sin(fibers.angle_rad);
     Vector3 a0;
     for (std::size_t i = 0; i < 3; ++i) a0[i] = c * axes.e1[i] + s * axes.e2[i];
     return a0;
@@ -163,21 +162,19 @@ template <Law L>
     }
 }
 
-/// A law that says more of a state than its slopes by (I1, I2, J).
+/// A rubber that says more of a state than its slopes by (I1, I2, J).
 template <class L>
-concept LawBeyondInvariants = StretchLaw<L> || FiberLaw<L>;
+[[nodiscard]] bool goes_beyond_invariants(const Rubber<L>& rubber) {
+    return StretchLaw<L> || (MayHaveFibers<L> && rubber.fibers);
+}
 
 /// Adds what goes beyond the slopes by (I1, I2, J): principal stretches and fibres.
-template <LawBeyondInvariants L>
+template <class L>
 void add_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted, PointResponse& out) {
     if constexpr (StretchLaw<L>)
         add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr, out.first_piola);
-    if constexpr (FiberLaw<L>)
-        for (int family = 0; family < rubber.law.families; ++family) {
-            const Vector3 a0 = fiber_direction(rubber.law, axes, family);
-            const auto energy = rubber.law.fiber_energy(Dual<1>::variable(squared_fiber_stretch(F, a0), 0));
-            add_fiber_response(F, a0, energy, wanted, out);
-        }
+    if constexpr (MayHaveFibers<L>)
+        if (rubber.fibers) add_fibers_response(*rubber.fibers, axes, F, wanted, out);
 }
 
 /// Mixed formulation: energy W(F, p) at fixed p. Not for laws without that form (LawInfo::mixed).
@@ -194,7 +191,7 @@ void mixed_response(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor
         apply_chain_rule(F, slopes.energy, wanted, out);
         out.theta = slopes.theta;
         chain_rule(F, slopes.theta_slopes, out.dtheta_dF);
-        if constexpr (LawBeyondInvariants<L>) add_beyond_invariants(rubber, axes, F, wanted, out);
+        add_beyond_invariants(rubber, axes, F, wanted, out);
     }
 }
 
@@ -212,7 +209,7 @@ void displacement_response(const Rubber<L>& rubber, const FiberAxes& axes, const
         out.jacobian = determinant(F);
         const LawSlopes slopes = displacement_slopes(rubber, principal_invariants(F), out.jacobian);
         apply_chain_rule(F, slopes.energy, wanted, out);
-        if constexpr (LawBeyondInvariants<L>) add_beyond_invariants(rubber, axes, F, wanted, out);
+        add_beyond_invariants(rubber, axes, F, wanted, out);
     }
 }
 
@@ -241,10 +238,10 @@ template <Law L>
             parts.shear = rubber.law.isochoric_energy(isochoric_stretches(F));
         else
             parts.shear = shear_energy(rubber.law, I, J);
-        if constexpr (FiberLaw<L>)
-            for (int family = 0; family < rubber.law.families; ++family)
-                parts.shear += rubber.law.fiber_energy(
-                    squared_fiber_stretch(F, fiber_direction(rubber.law, axes, family)));
+        if (rubber.fibers)
+            for (int family = 0; family < rubber.fibers->families; ++family)
+                parts.shear += fiber_energy(*rubber.fibers,
+                                            squared_fiber_stretch(F, fiber_direction(*rubber.fibers, axes, family)));
         return parts;
     }
 }

@@ -165,7 +165,12 @@ std::string_view name_of(Mode mode) {
 }  // namespace
 
 std::vector<StabilityLimit> stability_limits(const AnyRubber& rubber, const StretchRange& range) {
-    return std::visit([&](const auto& r) { return limits_of(r, range); }, rubber);
+    return std::visit(
+        [&](auto matrix) {
+            matrix.fibers.reset();
+            return limits_of(matrix, range);
+        },
+        rubber);
 }
 
 std::string stability_text(const std::vector<StabilityLimit>& limits) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "material/fibers.hpp"
 #include "material/form.hpp"
 #include "mesh/mesh.hpp"
 #include "model/settings.hpp"
@@ -20,6 +21,7 @@ enum class Kinematics { axisymmetric, plane_strain, solid };
 using Formulation = material::Form;
 using Volumetric = material::VolumetricLaw;
 using FiberFrame = material::FiberFrame;
+using Fibers = material::Fibers;
 enum class Strain { finite, small };
 
 struct Material {
@@ -30,8 +32,9 @@ struct Material {
     std::optional<double> density_kg_m3 = {};            ///< undeformed; needed by body forces and dynamics
     Volumetric volumetric = Volumetric::quadratic;
     Strain strain = Strain::finite;                      ///< small: the law's tangent at the undeformed state, linear in grad u
-    FiberFrame fiber_frame = FiberFrame::cartesian;      ///< of laws with fibres; the others do not look at it
+    FiberFrame fiber_frame = FiberFrame::cartesian;      ///< of rubbers with fibres; the others do not look at it
     std::string source = "material";                     ///< section of the design that states it: "material" or "materials.<name>"
+    std::optional<Fibers> fibers = {};                   ///< that the family has laid into the region, besides those of the law
 };
 
 /// Zero displacement of the marked components (x, y, z; axisymmetric: x, r, unused) on a named face.

@@ -78,6 +78,13 @@ std::string constants_text(const material::LawInfo& law, const model::Material& 
     return core::join(words);
 }
 
+std::string fibers_text(const model::Fibers& fibers) {
+    const std::string angle = core::quantity_text(fibers.angle_rad, core::Dimension::angle);
+    return std::string{fibers.families == 2 ? "two families at plus and minus " : "one family at "} + angle +
+           " from the axis, k1 = " + core::quantity_text(fibers.k1_Pa, core::Dimension::pressure) +
+           ", k2 = " + core::rounded_text(fibers.k2, 6);
+}
+
 /// Where the law is stable, as far as it is looked at.
 std::string range_text(const model::Material& rubber) {
     const std::string looked_at = " between stretches of " + core::rounded_text(material::usual_range.least, 2) +
@@ -106,7 +113,7 @@ std::string material_section(const Content& content) {
     for (const model::Material& rubber : content.result.model.materials) {
         const material::LawInfo* law = material::find_law(rubber.law);
         if (law == nullptr) continue;  // read_result has refused it
-        const std::vector<Row> rows = {
+        std::vector<Row> rows = {
             {{"in the design", rubber.source}},
             {{"law", rubber.law + (rubber.strain == model::Strain::small ? ", linear in the strain" : "")}},
             {{"energy per undeformed volume", std::string{law->energy}}},
@@ -114,6 +121,7 @@ std::string material_section(const Content& content) {
             {{"made for", std::string{law->validity}}},
             {{"range", range_text(rubber)}},
             {{"source", std::string{law->source}}}};
+        if (rubber.fibers) rows.push_back({{"fibres besides", fibers_text(*rubber.fibers)}});
         html += "<h3>" + escaped(rubber.name) + "</h3>\n" + html_table({}, rows);
     }
     const std::vector<solution::Step>& steps = content.result.steps;

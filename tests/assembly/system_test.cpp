@@ -208,10 +208,19 @@ TEST(System, RefusesACaseItCannotRun) {
     model::Material fibres;
     fibres.constants["families"] = {1.0};
     fibres.fiber_frame = model::FiberFrame::cylindrical;
-    EXPECT_FALSE(model::why_not(fibres, model::Kinematics::axisymmetric).empty());
-    EXPECT_TRUE(model::why_not(fibres, model::Kinematics::solid).empty());
+    using model::Kinematics;
+    const std::array<bool, 3> whole{}, half{false, true, false};
+    EXPECT_FALSE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
+    EXPECT_TRUE(model::why_not(fibres, Kinematics::solid, whole).empty());
+    EXPECT_FALSE(model::why_not(fibres, Kinematics::solid, half).empty());
     fibres.constants["families"] = {2.0};
-    EXPECT_TRUE(model::why_not(fibres, model::Kinematics::axisymmetric).empty());
+    EXPECT_TRUE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
+    EXPECT_TRUE(model::why_not(fibres, Kinematics::solid, half).empty());
+    fibres.fibers = model::Fibers{0.5, 1e5, 1, 1};
+    EXPECT_FALSE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
+    fibres.fibers->angle_rad = 0;   // along the axis: its own mirror image
+    EXPECT_TRUE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
+    EXPECT_TRUE(model::why_not(fibres, Kinematics::solid, half).empty());
     auto no_material = box_case(1, true);
     no_material.materials.clear();
     EXPECT_THROW(System(no_material, PETSC_COMM_WORLD), Error);

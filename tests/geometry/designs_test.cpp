@@ -82,7 +82,7 @@ TEST_P(EveryFamily, IsRunnableWithFamilyMaterialAndAPressureAlone) {
     EXPECT_EQ(c.outputs.size(), expected.outputs);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily, testing::Values("rod", "panel", "plate", "sphere", "two-spheres", "ring", "tube", "dome", "bellows",
+INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily, testing::Values("rod", "panel", "plate", "sphere", "two-spheres", "ring", "tube", "fiber-tube", "dome", "bellows",
                                                                 "pneunet", "segment"),
                          [](const auto& test) { return test_name(test.param); });
 
@@ -98,7 +98,7 @@ TEST_P(Shown, BecomesACaseWithoutWarning) {
     EXPECT_GT(mesh::quality(build_case(design).mesh).min_scaled_jacobian, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome",
+INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome", "twisting-tube",
                                                          "bellows-inflation", "bending-bellows", "pneunet", "segment"),
                          [](const auto& test) { return test_name(test.param); });
 

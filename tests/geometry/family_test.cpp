@@ -111,6 +111,7 @@ std::vector<Volumes> closed_forms() {
     for (const char* model : {"axisymmetric", "solid", "half", "quarter"}) {
         all.push_back({"sphere", model, 4 * pi / 3 * (8e-6 - 1e-6), 4 * pi / 3 * 1e-6});
         all.push_back({"tube", model, pi * (1e-4 * 0.1 - 0.49e-4 * 0.09), pi * 0.49e-4 * 0.09});
+        all.push_back({"fiber-tube", model, pi * (1e-4 * 0.1 - 0.49e-4 * 0.09), pi * 0.49e-4 * 0.09});
         all.push_back({"dome", model, 2 * pi / 3 * (51e-3 * 51e-3 * 51e-3 - 49e-3 * 49e-3 * 49e-3) * (1 - std::cos(pi / 6)), 0});
     }
     for (const char* model : {"solid", "half", "quarter"}) {

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
@@ -26,12 +28,23 @@ inline double number_of(const design::Key& key, const std::string& text) {
     if (std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end()) return 0;   // a word in its place
     switch (key.kind) {
         case design::Kind::length: return core::quantity_or_throw(text, core::Dimension::length, ExitCode::bad_input, key.path);
+        case design::Kind::pressure: return core::quantity_or_throw(text, core::Dimension::pressure, ExitCode::bad_input, key.path);
         case design::Kind::angle: return core::quantity_or_throw(text, core::Dimension::angle, ExitCode::bad_input, key.path);
         case design::Kind::count:
         case design::Kind::ratio: return std::stod(text);
         case design::Kind::text: return 0;
         default: throw std::logic_error("a kind no family uses");
     }
+}
+
+/// The values of "[0, 1]"; of a single value that one.
+inline std::vector<double> numbers_of(const design::Key& key, std::string text) {
+    if (!text.starts_with('[')) return {number_of(key, text)};
+    std::replace_if(text.begin(), text.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
+    std::vector<double> numbers;
+    std::istringstream words(text);
+    for (double number = 0; words >> number;) numbers.push_back(number);
+    return numbers;
 }
 
 using Changes = std::map<std::string, std::string>;
@@ -42,7 +55,8 @@ inline design::Values values(const std::string& name, const std::string& model, 
     const auto add = [&](const design::Key& key) {
         const auto change = changes.find(key.path);
         const std::string text = change == changes.end() ? key.fallback : change->second;
-        result.set(key.path, {number_of(key, text), text, "test", change != changes.end()});
+        const auto numbers = numbers_of(key, text);
+        result.set(key.path, {numbers.front(), text, "test", change != changes.end(), numbers});
     };
     for (const design::Key& key : keys.geometry) add(key);
     for (const design::Key& key : keys.mesh) add(key);

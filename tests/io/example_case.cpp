@@ -49,7 +49,8 @@ model::Case section_case() {
     model.materials = {
         {"rubber", "neo-hookean", {{"mu", {164400.0}}}, 16.44e6, 1080.0, model::Volumetric::log},
         {"collar", "ogden", {{"mu", {1e5, 2e3, -1e4}}, {"alpha", {1.3, 5.0, -2.0}}}, std::nullopt,
-         1200.5, model::Volumetric::quadratic, model::Strain::small, model::FiberFrame::cylindrical, "materials.collar"},
+         1200.5, model::Volumetric::quadratic, model::Strain::small, model::FiberFrame::cylindrical, "materials.collar",
+         model::Fibers{0.6, 5e5, 1.25, 1}},
     };
     model.supports = {{"end_disc", {true, true, false}}, {"inlet", {false, true, false}}};
     model.cavities = {{"main", "cavity", {"end_disc"}, {{"inlet", 1.9634954084936207e-5, {-1, 0, 0}}}},

@@ -15,6 +15,7 @@ void expect_equal(const model::Material& left, const model::Material& right) {
     EXPECT_EQ(left.volumetric, right.volumetric);
     EXPECT_EQ(left.strain, right.strain);
     EXPECT_EQ(left.fiber_frame, right.fiber_frame);
+    EXPECT_EQ(left.fibers, right.fibers);
     EXPECT_EQ(left.source, right.source);
 }
 

@@ -22,30 +22,44 @@ void expect_near(const PointResponse& point, const Tensor& P, const Tangent& A) 
     EXPECT_LE(distance(point.tangent, A), 2e-12 * size_of(A));
 }
 
+/// Stress, tangent and energy against differentiation of the energy.
+template <class L>
+void expect_derivatives_of_the_energy(const Rubber<L>& r, const Tensor& at) {
+    Tensor P;
+    Tangent A;
+    const Number W = energy_of(r, at);
+    for (int m = 0; m < 9; ++m) {
+        P[m] = W.g[m];
+        for (int n = 0; n < 9; ++n) A[9 * m + n] = W.hessian(m, n);
+    }
+    const auto parts = energy_parts(r, {}, at);
+    const double K = 1.0 / r.inverse_bulk_modulus;
+    EXPECT_NEAR(parts->shear + 0.5 * K * parts->dilatation * parts->dilatation, W.v, 1e-13 * size_of(A));
+    expect_near(displacement(r, at), P, A);
+}
+
 TYPED_TEST(Derivatives, StressAndTangentAreThoseOfTheEnergyInF) {
     for (const auto volumetric : volumetric_laws)
         for (const Tensor& at : states) {
             const auto r = rubber<TypeParam>(volumetric);
-            Tensor P;
-            Tangent A;
             if constexpr (StressLaw<TypeParam>) {
+                Tensor P;
+                Tangent A;
                 const auto stress = kraken_stress(kappa_Pa, at);
                 for (int m = 0; m < 9; ++m) {
                     P[m] = stress[m].v;
                     for (int n = 0; n < 9; ++n) A[9 * m + n] = stress[m].g[n];
                 }
+                expect_near(displacement(r, at), P, A);
             } else {
-                const Number W = energy_of(r, at);
-                for (int m = 0; m < 9; ++m) {
-                    P[m] = W.g[m];
-                    for (int n = 0; n < 9; ++n) A[9 * m + n] = W.hessian(m, n);
-                }
-                const auto parts = energy_parts(r, {}, at);
-                const double K = 1.0 / r.inverse_bulk_modulus;
-                EXPECT_NEAR(parts->shear + 0.5 * K * parts->dilatation * parts->dilatation, W.v, 1e-13 * size_of(A));
+                expect_derivatives_of_the_energy(r, at);
             }
-            expect_near(displacement(r, at), P, A);
         }
+}
+
+TYPED_TEST(Derivatives, OfARubberWithFibresToo) {
+    if constexpr (MayHaveFibers<TypeParam>)
+        for (const Tensor& at : states) expect_derivatives_of_the_energy(fibered<TypeParam>(VolumetricLaw::log), at);
 }
 
 TYPED_TEST(Derivatives, DilatationIsTheDerivativeOfTheEnergyByThePressure) {

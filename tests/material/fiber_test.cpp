@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/error.hpp"
+#include "material/stability.hpp"
 #include "samples.hpp"
 
 namespace soft::material {
@@ -74,6 +76,49 @@ TEST(Fibres, FollowTheirFrame) {  // P(F Q^T) of the frame Q e is P(F) Q^T of th
     const Tensor expected = multiply(displacement(r, F).first_piola, transposed(Q));
     EXPECT_LE(distance(displacement(r, multiply(F, transposed(Q)), turned).first_piola, expected), 1e-12 * kappa_Pa);
     EXPECT_GT(distance(displacement(r, multiply(F, transposed(Q))).first_piola, expected), 1e-2 * kappa_Pa * 0.01);
+}
+
+/// "place: problem; remedy" of fibres in a neo-Hookean rubber or another; empty where it is made.
+std::string refusal(const Fibers& in, std::string_view law = "neo-hookean") {
+    auto description = description_of(law);
+    description.fibers = in;
+    try {
+        static_cast<void>(make_rubber(description));
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
+TEST(Fibres, BesideTheNeoHookeanLawAreThoseOfTheLawThatHasThem) {
+    const Rubber<NeoHookean> beside = fibered<NeoHookean>();
+    const Rubber<HolzapfelGasserOgden> own = rubber<HolzapfelGasserOgden>();
+    ASSERT_EQ(beside.fibers, own.fibers);
+    EXPECT_EQ(displacement(beside, F).first_piola, displacement(own, F).first_piola);
+    EXPECT_EQ(displacement(beside, F).tangent, displacement(own, F).tangent);
+}
+
+TEST(Fibres, OutsideTheirRangeOrInALawWithoutAnEnergyAreRefused) {
+    EXPECT_EQ(refusal(two_families), "");
+    EXPECT_EQ(refusal({0.5, 2e5, 0.8, 1}, "ogden"), "");
+    EXPECT_EQ(refusal({0.5, 0, 0.8, 2}), "fibers.k1: 0 Pa is not positive");
+    EXPECT_EQ(refusal({0.5, 2e5, -1, 2}), "fibers.k2: -1 is not positive");
+    EXPECT_EQ(refusal({0.5, 2e5, 0.8, 3}), "fibers.families: 3 families; 1 or 2");
+    EXPECT_EQ(refusal({1.6, 2e5, 0.8, 2}), "fibers.angle: 1.6 rad is outside its range; 0 to 90 degrees from the axis");
+    for (const char* law : {"kraken", "linear-elastic"})
+        EXPECT_EQ(refusal(two_families, law), std::string{"fibers: the law "} + law +
+                                                  " has no finite-strain energy to which theirs could be added; neo-hookean, for example");
+    EXPECT_EQ(refusal(two_families, "holzapfel-gasser-ogden"),
+              "fibers: the law holzapfel-gasser-ogden has its own; a law without fibres for the rubber between them");
+}
+
+TEST(Fibres, LeaveTheStabilityOfTheirMatrixAsItIs) {
+    auto description = description_of("mooney-rivlin");
+    const auto plain = stability_limits(make_rubber(description));
+    description.fibers = two_families;
+    const auto limits = stability_limits(make_rubber(description));
+    ASSERT_EQ(limits.size(), plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_EQ(limits[i].stretch, plain[i].stretch);
 }
 
 }  // namespace

@@ -40,6 +40,25 @@ inline std::array<Number, 3> squared_stretches(const TensorOf<Number>& V) {
     return roots;
 }
 
+/// Of all families.
+template <class L>
+Number fiber_energy_of(const Rubber<L>& rubber, const TensorOf<Number>& V, const FiberAxes& axes) {
+    Number W;
+    if (rubber.fibers)
+        for (int family = 0; family < rubber.fibers->families; ++family) {
+            const double angle = rubber.fibers->angle_rad;
+            const double c = std::cos(angle), s = (1 - 2 * family) * std::sin(angle);
+            Number I4;
+            for (std::size_t i = 0; i < 3; ++i) {
+                Number component;
+                for (std::size_t k = 0; k < 3; ++k) component += V[3 * i + k] * (c * axes.e1[k] + s * axes.e2[k]);
+                I4 += component * component;
+            }
+            W += fiber_energy(*rubber.fibers, I4);
+        }
+    return W;
+}
+
 template <class L>
 Number energy_of(const Rubber<L>& rubber, const Tensor& at, const FiberAxes& axes = {}) {
     const auto V = variables(at);
@@ -56,11 +75,11 @@ Number energy_of(const Rubber<L>& rubber, const Tensor& at, const FiberAxes& axe
         Number square;
         for (const Number& e : strain) square += e * e;
         const Number volume = trace(strain);
-        return mu_Pa * square + 0.5 * (K - 2.0 * mu_Pa / 3.0) * volume * volume;
+        return mu_Pa * square + 0.5 * (K - 2.0 * mu_Pa / 3.0) * volume * volume + fiber_energy_of(rubber, V, axes);
     } else {
         const Number dilation = theta(rubber.volumetric, J);
         const auto I = principal_invariants(V);
-        Number W = 0.5 * K * dilation * dilation;
+        Number W = 0.5 * K * dilation * dilation + fiber_energy_of(rubber, V, axes);
         if constexpr (std::same_as<L, NeoHookeanCompressible>) {
             W += 0.5 * mu_Pa * (I.I1 - 3.0 - 2.0 * log(J));
         } else if constexpr (StretchLaw<L>) {
@@ -71,17 +90,6 @@ Number energy_of(const Rubber<L>& rubber, const Tensor& at, const FiberAxes& axe
         } else {
             W += rubber.law.isochoric_energy(Invariants<Number>{I.I1 * pow(J, -2.0 / 3.0), I.I2 * pow(J, -4.0 / 3.0)});
         }
-        if constexpr (FiberLaw<L>)
-            for (int family = 0; family < rubber.law.families; ++family) {
-                const double c = std::cos(rubber.law.angle_rad), s = (1 - 2 * family) * std::sin(rubber.law.angle_rad);
-                Number I4;
-                for (std::size_t i = 0; i < 3; ++i) {
-                    Number component;
-                    for (std::size_t k = 0; k < 3; ++k) component += V[3 * i + k] * (c * axes.e1[k] + s * axes.e2[k]);
-                    I4 += component * component;
-                }
-                W += rubber.law.fiber_energy(I4);
-            }
         return W;
     }
 }

@@ -62,6 +62,15 @@ TYPED_TEST(Batches, AnswerAsTheirPointsInMixedForm) {
     }
 }
 
+TYPED_TEST(Batches, WithFibresAnswerAsTheirPoints) {
+    if constexpr (MayHaveFibers<TypeParam>) {
+        const auto r = fibered<TypeParam>();
+        auto batch = batch_of_states<TypeParam>();
+        respond(r, Form::mixed, Wanted::stress_and_tangent, batch);
+        for (int q = 0; q < 5; ++q) expect_same(mixed(r, state(q), batch.p[q], batch.axes[q]), batch.response(q));
+    }
+}
+
 TYPED_TEST(Batches, StressAloneIsTheSameStress) {
     const auto r = rubber<TypeParam>(VolumetricLaw::quadratic);
     auto with_tangent = batch_of_states<TypeParam>(), alone = batch_of_states<TypeParam>();

@@ -36,6 +36,18 @@ Rubber<L> rubber(VolumetricLaw volumetric = VolumetricLaw::quadratic) {
     return std::get<Rubber<L>>(make_rubber(description_of(law.name, kappa_Pa, volumetric)));
 }
 
+inline constexpr Fibers two_families{0.5, 2e5, 0.8, 2};
+
+/// With fibres, those of the law or these.
+template <class L>
+    requires MayHaveFibers<L>
+Rubber<L> fibered(VolumetricLaw volumetric = VolumetricLaw::quadratic) {
+    const LawInfo law = L::info();
+    Description description = description_of(law.name, kappa_Pa, volumetric);
+    if (!law.fibers) description.fibers = two_families;
+    return std::get<Rubber<L>>(make_rubber(description));
+}
+
 inline constexpr std::array<VolumetricLaw, 3> volumetric_laws{VolumetricLaw::quadratic, VolumetricLaw::log,
                                                               VolumetricLaw::mixed};
 

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "beam_formula.hpp"
+#include "fiber_tube_formula.hpp"
 #include "inflation_formula.hpp"
 #include "membrane_formula.hpp"
 #include "principal_law.hpp"
@@ -115,6 +117,47 @@ TEST(Formula, LongClosedTubeHasTheSpecificationsLimitPoint) {
     EXPECT_NEAR(1e-3 * peak.value, 43.9467, 1e-4);
     EXPECT_NEAR(1e-3 * closed_tube(pulls, 7e-3, 10e-3, 1.796).pressure_Pa, 43.9467, 1e-4);
     EXPECT_NEAR(closed_tube(pulls, 7e-3, 10e-3, 1.796).axial_stretch, 1.1778, 1e-4);
+}
+
+/// Radii 7 and 10 mm, mu 0.1644 MPa.
+FiberTube fiber_tube(double angle_rad, double k1_Pa, int families) {
+    return {7e-3, 10e-3, [](double) { return 0.5 * 0.1644e6; }, angle_rad, k1_Pa, 1, families};
+}
+
+TEST(Formula, FiberTubeWithoutStiffFibresIsTheClosedTube) {
+    const Pulls pulls = pulls_of(rubber("neo-hookean", 0.1644e6, std::nullopt));
+    for (const double hoop : {1.1, 1.4}) {
+        const TubeState plain = closed_tube(pulls, 7e-3, 10e-3, hoop);
+        const auto state = fiber_tube_state(fiber_tube(0.5, 1e-6, 1), plain.pressure_Pa);
+        EXPECT_NEAR(state.hoop, hoop, 1e-9);
+        EXPECT_NEAR(state.axial, plain.axial_stretch, 1e-9);
+        EXPECT_NEAR(state.twist_1_m, 0, 1e-9);
+    }
+}
+
+TEST(Formula, FiberTubeOfTwoFamiliesDoesNotTwistAndOfOneTurnsTowardsIt) {
+    EXPECT_NEAR(fiber_tube_state(fiber_tube(0.9, 0.5e6, 2), 30e3).twist_1_m, 0, 1e-9);
+    const auto right = fiber_tube_state(fiber_tube(0.9, 0.5e6, 1), 30e3), left = fiber_tube_state(fiber_tube(-0.9, 0.5e6, 1), 30e3);
+    EXPECT_LT(right.twist_1_m, -1);   // the helix straightens: it turns against its own sense
+    EXPECT_NEAR(left.twist_1_m, -right.twist_1_m, 1e-9);
+    EXPECT_NEAR(left.axial, right.axial, 1e-12);
+}
+
+/// Inextensible fibres of a thin tube carry twice as much round as along where tan^2 = 2, which is what pressure asks for.
+TEST(Formula, StiffFibresOfAThinTubeHaveTheMagicAngle) {
+    constexpr double degree = std::numbers::pi / 180, mu_Pa = 0.1644e6, middle_m = 10e-3, t = 0.05;
+    const double magic = std::atan(std::numbers::sqrt2);
+    EXPECT_NEAR(magic / degree, 54.7356, 5e-5);
+    double last = 1;
+    for (const double ratio : {10.0, 100.0, 1000.0}) {   // k1 / mu
+        FiberTube tube = fiber_tube(0, ratio * mu_Pa, 2);
+        tube.inner_m = middle_m * (1 - 0.5 * t);
+        tube.outer_m = middle_m * (1 + 0.5 * t);
+        const double miss = (magic - neutral_angle_rad(tube, 0.2 * t * mu_Pa)) / degree;
+        EXPECT_NEAR(last / miss, last == 1 ? 1 / miss : 10, 0.5) << ratio;   // it falls as the rubber's part does
+        last = miss;
+    }
+    EXPECT_LT(std::abs(last), 2e-3);
 }
 
 constexpr GentTube balloon{1, 30, 9, 10};

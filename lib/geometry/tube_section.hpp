@@ -1,0 +1,33 @@
+#pragma once
+/// The section of a closed tube about x: two caps and the wall between them, in layers that run from end to end. Shared by
+/// the families tube (one layer) and fiber-tube. Held by geometry/family_test and geometry/fiber_tube_test.
+#include <span>
+#include <string>
+#include <vector>
+
+#include "design/design.hpp"
+#include "geometry/section.hpp"
+
+namespace soft::geometry {
+
+struct TubeShape {
+    double length_m, outer_m, inner_m, cap_m;
+    [[nodiscard]] double wall_m() const { return outer_m - inner_m; }
+};
+
+/// geometry.length, outer_radius, inner_radius, cap.
+[[nodiscard]] std::vector<design::Key> tube_keys();
+
+/// Throws values.refuse(...) for values that do not fit together.
+[[nodiscard]] TubeShape tube_shape(const design::Values& values);
+
+struct WallLayer {
+    double outer_m;          ///< outer radius; the inner one is that of the layer before, or of the cavity
+    int cells;
+    std::string region = "rubber";
+};
+
+/// From inside to outside; the last layer ends at shape.outer_m. Faces "fixed", "inlet", "cavity", "outer" and the axis.
+[[nodiscard]] Section tube_section(const TubeShape& shape, double size_m, std::span<const WallLayer> layers);
+
+}  // namespace soft::geometry

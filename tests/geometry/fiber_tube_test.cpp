@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/text.hpp"
+#include "mesh/quality.hpp"
+#include "sample.hpp"
+
+namespace soft::geometry {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+design::Design read(const std::string& geometry, const std::string& rest = "") {
+    const bool own = rest.find("material:") != std::string::npos;
+    const std::string text = "family: fiber-tube\ngeometry: {" + geometry + "}\n" +
+                             (own ? "" : "material: {law: neo-hookean, mu: 0.1644 MPa}\n") + rest + "loads: {cavity: {pressure: 30 kPa}}\n";
+    return design::read_design(text, "d.yaml", catalogue_keys(), {});
+}
+
+/// What is wrong with a design, in its text or its values; or "accepted".
+std::string refusal_of(const std::string& geometry, const std::string& rest = "") {
+    try {
+        return sample::refusal(read(geometry, rest));
+    } catch (const Error& error) {
+        return error.what();
+    }
+}
+
+/// Volume of a region, whole actuator.
+double region_m3(const model::Case& c, const std::string& region) {
+    mesh::Mesh part;
+    part.dimension = c.mesh.dimension;
+    part.points = c.mesh.points;
+    for (mesh::Index cell = 0; cell < c.mesh.cell_count(); ++cell) {
+        const std::int32_t own = c.mesh.cell_regions[static_cast<std::size_t>(cell)];
+        if (c.mesh.region_names[static_cast<std::size_t>(own)] == region)
+            mesh::add_cell(part, c.mesh.cell_type(cell), c.mesh.cell_nodes(cell), own);
+    }
+    const bool turned = c.kinematics == model::Kinematics::axisymmetric;
+    return mesh::measure(part, turned ? mesh::Measure::revolved : mesh::Measure::plain) / c.model_fraction;
+}
+
+const model::Material& material_of(const model::Case& c, const std::string& region) {
+    return *std::ranges::find(c.materials, region, &model::Material::name);
+}
+
+/// Wall from 7 to 10 mm, 100 mm long.
+TEST(FiberTube, TheLayerHasTheVolumeOfItsPartOfTheWall) {
+    constexpr double curved = 1.5e-4;   // quadratic edges miss a circle by the fourth power of their angle
+    for (const char* model : {"axisymmetric", "quarter"})
+        for (const auto& [layer, inner_mm, outer_mm] : {std::tuple{"[0, 1]", 7.0, 10.0}, {"[0.25, 0.5]", 7.75, 8.5},
+                                                        {"[0, 0.3]", 7.0, 7.9}, {"[0.9, 1]", 9.7, 10.0}}) {
+            const auto c = build_case(read(std::string{"fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n"));
+            const double ring_m3 = 1e-6 * pi * (outer_mm * outer_mm - inner_mm * inner_mm) * 0.1;
+            EXPECT_NEAR(region_m3(c, "fibers") / ring_m3, 1, curved) << model << layer;
+            const double rubber_m3 = pi * (1e-4 * 0.1 - 0.49e-4 * 0.09);
+            EXPECT_NEAR((region_m3(c, "fibers") + region_m3(c, "rubber")) / rubber_m3, 1, curved) << model << layer;
+        }
+}
+
+TEST(FiberTube, LaysItsFibresIntoTheLayerAlone) {
+    const auto c = build_case(read("fibers: {angle: 60 deg, families: 2, k1: 0.2 MPa, k2: 1.5, layer: [0.2, 0.8]}",
+                                   "materials: {fibers: {law: yeoh, c1: 30 kPa}}\n"));
+    const model::Material& layer = material_of(c, "fibers");
+    ASSERT_TRUE(layer.fibers.has_value());
+    EXPECT_NEAR(layer.fibers->angle_rad, pi / 3, 1e-15);
+    EXPECT_EQ(layer.fibers->k1_Pa, 2e5);
+    EXPECT_EQ(layer.fibers->k2, 1.5);
+    EXPECT_EQ(layer.fibers->families, 2);
+    EXPECT_EQ(layer.fiber_frame, model::FiberFrame::cylindrical);
+    EXPECT_EQ(layer.law, "yeoh");
+    EXPECT_FALSE(material_of(c, "rubber").fibers.has_value());
+    EXPECT_EQ(material_of(c, "rubber").law, "neo-hookean");
+}
+
+TEST(FiberTube, OneFamilyIsForTheWholeSolid) {
+    const std::string one = "fibers: {families: 1}";
+    EXPECT_EQ(refusal_of(one), "d.yaml:2:31: geometry.fibers.families: one family of fibres twists a body of revolution, which "
+                               "its section cannot show; families: 2, or model: solid");
+    for (const char* cut : {"half", "quarter"})
+        EXPECT_EQ(refusal_of(one, std::string{"model: "} + cut + "\n"),
+                  "d.yaml:2:31: geometry.fibers.families: one family of fibres is not its own mirror image, and the model is cut "
+                  "at planes of symmetry; families: 2, or model: solid");
+    EXPECT_EQ(refusal_of(one, "model: solid\n"), "accepted");
+    for (const char* straight : {"0 deg", "90 deg"})   // along the axis, or hoops
+        EXPECT_EQ(refusal_of(std::string{"fibers: {families: 1, angle: "} + straight + "}"), "accepted");
+}
+
+TEST(FiberTube, RefusesValuesOutsideTheirRange) {
+    const auto begins = [](const std::string& text, const std::string& start) {
+        EXPECT_TRUE(text.starts_with(start)) << text;
+    };
+    begins(refusal_of("fibers: {angle: 91 deg}"), "d.yaml:2:28: geometry.fibers.angle: 91 deg is ");
+    begins(refusal_of("fibers: {angle: -1 deg}"), "d.yaml:2:28: geometry.fibers.angle: -1 deg is ");
+    begins(refusal_of("fibers: {angle: 30}"), "d.yaml:2:28: geometry.fibers.angle: ");
+    begins(refusal_of("fibers: {families: 3}"), "d.yaml:2:31: geometry.fibers.families: 3 is ");
+    begins(refusal_of("fibers: {families: 0}"), "d.yaml:2:31: geometry.fibers.families: 0 is ");
+    begins(refusal_of("fibers: {k1: 0 MPa}"), "d.yaml:2:25: geometry.fibers.k1: 0 MPa is ");
+    begins(refusal_of("fibers: {k2: 0}"), "d.yaml:2:25: geometry.fibers.k2: 0 is ");
+    begins(refusal_of("fibers: {layer: [0, 1.2]}"), "d.yaml:2:32: geometry.fibers.layer: 1.2 is ");
+    begins(refusal_of("fibers: {layer: [-0.1, 1]}"), "d.yaml:2:29: geometry.fibers.layer: -0.1 is ");
+    begins(refusal_of("fibers: {layer: [0, 0.5, 1]}"), "d.yaml:2:28: geometry.fibers.layer: 3 values are too many");
+    begins(refusal_of("fibers: {pitch: 5 mm}"), "d.yaml:2:21: geometry.fibers.pitch: unknown key");
+}
+
+TEST(FiberTube, RefusesLayersThatAreNone) {
+    const std::string place = "d.yaml:2:28: geometry.fibers.layer: ", pair = "; [inner, outer], inner smaller than outer";
+    EXPECT_EQ(refusal_of("fibers: {layer: 0.5}"), place + "1 value where two are needed; [inner, outer], such as [0, 1]");
+    EXPECT_EQ(refusal_of("fibers: {layer: [0.7, 0.3]}"), place + "the layer from 0.7 to 0.3 is empty or runs inwards" + pair);
+    EXPECT_EQ(refusal_of("fibers: {layer: [0.5, 0.5]}"), place + "the layer from 0.5 to 0.5 is empty or runs inwards" + pair);
+    EXPECT_EQ(refusal_of("fibers: {layer: [0.001, 1]}"), place + "a part of the wall is 0.001 of it thick; 0, or at least 0.01");
+}
+
+TEST(FiberTube, RefusesRubberThatCannotHaveThem) {
+    EXPECT_EQ(refusal_of("", "material: {law: kraken, mu: 0.1 MPa, kappa: 10 MPa}\nmesh: {formulation: displacement}\n"),
+              "d.yaml:3:17: material.law: fibers: the law kraken has no finite-strain energy to which theirs could be added; "
+              "neo-hookean, for example");
+    EXPECT_EQ(refusal_of("", "materials: {fibers: {law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 1 MPa, k2: 1, angle: 1 deg}}\n"),
+              "d.yaml:4:27: materials.fibers.law: fibers: the law holzapfel-gasser-ogden has its own; a law without fibres for "
+              "the rubber between them");
+}
+
+/// Twenty tubes within the ranges, in all models; the same on every machine.
+TEST(FiberTube, RandomDesignsHaveNoInvertedCell) {
+    std::mt19937 random(8);
+    const auto between = [&](double low, double high) {
+        return low + (high - low) * (static_cast<double>(random()) / static_cast<double>(std::mt19937::max()));
+    };
+    const auto mm = [](double value) { return core::number_text(value) + " mm"; };
+    const std::array<const char*, 4> models{"axisymmetric", "solid", "half", "quarter"};
+    for (int k = 0; k < 20; ++k) {
+        const double outer = between(3, 30), wall = between(0.05, 0.8) * outer, length = between(1, 10) * outer;
+        const double begin = k % 3 == 0 ? 0 : between(0.02, 0.45), end = k % 5 == 0 ? 1 : between(0.55, 0.98);
+        const std::string geometry =
+            "length: " + mm(length) + ", outer_radius: " + mm(outer) + ", inner_radius: " + mm(outer - wall) +
+            ", cap: " + mm(between(0.02, 0.45) * length) + ", fibers: {angle: " + core::number_text(between(0, 90)) +
+            " deg, k1: " + core::number_text(between(0.01, 5)) + " MPa, layer: [" + core::number_text(begin) + ", " +
+            core::number_text(end) + "]}";
+        const std::string model = models[static_cast<std::size_t>(k) % 4];
+        const auto c = build_case(read(geometry, "model: " + model + "\nmesh: {size: " + mm(between(0.1, 0.5) * outer) + "}\n"));
+        EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << model << ": " << geometry;
+    }
+}
+
+}  // namespace
+}  // namespace soft::geometry

@@ -1,0 +1,141 @@
+// Long closed tubes with fibres in their wall, 400 mm or 20 diameters: the middle against quadrature of the ordinary equations of
+// inflation, extension and torsion.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/text.hpp"
+#include "fiber_tube_formula.hpp"
+#include "problem.hpp"
+
+namespace soft::verification {
+namespace {
+
+constexpr const char* group = "Fibre-reinforced tubes";
+constexpr double degree = std::numbers::pi / 180;
+
+/// The formula's tube of a solved case.
+FiberTube tube_of(const Run& run, double inner_m, double outer_m) {
+    const auto layer = std::ranges::find(run.model.materials, std::string("fibers"), &model::Material::name);
+    const auto constant = [&](const char* name) { return layer->constants.contains(name) ? layer->constants.at(name).front() : 0.0; };
+    FiberTube tube{inner_m, outer_m, {}, layer->fibers->angle_rad, layer->fibers->k1_Pa, layer->fibers->k2, layer->fibers->families};
+    tube.slope_Pa = layer->law == "yeoh"
+                        ? std::function<double(double)>([c1 = constant("c1"), c2 = constant("c2"), c3 = constant("c3")](double I1) {
+                              return c1 + (I1 - 3) * (2 * c2 + 3 * c3 * (I1 - 3));
+                          })
+                        : [mu = constant("mu")](double) { return 0.5 * mu; };
+    return tube;
+}
+
+/// Where a point of the inner wall is after the deformation.
+struct Place {
+    double X, x, r, angle;
+};
+
+Place place_of(const Run& run, double X, double inner_m) {
+    const auto node = nearest_node(run, {X, inner_m, 0});
+    const auto& point = run.model.mesh.points[node];
+    const double* u = &run.displacement_m[3 * node];
+    const double y = point[1] + u[1], z = point[2] + u[2];   // of a section z = 0
+    return {point[0], point[0] + u[0], std::hypot(y, z), std::atan2(z, y)};
+}
+
+FiberTubeState middle_of(const Run& run, double length_m, double inner_m) {
+    constexpr double span_m = 10e-3;   // nodes lie there on all meshes used here
+    const Place left = place_of(run, 0.5 * length_m - span_m, inner_m), right = place_of(run, 0.5 * length_m + span_m, inner_m);
+    return {place_of(run, 0.5 * length_m, inner_m).r / inner_m, (right.x - left.x) / (right.X - left.X),
+            (right.angle - left.angle) / (right.X - left.X)};
+}
+
+struct Case {
+    std::string name;
+    std::vector<std::string> sets;
+    double layer_begin = 0, layer_end = 1;
+    double length_m = 0.4;
+};
+
+Outcome inflated(const Case& tube_case) {
+    constexpr double inner_m = 7e-3, outer_m = 10e-3;
+    const auto run = run_design("verification/fiber-tube-long.yaml", tube_case.sets);
+    FiberTube tube = tube_of(run, inner_m, outer_m);
+    tube.layer_begin = tube_case.layer_begin;
+    tube.layer_end = tube_case.layer_end;
+    const double pressure_Pa = run.steps.back().pressure_Pa;
+    const FiberTubeState exact = fiber_tube_state(tube, pressure_Pa), ours = middle_of(run, tube_case.length_m, inner_m);
+    const auto row = [&](const std::string& quantity, double reference, double value) {
+        return Row{.quantity = quantity,
+                   .reference = reference,
+                   .source = "quadrature of the balances",
+                   .ours = value,
+                   .mesh = run.mesh,
+                   .seconds = run.seconds,
+                   .tolerance = homogeneous};
+    };
+    const std::string at = " at " + core::rounded_text(1e-3 * pressure_Pa, 4) + " kPa, middle ";
+    Outcome outcome{{row("axial stretch" + at + "[-]", exact.axial, ours.axial), row("a/A" + at + "[-]", exact.hoop, ours.hoop),
+                     row("pressure of the middle's stretches [kPa]", 1e-3 * fiber_tube_pressure_Pa(tube, ours), 1e-3 * pressure_Pa)},
+                    {}};
+    if (tube.families == 1)
+        outcome.rows.push_back(row("twist" + at + "[deg/mm]", 1e-3 * exact.twist_1_m / degree, 1e-3 * ours.twist_1_m / degree));
+    return outcome;
+}
+
+/// The angle at which the middle neither lengthens nor shortens, by secants over runs of the design.
+Problem magic_angle() {
+    return {group, "braid of stiff fibres (k1/mu = 1000) in a thin wall (t/R = 0.1)", [] {
+                constexpr double inner_m = 9.5e-3, outer_m = 10.5e-3;
+                Run last;
+                const auto lengthening = [&](double angle_deg) {
+                    last = run_design("verification/fiber-tube-long.yaml",
+                                      {"geometry.inner_radius=9.5 mm", "geometry.outer_radius=10.5 mm",
+                                       "geometry.fibers.k1=164.4 MPa", "loads.cavity.pressure=3.288 kPa", "mesh.through_wall=1",
+                                       "geometry.fibers.angle=" + core::number_text(angle_deg) + " deg"});
+                    return middle_of(last, 0.4, inner_m).axial - 1;
+                };
+                double before = 54, angle = 55.5, value_before = lengthening(before), value = lengthening(angle);
+                constexpr int secants = 3;
+                for (int i = 0; i < secants; ++i) {
+                    const double next = angle - value * (angle - before) / (value - value_before);
+                    before = std::exchange(angle, next);
+                    value_before = std::exchange(value, lengthening(next));
+                }
+                const double exact = neutral_angle_rad(tube_of(last, inner_m, outer_m), last.steps.back().pressure_Pa);
+                const auto row = [&](const char* quantity, double reference, const char* source, double tolerance) {
+                    return Row{.quantity = quantity,
+                               .reference = reference,
+                               .source = source,
+                               .ours = angle,
+                               .mesh = last.mesh,
+                               .seconds = last.seconds,
+                               .tolerance = tolerance};
+                };
+                return Outcome{{row("angle of no lengthening [deg]", exact / degree, "quadrature of the balances", homogeneous),
+                                row("the same, against inextensible fibres [deg]", std::atan(std::numbers::sqrt2) / degree,
+                                    "tan^2 = 2", promised)},
+                               {}};
+            }};
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const char* angle : {"20", "30", "40", "50", "60", "70", "80"})
+        all.push_back({std::string("braid at ") + angle + " degrees", {std::string("geometry.fibers.angle=") + angle + " deg"}});
+    all.push_back({"braid at 70 degrees in the middle third of a Yeoh wall",
+                   {"geometry.fibers.angle=70 deg", "geometry.fibers.layer=[0.3, 0.7]", "mesh.through_wall=4",
+                    "material={law: yeoh, c1: 80 kPa, c2: 10 kPa, c3: 2 kPa}", "loads.cavity.pressure=40 kPa"},
+                   0.3,
+                   0.7});
+    return all;
+}
+
+}  // namespace
+
+std::vector<Problem> fiber_tube_problems() {
+    std::vector<Problem> problems;
+    for (const Case& tube : cases()) problems.push_back({group, tube.name, [tube] { return inflated(tube); }});
+    problems.push_back(magic_angle());
+    return problems;
+}
+
+}  // namespace soft::verification
