@@ -154,7 +154,8 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
         double value;
     };
     constexpr double frontal_delaunay = 6, blossom = 1, into_quadrilaterals = 1;   // 8, made for them, crashes in gmsh 4.8
-    for (const Option& option : {Option{"Mesh.MeshSizeExtendFromBoundary", 0}, Option{"Mesh.MeshSizeFromPoints", 0},
+    // Thrown from one of its threads, gmsh's errors would end the program: what it could not mesh is seen in what it made.
+    for (const Option& option : {Option{"General.AbortOnError", 0}, Option{"Mesh.MeshSizeExtendFromBoundary", 0}, Option{"Mesh.MeshSizeFromPoints", 0},
                                  Option{"Mesh.Algorithm", frontal_delaunay}, Option{"Mesh.ElementOrder", 2}})
         gmsh_->call(gmsh_->set_option, option.name, option.value);
     if (cells == Free::quadrilaterals)

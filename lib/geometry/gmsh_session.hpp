@@ -44,7 +44,8 @@ public:
     void add_spline(int tag, std::vector<int> points);   ///< uniform Catmull-Rom
     void add_loop(int tag, std::vector<int> curves);
     void add_plane(int tag, std::vector<int> loops);     ///< the first round it, the others round its holes
-    /// What was added, with curved cells of second order: triangles of the given length, or quadrilaterals of half of it.
+    /// What was added, with curved cells of second order: triangles of the given length, or quadrilaterals of half of it. Says
+    /// nothing where it fails: the caller looks whether all is covered.
     enum class Free { triangles, quadrilaterals };
     using Size = std::function<double(std::array<double, 2>)>;
     void mesh_freely(Free cells, const Size& size);

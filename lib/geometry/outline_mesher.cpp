@@ -160,7 +160,13 @@ mesh::Mesh mesh_once(const Outline& outline, const Size& size_m, FreeCells cells
     fetched.add_cells(quads ? mesh::CellType::quad9 : mesh::CellType::triangle6);
     for (std::size_t c = 0; c < description.edges().size(); ++c)
         fetched.name_sides(static_cast<int>(c) + 1, *description.edges()[c]);
-    return fetched.take();
+    mesh::Mesh mesh = fetched.take();
+    double outline_m2 = 0;
+    for (const Loop& loop : outline.loops) outline_m2 += area_m2(loop);
+    constexpr double uncovered = 0.05;   // quadratic sides miss the outline by far less
+    if (!(std::abs(mesh::measure(mesh, mesh::Measure::plain) / outline_m2 - 1) < uncovered))
+        throw Error(ExitCode::internal, "section mesh", "gmsh's cells do not cover the section");
+    return mesh;
 }
 
 /// A curved side may come so near to the opposite corner that its cell is flat there or inside out.
@@ -209,7 +215,14 @@ mesh::Mesh mesh_outline(const Outline& outline, FreeCells cells) {
     mesh::Mesh best;
     double best_quality = -INFINITY;
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        mesh::Mesh mesh = mesh_once(outline, size_m, cells);
+        mesh::Mesh mesh;
+        try {
+            mesh = mesh_once(outline, size_m, cells);
+        } catch (const Error& error) {   // gmsh has stumbled; over other lengths it may not
+            if (error.code() != ExitCode::internal) throw;
+            size_m = [=](PlanePoint place) { return 0.7 * size_m(place); };
+            continue;
+        }
         const Spoilt spoilt = spoilt_cells(mesh);
         if (spoilt.least > best_quality) {
             best_quality = spoilt.least;
@@ -218,6 +231,8 @@ mesh::Mesh mesh_outline(const Outline& outline, FreeCells cells) {
         if (spoilt.places.empty()) break;
         size_m = shorter_at(size_m, spoilt.places);
     }
+    if (best.cell_types.empty())
+        throw Error(ExitCode::bad_input, "section mesh", "gmsh finds no mesh in the outline", "leave out very sharp corners and very thin walls");
     static_cast<void>(mesh::quality(best));   // throws with the place if no attempt has given sound cells
     return best;
 }

@@ -11,12 +11,6 @@
 namespace soft::verification {
 namespace {
 
-TEST(Drawn, ABellowsGivenAsATableHasTheCurveOfTheBellows) {
-    const auto run = run_design("verification/bellows-table.yaml", {"loads.cavity.sealed=false", "path.until.elongation=42 mm"});
-    for (const auto& [elongation_mm, pressure_kPa] : std::map<double, double>{{20, 1.38862}, {40, 3.31042}})
-        EXPECT_NEAR(1e-3 * run.at("elongation", 1e-3 * elongation_mm).pressure_Pa / pressure_kPa, 1, 1e-3) << elongation_mm;
-}
-
 // Its held rim and its inner corners are singular: the table's cells are graded toward them.
 TEST(Drawn, ATubeGivenAsATableHasTheCurveOfTheTube) {
     const auto run = run_design("verification/tube-table.yaml", {"path.until.elongation=6 mm"});
