@@ -13,6 +13,10 @@
 #include "io/case_file.hpp"
 #include "mesh_gen_options.hpp"
 #include "mesh_summary.hpp"
+#include "model/cavity_surface.hpp"
+#include "surface/body_surface.hpp"
+#include "surface/fine_triangles.hpp"
+#include "surface/surface_file.hpp"
 
 namespace {
 
@@ -36,6 +40,20 @@ const design::FamilyKeys& family_named(const std::string& name) {
                          [&](const design::FamilyKeys& family) { return family.name == name; });
 }
 
+/// All outer sides of the mesh: of a part, its cuts too.
+std::string write_surface(const model::Case& model, const std::string& file) {
+    if (model.kinematics != model::Kinematics::solid)
+        throw Error(ExitCode::bad_input, file, "a section has no closed surface", "--set model=solid");
+    // A bellows of 100 mm is kept to 0.01 mm: its radii, and with them its volume, to 0.03 %.
+    constexpr double share_of_extent = 1e-4;
+    const surface::Triangles triangles = surface::fine_triangles(model.mesh, mesh::boundary_facets(model.mesh),
+                                                                 share_of_extent * model::extent_m(model.mesh));
+    cli::write_output(file, surface::surface_file(triangles, file), cli::Content::binary);
+    std::string line = file + ": " + std::to_string(triangles.triangles.size()) + " triangles";
+    if (model.model_fraction < 1) line += " around 1/" + core::rounded_text(1 / model.model_fraction, 3) + " of the actuator, closed at its cuts";
+    return line;
+}
+
 ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input, const std::vector<design::Override>& overrides) {
     cli::Console console{about.tool, options.common.verbosity};
     const design::Design design =
@@ -52,6 +70,7 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input, cons
         cli::write_output(options.common.output, image, cli::Content::binary);
     }
     for (const std::string& line : cli::summary_lines(summary)) console.say(line);
+    if (options.task == cli::Task::surface) console.say(write_surface(model, options.surface));
     if (options.task == cli::Task::check) console.say(input.source + ": nothing wrong");
     if (!options.common.json.empty()) cli::write_json(options.common.json, cli::summary_json(summary, warnings));
     return ExitCode::ok;
@@ -60,7 +79,7 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input, cons
 ExitCode run_task(const cli::MeshGenOptions& options) {
     constexpr std::size_t longest_design = (std::size_t{1} << 20) + 1;  // one more than the reader takes: it says so
     const std::string& output = options.common.output;
-    cli::check_distinct({{"DESIGN", options.inputs.front()}}, {{"--output", output}, {"--json", options.common.json}});
+    cli::check_distinct({{"DESIGN", options.inputs.front()}}, {{"--output", output}, {"--json", options.common.json}, {"--surface", options.surface}});
     switch (options.task) {
         case cli::Task::list: cli::write_output(output, family_list()); return ExitCode::ok;
         case cli::Task::list_materials: cli::write_output(output, design::law_list(options.law_style)); return ExitCode::ok;
@@ -69,6 +88,9 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
             return ExitCode::ok;
         case cli::Task::explain:
         case cli::Task::check: break;
+        case cli::Task::surface:
+            if (!surface::is_surface_file(options.surface)) throw surface::no_surface_file(options.surface);   // before the mesh is made
+            break;
         case cli::Task::build: cli::check_output(output, cli::Content::binary); break;
     }
     const cli::Input input = cli::read_input(options.inputs.front(), longest_design);

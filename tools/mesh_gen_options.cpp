@@ -56,14 +56,18 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     app.add_option("--template", options.family, "Print a commented, runnable design of the family")
         ->type_name("FAMILY")
         ->check(CLI::IsMember(family_names()));
+    app.add_option("--surface", options.surface, "Write the surface of a solid instead of a case: STL or OBJ by the ending, in mm")
+        ->type_name("FILE");
     add_set_option(app, options.sets);
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
     at_most_one_of(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials", "--template",
-                                                 "--output-folder"});
+                                                 "--output-folder", "--surface"});
+    at_most_one_of(app, std::vector<std::string>{"--surface", "--output"});
     at_most_one_of(app, std::vector<std::string>{"--output-folder", "--output"});
     at_most_one_of(app, std::vector<std::string>{"--output-folder", "--json"});
     if (!options.family.empty()) options.task = Task::print_template;
+    if (!options.surface.empty()) options.task = Task::surface;
     if (options.inputs.empty()) options.inputs.emplace_back();
     if (options.inputs.size() > 1 && options.folder.empty())
         throw Error(ExitCode::usage, "", "one argument too many: " + core::quoted(options.inputs[1]),

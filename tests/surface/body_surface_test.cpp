@@ -1,0 +1,185 @@
+#include "surface/body_surface.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/error.hpp"
+#include "core/files.hpp"
+#include "soups.hpp"
+#include "surface/surface_file.hpp"
+
+namespace soft::surface {
+namespace {
+
+using test::ball_soup;
+using test::box_soup;
+using test::joined;
+using test::made;
+
+std::string refusal(const FacetSoup& soup) {
+    try {
+        static_cast<void>(made(soup));
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        return error.what();
+    }
+    return "accepted";
+}
+
+const FacetSoup cube = box_soup({0, 0, 0}, {10, 10, 10});
+
+TEST(BodySurface, ASoundCubeIsLeftAlone) {
+    const BodySurface surface = made(cube);
+    EXPECT_TRUE(surface.repairs.empty());
+    EXPECT_EQ(surface.triangles.size(), 12u);
+    ASSERT_EQ(surface.shells.size(), 1u);
+    EXPECT_EQ(surface.shells[0].name, "outer");
+    EXPECT_NEAR(surface.volume_m3(), 1e-6, 1e-18);
+    EXPECT_NEAR(surface.area_m2(), 6e-4, 1e-15);
+    EXPECT_NEAR(surface.extent_m(), 1e-2, 1e-15);
+}
+
+TEST(BodySurface, PointsOfEachFacetAreMergedAlsoWhereTheyDifferByRounding) {
+    FacetSoup soup = test::torn(cube);
+    for (std::size_t n = 0; n < soup.points.size(); ++n) soup.points[n][n % 3] += 3e-7 * (n % 2 == 0 ? 1 : -1);
+    const BodySurface surface = made(soup);
+    EXPECT_EQ(surface.points.size(), 8u);
+    EXPECT_EQ(surface.repairs, std::vector<std::string>{"28 points merged with others in the same place"});
+    EXPECT_NEAR(surface.volume_m3(), 1e-6, 1e-12);
+}
+
+TEST(BodySurface, FlippedFacetsAreTurnedOver) {
+    FacetSoup soup = cube;
+    std::swap(soup.facets[3][0], soup.facets[3][1]);
+    EXPECT_EQ(made(soup).repairs, std::vector<std::string>{"1 facet turned over"});
+    EXPECT_NEAR(made(soup).volume_m3(), 1e-6, 1e-18);
+    for (auto& facet : soup.facets) std::swap(facet[0], facet[1]);   // now eleven are the wrong way round
+    EXPECT_EQ(made(soup).repairs, std::vector<std::string>{"11 facets turned over"});
+    EXPECT_NEAR(made(soup).volume_m3(), 1e-6, 1e-18);
+}
+
+TEST(BodySurface, FacetsTwiceThereOrWithoutAreaAreTakenOut) {
+    FacetSoup soup = cube;
+    soup.facets.push_back({3, 2, 0});
+    soup.facets.push_back({1, 1, 2});
+    EXPECT_EQ(made(soup).repairs, std::vector<std::string>{"2 facets without area or twice there taken out"});
+    EXPECT_EQ(made(soup).triangles.size(), 12u);
+}
+
+TEST(BodySurface, AFacetFlatAgainstAnEdgeIsFlattenedOut) {
+    FacetSoup soup = cube;   // the edge 0-1 gets a point in its middle for one of its facets, and a facet of no area beside it
+    soup.points.push_back({5, 0, 0});
+    soup.facets[1] = {0, 3, 8};
+    soup.facets.push_back({8, 3, 1});
+    soup.facets.push_back({0, 8, 1});
+    const BodySurface surface = made(soup);
+    EXPECT_EQ(surface.repairs, std::vector<std::string>{"1 facet without area flattened out"});
+    EXPECT_NEAR(surface.volume_m3(), 1e-6, 1e-18);
+}
+
+TEST(BodySurface, AHoleIsRefusedWithItsPlaceAndRim) {
+    FacetSoup soup = cube;
+    soup.facets.erase(soup.facets.begin() + 2, soup.facets.begin() + 4);   // the side z = 10
+    EXPECT_EQ(refusal(soup), "part.stl: 1 hole in the surface, near x = 5 mm, y = 5 mm, z = 10 mm with a rim 40 mm long; close the surface "
+                             "where it was drawn; a body is solid, its openings are walls around a channel");
+}
+
+TEST(BodySurface, AnEdgeWithThreeFacetsIsRefused) {
+    FacetSoup soup = cube;
+    soup.points.push_back({5, 5, 20});
+    soup.facets.push_back({4, 5, 8});
+    EXPECT_EQ(refusal(soup), "part.stl: 1 edge has more than two facets, one with 3 near x = 5 mm, y = 0 mm, z = 10 mm; join the parts to one "
+                             "body, or part them");
+}
+
+TEST(BodySurface, FacetsThatCutEachOtherAreRefusedWithPlaceAndNumber) {
+    FacetSoup soup = cube;   // the corner (10, 10, 10) pushed through the side z = 0
+    soup.points[7] = {10, 10, -2};
+    const std::string what = refusal(soup);
+    EXPECT_TRUE(what.starts_with("part.stl: ") && what.find("each other, the first near x = ") != std::string::npos) << what;
+    const std::string two = refusal(joined(cube, box_soup({5, 5, 5}, {15, 15, 15})));
+    EXPECT_TRUE(two.find("pairs of facets cut each other, the first near x = ") != std::string::npos) << two;
+}
+
+TEST(BodySurface, ACubeInACubeIsACavity) {
+    const FacetSoup inner = box_soup({2, 3, 4}, {4, 6, 8});   // its facets as those of a body: they are turned over
+    const BodySurface surface = made(joined(inner, cube));
+    ASSERT_EQ(surface.shells.size(), 2u);
+    EXPECT_EQ(surface.shells[0].name, "outer");
+    EXPECT_EQ(surface.shells[1].name, "cavity");
+    EXPECT_NEAR(surface.shells[1].volume_m3, 24e-9, 1e-21);
+    EXPECT_NEAR(surface.volume_m3(), 976e-9, 1e-18);
+    EXPECT_EQ(surface.repairs, std::vector<std::string>{"12 facets turned over"});
+}
+
+TEST(BodySurface, SeveralCavitiesAreNumberedAlongX) {
+    const BodySurface surface = made(joined(joined(cube, ball_soup({7, 5, 5}, 1)), ball_soup({3, 5, 5}, 2)));
+    ASSERT_EQ(surface.shells.size(), 3u);
+    EXPECT_EQ(surface.shells[1].name, "cavity_1");
+    EXPECT_NEAR(surface.shells[1].inside[0], 3e-3, 1e-9);
+    EXPECT_NEAR(surface.shells[1].volume_m3 / surface.shells[2].volume_m3, 8, 1e-9);
+}
+
+TEST(BodySurface, SeveralBodiesAreRefused) {
+    const std::string what = refusal(joined(cube, box_soup({20, 0, 0}, {22, 2, 2})));
+    EXPECT_EQ(what, "part.stl: 2 bodies in one file, the second around x = 21 mm, y = 1 mm, z = 1 mm; unite them, or put each into a file of its own");
+    const FacetSoup floating = joined(joined(cube, box_soup({2, 2, 2}, {8, 8, 8})), box_soup({4, 4, 4}, {6, 6, 6}));
+    EXPECT_TRUE(refusal(floating).starts_with("part.stl: 2 bodies in one file")) << refusal(floating);
+}
+
+/// A file that goes away with its test.
+struct File {
+    std::filesystem::path path;
+    explicit File(const std::string& name) : path(std::filesystem::temp_directory_path() / ("body_surface_" + name)) {}
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+    ~File() { std::filesystem::remove(path); }
+    void write(const core::Bytes& bytes) const {
+        std::ofstream stream(path, std::ios::binary);
+        stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+};
+
+TEST(SurfaceFile, IsReadBackAsItWasWritten) {
+    const BodySurface surface = made(cube);
+    const Triangles triangles{surface.points, surface.triangles, std::vector<int>(12), surface.points};
+    for (const char* name : {"a.stl", "a.STL", "a.obj"}) {
+        const File file(name);
+        file.write(surface_file(triangles, file.path));
+        const BodySurface back = body_surface(read_soup(file.path), {name, "mm", 1e-3});
+        EXPECT_EQ(back.triangles.size(), 12u) << name;
+        EXPECT_NEAR(back.volume_m3(), 1e-6, 1e-15) << name;
+    }
+}
+
+TEST(SurfaceFile, AsciiStlAndQuadrilateralsOfObjAreRead) {
+    const File ascii("text.stl"), quads("quads.obj");
+    {
+        std::ofstream stream(ascii.path);
+        stream << "solid cube\n";
+        for (const auto& facet : cube.facets) {
+            stream << "facet normal 0 0 0\n outer loop\n";
+            for (const std::size_t n : facet) stream << "  vertex " << cube.points[n][0] << " " << cube.points[n][1] << " " << cube.points[n][2] << "\n";
+            stream << " endloop\nendfacet\n";
+        }
+        stream << "endsolid cube\n";
+        std::ofstream other(quads.path);
+        for (const mesh::Point& p : cube.points) other << "v " << p[0] << " " << p[1] << " " << p[2] << "\n";
+        other << "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    }
+    EXPECT_NEAR(made(read_soup(ascii.path)).volume_m3(), 1e-6, 1e-15);
+    EXPECT_NEAR(made(read_soup(quads.path)).volume_m3(), 1e-6, 1e-15);
+}
+
+TEST(SurfaceFile, WhatIsNoSurfaceIsRefused) {
+    const File file("words.stl");
+    std::ofstream(file.path) << "these are words\n";
+    EXPECT_THROW(static_cast<void>(read_soup(file.path)), Error);
+    EXPECT_THROW(static_cast<void>(read_soup("/nowhere/part.stl")), Error);
+    EXPECT_FALSE(is_surface_file("part.msh"));
+}
+
+}  // namespace
+}  // namespace soft::surface
