@@ -35,6 +35,10 @@ std::string millimetres(double m) { return core::number_text(1e3 * m) + " mm"; }
 
 /// About the default; a word where the key has one, sometimes; rarely a value that no range allows.
 std::string drawn(const design::Key& key, Dice& dice) {
+    if (key.most > 1) {   // from and to, as shares of a whole
+        const double from = dice.between(-0.05, 0.6), to = dice.between(0.4, 1.05);
+        return "[" + core::number_text(from) + ", " + core::number_text(to) + "]";
+    }
     const double usual = key.choices.empty() || key.kind != design::Kind::choice ? sample::number_of(key, key.fallback) : 0;
     if (!key.choices.empty() && (key.kind == design::Kind::choice || dice.chance(0.5))) return dice.one_of(key.choices);
     switch (key.kind) {
