@@ -141,7 +141,7 @@ TEST(Extruded, ABlockWithAHoleHasItsVolumes) {
         EXPECT_NEAR(1e9 * sample::cavity_m3(*body, 2) / (hole_mm2 * depth_mm), 1, 1e-4);
         EXPECT_NEAR(1e6 * sample::area_m2(*body, "top"), 24 * depth_mm, 1e-8 * depth_mm);
     }
-    const auto& openings = build_case(read(text, {{"model", "solid"}})).cavities[0].openings;
+    const auto openings = build_case(read(text, {{"model", "solid"}})).cavities[0].openings;
     ASSERT_EQ(openings.size(), 2u);
     for (const model::Opening& opening : openings) EXPECT_NEAR(1e6 * opening.area_m2 / hole_mm2, 1, 1e-9);
 }
@@ -153,7 +153,7 @@ TEST(Extruded, AQuarterRingIsAQuarterOfTheRing) {
     const Solid slice = solid(text, {{"model", "solid"}});
     EXPECT_EQ(slice.fraction, 0.25);
     EXPECT_NEAR(1e9 * sample::rubber_m3(slice) / (pi * 300 * 10), 1, curved);
-    const auto& openings = build_case(read(text, {{"model", "solid"}})).cavities[0].openings;
+    const auto openings = build_case(read(text, {{"model", "solid"}})).cavities[0].openings;
     ASSERT_EQ(openings.size(), 2u);
     EXPECT_NEAR(1e6 * openings[0].area_m2 / (pi * 100), 1, 1e-9);
     EXPECT_EQ(openings[0].face, "end_z0");
