@@ -103,19 +103,10 @@ std::vector<design::Key> fiber_keys() {
 }  // namespace
 
 Family fiber_tube() {
-    design::FamilyKeys keys;
+    design::FamilyKeys keys = tube_keys();
     keys.name = "fiber-tube";
     keys.summary = "a closed tube with fibres wound into its wall: shortens, lengthens or twists by their angle";
-    keys.geometry = tube_keys();
     for (design::Key& key : fiber_keys()) keys.geometry.push_back(std::move(key));
-    keys.models = {"axisymmetric", "solid", "half", "quarter"};
-    keys.faces = {"fixed", "inlet", "cavity", "outer"};
-    keys.defaults = "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 30 kPa}\n"
-                    "outputs:\n"
-                    "  elongation: {face: inlet, along: axis}\n";
-    keys.mesh = {size_key("1.5 mm"), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }
 

@@ -19,18 +19,9 @@ Body build(const design::Values& values) {
 }  // namespace
 
 Family tube() {
-    design::FamilyKeys keys;
+    design::FamilyKeys keys = tube_keys();
     keys.name = "tube";
     keys.summary = "a closed tube, held at one end, inflated";
-    keys.geometry = tube_keys();
-    keys.models = {"axisymmetric", "solid", "half", "quarter"};
-    keys.faces = {"fixed", "inlet", "cavity", "outer"};
-    keys.defaults = "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 30 kPa}\n"
-                    "outputs:\n"
-                    "  elongation: {face: inlet, along: axis}\n";
-    keys.mesh = {size_key("1.5 mm"), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }
 

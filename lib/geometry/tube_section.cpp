@@ -4,11 +4,21 @@
 
 namespace soft::geometry {
 
-std::vector<design::Key> tube_keys() {
-    return {length_key("length", "100 mm", "outer length along x, caps included"),
-            length_key("outer_radius", "10 mm", "radius of the outer face"),
-            length_key("inner_radius", "7 mm", "radius of the cavity"),
-            length_key("cap", "5 mm", "thickness of each cap")};
+design::FamilyKeys tube_keys() {
+    design::FamilyKeys keys;
+    keys.geometry = {length_key("length", "100 mm", "outer length along x, caps included"),
+                     length_key("outer_radius", "10 mm", "radius of the outer face"),
+                     length_key("inner_radius", "7 mm", "radius of the cavity"),
+                     length_key("cap", "5 mm", "thickness of each cap")};
+    keys.models = {"axisymmetric", "solid", "half", "quarter"};
+    keys.faces = {"fixed", "inlet", "cavity", "outer"};
+    keys.defaults = "supports: {fixed: fixed}\n"
+                    "loads:\n"
+                    "  cavity: {pressure: 30 kPa}\n"
+                    "outputs:\n"
+                    "  elongation: {face: inlet, along: axis}\n";
+    keys.mesh = {size_key("1.5 mm"), through_wall_key(), sectors_key()};
+    return keys;
 }
 
 TubeShape tube_shape(const design::Values& values) {

@@ -3,7 +3,6 @@
 /// the families tube (one layer) and fiber-tube. Held by geometry/family_test and geometry/fiber_tube_test.
 #include <span>
 #include <string>
-#include <vector>
 
 #include "design/design.hpp"
 #include "geometry/section.hpp"
@@ -15,8 +14,8 @@ struct TubeShape {
     [[nodiscard]] double wall_m() const { return outer_m - inner_m; }
 };
 
-/// geometry.length, outer_radius, inner_radius, cap.
-[[nodiscard]] std::vector<design::Key> tube_keys();
+/// All but name and summary: geometry.length, outer_radius, inner_radius, cap, and how a tube is held, loaded and meshed.
+[[nodiscard]] design::FamilyKeys tube_keys();
 
 /// Throws values.refuse(...) for values that do not fit together.
 [[nodiscard]] TubeShape tube_shape(const design::Values& values);
