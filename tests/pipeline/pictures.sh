@@ -48,6 +48,7 @@ if [ -n "$(type -P ffmpeg)" ]; then
 fi
 # What cannot be made is told before the first frame, in one line, and leaves nothing.
 mkdir gnuplot-alone && ln -s "$(type -P gnuplot)" "$bin/postprocess" gnuplot-alone/
+# shellcheck disable=SC2016  # for the inner shell
 refuses 73 'postprocess: film2.mp4: the program ffmpeg, which makes films, is not installed; install the package ffmpeg*' \
     'PATH=$PWD/gnuplot-alone postprocess ring.h5 --animate film2.mp4'
 refuses 73 'postprocess: none/film2.mp4: cannot be created: No such file or directory' 'postprocess ring.h5 --animate none/film2.mp4'
@@ -55,6 +56,7 @@ refuses 73 "postprocess: --animate a/b/: there is no folder 'a' to make 'b' in; 
 refuses 73 "postprocess: --animate film2/: 'film2' exists and is no folder; choose another name*" \
     'touch film2; postprocess ring.h5 --animate film2/'
 mkdir alone && ln -s "$bin/postprocess" alone/
+# shellcheck disable=SC2016  # for the inner shell
 refuses 73 'postprocess: a.png: the program gnuplot, which draws the picture, is not installed; install the package gnuplot-nox*' \
     'PATH=$PWD/alone postprocess ring.h5 --picture a.png --quiet'
 claim "no file is left behind" [ ! -e a.png ]
