@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "assembly/system.hpp"
-#include "linalg/profile.hpp"
 #include "core/tensor.hpp"
+#include "linalg/profile.hpp"
 #include "material/response.hpp"
 
 namespace soft::assembly {
@@ -64,63 +64,11 @@ double System::add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gra
     return total;
 }
 
-double System::output(std::size_t index, Vec x, Vec gradient, std::span<double> by_motion) {
-    const linalg::Timed timed(linalg::Phase::measures);
-    const auto* linear = std::get_if<LinearOutput>(&outputs_.at(index));
-    if (linear == nullptr) return rotation(index, x, gradient, by_motion);
-    if (gradient != nullptr) linalg::copy(linear->weights, gradient);
-    if (!by_motion.empty()) std::ranges::copy(linear->by_motion, by_motion.begin());
-    double value = linalg::dot(linear->weights, x);
-    for (std::size_t m = 0; m < motion_levels_.size(); ++m) value += motion_levels_[m] * linear->by_motion[m];
-    return value;
-}
-
-double System::rotation(std::size_t output, Vec x, Vec gradient, std::span<double> by_motion) {
-    auto& rotation = std::get<Rotation>(outputs_[output]);
-    if (gradient != nullptr) SOFT_PETSC(VecZeroEntries(gradient));
-    std::ranges::fill(by_motion, 0.0);
-    read_state(x);
-    struct Share {
-        const SurfaceCell* facet;
-        std::array<std::vector<double>, 2> slopes;
-    };
-    std::vector<double> position, X;
-    double angle = 0;
-    for (const auto* face : {&rotation.face, &rotation.reference}) {
-        if (face == &rotation.reference && rotation.measure != model::Measure::bend) continue;
-        Phasor phasor{};
-        std::vector<Share> shares;
-        for (std::size_t f = 0; f < face->facets.size(); ++f) {
-            const auto& facet = face->facets[f];
-            gather_surface(facet, position);
-            const std::size_t n = facet.nodes.size();
-            X.resize(position.size());
-            for (std::size_t i = 0; i < 3; ++i)
-                for (std::size_t a = 0; a < n; ++a) X[i * n + a] = input_.mesh.point(facet.nodes[a])[i];
-            Share& share = shares.emplace_back(Share{&facet, {}});
-            add_phasor(rotation, tables_[facet.reference], position, X, face->weights[f], phasor, share.slopes);
-        }
-        MPI_Allreduce(MPI_IN_PLACE, phasor.data(), 2, MPI_DOUBLE, MPI_SUM, comm_);
-        const double sign = face == &rotation.reference ? -1.0 : 1.0;
-        if (face == &rotation.reference)
-            for (double& component : phasor) component = -component;   // from the inward normal of the held face
-        const PhasorAngle turned = angle_of(phasor);
-        angle += sign * turned.angle;
-        for (auto& share : shares) {
-            for (std::size_t i = 0; i < share.slopes[0].size(); ++i)   // both signs of a reference face cancel
-                share.slopes[0][i] = turned.slope[0] * share.slopes[0][i] + turned.slope[1] * share.slopes[1][i];
-            add_slope(gradient, by_motion, share.facet->dofs, share.slopes[0]);
-        }
-    }
-    finish_slope(gradient, by_motion);
-    return std::remainder(angle - rotation.undeformed, 2.0 * std::numbers::pi);
-}
-
 void System::add_rims(const EnclosedVolume& volume, Vec gradient, std::span<double> by_motion, double& sum) const {
     std::vector<double> y, slope;
     for (const auto& rim : volume.rims) {
         Vector3 apex{};
-        std::vector<std::pair<PetscInt, int>> rim_dofs;   // unknown and component, each node once
+        std::vector<std::pair<PetscInt, int>> rim_dofs;  // unknown and component, each node once
         std::vector<mesh::Index> seen;
         for (const auto& edge : rim.edges) {
             gather_surface(edge, y);
@@ -161,7 +109,8 @@ void System::for_each_point(Visit&& visit) const {
         for (std::size_t c = 0; c < group.cells.size(); ++c) {
             gather_cell(group, c, local);
             points.clear();
-            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work, points);
+            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work,
+                                 points);
             for (const auto& point : points) visit(point, *group.rubber);
         }
     }
@@ -221,12 +170,11 @@ StretchSummary System::stretches(Vec x) {
 }
 
 bool System::starts_under_stress() const {
-    return std::ranges::any_of(rubbers_, [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
+    return std::ranges::any_of(rubbers_,
+                               [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
 }
 
-bool System::has_symmetric_tangent() const {
-    return std::ranges::all_of(rubbers_, material::has_symmetric_tangent);
-}
+bool System::has_symmetric_tangent() const { return std::ranges::all_of(rubbers_, material::has_symmetric_tangent); }
 
 System::Fields System::gather_fields(Vec x) {
     const linalg::Timed timed(linalg::Phase::measures);
@@ -244,7 +192,7 @@ System::Fields System::gather_fields(Vec x) {
     for (std::size_t node = 0; node < points; ++node)
         for (int i = 0; i < map_.dimension; ++i) {
             const auto number = map_.displacement[node * map_.dimension + i];
-            fields.displacement_m[3 * node + i] = number >= 0 ? value[number] : moved_by(number, motion_levels_);
+            fields.displacement_m[3 * node + i] = number >= 0 ? value[number] : moved_by(number, levels_.motions);
         }
     if (map_.pressures > 0) {
         fields.pressure_Pa.assign(points, 0.0);

@@ -11,8 +11,10 @@
 
 #include "assembly/cavity.hpp"
 #include "assembly/dof_map.hpp"
+#include "assembly/face_shape.hpp"
 #include "assembly/load_levels.hpp"
 #include "assembly/materials.hpp"
+#include "assembly/reaction.hpp"
 #include "assembly/rotation.hpp"
 #include "element/solid_kernel.hpp"
 #include "linalg/block_entries.hpp"
@@ -51,7 +53,8 @@ public:
     /// Where the result is not admissible they are unfinished.
     Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
 
-    /// Sets the prescribed displacements that the functions below see besides x; evaluate() does so too.
+    /// Sets the prescribed displacements, and for reactions the loads, that the functions below see besides x; evaluate() does
+    /// so too.
     void prescribe(const LoadLevels& levels);
 
     /// Volume [m^3] of one of model::measured_cavities, whole actuator. `gradient` by x and `by_motion` by the level of
@@ -62,8 +65,9 @@ public:
     double load_volume(std::size_t load, Vec x, Vec gradient, std::span<double> by_motion = {});
     [[nodiscard]] bool encloses_volume(std::size_t load) const { return !load_cavities_.at(load).empty(); }
 
-    /// Value of an output [m or rad]; the rest as for enclosed_volume. Angles lie in (-pi, pi].
-    double output(std::size_t index, Vec x, Vec gradient, std::span<double> by_motion = {});
+    /// Value of an output (SI, model::unit_of) under the levels last prescribed; `gradient` by x and the derivatives by the
+    /// levels are overwritten, null where they are not wanted. Angles lie in (-pi, pi].
+    double output(std::size_t index, Vec x, Vec gradient, LoadLevels* by_levels = nullptr);
     [[nodiscard]] std::size_t output_count() const { return input_.outputs.size(); }
 
     /// False where a law is a stress without an energy; a pressure on a surface with a free rim does not count.
@@ -137,7 +141,19 @@ private:
                    std::span<const double> slope) const;
     void finish_slope(Vec gradient, std::span<double> by_motion) const;
     [[nodiscard]] double moved_by(PetscInt number, std::span<const double> levels) const;
-    double rotation(std::size_t output, Vec x, Vec gradient, std::span<double> by_motion);
+    double rotation(const Rotation& rotation, Vec x, Vec gradient, std::span<double> by_motion);
+    struct LinearOutput;
+    struct ShapeOutput;
+    [[nodiscard]] LinearOutput make_linear(const model::Output& output, const Vector3& direction) const;
+    [[nodiscard]] Rotation make_rotation(const model::Output& output);
+    [[nodiscard]] ShapeOutput make_shape(const model::Output& output);
+    [[nodiscard]] Reaction complete_reaction(const model::Output& output);
+    [[nodiscard]] SurfaceCell nodes_on_rank_0(std::span<const mesh::Index> nodes) const;
+    double shape(const ShapeOutput& output, Vec x, Vec gradient, std::span<double> by_motion);
+    double reaction(const Reaction& reaction, Vec x, Vec gradient, LoadLevels* by_levels);
+    double cell_reactions(const Reaction& reaction, Vec gradient, LoadLevels* by_levels) const;
+    double pressure_reactions(const Reaction& reaction, Vec gradient, LoadLevels* by_levels) const;
+    double dead_reactions(const Reaction& reaction, Vec gradient, LoadLevels* by_levels) const;
     void add_nodal_pressures(mesh::Index cell, const double* value, std::vector<double>& pressure_Pa,
                              std::vector<int>& shares) const;
     double add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gradient, std::span<double> by_motion);
@@ -163,9 +179,19 @@ private:
         linalg::Vector weights;
         std::vector<double> by_motion;
     };
-    using OutputForm = std::variant<LinearOutput, Rotation>;
+    /// The whole face, its mirror images included, as node and the sign of its components. On rank 0 alone.
+    struct ShapeOutput {
+        FaceShape shape;
+        SurfaceCell at_nodes;  // of the mesh
+        struct Image {
+            std::size_t node;
+            Vector3 signs;
+        };
+        std::vector<Image> images;  // by FaceShape::X
+    };
+    using OutputForm = std::variant<LinearOutput, Rotation, ShapeOutput, Reaction>;
     std::vector<OutputForm> outputs_;             // by Case::outputs
-    std::vector<double> motion_levels_;
+    LoadLevels levels_;                // last prescribed
     /// Where the blocks of cells and facets lie in matrices of the pattern met last.
     struct Places {
         PetscObjectId matrix = 0;

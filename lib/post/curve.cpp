@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "core/error.hpp"
 
@@ -11,17 +10,22 @@ namespace soft::post {
 namespace {
 
 struct Unit {
-    const char* name;
+    std::string_view name, suffix;  // "1/m", and how a column's name ends: "per_m"
     core::Dimension dimension;
     double SI_per_unit;
 };
-constexpr Unit kilopascal{"kPa", core::Dimension::pressure, 1e3}, millimetre{"mm", core::Dimension::length, 1e-3},
-    millilitre{"mL", core::Dimension::volume, 1e-6}, degree{"deg", core::Dimension::angle, std::numbers::pi / 180},
-    second{"s", core::Dimension::time, 1}, millijoule{"mJ", core::Dimension::energy, 1e-3}, none{"", core::Dimension::ratio, 1};
+constexpr Unit kilopascal{"kPa", "kPa", core::Dimension::pressure, 1e3}, newton{"N", "N", core::Dimension::force, 1},
+    millilitre{"mL", "mL", core::Dimension::volume, 1e-6}, second{"s", "s", core::Dimension::time, 1},
+    millijoule{"mJ", "mJ", core::Dimension::energy, 1e-3}, none{"", "", core::Dimension::ratio, 1};
+
+Unit column_unit(model::Measure measure) {
+    const model::MeasureUnit& unit = model::unit_of(measure);
+    return {unit.shown, unit.suffix, unit.dimension, unit.SI_per_shown};
+}
 
 Column coordinate(const std::string& quantity, const Unit& unit, Source source, std::size_t index = 0) {
     Column column;
-    column.name = *unit.name == '\0' ? quantity : quantity + "_" + unit.name;
+    column.name = unit.name.empty() ? quantity : quantity + "_" + std::string{unit.suffix};
     column.quantity = quantity;
     column.unit = unit.name;
     column.dimension = unit.dimension;
@@ -44,7 +48,7 @@ Column plain(std::string name, Role role) {
 Column error_column(const Column& of) {
     Column column = of;
     column.quantity += "_error";
-    column.name = of.unit.empty() ? column.quantity : column.quantity + "_" + of.unit;
+    column.name = column.quantity + of.name.substr(of.quantity.size());
     column.role = Role::follower;
     column.source = Source::other;
     return column;
@@ -54,6 +58,7 @@ Column leading_column(const model::Case& model) {
     switch (model::leading_load(model)) {
         case model::LeadingLoad::pressure: return coordinate("pressure", kilopascal, Source::load);
         case model::LeadingLoad::traction: return coordinate("traction", kilopascal, Source::load);
+        case model::LeadingLoad::force: return coordinate("load", newton, Source::load);
         case model::LeadingLoad::load_factor: break;
     }
     return coordinate("load_factor", none, Source::load);
@@ -99,8 +104,7 @@ ListColumns output_columns(const model::Case& model) {
     ListColumns list{{}, &solution::Step::outputs, &solution::Step::tangent_outputs, "outputs"};
     for (std::size_t i = 0; i < model.outputs.size(); ++i) {
         const model::Output& output = model.outputs[i];
-        const bool length = output.measure == model::Measure::displacement;
-        list.columns.push_back(coordinate(output.name, length ? millimetre : degree, Source::output, i));
+        list.columns.push_back(coordinate(output.name, column_unit(output.measure), Source::output, i));
     }
     return list;
 }

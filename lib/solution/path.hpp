@@ -32,7 +32,7 @@ struct Step {
     std::optional<double> volume_m3;             ///< enclosed by the cavities of the first load, whole actuator; empty without
     std::vector<double> pressures_Pa;            ///< of each pressure load, where there are several; else empty
     std::vector<double> volumes_m3;              ///< of each of model::measured_cavities, where there are several; else empty
-    std::vector<double> outputs;                 ///< in the order of Case::outputs [m or rad]
+    std::vector<double> outputs;                 ///< in the order of Case::outputs, SI (model::unit_of)
     double tangent_load_factor = 0;
     double tangent_pressure = 0;
     double tangent_volume = 0;

@@ -18,6 +18,8 @@ double leading_of(const model::Case& input, const LoadLevels& levels, double loa
     switch (model::leading_load(input)) {
         case model::LeadingLoad::pressure: return levels.pressures_Pa[0];
         case model::LeadingLoad::traction: return levels.tractions[0] * traction_size_Pa(input);
+        case model::LeadingLoad::force:
+            return levels.tractions[0] * traction_size_Pa(input) * input.tractions[0].area_m2;
         case model::LeadingLoad::load_factor: return load_factor;
     }
     throw std::logic_error("leading_of: unknown load");
@@ -81,11 +83,12 @@ void read_values(assembly::System& system, const LoadLevels& levels, const LoadL
         }
     }
     for (std::size_t i = 0; i < system.output_count(); ++i) {
-        double value = system.output(i, point.state.x, gradient, by_motion);
-        if (input.outputs[i].measure != model::Measure::displacement && before != nullptr)   // a turn goes on beyond 180 degrees
+        assembly::LoadLevels by_levels;
+        double value = system.output(i, point.state.x, gradient, &by_levels);
+        if (model::is_angle(input.outputs[i].measure) && before != nullptr)   // a turn goes on beyond 180 degrees
             value = before->outputs[i] + std::remainder(value - before->outputs[i], 2.0 * std::numbers::pi);
         point.outputs.push_back(value);
-        point.output_slopes.push_back(slope_along());
+        point.output_slopes.push_back(linalg::dot(gradient, point.tangent.x) + assembly::product(by_levels, slopes));
     }
     point.leading = leading_of(input, levels, point.state.load_factor);
     point.leading_slope = leading_of(input, slopes, point.tangent.load_factor);

@@ -51,7 +51,7 @@ TEST(Traction, IsALoadByItself) {
     EXPECT_TRUE(design.loads.empty());
     ASSERT_EQ(design.tractions.size(), 1u);
     EXPECT_EQ(design.tractions[0].face, "end");
-    EXPECT_EQ(design.tractions[0].traction_Pa, 62500.0);
+    EXPECT_EQ(design.tractions[0].size, 62500.0);
     EXPECT_EQ(design.tractions[0].along, "y");
     EXPECT_EQ(design.path.stages.at(0).tractions, std::vector{1.0});   // all of it at the end
     EXPECT_TRUE(design.warnings.empty());
@@ -61,7 +61,7 @@ TEST(Traction, StandsBesidePressuresOnOtherFaces) {
     const Design design = read_sheet("loads: {tip: {traction: -3 kPa, along: normal}, top: {pressure: 2 kPa}}\n");
     ASSERT_EQ(design.tractions.size(), 1u);
     EXPECT_EQ(design.tractions[0].face, "end");   // tip is another name of it
-    EXPECT_EQ(design.tractions[0].traction_Pa, -3000.0);
+    EXPECT_EQ(design.tractions[0].size, -3000.0);
     ASSERT_EQ(design.loads.size(), 1u);
     EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"top"});
     expect_refusal("loads: {tip: {traction: 3 kPa, along: x}, end: {pressure: 2 kPa}}\n",
@@ -101,7 +101,7 @@ TEST(Traction, IsInTheTemplateOfAFamilyThatUsesIt) {
     const std::string text = template_yaml(sheet());
     const Design design = read_design(text, "t", sheets(), {});
     ASSERT_EQ(design.tractions.size(), 1u) << text;
-    EXPECT_EQ(design.tractions[0].traction_Pa, 20000.0);
+    EXPECT_EQ(design.tractions[0].size, 20000.0);
     EXPECT_EQ(design.tractions[0].along, "y");
     EXPECT_TRUE(holds(text, "force per undeformed area")) << text;
 }
