@@ -68,7 +68,7 @@ void System::add_rims(const EnclosedVolume& volume, Vec gradient, std::span<doub
     std::vector<double> y, slope;
     for (const auto& rim : volume.rims) {
         Vector3 apex{};
-        std::vector<std::pair<PetscInt, int>> rim_dofs;  // unknown and component, each node once
+        std::vector<std::pair<PetscInt, int>> rim_dofs;   // unknown and component, each node once
         std::vector<mesh::Index> seen;
         for (const auto& edge : rim.edges) {
             gather_surface(edge, y);
@@ -109,18 +109,26 @@ void System::for_each_point(Visit&& visit) const {
         for (std::size_t c = 0; c < group.cells.size(); ++c) {
             gather_cell(group, c, local);
             points.clear();
-            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work,
-                                 points);
-            for (const auto& point : points) visit(point, *group.rubber);
+            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work, points);
+            for (std::size_t q = 0; q < points.size(); ++q) visit(points[q], *group.rubber, PointPlace{&group, c, q});
         }
     }
+}
+
+Vector3 System::position_of(const PointPlace& place) const {
+    const auto& reference = *place.group->reference;
+    const auto nodes = input_.mesh.cell_nodes(place.group->cells[place.cell]);
+    Vector3 X{};
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+        for (std::size_t i = 0; i < 3; ++i) X[i] += reference.N[place.point * nodes.size() + a] * input_.mesh.point(nodes[a])[i];
+    return X;
 }
 
 double System::stored_energy(Vec x) {
     read_state(x);
     double energy = 0;
     const material::Form form = input_.formulation;
-    for_each_point([&](const element::PointState& point, const AnyRubber& any) {
+    for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointPlace&) {
         energy += point.weight_m3 *
                   std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
     });
@@ -137,12 +145,24 @@ StretchSummary System::stretches(Vec x) {
     std::vector<Sample> mine;
     StretchSummary summary;
     summary.min_jacobian = 1e300;
-    for_each_point([&](const element::PointState& point, const AnyRubber&) {
+    const material::Form form = input_.formulation;
+    struct { double stretch; int rank; } own{0, rank_}, most{};
+    for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointPlace& place) {
         const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
         mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
         summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
+        const double energy = std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
+        summary.stored_energy_J += point.weight_m3 * energy;
+        summary.largest_energy_J_m3 = std::max(summary.largest_energy_J_m3, energy);
+        if (mine.back().stretch <= own.stretch) return;
+        own.stretch = mine.back().stretch;
+        summary.largest_at_m = position_of(place);
     });
     MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.largest_energy_J_m3, 1, MPI_DOUBLE, MPI_MAX, comm_);
+    MPI_Allreduce(&own, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
+    MPI_Bcast(summary.largest_at_m.data(), 3, MPI_DOUBLE, most.rank, comm_);
 
     int size = 1;
     MPI_Comm_size(comm_, &size);
@@ -169,12 +189,46 @@ StretchSummary System::stretches(Vec x) {
     return summary;
 }
 
-bool System::starts_under_stress() const {
-    return std::ranges::any_of(rubbers_,
-                               [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
+double System::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {
+    const linalg::Timed timed(linalg::Phase::measures);
+    prescribe(levels);
+    read_state(x);
+    const linalg::Vector force = make_vector();   // of the loads, with the sign of a residual
+    for (std::size_t load = 0; load < loads_.size(); ++load) add_pressures(load, levels, force, nullptr, {});
+    SOFT_PETSC(VecAssemblyBegin(force));
+    SOFT_PETSC(VecAssemblyEnd(force));
+    add_dead_loads(levels, force, {});
+    double moving = 0;
+    for (const auto& group : groups_) {
+        if (std::ranges::all_of(rates.motions, [](double rate) { return rate == 0.0; })) break;
+        const auto& reference = *group.reference;
+        const auto size = static_cast<std::size_t>(reference.dofs());
+        LocalCell local(reference);
+        element::CellOutput out(reference);
+        for (std::size_t c = 0; c < group.cells.size(); ++c) {
+            const std::span<const PetscInt> dofs{&group.dofs[c * size], size};
+            if (std::ranges::none_of(dofs, [](PetscInt dof) { return motion_slot(dof) >= 0; })) continue;
+            gather_cell(group, c, local);
+            std::visit(
+                [&](const auto& rubber) {
+                    element::integrate_cell(reference, input_.kinematics, rubber, local.input(map_.pressure_scale_Pa),
+                                            material::Wanted::stress, out);
+                },
+                *group.rubber);
+            for (std::size_t k = 0; k < size; ++k) moving += out.residual[k] * moved_by(dofs[k], rates.motions);
+        }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &moving, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    return moving - linalg::dot(force, velocity);
 }
 
-bool System::has_symmetric_tangent() const { return std::ranges::all_of(rubbers_, material::has_symmetric_tangent); }
+bool System::starts_under_stress() const {
+    return std::ranges::any_of(rubbers_, [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
+}
+
+bool System::has_symmetric_tangent() const {
+    return std::ranges::all_of(rubbers_, material::has_symmetric_tangent);
+}
 
 System::Fields System::gather_fields(Vec x) {
     const linalg::Timed timed(linalg::Phase::measures);

@@ -29,11 +29,14 @@ struct Evaluation {
     [[nodiscard]] bool admissible() const noexcept { return min_jacobian > 0.0; }
 };
 
-/// How far the rubber is stretched at a state.
+/// How far the rubber is stretched at a state, and what energy it holds.
 struct StretchSummary {
     double p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the volume
     double largest = 1;
     double min_jacobian = 1;
+    Vector3 largest_at_m{};              ///< undeformed place of the largest stretch; a section's x, r, 0
+    double stored_energy_J = 0;          ///< of the modelled part
+    double largest_energy_J_m3 = 0;      ///< per undeformed volume, at an integration point
 };
 
 /// A direction of the load levels, and the vector that gets -dR/d(direction).
@@ -75,6 +78,10 @@ public:
 
     /// True where a law puts the undeformed body under stress: it is then no state of equilibrium without load.
     [[nodiscard]] bool starts_under_stress() const;
+
+    /// Work per unit time that the loads do on the modelled part [W], per unit of what `velocity` of the unknowns and `rates`
+    /// of the levels are per unit of; prescribed motions by the forces that move their nodes. Prescribes the levels.
+    [[nodiscard]] double load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates);
 
     /// Energy stored in the rubber of the modelled part [J].
     [[nodiscard]] double stored_energy(Vec x);
@@ -159,7 +166,12 @@ private:
     double add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gradient, std::span<double> by_motion);
     void add_rims(const EnclosedVolume& volume, Vec gradient, std::span<double> by_motion, double& sum) const;
 
-    /// Calls visit(point, rubber) for every quadrature point of this rank's cells at the state last read.
+    struct PointPlace {
+        const CellGroup* group;
+        std::size_t cell, point;   // of the group, of the cell
+    };
+    [[nodiscard]] Vector3 position_of(const PointPlace& place) const;
+    /// Calls visit(point, rubber, place) for every quadrature point of this rank's cells at the state last read.
     template <class Visit>
     void for_each_point(Visit&& visit) const;
 

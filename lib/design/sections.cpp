@@ -50,7 +50,7 @@ std::string single_face(const Item& item, const FaceNames& faces, const Values& 
 void check_axis(const Values& values, const std::string& output) {
     const std::string &model = values.text("model"), &along = values.text(output + ".along");
     if (model == "axisymmetric")
-        throw values.refuse(output + ".measure", "the section of a body of revolution neither bends nor turns",
+        throw values.refuse(output + ".measure", "the section of a body of revolution neither bends nor twists",
                             "measure: displacement, radial or force, or model: solid");
     if (model == "plane-strain" && along != "z")
         throw values.refuse(output + ".along", "in plane strain faces turn about z", "along: z");

@@ -43,6 +43,17 @@ struct Step {
     double stretch_p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the rubber's volume
     double max_stretch = 1;
     double min_jacobian = 1;                     ///< least det F over the integration points
+    /// Where the rubber is stretched most, and its energy; absent in older files.
+    struct Extremes {
+        std::array<double, 3> stretch_at_m{};    ///< undeformed place of max_stretch; a section's x, r, 0
+        double energy_J_m3 = 0;                  ///< largest strain energy per undeformed volume, at an integration point
+    };
+    std::optional<Extremes> extremes;
+    /// Of a static path (a dynamic one has its own), whole actuator; absent in older files and for laws without an energy.
+    struct Energies {
+        double stored_J = 0, load_work_J = 0;    ///< held by the rubber; done by the loads since the path began
+    };
+    std::optional<Energies> energies;
     /// Of a dynamic path; its load_factor is the time over the duration, its tangents are derivatives by time.
     struct Motion {
         double time_s = 0;

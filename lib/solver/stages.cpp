@@ -152,6 +152,7 @@ void PathFollower::end_stage(const std::string& text) {
         return finish(StopReason::done, text + " reached");
     log("stage " + stage().name + " ends: " + text + " reached at " + describe(*last_));
     const solution::StageStart start = stage_start_at(input_, *loads_, *last_);
+    work_before_stage_J_ = last_->load_work_J;
     State state = std::move(last_->state);
     set_stage(stage_ + 1, start);
     state.load_factor = 0.0;
