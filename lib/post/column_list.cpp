@@ -28,10 +28,13 @@ std::vector<Column> all_columns() {
     step.extremes.emplace();
     step.energies.emplace();
     model.cavities = {{"<cavity>", "", {}, {}}, {"<other>", "", {}, {}}};
-    model.loads = {{.name = "<load>", .targets = {"<cavity>", "<other>"}, .gas = {}}, {.name = "<more>", .targets = {}, .gas = {}}};
+    model.loads = {{.name = "<load>", .targets = {"<cavity>", "<other>"}, .gas = {}},
+                   {.name = "<more>", .targets = {}, .gas = {}}};
     step.pressures_Pa = step.volumes_m3 = {0, 0};
     take(model, step);
-    std::erase_if(all, [](const Column& column) { return column.name.find("<other>") != std::string::npos || column.name.find("<more>") != std::string::npos; });
+    std::erase_if(all, [](const Column& column) {
+        return column.name.find("<other>") != std::string::npos || column.name.find("<more>") != std::string::npos;
+    });
     model.loads.clear();
     step.pressures_Pa.clear();
     step.volumes_m3.clear();
@@ -76,9 +79,12 @@ std::string column_text(std::span<const Column> columns) {
     std::string text;
     for (const Column& column : columns) {
         constexpr std::size_t unit_width = 8;
-        std::string line = column.name + std::string(widest + 2 - column.name.size(), ' ') + (column.unit.empty() ? "-" : column.unit);
-        line += std::string(unit_width > column.unit.size() ? unit_width - std::max<std::size_t>(column.unit.size(), 1) : 1, ' ');
-        text += line + column.meaning + (column.shown == Shown::on_demand ? " (--also " + column.quantity + ")" : "") + '\n';
+        std::string line =
+            column.name + std::string(widest + 2 - column.name.size(), ' ') + (column.unit.empty() ? "-" : column.unit);
+        line += std::string(
+            unit_width > column.unit.size() ? unit_width - std::max<std::size_t>(column.unit.size(), 1) : 1, ' ');
+        text += line + column.meaning + (column.shown == Shown::on_demand ? " (--also " + column.quantity + ")" : "") +
+                '\n';
     }
     return text;
 }

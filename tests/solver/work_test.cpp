@@ -14,11 +14,11 @@ double gap(const solution::Step& step) { return std::abs(step.energies->load_wor
 TEST(Work, OfAnInflationIsTheEnergyOfTheRubber) {
     auto input = sphere_case(2, 8);
     input.path.stages[0].until = {{"volume_ratio", 8}};
-    const auto result = run(input);   // past the limit point
+    const auto result = run(input);  // past the limit point
     ASSERT_EQ(result.end.reason, solution::StopReason::done);
     for (const auto& step : result.steps)
         if (step.energies->stored_J > 0) EXPECT_LT(gap(step), 1e-4) << step.load_factor;
-    EXPECT_GT(result.steps.back().energies->stored_J, 0.1);   // of the whole sphere
+    EXPECT_GT(result.steps.back().energies->stored_J, 0.1);  // of the whole sphere
 }
 
 /// A block under a pull, its weight, a dead pressure and a motion: each does work of its own.
@@ -51,7 +51,7 @@ TEST(Work, OfDeadLoadsAndMotionsIsTheEnergyOfTheRubber) {
 }
 
 TEST(Work, ConvergesWithTheFourthPowerOfTheStep) {
-    auto input = box_case(1, true);   // pulled by a motion, uniaxial
+    auto input = box_case(1, true);  // pulled by a motion, uniaxial
     input.loads.clear();
     input.motions = {{"end", {0.01, std::nullopt, std::nullopt}}};
     input.path.stages = {full_load(input, {})};
@@ -69,10 +69,11 @@ TEST(Work, ConvergesWithTheFourthPowerOfTheStep) {
 TEST(Extremes, OfASphereAreAtItsInnerWall) {
     const auto result = run(sphere_case(2, 8));
     const auto& extremes = *result.steps.back().extremes;
-    EXPECT_LT(std::hypot(extremes.stretch_at_m[0], extremes.stretch_at_m[1]), 0.0107);   // the first integration points of 5 mm cells
+    EXPECT_LT(std::hypot(extremes.stretch_at_m[0], extremes.stretch_at_m[1]),
+              0.0107);  // the first integration points of 5 mm cells
     EXPECT_GE(std::hypot(extremes.stretch_at_m[0], extremes.stretch_at_m[1]), 0.01);
     const double l = result.steps.back().max_stretch, expected = 0.5 * sample_mu_Pa * (2 * l * l + std::pow(l, -4) - 3);
-    EXPECT_NEAR(extremes.energy_J_m3 / expected, 1.0, 0.02);   // an equibiaxial state there, incompressible in the mean
+    EXPECT_NEAR(extremes.energy_J_m3 / expected, 1.0, 0.02);  // an equibiaxial state there, incompressible in the mean
 }
 
 }  // namespace
