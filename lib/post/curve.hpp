@@ -1,7 +1,7 @@
 #pragma once
 /// The equilibrium path as a table: one row a converged step, columns with the unit in their name.
-/// Columns: step, time_s (of a dynamic case), stage (1, 2 ..., of a case with several), pressure_kPa (traction_kPa, load_factor: what leads the case,
-/// model::leading_load), <output>_mm or, of an angle, <output>_deg ..., volume_mL, then of a case with several loads or
+/// Columns: step, time_s (of a dynamic case), stage (1, 2 ..., of a case with several), pressure_kPa (traction_kPa, load_N, load_factor: what leads the case,
+/// model::leading_load), <output>_mm (by its measure _deg, _per_m, _N, _Nmm) ..., volume_mL, then of a case with several loads or
 /// cavities pressure_<load>_kPa ... and volume_<cavity>_mL ..., after `solve --tolerance` the half widths of the errors
 /// pressure_error_kPa (traction_, load_factor_) and <output>_error_mm or _deg ..., of a dynamic case kinetic_energy_mJ,
 /// stored_energy_mJ, load_work_mJ and damping_work_mJ, then stretch_p99, max_stretch, min_J, stable. On demand: of a static case

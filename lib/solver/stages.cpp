@@ -41,7 +41,8 @@ Constraint PathFollower::stage_control() const {
         case Control::displacement: {
             Constraint constraint{ConstraintKind::output};
             for (std::size_t output = 0; output < input_.outputs.size(); ++output)
-                if (stage().controlled.empty() || input_.outputs[output].name == stage().controlled) {
+                if (stage().controlled.empty() ? !model::is_reaction(input_.outputs[output].measure)
+                                               : input_.outputs[output].name == stage().controlled) {
                     constraint.index = output;
                     return constraint;
                 }

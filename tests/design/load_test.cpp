@@ -70,7 +70,7 @@ TEST(Traction, StandsBesidePressuresOnOtherFaces) {
 
 TEST(Traction, WhatContradictsItselfIsRefused) {
     expect_refusal("loads: {end: {traction: 3 kPa, pressure: 3 kPa, along: y}}\n",
-                   "p.yaml:3:32: loads.end.pressure: the load has a traction already", "keep one of pressure, traction, displacement");
+                   "p.yaml:3:32: loads.end.pressure: the load has a traction already", "keep one of pressure, traction, force, displacement");
     expect_refusal("loads: {end: {pressure: 3 kPa, along: y}}\n",
                    "p.yaml:3:32: loads.end.along: a pressure acts along the normal", "write traction");
     expect_refusal("loads: {end: {traction: 3 kPa}}\n", "p.yaml:3:9: loads.end.along: missing", "add along: y");

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Forces on faces and reactions of held ones, from the design to the table, the plot, the verdict and the browser's neighbours; columns on demand.
+# Forces on faces and reactions of held ones, from the design to the table, the plot and the verdict; columns on demand.
 #   reactions.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 finger() { printf 'mesh-gen -q designs/pneunet.yaml --set geometry.chambers=2 --set "mesh={size: 4 mm, through_wall: 1, grading: 1}" --set loads.cavity.pressure=2kPa %s' "$*"; }
