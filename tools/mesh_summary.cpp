@@ -62,8 +62,26 @@ std::string volume_text(double volume_m3) { return core::quantity_text(volume_m3
 
 }  // namespace
 
+namespace {
+
+mesh::Measure measure_of(const model::Case& model) {
+    return model.kinematics == model::Kinematics::axisymmetric ? mesh::Measure::revolved : mesh::Measure::plain;
+}
+
+std::optional<double> mass_kg(const model::Case& model) {
+    const auto volumes_m3 = mesh::region_measures(model.mesh, measure_of(model));
+    double mass = 0;
+    for (std::size_t region = 0; region < volumes_m3.size(); ++region) {
+        const auto material = std::ranges::find(model.materials, model.mesh.region_names[region], &model::Material::name);
+        if (material == model.materials.end() || !material->density_kg_m3) return std::nullopt;
+        mass += volumes_m3[region] * *material->density_kg_m3 / model.model_fraction;
+    }
+    return mass;
+}
+
+}  // namespace
+
 MeshSummary inspect(const model::Case& model) {
-    const bool section = model.kinematics == model::Kinematics::axisymmetric;
     MeshSummary summary;
     summary.name = model.name;
     summary.cell_types = cell_type_names(model.mesh);
@@ -71,8 +89,8 @@ MeshSummary inspect(const model::Case& model) {
     summary.points = model.mesh.points.size();
     summary.unknowns = free_displacements(model) + pressures(model);
     summary.quality = mesh::quality(model.mesh);
-    summary.rubber_volume_m3 =
-        mesh::measure(model.mesh, section ? mesh::Measure::revolved : mesh::Measure::plain) / model.model_fraction;
+    summary.rubber_volume_m3 = mesh::measure(model.mesh, measure_of(model)) / model.model_fraction;
+    summary.mass_kg = mass_kg(model);
     summary.cavities = surface::check_cavities(model);
     for (const surface::CavityReport& cavity : summary.cavities)
         summary.wall_places.push_back(surface::place_text(model, cavity.smallest_wall_place));
@@ -81,6 +99,7 @@ MeshSummary inspect(const model::Case& model) {
 
 std::vector<std::string> summary_lines(const MeshSummary& summary) {
     std::string shape = "rubber " + volume_text(summary.rubber_volume_m3);
+    if (summary.mass_kg) shape += ", " + core::quantity_text(*summary.mass_kg, core::Dimension::mass);
     for (std::size_t i = 0; i < summary.cavities.size(); ++i) {
         const surface::CavityReport& cavity = summary.cavities[i];
         shape += ", " + cavity.name + " " + volume_text(cavity.volume_m3);
@@ -105,21 +124,23 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
         }
         cavities.push_back(std::move(one));
     }
-    return {{"tool", "mesh-gen"},
-            {"version", version()},
-            {"revision", revision()},
-            {"name", summary.name},
-            {"cells", summary.cells},
-            {"cell_types", summary.cell_types},
-            {"points", summary.points},
-            {"unknowns", summary.unknowns},
-            {"rubber_volume_m3", summary.rubber_volume_m3},
-            {"cavities", std::move(cavities)},
-            {"min_scaled_jacobian", summary.quality.min_scaled_jacobian},
-            {"mean_scaled_jacobian", summary.quality.mean_scaled_jacobian},
-            {"worst_cell", summary.quality.worst_cell},
-            {"worst_place_m", summary.quality.worst_place_m},
-            {"warnings", warnings}};
+    nlohmann::ordered_json json = {{"tool", "mesh-gen"},
+                                   {"version", version()},
+                                   {"revision", revision()},
+                                   {"name", summary.name},
+                                   {"cells", summary.cells},
+                                   {"cell_types", summary.cell_types},
+                                   {"points", summary.points},
+                                   {"unknowns", summary.unknowns},
+                                   {"rubber_volume_m3", summary.rubber_volume_m3},
+                                   {"cavities", std::move(cavities)},
+                                   {"min_scaled_jacobian", summary.quality.min_scaled_jacobian},
+                                   {"mean_scaled_jacobian", summary.quality.mean_scaled_jacobian},
+                                   {"worst_cell", summary.quality.worst_cell},
+                                   {"worst_place_m", summary.quality.worst_place_m},
+                                   {"warnings", warnings}};
+    if (summary.mass_kg) json["mass_kg"] = *summary.mass_kg;
+    return json;
 }
 
 }  // namespace soft::cli

@@ -2,6 +2,7 @@
 /// What mesh-gen tells about a case: size, volumes, thinnest wall, quality. The numbers of --json.
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct MeshSummary {
     std::size_t points = 0;
     std::size_t unknowns = 0;     ///< free displacements and pressures
     double rubber_volume_m3 = 0;  ///< whole actuator
+    std::optional<double> mass_kg;  ///< whole actuator; of materials that all have a density
     mesh::Quality quality;
     std::vector<surface::CavityReport> cavities;
     std::vector<std::string> wall_places;          ///< "x = 12.3 mm, r = 4.5 mm" of each cavity's smallest wall

@@ -38,10 +38,19 @@ std::vector<std::string> comments(const io::Result& result, const cli::CommonOpt
 
 ExitCode postprocess(const PostprocessOptions& options) {
     cli::Console console(postprocess_about().tool, options.common.verbosity);
+    if (options.lists_outputs && options.input.empty()) {
+        cli::write_output(options.common.output, post::column_text(post::all_columns()));
+        return ExitCode::ok;
+    }
     cli::Input input = cli::read_input(options.input);
     const core::Bytes image = copies_result(options.pictures) ? input.bytes : core::Bytes{};
     const io::Result result = io::read_result(std::move(input.bytes), input.source);
-    const post::Curve curve = post::make_curve(result.model, result.steps);
+    post::Curve curve = post::make_curve(result.model, result.steps);
+    if (options.lists_outputs) {
+        cli::write_output(options.common.output, post::column_text(curve.columns));
+        return ExitCode::ok;
+    }
+    post::show_also(curve, options.also);
     const post::Curve table = options.at.empty() ? curve : rows_at(curve, options.at);
     const std::optional<Comparison> comparison = compare(options.compare, curve);
     nlohmann::ordered_json json = postprocess_summary(result, curve, table.row_count());

@@ -54,12 +54,14 @@ void add_check_options(CLI::App& app, CheckOptions& check) {
 
 const std::string columns_help =
     "Columns (those a case does not have are left out): step, time_s, stage (1, 2 ..., where there are several), pressure_kPa\n"
-    "(of the first load; traction_kPa or load_factor where nothing is under pressure), <output>_mm (an angle: _deg),\n"
-    "volume_mL, pressure_<load>_kPa and volume_<cavity>_mL (where there are several), of a motion kinetic_energy_mJ,\n"
+    "(of the first load; traction_kPa, load_N or load_factor where nothing is under pressure), <output>_mm (_deg, _per_m, _N,\n"
+    "_Nmm), volume_mL, pressure_<load>_kPa and volume_<cavity>_mL (where there are several), of a motion kinetic_energy_mJ,\n"
     "stored_energy_mJ, load_work_mJ (done by the loads) and damping_work_mJ (taken by damping), stretch_p99 (largest principal\n"
     "stretch exceeded in 1 % of the rubber: converges under refinement), max_stretch (at a sharp corner it does not),\n"
     "min_J (least ratio of volumes), stable (1 or 0). max_stretch and min_J are those of single integration points; colours\n"
     "and ParaView's nodes carry the linear part of each cell, which is nearer to the truth and does not show such peaks.\n"
+    "With --also of a static path too stored_energy_mJ and load_work_mJ, and the undeformed place of max_stretch and the largest\n"
+    "energy density; --plot --x and --y take them without it. --outputs lists all columns with their meaning.\n"
     "--at takes what has a unit in the table, by its name without the unit: pressure, elongation, volume, bend=30deg. It\n"
     "gives one row for each crossing, in the order of the path; a value that the path does not reach is refused with\n"
     "exit code 65 and the range it does reach.\n";
@@ -129,6 +131,13 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
     repeatable(app.add_option("--at", options.at,
                               "Only the states at these values, by cubic interpolation along the path (repeatable)"))
         ->type_name("QUANTITY=VALUE[,VALUE...]");
+    app.add_option("--also", options.also, "Columns besides, by name, or all: --outputs lists them")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->take_all()
+        ->type_name("QUANTITY[,QUANTITY...]");
+    app.add_flag("--outputs", options.lists_outputs,
+                 "List the columns of RESULT (- is stdin), or without one all there can be: name, unit, meaning");
     app.add_flag("--comments", options.comments, "Lines '# ...' before the header: how the result was made");
     add_plot_options(app, options.plot);
     add_compare_options(app, options.compare);

@@ -34,6 +34,8 @@ struct PostprocessOptions {
     std::string input;
     std::vector<std::string> at;
     bool comments = false;
+    bool lists_outputs = false;     ///< the columns of RESULT, or of any where none is named
+    std::vector<std::string> also;  ///< columns on demand
     bool wants_table = true;  ///< false: another product was asked for, and no -o
     PlotOptions plot;
     CompareOptions compare;

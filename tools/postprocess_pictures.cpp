@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -51,11 +52,22 @@ std::optional<view::Range> range_of(const PictureOptions& options, fields::Quant
     return range;
 }
 
+/// Along the axis about which the body is said to bend, so that its plane is seen.
+std::string usual_view(const model::Case& model) {
+    constexpr double along = 0.9;   // cosine
+    constexpr std::array views{"side", "across", "front"};
+    for (const model::Output& output : model.outputs)
+        if (output.measure == model::Measure::bend || output.measure == model::Measure::curvature)
+            for (std::size_t i = 0; i < views.size(); ++i)
+                if (std::abs(output.direction[i]) > along) return views[i];
+    return "iso";
+}
+
 view::Look look_of(const PictureOptions& options, const model::Case& model) {
     view::Look look;
     look.quantity = fields::quantity_from_name(options.field);
     const bool flat = options.section || model.kinematics == model::Kinematics::plane_strain;
-    look.camera = view::camera_from_text(!options.view.empty() ? options.view : flat ? "front" : "iso");
+    look.camera = view::camera_from_text(!options.view.empty() ? options.view : flat ? "front" : usual_view(model));
     look.range = range_of(options, look.quantity);
     return look;
 }
@@ -216,9 +228,9 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
     app.add_option("--field", options.field, "What the colours of the body show: " + field_names())
         ->type_name("FIELD")
         ->capture_default_str();
-    app.add_option("--view", options.view, "From where: front, side, top, iso, or AZIMUTH,ELEVATION in degrees")
-        ->type_name("VIEW")
-        ->default_str("iso");
+    app.add_option("--view", options.view, "From where: front, side (along the axis), top, across (along y, z up), iso, or AZIMUTH,ELEVATION in degrees; by itself\n"
+                   "iso, and along the axis of a bend or curvature that is measured")
+        ->type_name("VIEW");
     app.add_option("--range", options.range,
                    "The values at the ends of the colour bar, e.g. 0kPa,200kPa; otherwise those of "
                    "the picture or film")

@@ -21,7 +21,7 @@ struct PictureOptions {
     std::string animate;   ///< FILE.gif, FILE.mp4 or FOLDER/; empty: none
     std::string paraview;  ///< FILE.pvd, FILE.vtu, FILE.hdf, FILE.vtkhdf or FILE.h5; empty: none
     std::string field = "stretch";
-    std::string view;   ///< empty: iso, and front for what is drawn flat
+    std::string view;   ///< empty: front for what is drawn flat, along the axis of a bend, else iso
     std::string range;  ///< "0kPa,200kPa"; empty: that of the picture
     bool section = false, whole = false;
 };

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -17,20 +16,22 @@
 namespace soft::cli {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-
 double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
 
-/// "12.3 kPa", of a case without pressures and tractions "load factor 0.5".
+/// "12.3 kPa", "2 N", of a case without pressures, tractions and forces "load factor 0.5".
 std::string load_text(double load, const model::Case& model) {
-    if (model::leading_load(model) == model::LeadingLoad::load_factor) return "load factor " + core::rounded_text(load, 5);
-    return core::rounded_text(1e-3 * load, 5) + " kPa";
+    switch (model::leading_load(model)) {
+        case model::LeadingLoad::pressure:
+        case model::LeadingLoad::traction: return core::rounded_text(1e-3 * load, 5) + " kPa";
+        case model::LeadingLoad::force: return core::rounded_text(load, 5) + " N";
+        case model::LeadingLoad::load_factor: break;
+    }
+    return "load factor " + core::rounded_text(load, 5);
 }
 
 std::string output_text(const model::Output& output, double value) {
-    const bool length = output.measure == model::Measure::displacement;
-    return output.name + " " +
-           (length ? core::rounded_text(1e3 * value, 6) + " mm" : core::rounded_text(value * degrees, 6) + " deg");
+    const model::MeasureUnit& unit = model::unit_of(output.measure);
+    return output.name + " " + core::rounded_text(value / unit.SI_per_shown, 6) + " " + std::string{unit.shown};
 }
 
 /// Load, outputs and volume of a row or of a point on the path.
@@ -47,13 +48,13 @@ void add_place(nlohmann::ordered_json& json, const Place& place, const model::Ca
     switch (model::leading_load(model)) {
         case model::LeadingLoad::pressure: json["pressure_Pa"] = place.pressure_Pa; break;
         case model::LeadingLoad::traction: json["traction_Pa"] = place.pressure_Pa; break;
+        case model::LeadingLoad::force: json["load_N"] = place.pressure_Pa; break;
         case model::LeadingLoad::load_factor: json["load_factor"] = place.pressure_Pa; break;
     }
     if (place.volume_m3) json["volume_m3"] = *place.volume_m3;
-    for (std::size_t i = 0; i < place.outputs.size(); ++i) {
-        const bool length = model.outputs[i].measure == model::Measure::displacement;
-        json[model.outputs[i].name + (length ? "_m" : "_rad")] = place.outputs[i];
-    }
+    for (std::size_t i = 0; i < place.outputs.size(); ++i)
+        json[model.outputs[i].name + "_" + std::string{model::unit_of(model.outputs[i].measure).SI_suffix}] =
+            place.outputs[i];
 }
 
 /// A word of the file as a design writes it: "generalized-alpha".

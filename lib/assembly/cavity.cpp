@@ -80,19 +80,12 @@ std::vector<SurfaceCell> face_cells(const model::Case& input, const DofMap& map,
 LoadSurface make_load_surface(const model::Case& input, const DofMap& map, const model::PressureLoad& load, int rank,
                               SurfaceTables& tables) {
     LoadSurface surface;
+    surface.plug_force = on_unknowns(plug_force(input, load), map);
     for (const auto& target : load.targets) {
         const auto cavity = std::ranges::find(input.cavities, target, &model::Cavity::name);
         const bool is_cavity = cavity != input.cavities.end();
         const auto facets = is_cavity && load.sealed ? model::cavity_facets(input, *cavity)
                                                      : face_of(input.mesh, is_cavity ? cavity->wall : target);
-        if (is_cavity && load.sealed)
-            for (const auto& opening : cavity->openings) {
-                const auto mean = mean_displacement(input, map, opening.face, opening.direction);
-                for (std::size_t i = 0; i < mean.dofs.size(); ++i) {
-                    surface.plug_force.dofs.push_back(mean.dofs[i]);
-                    surface.plug_force.values.push_back(opening.area_m2 * input.model_fraction * mean.values[i]);
-                }
-            }
         for (auto& facet : own_facets(input.mesh, map, facets, rank, tables)) surface.facets.push_back(std::move(facet));
     }
     return surface;

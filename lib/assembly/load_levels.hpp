@@ -14,6 +14,9 @@ struct LoadLevels {
 
 [[nodiscard]] LoadLevels no_loads(const model::Case& input);
 
+/// Sum over all loads of a x b: a derivative by the levels along a direction of them.
+[[nodiscard]] double product(const LoadLevels& a, const LoadLevels& b);
+
 /// levels + share x direction
 [[nodiscard]] LoadLevels moved(const LoadLevels& levels, double share, const LoadLevels& direction);
 

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "assembly/system.hpp"
-#include "linalg/profile.hpp"
 #include "core/tensor.hpp"
+#include "linalg/profile.hpp"
 #include "material/response.hpp"
 
 namespace soft::assembly {
@@ -64,58 +64,6 @@ double System::add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gra
     return total;
 }
 
-double System::output(std::size_t index, Vec x, Vec gradient, std::span<double> by_motion) {
-    const linalg::Timed timed(linalg::Phase::measures);
-    const auto* linear = std::get_if<LinearOutput>(&outputs_.at(index));
-    if (linear == nullptr) return rotation(index, x, gradient, by_motion);
-    if (gradient != nullptr) linalg::copy(linear->weights, gradient);
-    if (!by_motion.empty()) std::ranges::copy(linear->by_motion, by_motion.begin());
-    double value = linalg::dot(linear->weights, x);
-    for (std::size_t m = 0; m < motion_levels_.size(); ++m) value += motion_levels_[m] * linear->by_motion[m];
-    return value;
-}
-
-double System::rotation(std::size_t output, Vec x, Vec gradient, std::span<double> by_motion) {
-    auto& rotation = std::get<Rotation>(outputs_[output]);
-    if (gradient != nullptr) SOFT_PETSC(VecZeroEntries(gradient));
-    std::ranges::fill(by_motion, 0.0);
-    read_state(x);
-    struct Share {
-        const SurfaceCell* facet;
-        std::array<std::vector<double>, 2> slopes;
-    };
-    std::vector<double> position, X;
-    double angle = 0;
-    for (const auto* face : {&rotation.face, &rotation.reference}) {
-        if (face == &rotation.reference && rotation.measure != model::Measure::bend) continue;
-        Phasor phasor{};
-        std::vector<Share> shares;
-        for (std::size_t f = 0; f < face->facets.size(); ++f) {
-            const auto& facet = face->facets[f];
-            gather_surface(facet, position);
-            const std::size_t n = facet.nodes.size();
-            X.resize(position.size());
-            for (std::size_t i = 0; i < 3; ++i)
-                for (std::size_t a = 0; a < n; ++a) X[i * n + a] = input_.mesh.point(facet.nodes[a])[i];
-            Share& share = shares.emplace_back(Share{&facet, {}});
-            add_phasor(rotation, tables_[facet.reference], position, X, face->weights[f], phasor, share.slopes);
-        }
-        MPI_Allreduce(MPI_IN_PLACE, phasor.data(), 2, MPI_DOUBLE, MPI_SUM, comm_);
-        const double sign = face == &rotation.reference ? -1.0 : 1.0;
-        if (face == &rotation.reference)
-            for (double& component : phasor) component = -component;   // from the inward normal of the held face
-        const PhasorAngle turned = angle_of(phasor);
-        angle += sign * turned.angle;
-        for (auto& share : shares) {
-            for (std::size_t i = 0; i < share.slopes[0].size(); ++i)   // both signs of a reference face cancel
-                share.slopes[0][i] = turned.slope[0] * share.slopes[0][i] + turned.slope[1] * share.slopes[1][i];
-            add_slope(gradient, by_motion, share.facet->dofs, share.slopes[0]);
-        }
-    }
-    finish_slope(gradient, by_motion);
-    return std::remainder(angle - rotation.undeformed, 2.0 * std::numbers::pi);
-}
-
 void System::add_rims(const EnclosedVolume& volume, Vec gradient, std::span<double> by_motion, double& sum) const {
     std::vector<double> y, slope;
     for (const auto& rim : volume.rims) {
@@ -162,16 +110,25 @@ void System::for_each_point(Visit&& visit) const {
             gather_cell(group, c, local);
             points.clear();
             element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work, points);
-            for (const auto& point : points) visit(point, *group.rubber);
+            for (std::size_t q = 0; q < points.size(); ++q) visit(points[q], *group.rubber, PointPlace{&group, c, q});
         }
     }
+}
+
+Vector3 System::position_of(const PointPlace& place) const {
+    const auto& reference = *place.group->reference;
+    const auto nodes = input_.mesh.cell_nodes(place.group->cells[place.cell]);
+    Vector3 X{};
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+        for (std::size_t i = 0; i < 3; ++i) X[i] += reference.N[place.point * nodes.size() + a] * input_.mesh.point(nodes[a])[i];
+    return X;
 }
 
 double System::stored_energy(Vec x) {
     read_state(x);
     double energy = 0;
     const material::Form form = input_.formulation;
-    for_each_point([&](const element::PointState& point, const AnyRubber& any) {
+    for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointPlace&) {
         energy += point.weight_m3 *
                   std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
     });
@@ -188,12 +145,24 @@ StretchSummary System::stretches(Vec x) {
     std::vector<Sample> mine;
     StretchSummary summary;
     summary.min_jacobian = 1e300;
-    for_each_point([&](const element::PointState& point, const AnyRubber&) {
+    const material::Form form = input_.formulation;
+    struct { double stretch; int rank; } own{0, rank_}, most{};
+    for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointPlace& place) {
         const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
         mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
         summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
+        const double energy = std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
+        summary.stored_energy_J += point.weight_m3 * energy;
+        summary.largest_energy_J_m3 = std::max(summary.largest_energy_J_m3, energy);
+        if (mine.back().stretch <= own.stretch) return;
+        own.stretch = mine.back().stretch;
+        summary.largest_at_m = position_of(place);
     });
     MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.largest_energy_J_m3, 1, MPI_DOUBLE, MPI_MAX, comm_);
+    MPI_Allreduce(&own, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
+    MPI_Bcast(summary.largest_at_m.data(), 3, MPI_DOUBLE, most.rank, comm_);
 
     int size = 1;
     MPI_Comm_size(comm_, &size);
@@ -220,6 +189,39 @@ StretchSummary System::stretches(Vec x) {
     return summary;
 }
 
+double System::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {
+    const linalg::Timed timed(linalg::Phase::measures);
+    prescribe(levels);
+    read_state(x);
+    const linalg::Vector force = make_vector();   // of the loads, with the sign of a residual
+    for (std::size_t load = 0; load < loads_.size(); ++load) add_pressures(load, levels, force, nullptr, {});
+    SOFT_PETSC(VecAssemblyBegin(force));
+    SOFT_PETSC(VecAssemblyEnd(force));
+    add_dead_loads(levels, force, {});
+    double moving = 0;
+    for (const auto& group : groups_) {
+        if (std::ranges::all_of(rates.motions, [](double rate) { return rate == 0.0; })) break;
+        const auto& reference = *group.reference;
+        const auto size = static_cast<std::size_t>(reference.dofs());
+        LocalCell local(reference);
+        element::CellOutput out(reference);
+        for (std::size_t c = 0; c < group.cells.size(); ++c) {
+            const std::span<const PetscInt> dofs{&group.dofs[c * size], size};
+            if (std::ranges::none_of(dofs, [](PetscInt dof) { return motion_slot(dof) >= 0; })) continue;
+            gather_cell(group, c, local);
+            std::visit(
+                [&](const auto& rubber) {
+                    element::integrate_cell(reference, input_.kinematics, rubber, local.input(map_.pressure_scale_Pa),
+                                            material::Wanted::stress, out);
+                },
+                *group.rubber);
+            for (std::size_t k = 0; k < size; ++k) moving += out.residual[k] * moved_by(dofs[k], rates.motions);
+        }
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &moving, 1, MPI_DOUBLE, MPI_SUM, comm_);
+    return moving - linalg::dot(force, velocity);
+}
+
 bool System::starts_under_stress() const {
     return std::ranges::any_of(rubbers_, [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
 }
@@ -244,7 +246,7 @@ System::Fields System::gather_fields(Vec x) {
     for (std::size_t node = 0; node < points; ++node)
         for (int i = 0; i < map_.dimension; ++i) {
             const auto number = map_.displacement[node * map_.dimension + i];
-            fields.displacement_m[3 * node + i] = number >= 0 ? value[number] : moved_by(number, motion_levels_);
+            fields.displacement_m[3 * node + i] = number >= 0 ? value[number] : moved_by(number, levels_.motions);
         }
     if (map_.pressures > 0) {
         fields.pressure_Pa.assign(points, 0.0);

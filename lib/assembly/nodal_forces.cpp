@@ -13,17 +13,18 @@ namespace {
 
 using mesh::Index;
 
-SparseVector weighted(std::span<const Index> nodes, std::span<const double> weights, const DofMap& map,
-                      const std::array<double, 3>& factor) {
-    SparseVector vector;
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-        for (int i = 0; i < map.dimension; ++i) {
-            const auto dof = map.displacement[nodes[k] * map.dimension + i];
-            if (dof == -1 || factor[i] == 0.0) continue;   // moved components count: their motion is known
-            vector.dofs.push_back(dof);
-            vector.values.push_back(factor[i] * weights[k]);
-        }
-    return vector;
+void add_component(Index node, int i, double value, const DofMap& map, SparseVector& vector) {
+    const auto dof = map.displacement[node * map.dimension + i];
+    if (dof == -1 || value == 0.0) return;   // moved components count: their motion is known
+    vector.dofs.push_back(dof);
+    vector.values.push_back(value);
+}
+
+NodalForces spread(const FaceWeights& weights, const std::array<double, 3>& factor) {
+    NodalForces forces{weights.nodes, {}};
+    for (const double weight : weights.weights_m2)
+        forces.forces_N.push_back({factor[0] * weight, factor[1] * weight, factor[2] * weight});
+    return forces;
 }
 
 /// Ascending, so that sums run in the same order on every rank.
@@ -74,19 +75,43 @@ FaceWeights face_weights(const model::Case& input, const std::string& face) {
 SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
                                const std::array<double, 3>& direction) {
     const FaceWeights weights = face_weights(input, face);
-    SparseVector mean = weighted(weights.nodes, weights.weights_m2, map, direction);
+    SparseVector mean = on_unknowns(spread(weights, direction), map);
     for (double& value : mean.values) value /= weights.area_m2;
     return mean;
 }
 
-SparseVector face_force(const model::Case& input, const DofMap& map, const std::string& face,
-                        const std::array<double, 3>& traction_Pa) {
-    const FaceWeights weights = face_weights(input, face);
-    return weighted(weights.nodes, weights.weights_m2, map, traction_Pa);
+SparseVector on_unknowns(const NodalForces& forces, const DofMap& map) {
+    SparseVector vector;
+    for (std::size_t k = 0; k < forces.nodes.size(); ++k)
+        for (int i = 0; i < map.dimension; ++i) add_component(forces.nodes[k], i, forces.forces_N[k][i], map, vector);
+    return vector;
 }
 
-SparseVector body_force(const model::Case& input, const DofMap& map, std::span<const element::ReferenceCell> references,
-                        const model::BodyForce& force) {
+NodalForces face_force(const model::Case& input, const std::string& face, const std::array<double, 3>& traction_Pa) {
+    return spread(face_weights(input, face), traction_Pa);
+}
+
+NodalForces plug_force(const model::Case& input, const model::PressureLoad& load) {
+    NodalForces plugs;
+    if (!load.sealed) return plugs;
+    for (const auto& target : load.targets) {
+        const auto cavity = std::ranges::find(input.cavities, target, &model::Cavity::name);
+        if (cavity == input.cavities.end()) continue;
+        for (const auto& opening : cavity->openings) {
+            const FaceWeights weights = face_weights(input, opening.face);
+            const NodalForces mean = spread(weights, opening.direction);
+            plugs.nodes.insert(plugs.nodes.end(), mean.nodes.begin(), mean.nodes.end());
+            for (auto force : mean.forces_N) {
+                for (double& f : force) f = opening.area_m2 * input.model_fraction * (f / weights.area_m2);
+                plugs.forces_N.push_back(force);
+            }
+        }
+    }
+    return plugs;
+}
+
+NodalForces body_force(const model::Case& input, std::span<const element::ReferenceCell> references,
+                       const model::BodyForce& force) {
     const mesh::Mesh& mesh = input.mesh;
     const auto density = densities(input, force.name);
     std::map<Index, double> mass;
@@ -106,8 +131,7 @@ SparseVector body_force(const model::Case& input, const DofMap& map, std::span<c
             for (int a = 0; a < reference.nodes; ++a)
                 mass[nodes[a]] += density[mesh.cell_regions[cell]] * points[q].weight_m3 * reference.N[q * reference.nodes + a];
     }
-    const FaceWeights weights = listed(mass);
-    return weighted(weights.nodes, weights.weights_m2, map, force.acceleration_m_s2);
+    return spread(listed(mass), force.acceleration_m_s2);
 }
 
 }  // namespace soft::assembly

@@ -1,5 +1,5 @@
 #pragma once
-/// Vectors on the unknowns that do not depend on the state: means over faces, and forces that stay fixed in space.
+/// What does not depend on the state: means over faces, and forces that stay fixed in space.
 /// Every rank gets the whole vector. Entries of moved components keep their negative number (dof_map.hpp).
 /// Held by assembly/system_test, assembly/loads_test.
 #include <array>
@@ -30,12 +30,23 @@ struct FaceWeights {
 [[nodiscard]] SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
                                              const std::array<double, 3>& direction);
 
-/// Nodal forces of a dead traction [Pa] on a face: sum of f_i x_i is its work [J].
-[[nodiscard]] SparseVector face_force(const model::Case& input, const DofMap& map, const std::string& face,
-                                      const std::array<double, 3>& traction_Pa);
+/// Forces at nodes, those that are held among them.
+struct NodalForces {
+    std::vector<mesh::Index> nodes;
+    std::vector<std::array<double, 3>> forces_N;
+};
+/// Those at components that are not held.
+[[nodiscard]] SparseVector on_unknowns(const NodalForces& forces, const DofMap& map);
 
-/// Nodal forces int N_a density acceleration dV. Throws Error (bad_input) for a material without density.
-[[nodiscard]] SparseVector body_force(const model::Case& input, const DofMap& map,
-                                      std::span<const element::ReferenceCell> references, const model::BodyForce& force);
+/// Of a dead traction [Pa] on a face: the sum of forces times displacements is its work [J].
+[[nodiscard]] NodalForces face_force(const model::Case& input, const std::string& face,
+                                     const std::array<double, 3>& traction_Pa);
+
+/// int N_a density acceleration dV. Throws Error (bad_input) for a material without density.
+[[nodiscard]] NodalForces body_force(const model::Case& input, std::span<const element::ReferenceCell> references,
+                                     const model::BodyForce& force);
+
+/// Thrust per unit pressure on the plugs of a load's openings (assembly/cavity.hpp); none where it is not sealed.
+[[nodiscard]] NodalForces plug_force(const model::Case& input, const model::PressureLoad& load);
 
 }  // namespace soft::assembly

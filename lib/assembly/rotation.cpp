@@ -2,27 +2,9 @@
 
 #include <cmath>
 
-#include "core/tensor.hpp"
+#include "assembly/plane_axes.hpp"
 
 namespace soft::assembly {
-
-namespace {
-
-/// Two unit vectors across the axis, right-handed with it.
-std::array<std::array<double, 3>, 2> across(const std::array<double, 3>& e) {
-    int least = 0;
-    for (int i = 1; i < 3; ++i)
-        if (std::abs(e[i]) < std::abs(e[least])) least = i;
-    std::array<double, 3> first{};
-    first[least] = 1.0;
-    double norm = 0;
-    for (int i = 0; i < 3; ++i) first[i] -= e[least] * e[i];
-    for (const double f : first) norm += f * f;
-    for (double& f : first) f /= std::sqrt(norm);
-    return {first, {e[1] * first[2] - e[2] * first[1], e[2] * first[0] - e[0] * first[2], e[0] * first[1] - e[1] * first[0]}};
-}
-
-}  // namespace
 
 PhasorAngle angle_of(const Phasor& phasor) {
     const double square = phasor[0] * phasor[0] + phasor[1] * phasor[1];
@@ -32,7 +14,7 @@ PhasorAngle angle_of(const Phasor& phasor) {
 void add_phasor(const Rotation& rotation, const element::ReferenceFacet& facet, std::span<const double> x,
                 std::span<const double> X, std::span<const double> weights, Phasor& phasor,
                 std::array<std::vector<double>, 2>& slopes) {
-    const auto basis = across(rotation.axis);
+    const auto basis = plane_axes(rotation.axis);
     const auto n = static_cast<std::size_t>(facet.nodes), size = static_cast<std::size_t>(facet.dofs());
     for (auto& slope : slopes) slope.assign(size, 0.0);
     if (rotation.measure == model::Measure::twist) {

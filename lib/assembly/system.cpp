@@ -98,43 +98,10 @@ void System::make_loads() {
             }
     }
     for (const auto& traction : input_.tractions)
-        tractions_.push_back(assembled(face_force(input_, map_, traction.face, traction.traction_Pa)));
+        tractions_.push_back(assembled(on_unknowns(face_force(input_, traction.face, traction.traction_Pa), map_)));
     for (const auto& force : input_.body_forces)
-        body_forces_.push_back(assembled(body_force(input_, map_, references_, force)));
-    motion_levels_.assign(input_.motions.size(), 0.0);
-}
-
-void System::make_outputs() {
-    for (const auto& output : input_.outputs) {
-        if (output.measure == model::Measure::displacement) {
-            const auto mean = mean_displacement(input_, map_, output.face, output.direction);
-            LinearOutput linear{assembled(mean), std::vector(input_.motions.size(), 0.0)};
-            for (std::size_t i = 0; i < mean.dofs.size(); ++i)
-                if (const int slot = motion_slot(mean.dofs[i]); slot >= 0)
-                    linear.by_motion[slot / 3] += mean.values[i] * *input_.motions[slot / 3].displacement_m[slot % 3];
-            outputs_.emplace_back(std::move(linear));
-            continue;
-        }
-        if (input_.kinematics != model::Kinematics::solid)
-            throw Error(ExitCode::bad_input, "outputs." + output.name, "a section does not bend or twist",
-                        "use model: solid, half or quarter");
-        Rotation rotation{output.measure, output.direction, {}, {}, 0.0};
-        const auto fill = [&](RotationFace& face, const std::string& name) {
-            face.facets = face_cells(input_, map_, name, rank_, tables_);
-            for (const auto& facet : face.facets) {
-                const auto& reference = tables_[facet.reference];
-                std::vector<double> X(reference.dofs()), weights(reference.nodes, 0.0);
-                for (int i = 0; i < 3; ++i)
-                    for (int a = 0; a < reference.nodes; ++a)
-                        X[i * reference.nodes + a] = input_.mesh.point(facet.nodes[a])[i];
-                (void)element::facet_area(reference, input_.kinematics, X, weights);
-                face.weights.push_back(std::move(weights));
-            }
-        };
-        fill(rotation.face, output.face);
-        if (output.measure == model::Measure::bend) fill(rotation.reference, output.reference);
-        outputs_.emplace_back(std::move(rotation));
-    }
+        body_forces_.push_back(assembled(on_unknowns(body_force(input_, references_, force), map_)));
+    levels_ = no_loads(input_);
 }
 
 void System::make_groups() {
@@ -163,10 +130,13 @@ void System::for_each_surface_cell(Visit&& visit) {
         for (auto& rim : volume.rims)
             for (auto& edge : rim.edges) visit(edge);
     }
-    for (auto& output : outputs_)
+    for (auto& output : outputs_) {
         if (auto* rotation = std::get_if<Rotation>(&output))
             for (RotationFace* face : {&rotation->face, &rotation->reference})
                 for (auto& facet : face->facets) visit(facet);
+        if (auto* shape = std::get_if<ShapeOutput>(&output)) visit(shape->at_nodes);
+        if (auto* reaction = std::get_if<Reaction>(&output)) visit(reaction->at_nodes);
+    }
 }
 
 void System::make_local_copy() {
@@ -200,10 +170,10 @@ std::vector<int> System::local_positions(std::span<const PetscInt> dofs) const {
 }
 
 void System::prescribe(const LoadLevels& levels) {
-    motion_levels_ = levels.motions;
+    levels_ = levels;
     double* value = local_.data() + ghosts_.size() + 1;
     for (std::size_t m = 0; m < input_.motions.size(); ++m)
-        for (int i = 0; i < 3; ++i) *value++ = motion_levels_[m] * input_.motions[m].displacement_m[i].value_or(0.0);
+        for (int i = 0; i < 3; ++i) *value++ = levels.motions[m] * input_.motions[m].displacement_m[i].value_or(0.0);
 }
 
 linalg::Vector System::make_vector() const {

@@ -11,8 +11,10 @@
 
 #include "assembly/cavity.hpp"
 #include "assembly/dof_map.hpp"
+#include "assembly/face_shape.hpp"
 #include "assembly/load_levels.hpp"
 #include "assembly/materials.hpp"
+#include "assembly/reaction.hpp"
 #include "assembly/rotation.hpp"
 #include "element/solid_kernel.hpp"
 #include "linalg/block_entries.hpp"
@@ -27,11 +29,14 @@ struct Evaluation {
     [[nodiscard]] bool admissible() const noexcept { return min_jacobian > 0.0; }
 };
 
-/// How far the rubber is stretched at a state.
+/// How far the rubber is stretched at a state, and what energy it holds.
 struct StretchSummary {
     double p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the volume
     double largest = 1;
     double min_jacobian = 1;
+    Vector3 largest_at_m{};              ///< undeformed place of the largest stretch; a section's x, r, 0
+    double stored_energy_J = 0;          ///< of the modelled part
+    double largest_energy_J_m3 = 0;      ///< per undeformed volume, at an integration point
 };
 
 /// A direction of the load levels, and the vector that gets -dR/d(direction).
@@ -51,7 +56,8 @@ public:
     /// Where the result is not admissible they are unfinished.
     Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
 
-    /// Sets the prescribed displacements that the functions below see besides x; evaluate() does so too.
+    /// Sets the prescribed displacements, and for reactions the loads, that the functions below see besides x; evaluate() does
+    /// so too.
     void prescribe(const LoadLevels& levels);
 
     /// Volume [m^3] of one of model::measured_cavities, whole actuator. `gradient` by x and `by_motion` by the level of
@@ -62,8 +68,9 @@ public:
     double load_volume(std::size_t load, Vec x, Vec gradient, std::span<double> by_motion = {});
     [[nodiscard]] bool encloses_volume(std::size_t load) const { return !load_cavities_.at(load).empty(); }
 
-    /// Value of an output [m or rad]; the rest as for enclosed_volume. Angles lie in (-pi, pi].
-    double output(std::size_t index, Vec x, Vec gradient, std::span<double> by_motion = {});
+    /// Value of an output (SI, model::unit_of) under the levels last prescribed; `gradient` by x and the derivatives by the
+    /// levels are overwritten, null where they are not wanted. Angles lie in (-pi, pi].
+    double output(std::size_t index, Vec x, Vec gradient, LoadLevels* by_levels = nullptr);
     [[nodiscard]] std::size_t output_count() const { return input_.outputs.size(); }
 
     /// False where a law is a stress without an energy; a pressure on a surface with a free rim does not count.
@@ -71,6 +78,10 @@ public:
 
     /// True where a law puts the undeformed body under stress: it is then no state of equilibrium without load.
     [[nodiscard]] bool starts_under_stress() const;
+
+    /// Work per unit time that the loads do on the modelled part [W], per unit of what `velocity` of the unknowns and `rates`
+    /// of the levels are per unit of; prescribed motions by the forces that move their nodes. Prescribes the levels.
+    [[nodiscard]] double load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates);
 
     /// Energy stored in the rubber of the modelled part [J].
     [[nodiscard]] double stored_energy(Vec x);
@@ -137,13 +148,30 @@ private:
                    std::span<const double> slope) const;
     void finish_slope(Vec gradient, std::span<double> by_motion) const;
     [[nodiscard]] double moved_by(PetscInt number, std::span<const double> levels) const;
-    double rotation(std::size_t output, Vec x, Vec gradient, std::span<double> by_motion);
+    double rotation(const Rotation& rotation, Vec x, Vec gradient, std::span<double> by_motion);
+    struct LinearOutput;
+    struct ShapeOutput;
+    [[nodiscard]] LinearOutput make_linear(const model::Output& output, const Vector3& direction) const;
+    [[nodiscard]] Rotation make_rotation(const model::Output& output);
+    [[nodiscard]] ShapeOutput make_shape(const model::Output& output);
+    [[nodiscard]] Reaction complete_reaction(const model::Output& output);
+    [[nodiscard]] SurfaceCell nodes_on_rank_0(std::span<const mesh::Index> nodes) const;
+    double shape(const ShapeOutput& output, Vec x, Vec gradient, std::span<double> by_motion);
+    double reaction(const Reaction& reaction, Vec x, Vec gradient, LoadLevels* by_levels);
+    double cell_reactions(const Reaction& reaction, Vec gradient, LoadLevels* by_levels) const;
+    double pressure_reactions(const Reaction& reaction, Vec gradient, LoadLevels* by_levels) const;
+    double dead_reactions(const Reaction& reaction, Vec gradient, LoadLevels* by_levels) const;
     void add_nodal_pressures(mesh::Index cell, const double* value, std::vector<double>& pressure_Pa,
                              std::vector<int>& shares) const;
     double add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gradient, std::span<double> by_motion);
     void add_rims(const EnclosedVolume& volume, Vec gradient, std::span<double> by_motion, double& sum) const;
 
-    /// Calls visit(point, rubber) for every quadrature point of this rank's cells at the state last read.
+    struct PointPlace {
+        const CellGroup* group;
+        std::size_t cell, point;   // of the group, of the cell
+    };
+    [[nodiscard]] Vector3 position_of(const PointPlace& place) const;
+    /// Calls visit(point, rubber, place) for every quadrature point of this rank's cells at the state last read.
     template <class Visit>
     void for_each_point(Visit&& visit) const;
 
@@ -163,9 +191,19 @@ private:
         linalg::Vector weights;
         std::vector<double> by_motion;
     };
-    using OutputForm = std::variant<LinearOutput, Rotation>;
+    /// The whole face, its mirror images included, as node and the sign of its components. On rank 0 alone.
+    struct ShapeOutput {
+        FaceShape shape;
+        SurfaceCell at_nodes;  // of the mesh
+        struct Image {
+            std::size_t node;
+            Vector3 signs;
+        };
+        std::vector<Image> images;  // by FaceShape::X
+    };
+    using OutputForm = std::variant<LinearOutput, Rotation, ShapeOutput, Reaction>;
     std::vector<OutputForm> outputs_;             // by Case::outputs
-    std::vector<double> motion_levels_;
+    LoadLevels levels_;                // last prescribed
     /// Where the blocks of cells and facets lie in matrices of the pattern met last.
     struct Places {
         PetscObjectId matrix = 0;

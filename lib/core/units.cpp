@@ -96,12 +96,25 @@ constexpr std::array units = {
     Unit{"J", Dimension::energy},
     Unit{"mJ", Dimension::energy, -3},
     Unit{"uJ", Dimension::energy, -6},
+    Unit{"N", Dimension::force},
+    Unit{"mN", Dimension::force, -3},
+    Unit{"kN", Dimension::force, 3},
+    Unit{"N.m", Dimension::moment},
+    Unit{"Nm", Dimension::moment},
+    Unit{"N.mm", Dimension::moment, -3},
+    Unit{"Nmm", Dimension::moment, -3},
+    Unit{"mN.m", Dimension::moment, -3},
+    Unit{"1/m", Dimension::curvature},
+    Unit{"1/cm", Dimension::curvature, 2},
+    Unit{"1/mm", Dimension::curvature, 3},
 };
 
 /// Units of messages, coarse to fine within a dimension: the first that leaves a number of 1 or more is used.
 constexpr auto message_units = std::to_array<std::string_view>(
-    {"m", "mm", "um", "m^2", "mm^2", "m^3", "mL", "mm^3", "GPa", "MPa", "kPa", "Pa", "deg", "kg/m^3", "kg", "g", "mg", "m/s^2",
-     "s", "ms", "us", "1/s", "kPa.s/mL", "Pa.s/mL", "Pa.s/L", "Pa.s/m^3", "J", "mJ", "uJ"});
+    {"m",      "mm",       "um", "m^2", "mm^2", "m^3",   "mL", "mm^3", "GPa",  "MPa", "kPa",      "Pa",
+     "deg",    "kg/m^3",   "kg", "g",   "mg",   "m/s^2",
+     "s",  "ms",   "us",   "1/s", "kPa.s/mL", "Pa.s/mL",
+     "Pa.s/L", "Pa.s/m^3", "J", "mJ",  "uJ",   "N",     "mN", "N.m",  "N.mm", "1/m"});
 
 constexpr std::size_t longest_number = 40;  // in a message
 
@@ -216,6 +229,9 @@ std::string_view name(Dimension dimension) noexcept {
         case Dimension::rate: return "rate";
         case Dimension::flow_resistance: return "flow resistance";
         case Dimension::energy: return "energy";
+        case Dimension::force: return "force";
+        case Dimension::moment: return "moment";
+        case Dimension::curvature: return "curvature";
     }
     return "quantity";
 }
@@ -235,6 +251,9 @@ std::string_view example(Dimension dimension) noexcept {
         case Dimension::rate: return "10 Hz";
         case Dimension::flow_resistance: return "1e8 Pa.s/m^3";
         case Dimension::energy: return "5 mJ";
+        case Dimension::force: return "2 N";
+        case Dimension::moment: return "5 N.mm";
+        case Dimension::curvature: return "10 1/m";
     }
     return "1";
 }

@@ -10,7 +10,11 @@
 
 namespace soft::core {
 
-enum class Dimension { ratio, length, area, volume, pressure, angle, density, mass, acceleration, time, rate, flow_resistance, energy };
+enum class Dimension { ratio, length, area, volume, pressure, angle, density, mass, acceleration, time, rate, flow_resistance, energy,
+    force,
+    moment,
+    curvature
+};
 
 /// Why a text was refused and what would be right; the caller knows the place.
 struct Refusal {

@@ -91,9 +91,9 @@ std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& w
     for (const LoadEntry& load : part.loads) {
         if (load.kind != kind) continue;
         const auto same = std::ranges::find(own, load.name, [](const LoadEntry* entry) { return entry->name; });
-        if (same == own.end())
-            throw values.refuse(load.value, "the case has no " + load.value.substr(load.path.size() + 1) +
-                                                (kind == LoadKind::gravity ? "" : " on this face"), remedy);
+        const auto word = [](const LoadEntry& entry) { return entry.value.substr(entry.path.size() + 1); };
+        if (same == own.end() || word(**same) != word(load))
+            throw values.refuse(load.value, "the case has no " + word(load) + (kind == LoadKind::gravity ? "" : " on this face"), remedy);
         if (was.text((*same)->path + ".along") != values.text(load.path + ".along"))
             throw values.refuse(load.path + ".along", "the direction is built into the case", remedy);
         loads.push_back({static_cast<std::size_t>(same - own.begin()), values.number(load.value) / was.number((*same)->value),

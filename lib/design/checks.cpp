@@ -23,6 +23,9 @@ std::optional<core::Dimension> dimension_of(Kind kind) {
         case Kind::time: return core::Dimension::time;
         case Kind::rate: return core::Dimension::rate;
         case Kind::flow_resistance: return core::Dimension::flow_resistance;
+        case Kind::force: return core::Dimension::force;
+        case Kind::moment: return core::Dimension::moment;
+        case Kind::curvature: return core::Dimension::curvature;
         case Kind::ratio: return core::Dimension::ratio;
         case Kind::count:
         case Kind::flag:
@@ -185,6 +188,9 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
         case Kind::time:
         case Kind::rate:
         case Kind::flow_resistance:
+        case Kind::force:
+        case Kind::moment:
+        case Kind::curvature:
         case Kind::ratio:
         case Kind::count: check_number(key, item, node); break;
         case Kind::list:

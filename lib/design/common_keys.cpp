@@ -105,13 +105,24 @@ Key output_face_key(const std::string& output) {
             .meaning = "face that is measured"};
 }
 
+namespace {
+
+std::vector<std::string> measure_words() {
+    std::vector<std::string> words;
+    for (const model::Measure measure : model::all_measures) words.emplace_back(model::name_of(measure));
+    return words;
+}
+
+}  // namespace
+
 Key output_measure_key(const std::string& output) {
     return {.path = "outputs." + output + ".measure",
             .kind = Kind::choice,
             .fallback = "displacement",
-            .meaning = "mean displacement of the face, the angle by which it bends away from another one, or the mean angle by "
-                       "which it turns about an axis through the origin",
-            .choices = {"displacement", "bend", "twist"}};
+            .meaning = "mean displacement of the face; angle by which it bends away from another one; mean angle by which it turns "
+            "about an axis through the origin (twist), mean growth of its distance from one (radial); rotation vector; "
+            "curvature of the circle that fits it best; force or moment with which the body pushes on what holds it",
+        .choices = measure_words()};
 }
 
 Key output_reference_key(const std::string& output) {
@@ -121,11 +132,13 @@ Key output_reference_key(const std::string& output) {
 }
 
 Key output_along_key(const std::string& output, std::string fallback) {
-    return {.path = "outputs." + output + ".along",
-            .kind = Kind::choice,
-            .fallback = std::move(fallback),
-            .meaning = "direction, or axis of a bend or twist; axis is positive when the actuator gets longer",
-            .choices = directions()};
+    return {
+        .path = "outputs." + output + ".along",
+        .kind = Kind::choice,
+        .fallback = std::move(fallback),
+        .meaning =
+            "direction of a displacement, force or rotation, else the axis; axis is positive when the actuator gets longer",
+        .choices = directions()};
 }
 
 Key until_key(const std::string& section, const std::string& quantity) {
@@ -182,10 +195,10 @@ const std::vector<SectionNote>& section_notes() {
         {"supports", "component: face or [face, face]; fixed holds all components, x, y, z or r one"},
         {"loads",
          "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: {pressure}, "
-         "{traction, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also course: {kind: ramp, rise | "
+         "{traction, along}, {force, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also course: {kind: ramp, rise | "
          "step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
         {"path", "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
-        {"outputs", "name: displacement, bend or twist of a face; becomes a column of the curve"},
+        {"outputs", "name: {face, measure, along}; becomes a column of the curve"},
         {"dynamics", "motion in time from rest in the undeformed state; needs material.density"},
         {"solver", "methods, tolerances and limits; the defaults are good"},
     };

@@ -76,8 +76,11 @@ struct Design {
     std::map<std::string, model::Material, std::less<>> materials;   ///< of other regions, by their names below `materials`
     std::vector<model::Support> supports;       ///< by face name (aliases resolved); symmetry planes not included
     std::vector<model::PressureLoad> loads;
-    /// Dead traction along: axis | x | y | z | r | normal
-    struct TractionRequest { std::string face; double traction_Pa; std::string along; model::TimeCourse course = {}; };
+    /// Dead traction [Pa] on a face, or the force [N] on the whole face of the whole actuator; along: axis | x | y | z | r | normal
+    enum class Spread { per_area, whole_face };
+    struct TractionRequest { std::string face; double size; std::string along; model::TimeCourse course = {};
+        Spread spread = Spread::per_area;
+    };
     std::vector<TractionRequest> tractions;
     /// along: axis | x | y | z, or one of these with a minus before it
     struct BodyForceRequest { std::string name; double acceleration_m_s2; std::string along; model::TimeCourse course = {}; };

@@ -112,11 +112,20 @@ Key traction_key(const std::string& load, When when) {
             .meaning = "force per undeformed area" + at(when) + "; its direction stays fixed in space"};
 }
 
+Key force_key(const std::string& load, When when) {
+    return {.path = load + ".force",
+            .kind = Kind::force,
+            .meaning = "dead force on the whole face of the whole actuator" + at(when) +
+                       ", spread evenly over the undeformed face; its direction stays fixed in space"};
+}
+
 Key traction_along_key(const std::string& load) {
-    return {.path = load + ".along",
-            .kind = Kind::choice,
-            .meaning = "direction of a positive traction; normal points out of the undeformed face, axis makes longer",
-            .choices = directions()};
+    return {
+        .path = load + ".along",
+        .kind = Kind::choice,
+        .meaning =
+            "direction of a positive traction or force; normal points out of the undeformed face, axis makes longer",
+        .choices = directions()};
 }
 
 Key acceleration_key(const std::string& load, When when) {

@@ -28,6 +28,7 @@ enum class When { full_load, stage_end };
 [[nodiscard]] std::vector<Key> gas_keys(const std::string& load);   ///< defaults are model::Gas's
 
 [[nodiscard]] Key traction_key(const std::string& load, When when);
+[[nodiscard]] Key force_key(const std::string& load, When when);
 [[nodiscard]] Key traction_along_key(const std::string& load);
 [[nodiscard]] Key acceleration_key(const std::string& load, When when);
 [[nodiscard]] Key gravity_along_key(const std::string& load, std::string fallback);

@@ -72,7 +72,7 @@ LoadEntry entry_of(const NamedLoad& load, LoadKind kind, std::string_view value)
 }
 
 LoadEntry add_cavity(Schema& schema, const NamedLoad& load, const Node& defaults) {
-    refuse_keys(load, std::vector<std::string>{"traction", "displacement"}, "a cavity is loaded by a pressure",
+    refuse_keys(load, std::vector<std::string>{"traction", "force", "displacement"}, "a cavity is loaded by a pressure",
                 "write pressure");
     refuse_keys(load, std::vector<std::string>{"along"}, "a pressure acts along the normal of the deformed face",
                 "leave it out");
@@ -104,16 +104,20 @@ LoadEntry add_gravity(Schema& schema, const NamedLoad& load) {
     return entry_of(load, LoadKind::gravity, "acceleration");
 }
 
-/// A pressure, a traction or a motion; each kind has keys that mean nothing for the others.
+/// A traction that is stated as the force of the whole face.
+bool is_force(const LoadEntry& load) { return load.value.ends_with(".force"); }
+
+/// A pressure, a traction, a force or a motion; each kind has keys that mean nothing for the others.
 LoadEntry add_face(Schema& schema, const NamedLoad& load) {
     refuse_keys(load, std::vector<std::string>{"volume", "volume_ratio", "mass", "valve", "shares", "gas", "line"},
                 "a face encloses no gas", "write pressure; only a cavity takes this");
     refuse_keys(load, std::vector<std::string>{"sealed"}, "a face has no openings to seal", "leave it out");
-    const std::vector<std::string> words = {"pressure", "traction", "displacement"};
+    const std::vector<std::string> words = {"pressure", "traction", "force", "displacement"};
     const std::string_view value = only_one_of(load, words);
     schema.names[load.path] = words;
-    if (value == "traction") {
-        schema.keys.push_back(traction_key(load.path, When::full_load));
+    if (value == "traction" || value == "force") {
+        schema.keys.push_back(value == "force" ? force_key(load.path, When::full_load)
+                                               : traction_key(load.path, When::full_load));
         schema.keys.push_back(traction_along_key(load.path));
         return entry_of(load, LoadKind::traction, value);
     }
@@ -134,7 +138,8 @@ Key stage_key(const LoadEntry& load, const std::string& path, const SupplyWord& 
         case LoadKind::gas:
         case LoadKind::shared_gas:
         case LoadKind::face_pressure: return supply_key(path, word, When::stage_end);
-        case LoadKind::traction: return traction_key(path, When::stage_end);
+        case LoadKind::traction:
+            return is_force(load) ? force_key(path, When::stage_end) : traction_key(path, When::stage_end);
         case LoadKind::gravity: return acceleration_key(path, When::stage_end);
         case LoadKind::motion: return displacement_key(path, When::stage_end);
     }
@@ -151,7 +156,8 @@ void refuse_zero(const LoadEntry& entry, double value, const Values& values) {
                              : entry.what == Prescription::mass           ? "50 mg"
                              : entry.kind == LoadKind::gravity            ? "9.81 m/s^2"
                              : entry.kind == LoadKind::motion             ? "10 mm"
-                                                                          : "30 kPa"));
+                             : is_force(entry)                  ? "2 N"
+                                                                : "30 kPa"));
 }
 
 model::PressureLoad pressure_load(const LoadEntry& entry, const Values& values) {
@@ -194,7 +200,9 @@ LoadSlot take(const LoadEntry& entry, double value, Loads& loads, const Values& 
         case LoadKind::shared_gas: break;
         case LoadKind::traction:
             check_direction(values, entry.path + ".along");
-            loads.tractions.push_back({entry.name, value, values.text(entry.path + ".along"), course_of(values, entry.path)});
+            loads.tractions.push_back({entry.name, value, values.text(entry.path + ".along"),
+                                       course_of(values, entry.path),
+                                       is_force(entry) ? Design::Spread::whole_face : Design::Spread::per_area});
             return {entry.kind, loads.tractions.size() - 1, value};
         case LoadKind::gravity:
             require_density(values, entry.value);

@@ -62,6 +62,19 @@ std::vector<Key> branch_keys() {
              .min_open = true}};
 }
 
+Kind kind_of(const Node* measure) {
+    const auto known = std::ranges::find_if(model::all_measures, [&](model::Measure m) {
+        return measure != nullptr && measure->text == model::name_of(m);
+    });
+    switch (known == model::all_measures.end() ? core::Dimension::length : model::unit_of(*known).dimension) {
+        case core::Dimension::angle: return Kind::angle;
+        case core::Dimension::curvature: return Kind::curvature;
+        case core::Dimension::force: return Kind::force;
+        case core::Dimension::moment: return Kind::moment;
+        default: return Kind::length;
+    }
+}
+
 /// Outputs as the tree has them; an angle ends the path at an angle.
 struct NamedOutput {
     std::string name;
@@ -70,9 +83,7 @@ struct NamedOutput {
 std::vector<NamedOutput> named_outputs(const Node& root) {
     std::vector<NamedOutput> outputs;
     for (const Member& output : members_of(root, "outputs")) {
-        const Node* measure = find(output.value, "measure");
-        const bool angle = measure != nullptr && (measure->text == "bend" || measure->text == "twist");
-        outputs.push_back({output.key, angle ? Kind::angle : Kind::length});
+        outputs.push_back({output.key, kind_of(find(output.value, "measure"))});
     }
     return outputs;
 }

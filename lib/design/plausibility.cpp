@@ -97,8 +97,8 @@ void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& w
         before = stage;
     }
     for (const Design::TractionRequest& load : design.tractions)
-        if (std::abs(load.traction_Pa) > pressure_over_modulus * mu_Pa)
-            warnings.push_back("loads." + load.face + ".traction: " + pressure_text(load.traction_Pa) +
+        if (load.spread == Design::Spread::per_area && std::abs(load.size) > pressure_over_modulus * mu_Pa)
+            warnings.push_back("loads." + load.face + ".traction: " + pressure_text(load.size) +
                                " is far above the initial shear modulus " + pressure_text(mu_Pa));
 }
 

@@ -9,7 +9,11 @@ namespace soft::design {
 
 /// What a value is. Quantities carry a unit in the text and are SI once read; a bare number for them is refused.
 enum class Kind {
-    length, area, volume, pressure, angle, density, mass, acceleration, time, rate, flow_resistance, ratio,
+    length, area, volume, pressure, angle, density, mass, acceleration, time, rate, flow_resistance,
+    force,
+    moment,
+    curvature,
+    ratio,
     count, flag, text, choice, faces, list
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
@@ -14,8 +13,8 @@ void check_output_name(const Member& output) {
     if (!is_own_name(output.key))
         refuse(output.place, "outputs." + output.key, "not a name of an output", own_name_remedy);
     const auto& taken = until_quantities();
-    if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || output.key == "volume" ||
-        output.key == "step" || output.key == "stage" || output.key == "time")
+    constexpr std::array others{"volume", "step", "stage", "time", "load", "traction", "load_factor"};
+    if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || std::ranges::count(others, output.key) > 0)
         refuse(output.place, "outputs." + output.key, "the name is that of a quantity every path has",
                "call the output otherwise");
     for (const char* word : {"first", "path", "none"})   // of path.controlled
@@ -37,11 +36,8 @@ std::array<bool, 3> components_of(const std::string& component, const Values& va
     return component == "y" ? std::array{false, true, false} : std::array{false, false, true};
 }
 
-const std::map<std::string, model::Measure>& measures() {
-    static const std::map<std::string, model::Measure> all = {{"displacement", model::Measure::displacement},
-                                                              {"bend", model::Measure::bend},
-                                                              {"twist", model::Measure::twist}};
-    return all;
+model::Measure measure_of(const std::string& word) {
+    return *std::ranges::find(model::all_measures, word, model::name_of);
 }
 
 std::string single_face(const Item& item, const FaceNames& faces, const Values& values) {
@@ -50,15 +46,43 @@ std::string single_face(const Item& item, const FaceNames& faces, const Values& 
     return resolve_face(faces, item.list.front());
 }
 
-/// The axis of a bend or a twist: a section has none but its own z.
-void check_angle(const Values& values, const std::string& output) {
+/// What turns, or turns what holds it, has an axis: a section has none but its own z.
+void check_axis(const Values& values, const std::string& output) {
     const std::string &model = values.text("model"), &along = values.text(output + ".along");
     if (model == "axisymmetric")
         throw values.refuse(output + ".measure", "the section of a body of revolution neither bends nor twists",
-                            "measure: displacement, or model: solid");
+                            "measure: displacement, radial or force, or model: solid");
     if (model == "plane-strain" && along != "z")
         throw values.refuse(output + ".along", "in plane strain faces turn about z", "along: z");
     if (along == "r") throw values.refuse(output + ".along", "r is no axis to turn about", "axis, x, y or z");
+}
+
+void check_measure(const Values& values, const std::string& output, model::Measure measure) {
+    const std::string &model = values.text("model"), along = output + ".along";
+    const bool solid = model != "axisymmetric" && model != "plane-strain";
+    switch (measure) {
+        case model::Measure::displacement: return check_direction(values, along);
+        case model::Measure::bend:
+        case model::Measure::twist:
+        case model::Measure::moment: return check_axis(values, output);
+        case model::Measure::rotation:
+        case model::Measure::curvature:
+            check_axis(values, output);
+            if (!solid)
+                throw values.refuse(output + ".measure", "a section has no such measure",
+                                    "measure: bend, or model: solid");
+            return;
+        case model::Measure::radial:
+            if (model == "plane-strain" || values.text(along) == "r" || values.text(along) == "normal")
+                throw values.refuse(along, "it is the axis from which the distance is taken",
+                                    "axis, x, y or z, of a solid or a body of revolution");
+            return check_direction(values, along);
+        case model::Measure::force:
+            check_direction(values, along);
+            if (values.text(along) == "r")
+                throw values.refuse(along, "forces along r cancel all round", "axis, x or normal");
+            return;
+    }
 }
 
 }  // namespace
@@ -105,12 +129,16 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
         schema.keys.push_back(output_measure_key(output.key));
         const Node* measure = find(output.value, "measure");
         const bool bend = measure != nullptr && measure->text == "bend";
+        const bool axis_is_usual = measure == nullptr || measure->text == "displacement" || measure->text == "twist" ||
+                                   measure->text == "radial" || measure->text == "force";
         if (bend) schema.keys.push_back(output_reference_key(output.key));
         if (const Member* reference = find_member(output.value, "reference"); reference != nullptr && !bend)
             refuse(reference->place, "outputs." + output.key + ".reference", "only a bend is measured from another face",
                    "leave it out, or write measure: bend");
         const Node* along = find_path(defaults, "outputs." + output.key + ".along");
-        schema.keys.push_back(output_along_key(output.key, bend ? "" : along == nullptr ? "axis" : along->text));
+        schema.keys.push_back(output_along_key(output.key, !axis_is_usual     ? ""
+                                                           : along == nullptr ? "axis"
+                                                                              : along->text));
     }
 }
 
@@ -138,11 +166,12 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
         const std::string name = name_between(item.key.path, "outputs.", ".face");
         if (name.empty()) continue;
         Design::OutputRequest output{name, single_face(item, faces, values), values.text("outputs." + name + ".along"),
-                                     measures().at(values.text("outputs." + name + ".measure")), {}};
-        if (output.measure == model::Measure::displacement)
-            check_direction(values, "outputs." + name + ".along");
-        else
-            check_angle(values, "outputs." + name);
+                                     measure_of(values.text("outputs." + name + ".measure")), {}};
+        check_measure(values, "outputs." + name, output.measure);
+        if (model::is_reaction(output.measure) && values.has("dynamics.duration") &&
+            values.text("dynamics.duration") != "none")
+            throw values.refuse("outputs." + name + ".measure", "a reaction is measured on a static path",
+                                "leave out dynamics, or measure: displacement");
         for (const Item& other : items)
             if (other.key.path == "outputs." + name + ".reference") output.reference = single_face(other, faces, values);
         if (output.reference == output.face)

@@ -5,7 +5,9 @@
 #include <set>
 
 #include "core/text.hpp"
+#include "element/pressure_kernel.hpp"
 #include "mesh/cell_map.hpp"
+#include "model/face_symmetry.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -53,6 +55,29 @@ void add_body_forces(model::Case& result, const design::Design& design, const Me
     }
 }
 
+model::FaceSymmetry symmetry_of(const Solid& solid, const std::string& face) {
+    return model::face_symmetry(solid.mesh, {solid.kinematics, solid.symmetry_planes}, face);
+}
+
+/// Undeformed area of the whole face of the whole actuator. Refuses a direction in which its mirror images would pull apart.
+double whole_area_m2(const Solid& solid, const Heading& heading, const Vector& direction,
+                     const design::Values& values) {
+    const model::FaceSymmetry symmetry = symmetry_of(solid, heading.face);
+    if (model::uncancelled_force(symmetry, direction) != direction)
+        throw values.refuse(heading.place, "the model is mirrored there, and with it the force would be",
+                            "a model that is not cut there, or another direction");
+    double area_m2 = 0;
+    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(heading.face)) {
+        const auto reference = element::make_reference_facet(mesh::facet_type(solid.mesh, facet));
+        const auto nodes = mesh::facet_nodes(solid.mesh, facet);
+        std::vector<double> X(static_cast<std::size_t>(reference.dofs())), weights(nodes.size());
+        for (std::size_t i = 0; i < static_cast<std::size_t>(solid.mesh.dimension); ++i)
+            for (std::size_t a = 0; a < nodes.size(); ++a) X[i * nodes.size() + a] = solid.mesh.point(nodes[a])[i];
+        area_m2 += element::facet_area(reference, solid.kinematics, X, weights);
+    }
+    return symmetry.copies * area_m2;
+}
+
 /// The component along which `direction` points, or 3.
 std::size_t component_along(const Vector& direction) {
     constexpr double rounding = 1e-9;
@@ -68,7 +93,8 @@ void add_motions(model::Case& result, const design::Design& design, const Meshed
         const Vector direction = direction_of({path, request.face, request.along}, meshed.body, meshed.solid);
         const std::size_t component = component_along(direction);
         if (component == 3)
-            throw design.values.refuse(path, "a motion is prescribed by component, and this direction lies between them",
+            throw design.values.refuse(path,
+                                       "a motion is prescribed by component, and this direction lies between them",
                                        "turn the part, or move it along x, y or z");
         model::Motion motion{request.face, {}};
         motion.displacement_m[component] = direction[component] < 0 ? -request.displacement_m : request.displacement_m;
@@ -91,12 +117,12 @@ bool share_a_node(const Solid& solid, const std::string& one, const std::string&
 /// A node cannot follow a motion in a component that a support or another motion prescribes too.
 void check_constraints(const model::Case& result, const design::Design& design, const Meshed& meshed) {
     const auto refuse = [&](const model::Motion& motion, std::size_t component, const std::string& other) {
-        throw design.values.refuse("loads." + motion.face + ".displacement",
-                                   std::string{"over-constrained in "} + component_name(meshed.solid, component) + ": " + other +
-                                       (other.ends_with(quoted(motion.face))
-                                            ? ""
-                                            : ", with which " + quoted(motion.face) + " has nodes in common"),
-                                   "keep one of the two");
+        throw design.values.refuse(
+            "loads." + motion.face + ".displacement",
+            std::string{"over-constrained in "} + component_name(meshed.solid, component) + ": " + other +
+                (other.ends_with(quoted(motion.face)) ? ""
+                                                      : ", with which " + quoted(motion.face) + " has nodes in common"),
+            "keep one of the two");
     };
     for (std::size_t m = 0; m < result.motions.size(); ++m) {
         const model::Motion& motion = result.motions[m];
@@ -113,6 +139,34 @@ void check_constraints(const model::Case& result, const design::Design& design, 
             }
         }
     }
+}
+
+/// A reaction needs what holds or moves the face, and a direction in which its mirror images do not cancel.
+void check_reaction(const model::Case& result, const design::Design::OutputRequest& request, const Vector& direction,
+                    const Meshed& meshed, const design::Values& values) {
+    const std::string place = "outputs." + request.name;
+    const bool force = request.measure == model::Measure::force;
+    const model::FaceSymmetry symmetry = symmetry_of(meshed.solid, request.face);
+    const Vector left =
+        force ? model::uncancelled_force(symmetry, direction) : model::uncancelled_moment(symmetry, direction);
+    if (left == Vector{})
+        throw values.refuse(place + ".along",
+                            std::string{force ? "the force" : "the moment"} +
+                                " is 0: the mirror image of the face has the opposite one",
+                            "another direction");
+    const auto holds = [&](std::size_t i) {
+        const auto at_face = [&](const std::string& face) { return share_a_node(meshed.solid, request.face, face); };
+        return std::ranges::any_of(result.supports, [&](const auto& s) { return s.fixed[i] && at_face(s.face); }) ||
+               std::ranges::any_of(result.motions,
+                                   [&](const auto& m) { return m.displacement_m[i] && at_face(m.face); });
+    };
+    bool held = false;
+    for (std::size_t i = 0; i < 3; ++i) held = held || ((!force || left[i] != 0) && holds(i));
+    if (!held)
+        throw values.refuse(place + ".face",
+                            "nothing holds " + quoted(request.face) + " in this direction, so there is no " +
+                                std::string{model::name_of(request.measure)},
+                            "hold it under supports, or give it a displacement under loads");
 }
 
 }  // namespace
@@ -157,8 +211,12 @@ void add_loads(model::Case& result, const design::Design& design, const Meshed& 
         const std::string place = "loads." + request.face;
         require_face(meshed.solid.mesh, request.face, place, meshed.keys);
         Vector traction = direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
-        for (double& component : traction) component *= request.traction_Pa;
-        result.tractions.push_back({request.face, traction, request.course});
+        const double area_m2 =
+            request.spread == design::Design::Spread::per_area
+                ? 0
+                : whole_area_m2(meshed.solid, {place + ".along", request.face, request.along}, traction, design.values);
+        for (double& component : traction) component *= area_m2 > 0 ? request.size / area_m2 : request.size;
+        result.tractions.push_back({request.face, traction, request.course, area_m2});
     }
     add_body_forces(result, design, meshed);
     add_motions(result, design, meshed);
@@ -171,10 +229,11 @@ void add_outputs(model::Case& result, const design::Design& design, const Meshed
         require_face(meshed.solid.mesh, request.face, place + ".face", meshed.keys);
         const bool bend = request.measure == model::Measure::bend;
         if (bend) require_face(meshed.solid.mesh, request.reference, place + ".reference", meshed.keys);
-        const bool about_z = request.measure != model::Measure::displacement && request.along == "z" &&
-                             meshed.solid.kinematics == model::Kinematics::plane_strain;
+        const bool about_z = (model::is_angle(request.measure) || request.measure == model::Measure::moment) &&
+                             request.along == "z" && meshed.solid.kinematics == model::Kinematics::plane_strain;
         const Vector direction = about_z ? Vector{0, 0, 1}
                                          : direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
+        if (model::is_reaction(request.measure)) check_reaction(result, request, direction, meshed, design.values);
         result.outputs.push_back({request.name, request.face, direction, request.measure, bend ? request.reference : ""});
     }
 }

@@ -24,10 +24,11 @@ struct Meshed {
     const Body& body;
     const Solid& solid;
 };
-/// Pressures, tractions, gravity and prescribed motions, after supports and cavities. Refuses weight that a plane of
-/// symmetry would mirror, and a component that is prescribed twice at a node.
+/// Pressures, tractions, forces, gravity and prescribed motions, after supports and cavities. Refuses weight and forces that a
+/// plane of symmetry would mirror, and a component that is prescribed twice at a node.
 void add_loads(model::Case& result, const design::Design& design, const Meshed& meshed);
 
+/// After supports and loads. Refuses a reaction of a face that nothing holds, or that its mirror image cancels.
 void add_outputs(model::Case& result, const design::Design& design, const Meshed& meshed);
 
 }  // namespace soft::geometry

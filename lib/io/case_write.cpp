@@ -116,9 +116,12 @@ void write_outputs(hid_t root, const std::vector<model::Output>& outputs) {
                 column(outputs, [](const auto& o) { return o.name; }));
     write_texts(group.get(), {"face", "1", "face over whose undeformed area the mean is taken"},
                 column(outputs, [](const auto& o) { return o.face; }));
-    write_list(group.get(), {"direction", "1", "unit vector of the measured component, or axis of the angle"},
+    write_list(group.get(),
+               {"direction", "1",
+                "unit vector of the measured component, or axis of the angle, distance, curvature or moment"},
                rows_of_three<double>(outputs, [](const auto& o) { return o.direction; }), {outputs.size(), 3});
-    write_texts(group.get(), {"measure", "1", "displacement | bend | twist"},
+    write_texts(group.get(),
+                {"measure", "1", "displacement | bend | twist | radial | rotation | curvature | force | moment"},
                 column(outputs, [](const auto& o) { return std::string{name_of(measure_names, o.measure)}; }));
     write_texts(group.get(), {"reference", "1", "face from which a bend is measured; else empty"},
                 column(outputs, [](const auto& o) { return o.reference; }));

@@ -113,12 +113,12 @@ constexpr std::array state_lists{&solution::StatePoint::unknowns, &solution::Sta
                                  &solution::StatePoint::pressures_Pa, &solution::StatePoint::tangent_pressures,
                                  &solution::StatePoint::outputs};
 constexpr std::array state_numbers{&solution::StatePoint::load_factor, &solution::StatePoint::tangent_load_factor,
-                                   &solution::StatePoint::power, &solution::StatePoint::q};
+                                   &solution::StatePoint::power, &solution::StatePoint::q, &solution::StatePoint::load_work_J};
 constexpr std::array start_lists{&solution::StageStart::pressures_Pa, &solution::StageStart::volumes_m3,
                                  &solution::StageStart::masses_kg,    &solution::StageStart::tractions,
                                  &solution::StageStart::body_forces,  &solution::StageStart::motions};
 constexpr std::array checkpoint_numbers{&solution::Checkpoint::step, &solution::Checkpoint::first_step,
-                                        &solution::Checkpoint::first_slope};
+                                        &solution::Checkpoint::work_before_stage_J, &solution::Checkpoint::first_slope};
 constexpr std::array checkpoint_counts{&solution::Checkpoint::ranks, &solution::Checkpoint::rows,
                                        &solution::Checkpoint::stage, &solution::Checkpoint::stage_first_row,
                                        &solution::Checkpoint::control, &solution::Checkpoint::confirmed_pivots,
@@ -128,11 +128,13 @@ constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &so
 /// Does not compile where a struct has a member more than is kept here: then a resumed path would not be the same.
 [[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18,
-                                  s19, motion, s20, s21] = step;
+                                  s19, extremes, energies, motion, s20, s21] = step;
+    [[maybe_unused]] const auto& [x1, x2] = *extremes;
+    [[maybe_unused]] const auto& [n1, n2] = *energies;
     [[maybe_unused]] const auto& [m1, m2, m3, m4, m5] = *motion;
-    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, end] = checkpoint;
+    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, c15, end] = checkpoint;
     [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6] = start;
-    [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10] = last;
+    [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11] = last;
     [[maybe_unused]] const auto& [reason, detail, e1, bifurcations, e2, e3] = end;
     [[maybe_unused]] const auto& [at, b1, b2] = bifurcations.front();
     [[maybe_unused]] const auto& [a1, a2, a3, a4] = at;
@@ -152,6 +154,16 @@ std::vector<std::byte> encode_step(const solution::Step& step, std::span<const d
     packer.put(std::uint64_t{step.motion.has_value()});
     if (step.motion)
         for (const auto member : motion_numbers) packer.put((*step.motion).*member);
+    packer.put(std::uint64_t{step.extremes.has_value()});
+    if (step.extremes) {
+        for (const double component : step.extremes->stretch_at_m) packer.put(component);
+        packer.put(step.extremes->energy_J_m3);
+    }
+    packer.put(std::uint64_t{step.energies.has_value()});
+    if (step.energies) {
+        packer.put(step.energies->stored_J);
+        packer.put(step.energies->load_work_J);
+    }
     packer.put_list(displacement);
     packer.put_list(pressure);
     return packer.take();
@@ -170,6 +182,15 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     if (unpacker.get_flag()) {
         step.motion.emplace();
         for (const auto member : motion_numbers) (*step.motion).*member = unpacker.get<double>();
+    }
+    if (unpacker.get_flag()) {
+        step.extremes.emplace();
+        for (double& component : step.extremes->stretch_at_m) component = unpacker.get<double>();
+        step.extremes->energy_J_m3 = unpacker.get<double>();
+    }
+    if (unpacker.get_flag()) {
+        const double stored_J = unpacker.get<double>();
+        step.energies = {stored_J, unpacker.get<double>()};
     }
     record.displacement_m = unpacker.get_list();
     record.pressure_Pa = unpacker.get_list();

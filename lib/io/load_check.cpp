@@ -81,6 +81,8 @@ void check_forces(const Checker& check) {
         check.require_face(input.tractions[i].face, Checker::item("/loads/tractions/face", i));
         for (const double component : input.tractions[i].traction_Pa)
             check.require_finite(component, Checker::item("/loads/tractions/traction", i));
+        check.require(std::isfinite(input.tractions[i].area_m2) && input.tractions[i].area_m2 >= 0,
+                      Checker::item("/loads/tractions/area", i), "must not be negative");
         check_course(check, input.tractions[i].course, "/loads/tractions", i);
     }
     check.require_unique(input.body_forces, "/loads/body_forces/name",

@@ -41,11 +41,12 @@ inline constexpr std::array control_names{
     Named{model::Control::displacement, std::string_view{"displacement"}},
     Named{model::Control::arc_length, std::string_view{"arc_length"}},
 };
-inline constexpr std::array measure_names{
-    Named{model::Measure::displacement, std::string_view{"displacement"}},
-    Named{model::Measure::bend, std::string_view{"bend"}},
-    Named{model::Measure::twist, std::string_view{"twist"}},
-};
+inline const auto measure_names = [] {
+    std::array<Named<model::Measure>, model::all_measures.size()> names{};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = {model::all_measures[i], model::name_of(model::all_measures[i])};
+    return names;
+}();
 inline constexpr std::array prescription_names{
     Named{model::Prescription::pressure, std::string_view{"pressure"}},
     Named{model::Prescription::volume, std::string_view{"volume"}},

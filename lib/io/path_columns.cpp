@@ -21,9 +21,9 @@ ListColumns volume_columns(const model::Case& model) {
 }
 
 ListColumns output_columns(const model::Case& model) {
-    ListColumns columns{"outputs", "what is measured, by name: displacements and angles", {}};
+    ListColumns columns{"outputs", "what is measured, by name", {}};
     for (const model::Output& output : model.outputs)
-        columns.names.push_back({output.name, output.measure == model::Measure::displacement ? "m" : "rad"});
+        columns.names.push_back({output.name, std::string{model::unit_of(output.measure).SI}});
     return columns;
 }
 
@@ -35,7 +35,13 @@ ListColumns output_error_columns(const model::Case& model) {
 }
 
 const char* load_units(const model::Case& model) {
-    return model::leading_load(model) == model::LeadingLoad::load_factor ? "1" : "Pa";
+    switch (model::leading_load(model)) {
+        case model::LeadingLoad::pressure:
+        case model::LeadingLoad::traction: return "Pa";
+        case model::LeadingLoad::force: return "N";
+        case model::LeadingLoad::load_factor: break;
+    }
+    return "1";
 }
 
 bool all_finite(std::span<const double> values) {

@@ -22,11 +22,11 @@ struct ListColumns {
 /// Of each pressure load, and of each measured cavity, where the case has several.
 [[nodiscard]] ListColumns pressure_columns(const model::Case& model);
 [[nodiscard]] ListColumns volume_columns(const model::Case& model);
-/// Of each output, m or rad.
+/// Of each output, in the SI unit of its measure.
 [[nodiscard]] ListColumns output_columns(const model::Case& model);
-/// Half width of the error of each output, m or rad; of rows that have them.
+/// Half width of the error of each output, in its unit; of rows that have them.
 [[nodiscard]] ListColumns output_error_columns(const model::Case& model);
-/// Pa, or 1 of a case whose rows hold the load factor itself.
+/// Pa, N of a force, or 1 of a case whose rows hold the load factor itself.
 [[nodiscard]] const char* load_units(const model::Case& model);
 
 [[nodiscard]] bool all_finite(std::span<const double> values);

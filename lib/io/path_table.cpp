@@ -29,9 +29,10 @@ constexpr NumberColumn load_tangent{"load_parameter", "1", "derivative along the
 constexpr NumberColumn volume_tangent{"cavity_volume", "m3", "derivative along the path", &Step::tangent_volume};
 
 NumberColumn pressure_column(const model::Case& model) {
-    return {"pressure", load_units(model),
-            "of the first load, above ambient; without pressures of the first traction, else the load parameter",
-            &Step::pressure_Pa};
+    return {
+        "pressure", load_units(model),
+        "of the first load, above ambient; without pressures of the first traction or force, else the load parameter",
+        &Step::pressure_Pa};
 }
 NumberColumn pressure_tangent(const model::Case& model) {
     return {"pressure", load_units(model), "derivative along the path", &Step::tangent_pressure};
@@ -50,6 +51,27 @@ constexpr std::array motion_columns{
     MotionColumn{"stored_energy", "J", "of the whole actuator", &Step::Motion::stored_energy_J},
     MotionColumn{"load_work", "J", "done by the loads since time 0", &Step::Motion::load_work_J},
     MotionColumn{"damping_work", "J", "taken by damping since time 0", &Step::Motion::damping_work_J},
+};
+
+/// What rows of older files do not have; nullptr where the step does not have it.
+struct OptionalColumn {
+    const char* name;
+    const char* units;
+    const char* description;
+    double* (*find)(Step&);
+};
+const std::array optional_columns{
+    OptionalColumn{"max_stretch_x", "m", "undeformed place of max_stretch",
+                   [](Step& s) { return s.extremes ? &s.extremes->stretch_at_m[0] : nullptr; }},
+    OptionalColumn{"max_stretch_y", "m", "undeformed place of max_stretch; of a body of revolution r",
+                   [](Step& s) { return s.extremes ? &s.extremes->stretch_at_m[1] : nullptr; }},
+    OptionalColumn{"max_stretch_z", "m", "undeformed place of max_stretch",
+                   [](Step& s) { return s.extremes ? &s.extremes->stretch_at_m[2] : nullptr; }},
+    OptionalColumn{"max_energy_density", "J/m3", "largest strain energy per undeformed volume at an integration point",
+                   [](Step& s) { return s.extremes ? &s.extremes->energy_J_m3 : nullptr; }},
+    OptionalColumn{"stored_energy", "J", "of the whole actuator", [](Step& s) { return s.energies ? &s.energies->stored_J : nullptr; }},
+    OptionalColumn{"load_work", "J", "done by the loads since the path began",
+                   [](Step& s) { return s.energies ? &s.energies->load_work_J : nullptr; }},
 };
 
 struct CountColumn {
@@ -111,6 +133,26 @@ void read_times(const GroupReader& path, std::vector<Step>& steps, const model::
     }
 }
 
+void write_optional(hid_t path, std::span<const Step> steps) {
+    std::vector<Step> rows(steps.begin(), steps.end());   // find() may change what it finds
+    for (const OptionalColumn& column : optional_columns)
+        if (!rows.empty() && std::ranges::all_of(rows, column.find))
+            write_column(path, {column.name, column.units, column.description}, rows.size(),
+                         [&](std::size_t i) { return *column.find(rows[i]); });
+}
+
+void read_optional(const GroupReader& path, std::vector<Step>& steps, const model::Case& model) {
+    for (Step& step : steps) {
+        if (path.has("max_energy_density")) step.extremes.emplace();
+        if (path.has("stored_energy") && !model.dynamics) step.energies.emplace();
+    }
+    for (const OptionalColumn& column : optional_columns) {
+        if (steps.empty() || column.find(steps.front()) == nullptr) continue;
+        const auto values = path.array<double>(column.name, {extent(steps.size())});
+        for (std::size_t i = 0; i < steps.size(); ++i) *column.find(steps[i]) = values[i];
+    }
+}
+
 bool is_error(double value) { return std::isfinite(value) && value >= 0; }
 
 void write_errors(hid_t path, std::span<const Step> steps, const model::Case& model) {
@@ -158,6 +200,10 @@ void require_sound(const Step& step, const model::Case& model) {
         require_finite(column);
     if (step.motion.has_value() != model.dynamics.has_value())
         refuse("a step lacks its time and energies, or has them in a static case");
+    Step copy = step;
+    for (const OptionalColumn& column : optional_columns)
+        if (const double* value = column.find(copy); value != nullptr && !std::isfinite(*value))
+            refuse(std::string{column.name} + " of a step is not finite");
     for (const MotionColumn& column : motion_columns)
         if (step.motion && !std::isfinite((*step.motion).*column.member))
             refuse(std::string{column.name} + " of a step is not finite");
@@ -174,6 +220,7 @@ void write_steps(hid_t path, std::span<const Step> steps, const model::Case& mod
                      [&](std::size_t i) { return static_cast<std::int64_t>(steps[i].*column.member); });
     write_column(path, {"stable", "1", "1: stable under what is prescribed"}, steps.size(),
                  [&](std::size_t i) { return static_cast<std::uint8_t>(steps[i].stable); });
+    write_optional(path, steps);
     write_volumes(path, steps);
     write_errors(path, steps, model);
     const GroupHandle tangents =
@@ -216,6 +263,7 @@ std::vector<Step> read_steps(const GroupReader& path, const model::Case& model) 
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].stable = stable[i] == 1;
     read_errors(path, steps, model);
     read_times(path, steps, model);
+    read_optional(path, steps, model);
     const GroupReader tangents = path.group("tangents");
     read_numbers(tangents, load_tangent, steps);
     read_numbers(tangents, pressure_tangent(model), steps);

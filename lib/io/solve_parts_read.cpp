@@ -62,9 +62,11 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
 std::vector<model::TractionLoad> read_tractions(const GroupReader& group) {
     const auto faces = group.texts("face");
     const auto values = group.array<double>("traction", {extent(faces.size()), 3});
+    const auto areas =
+        group.has("area") ? group.array<double>("area", {extent(faces.size())}) : std::vector(faces.size(), 0.0);
     const auto courses = read_courses(group, extent(faces.size()));
     std::vector<model::TractionLoad> tractions;
-    for (std::size_t i = 0; i < faces.size(); ++i) tractions.push_back({faces[i], triple<double>(values, i), courses[i]});
+    for (std::size_t i = 0; i < faces.size(); ++i) tractions.push_back({faces[i], triple<double>(values, i), courses[i], areas[i]});
     return tractions;
 }
 

@@ -81,6 +81,8 @@ void write_forces(hid_t loads_group, const model::Case& model) {
     write_texts(dead.get(), {"face", "1", "named face"}, column(tractions, [](const auto& t) { return t.face; }));
     write_list(dead.get(), {"traction", "Pa", "force per undeformed area: x, y, z (axisymmetric: x, r, unused)"},
                rows_of_three<double>(tractions, [](const auto& t) { return t.traction_Pa; }), {tractions.size(), 3});
+    write_list(dead.get(), {"area", "m2", "of the whole face, of a load that is stated as a force; else 0"},
+               column(tractions, [](const auto& t) { return t.area_m2; }));
     write_courses(dead.get(), courses_of(tractions));
     const auto& forces = model.body_forces;
     const GroupHandle body = create_group(loads_group, "body_forces", "forces on the mass at level 1, one row a load");

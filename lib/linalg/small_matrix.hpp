@@ -1,5 +1,6 @@
 #pragma once
-/// Dense matrices of the border (a row and column a free supply, and one for the constraint): LAPACK on plain vectors.
+/// Dense matrices of a few rows, such as the border (a row and column a free supply, and one for the constraint): LAPACK on
+/// plain vectors.
 /// Held by linalg/small_matrix_test.
 #include <optional>
 #include <vector>
@@ -20,5 +21,15 @@ struct SmallMatrix {
 
 /// Number of negative eigenvalues of the symmetric part.
 [[nodiscard]] int negative_eigenvalues(const SmallMatrix& A);
+
+/// Eigenvalues, ascending, and their vectors of length 1, one a row of `vectors`.
+struct Eigen {
+    std::vector<double> values;
+    SmallMatrix vectors;
+};
+[[nodiscard]] Eigen symmetric_eigen(SmallMatrix A);
+/// Of a matrix whose eigenvalues are known to be real; imaginary parts, which are rounding, are left out. Throws
+/// std::logic_error where LAPACK does not converge.
+[[nodiscard]] Eigen real_eigen(const SmallMatrix& A);
 
 }  // namespace soft::linalg

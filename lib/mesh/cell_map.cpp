@@ -46,14 +46,17 @@ std::vector<QuadraturePoint> volume_rule(CellType type) {
     return quadrature(t.shape, tensor ? 7 : 5);
 }
 
-double measure(const Mesh& mesh, Measure kind) {
+namespace {
+
+/// Calls add(cell, share) for every integration point.
+template <class Add>
+void for_each_share(const Mesh& mesh, Measure kind, Add&& add) {
     struct Sample {
         std::vector<ShapeValue> shapes;
         double weight;
     };
     std::vector<Sample> samples;
     std::optional<CellType> tabulated;
-    double sum = 0;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         const CellType type = mesh.cell_type(cell);
         if (tabulated != type) {
@@ -64,10 +67,23 @@ double measure(const Mesh& mesh, Measure kind) {
         for (const Sample& sample : samples) {
             const CellMap map = map_cell(mesh, cell, sample.shapes);
             const double turn = kind == Measure::revolved ? 2 * std::numbers::pi * map.position[1] : 1.0;
-            sum += sample.weight * map.determinant * turn;
+            add(cell, sample.weight * map.determinant * turn);
         }
     }
+}
+
+}  // namespace
+
+double measure(const Mesh& mesh, Measure kind) {
+    double sum = 0;
+    for_each_share(mesh, kind, [&](Index, double share) { sum += share; });
     return sum;
+}
+
+std::vector<double> region_measures(const Mesh& mesh, Measure kind) {
+    std::vector<double> sums(mesh.region_names.size(), 0.0);
+    for_each_share(mesh, kind, [&](Index cell, double share) { sums[static_cast<std::size_t>(mesh.cell_regions[static_cast<std::size_t>(cell)])] += share; });
+    return sums;
 }
 
 }  // namespace soft::mesh

@@ -35,5 +35,7 @@ enum class Measure {
 
 /// [m^2] or [m^3], sums in cell order.
 [[nodiscard]] double measure(const Mesh& mesh, Measure kind);
+/// The same of each region, in the order of region_names.
+[[nodiscard]] std::vector<double> region_measures(const Mesh& mesh, Measure kind);
 
 }  // namespace soft::mesh

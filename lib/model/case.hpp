@@ -10,6 +10,7 @@
 #include "material/fibers.hpp"
 #include "material/form.hpp"
 #include "mesh/mesh.hpp"
+#include "model/measure.hpp"
 #include "model/settings.hpp"
 
 namespace soft::model {
@@ -106,6 +107,7 @@ struct TractionLoad {
     std::string face;
     std::array<double, 3> traction_Pa{};      ///< at level 1; axisymmetric: x, r, unused
     TimeCourse course = {};
+    double area_m2 = 0;  ///< of the whole undeformed face, where the design states a force; else 0
 };
 
 /// A force on the mass of the body, whose direction stays fixed in space. Every material needs its density.
@@ -121,15 +123,8 @@ struct Motion {
     std::array<std::optional<double>, 3> displacement_m;   ///< at level 1; axisymmetric: x, r, unused
 };
 
-/// What an output measures on its face.
-///   displacement: area mean, over the undeformed face, of the displacement along `direction` [m]
-///   bend: angle, about `direction`, from the mean deformed normal of `reference` turned round to that of `face`; 0 in the
-///         undeformed state [rad]
-///   twist: mean rotation of the face about the axis `direction` through the origin [rad]
-enum class Measure { displacement, bend, twist };
-
 struct Output {
-    std::string name;                         ///< "elongation"; CSV column elongation_mm, or bend_deg
+    std::string name;                         ///< "elongation"; CSV column elongation_mm, bend_deg, block_N ...
     std::string face;
     std::array<double, 3> direction{};        ///< unit vector
     Measure measure = Measure::displacement;
@@ -213,11 +208,12 @@ struct Case {
 }
 
 /// What a curve shows as its load: the pressure of the first pressure load; of a case without one the size of its first
-/// traction [Pa]; of a case without either the load factor.
-enum class LeadingLoad { pressure, traction, load_factor };
+/// traction [Pa], or of its force [N] where it is stated as one; of a case without either the load factor.
+enum class LeadingLoad { pressure, traction, force, load_factor };
 [[nodiscard]] inline LeadingLoad leading_load(const Case& input) {
     if (!input.loads.empty()) return LeadingLoad::pressure;
-    return input.tractions.empty() ? LeadingLoad::load_factor : LeadingLoad::traction;
+    if (input.tractions.empty()) return LeadingLoad::load_factor;
+    return input.tractions[0].area_m2 > 0 ? LeadingLoad::force : LeadingLoad::traction;
 }
 
 }  // namespace soft::model

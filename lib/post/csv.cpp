@@ -1,6 +1,7 @@
 #include "post/csv.hpp"
 
 #include <string_view>
+#include <vector>
 
 #include "core/text.hpp"
 
@@ -21,11 +22,12 @@ std::string comment_lines(std::string_view comment) {
 std::string csv_text(const Curve& curve, std::span<const std::string> comments) {
     std::string text, header;
     for (const std::string& comment : comments) text += comment_lines(comment);
-    for (const Column& column : curve.columns) header.append(header.empty() ? "" : ",").append(column.name);
+    const std::vector<const Column*> shown = shown_columns(curve);
+    for (const Column* column : shown) header.append(header.empty() ? "" : ",").append(column->name);
     text += header + '\n';
     for (std::size_t row = 0; row < curve.row_count(); ++row) {
-        for (std::size_t i = 0; i < curve.columns.size(); ++i)
-            text.append(i == 0 ? "" : ",").append(core::number_text(curve.columns[i].values[row] + 0.0));   // -0 becomes 0
+        for (std::size_t i = 0; i < shown.size(); ++i)
+            text.append(i == 0 ? "" : ",").append(core::number_text(shown[i]->values[row] + 0.0));   // -0 becomes 0
         text += '\n';
     }
     return text;

@@ -8,7 +8,7 @@
 
 namespace soft::post {
 
-/// `comments` precede the header, each behind "# "; a line break inside one starts a new comment line.
+/// Columns on demand are left out unless show_also has shown them. `comments` precede the header, each behind "# "; a line break inside one starts a new comment line.
 [[nodiscard]] std::string csv_text(const Curve& curve, std::span<const std::string> comments = {});
 
 }  // namespace soft::post

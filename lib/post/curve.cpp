@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <functional>
 
 #include "core/error.hpp"
 
@@ -11,40 +11,48 @@ namespace soft::post {
 namespace {
 
 struct Unit {
-    const char* name;
+    std::string_view name, suffix;  // "1/m", and how a column's name ends: "per_m"
     core::Dimension dimension;
     double SI_per_unit;
 };
-constexpr Unit kilopascal{"kPa", core::Dimension::pressure, 1e3}, millimetre{"mm", core::Dimension::length, 1e-3},
-    millilitre{"mL", core::Dimension::volume, 1e-6}, degree{"deg", core::Dimension::angle, std::numbers::pi / 180},
-    second{"s", core::Dimension::time, 1}, millijoule{"mJ", core::Dimension::energy, 1e-3}, none{"", core::Dimension::ratio, 1};
+constexpr Unit kilopascal{"kPa", "kPa", core::Dimension::pressure, 1e3}, newton{"N", "N", core::Dimension::force, 1},
+    millilitre{"mL", "mL", core::Dimension::volume, 1e-6}, second{"s", "s", core::Dimension::time, 1},
+    millijoule{"mJ", "mJ", core::Dimension::energy, 1e-3}, millimetre{"mm", "mm", core::Dimension::length, 1e-3},
+    per_volume{"kJ/m^3", "kJ_m3", core::Dimension::pressure, 1e3}, none{"", "", core::Dimension::ratio, 1};
 
-Column coordinate(const std::string& quantity, const Unit& unit, Source source, std::size_t index = 0) {
+Unit column_unit(model::Measure measure) {
+    const model::MeasureUnit& unit = model::unit_of(measure);
+    return {unit.shown, unit.suffix, unit.dimension, unit.SI_per_shown};
+}
+
+Column with_unit(const std::string& quantity, const Unit& unit, Role role, std::string meaning) {
     Column column;
-    column.name = *unit.name == '\0' ? quantity : quantity + "_" + unit.name;
+    column.name = unit.name.empty() ? quantity : quantity + "_" + std::string{unit.suffix};
     column.quantity = quantity;
     column.unit = unit.name;
+    column.meaning = std::move(meaning);
     column.dimension = unit.dimension;
     column.SI_per_unit = unit.SI_per_unit;
-    column.role = Role::coordinate;
+    column.role = role;
+    return column;
+}
+
+Column coordinate(const std::string& quantity, const Unit& unit, Source source, std::string meaning, std::size_t index = 0) {
+    Column column = with_unit(quantity, unit, Role::coordinate, std::move(meaning));
     column.source = source;
     column.index = index;
     return column;
 }
 
-Column plain(std::string name, Role role) {
-    Column column;
-    column.name = name;
-    column.quantity = std::move(name);
-    column.role = role;
-    return column;
-}
+Column plain(const std::string& name, Role role, std::string meaning) { return with_unit(name, none, role, std::move(meaning)); }
 
 /// Half width of the error of a coordinate: "pressure_error_kPa".
 Column error_column(const Column& of) {
     Column column = of;
     column.quantity += "_error";
-    column.name = of.unit.empty() ? column.quantity : column.quantity + "_" + of.unit;
+    column.name = column.quantity + of.name.substr(of.quantity.size());
+    column.meaning = of.source == Source::load ? "half width of the error of the mesh in " + of.quantity + ", at an equal first output"
+                                               : "half width of the error of the mesh in " + of.quantity + ", at an equal load";
     column.role = Role::follower;
     column.source = Source::other;
     return column;
@@ -52,11 +60,47 @@ Column error_column(const Column& of) {
 
 Column leading_column(const model::Case& model) {
     switch (model::leading_load(model)) {
-        case model::LeadingLoad::pressure: return coordinate("pressure", kilopascal, Source::load);
-        case model::LeadingLoad::traction: return coordinate("traction", kilopascal, Source::load);
+        case model::LeadingLoad::pressure:
+            return coordinate("pressure", kilopascal, Source::load, "gauge pressure of the first load");
+        case model::LeadingLoad::traction:
+            return coordinate("traction", kilopascal, Source::load, "first traction, where nothing is under pressure");
+        case model::LeadingLoad::force:
+            return coordinate("load", newton, Source::load, "first force on a face, where nothing is under pressure");
         case model::LeadingLoad::load_factor: break;
     }
-    return coordinate("load_factor", none, Source::load);
+    return coordinate("load_factor", none, Source::load, "part of the loads, where there is no pressure, traction or force");
+}
+
+/// Numbers of a step that are no part of the table unless they are asked for.
+struct OnDemand {
+    Column column;
+    std::function<std::optional<double>(const solution::Step&)> value_SI;
+};
+
+std::vector<OnDemand> on_demand(const model::Case& model) {
+    std::vector<OnDemand> list;
+    const auto add = [&](const char* name, const Unit& unit, const char* meaning, auto value) {
+        list.push_back({with_unit(name, unit, Role::follower, meaning), value});
+        list.back().column.shown = Shown::on_demand;
+    };
+    using Step = solution::Step;
+    using Value = std::optional<double>;
+    add("stored_energy", millijoule, "energy stored in the rubber of the whole actuator",
+        [](const Step& s) { return s.energies ? Value(s.energies->stored_J) : std::nullopt; });
+    add("load_work", millijoule, "work done by the loads since the path began",
+        [](const Step& s) { return s.energies ? Value(s.energies->load_work_J) : std::nullopt; });
+    const auto place = [](std::size_t i) {
+        return [i](const Step& s) { return s.extremes ? Value(s.extremes->stretch_at_m[i]) : std::nullopt; };
+    };
+    add("max_stretch_x", millimetre, "where max_stretch is, undeformed", place(0));
+    if (model.kinematics == model::Kinematics::axisymmetric)
+        add("max_stretch_r", millimetre, "where max_stretch is, undeformed", place(1));
+    else
+        add("max_stretch_y", millimetre, "where max_stretch is, undeformed", place(1));
+    if (model.kinematics == model::Kinematics::solid) add("max_stretch_z", millimetre, "where max_stretch is, undeformed", place(2));
+    add("max_energy_density", per_volume, "largest strain energy per undeformed volume at an integration point",
+        [](const Step& s) { return s.extremes ? Value(s.extremes->energy_J_m3) : std::nullopt; });
+    return list;
 }
 
 /// What only a motion has: its time, which spans the path, and its energies.
@@ -66,18 +110,17 @@ struct MotionColumns {
         Column column;
         double Motion::*value;
     };
-    Column time = coordinate("time", second, Source::time);
+    Column time = coordinate("time", second, Source::time, "since the body was at rest, undeformed");
     std::vector<Energy> energies;
 
     MotionColumns() {
-        const auto add = [&](const char* name, double Motion::*value) {
-            energies.push_back({coordinate(name, millijoule, Source::other), value});
-            energies.back().column.role = Role::follower;
+        const auto add = [&](const char* name, double Motion::*value, const char* meaning) {
+            energies.push_back({with_unit(name, millijoule, Role::follower, meaning), value});
         };
-        add("kinetic_energy", &Motion::kinetic_energy_J);
-        add("stored_energy", &Motion::stored_energy_J);
-        add("load_work", &Motion::load_work_J);
-        add("damping_work", &Motion::damping_work_J);
+        add("kinetic_energy", &Motion::kinetic_energy_J, "of the whole actuator, of a motion in time");
+        add("stored_energy", &Motion::stored_energy_J, "energy stored in the rubber of the whole actuator");
+        add("load_work", &Motion::load_work_J, "work done by the loads since the path began");
+        add("damping_work", &Motion::damping_work_J, "taken by damping, of a motion in time");
     }
     void push(const Motion& motion) {
         time.values.push_back(motion.time_s);
@@ -99,8 +142,8 @@ ListColumns output_columns(const model::Case& model) {
     ListColumns list{{}, &solution::Step::outputs, &solution::Step::tangent_outputs, "outputs"};
     for (std::size_t i = 0; i < model.outputs.size(); ++i) {
         const model::Output& output = model.outputs[i];
-        const bool length = output.measure == model::Measure::displacement;
-        list.columns.push_back(coordinate(output.name, length ? millimetre : degree, Source::output, i));
+        list.columns.push_back(coordinate(output.name, column_unit(output.measure), Source::output,
+                                          std::string{model::meaning_of(output.measure)} + ": " + output.face, i));
     }
     return list;
 }
@@ -109,7 +152,7 @@ ListColumns pressure_columns(const model::Case& model) {
     ListColumns list{{}, &solution::Step::pressures_Pa, &solution::Step::tangent_pressures, "pressures"};
     if (model.loads.size() > 1)
         for (const model::PressureLoad& load : model.loads)
-            list.columns.push_back(coordinate("pressure_" + load.name, kilopascal, Source::other));
+            list.columns.push_back(coordinate("pressure_" + load.name, kilopascal, Source::other, "gauge pressure of each load, where there are several"));
     return list;
 }
 
@@ -118,7 +161,8 @@ ListColumns volume_columns(const model::Case& model) {
     const auto cavities = model::measured_cavities(model);
     if (cavities.size() > 1)
         for (const model::Cavity* cavity : cavities)
-            list.columns.push_back(coordinate("volume_" + cavity->name, millilitre, Source::other));
+            list.columns.push_back(coordinate("volume_" + cavity->name, millilitre, Source::other,
+                                              "enclosed by each cavity, where there are several"));
     return list;
 }
 
@@ -183,15 +227,23 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     const bool moves = !steps.empty() && steps.front().motion.has_value();
     MotionColumns motion;
 
-    Column number = plain("step", Role::counter), stage = plain("stage", Role::stage);
-    Column load = leading_column(model), volume = coordinate("volume", millilitre, Source::volume);
+    Column number = plain("step", Role::counter, "number of the row");
+    Column stage = plain("stage", Role::stage, "1, 2 ..., where the path has several");
+    Column load = leading_column(model);
+    Column volume = coordinate("volume", millilitre, Source::volume, "enclosed by the cavities of the first load, whole actuator");
     std::vector<Column> errors;
     if (!steps.empty() && steps.front().pressure_error_Pa) {
         errors.push_back(error_column(load));
         for (const Column& output : lists[0].columns) errors.push_back(error_column(output));
     }
-    Column p99 = plain("stretch_p99", Role::follower), largest = plain("max_stretch", Role::follower);
-    Column jacobian = plain("min_J", Role::follower), stable = plain("stable", Role::flag);
+    Column p99 = plain("stretch_p99", Role::follower, "largest principal stretch exceeded in 1 % of the rubber: it converges");
+    Column largest = plain("max_stretch", Role::follower, "largest principal stretch at an integration point");
+    Column jacobian = plain("min_J", Role::follower, "least ratio of volumes at an integration point");
+    Column stable = plain("stable", Role::flag, "1 where no direction is left in which the body gives way");
+    std::vector<OnDemand> extras = on_demand(model);
+    std::erase_if(extras, [&](const OnDemand& extra) {
+        return !std::ranges::all_of(steps, [&](const solution::Step& step) { return extra.value_SI(step).has_value(); }) || steps.empty();
+    });
     for (const solution::Step& step : steps) {
         number.values.push_back(static_cast<double>(number.values.size()));
         if (moves) motion.push(*step.motion);
@@ -206,6 +258,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
         largest.values.push_back(step.max_stretch);
         jacobian.values.push_back(step.min_jacobian);
         stable.values.push_back(step.stable ? 1 : 0);
+        for (OnDemand& extra : extras) extra.column.values.push_back(in_column_unit(extra.column, *extra.value_SI(step)));
     }
 
     Curve curve;
@@ -222,6 +275,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     if (moves)
         for (auto& energy : motion.energies) add(energy.column);
     for (Column* column : {&p99, &largest, &jacobian, &stable}) add(*column);
+    for (OnDemand& extra : extras) add(extra.column);
     return curve;
 }
 

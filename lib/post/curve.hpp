@@ -1,11 +1,12 @@
 #pragma once
 /// The equilibrium path as a table: one row a converged step, columns with the unit in their name.
-/// Columns: step, time_s (of a dynamic case), stage (1, 2 ..., of a case with several), pressure_kPa (traction_kPa, load_factor: what leads the case,
-/// model::leading_load), <output>_mm or, of an angle, <output>_deg ..., volume_mL, then of a case with several loads or
+/// Columns: step, time_s (of a dynamic case), stage (1, 2 ..., of a case with several), pressure_kPa (traction_kPa, load_N, load_factor: what leads the case,
+/// model::leading_load), <output>_mm (by its measure _deg, _per_m, _N, _Nmm) ..., volume_mL, then of a case with several loads or
 /// cavities pressure_<load>_kPa ... and volume_<cavity>_mL ..., after `solve --tolerance` the half widths of the errors
 /// pressure_error_kPa (traction_, load_factor_) and <output>_error_mm or _deg ..., of a dynamic case kinetic_energy_mJ,
-/// stored_energy_mJ, load_work_mJ and damping_work_mJ, then stretch_p99, max_stretch, min_J, stable. What a case does
-/// not have (an output, a cavity volume) is left out, never filled with zeros. Held by post/curve_test.
+/// stored_energy_mJ, load_work_mJ and damping_work_mJ, then stretch_p99, max_stretch, min_J, stable. On demand: of a static case
+/// stored_energy_mJ and load_work_mJ, and max_stretch_x_mm ... (the undeformed place of max_stretch), max_energy_density_kJ_m3.
+/// What a case does not have (an output, a cavity volume) is left out, never filled with zeros. Held by post/curve_test.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -18,6 +19,9 @@
 #include "solution/path.hpp"
 
 namespace soft::post {
+
+/// Whether a column stands in the table without being asked for.
+enum class Shown { always, on_demand };
 
 /// How a column is carried between two rows of the path.
 enum class Role {
@@ -35,6 +39,8 @@ struct Column {
     std::string name;      ///< "pressure_kPa"
     std::string quantity;  ///< "pressure": how --at calls it
     std::string unit;      ///< "kPa"; empty for pure numbers
+    std::string meaning = {};   ///< one clause, no full stop
+    Shown shown = Shown::always;
     core::Dimension dimension = core::Dimension::ratio;
     double SI_per_unit = 1;  ///< SI value = value in this column x SI_per_unit
     Role role = Role::follower;
@@ -61,6 +67,19 @@ struct Curve {
 /// `model` is the case as it was solved. Throws Error(bad_input) where a step does not have one value for each output (and
 /// for each load and cavity where there are several) or a volume or a time is recorded at some of the steps only.
 [[nodiscard]] Curve make_curve(const model::Case& model, std::span<const solution::Step> steps);
+
+/// Every column there can be, each once, with its name, unit and meaning but no rows; what a design names stands in angle
+/// brackets, and of outputs the measure: <displacement>_mm.
+[[nodiscard]] std::vector<Column> all_columns();
+
+/// A line a column: name, unit, meaning, and how to ask for those on demand.
+[[nodiscard]] std::string column_text(std::span<const Column> columns);
+
+/// Those of the table.
+[[nodiscard]] std::vector<const Column*> shown_columns(const Curve& curve);
+
+/// Shows these columns too ("stored_energy", or "all"). Error(usage, place --also): no such column.
+void show_also(Curve& curve, std::span<const std::string> quantities);
 
 /// What a limit point or bifurcation has to say in this column, in its unit; nullopt where it says nothing.
 [[nodiscard]] std::optional<double> value_at(const Column& column, const solution::LimitPoint& point);

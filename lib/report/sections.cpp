@@ -124,12 +124,12 @@ std::string comparison_section(const Content& content) {
 
 std::string table_section(const Content& content) {
     std::vector<std::string> head;
-    for (const post::Column& column : content.curve.columns) head.push_back(column.name);
+    const std::vector<const post::Column*> shown = post::shown_columns(content.curve);
+    for (const post::Column* column : shown) head.push_back(column->name);
     std::vector<Row> rows;
     for (std::size_t row = 0; row < content.curve.row_count(); ++row) {
         Row& line = rows.emplace_back(Row{{}, "data-step='" + std::to_string(row) + "'"});
-        for (const post::Column& column : content.curve.columns)
-            line.cells.push_back(core::rounded_text(column.values[row], 6));
+        for (const post::Column* column : shown) line.cells.push_back(core::rounded_text(column->values[row], 6));
     }
     return "<h2>Results</h2>\n<p><a download='curve.csv' href='data:text/csv;base64," +
            base64(post::csv_text(content.curve)) + "'>The table as CSV, all digits</a></p>\n<div class='scroll'>" +

@@ -20,6 +20,7 @@ struct StatePoint {
     double power = 0;                           ///< work of the growing loads along the tangent
     std::vector<double> outputs;                ///< angles may exceed a full turn
     double q = 0;                               ///< controlled quantity
+    double load_work_J = 0;                     ///< since the path began, of the modelled part
     std::optional<int> unstable_modes;
 };
 
@@ -44,6 +45,7 @@ struct Checkpoint {
     std::optional<StatePoint> before;
     StatePoint last;
     double step = 0, first_step = 0;            ///< of q
+    double work_before_stage_J = 0;             ///< done by the loads before the stage, of the modelled part
     double first_slope = 0;                     ///< size of the path's direction per load factor where the stage began
     PathEnd so_far;                             ///< limit points and counts; its reason has no meaning yet
 };

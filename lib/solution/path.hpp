@@ -32,7 +32,7 @@ struct Step {
     std::optional<double> volume_m3;             ///< enclosed by the cavities of the first load, whole actuator; empty without
     std::vector<double> pressures_Pa;            ///< of each pressure load, where there are several; else empty
     std::vector<double> volumes_m3;              ///< of each of model::measured_cavities, where there are several; else empty
-    std::vector<double> outputs;                 ///< in the order of Case::outputs [m or rad]
+    std::vector<double> outputs;                 ///< in the order of Case::outputs, SI (model::unit_of)
     double tangent_load_factor = 0;
     double tangent_pressure = 0;
     double tangent_volume = 0;
@@ -43,6 +43,17 @@ struct Step {
     double stretch_p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the rubber's volume
     double max_stretch = 1;
     double min_jacobian = 1;                     ///< least det F over the integration points
+    /// Where the rubber is stretched most, and its energy; absent in older files.
+    struct Extremes {
+        std::array<double, 3> stretch_at_m{};    ///< undeformed place of max_stretch; a section's x, r, 0
+        double energy_J_m3 = 0;                  ///< largest strain energy per undeformed volume, at an integration point
+    };
+    std::optional<Extremes> extremes;
+    /// Of a static path (a dynamic one has its own), whole actuator; absent in older files and for laws without an energy.
+    struct Energies {
+        double stored_J = 0, load_work_J = 0;    ///< held by the rubber; done by the loads since the path began
+    };
+    std::optional<Energies> energies;
     /// Of a dynamic path; its load_factor is the time over the duration, its tangents are derivatives by time.
     struct Motion {
         double time_s = 0;

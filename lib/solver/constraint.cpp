@@ -23,6 +23,8 @@ ConstraintValue evaluate(const Constraint& constraint, assembly::System& system,
     ConstraintValue result{0.0, 0.0, std::vector(loads.free_supplies().size(), 0.0)};
     SOFT_PETSC(VecZeroEntries(gradient));
     std::vector<double> by_motion(loads.rate().motions.size(), 0.0);
+    assembly::LoadLevels by_levels;
+    const auto& free = loads.free_supplies();
     switch (constraint.kind) {
         case ConstraintKind::load_factor: return {state.load_factor, 1.0, result.by_pressures};
         case ConstraintKind::pressure:
@@ -33,8 +35,10 @@ ConstraintValue evaluate(const Constraint& constraint, assembly::System& system,
             result.value = system.load_volume(constraint.index, state.x, gradient, by_motion);
             break;
         case ConstraintKind::output:
-            result.value = system.output(constraint.index, state.x, gradient, by_motion);
-            break;
+            result.value = system.output(constraint.index, state.x, gradient, &by_levels);
+            result.by_load_factor = assembly::product(by_levels, loads.rate());
+            for (std::size_t k = 0; k < free.size(); ++k) result.by_pressures[k] = by_levels.pressures_Pa[free[k]];
+            return result;
         case ConstraintKind::arc:
             linalg::copy(constraint.arc_direction, gradient);
             result.value = linalg::dot(gradient, state.x) - linalg::dot(gradient, constraint.arc_origin);
@@ -46,8 +50,8 @@ ConstraintValue evaluate(const Constraint& constraint, assembly::System& system,
 }
 
 double remaining(const Constraint& constraint, const model::Case& input, double target, double value) {
-    const bool angle = constraint.kind == ConstraintKind::output &&
-                       input.outputs.at(constraint.index).measure != model::Measure::displacement;
+    const bool angle =
+        constraint.kind == ConstraintKind::output && model::is_angle(input.outputs.at(constraint.index).measure);
     return angle ? std::remainder(target - value, 2.0 * std::numbers::pi) : target - value;
 }
 

@@ -228,6 +228,9 @@ bool PathFollower::take_branch(const Event& event) {
     origin.tangent.x = linalg::duplicate(*event.mode);
     linalg::add(origin.tangent.x, 1.0 / length, *event.mode);
     origin.outputs = event.point.outputs;
+    origin.levels = event.point.levels;
+    origin.level_slopes = assembly::no_loads(input_);
+    origin.load_work_J = event.point.load_work_J;
     control_ = {ConstraintKind::arc};
     last_ = std::move(origin);
     before_.reset();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <locale>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
@@ -49,7 +48,7 @@ std::optional<double> first_meeting(const Scalar& curve, double begin, double en
     return std::nullopt;
 }
 
-std::string with_unit(double value, double factor, const char* unit) {
+std::string with_unit(double value, double factor, const std::string& unit) {
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text << value * factor << unit;
@@ -83,9 +82,9 @@ Goal make_goal(const model::Case& input, const model::Until& until, const StageL
         throw Error(ExitCode::bad_input, place, "there is no such output", "name one of outputs, pressure, volume_ratio, steps");
     Constraint constraint{ConstraintKind::output};
     constraint.index = static_cast<std::size_t>(output - input.outputs.begin());
-    const bool length = output->measure == model::Measure::displacement;
+    const model::MeasureUnit& unit = model::unit_of(output->measure);
     return {constraint, until.value,
-            until.quantity + " of " + with_unit(until.value, length ? 1e3 : 180.0 / std::numbers::pi, length ? " mm" : " deg")};
+            until.quantity + " of " + with_unit(until.value, 1.0 / unit.SI_per_shown, " " + std::string{unit.shown})};
 }
 
 }  // namespace

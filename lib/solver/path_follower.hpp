@@ -135,6 +135,7 @@ private:
     std::optional<PathPoint> before_, last_;
     double step_ = 0, first_step_ = 0;          // of q, signed
     double stretch_p99_ = 1;                    // of the last row
+    double work_before_stage_J_ = 0;
     double first_slope_ = 0;                    // |dx / d load factor| where the stage began
     int failures_ = 0;                          // in a row
     std::optional<double> rejected_error_;      // of the predictor, at the last attempt from here

@@ -15,7 +15,10 @@ PathPoint PathFollower::measure(State state, PathTangent tangent) {
 }
 
 void PathFollower::read_values(PathPoint& point) {
-    solver::read_values(system_, *loads_, last_ ? &*last_ : nullptr, point);
+    const bool is_first = !last_ || &*last_ == &point;
+    solver::read_values(system_, *loads_, is_first ? nullptr : &*last_, point);
+    point.load_work_J = is_first ? work_before_stage_J_
+                                 : last_->load_work_J + work_between(system_, *last_, point, FromTangent::along_the_path);
 }
 
 double PathFollower::leading_of(const State& state) const { return solver::leading_of(input_, *loads_, state); }
@@ -36,7 +39,7 @@ void PathFollower::append(const PathPoint& point) {
     step.factorizations = newton_.factorizations() - factorizations_at_row_;
     step.stable = is_stable(point);
     system_.prescribe(loads_->levels(point.state.load_factor, point.state.pressures_Pa));
-    read_stretches(system_, point.state.x, step);
+    read_stretches(system_, point.state.x, point.load_work_J, step);
     stretch_p99_ = step.stretch_p99;
     iterations_since_row_ = 0;
     factorizations_at_row_ = newton_.factorizations();

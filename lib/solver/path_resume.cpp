@@ -10,7 +10,8 @@ void PathFollower::keep_checkpoint() {
                                     point.state.pressures_Pa,      point.tangent.pressures,
                                     point.state.load_factor,       point.tangent.load_factor,
                                     point.tangent.power,           point.outputs,
-                                    point.q,                       point.tangent.unstable_modes};
+                                    point.q,                       point.load_work_J,
+                                    point.tangent.unstable_modes};
     };
     solution::Checkpoint checkpoint;
     MPI_Comm_size(system_.comm(), &checkpoint.ranks);
@@ -28,6 +29,7 @@ void PathFollower::keep_checkpoint() {
     checkpoint.last = stored(*last_);
     checkpoint.step = step_;
     checkpoint.first_step = first_step_;
+    checkpoint.work_before_stage_J = work_before_stage_J_;
     checkpoint.first_slope = first_slope_;
     checkpoint.so_far = end_;
     checkpoint.so_far.factorizations = factorizations_before_ + newton_.factorizations();
@@ -66,6 +68,7 @@ void PathFollower::restore(const solution::Checkpoint& from) {
         point.q = stored.q;
         read_values(point);
         point.outputs = stored.outputs;   // angles beyond 180 degrees
+        point.load_work_J = stored.load_work_J;
         return point;
     };
     if (static_cast<ConstraintKind>(from.control) != control_.kind && from.chosen_is_left) chosen_ = control_;
@@ -80,6 +83,7 @@ void PathFollower::restore(const solution::Checkpoint& from) {
     last_ = point_of(from.last);
     step_ = from.step;
     first_step_ = from.first_step;
+    work_before_stage_J_ = from.work_before_stage_J;
     first_slope_ = from.first_slope;
     stage_first_row_ = from.stage_first_row;
     rows_ = from.rows;

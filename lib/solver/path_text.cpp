@@ -1,7 +1,6 @@
 #include "solver/path_text.hpp"
 
 #include <locale>
-#include <numbers>
 #include <sstream>
 
 namespace soft::solver {
@@ -15,13 +14,17 @@ std::string short_text(double value) {
 }
 
 std::string state_text(const PathPoint& point, const model::Case& input) {
-    const bool is_factor = model::leading_load(input) == model::LeadingLoad::load_factor;
-    std::string text = is_factor ? "load factor " + short_text(point.leading) : short_text(1e-3 * point.leading) + " kPa";
+    std::string text;
+    switch (model::leading_load(input)) {
+        case model::LeadingLoad::pressure:
+        case model::LeadingLoad::traction: text = short_text(1e-3 * point.leading) + " kPa"; break;
+        case model::LeadingLoad::force: text = short_text(point.leading) + " N"; break;
+        case model::LeadingLoad::load_factor: text = "load factor " + short_text(point.leading); break;
+    }
     for (std::size_t i = 0; i < point.outputs.size(); ++i) {
-        const bool length = input.outputs[i].measure == model::Measure::displacement;
-        text += ", " + input.outputs[i].name + " " +
-                (length ? short_text(1e3 * point.outputs[i]) + " mm"
-                        : short_text(180.0 / std::numbers::pi * point.outputs[i]) + " deg");
+        const model::MeasureUnit& unit = model::unit_of(input.outputs[i].measure);
+        text += ", " + input.outputs[i].name + " " + short_text(point.outputs[i] / unit.SI_per_shown) + " " +
+                std::string{unit.shown};
     }
     if (!point.volumes_m3.empty()) text += ", volume " + short_text(1e6 * point.load_volumes_m3[0]) + " mL";
     return text;

@@ -24,6 +24,7 @@ void RefinedPath::set_stage(int stage) {
     const model::Case& input = system_.input();
     StageStart start = last_ ? stage_start_at(input, *loads_, *last_) : unloaded(input, undeformed_volumes_m3_);
     stage_ = stage;
+    of_last_ = FromTangent::of_another_stage;
     loads_.emplace(input, stage, std::move(start), undeformed_volumes_m3_);
     newton_.set_loads(*loads_);
 }
@@ -106,12 +107,15 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPlace plac
     PathPoint near;
     near.outputs = coarse.step.outputs;
     read_values(system_, *loads_, &near, point);
+    if (last_)
+        point.load_work_J = last_->load_work_J + work_between(system_, *last_, point, of_last_);
+    of_last_ = FromTangent::along_the_path;
     RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
     row.step.stage = coarse.step.stage;
     row.step.stable = coarse.step.stable;
     row.step.newton_iterations = iterations_ - iterations;
     row.step.factorizations = newton_.factorizations() - factorizations;
-    read_stretches(system_, point.state.x, row.step);
+    read_stretches(system_, point.state.x, point.load_work_J, row.step);
     if (keep == Keep::fields) row = row_state(system_, point, 1.0, std::move(row.step));
     last_ = std::move(point);
     return row;

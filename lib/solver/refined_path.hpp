@@ -48,6 +48,7 @@ private:
     std::vector<double> undeformed_volumes_m3_;       // by load
     Constraint nearest_;
     std::optional<PathPoint> last_;
+    FromTangent of_last_ = FromTangent::along_the_path;
     int iterations_ = 0;
 };
 

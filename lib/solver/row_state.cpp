@@ -18,6 +18,8 @@ double leading_of(const model::Case& input, const LoadLevels& levels, double loa
     switch (model::leading_load(input)) {
         case model::LeadingLoad::pressure: return levels.pressures_Pa[0];
         case model::LeadingLoad::traction: return levels.tractions[0] * traction_size_Pa(input);
+        case model::LeadingLoad::force:
+            return levels.tractions[0] * traction_size_Pa(input) * input.tractions[0].area_m2;
         case model::LeadingLoad::load_factor: return load_factor;
     }
     throw std::logic_error("leading_of: unknown load");
@@ -66,6 +68,8 @@ void read_values(assembly::System& system, const LoadLevels& levels, const LoadL
     for (auto* list : {&point.pressure_slopes, &point.volumes_m3, &point.volume_slopes, &point.load_volumes_m3,
                        &point.load_volume_slopes, &point.outputs, &point.output_slopes})
         list->clear();
+    point.levels = levels;
+    point.level_slopes = slopes;
     point.pressures_Pa = levels.pressures_Pa;
     point.pressure_slopes = slopes.pressures_Pa;
     for (std::size_t cavity = 0; cavity < system.cavity_count(); ++cavity) {
@@ -81,11 +85,12 @@ void read_values(assembly::System& system, const LoadLevels& levels, const LoadL
         }
     }
     for (std::size_t i = 0; i < system.output_count(); ++i) {
-        double value = system.output(i, point.state.x, gradient, by_motion);
-        if (input.outputs[i].measure != model::Measure::displacement && before != nullptr)   // a turn goes on beyond 180 degrees
+        assembly::LoadLevels by_levels;
+        double value = system.output(i, point.state.x, gradient, &by_levels);
+        if (model::is_angle(input.outputs[i].measure) && before != nullptr)   // a turn goes on beyond 180 degrees
             value = before->outputs[i] + std::remainder(value - before->outputs[i], 2.0 * std::numbers::pi);
         point.outputs.push_back(value);
-        point.output_slopes.push_back(slope_along());
+        point.output_slopes.push_back(linalg::dot(gradient, point.tangent.x) + assembly::product(by_levels, slopes));
     }
     point.leading = leading_of(input, levels, point.state.load_factor);
     point.leading_slope = leading_of(input, slopes, point.tangent.load_factor);
@@ -119,11 +124,56 @@ solution::Step step_of(const assembly::System& system, const PathPoint& point, d
     return step;
 }
 
-void read_stretches(assembly::System& system, Vec x, solution::Step& step) {
+void read_stretches(assembly::System& system, Vec x, double load_work_J, solution::Step& step) {
     const auto stretch = system.stretches(x);
     step.stretch_p99 = stretch.p99;
     step.max_stretch = stretch.largest;
     step.min_jacobian = stretch.min_jacobian;
+    step.extremes = {stretch.largest_at_m, stretch.largest_energy_J_m3};
+    if (step.motion || !system.has_symmetric_tangent()) return;
+    const double whole = 1.0 / system.input().model_fraction;
+    step.energies = {whole * stretch.stored_energy_J, whole * load_work_J};
+}
+
+double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {
+    const linalg::Vector change = linalg::duplicate(to.state.x), middle = linalg::duplicate(to.state.x);
+    const linalg::Vector start = linalg::duplicate(to.state.x), end = linalg::duplicate(to.state.x);
+    SOFT_PETSC(VecWAXPY(change, -1.0, from.state.x, to.state.x));
+    const double length = linalg::norm(change);
+    if (!(length > 0.0)) return 0;
+    // Both tangents by one parameter from 0 to 1, of about constant speed, toward `to`; the levels go with them.
+    const auto scaled = [&](const PathPoint& point, Vec tangent) {
+        const double size = linalg::norm(point.tangent.x);
+        const double factor = size > 0.0 ? std::copysign(length / size, linalg::dot(point.tangent.x, change)) : 0.0;
+        linalg::copy(point.tangent.x, tangent);
+        SOFT_PETSC(VecScale(tangent, factor));
+        return assembly::moved(assembly::no_loads(system.input()), factor, point.level_slopes);
+    };
+    const auto difference = [&](const LoadLevels& a, const LoadLevels& b) { return assembly::moved(a, -1.0, b); };
+    const LoadLevels turn = difference(to.levels, from.levels), end_rate = scaled(to, end);
+    LoadLevels start_rate;
+    if (of_from == FromTangent::along_the_path) {
+        start_rate = scaled(from, start);
+    } else {   // the parabola through both that has the tangent of `to`
+        SOFT_PETSC(VecWAXPY(start, -1.0, end, change));
+        linalg::add(start, 1.0, change);
+        start_rate = difference(assembly::moved(turn, 1.0, turn), end_rate);
+    }
+    linalg::copy(from.state.x, middle);
+    linalg::add(middle, 0.5, change);
+    linalg::add(middle, 0.125, start);
+    linalg::add(middle, -0.125, end);
+    LoadLevels levels = assembly::moved(from.levels, 0.5, turn), rate = assembly::moved(assembly::no_loads(system.input()), 1.5, turn);
+    levels = assembly::moved(assembly::moved(levels, 0.125, start_rate), -0.125, end_rate);
+    rate = assembly::moved(assembly::moved(rate, -0.25, start_rate), -0.25, end_rate);
+    const double at_start = system.load_power(from.state.x, start, from.levels, start_rate);
+    const double at_end = system.load_power(to.state.x, end, to.levels, end_rate);
+    SOFT_PETSC(VecScale(change, 1.5));   // now the velocity in the middle
+    linalg::add(change, -0.25, start);
+    linalg::add(change, -0.25, end);
+    const double in_middle = system.load_power(middle, change, levels, rate);
+    system.prescribe(to.levels);
+    return (at_start + 4.0 * in_middle + at_end) / 6.0;
 }
 
 RowState row_state(assembly::System& system, const PathPoint& point, double direction, solution::Step step) {

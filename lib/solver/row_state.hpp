@@ -37,8 +37,16 @@ void read_values(assembly::System& system, const LoadLevels& levels, const LoadL
 /// Loads, volumes and outputs of a point that has been read, its slopes times `direction` (1 or -1).
 [[nodiscard]] solution::Step step_of(const assembly::System& system, const PathPoint& point, double direction);
 
-/// The motions prescribed are those of the state.
-void read_stretches(assembly::System& system, Vec x, solution::Step& step);
+/// Whether the tangent of a point is that of the path which leaves it: at the end of a stage it is not that of the next one.
+enum class FromTangent { along_the_path, of_another_stage };
+
+/// Work of the loads [J], modelled part, on the way between two points that have been read: Simpson's rule of the power along
+/// the cubic with both tangents, so that its error falls with the fourth power of the step. Prescribes the motions of `to`.
+/// Held by solver/work_test.
+[[nodiscard]] double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from);
+
+/// Stretches and energies of a state; `load_work_J` of the modelled part. The motions prescribed are those of the state.
+void read_stretches(assembly::System& system, Vec x, double load_work_J, solution::Step& step);
 
 /// `step` with the fields of the point. The motions prescribed are those of the state.
 [[nodiscard]] RowState row_state(assembly::System& system, const PathPoint& point, double direction, solution::Step step);

@@ -41,7 +41,8 @@ Constraint PathFollower::stage_control() const {
         case Control::displacement: {
             Constraint constraint{ConstraintKind::output};
             for (std::size_t output = 0; output < input_.outputs.size(); ++output)
-                if (stage().controlled.empty() || input_.outputs[output].name == stage().controlled) {
+                if (stage().controlled.empty() ? !model::is_reaction(input_.outputs[output].measure)
+                                               : input_.outputs[output].name == stage().controlled) {
                     constraint.index = output;
                     return constraint;
                 }
@@ -152,6 +153,7 @@ void PathFollower::end_stage(const std::string& text) {
         return finish(StopReason::done, text + " reached");
     log("stage " + stage().name + " ends: " + text + " reached at " + describe(*last_));
     const solution::StageStart start = stage_start_at(input_, *loads_, *last_);
+    work_before_stage_J_ = last_->load_work_J;
     State state = std::move(last_->state);
     set_stage(stage_ + 1, start);
     state.load_factor = 0.0;

@@ -84,7 +84,7 @@ std::optional<core::Dimension> dimension_of(std::string_view unit) {
     using enum core::Dimension;
     if (core::trimmed(unit).empty()) return std::nullopt;
     for (const core::Dimension dimension : {ratio, length, area, volume, pressure, angle, density, mass, acceleration,
-                                            time, rate, flow_resistance, energy})
+                                            time, rate, flow_resistance, energy, force, moment, curvature})
         if (std::holds_alternative<double>(core::parse_quantity("1 " + std::string{unit}, dimension))) return dimension;
     return std::nullopt;
 }
@@ -100,6 +100,8 @@ Heading parse_heading(std::string_view name) {
             return heading;
         }
     }
+    if (constexpr std::string_view per_metre = "_per_m"; name.size() > per_metre.size() && name.ends_with(per_metre))
+        return {std::string{name}, std::string{name.substr(0, name.size() - per_metre.size())}, "1/m"};
     for (const std::string_view separator : {"_", "/", " in ", ",", " "}) {
         const std::size_t at = name.rfind(separator);
         if (at == std::string_view::npos || at == 0) continue;

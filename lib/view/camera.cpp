@@ -14,12 +14,12 @@ namespace soft::view {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Camera>, 4> named{
-    {{"front", {0, 0}}, {"side", {90, 0}}, {"top", {0, 90}}, {"iso", {-35, 25}}}};
+constexpr std::array<std::pair<std::string_view, Camera>, 5> named{
+    {{"front", {0, 0}}, {"side", {90, 0}}, {"top", {0, 90}}, {"across", {0, -90}}, {"iso", {-35, 25}}}};
 
 [[noreturn]] void refuse(std::string_view text) {
     throw Error(ExitCode::usage, "--view", core::quoted(text) + " is no view",
-                "front, side, top, iso, or AZIMUTH,ELEVATION in degrees (elevation from -90 to 90)");
+                "front, side, top, across, iso, or AZIMUTH,ELEVATION in degrees (elevation from -90 to 90)");
 }
 
 double degrees(std::string_view text, std::string_view whole) {

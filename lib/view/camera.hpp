@@ -13,7 +13,8 @@ struct Camera {
     double azimuth_deg = 0, elevation_deg = 0;
 };
 
-/// "front" (0, 0), "side" (90, 0: along the axis), "top" (0, 90), "iso" (-35, 25), or "AZIMUTH,ELEVATION" in degrees,
+/// "front" (0, 0), "side" (90, 0: along the axis), "top" (0, 90), "across" (0, -90: along y, x to the right and z up, the plane in
+/// which fingers bend), "iso" (-35, 25), or "AZIMUTH,ELEVATION" in degrees,
 /// elevation from -90 to 90. Throws Error(usage, place "--view").
 [[nodiscard]] Camera camera_from_text(std::string_view text);
 

@@ -52,9 +52,9 @@ TEST(Motion, MovedNodesAreInTheFieldsAndInTheOutputs) {
     const auto x = system.make_vector();
     system.prescribe(levels(0.0, 0.5));
     EXPECT_NEAR(system.output(0, x, nullptr), 1e-3, 1e-15);   // all of the end, half way
-    std::vector<double> by_motion(1);
-    (void)system.output(0, x, nullptr, by_motion);
-    EXPECT_NEAR(by_motion[0], 2e-3, 1e-15);
+    LoadLevels by_levels;
+    (void)system.output(0, x, nullptr, &by_levels);
+    EXPECT_NEAR(by_levels.motions[0], 2e-3, 1e-15);
     const auto fields = system.gather_fields(x);
     for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
         EXPECT_NEAR(fields.displacement_m[3 * node + 1], input.mesh.points[node][0] > 0.0099 ? 2.5e-4 : 0.0, 1e-15);

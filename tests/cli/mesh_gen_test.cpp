@@ -96,6 +96,17 @@ TEST(MeshGen, TheSummaryHoldsTheVolumesOfTheClosedForm) {
     EXPECT_NEAR(json.at("cavities").at(0).at("smallest_wall_m").get<double>(), 0.003, 1e-6);
     EXPECT_GT(json.at("min_scaled_jacobian").get<double>(), 0.0);
     EXPECT_TRUE(holds(outcome.err, "rubber 17.5")) << outcome.err;
+    EXPECT_FALSE(json.contains("mass_kg"));   // without a density
+}
+
+TEST(MeshGen, TheSummaryWeighsTheWholeActuator) {
+    Folder folder;
+    const Outcome outcome = run(folder,
+                                "mesh-gen --template rod | mesh-gen -o r.h5 --json - --set model=quarter --set geometry.length=100mm "
+                                "--set geometry.width=10mm --set geometry.height=10mm --set material.density=1080kg/m^3");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NEAR(nlohmann::json::parse(outcome.out).at("mass_kg").get<double>(), 0.0108, 1e-9);
+    EXPECT_TRUE(holds(outcome.err, "10.8 g")) << outcome.err;
 }
 
 TEST(MeshGen, AQuarterSolidReportsTheWholeActuator) {

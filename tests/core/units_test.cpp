@@ -43,6 +43,9 @@ TEST(Units, PrefixesGiveTheDoubleNearestToTheDecimalValue) {
     EXPECT_EQ(si("10 mL", Dimension::volume), 1e-5);
     EXPECT_EQ(si("10 mm^2", Dimension::area), 1e-5);
     EXPECT_EQ(si("150 %", Dimension::ratio), 1.5);
+    EXPECT_EQ(si("20 mN", Dimension::force), 0.02);
+    EXPECT_EQ(si("3 N.mm", Dimension::moment), 3e-3);
+    EXPECT_EQ(si("0.2 1/cm", Dimension::curvature), 20.0);
 }
 
 TEST(Units, FactorsThatAreNotPowersOfTenFollowTheirDefinitions) {

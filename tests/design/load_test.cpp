@@ -51,7 +51,7 @@ TEST(Traction, IsALoadByItself) {
     EXPECT_TRUE(design.loads.empty());
     ASSERT_EQ(design.tractions.size(), 1u);
     EXPECT_EQ(design.tractions[0].face, "end");
-    EXPECT_EQ(design.tractions[0].traction_Pa, 62500.0);
+    EXPECT_EQ(design.tractions[0].size, 62500.0);
     EXPECT_EQ(design.tractions[0].along, "y");
     EXPECT_EQ(design.path.stages.at(0).tractions, std::vector{1.0});   // all of it at the end
     EXPECT_TRUE(design.warnings.empty());
@@ -61,7 +61,7 @@ TEST(Traction, StandsBesidePressuresOnOtherFaces) {
     const Design design = read_sheet("loads: {tip: {traction: -3 kPa, along: normal}, top: {pressure: 2 kPa}}\n");
     ASSERT_EQ(design.tractions.size(), 1u);
     EXPECT_EQ(design.tractions[0].face, "end");   // tip is another name of it
-    EXPECT_EQ(design.tractions[0].traction_Pa, -3000.0);
+    EXPECT_EQ(design.tractions[0].size, -3000.0);
     ASSERT_EQ(design.loads.size(), 1u);
     EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"top"});
     expect_refusal("loads: {tip: {traction: 3 kPa, along: x}, end: {pressure: 2 kPa}}\n",
@@ -70,7 +70,7 @@ TEST(Traction, StandsBesidePressuresOnOtherFaces) {
 
 TEST(Traction, WhatContradictsItselfIsRefused) {
     expect_refusal("loads: {end: {traction: 3 kPa, pressure: 3 kPa, along: y}}\n",
-                   "p.yaml:3:32: loads.end.pressure: the load has a traction already", "keep one of pressure, traction, displacement");
+                   "p.yaml:3:32: loads.end.pressure: the load has a traction already", "keep one of pressure, traction, force, displacement");
     expect_refusal("loads: {end: {pressure: 3 kPa, along: y}}\n",
                    "p.yaml:3:32: loads.end.along: a pressure acts along the normal", "write traction");
     expect_refusal("loads: {end: {traction: 3 kPa}}\n", "p.yaml:3:9: loads.end.along: missing", "add along: y");
@@ -101,7 +101,7 @@ TEST(Traction, IsInTheTemplateOfAFamilyThatUsesIt) {
     const std::string text = template_yaml(sheet());
     const Design design = read_design(text, "t", sheets(), {});
     ASSERT_EQ(design.tractions.size(), 1u) << text;
-    EXPECT_EQ(design.tractions[0].traction_Pa, 20000.0);
+    EXPECT_EQ(design.tractions[0].size, 20000.0);
     EXPECT_EQ(design.tractions[0].along, "y");
     EXPECT_TRUE(holds(text, "force per undeformed area")) << text;
 }
@@ -280,6 +280,83 @@ TEST(PlaneStrain, FacesTurnAboutZ) {
     EXPECT_EQ(design.outputs.at(0).along, "z");
     expect_refusal(pulled + "outputs: {a: {face: end, measure: bend, reference: fixed, along: y}}\n",
                    "p.yaml:4:66: outputs.a.along: in plane strain faces turn about z", "along: z");
+}
+
+class Measures : public Angles {};
+
+TEST_F(Measures, ShapesAndReactionsAreReadWithTheirAxis) {
+    const Design design = read(std::string{least} +
+                               "model: solid\noutputs: {f: {face: end_disc, measure: force}, m: {face: end_disc, measure: moment, along: z}, "
+                               "w: {face: outer, measure: radial}, o: {face: inlet, measure: rotation, along: x}, "
+                               "k: {face: outer, measure: curvature, along: y}}\npath: {until: {f: 20 mN, m: 3 N.mm, k: 5 1/m}}\n");
+    ASSERT_EQ(design.outputs.size(), 5u);
+    EXPECT_EQ(design.outputs[0].measure, model::Measure::force);
+    EXPECT_EQ(design.outputs[0].along, "axis");
+    EXPECT_EQ(design.outputs[1].measure, model::Measure::moment);
+    EXPECT_EQ(design.outputs[2].measure, model::Measure::radial);
+    EXPECT_EQ(design.outputs[3].measure, model::Measure::rotation);
+    EXPECT_EQ(design.outputs[4].measure, model::Measure::curvature);
+    const auto& until = design.path.stages.at(0).until;
+    ASSERT_EQ(until.size(), 3u);
+    EXPECT_EQ(until[0].value, 0.02);
+    EXPECT_EQ(until[1].value, 3e-3);
+    EXPECT_EQ(until[2].value, 5.0);
+    EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
+}
+
+TEST_F(Measures, WhatTheModelDoesNotHaveIsRefused) {
+    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: moment"), "outputs.a.along: missing"));
+    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: curvature"), "outputs.a.along: missing"));
+    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: radial, along: r"), "it is the axis from which the distance is taken"));
+    EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: force, along: r"), "forces along r cancel all round"));
+    EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: moment, along: x"), "neither bends nor twists"));
+    EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: curvature, along: x"), "neither bends nor twists"));
+    EXPECT_EQ(refusal_of("axisymmetric", "face: outer, measure: radial"), "accepted");
+    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: forces"), "force"));
+}
+
+TEST(Reactions, OfAMotionInTimeAreRefused) {
+    try {
+        static_cast<void>(read("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa, density: 1000 kg/m^3}\nloads: {cavity: {pressure: 1 kPa}}\n"
+                               "model: solid\noutputs: {a: {face: end_disc, measure: force}}\ndynamics: {duration: 1 s}\n"));
+        FAIL() << "not refused";
+    } catch (const Error& error) {
+        EXPECT_TRUE(holds(error.what(), "a reaction is measured on a static path"));
+    }
+}
+
+TEST(OutputNames, AreNotThoseOfTheLoad) {
+    for (const char* name : {"load", "traction", "load_factor"}) {
+        try {
+            static_cast<void>(read(std::string{least} + "outputs: {" + name + ": {face: inlet}}\n"));
+            FAIL() << "not refused";
+        } catch (const Error& error) {
+            EXPECT_TRUE(holds(error.what(), "the name is that of a quantity every path has"));
+        }
+    }
+}
+
+constexpr const char* pushed = "family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {inlet: {force: 150 mN, along: x}}\n";
+
+TEST(Forces, AreReadWithTheirUnit) {
+    const Design design = read(pushed);
+    ASSERT_EQ(design.tractions.size(), 1u);
+    EXPECT_EQ(design.tractions[0].size, 0.15);
+    EXPECT_EQ(design.tractions[0].spread, Design::Spread::whole_face);
+    EXPECT_EQ(read(design.effective_yaml).tractions.at(0).size, 0.15);
+}
+
+TEST(Forces, ChangeInSolveByTheirSize) {
+    const Design design = read(pushed);
+    const auto changes = apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.inlet.force", "0.3 N"}});
+    ASSERT_EQ(changes.tractions.size(), 1u);
+    EXPECT_EQ(changes.tractions[0].factor, 2.0);
+    try {   // a traction is no force
+        static_cast<void>(apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.inlet", "{traction: 1 kPa, along: x}"}}));
+        FAIL() << "not refused";
+    } catch (const Error& error) {
+        EXPECT_TRUE(holds(error.what(), "the case has no traction on this face")) << error.what();
+    }
 }
 
 }  // namespace

@@ -100,5 +100,43 @@ TEST(Angles, HaveAnAxisAndABendItsReference) {
     EXPECT_EQ(refusal(d), "outputs.tilt.reference: face 'left' is not part of this model; faces it has: fixed, end, bottom, top");
 }
 
+TEST(Forces, AreSpreadOverTheWholeFaceOfTheWholeActuator) {
+    for (const char* model : {"solid", "half", "quarter"}) {
+        design::Design d = design_of("rod", model);
+        d.tractions = {{"end", 2.0, "x", {}, design::Design::Spread::whole_face}};
+        const model::Case c = build_case(d);
+        ASSERT_EQ(c.tractions.size(), 1u);
+        const double area = d.values.number("geometry.width") * d.values.number("geometry.height");
+        EXPECT_NEAR(c.tractions[0].area_m2, area, 1e-12 * area) << model;
+        EXPECT_NEAR(c.tractions[0].traction_Pa[0], 2.0 / area, 1e-9 / area) << model;
+        EXPECT_EQ(model::leading_load(c), model::LeadingLoad::force);
+    }
+    design::Design d = design_of("rod", "half");
+    d.tractions = {{"end", 2.0, "y", {}, design::Design::Spread::whole_face}};
+    EXPECT_EQ(refusal(d), "loads.end.along: the model is mirrored there, and with it the force would be; a model that is not cut there, "
+                          "or another direction");
+    d = design_of("sphere", "axisymmetric");   // half the section: the outer face is a whole sphere's
+    d.tractions = {{"outer", 2.0, "x", {}, design::Design::Spread::whole_face}};
+    EXPECT_NE(refusal(d), "accepted");
+}
+
+TEST(Reactions, NeedWhatHoldsTheFaceInTheirDirection) {
+    design::Design d = design_of("rod", "half");
+    d.supports = {{"fixed", {true, true, true}}};
+    d.outputs = {{"pull", "fixed", "x", model::Measure::force}, {"turn", "fixed", "y", model::Measure::moment}};
+    EXPECT_EQ(build_case(d).outputs.at(0).measure, model::Measure::force);
+    d.outputs = {{"pull", "end", "x", model::Measure::force}};
+    EXPECT_EQ(refusal(d), "outputs.pull.face: nothing holds 'end' in this direction, so there is no force; hold it under supports, or "
+                          "give it a displacement under loads");
+    d.motions = {{"end", 1e-3, "x"}};
+    EXPECT_EQ(refusal(d), "accepted");
+    d.outputs = {{"pull", "end", "z", model::Measure::force}};
+    EXPECT_NE(refusal(d), "accepted");
+    d.outputs = {{"pull", "fixed", "y", model::Measure::force}};
+    EXPECT_EQ(refusal(d), "outputs.pull.along: the force is 0: the mirror image of the face has the opposite one; another direction");
+    d.outputs = {{"turn", "fixed", "z", model::Measure::moment}};
+    EXPECT_EQ(refusal(d), "outputs.turn.along: the moment is 0: the mirror image of the face has the opposite one; another direction");
+}
+
 }  // namespace
 }  // namespace soft::geometry

@@ -59,7 +59,7 @@ model::Case section_case() {
     model.loads = {{"supply", {"main", "annex"}, true, {0.9e5, 1.1, 5e-6, 1.4}, model::LoadShape::deformed, table,
                     model::SupplyLine{2.5e8}},
                    {"outside", {"inlet"}, false, {}, model::LoadShape::undeformed, {model::Course::ramp, 0.125, 0, {}, {}}, {}}};
-    model.tractions = {{"inlet", {-1.5e3, 0, 0}, {model::Course::sine, 0, 12.5, {}, {}}}, {"end_disc", {0, 250.0, 0}, table}};
+    model.tractions = {{"inlet", {-1.5e3, 0, 0}, {model::Course::sine, 0, 12.5, {}, {}}}, {"end_disc", {0, 250.0, 0}, table, 4.5e-4}};
     model.body_forces = {{"gravity", {-9.81, 0, 0}, {model::Course::step, 0, 0, {}, {}}}};
     model.motions = {{"inlet", {-2e-3, std::nullopt, std::nullopt}}, {"end_disc", {0.0, 1e-3, std::nullopt}}};
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
@@ -194,6 +194,8 @@ solution::Step example_step(int number) {
     step.stretch_p99 = 1 + t / 2;
     step.max_stretch = 1 + t;
     step.min_jacobian = 1 - t / 100;
+    step.extremes = {{0.1 * number, 0.2, -0.3}, 1e4 * t};
+    step.energies = {2e-3 * t, 2.1e-3 * t};
     return step;
 }
 

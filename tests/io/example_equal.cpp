@@ -147,6 +147,7 @@ void expect_equal(const model::Case& left, const model::Case& right) {
     expect_all(left.tractions, right.tractions, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.face, b.face);
         EXPECT_EQ(a.traction_Pa, b.traction_Pa);
+        EXPECT_EQ(a.area_m2, b.area_m2);
         expect_equal(a.course, b.course);
     });
     expect_all(left.body_forces, right.body_forces, [](const auto& a, const auto& b) {
@@ -194,6 +195,16 @@ void expect_equal(const solution::Step& left, const solution::Step& right) {
     EXPECT_EQ(left.stretch_p99, right.stretch_p99);
     EXPECT_EQ(left.max_stretch, right.max_stretch);
     EXPECT_EQ(left.min_jacobian, right.min_jacobian);
+    ASSERT_EQ(left.extremes.has_value(), right.extremes.has_value());
+    if (left.extremes) {
+        EXPECT_EQ(left.extremes->stretch_at_m, right.extremes->stretch_at_m);
+        EXPECT_EQ(left.extremes->energy_J_m3, right.extremes->energy_J_m3);
+    }
+    ASSERT_EQ(left.energies.has_value(), right.energies.has_value());
+    if (left.energies) {
+        EXPECT_EQ(left.energies->stored_J, right.energies->stored_J);
+        EXPECT_EQ(left.energies->load_work_J, right.energies->load_work_J);
+    }
     EXPECT_EQ(left.pressure_error_Pa, right.pressure_error_Pa);
     EXPECT_EQ(left.output_errors, right.output_errors);
     ASSERT_EQ(left.motion.has_value(), right.motion.has_value());

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <set>
 
 #include "core/error.hpp"
 #include "path_samples.hpp"
+#include "table/table.hpp"
 
 namespace soft::post {
 namespace {
@@ -69,6 +71,69 @@ TEST(Curve, HasTheErrorsOfRowsThatHaveThem) {
     EXPECT_EQ(curve.coordinate_names(), "pressure, elongation, bend");
     steps[1].pressure_error_Pa.reset();
     EXPECT_THROW(static_cast<void>(make_curve(model, steps)), Error);
+}
+
+TEST(Curve, TellsEveryMeasureInItsUnit) {
+    model::Case model = sample_case({"a", "b", "c", "d"});
+    model.outputs[0].measure = model::Measure::force;
+    model.outputs[1].measure = model::Measure::moment;
+    model.outputs[2].measure = model::Measure::curvature;
+    model.outputs[3].measure = model::Measure::radial;
+    const Curve curve = make_curve(model, std::vector{step_with(0, {2, 3e-3, 5, 1e-3}, std::nullopt)});
+    EXPECT_EQ(curve.find("a")->name, "a_N");
+    EXPECT_EQ(curve.find("a")->values[0], 2);
+    EXPECT_EQ(curve.find("b")->name, "b_Nmm");
+    EXPECT_DOUBLE_EQ(curve.find("b")->values[0], 3);
+    EXPECT_EQ(curve.find("c")->name, "c_per_m");
+    EXPECT_EQ(curve.find("c")->unit, "1/m");
+    EXPECT_EQ(curve.find("d")->name, "d_mm");
+    // A table that is read back finds them.
+    for (const Column& column : curve.columns) {
+        const table::Heading heading = table::parse_heading(column.name);
+        if (column.source == Source::output) EXPECT_EQ(heading.quantity, column.quantity);
+        if (column.source == Source::output) EXPECT_EQ(table::dimension_of(heading.unit), column.dimension) << column.name;
+    }
+}
+
+TEST(Curve, ShowsEnergiesAndPlacesOnDemand) {
+    solution::Step step = step_with(0, {}, std::nullopt);
+    step.energies = {2e-3, 2.1e-3};
+    step.extremes = {{0.01, 0.02, 0.03}, 5e3};
+    Curve curve = make_curve(sample_case(), std::vector{step});
+    const auto shown = [&] {
+        std::vector<std::string> names;
+        for (const Column* column : shown_columns(curve)) names.push_back(column->name);
+        return names;
+    };
+    EXPECT_EQ(shown(), (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable"}));
+    EXPECT_EQ(curve.find("load_work")->values[0], 2.1);
+    EXPECT_EQ(curve.find("max_stretch_x")->values[0], 10);
+    EXPECT_EQ(curve.find("max_energy_density")->values[0], 5);
+    show_also(curve, std::vector<std::string>{"stored_energy", "max_stretch_x_mm"});
+    EXPECT_EQ(shown(), (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable",
+                                                 "stored_energy_mJ", "max_stretch_x_mm"}));
+    EXPECT_THROW(show_also(curve, std::vector<std::string>{"energy"}), Error);
+    step.energies.reset();   // a file without them
+    step.extremes.reset();
+    curve = make_curve(sample_case(), std::vector{step});
+    EXPECT_EQ(curve.find("stored_energy"), nullptr);
+    show_also(curve, std::vector<std::string>{"all"});
+}
+
+// What the table can have is what the list says: no column of a curve is missing there.
+TEST(Columns, AreAllListedOnceWithTheirMeaning) {
+    const auto all = all_columns();
+    std::set<std::string> names;
+    for (const Column& column : all) {
+        EXPECT_TRUE(names.insert(column.name).second) << column.name;
+        EXPECT_FALSE(column.meaning.empty()) << column.name;
+    }
+    for (const char* name : {"step", "time_s", "stage", "pressure_kPa", "traction_kPa", "load_N", "load_factor", "<displacement>_mm",
+                             "<bend>_deg", "<curvature>_per_m", "<force>_N", "<moment>_Nmm", "volume_mL", "pressure_<load>_kPa",
+                             "volume_<cavity>_mL", "pressure_error_kPa", "<bend>_error_deg", "kinetic_energy_mJ", "stored_energy_mJ",
+                             "max_stretch_r_mm", "max_stretch_z_mm", "stretch_p99", "stable"})
+        EXPECT_TRUE(names.contains(name)) << name;
+    EXPECT_NE(column_text(all).find("load_work_mJ"), std::string::npos);
 }
 
 TEST(Curve, TellsAnglesInDegrees) {

@@ -23,8 +23,8 @@ TEST(ParseHeading, LeavesANameWithoutUnitAsItIs) {
     EXPECT_EQ(parse_heading("tip displacement").unit, "");
     EXPECT_EQ(parse_heading("kPa").unit, "");  // a unit alone names no quantity
     EXPECT_EQ(parse_heading("stretch_p99").quantity, "stretch_p99");
-    EXPECT_EQ(parse_heading("Force (N)").quantity, "Force");
-    EXPECT_EQ(parse_heading("Force (N)").unit, "");  // no unit of this program
+    EXPECT_EQ(parse_heading("Voltage (V)").quantity, "Voltage");
+    EXPECT_EQ(parse_heading("Voltage (V)").unit, "");  // no unit of this program
     EXPECT_EQ(parse_heading("pressure (gauge) kPa").quantity, "pressure (gauge)");
     EXPECT_EQ(parse_heading("").quantity, "");
 }
@@ -33,6 +33,9 @@ TEST(DimensionOf, KnowsUnits) {
     EXPECT_EQ(dimension_of("psi"), core::Dimension::pressure);
     EXPECT_EQ(dimension_of("cm"), core::Dimension::length);
     EXPECT_EQ(dimension_of("deg"), core::Dimension::angle);
+    EXPECT_EQ(dimension_of("N"), core::Dimension::force);
+    EXPECT_EQ(dimension_of("Nmm"), core::Dimension::moment);
+    EXPECT_EQ(dimension_of("1/m"), core::Dimension::curvature);
     EXPECT_EQ(dimension_of(""), std::nullopt);
     EXPECT_EQ(dimension_of("furlong"), std::nullopt);
 }

@@ -72,6 +72,7 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> published_mesh_problems();
 [[nodiscard]] std::vector<Problem> motion_problems();
 [[nodiscard]] std::vector<Problem> error_bar_problems();
+[[nodiscard]] std::vector<Problem> reaction_problems();
 
 /// All of them, in the order of the README.
 [[nodiscard]] std::vector<Problem> all_problems();

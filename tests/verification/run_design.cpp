@@ -42,6 +42,7 @@ std::string leading_quantity(const model::Case& input) {
     switch (model::leading_load(input)) {
         case model::LeadingLoad::pressure: return "pressure";
         case model::LeadingLoad::traction: return "traction";
+        case model::LeadingLoad::force: return "load";
         case model::LeadingLoad::load_factor: return "load_factor";
     }
     throw std::logic_error("leading_quantity");

@@ -25,6 +25,13 @@ TEST(Camera, TheSideViewLooksAlongTheAxisAndTheTopViewFromAbove) {
     expect_vector(screen_of(camera_from_text("top")).right, {1, 0, 0});
 }
 
+TEST(Camera, TheViewAcrossHasXToTheRightAndZUp) {
+    const Screen screen = screen_of(camera_from_text("across"));
+    expect_vector(screen.right, {1, 0, 0});
+    expect_vector(screen.up, {0, 0, 1});
+    expect_vector(screen.eye, {0, -1, 0});
+}
+
 TEST(Camera, AnyViewHasARightHandedScreen) {
     for (const char* text : {"iso", "30,40", "-120, -75", "200.5,90"}) {
         const Screen screen = screen_of(camera_from_text(text));
@@ -40,7 +47,7 @@ TEST(Camera, WhatIsNoViewIsRefusedWithTheNames) {
             ADD_FAILURE() << text;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::usage);
-            EXPECT_NE(std::string(error.what()).find("front, side, top, iso, or AZIMUTH,ELEVATION"), std::string::npos);
+            EXPECT_NE(std::string(error.what()).find("front, side, top, across, iso, or AZIMUTH,ELEVATION"), std::string::npos);
         }
     }
 }

@@ -1,0 +1,40 @@
+#include "model/face_symmetry.hpp"
+
+#include "core/error.hpp"
+
+namespace soft::model {
+
+FaceSymmetry face_symmetry(const mesh::Mesh& mesh, const Cuts& cuts, const std::string& face) {
+    const auto set = mesh.facet_sets.find(face);
+    if (set == mesh.facet_sets.end()) throw Error(ExitCode::bad_input, "mesh", "no face is called '" + face + "'");
+    FaceSymmetry symmetry;
+    symmetry.of_revolution = cuts.kinematics == Kinematics::axisymmetric;
+    for (std::size_t i = 0; i < 3; ++i) {
+        bool meets = false, lies_in = true;
+        for (const auto& facet : set->second)
+            for (const auto node : mesh::facet_nodes(mesh, facet)) {
+                const bool on_plane = mesh.point(node)[i] == 0.0;  // nodes of a cut lie on its plane exactly
+                meets = meets || on_plane;
+                lies_in = lies_in && on_plane;
+            }
+        symmetry.mirrored[i] = cuts.planes[i] && meets && !lies_in;
+        if (symmetry.mirrored[i]) symmetry.copies *= 2;
+    }
+    return symmetry;
+}
+
+std::array<double, 3> uncancelled_force(const FaceSymmetry& face, std::array<double, 3> direction) {
+    for (std::size_t i = 0; i < 3; ++i)
+        if (face.mirrored[i] || (i > 0 && face.of_revolution)) direction[i] = 0;
+    return direction;
+}
+
+std::array<double, 3> uncancelled_moment(const FaceSymmetry& face, std::array<double, 3> axis) {
+    if (face.of_revolution) return {};
+    for (std::size_t plane = 0; plane < 3; ++plane)  // a moment is an axial vector: a mirror keeps what stands on it
+        for (std::size_t i = 0; i < 3; ++i)
+            if (i != plane && face.mirrored[plane]) axis[i] = 0;
+    return axis;
+}
+
+}  // namespace soft::model

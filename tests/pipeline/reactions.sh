@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Forces on faces and reactions of held ones, from the design to the table, the plot and the verdict; columns on demand.
+#   reactions.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+finger() { printf 'mesh-gen -q designs/pneunet.yaml --set geometry.chambers=2 --set "mesh={size: 4 mm, through_wall: 1, grading: 1}" --set loads.cavity.pressure=2kPa %s' "$*"; }
+column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) k = i; next } { last = $k } END { print last }' "$1"; }
+
+# A finger with a blocked tip: force and moment as columns, along with what was there.
+runs "$(finger "--set 'supports={fixed: [fixed, tip]}' --set 'outputs={block: {face: tip, measure: force, along: z}, hold: {face: fixed, measure: force, along: z}, turn: {face: tip, measure: moment, along: y}, arch: {face: bottom, measure: curvature, along: y}}'") -o case.h5 && solve -q case.h5 -o result.h5 && postprocess -q result.h5 -o curve.csv"
+claim "the columns have the units" [ "$(head -n 1 curve.csv)" = "step,pressure_kPa,block_N,hold_N,turn_Nmm,arch_per_m,volume_mL,stretch_p99,max_stretch,min_J,stable" ]
+claim "both holders feel the same" within "$(awk "BEGIN { print ($(column curve.csv block_N) + $(column curve.csv hold_N)) / $(column curve.csv block_N) }")" -1e-8 1e-8
+runs 'postprocess -q result.h5 --check curve.csv --rtol 1e-12'
+runs 'postprocess -q result.h5 --at pressure=1kPa -o at.csv'
+half=$(column at.csv block_N)
+runs "postprocess -q result.h5 --at block=${half}N -o back.csv"
+claim "--at takes a force" within "$(column back.csv pressure_kPa)" 0.999999 1.000001
+runs "awk -F, 'NR == 1 { print \"Pressure (kPa),block (mN)\"; next } { print \$2 \",\" 1000 * \$3 }' curve.csv > measured.csv && postprocess -q result.h5 --compare measured.csv --max-error 1Pa -o errors.csv"
+runs 'postprocess -q result.h5 --plot block.svg --y block -o /dev/null && postprocess -q result.h5 --paraview finger.hdf && postprocess -q finger.hdf | cmp - curve.csv'
+claim "the plot says so" grep -q 'block (N)' block.svg
+run 'timeout -s KILL 0.4 solve -q case.h5 -o part.h5; if [ -s part.h5 ]; then solve -q --resume part.h5; else solve -q case.h5 -o part.h5; fi; postprocess -q part.h5 --also all > part.csv; postprocess -q result.h5 --also all | cmp - part.csv'
+claim "an interrupted run comes to the same" exits 0
+run "solve -q case.h5 --set path.until.block=${half}N -o until.h5"
+runs 'postprocess -q until.h5 -o until.csv'
+claim "a force ends a path" within "$(awk "BEGIN { print $(column until.csv block_N) / $half }")" 0.999999 1.000001
+
+# A force on the tip: of the whole finger, though half of it is meshed.
+pushed="--set 'loads={tip: {force: 20 mN, along: z}}' --set 'outputs={lift: {face: tip, along: z}, hold: {face: fixed, measure: force, along: z}}'"
+runs "$(finger "$pushed") | solve -q | postprocess -q > half.csv"
+runs "$(finger "$pushed" --set model=solid) | solve -q | postprocess -q > whole.csv"
+claim "the load leads the table" [ "$(cut -d, -f2 half.csv | head -n 1)" = load_N ]
+claim "the holder feels all of it" within "$(column half.csv hold_N)" 0.0199999999 0.0200000001
+claim "and the whole finger bends as its half" within "$(awk "BEGIN { print $(column whole.csv lift_mm) / $(column half.csv lift_mm) }")" 0.99999 1.00001
+run "$(finger "$pushed") -o pushed.h5 && solve -q pushed.h5 --set loads.tip.force=10mN | postprocess -q > less.csv"
+claim "solve changes its size" within "$(column less.csv hold_N)" 0.00999999999 0.01000000001
+refuses 65 'mesh-gen: --set loads: loads.tip.along: the model is mirrored there, *' "$(finger "--set 'loads={tip: {force: 20 mN, along: y}}'") -o x.h5"
+refuses 65 'mesh-gen: --set outputs: outputs.f.face: nothing holds *' "$(finger "--set 'outputs={f: {face: tip, measure: force, along: z}}'") -o x.h5"
+
+# Error bars of a force.
+runs 'mesh-gen -q designs/tube.yaml --set mesh.size=3mm --set "supports={fixed: fixed, x: inlet}" --set path={} --set loads.cavity.pressure=20kPa --set "outputs={thrust: {face: inlet, measure: force, along: x}}" | solve -q --tolerance 1% | postprocess -q > bars.csv'
+claim "they stand in the table" grep -q 'thrust_error_N' bars.csv
+
+# Energy and work, and what columns there are.
+runs 'postprocess -q result.h5 --also stored_energy,load_work -o energy.csv'
+claim "work is energy" within "$(awk "BEGIN { print $(column energy.csv load_work_mJ) / $(column energy.csv stored_energy_mJ) }")" 0.9999 1.0001
+runs 'postprocess --outputs'
+claim "any column is listed" grep -q '^<force>_N *N *force with which' "$seen/out"
+runs 'postprocess --outputs result.h5'
+claim "those of the table are" [ "$(grep -vc -- --also "$seen/out")" -eq "$(head -n 1 curve.csv | tr ',' '\n' | wc -l)" ]
+refuses 64 "postprocess: --also: the result has no column 'energy'; *" 'postprocess -q result.h5 --also energy'

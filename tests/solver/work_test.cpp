@@ -1,0 +1,80 @@
+/// What the loads do on the way is what the rubber holds at its end: every load that has a potential, and its order.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../assembly/sample_cases.hpp"
+#include "bench.hpp"
+
+namespace soft::solver {
+namespace {
+
+double gap(const solution::Step& step) { return std::abs(step.energies->load_work_J / step.energies->stored_J - 1); }
+
+TEST(Work, OfAnInflationIsTheEnergyOfTheRubber) {
+    auto input = sphere_case(2, 8);
+    input.path.stages[0].until = {{"volume_ratio", 8}};
+    const auto result = run(input);  // past the limit point
+    ASSERT_EQ(result.end.reason, solution::StopReason::done);
+    for (const auto& step : result.steps)
+        if (step.energies->stored_J > 0) EXPECT_LT(gap(step), 1e-4) << step.load_factor;
+    EXPECT_GT(result.steps.back().energies->stored_J, 0.1);  // of the whole sphere
+}
+
+/// A block under a pull, its weight, a dead pressure and a motion: each does work of its own.
+model::Case loaded_block() {
+    auto input = box_case(2, true);
+    input.supports = {{"fixed", {true, true, true}}};
+    input.materials[0].density_kg_m3 = 1080;
+    input.loads = {{.name = "top", .targets = {"top"}, .gas = {}, .shape = model::LoadShape::undeformed}};
+    input.tractions = {{"right", {2e4, 0, 5e3}}};
+    input.body_forces = {{"gravity", {0, 0, -300}}};
+    input.motions = {{"end", {3e-3, std::nullopt, std::nullopt}}};
+    input.outputs = {{"sag", "end", {0, 0, 1}}};
+    input.path.stages = {full_load(input, {1e4})};
+    return input;
+}
+
+TEST(Work, OfDeadLoadsAndMotionsIsTheEnergyOfTheRubber) {
+    auto input = loaded_block();
+    const auto together = run(input);
+    ASSERT_EQ(together.end.reason, solution::StopReason::done);
+    EXPECT_LT(gap(together.steps.back()), 1e-5);
+    // In stages the direction turns between them; the energy is that of the state.
+    auto weight = full_load(input, {0.0}), all = full_load(input, {1e4});
+    weight.tractions = {0.0};
+    weight.motions = {0.5};
+    input.path.stages = {weight, all};
+    const auto in_turn = run(input);
+    EXPECT_LT(gap(in_turn.steps.back()), 1e-5);
+    EXPECT_NEAR(in_turn.steps.back().energies->stored_J / together.steps.back().energies->stored_J, 1.0, 1e-8);
+}
+
+TEST(Work, ConvergesWithTheFourthPowerOfTheStep) {
+    auto input = box_case(1, true);  // pulled by a motion, uniaxial
+    input.loads.clear();
+    input.motions = {{"end", {0.01, std::nullopt, std::nullopt}}};
+    input.path.stages = {full_load(input, {})};
+    input.solver.steps = model::StepRule::constant;
+    const auto gap_with = [&](double step) {
+        input.solver.first_step = step;
+        return gap(run(input).steps.back());
+    };
+    const double coarse = gap_with(0.25), fine = gap_with(0.125);
+    EXPECT_LT(coarse, 1e-3);
+    EXPECT_GT(coarse / fine, 12);
+}
+
+// The place of the largest stretch: the inner wall of a sphere.
+TEST(Extremes, OfASphereAreAtItsInnerWall) {
+    const auto result = run(sphere_case(2, 8));
+    const auto& extremes = *result.steps.back().extremes;
+    EXPECT_LT(std::hypot(extremes.stretch_at_m[0], extremes.stretch_at_m[1]),
+              0.0107);  // the first integration points of 5 mm cells
+    EXPECT_GE(std::hypot(extremes.stretch_at_m[0], extremes.stretch_at_m[1]), 0.01);
+    const double l = result.steps.back().max_stretch, expected = 0.5 * sample_mu_Pa * (2 * l * l + std::pow(l, -4) - 3);
+    EXPECT_NEAR(extremes.energy_J_m3 / expected, 1.0, 0.02);  // an equibiaxial state there, incompressible in the mean
+}
+
+}  // namespace
+}  // namespace soft::solver
