@@ -28,7 +28,13 @@ struct NearestOn<corners>::Tree {
     using Primitive = std::conditional_t<corners == 3, CGAL::AABB_triangle_primitive<Kernel, Iterator>,
                                          CGAL::AABB_segment_primitive<Kernel, Iterator>>;
     std::vector<Element> elements;
-    CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> aabb;
+    using Aabb = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+    Aabb aabb;
+
+    [[nodiscard]] Place place(const mesh::Point& from, const typename Aabb::Point_and_primitive_id& found) const {
+        const mesh::Point point{found.first.x(), found.first.y(), found.first.z()};
+        return {point, static_cast<int>(found.second - elements.cbegin()), std::hypot(point[0] - from[0], point[1] - from[1], point[2] - from[2])};
+    }
 };
 
 template <std::size_t corners>
@@ -54,9 +60,15 @@ NearestOn<corners>& NearestOn<corners>::operator=(NearestOn&&) noexcept = defaul
 
 template <std::size_t corners>
 auto NearestOn<corners>::operator()(const mesh::Point& from) const -> Place {
-    const auto [point, element] = tree_->aabb.closest_point_and_primitive(Kernel::Point_3(from[0], from[1], from[2]));
-    const mesh::Point place{point.x(), point.y(), point.z()};
-    return {place, static_cast<int>(element - tree_->elements.cbegin()), std::hypot(place[0] - from[0], place[1] - from[1], place[2] - from[2])};
+    return tree_->place(from, tree_->aabb.closest_point_and_primitive(Kernel::Point_3(from[0], from[1], from[2])));
+}
+
+template <std::size_t corners>
+auto NearestOn<corners>::within(const mesh::Point& from, double distance_m) const -> std::optional<Place> {
+    const typename Tree::Aabb::Point_and_primitive_id border{Kernel::Point_3(from[0] + distance_m, from[1], from[2]), tree_->elements.cbegin()};
+    const auto found = tree_->aabb.closest_point_and_primitive(Kernel::Point_3(from[0], from[1], from[2]), border);
+    if (found.first == border.first) return std::nullopt;   // the search goes out from there, and found nothing nearer
+    return tree_->place(from, found);
 }
 
 template class NearestOn<3>;

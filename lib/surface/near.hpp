@@ -2,6 +2,7 @@
 /// The nearest place of a set of triangles, or of segments (CGAL AABB tree). Held by surface/remesh_test.
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -23,6 +24,8 @@ public:
         double distance_m;
     };
     [[nodiscard]] Place operator()(const mesh::Point& from) const;
+    /// The same where it is no further away; much faster than to look everywhere.
+    [[nodiscard]] std::optional<Place> within(const mesh::Point& from, double distance_m) const;
 
 private:
     struct Tree;

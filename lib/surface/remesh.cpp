@@ -62,7 +62,7 @@ public:
 
     /// False if there would be more than `most` points.
     bool run(std::size_t most) {
-        constexpr int rounds = 8;   // later ones change next to nothing
+        constexpr int rounds = 6;   // later ones change next to nothing
         for (int round = 0; round < rounds; ++round) {
             if (!split(most)) return false;
             collapse();
@@ -121,17 +121,19 @@ private:
     }
 
     /// Whether the triangle lies on the surface of the file, on the right side, to what its size allows.
-    [[nodiscard]] bool fits(const std::array<Point, 3>& t, double size_m) const {
+    enum class Where { everywhere, in_the_middle };
+    [[nodiscard]] bool fits(const std::array<Point, 3>& t, double size_m, Where where = Where::everywhere) const {
         constexpr double share = 0.05, least_cosine = 0.5;
         const Vector n = area_vector(t);
         const double area = norm(n);
         if (!(area > 0)) return false;
         const auto near = [&](const Point& p) {
-            const auto place = original_(p);
-            return place.distance_m <= share * size_m && dot(normals_[static_cast<std::size_t>(place.element)], n) >= least_cosine * area;
+            const auto place = original_.within(p, share * size_m);
+            return place && dot(normals_[static_cast<std::size_t>(place->element)], n) >= least_cosine * area;
         };
         const Point centre{(t[0][0] + t[1][0] + t[2][0]) / 3, (t[0][1] + t[1][1] + t[2][1]) / 3, (t[0][2] + t[1][2] + t[2][2]) / 3};
         if (!near(centre)) return false;
+        if (where == Where::in_the_middle) return true;
         for (std::size_t k = 0; k < 3; ++k) {   // beside the edges: on a crease either side would do
             const Point &a = t[k], &b = t[(k + 1) % 3];
             if (!near({0.45 * (a[0] + b[0]) + 0.1 * centre[0], 0.45 * (a[1] + b[1]) + 0.1 * centre[1], 0.45 * (a[2] + b[2]) + 0.1 * centre[2]})) return false;
@@ -260,6 +262,7 @@ private:
 
     /// Points go to the middle of their neighbours, along the surface or the crease, where the triangles gain by it.
     void move() {
+        constexpr double gain = 1.01;
         for (const Vertex v : mesh_.vertices()) {
             if (fixed_[v]) continue;
             const auto lines = creases_at(v);
@@ -273,7 +276,7 @@ private:
             const Point old = at(v), place = lines.empty() ? original_(middle).point : (*lines_)(middle).point;
             const double before = worst_around(v), old_size_m = sizes_[v];
             put(v, place, size_m_(place));
-            if (worst_around(v) <= before || !fits_around(v)) put(v, old, old_size_m);
+            if (worst_around(v) <= gain * before || !fits_around(v)) put(v, old, old_size_m);
         }
     }
 
@@ -290,7 +293,7 @@ private:
 
     [[nodiscard]] bool fits_around(Vertex v) const {
         for (const Halfedge h : CGAL::halfedges_around_target(v, mesh_))
-            if (!fits(corners(h), sizes_[v])) return false;
+            if (!fits(corners(h), sizes_[v], Where::in_the_middle)) return false;
         return true;
     }
 
