@@ -223,7 +223,9 @@ std::vector<std::string> warnings_of(const design::Design& design, const model::
     return warnings;
 }
 
-model::Case build_case(const design::Design& design) {
+model::Case build_case(const design::Design& design) { return build_with_figures(design).model; }
+
+Built build_with_figures(const design::Design& design) {
     const Family& family = family_named(design.family);
     const Body body = family.build(design.values);
     Solid solid = mesh_body(body, design.values);
@@ -247,7 +249,7 @@ model::Case build_case(const design::Design& design) {
     result.solver = design.solver;
     result.dynamics = design.dynamics;
     result.mesh = std::move(solid.mesh);
-    return result;
+    return {std::move(result), body.part};
 }
 
 }  // namespace soft::geometry
