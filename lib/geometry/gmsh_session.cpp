@@ -223,7 +223,7 @@ void GmshSession::fill(int volume, std::vector<int> surfaces, Filling filling) {
     gmsh_->call(gmsh_->add_volume, surfaces.data(), surfaces.size(), volume);
     gmsh_->call(gmsh_->synchronize);
     for (const auto& [name, value] : {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeExtendFromBoundary", 1.0},
-                                      std::pair{"Mesh.MeshSizeFromPoints", 0.0}, std::pair{"Mesh.OptimizeThreshold", 0.4},
+                                      std::pair{"Mesh.MeshSizeFromPoints", 0.0}, std::pair{"Mesh.OptimizeThreshold", 0.4}, std::pair{"Mesh.Renumber", 0.0},
                                       std::pair{"Mesh.Algorithm3D", filling == Filling::hxt ? hxt : delaunay}})
         gmsh_->call(gmsh_->set_option, name, value);
     gmsh_->call(gmsh_->generate, 3);
