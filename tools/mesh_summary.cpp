@@ -98,7 +98,10 @@ MeshSummary inspect(const geometry::Built& built) {
     summary.cavities = surface::check_cavities(model);
     for (const surface::CavityReport& cavity : summary.cavities)
         summary.wall_places.push_back(surface::place_text(model, cavity.smallest_wall_place));
-    if (built.part) summary.part = MeshSummary::Part{*built.part, walls_of(model)};
+    if (built.part) {
+        summary.part = MeshSummary::Part{*built.part, walls_of(model)};
+        summary.part->file.volume_m3 /= model.model_fraction;   // of the whole body, as everywhere
+    }
     return summary;
 }
 

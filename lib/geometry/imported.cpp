@@ -96,11 +96,11 @@ std::string sealed_key(const design::Values& values, const std::string& cavity) 
 
 /// The plugs a sealed load would need. One that no single named face surrounds holds to the sides beside it.
 std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values, const std::string& cavity,
-                                  Kinematics kinematics) {
+                                  Kinematics kinematics, const std::array<bool, 3>& cut) {
     const std::string sealed = sealed_key(values, cavity);
     const bool wanted = values.has(sealed) && values.text(sealed) == "true";
     std::vector<model::Opening> openings;
-    for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity), kinematics)) {
+    for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity), kinematics, cut)) {
         if (found.opening.face.empty()) {
             if (wanted)
                 throw values.refuse(sealed, "no single named face surrounds an opening of the cavity, for its plug to hold to",
@@ -147,7 +147,7 @@ void refuse_common_walls(const mesh::Mesh& mesh, const design::Values& values, c
 
 /// Those that the design names, and the closed ones of a part.
 std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics,
-                                        const std::vector<std::string>& closed = {}) {
+                                        const std::vector<std::string>& closed = {}, const std::array<bool, 3>& cut = {}) {
     constexpr const char *key = "geometry.cavity", *group = "geometry.cavities";
     std::vector<std::string> names = values.names_below(group);
     for (const std::string& name : names) add_wall(mesh, values, std::string{group} + "." + name, name);
@@ -161,7 +161,7 @@ std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& 
     std::vector<model::Cavity> cavities;
     for (const std::string& name : names) cavities.push_back({name, name, {}, {}});
     refuse_common_walls(mesh, values, cavities);
-    for (model::Cavity& cavity : cavities) cavity.openings = plugs(mesh, values, cavity.name, kinematics);
+    for (model::Cavity& cavity : cavities) cavity.openings = plugs(mesh, values, cavity.name, kinematics, cut);
     return cavities;
 }
 
@@ -183,10 +183,21 @@ Body build_part(const design::Values& values) {
     ready.kinematics = kinematics_of(values, ready.mesh);
     name_pieces(ready.mesh);
     Body body;
-    body.cavities = add_cavities(ready.mesh, values, ready.kinematics, part.cavities);
-    for (const model::Cavity& cavity : body.cavities) {
-        const auto& wall = ready.mesh.facet_sets.at(cavity.wall);
-        const std::set<mesh::Facet> own(wall.begin(), wall.end());
+    body.symmetry_planes = cuts(values);
+    std::vector<std::string> not_outer;
+    constexpr std::array<const char*, 3> cut_faces{symmetry_x_face, symmetry_y_face, symmetry_z_face};
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!body.symmetry_planes[c]) continue;
+        body.fraction /= 2;
+        not_outer.emplace_back(cut_faces[c]);
+        model::Support& support = body.supports.emplace_back(model::Support{cut_faces[c], {}});
+        support.fixed[c] = true;
+    }
+    body.cavities = add_cavities(ready.mesh, values, ready.kinematics, part.cavities, body.symmetry_planes);
+    for (const model::Cavity& cavity : body.cavities) not_outer.push_back(cavity.wall);
+    for (const std::string& name : not_outer) {
+        const auto& facets = ready.mesh.facet_sets.at(name);
+        const std::set<mesh::Facet> own(facets.begin(), facets.end());
         std::erase_if(ready.mesh.facet_sets.at(outer_face), [&](const mesh::Facet& facet) { return own.contains(facet); });
     }
     body.sweep = std::move(ready);
@@ -195,7 +206,7 @@ Body build_part(const design::Values& values) {
 }
 
 void refuse_part_keys(const design::Values& values) {
-    for (const char* key : {"mesh.size", "mesh.through_wall"})
+    for (const char* key : {"mesh.size", "mesh.through_wall", "geometry.symmetry"})
         if (values.given(key)) throw values.refuse(key, "a mesh has its cells already; this is for surfaces (.stl, .obj, .step)", "mesh.refine: 1");
     if (const auto rules = face_rules(values); !rules.empty())
         throw values.refuse("geometry.file", "a mesh has its faces already, its physical groups; geometry.faces is for surfaces (.stl, .obj, .step)",
@@ -229,7 +240,13 @@ std::vector<design::Key> geometry_keys() {
              .kind = Kind::faces,
              .fallback = "none",
              .meaning = "faces that together are the wall of a cavity, for loads.cavity; cavities: {name: faces, ...} for several",
-             .choices = {"none"}}};
+             .choices = {"none"}},
+            {.path = "geometry.symmetry",
+             .kind = Kind::choice,
+             .fallback = "none",
+             .meaning = "of a surface: the planes x, y, z = 0 at which the part in the file is cut; faces: {name: {plane: {x: 0 mm} | box: "
+                        "{from: [x, y, z], to: ..} | normal: [x, y, z] | point: [x, y, z], up_to: faces}} beside it names its faces",
+             .choices = {"none", "x", "y", "z", "xy", "xz", "yz", "xyz"}}};
 }
 
 std::vector<design::Key> mesh_keys() {

@@ -9,12 +9,15 @@
 #include "geometry/body_mesher.hpp"
 #include "geometry/gmsh_session.hpp"
 #include "geometry/keys.hpp"
+#include "geometry/section.hpp"
 
 namespace soft::geometry {
 namespace {
 
 constexpr std::size_t most_facets = 2000000;   // some gigabytes and minutes
 constexpr const char* rules_group = "geometry.faces";
+constexpr const char* symmetry_key = "geometry.symmetry";
+constexpr std::array<const char*, 3> symmetry_faces{symmetry_x_face, symmetry_y_face, symmetry_z_face};
 
 surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
     static_cast<void>(core::read_file(path, core::no_limit));   // says why it cannot be opened
@@ -75,6 +78,41 @@ surface::FaceRule rule_of(const design::Values& values, const std::string& name)
     return rule;
 }
 
+/// A part that is cut lies on one side of the cut.
+void refuse_crossing(const surface::BodySurface& surface, const std::array<bool, 3>& cut, const design::Values& values) {
+    constexpr double rounding = 1e-6;
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!cut[c]) continue;
+        const auto [low, high] = std::ranges::minmax(surface.points, {}, [c](const mesh::Point& p) { return p[c]; });
+        if (std::min(-low[c], high[c]) > rounding * surface.extent_m())
+            throw values.refuse(symmetry_key, std::string{"the part goes from "} + "xyz"[c] + " = " + length_text(low[c]) + " to " + length_text(high[c]) +
+                                                  " and is not cut at 0",
+                                "cut it where it was drawn, or leave this plane out");
+    }
+}
+
+/// The cuts are faces, and no flood goes across them.
+std::vector<surface::FaceRule> with_cuts(std::vector<surface::FaceRule> rules, const std::array<bool, 3>& cut) {
+    std::vector<surface::FaceRule> all;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (cut[c]) all.push_back({symmetry_faces[c], surface::FaceRule::Plane{c, 0}, {}, {}, {}});
+    for (surface::FaceRule& rule : rules)
+        if (rule.flood && !rule.flood->up_to.empty())
+            for (std::size_t c = 0; c < 3; ++c)
+                if (cut[c]) rule.flood->up_to.push_back(symmetry_faces[c]);
+    all.insert(all.end(), rules.begin(), rules.end());
+    return all;
+}
+
+void put_on_planes(mesh::Mesh& mesh, const std::array<bool, 3>& cut) {
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto face = mesh.facet_sets.find(symmetry_faces[c]);
+        if (!cut[c] || face == mesh.facet_sets.end()) continue;
+        for (const mesh::Facet& facet : face->second)
+            for (const mesh::Index node : facet_nodes(mesh, facet)) mesh.points[static_cast<std::size_t>(node)][c] = 0;
+    }
+}
+
 /// The wanted length of cells where the design leaves it open: about 20 along the part.
 double usual_size_m(const surface::BodySurface& surface) { return surface.extent_m() / 20; }
 
@@ -113,16 +151,26 @@ std::vector<surface::FaceRule> face_rules(const design::Values& values) {
     return rules;
 }
 
+std::array<bool, 3> cuts(const design::Values& values) {
+    const std::string& planes = values.text(symmetry_key);
+    std::array<bool, 3> cut{};
+    if (planes == "none") return cut;
+    for (std::size_t c = 0; c < 3; ++c) cut[c] = planes.find("xyz"[c]) != std::string::npos;
+    return cut;
+}
+
 MeshedPart mesh_part(const Part& part, const design::Values& values) {
     MeshedPart result;
+    const std::array<bool, 3> cut = cuts(values);
+    refuse_crossing(part.surface, cut, values);
     const std::vector<surface::Wall> walls = surface::walls(part.surface.points, part.surface.triangles);
     result.figures = {part.origin.name, part.surface.triangles.size(), part.surface.volume_m3(),
                       walls.empty() ? surface::WallFigures{} : surface::figures(walls), part.surface.repairs};
     for (std::size_t s = 1; s < part.surface.shells.size(); ++s) result.cavities.push_back(part.surface.shells[s].name);
-    const std::vector<surface::NamedFace> faces = named_faces(part.surface, face_rules(values));
+    const std::vector<surface::NamedFace> faces = named_faces(part.surface, with_cuts(face_rules(values), cut));
     for (const surface::NamedFace& face : faces)
         if (std::ranges::find(face.facets, true) == face.facets.end()) {
-            std::string first;   // key of the rule, for the place
+            std::string first = face.name.starts_with("symmetry_") ? symmetry_key : "";   // key of the rule, for the place
             for (const char* key : {"plane.x", "plane.y", "plane.z", "box.from", "normal", "point"})
                 if (const std::string path = std::string{rules_group} + "." + face.name + "." + key; first.empty() && values.has(path)) first = path;
             throw values.refuse(first, "no facet of the surface is there", "look at the coordinates in the program the part was drawn with");
@@ -131,6 +179,7 @@ MeshedPart mesh_part(const Part& part, const design::Values& values) {
     const double given_m = values.number("mesh.size"), most_m = given_m > 0 ? given_m : usual_size_m(part.surface);
     const surface::WallSizes sizes(walls, {most_m / coarsest_over_finest, most_m, values.count("mesh.through_wall")});
     result.mesh = mesh_inside({part.surface, faces, part.origin}, sizes);
+    put_on_planes(result.mesh, cut);
     return result;
 }
 

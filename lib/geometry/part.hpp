@@ -34,7 +34,10 @@ struct PartFigures {
 /// Below geometry.faces of the design. values.refuse(...) for rules that make no sense.
 [[nodiscard]] std::vector<surface::FaceRule> face_rules(const design::Values& values);
 
-/// The mesh of a part, its faces as facet sets. values.refuse(...) for faces that no facet belongs to.
+/// geometry.symmetry: the planes x, y, z = 0 at which the part of the file is cut.
+[[nodiscard]] std::array<bool, 3> cuts(const design::Values& values);
+
+/// The mesh of a part, its faces as facet sets; the cuts are faces of their own (symmetry_x_face, ...), with nodes on the plane. values.refuse(...) for faces that no facet belongs to.
 struct MeshedPart {
     mesh::Mesh mesh;
     PartFigures figures;
