@@ -206,7 +206,7 @@ Body build_part(const design::Values& values) {
 }
 
 void refuse_part_keys(const design::Values& values) {
-    for (const char* key : {"mesh.size", "mesh.through_wall", "geometry.symmetry"})
+    for (const char* key : {"mesh.size", "mesh.through_wall", "mesh.grading", "geometry.symmetry"})
         if (values.given(key)) throw values.refuse(key, "a mesh has its cells already; this is for surfaces (.stl, .obj, .step)", "mesh.refine: 1");
     if (const auto rules = face_rules(values); !rules.empty())
         throw values.refuse("geometry.file", "a mesh has its faces already, its physical groups; geometry.faces is for surfaces (.stl, .obj, .step)",
@@ -256,7 +256,9 @@ std::vector<design::Key> mesh_keys() {
     size.choices = {"auto"};
     through_wall.meaning = "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone";
     through_wall.fallback = "1";
-    return {size, through_wall,
+    design::Key grading = grading_key("4");
+    grading.meaning = "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
+    return {size, through_wall, grading,
             {.path = "mesh.order",
              .kind = Kind::count,
              .fallback = "file",

@@ -175,9 +175,8 @@ MeshedPart mesh_part(const Part& part, const design::Values& values) {
                 if (const std::string path = std::string{rules_group} + "." + face.name + "." + key; first.empty() && values.has(path)) first = path;
             throw values.refuse(first, "no facet of the surface is there", "look at the coordinates in the program the part was drawn with");
         }
-    constexpr double coarsest_over_finest = 20;   // an edge as sharp as a knife would else take all cells
     const double given_m = values.number("mesh.size"), most_m = given_m > 0 ? given_m : usual_size_m(part.surface);
-    const surface::WallSizes sizes(walls, {most_m / coarsest_over_finest, most_m, values.count("mesh.through_wall")});
+    const surface::WallSizes sizes(walls, bends(part.surface), {most_m / values.number("mesh.grading"), most_m, values.count("mesh.through_wall")});
     result.mesh = mesh_inside({part.surface, faces, part.origin}, sizes);
     put_on_planes(result.mesh, cut);
     return result;

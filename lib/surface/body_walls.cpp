@@ -11,6 +11,7 @@
 
 #include "surface/cgal_queries.hpp"
 #include "surface/facet_map.hpp"
+#include "surface/named_faces.hpp"
 
 namespace soft::surface {
 namespace {
@@ -39,7 +40,7 @@ Facet facet_of(const std::vector<mesh::Point>& points, const std::array<int, 3>&
 /// Evenly spread over a triangle: the plastic number's sequence, folded (M. Roberts, 2018).
 mesh::Point place_in(const Facet& facet, std::size_t number) {
     constexpr double g = 1.3247179572447460;
-    double u = std::fmod(0.5 + static_cast<double>(number) / g, 1.0), v = std::fmod(0.5 + static_cast<double>(number) / (g * g), 1.0);
+    double u = std::fmod(1.0 / 3 + static_cast<double>(number) / g, 1.0), v = std::fmod(1.0 / 3 + static_cast<double>(number) / (g * g), 1.0);
     if (u + v > 1) {
         u = 1 - u;
         v = 1 - v;
@@ -79,6 +80,21 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
     return found;
 }
 
+std::vector<Bend> bends(const BodySurface& surface) {
+    std::vector<Facet> facets;
+    for (const auto& t : surface.triangles) facets.push_back(facet_of(surface.points, t));
+    std::vector<Bend> found;
+    for (const auto& [edge, sides] : edges_with_sides(surface)) {
+        const Facet &one = facets[sides[0]], &other = facets[sides[1]];
+        const double angle = std::atan2(norm(cross(one.normal, other.normal)), dot(one.normal, other.normal));
+        const mesh::Point &a = surface.points[static_cast<std::size_t>(edge[0])], &b = surface.points[static_cast<std::size_t>(edge[1])];
+        const double turn = norm(along(b, -1, a)) * angle;
+        if (angle < sharp_rad && turn > 0)
+            found.push_back({{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}, (one.area + other.area) / turn});
+    }
+    return found;
+}
+
 WallFigures figures(std::vector<Wall> walls) {
     std::ranges::sort(walls, {}, [](const Wall& wall) { return std::pair(wall.thickness_m, wall.place); });
     return {walls.front(), walls[walls.size() / 2].thickness_m};
@@ -91,17 +107,19 @@ struct WallSizes::Classes {
     static constexpr double step = 1.1;
 };
 
-WallSizes::WallSizes(const std::vector<Wall>& walls, const SizeBounds& bounds) {
+WallSizes::WallSizes(const std::vector<Wall>& walls, const std::vector<Bend>& bends, const SizeBounds& bounds) {
     auto classes = std::make_shared<Classes>();
     classes->most_m = bounds.most_m;
-    for (const Wall& wall : walls) {
-        if (bounds.through_wall == 0) break;
-        const double size_m = std::max(bounds.least_m, wall.thickness_m / bounds.through_wall);
-        if (size_m >= bounds.most_m) continue;
+    const auto add = [&](const mesh::Point& place, double wished_m) {
+        const double size_m = std::max(bounds.least_m, wished_m);
+        if (size_m >= bounds.most_m) return;
         auto& tree = classes->trees[static_cast<int>(std::round(std::log(bounds.most_m / size_m) / std::log(Classes::step)))];
         if (!tree) tree = std::make_unique<Search::Tree>();
-        tree->insert({wall.place[0], wall.place[1], wall.place[2]});
-    }
+        tree->insert({place[0], place[1], place[2]});
+    };
+    if (bounds.through_wall > 0)
+        for (const Wall& wall : walls) add(wall.place, wall.thickness_m / bounds.through_wall);
+    for (const Bend& bend : bends) add(bend.place, bend.radius_m);
     for (auto& [number, tree] : classes->trees) tree->build();
     classes_ = std::move(classes);
 }

@@ -18,6 +18,13 @@ struct Wall {
 };
 [[nodiscard]] std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vector<std::array<int, 3>>& triangles);
 
+/// Where the surface is bent, at edges that are not sharp: the radius, (areas of the two facets) / (length of the edge x angle).
+struct Bend {
+    mesh::Point place;
+    double radius_m;
+};
+[[nodiscard]] std::vector<Bend> bends(const BodySurface& surface);
+
 struct WallFigures {
     Wall least{};
     double median_m = 0;   ///< half of the surface has thinner walls behind it
@@ -25,14 +32,15 @@ struct WallFigures {
 /// Of at least one wall.
 [[nodiscard]] WallFigures figures(std::vector<Wall> walls);
 
-/// min over the walls of (thickness / cells through it, no less than least_m, no more than most_m) + growth x distance.
+/// min over the walls and bends of (thickness / cells through it, or radius; no less than least_m, no more than most_m) +
+/// growth x distance. Those of about the same size (10 %) are one.
 struct SizeBounds {
     double least_m, most_m;
     int through_wall;   ///< 0: the walls do not matter
 };
 class WallSizes {
 public:
-    WallSizes(const std::vector<Wall>& walls, const SizeBounds& bounds);
+    WallSizes(const std::vector<Wall>& walls, const std::vector<Bend>& bends, const SizeBounds& bounds);
     [[nodiscard]] double operator()(const mesh::Point& place) const;
 
 private:

@@ -21,18 +21,6 @@ Vector unit_normal(const BodySurface& surface, std::size_t t) {
     return n;
 }
 
-/// The two triangles of each edge; the surface is closed.
-std::map<Edge, std::array<std::size_t, 2>> neighbours(const BodySurface& surface) {
-    std::map<Edge, std::array<std::size_t, 2>> found;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [a, b] = std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
-            const auto [entry, fresh] = found.try_emplace({a, b}, std::array{t, t});
-            if (!fresh) entry->second[1] = t;
-        }
-    return found;
-}
-
 bool is_sharp(const BodySurface& surface, const std::array<std::size_t, 2>& sides) {
     static const double least_cosine = std::cos(sharp_rad);
     return dot(unit_normal(surface, sides[0]), unit_normal(surface, sides[1])) < least_cosine;
@@ -42,7 +30,7 @@ bool is_sharp(const BodySurface& surface, const std::array<std::size_t, 2>& side
 std::vector<bool> flooded(const BodySurface& surface, std::size_t start, const std::vector<bool>& barred, bool across_sharp_edges) {
     std::vector<std::array<std::size_t, 3>> around(surface.triangles.size());
     std::vector<std::size_t> count(surface.triangles.size());
-    for (const auto& [edge, sides] : neighbours(surface)) {
+    for (const auto& [edge, sides] : edges_with_sides(surface)) {
         if (!across_sharp_edges && is_sharp(surface, sides)) continue;
         around[sides[0]][count[sides[0]]++] = sides[1];
         around[sides[1]][count[sides[1]]++] = sides[0];
@@ -99,9 +87,20 @@ std::vector<bool> facets_of(const BodySurface& surface, const FaceRule& rule, co
 
 }  // namespace
 
+std::map<Edge, std::array<std::size_t, 2>> edges_with_sides(const BodySurface& surface) {
+    std::map<Edge, std::array<std::size_t, 2>> found;   // the surface is closed
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [a, b] = std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
+            const auto [entry, fresh] = found.try_emplace({a, b}, std::array{t, t});
+            if (!fresh) entry->second[1] = t;
+        }
+    return found;
+}
+
 Creases sharp_edges(const BodySurface& surface) {
     Creases edges;
-    for (const auto& [edge, sides] : neighbours(surface))
+    for (const auto& [edge, sides] : edges_with_sides(surface))
         if (is_sharp(surface, sides)) edges.push_back(edge);
     return edges;
 }
@@ -118,7 +117,7 @@ std::vector<NamedFace> named_faces(const BodySurface& surface, const std::vector
 
 Creases creases_of(const BodySurface& surface, const std::vector<NamedFace>& faces) {
     Creases edges;
-    for (const auto& [edge, sides] : neighbours(surface)) {
+    for (const auto& [edge, sides] : edges_with_sides(surface)) {
         const bool border = std::ranges::any_of(faces, [&](const NamedFace& face) { return face.facets[sides[0]] != face.facets[sides[1]]; });
         if (border || is_sharp(surface, sides)) edges.push_back(edge);
     }

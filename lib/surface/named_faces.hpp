@@ -1,5 +1,7 @@
 #pragma once
 /// Faces of a body's surface by where they are: facets of the file that fulfil a rule. Held by surface/named_faces_test.
+#include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +14,9 @@ namespace soft::surface {
 
 /// Where the surface turns by more than this between two facets, a face ends.
 inline constexpr double sharp_rad = 0.6981317007977318;   // 40 degrees
+
+/// The two triangles beside each edge (its points ascending).
+[[nodiscard]] std::map<std::array<int, 2>, std::array<std::size_t, 2>> edges_with_sides(const BodySurface& surface);
 
 /// Edges whose facets' normals differ by more than sharp_rad, ascending.
 [[nodiscard]] Creases sharp_edges(const BodySurface& surface);

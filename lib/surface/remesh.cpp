@@ -84,8 +84,8 @@ public:
         }
         for (const EdgeIndex e : mesh_.edges())
             if (creases_[e]) {
-                const auto [a, b] = std::minmax(mesh_.vertex(e, 0).idx(), mesh_.vertex(e, 1).idx());
-                result.creases.push_back({static_cast<int>(a), static_cast<int>(b)});
+                const auto a = static_cast<int>(mesh_.vertex(e, 0).idx()), b = static_cast<int>(mesh_.vertex(e, 1).idx());
+                result.creases.push_back({std::min(a, b), std::max(a, b)});
             }
         return result;
     }
