@@ -58,10 +58,11 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input, cons
     cli::Console console{about.tool, options.common.verbosity};
     const design::Design design =
         design::read_design(input.text(), input.source, geometry::catalogue_keys(), overrides);
-    const model::Case model = geometry::build_case(design);
+    const geometry::Built built = geometry::build_with_figures(design);
+    const model::Case& model = built.model;
     const std::vector<std::string> warnings = geometry::warnings_of(design, model);
     for (const std::string& warning : warnings) console.warn(warning);
-    const cli::MeshSummary summary = cli::inspect(model);
+    const cli::MeshSummary summary = cli::inspect(built);
     if (options.task == cli::Task::build) {
         const io::Provenance provenance{std::string{about.tool}, std::string{cli::version()},
                                         std::string{cli::revision()}, cli::library_lines(about),

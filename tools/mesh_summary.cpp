@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "mesh/cell_map.hpp"
+#include "surface/triangles.hpp"
 
 namespace soft::cli {
 namespace {
@@ -58,11 +59,27 @@ std::string cell_type_names(const mesh::Mesh& mesh) {
     return core::join(names);
 }
 
+surface::WallFigures walls_of(const model::Case& model) {
+    const surface::Triangles surface = surface::facet_triangles(model.mesh, boundary_facets(model.mesh));
+    std::vector<surface::Wall> walls = surface::walls(surface.points, surface.triangles);
+    return walls.empty() ? surface::WallFigures{} : surface::figures(std::move(walls));
+}
+
+nlohmann::ordered_json walls_json(const surface::WallFigures& walls) {
+    return {{"least_m", walls.least.thickness_m}, {"least_place_m", walls.least.place}, {"median_m", walls.median_m}};
+}
+
 std::string volume_text(double volume_m3) { return core::quantity_text(volume_m3, core::Dimension::volume); }
 
-}  // namespace
+std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
 
-namespace {
+std::string part_line(const MeshSummary::Part& part, double volume_m3) {
+    const surface::WallFigures &before = part.file.walls, &after = part.walls;
+    return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " + volume_text(part.file.volume_m3) + ", of the mesh " +
+           core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " % more; walls of " + length_text(before.least.thickness_m) +
+           " at least, half of them below " + length_text(before.median_m) + ", of the mesh " + length_text(after.least.thickness_m) + " and " +
+           length_text(after.median_m) + "; how far the file is from the body that was drawn is not known here";
+}
 
 mesh::Measure measure_of(const model::Case& model) {
     return model.kinematics == model::Kinematics::axisymmetric ? mesh::Measure::revolved : mesh::Measure::plain;
@@ -81,7 +98,8 @@ std::optional<double> mass_kg(const model::Case& model) {
 
 }  // namespace
 
-MeshSummary inspect(const model::Case& model) {
+MeshSummary inspect(const geometry::Built& built) {
+    const model::Case& model = built.model;
     MeshSummary summary;
     summary.name = model.name;
     summary.cell_types = cell_type_names(model.mesh);
@@ -94,6 +112,10 @@ MeshSummary inspect(const model::Case& model) {
     summary.cavities = surface::check_cavities(model);
     for (const surface::CavityReport& cavity : summary.cavities)
         summary.wall_places.push_back(surface::place_text(model, cavity.smallest_wall_place));
+    if (built.part) {
+        summary.part = MeshSummary::Part{*built.part, walls_of(model)};
+        summary.part->file.volume_m3 /= model.model_fraction;   // of the whole body, as everywhere
+    }
     return summary;
 }
 
@@ -108,9 +130,13 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
                      summary.wall_places[i];
     }
     shape += ", worst scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
-    return {core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" + summary.cell_types +
+    std::vector<std::string> lines{core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" + summary.cell_types +
                 "), " + std::to_string(summary.points) + " points, " + std::to_string(summary.unknowns) + " unknowns",
             shape};
+    if (!summary.part) return lines;
+    lines.push_back(part_line(*summary.part, summary.rubber_volume_m3));
+    if (!summary.part->file.repairs.empty()) lines.push_back(summary.part->file.file + ": repaired: " + core::join(summary.part->file.repairs));
+    return lines;
 }
 
 nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings) {
@@ -140,6 +166,13 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
                                    {"worst_place_m", summary.quality.worst_place_m},
                                    {"warnings", warnings}};
     if (summary.mass_kg) json["mass_kg"] = *summary.mass_kg;
+    if (summary.part)
+        json["part"] = {{"file", summary.part->file.file},
+                        {"facets", summary.part->file.facets},
+                        {"volume_m3", summary.part->file.volume_m3},
+                        {"repairs", summary.part->file.repairs},
+                        {"walls", walls_json(summary.part->file.walls)},
+                        {"walls_of_mesh", walls_json(summary.part->walls)}};
     return json;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/build.hpp"
 #include "mesh/quality.hpp"
 #include "model/case.hpp"
 #include "surface/report.hpp"
@@ -22,13 +23,19 @@ struct MeshSummary {
     std::optional<double> mass_kg;  ///< whole actuator; of materials that all have a density
     mesh::Quality quality;
     std::vector<surface::CavityReport> cavities;
+    /// Of a part that came as a surface: the file's figures, and the mesh's walls to compare.
+    struct Part {
+        geometry::PartFigures file;
+        surface::WallFigures walls;
+    };
+    std::optional<Part> part;
     std::vector<std::string> wall_places;          ///< "x = 12.3 mm, r = 4.5 mm" of each cavity's smallest wall
 };
 
 /// Refuses a case that cannot be solved: inverted cells, a cavity that is open or meets itself (Error(bad_input)).
-[[nodiscard]] MeshSummary inspect(const model::Case& model);
+[[nodiscard]] MeshSummary inspect(const geometry::Built& built);
 
-/// Two lines for a person.
+/// Two lines for a person, four where a part was meshed.
 [[nodiscard]] std::vector<std::string> summary_lines(const MeshSummary& summary);
 /// SI, units in the names.
 [[nodiscard]] nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings);

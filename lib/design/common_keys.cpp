@@ -165,6 +165,22 @@ std::vector<Key> name_keys(const FamilyKeys& family) {
     return keys;
 }
 
+std::vector<Key> face_rule_keys() {
+    const auto place = [](const char* path, const char* meaning) {
+        return Key{.path = path, .kind = Kind::length, .meaning = meaning, .most = 3};
+    };
+    const auto plane = [](const char* path) {
+        return Key{.path = path, .kind = Kind::length, .meaning = "the facets that lie in this plane"};
+    };
+    return {plane("plane.x"), plane("plane.y"), plane("plane.z"),
+            place("box.from", "the facets within this box, x, y, z of its lowest corner"),
+            place("box.to", "x, y, z of the box's highest corner"),
+            {.path = "normal", .kind = Kind::ratio, .meaning = "the facets that look this way, x, y, z out of the rubber", .most = 3},
+            {.path = "within", .kind = Kind::angle, .meaning = "how far their normals may be from it (10 deg unless said)", .min = 0, .max = 3.1415926535897932},
+            place("point", "what hangs together with the surface nearest to x, y, z, up to sharp edges (40 deg)"),
+            {.path = "up_to", .kind = Kind::faces, .meaning = "with point: across sharp edges too, up to these faces"}};
+}
+
 bool is_own_name(std::string_view text) {
     constexpr std::size_t longest = 40;
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };

@@ -28,6 +28,9 @@ namespace soft::design {
 [[nodiscard]] std::vector<std::string> directions();   ///< axis, x, y, z, r, normal
 
 /// Whether the user may call an output or a stage so.
+/// What a face below `geometry.faces` may be named by, without that path; all are optional.
+[[nodiscard]] std::vector<Key> face_rule_keys();
+
 [[nodiscard]] bool is_own_name(std::string_view text);
 inline constexpr std::string_view own_name_remedy = "letters, digits and _, a letter first, at most 40";
 

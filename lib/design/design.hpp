@@ -41,6 +41,12 @@ private:
     std::map<std::string, Entry, std::less<>> entries_;
 };
 
+/// Names in a file that a family takes its shape from.
+struct FileFaces {
+    std::vector<std::string> faces;
+    std::vector<std::string> cavities = {};     ///< those faces that are walls of cavities of their own, besides "cavity"
+};
+
 /// What the parser must know of a family; the geometry room supplies one for each (geometry::catalogue()).
 struct FamilyKeys {
     std::string name;
@@ -58,8 +64,9 @@ struct FamilyKeys {
     /// For a family whose shape stands in a file: the names of the faces in it, from what the first key of `geometry` says
     /// and the place where it says so; throws Error. `faces` then are those of the template's file. Such a family has
     /// mesh.size only among its own keys, and `geometry.cavity: [face, face]` adds the face and cavity "cavity", their union; `geometry.cavities:
-    /// {left: [face, face], ...}` adds several.
-    std::function<std::vector<std::string>(const std::string& file, std::string_view place)> faces_of_file = {};
+    /// {left: [face, face], ...}` adds several; `geometry.faces: {name: {...}}` names faces by where they are (face_rule_keys).
+    std::function<FileFaces(const std::string& file, std::string_view place)> faces_of_file = {};
+    bool has_face_rules = false;                ///< of such a family: whether `geometry.faces` is a group of keys
 };
 
 struct Override {

@@ -65,7 +65,7 @@ std::string example_design(const FamilyKeys& family) {
 std::string template_yaml(const FamilyKeys& family) {
     const std::string source = "template of " + family.name;
     FamilyKeys known = family;   // a template is printed without looking for its file
-    if (known.faces_of_file) known.faces_of_file = [&](const std::string&, std::string_view) { return family.faces; };
+    if (known.faces_of_file) known.faces_of_file = [&](const std::string&, std::string_view) { return FileFaces{family.faces}; };
     const Checked checked = check_design(parse_yaml(example_design(family), source), source, known);
     std::string text = "# " + family.name + ": " + family.summary + "\n";
     text += "# Run:   mesh-gen FILE | solve | postprocess > curve.csv      Check: mesh-gen --check FILE\n";

@@ -71,7 +71,7 @@ FaceNames with_cavities(FaceNames names, const FamilyKeys& family) {
     return names;
 }
 
-constexpr const char* cavities_path = "geometry.cavities";
+constexpr const char *cavities_path = "geometry.cavities", *face_rules_path = "geometry.faces";
 
 /// The cavities a design makes of the faces of its file.
 void add_cavity_keys(Schema& schema, const Node& root) {
@@ -80,6 +80,31 @@ void add_cavity_keys(Schema& schema, const Node& root) {
                                .kind = Kind::faces,
                                .meaning = "faces that together are the wall of this cavity, for loads.cavities"});
     schema.names[cavities_path];
+}
+
+/// Faces named by where they are: the keys that a design has written, of those that it may write.
+void add_face_rule_keys(Schema& schema, const Node& root) {
+    for (const Member& face : members_of(root, face_rules_path)) {
+        const std::string own = std::string{face_rules_path} + "." + face.key;
+        for (Key key : face_rule_keys()) {
+            const std::string below = std::exchange(key.path, own + "." + key.path);
+            const std::size_t dot = below.find('.');
+            std::vector<std::string>& known = schema.names[own];
+            if (const std::string first = below.substr(0, dot); std::ranges::find(known, first) == known.end()) known.push_back(first);
+            if (dot != std::string::npos) schema.names[own + "." + below.substr(0, dot)].push_back(below.substr(dot + 1));
+            if (find_path(face.value, below) != nullptr) schema.keys.push_back(std::move(key));
+        }
+    }
+    schema.names[face_rules_path];
+}
+
+void add_face_rule_names(FaceNames& names, const Node& root) {
+    for (const Member& own : members_of(root, face_rules_path)) {
+        const std::string path = std::string{face_rules_path} + "." + own.key;
+        if (!is_own_name(own.key)) refuse(own.place, path, "not a name of a face", own_name_remedy);
+        if (!resolve_face(names, own.key).empty()) refuse(own.place, path, "the file has a face of this name already", "call it otherwise");
+        names.faces.push_back(own.key);
+    }
 }
 
 /// What supports, loads and outputs may name. Other checks need the faces, so a missing file is refused before them.
@@ -93,7 +118,9 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
         refuse(file == nullptr ? std::string{source} + ":1:1" : file->place, key.path, "missing (" + key.meaning + ")",
                example == nullptr ? "" : "add geometry: {" + key.path.substr(key.path.rfind('.') + 1) + ": " + example->text + "}");
     }
-    FaceNames names{family.faces_of_file(file->text, file->place), family.aliases};
+    FileFaces of_file = family.faces_of_file(file->text, file->place);
+    FaceNames names{std::move(of_file.faces), family.aliases, std::move(of_file.cavities)};
+    if (family.has_face_rules) add_face_rule_names(names, root);
     const Node* cavity = find_path(root, "geometry.cavity");
     const bool has_cavity = cavity != nullptr && (cavity->kind == Node::Kind::list || cavity->text != no_face);
     if (has_cavity && resolve_face(names, cavity_name).empty()) names.faces.emplace_back(cavity_name);
@@ -175,6 +202,7 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
     append(schema.keys, head_keys(family));
     append(schema.keys, family.geometry);
     if (family.faces_of_file) add_cavity_keys(schema, root);
+    if (family.has_face_rules) add_face_rule_keys(schema, root);
     const bool of_revolution = std::ranges::find(family.models, "axisymmetric") != family.models.end();
     add_material_keys(schema, root, source, examples, of_revolution ? "cylindrical" : "cartesian");
     append(schema.keys, model_keys(family));

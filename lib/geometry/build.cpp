@@ -15,6 +15,7 @@
 #include "mesh/raise_order.hpp"
 #include "mesh/refine.hpp"
 #include "mesh/split.hpp"
+#include "model/cavity_surface.hpp"
 #include "model/rubber.hpp"
 
 namespace soft::geometry {
@@ -220,10 +221,19 @@ std::vector<std::string> warnings_of(const design::Design& design, const model::
     const bool told = design.values.has("mesh.cells") && design.values.text("mesh.cells") == "simplices";
     if (!told && std::ranges::any_of(built.mesh.cell_types, locks))
         warnings.push_back((design.values.has("geometry.file") ? "geometry.file: " : "mesh.order: ") + design::first_order_simplices_lock());
+    if (design.values.has("geometry.unit")) {   // a file's numbers may be of another unit
+        constexpr double smallest_m = 2e-3, largest_m = 3;
+        const double extent_m = model::extent_m(built.mesh);
+        if (extent_m < smallest_m || extent_m > largest_m)
+            warnings.push_back("geometry.unit: the part is " + core::rounded_text(1e3 * extent_m, 3) + " mm long; are the file's lengths in " +
+                               design.values.text("geometry.unit") + "?");
+    }
     return warnings;
 }
 
-model::Case build_case(const design::Design& design) {
+model::Case build_case(const design::Design& design) { return build_with_figures(design).model; }
+
+Built build_with_figures(const design::Design& design) {
     const Family& family = family_named(design.family);
     const Body body = family.build(design.values);
     Solid solid = mesh_body(body, design.values);
@@ -247,7 +257,7 @@ model::Case build_case(const design::Design& design) {
     result.solver = design.solver;
     result.dynamics = design.dynamics;
     result.mesh = std::move(solid.mesh);
-    return result;
+    return {std::move(result), body.part};
 }
 
 }  // namespace soft::geometry

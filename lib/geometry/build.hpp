@@ -10,6 +10,13 @@ namespace soft::geometry {
 
 [[nodiscard]] model::Case build_case(const design::Design& design);
 
+/// The same, with what the file of an imported surface has in it.
+struct Built {
+    model::Case model;
+    std::optional<PartFigures> part;
+};
+[[nodiscard]] Built build_with_figures(const design::Design& design);
+
 /// The design's warnings, and what only the mesh of the case shows: first-order simplices that a file has brought.
 [[nodiscard]] std::vector<std::string> warnings_of(const design::Design& design, const model::Case& built);
 

@@ -30,7 +30,7 @@ double hole_m2(const Body& body, const std::string& wall) {
     return area / body.fraction;
 }
 
-std::vector<std::string> faces_of_file(const std::string& file, std::string_view place) {
+design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
     const Outline outline = outline_of_file(file, place, across);
     std::vector<std::string> faces = tags_of(outline);
     for (const char* end : {low_end, high_end}) {
@@ -39,7 +39,7 @@ std::vector<std::string> faces_of_file(const std::string& file, std::string_view
                         std::string{"an edge is tagged '"} + end + "', which is the name of an end of the body", "call the edge otherwise");
         faces.emplace_back(end);
     }
-    return faces;
+    return {faces};
 }
 
 Body build(const design::Values& values) {

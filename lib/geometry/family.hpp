@@ -12,6 +12,7 @@
 
 #include "design/design.hpp"
 #include "geometry/outline.hpp"
+#include "geometry/part.hpp"
 #include "geometry/section.hpp"
 #include "geometry/sweep.hpp"
 #include "model/case.hpp"
@@ -61,6 +62,7 @@ struct Body {
     };
     std::optional<Strip> strip = {};
     std::map<std::string, model::Fibers> region_fibers = {};   ///< about the axis x, by the region they lie in
+    std::optional<PartFigures> part = {};      ///< of the file whose surface was meshed
     std::vector<model::Support> supports;      ///< that belong to the shape, besides symmetry planes and axis
 };
 

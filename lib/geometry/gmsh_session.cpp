@@ -1,8 +1,13 @@
 #include "geometry/gmsh_session.hpp"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <gmshc.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
 #include <span>
 #include <string>
 
@@ -54,6 +59,30 @@ std::vector<T> taken(T* values, std::size_t count, decltype(gmshFree)* give_back
     return copy;
 }
 
+/// While this lives, what is written to stdout goes nowhere.
+class Silence {
+public:
+    Silence() : kept_(::dup(STDOUT_FILENO)) {
+        static_cast<void>(std::fflush(stdout));
+        if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) {
+            ::dup2(nowhere, STDOUT_FILENO);
+            ::close(nowhere);
+        }
+    }
+    ~Silence() {
+        static_cast<void>(std::fflush(stdout));
+        std::cout.flush();
+        if (kept_ < 0) return;
+        ::dup2(kept_, STDOUT_FILENO);
+        ::close(kept_);
+    }
+    Silence(const Silence&) = delete;
+    Silence& operator=(const Silence&) = delete;
+
+private:
+    int kept_;
+};
+
 }  // namespace
 
 struct GmshSession::Functions {
@@ -83,6 +112,16 @@ struct GmshSession::Functions {
     decltype(gmshModelMeshGetNodes)* get_nodes = function<decltype(gmshModelMeshGetNodes)>(library, "gmshModelMeshGetNodes");
     decltype(gmshModelMeshGetElements)* get_elements =
         function<decltype(gmshModelMeshGetElements)>(library, "gmshModelMeshGetElements");
+    decltype(gmshModelAddDiscreteEntity)* add_discrete =
+        function<decltype(gmshModelAddDiscreteEntity)>(library, "gmshModelAddDiscreteEntity");
+    decltype(gmshModelMeshAddNodes)* add_nodes = function<decltype(gmshModelMeshAddNodes)>(library, "gmshModelMeshAddNodes");
+    decltype(gmshModelMeshAddElementsByType)* add_elements =
+        function<decltype(gmshModelMeshAddElementsByType)>(library, "gmshModelMeshAddElementsByType");
+    decltype(gmshModelGeoAddSurfaceLoop)* add_shell = function<decltype(gmshModelGeoAddSurfaceLoop)>(library, "gmshModelGeoAddSurfaceLoop");
+    decltype(gmshModelGeoAddVolume)* add_volume = function<decltype(gmshModelGeoAddVolume)>(library, "gmshModelGeoAddVolume");
+    decltype(gmshModelOccImportShapes)* import_shapes = function<decltype(gmshModelOccImportShapes)>(library, "gmshModelOccImportShapes");
+    decltype(gmshModelOccSynchronize)* synchronize_cad = function<decltype(gmshModelOccSynchronize)>(library, "gmshModelOccSynchronize");
+    decltype(gmshModelGetBoundingBox)* bounding_box = function<decltype(gmshModelGetBoundingBox)>(library, "gmshModelGetBoundingBox");
 
     /// Calls with an `int* failed` behind the arguments, as all of gmsh's functions have it.
     template <class Function, class... Arguments>
@@ -94,7 +133,7 @@ struct GmshSession::Functions {
         last_error(&words, &failed);
         const std::string message = words != nullptr ? words : "it does not say why";
         free(words);
-        throw Error(ExitCode::internal, "section mesh", "gmsh failed: " + message);
+        throw Error(ExitCode::internal, "mesh", "gmsh failed: " + message);
     }
 };
 
@@ -165,6 +204,53 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
     const auto ask = [](int, int, double x, double y, double, void* wished) { return (*static_cast<const Size*>(wished))({x, y}); };
     gmsh_->call(gmsh_->set_size, static_cast<double (*)(int, int, double, double, double, void*)>(ask),
                 const_cast<void*>(static_cast<const void*>(&size)));
+    gmsh_->call(gmsh_->generate, 2);
+}
+
+void GmshSession::add_triangles(int tag, Nodes nodes, std::vector<std::size_t> triangles) {
+    constexpr int dimension = 2, triangle = 2;
+    gmsh_->call(gmsh_->add_discrete, dimension, tag, static_cast<int*>(nullptr), std::size_t{0});
+    gmsh_->call(gmsh_->add_nodes, dimension, tag, nodes.tags.data(), nodes.tags.size(), nodes.xyz.data(), nodes.xyz.size(),
+                static_cast<double*>(nullptr), std::size_t{0});
+    gmsh_->call(gmsh_->add_elements, tag, triangle, static_cast<std::size_t*>(nullptr), std::size_t{0}, triangles.data(), triangles.size());
+}
+
+void GmshSession::fill(int volume, std::vector<int> surfaces, Filling filling) {
+    constexpr double delaunay = 1, hxt = 10;
+    for (int& surface : surfaces) {
+        gmsh_->call(gmsh_->add_shell, &surface, std::size_t{1}, surface);
+    }
+    gmsh_->call(gmsh_->add_volume, surfaces.data(), surfaces.size(), volume);
+    gmsh_->call(gmsh_->synchronize);
+    for (const auto& [name, value] : {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeExtendFromBoundary", 1.0},
+                                      std::pair{"Mesh.MeshSizeFromPoints", 0.0}, std::pair{"Mesh.OptimizeThreshold", 0.4}, std::pair{"Mesh.Renumber", 0.0},
+                                      std::pair{"Mesh.Algorithm3D", filling == Filling::hxt ? hxt : delaunay}})
+        gmsh_->call(gmsh_->set_option, name, value);
+    gmsh_->call(gmsh_->generate, 3);
+}
+
+int GmshSession::import_cad(const std::string& path) {
+    const Silence silence;
+    int* shapes = nullptr;   // dimension, tag, dimension, tag, ...
+    std::size_t count = 0;
+    constexpr int only_of_highest_dimension = 1;
+    gmsh_->call(gmsh_->import_shapes, path.c_str(), &shapes, &count, only_of_highest_dimension, "step");
+    int solids = 0;
+    for (std::size_t s = 0; s < count; s += 2) solids += shapes[s] == 3 ? 1 : 0;
+    gmsh_->free(shapes);
+    gmsh_->call(gmsh_->synchronize_cad);
+    return solids;
+}
+
+void GmshSession::triangulate(const Chords& chords) {
+    std::array<double, 6> box{};
+    gmsh_->call(gmsh_->bounding_box, -1, -1, &box[0], &box[1], &box[2], &box[3], &box[4], &box[5]);
+    const double extent = std::max({box[3] - box[0], box[4] - box[1], box[5] - box[2]});
+    constexpr double frontal_delaunay = 6;
+    for (const auto& [name, value] : {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeFromCurvature", chords.per_turn},
+                                      std::pair{"Mesh.MeshSizeMax", chords.longest * extent}, std::pair{"Mesh.MeshSizeMin", chords.shortest * extent},
+                                      std::pair{"Mesh.Algorithm", frontal_delaunay}})
+        gmsh_->call(gmsh_->set_option, name, value);
     gmsh_->call(gmsh_->generate, 2);
 }
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace soft::geometry {
@@ -55,8 +56,24 @@ public:
         std::vector<double> xyz;
     };
     [[nodiscard]] Nodes nodes() const;
-    /// Node tags of the linear cells of a curve (dimension 1) or surface (2), cell by cell; none where the types are mixed.
+    /// Node tags of the linear cells of a curve (dimension 1), surface (2) or volume (3), cell by cell; none where the types are mixed.
     [[nodiscard]] std::vector<std::size_t> cells(int dimension, int tag) const;
+
+    /// Triangles that are there already, as surface `tag` (nodes by tags of their own; three a triangle).
+    void add_triangles(int tag, Nodes nodes, std::vector<std::size_t> triangles);
+    /// Linear tetrahedra between such surfaces, the first around the others; they get longer away from them. Says nothing where
+    /// it fails.
+    enum class Filling { delaunay, hxt };
+    void fill(int volume, std::vector<int> surfaces, Filling filling);
+
+    /// The number of solids in a CAD file, in mm whatever its unit. What the CAD library prints is swallowed: stdout carries data.
+    [[nodiscard]] int import_cad(const std::string& path);
+    /// Chords to a full turn, and their bounds as shares of the longest side of the box around all.
+    struct Chords {
+        double per_turn, longest, shortest;
+    };
+    /// The faces of what was imported, as linear triangles. Says nothing where it fails.
+    void triangulate(const Chords& chords);
 
 private:
     struct Functions;

@@ -1,4 +1,4 @@
-/// A mesh from a Gmsh file, with the file's own faces.
+/// A mesh from a Gmsh file with the file's own faces, or one made inside a part's surface.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,6 +9,7 @@
 #include "geometry/import.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/openings.hpp"
+#include "geometry/part.hpp"
 #include "geometry/pieces.hpp"
 #include "mesh/raise_order.hpp"
 #include "model/cavity_surface.hpp"
@@ -20,6 +21,7 @@ using mesh::Index;
 using model::Kinematics;
 
 constexpr const char* cavity_face = "cavity";
+constexpr const char* outer_face = "outer";
 constexpr const char* file_key = "geometry.file";
 
 double unit_m(const std::string& unit) {
@@ -34,12 +36,22 @@ mesh::Mesh read(const std::string& file, std::string_view place, double file_uni
     return mesh;
 }
 
-std::vector<std::string> faces_of_file(const std::string& file, std::string_view place) {
+design::FileFaces faces_of_part(const std::filesystem::path& path) {
+    design::FileFaces names;
+    for (const surface::Shell& shell : read_part(path, "", 1.0).surface.shells) {
+        names.faces.push_back(shell.name);
+        if (shell.name != cavity_face && names.faces.size() > 1) names.cavities.push_back(shell.name);
+    }
+    return names;
+}
+
+design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
     try {
+        if (const std::string path = design::file_from(place, file); is_part_file(path)) return faces_of_part(path);
         const mesh::Mesh mesh = read(file, place, 1.0);
         std::vector<std::string> faces;
         for (const auto& [name, facets] : mesh.facet_sets) faces.push_back(name);
-        return faces;
+        return {faces};
     } catch (const Error& error) {   // the same, with the line of the design that asked for it
         throw Error(error.code(), std::string{place} + ": " + file_key, error.what());
     }
@@ -84,11 +96,11 @@ std::string sealed_key(const design::Values& values, const std::string& cavity) 
 
 /// The plugs a sealed load would need. One that no single named face surrounds holds to the sides beside it.
 std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values, const std::string& cavity,
-                                  Kinematics kinematics) {
+                                  Kinematics kinematics, const std::array<bool, 3>& cut) {
     const std::string sealed = sealed_key(values, cavity);
     const bool wanted = values.has(sealed) && values.text(sealed) == "true";
     std::vector<model::Opening> openings;
-    for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity), kinematics)) {
+    for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity), kinematics, cut)) {
         if (found.opening.face.empty()) {
             if (wanted)
                 throw values.refuse(sealed, "no single named face surrounds an opening of the cavity, for its plug to hold to",
@@ -133,7 +145,9 @@ void refuse_common_walls(const mesh::Mesh& mesh, const design::Values& values, c
                                     "each face belongs to one cavity");
 }
 
-std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics) {
+/// Those that the design names, and the closed ones of a part.
+std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics,
+                                        const std::vector<std::string>& closed = {}, const std::array<bool, 3>& cut = {}) {
     constexpr const char *key = "geometry.cavity", *group = "geometry.cavities";
     std::vector<std::string> names = values.names_below(group);
     for (const std::string& name : names) add_wall(mesh, values, std::string{group} + "." + name, name);
@@ -142,10 +156,12 @@ std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& 
         add_wall(mesh, values, key, cavity_face);
         names.insert(names.begin(), cavity_face);
     }
+    for (const std::string& name : closed)
+        if (std::ranges::find(names, name) == names.end()) names.push_back(name);
     std::vector<model::Cavity> cavities;
     for (const std::string& name : names) cavities.push_back({name, name, {}, {}});
     refuse_common_walls(mesh, values, cavities);
-    for (model::Cavity& cavity : cavities) cavity.openings = plugs(mesh, values, cavity.name, kinematics);
+    for (model::Cavity& cavity : cavities) cavity.openings = plugs(mesh, values, cavity.name, kinematics, cut);
     return cavities;
 }
 
@@ -157,7 +173,49 @@ mesh::Mesh of_wished_order(mesh::Mesh mesh, const design::Values& values) {
     return raise_order(mesh);
 }
 
+/// A part's cells are made here: closed cavities come by themselves, and what is a cavity's wall is not `outer`.
+Body build_part(const design::Values& values) {
+    const std::string path = design::file_from(values.place(file_key), values.text(file_key)), &unit = values.text("geometry.unit");
+    if (is_cad_file(path) && unit != "mm")
+        throw values.refuse("geometry.unit", "a STEP file says its own unit", "leave it out");
+    MeshedPart part = mesh_part(read_part(path, unit, unit_m(unit)), values);
+    ReadyMesh ready{std::move(part.mesh), Kinematics::solid};
+    ready.kinematics = kinematics_of(values, ready.mesh);
+    name_pieces(ready.mesh);
+    Body body;
+    body.symmetry_planes = cuts(values);
+    std::vector<std::string> not_outer;
+    constexpr std::array<const char*, 3> cut_faces{symmetry_x_face, symmetry_y_face, symmetry_z_face};
+    for (std::size_t c = 0; c < 3; ++c) {
+        if (!body.symmetry_planes[c]) continue;
+        body.fraction /= 2;
+        not_outer.emplace_back(cut_faces[c]);
+        model::Support& support = body.supports.emplace_back(model::Support{cut_faces[c], {}});
+        support.fixed[c] = true;
+    }
+    body.cavities = add_cavities(ready.mesh, values, ready.kinematics, part.cavities, body.symmetry_planes);
+    for (const model::Cavity& cavity : body.cavities) not_outer.push_back(cavity.wall);
+    for (const std::string& name : not_outer) {
+        const auto& facets = ready.mesh.facet_sets.at(name);
+        const std::set<mesh::Facet> own(facets.begin(), facets.end());
+        std::erase_if(ready.mesh.facet_sets.at(outer_face), [&](const mesh::Facet& facet) { return own.contains(facet); });
+    }
+    body.sweep = std::move(ready);
+    body.part = std::move(part.figures);
+    return body;
+}
+
+void refuse_part_keys(const design::Values& values) {
+    for (const char* key : {"mesh.size", "mesh.through_wall", "mesh.grading", "geometry.symmetry"})
+        if (values.given(key)) throw values.refuse(key, "a mesh has its cells already; this is for surfaces (.stl, .obj, .step)", "mesh.refine: 1");
+    if (const auto rules = face_rules(values); !rules.empty())
+        throw values.refuse("geometry.file", "a mesh has its faces already, its physical groups; geometry.faces is for surfaces (.stl, .obj, .step)",
+                            "take out geometry.faces");
+}
+
 Body build(const design::Values& values) {
+    if (is_part_file(values.text(file_key))) return build_part(values);
+    refuse_part_keys(values);
     ReadyMesh ready{read(values.text(file_key), values.place(file_key), unit_m(values.text("geometry.unit"))), Kinematics::solid};
     ready.kinematics = kinematics_of(values, ready.mesh);
     if (ready.kinematics == Kinematics::axisymmetric) add_axis(ready.mesh, values);
@@ -172,22 +230,36 @@ Body build(const design::Values& values) {
 
 std::vector<design::Key> geometry_keys() {
     using design::Kind;
-    return {{.path = file_key, .kind = Kind::text, .meaning = "the mesh: Gmsh .msh 2.2 or 4.1, from the design's folder"},
+    return {{.path = file_key, .kind = Kind::text, .meaning = "the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder"},
             {.path = "geometry.unit",
              .kind = Kind::choice,
              .fallback = "mm",
-             .meaning = "unit of the file's coordinates",
+             .meaning = "unit of the file's coordinates; STEP says its own",
              .choices = {"mm", "cm", "m", "in"}},
             {.path = "geometry.cavity",
              .kind = Kind::faces,
              .fallback = "none",
              .meaning = "faces that together are the wall of a cavity, for loads.cavity; cavities: {name: faces, ...} for several",
-             .choices = {"none"}}};
+             .choices = {"none"}},
+            {.path = "geometry.symmetry",
+             .kind = Kind::choice,
+             .fallback = "none",
+             .meaning = "of a surface: the planes x, y, z = 0 at which the part in the file is cut; faces: {name: {plane: {x: 0 mm} | box: "
+                        "{from: [x, y, z], to: ..} | normal: [x, y, z] | point: [x, y, z], up_to: faces}} beside it names its faces",
+             .choices = {"none", "x", "y", "z", "xy", "xz", "yz", "xyz"}}};
 }
 
 std::vector<design::Key> mesh_keys() {
     using design::Kind;
-    return {{.path = "mesh.order",
+    design::Key size = size_key("auto"), through_wall = through_wall_key();
+    size.meaning = "of a surface: longest edge of a cell; auto: a twentieth of the part";
+    size.choices = {"auto"};
+    through_wall.meaning = "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone";
+    through_wall.fallback = "1";
+    design::Key grading = grading_key("4");
+    grading.meaning = "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
+    return {size, through_wall, grading,
+            {.path = "mesh.order",
              .kind = Kind::count,
              .fallback = "file",
              .meaning = "polynomial order of the cells; mixed needs 2",
@@ -210,7 +282,7 @@ std::vector<design::Key> mesh_keys() {
 Family imported() {
     design::FamilyKeys keys;
     keys.name = "imported";
-    keys.summary = "a mesh from a Gmsh file (.msh), its physical groups as faces";
+    keys.summary = "a mesh (.msh) or the surface of a part (.stl, .obj, .step) from a file";
     keys.geometry = geometry_keys();
     keys.models = {"solid", "axisymmetric", "plane-strain"};
     keys.faces = {"fixed", "tip", "sides", "bore", "bore_end", "cavity"};   // of the template's file
@@ -223,6 +295,7 @@ Family imported() {
                     "  deflection: {face: tip, along: z}\n";
     keys.mesh = mesh_keys();
     keys.faces_of_file = faces_of_file;
+    keys.has_face_rules = true;
     return {std::move(keys), build};
 }
 

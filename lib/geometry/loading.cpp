@@ -13,7 +13,6 @@ namespace soft::geometry {
 namespace {
 
 using Vector = std::array<double, 3>;
-using core::quoted;
 
 /// Area mean of the outward unit normal of a face; shorter than 1 where the face is not flat.
 Vector mean_normal(const Solid& solid, const std::string& face) {
@@ -117,12 +116,12 @@ bool share_a_node(const Solid& solid, const std::string& one, const std::string&
 /// A node cannot follow a motion in a component that a support or another motion prescribes too.
 void check_constraints(const model::Case& result, const design::Design& design, const Meshed& meshed) {
     const auto refuse = [&](const model::Motion& motion, std::size_t component, const std::string& other) {
-        throw design.values.refuse(
-            "loads." + motion.face + ".displacement",
-            std::string{"over-constrained in "} + component_name(meshed.solid, component) + ": " + other +
-                (other.ends_with(quoted(motion.face)) ? ""
-                                                      : ", with which " + quoted(motion.face) + " has nodes in common"),
-            "keep one of the two");
+        throw design.values.refuse("loads." + motion.face + ".displacement",
+                                   std::string{"over-constrained in "} + component_name(meshed.solid, component) + ": " + other +
+                                       (other.ends_with(core::quoted(motion.face))
+                                            ? ""
+                                            : ", with which " + core::quoted(motion.face) + " has nodes in common"),
+                                   "keep one of the two");
     };
     for (std::size_t m = 0; m < result.motions.size(); ++m) {
         const model::Motion& motion = result.motions[m];
@@ -130,12 +129,12 @@ void check_constraints(const model::Case& result, const design::Design& design, 
             if (!motion.displacement_m[i]) continue;
             for (const model::Support& support : result.supports)
                 if (support.fixed[i] && share_a_node(meshed.solid, motion.face, support.face))
-                    refuse(motion, i, "a support holds " + quoted(support.face));
+                    refuse(motion, i, "a support holds " + core::quoted(support.face));
             for (std::size_t k = 0; k < m; ++k) {
                 const model::Motion& other = result.motions[k];
                 if (other.displacement_m[i] && *other.displacement_m[i] != *motion.displacement_m[i] &&
                     share_a_node(meshed.solid, motion.face, other.face))
-                    refuse(motion, i, "another motion is that of " + quoted(other.face));
+                    refuse(motion, i, "another motion is that of " + core::quoted(other.face));
             }
         }
     }
@@ -176,7 +175,7 @@ void require_face(const mesh::Mesh& mesh, const std::string& face, const std::st
     std::vector<std::string> present;
     for (const std::string& name : keys.faces)
         if (mesh.facet_sets.contains(name)) present.push_back(name);
-    throw Error(ExitCode::bad_input, place, "face " + quoted(face) + " is not part of this model",
+    throw Error(ExitCode::bad_input, place, "face " + core::quoted(face) + " is not part of this model",
                 "faces it has: " + core::join(present));
 }
 
@@ -188,7 +187,7 @@ std::array<double, 3> direction_of(const Heading& heading, const Body& body, con
         constexpr double flat = 1 - 1e-9;   // rounding of the sums; a curved face falls far below
         const auto n = mean_normal(solid, heading.face);
         if (std::hypot(n[0], n[1], n[2]) < flat)
-            throw Error(ExitCode::bad_input, place, "face " + quoted(heading.face) + " is not flat", "axis, x, y or z");
+            throw Error(ExitCode::bad_input, place, "face " + core::quoted(heading.face) + " is not flat", "axis, x, y or z");
         return n;
     }
     // The mean of y or z over a whole turn says nothing of a section, and r is no fixed direction of a solid.
@@ -197,7 +196,7 @@ std::array<double, 3> direction_of(const Heading& heading, const Body& body, con
     if (along == "r" && revolved) return {0, 1, 0};
     if (along == "y" && !revolved) return {0, 1, 0};
     if (along == "z" && !revolved && !plane) return {0, 0, 1};
-    throw Error(ExitCode::bad_input, place, quoted(along) + " is no direction of this model",
+    throw Error(ExitCode::bad_input, place, core::quoted(along) + " is no direction of this model",
                 revolved ? "axis, x, r or normal" : plane ? "axis, x, y or normal" : "axis, x, y, z or normal");
 }
 

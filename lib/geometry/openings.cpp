@@ -89,16 +89,21 @@ std::vector<FoundOpening> openings_of_section(const mesh::Mesh& mesh, const std:
 }  // namespace
 
 std::vector<FoundOpening> openings_of(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall,
-                                      model::Kinematics kinematics) {
+                                      model::Kinematics kinematics, const std::array<bool, 3>& mirrors) {
     if (kinematics == model::Kinematics::plane_strain) return {};
     if (kinematics == model::Kinematics::axisymmetric) return openings_of_section(mesh, wall);
     model::Case bare;
     bare.mesh = mesh;
+    bare.symmetry_planes = mirrors;
     std::vector<FoundOpening> result;
     for (const auto& rim : model::rims(bare, wall)) {
         std::set<Index> corners;
         for (const model::RimEdge& edge : rim) corners.insert({edge[0], edge[1]});
-        result.push_back(found(mesh, wall, area_of(mesh, rim), corners));
+        Vector area = area_of(mesh, rim);   // lines along the cuts, which would close the rim, add nothing to what the images do not cancel
+        for (std::size_t d = 0; d < 3; ++d)
+            if (mirrors[d])
+                for (std::size_t e = 0; e < 3; ++e) area[e] *= e == d ? 0 : 2;
+        result.push_back(found(mesh, wall, area, corners));
     }
     return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// The holes of a cavity whose wall is a set of outer sides of a mesh: where the wall ends, a plug would sit.
 /// Held by geometry/imported_test.
+#include <array>
 #include <vector>
 
 #include "model/case.hpp"
@@ -15,8 +16,8 @@ struct FoundOpening {
     std::vector<mesh::Facet> around;
 };
 
-/// Whole body, no symmetry planes; in the order of model::rims (section: of the wall's facets). Plane strain has none.
+/// `mirrors`: the mesh is cut at x, y, z = 0; areas are those of the whole body then. In the order of model::rims (section: of the wall's facets). Plane strain has none.
 [[nodiscard]] std::vector<FoundOpening> openings_of(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall,
-                                                    model::Kinematics kinematics);
+                                                    model::Kinematics kinematics, const std::array<bool, 3>& mirrors = {});
 
 }  // namespace soft::geometry

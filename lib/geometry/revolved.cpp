@@ -27,8 +27,8 @@ std::vector<model::Opening> plugs(const Outline& outline, const std::string& wal
     return openings;
 }
 
-std::vector<std::string> faces_of_file(const std::string& file, std::string_view place) {
-    return tags_of(outline_of_file(file, place, across));
+design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
+    return {tags_of(outline_of_file(file, place, across))};
 }
 
 Body build(const design::Values& values) {

@@ -78,7 +78,7 @@ TEST_F(ImportedSolid, TheFileIsFoundFromTheDesignsFolderAndFromWhereACommandRuns
     const std::string missing = refusal(design_text("elsewhere.msh", usual));
     EXPECT_TRUE(missing.starts_with("part.yaml:2:18: geometry.file: elsewhere.msh: ")) << missing;
     EXPECT_EQ(refusal("family: imported\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {inner: {pressure: 5 kPa}}\n"),
-              "part.yaml:1:1: geometry.file: missing (the mesh: Gmsh .msh 2.2 or 4.1, from the design's folder); add geometry: {file: meshes/finger.msh}");
+              "part.yaml:1:1: geometry.file: missing (the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder); add geometry: {file: meshes/finger.msh}");
 }
 
 TEST_F(ImportedSolid, ListedFacesAreACavity) {
@@ -168,8 +168,8 @@ TEST_F(ImportedSolid, OrderIsTheFilesOrTheWishedOne) {
     EXPECT_EQ(built(design_text(second.path, usual)).mesh.cell_type(0), mesh::CellType::tet10);
 }
 
-TEST_F(ImportedSolid, MeshSizeIsNoKeyAndRefineIsOne) {
-    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.size", "1 mm"}}).substr(0, 36), "--set mesh.size: unknown key; known:");
+TEST_F(ImportedSolid, MeshSizeIsForSurfacesAndRefineIsForAll) {
+    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.size", "1 mm"}}).substr(0, 49), "--set mesh.size: a mesh has its cells already; th");
     const model::Case coarse = built(design_text(file.path, usual)), fine = built(design_text(file.path, usual), {{"mesh.refine", "1"}});
     EXPECT_EQ(fine.mesh.cell_count(), 8 * coarse.mesh.cell_count());
     EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.refine", "8"}}).substr(0, 32), "--set mesh.refine: it would take");

@@ -1,0 +1,137 @@
+#include "surface/body_walls.hpp"
+
+#include <CGAL/Kd_tree.h>
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "surface/cgal_queries.hpp"
+#include "surface/facet_map.hpp"
+#include "surface/named_faces.hpp"
+
+namespace soft::surface {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
+
+constexpr double growth = 0.5;   ///< of the wanted size, per distance
+
+struct Facet {
+    std::array<mesh::Point, 3> corners;
+    Vector normal;   ///< unit
+    double area;
+};
+
+Facet facet_of(const std::vector<mesh::Point>& points, const std::array<int, 3>& t) {
+    Facet facet{{points[static_cast<std::size_t>(t[0])], points[static_cast<std::size_t>(t[1])], points[static_cast<std::size_t>(t[2])]}, {}, 0};
+    const auto& [a, b, c] = facet.corners;
+    facet.normal = cross(along(b, -1, a), along(c, -1, a));
+    const double length = norm(facet.normal);
+    for (double& component : facet.normal) component /= length > 0 ? length : 1;
+    facet.area = length / 2;
+    return facet;
+}
+
+/// Evenly spread over a triangle: the plastic number's sequence, folded (M. Roberts, 2018).
+mesh::Point place_in(const Facet& facet, std::size_t number) {
+    constexpr double g = 1.3247179572447460;
+    double u = std::fmod(1.0 / 3 + static_cast<double>(number) / g, 1.0), v = std::fmod(1.0 / 3 + static_cast<double>(number) / (g * g), 1.0);
+    if (u + v > 1) {
+        u = 1 - u;
+        v = 1 - v;
+    }
+    mesh::Point p{};
+    for (std::size_t d = 0; d < 3; ++d) p[d] = (1 - u - v) * facet.corners[0][d] + u * facet.corners[1][d] + v * facet.corners[2][d];
+    return p;
+}
+
+}  // namespace
+
+std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vector<std::array<int, 3>>& triangles) {
+    constexpr double places = 20000;      // a few seconds; a bellows of 100 mm gets one every 2 mm
+    constexpr double least_cosine = 0.5;
+    Triangles surface{points, triangles, {}, points};
+    std::vector<Facet> facets;
+    double area = 0;
+    for (const auto& t : triangles) {
+        surface.facets.push_back(static_cast<int>(facets.size()));
+        facets.push_back(facet_of(points, t));
+        area += facets.back().area;
+    }
+    const RayTree tree(surface);
+    std::vector<Wall> found;
+    double share = 0;   // of a place that the facets so far have left over
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        const Facet& facet = facets[f];
+        share += places * facet.area / area;
+        const Vector inward{-facet.normal[0], -facet.normal[1], -facet.normal[2]};
+        for (std::size_t number = 0; share >= 0.5; share -= 1, ++number) {
+            const mesh::Point place = place_in(facet, number);
+            const auto hit = tree.first_hit(place, inward, static_cast<int>(f));
+            if (hit && dot(facets[static_cast<std::size_t>(hit->facet)].normal, inward) >= least_cosine)
+                found.push_back({place, hit->distance_m});
+        }
+    }
+    return found;
+}
+
+std::vector<Bend> bends(const BodySurface& surface) {
+    std::vector<Facet> facets;
+    for (const auto& t : surface.triangles) facets.push_back(facet_of(surface.points, t));
+    std::vector<Bend> found;
+    for (const auto& [edge, sides] : edges_with_sides(surface)) {
+        const Facet &one = facets[sides[0]], &other = facets[sides[1]];
+        const double angle = std::atan2(norm(cross(one.normal, other.normal)), dot(one.normal, other.normal));
+        const mesh::Point &a = surface.points[static_cast<std::size_t>(edge[0])], &b = surface.points[static_cast<std::size_t>(edge[1])];
+        const double turn = norm(along(b, -1, a)) * angle;
+        if (angle < sharp_rad && turn > 0)
+            found.push_back({{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}, (one.area + other.area) / turn});
+    }
+    return found;
+}
+
+WallFigures figures(std::vector<Wall> walls) {
+    std::ranges::sort(walls, {}, [](const Wall& wall) { return std::pair(wall.thickness_m, wall.place); });
+    return {walls.front(), walls[walls.size() / 2].thickness_m};
+}
+
+/// Walls of about the same size share a tree: the nearest of each decides.
+struct WallSizes::Classes {
+    double most_m = 0;
+    std::map<int, std::unique_ptr<Search::Tree>> trees;   ///< size = most / step^number
+    static constexpr double step = 1.1;
+};
+
+WallSizes::WallSizes(const std::vector<Wall>& walls, const std::vector<Bend>& bends, const SizeBounds& bounds) {
+    auto classes = std::make_shared<Classes>();
+    classes->most_m = bounds.most_m;
+    const auto add = [&](const mesh::Point& place, double wished_m) {
+        const double size_m = std::max(bounds.least_m, wished_m);
+        if (size_m >= bounds.most_m) return;
+        auto& tree = classes->trees[static_cast<int>(std::round(std::log(bounds.most_m / size_m) / std::log(Classes::step)))];
+        if (!tree) tree = std::make_unique<Search::Tree>();
+        tree->insert({place[0], place[1], place[2]});
+    };
+    if (bounds.through_wall > 0)
+        for (const Wall& wall : walls) add(wall.place, wall.thickness_m / bounds.through_wall);
+    for (const Bend& bend : bends) add(bend.place, bend.radius_m);
+    for (auto& [number, tree] : classes->trees) tree->build();
+    classes_ = std::move(classes);
+}
+
+double WallSizes::operator()(const mesh::Point& place) const {
+    double size_m = classes_->most_m;
+    for (const auto& [number, tree] : classes_->trees) {
+        const Search search(*tree, {place[0], place[1], place[2]}, 1);
+        const double own_m = classes_->most_m * std::pow(Classes::step, -number);
+        size_m = std::min(size_m, own_m + growth * std::sqrt(search.begin()->second));
+    }
+    return size_m;
+}
+
+}  // namespace soft::surface
