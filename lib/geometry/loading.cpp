@@ -163,7 +163,7 @@ void check_reaction(const model::Case& result, const design::Design::OutputReque
     for (std::size_t i = 0; i < 3; ++i) held = held || ((!force || left[i] != 0) && holds(i));
     if (!held)
         throw values.refuse(place + ".face",
-                            "nothing holds " + quoted(request.face) + " in this direction, so there is no " +
+                            "nothing holds " + core::quoted(request.face) + " in this direction, so there is no " +
                                 std::string{model::name_of(request.measure)},
                             "hold it under supports, or give it a displacement under loads");
 }
