@@ -21,13 +21,14 @@ Row row(const Run& run, const std::string& quantity, const std::string& source, 
 
 /// 10 x 10 mm, pulled to twice its length by a prescribed motion; half and quarter models must show the whole bar's force.
 struct Bar {
-    const char *model, *supports;   // each face that is not cut slides in its plane
+    const char *model, *supports;  // each face that is not cut slides in its plane
 };
 
 Outcome bar(const Bar& bar) {
-    const Run run = run_design("rod.yaml", {std::string{"model="} + bar.model, std::string{"supports="} + bar.supports,
-                                            "material.kappa=incompressible", "loads={end: {displacement: 100 mm, along: x}}",
-                                            "outputs={force: {face: fixed, measure: force, along: x}}"});
+    const Run run =
+        run_design("rod.yaml", {std::string{"model="} + bar.model, std::string{"supports="} + bar.supports,
+                                "material.kappa=incompressible", "loads={end: {displacement: 100 mm, along: x}}",
+                                "outputs={force: {face: fixed, measure: force, along: x}}"});
     const double mu = run.model.materials.front().constants.at("mu").front(), l = 2;
     return {{row(run, "pull at twice the length [N]", "A mu (l - 1/l^2)", 1e-4 * mu * (l - 1 / (l * l)),
                  run.steps.back().outputs.at(0))},
@@ -56,7 +57,8 @@ Outcome blocked_finger() {
 
 std::vector<Problem> reaction_problems() {
     std::vector<Problem> problems;
-    for (const Bar& one : {Bar{"solid", "{x: fixed, y: left, z: bottom}"}, Bar{"half", "{x: fixed, z: bottom}"}, Bar{"quarter", "{x: fixed}"}})
+    for (const Bar& one : {Bar{"solid", "{x: fixed, y: left, z: bottom}"}, Bar{"half", "{x: fixed, z: bottom}"},
+                           Bar{"quarter", "{x: fixed}"}})
         problems.push_back({group, std::string{"bar pulled by a motion, "} + one.model, [one] { return bar(one); }});
     problems.push_back({group, "finger held at root and tip", blocked_finger});
     return problems;
