@@ -35,7 +35,8 @@ std::optional<HullOptions> parse_hull_options(int argc, char** argv) {
     cli::add_input(app, options.input, "TABLE", "CSV with the lengths x, y and z, each with its unit");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
-    cli::check_distinct({{"TABLE", options.input}}, {{"--output", options.common.output}, {"--json", options.common.json}});
+    cli::check_distinct({{"TABLE", options.input}},
+                        {{"--output", options.common.output}, {"--json", options.common.json}});
     return options;
 }
 
@@ -44,7 +45,8 @@ std::vector<double> lengths_m(const table::Table& points, const std::string& qua
     if (found == points.headings.end() || table::dimension_of(found->unit) != core::Dimension::length)
         throw Error(ExitCode::bad_input, points.source, "there is no column of the length " + quantity,
                     "write x_mm,y_mm,z_mm in the first line");
-    return table::values_SI(points, static_cast<std::size_t>(found - points.headings.begin()), found->unit, core::Dimension::length);
+    return table::values_SI(points, static_cast<std::size_t>(found - points.headings.begin()), found->unit,
+                            core::Dimension::length);
 }
 
 ExitCode hull_volume(const HullOptions& options) {
@@ -52,12 +54,17 @@ ExitCode hull_volume(const HullOptions& options) {
     const table::Table table = table::read_table(input.text(), input.source);
     const std::array columns{lengths_m(table, "x"), lengths_m(table, "y"), lengths_m(table, "z")};
     std::vector<mesh::Point> points;
-    for (std::size_t row = 0; row < columns[0].size(); ++row) points.push_back({columns[0][row], columns[1][row], columns[2][row]});
+    for (std::size_t row = 0; row < columns[0].size(); ++row)
+        points.push_back({columns[0][row], columns[1][row], columns[2][row]});
     const double volume_m3 = surface::hull_volume_m3(points);
-    cli::write_output(options.common.output, "points,volume_mm3\n" + std::to_string(points.size()) + "," + core::number_text(1e9 * volume_m3) + "\n");
+    cli::write_output(options.common.output, "points,volume_mm3\n" + std::to_string(points.size()) + "," +
+                                                 core::number_text(1e9 * volume_m3) + "\n");
     if (!options.common.json.empty())
-        cli::write_json(options.common.json, {{"tool", about.tool}, {"version", cli::version()}, {"revision", cli::revision()},
-                                              {"points", points.size()}, {"volume_m3", volume_m3}});
+        cli::write_json(options.common.json, {{"tool", about.tool},
+                                              {"version", cli::version()},
+                                              {"revision", cli::revision()},
+                                              {"points", points.size()},
+                                              {"volume_m3", volume_m3}});
     return ExitCode::ok;
 }
 

@@ -18,7 +18,7 @@ TEST(Hull, OfABoxIsTheBoxWhateverLiesInside) {
 TEST(Hull, OfASphereComesNearToIt) {
     std::vector<mesh::Point> points;
     constexpr int count = 4000;
-    for (int i = 0; i < count; ++i) {   // a spiral of even density
+    for (int i = 0; i < count; ++i) {  // a spiral of even density
         const double z = 1 - 2 * (i + 0.5) / count, r = std::sqrt(1 - z * z), a = 2.399963229728653 * i;
         points.push_back({r * std::cos(a), r * std::sin(a), z});
     }
