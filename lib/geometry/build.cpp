@@ -225,7 +225,7 @@ std::vector<std::string> warnings_of(const design::Design& design, const model::
         constexpr double smallest_m = 2e-3, largest_m = 3;
         const double extent_m = model::extent_m(built.mesh);
         if (extent_m < smallest_m || extent_m > largest_m)
-            warnings.push_back("geometry.unit: the part is " + core::rounded_text(1e3 * extent_m, 3) + " mm long; are the file's lengths in " +
+            warnings.push_back("geometry.unit: the part is " + length_text(extent_m) + " long; are the file's lengths in " +
                                design.values.text("geometry.unit") + "?");
     }
     return warnings;

@@ -173,6 +173,16 @@ mesh::Mesh of_wished_order(mesh::Mesh mesh, const design::Values& values) {
     return raise_order(mesh);
 }
 
+std::vector<design::Key> surface_mesh_keys() {
+    design::Key size = size_key("auto"), through_wall = through_wall_key(), grading = grading_key("4");
+    size.meaning = "of a surface: longest edge of a cell; auto: a twentieth of the part";
+    size.choices = {"auto"};
+    through_wall.meaning = "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone";
+    through_wall.fallback = "1";
+    grading.meaning = "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
+    return {size, through_wall, grading};
+}
+
 /// A part's cells are made here: closed cavities come by themselves, and what is a cavity's wall is not `outer`.
 Body build_part(const design::Values& values) {
     const std::string path = design::file_from(values.place(file_key), values.text(file_key)), &unit = values.text("geometry.unit");
@@ -206,8 +216,14 @@ Body build_part(const design::Values& values) {
 }
 
 void refuse_part_keys(const design::Values& values) {
-    for (const char* key : {"mesh.size", "mesh.through_wall", "mesh.grading", "geometry.symmetry"})
-        if (values.given(key)) throw values.refuse(key, "a mesh has its cells already; this is for surfaces (.stl, .obj, .step)", "mesh.refine: 1");
+    static const std::map<std::string, std::string> defaults = [] {   // a template states them
+        std::map<std::string, std::string> all{{"geometry.symmetry", "none"}};
+        for (const design::Key& key : surface_mesh_keys()) all[key.path] = key.fallback;
+        return all;
+    }();
+    for (const auto& [key, fallback] : defaults)
+        if (values.given(key) && values.text(key) != fallback)
+            throw values.refuse(key, "a mesh has its cells already; this is for surfaces (.stl, .obj, .step)", "mesh.refine: 1 halves them");
     if (const auto rules = face_rules(values); !rules.empty())
         throw values.refuse("geometry.file", "a mesh has its faces already, its physical groups; geometry.faces is for surfaces (.stl, .obj, .step)",
                             "take out geometry.faces");
@@ -251,14 +267,8 @@ std::vector<design::Key> geometry_keys() {
 
 std::vector<design::Key> mesh_keys() {
     using design::Kind;
-    design::Key size = size_key("auto"), through_wall = through_wall_key();
-    size.meaning = "of a surface: longest edge of a cell; auto: a twentieth of the part";
-    size.choices = {"auto"};
-    through_wall.meaning = "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone";
-    through_wall.fallback = "1";
-    design::Key grading = grading_key("4");
-    grading.meaning = "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
-    return {size, through_wall, grading,
+    std::vector<design::Key> keys = surface_mesh_keys();
+    const std::vector<design::Key> more{
             {.path = "mesh.order",
              .kind = Kind::count,
              .fallback = "file",
@@ -275,6 +285,8 @@ std::vector<design::Key> mesh_keys() {
              .fallback = "auto",
              .meaning = "auto: as in the file; simplices: each split into triangles or tetrahedra",
              .choices = {"auto", "simplices"}}};
+    keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
 }
 
 }  // namespace

