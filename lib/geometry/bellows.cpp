@@ -3,12 +3,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
-#include "core/text.hpp"
 #include "geometry/bellows_shape.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
+#include "geometry/strip.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -198,26 +197,11 @@ design::Key land_key(std::string_view name, std::string_view meaning) {
     return key;
 }
 
-/// Made of whole cells, so that the volume of the strip is exact.
-std::optional<Body::Strip> strip_of(const design::Values& values) {
-    constexpr const char* key = "geometry.strip.angle";
-    const double angle_rad = values.number(key);
-    if (angle_rad == 0) return std::nullopt;
-    if (const Model model = model_of(values); model != Model::solid && model != Model::half)
-        throw values.refuse(key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0", "model: solid or half");
-    const double step_rad = std::numbers::pi / values.count("mesh.sectors"), steps = angle_rad / step_rad;
-    if (std::abs(steps - std::round(steps)) > 1e-9 * steps)
-        throw values.refuse(key, "the strip's edges do not lie between cells",
-                            "a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) + " deg, or other mesh.sectors");
-    return Body::Strip{angle_rad, "strip"};
-}
-
 Body build(const design::Values& values) {
     const double bore_m = values.number("geometry.bore_radius");
     Body body;
     body.section = Drawing{values}.draw();
-    body.strip = strip_of(values);
-    if (body.strip) body.region_materials = {{body.strip->region, values.text("geometry.strip.material")}};
+    add_strip_sector(body, values);
     body.sweep = Revolution{values.count("mesh.sectors")};
     body.axis = {-1, 0, 0};   // the inlet lies at the lower x
     const model::Opening bore{"inlet", std::numbers::pi * bore_m * bore_m, {-1, 0, 0}};
@@ -240,12 +224,6 @@ Family bellows() {
     convolutions.max = 1000;
     design::Key last_crest = length_key("last_crest_radius", "same", "crest_radius of the convolution at the held end; evenly in between");
     last_crest.choices = {"same"};
-    design::Key strip{.path = "geometry.strip.angle",
-                      .kind = design::Kind::angle,
-                      .fallback = "0 deg",
-                      .meaning = "sector about the side z < 0 that is of another material all through, so that the bellows bends; 0 = none",
-                      .min = 0,
-                      .max = std::numbers::pi};
     keys.geometry = {std::move(convolutions),
                      length_key("pitch", "9.25 mm", "length of a convolution, trough to trough"),
                      length_key("crest_radius", "19 mm", "outermost radius of the rubber"),
@@ -260,11 +238,8 @@ Family bellows() {
                      length_key("end_disc.radius", "14.5 mm", "radius of both discs"),
                      length_key("neck.length", "1 mm", "between disc and outer wall"),
                      length_key("neck.radius", "7 mm", "radius of the neck; must meet the straight part of the outer wall"),
-                     std::move(strip),
-                     {.path = "geometry.strip.material",
-                      .kind = design::Kind::text,
-                      .fallback = std::string{design::main_region},
-                      .meaning = "name of the strip's material below materials; rubber = material"}};
+                     strip_angle_key(),
+                     strip_material_key()};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"fixed", "inlet", "cavity", "cavity_end", "outer"};
     keys.aliases = {{"end_disc", "fixed"}};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "geometry/regions.hpp"
 #include "geometry/section.hpp"
 #include "mesh/raise_order.hpp"
 
@@ -193,10 +194,7 @@ private:
     }
 
     std::int32_t region(const Triple& cell) {
-        const std::string& name = blocks_.body.boxes[static_cast<std::size_t>(blocks_.box(block_of(cell)))].name;
-        auto found = std::ranges::find(mesh_.region_names, name);
-        if (found == mesh_.region_names.end()) found = mesh_.region_names.insert(found, name);
-        return static_cast<std::int32_t>(found - mesh_.region_names.begin());
+        return region_number(mesh_, blocks_.body.boxes[static_cast<std::size_t>(blocks_.box(block_of(cell)))].name);
     }
 
     [[nodiscard]] std::string face_toward(const Triple& neighbour, std::size_t axis, std::size_t side) const {

@@ -11,7 +11,9 @@
 #include "geometry/loading.hpp"
 #include "geometry/outline_mesher.hpp"
 #include "geometry/outline_sizes.hpp"
+#include "geometry/regions.hpp"
 #include "geometry/section_mesher.hpp"
+#include "geometry/strip.hpp"
 #include "mesh/raise_order.hpp"
 #include "mesh/refine.hpp"
 #include "mesh/split.hpp"
@@ -38,14 +40,7 @@ FreeCells free_cells(const Body& body, const design::Values& values, Model model
 }
 
 void refuse_too_many(const Body& body, const design::Values& values) {
-    const auto cells_along = [&](const std::vector<int>& side) {
-        double cells = 0;
-        for (std::size_t i = 0; i + 1 < side.size(); ++i)
-            cells += body.section.curves[static_cast<std::size_t>(curve_between(body.section, {side[i], side[i + 1]}))].cells;
-        return cells;
-    };
-    double cells = 0;
-    for (const Block& block : body.section.blocks) cells += cells_along(block.sides[0]) * cells_along(block.sides[1]);
+    double cells = cell_count(body.section);
     if (!body.outline.loops.empty()) cells = expected_cells(body.outline);
     const Model model = model_of(values);
     if (const auto* revolution = std::get_if<Revolution>(&body.sweep)) {
@@ -58,16 +53,17 @@ void refuse_too_many(const Body& body, const design::Values& values) {
     refuse_too_many_cells(values, cells);
 }
 
-void mark_strip(mesh::Mesh& solid, const Body::Strip& strip) {
-    const auto region = static_cast<std::int32_t>(solid.region_names.size());
-    solid.region_names.push_back(strip.region);
+void mark_strip(mesh::Mesh& solid, double angle_rad) {
+    const std::vector<std::string> names = solid.region_names;
     for (mesh::Index cell = 0; cell < solid.cell_count(); ++cell) {
         double y = 0, z = 0;
         for (const mesh::Index node : solid.cell_nodes(cell)) {
             y += solid.point(node)[1];
             z += solid.point(node)[2];
         }
-        if (std::atan2(std::abs(y), -z) < 0.5 * strip.angle_rad) solid.cell_regions[static_cast<std::size_t>(cell)] = region;
+        std::int32_t& region = solid.cell_regions[static_cast<std::size_t>(cell)];
+        if (std::atan2(std::abs(y), -z) < 0.5 * angle_rad)
+            region = region_number(solid, strip_region(names[static_cast<std::size_t>(region)]));
     }
 }
 
@@ -91,7 +87,7 @@ Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& re
             solid.fraction *= 0.25;
             break;
     }
-    if (body.strip) mark_strip(solid.mesh, *body.strip);
+    if (body.strip_rad > 0) mark_strip(solid.mesh, body.strip_rad);
     return solid;
 }
 
@@ -168,8 +164,8 @@ std::vector<model::Material> region_materials(const design::Design& design, cons
         materials.push_back(found == design.materials.end() ? design.material : found->second);
         materials.back().name = region;
         if (const auto fibers = body.region_fibers.find(region); fibers != body.region_fibers.end()) {
-            materials.back().fibers = fibers->second;
-            materials.back().fiber_frame = model::FiberFrame::cylindrical;
+            materials.back().fibers = fibers->second.fibers;
+            materials.back().fiber_frame = fibers->second.frame;
         }
     }
     return materials;

@@ -3,7 +3,6 @@
 /// their values. A new family is one file and one line of catalogue.cpp.
 #include <array>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -55,13 +54,12 @@ struct Body {
     /// Names of the materials of regions, those below `materials` of the design; a region that is not here is of the material
     /// of its own name, or of the main one.
     std::map<std::string, std::string> region_materials = {};
-    /// Of a solid of revolution: the cells within half of `angle_rad` of the side z < 0 are a region of their own.
-    struct Strip {
-        double angle_rad;
-        std::string region;
+    double strip_rad = 0;   ///< of a solid of revolution: cells within half of this of the side z < 0 are regions of their own (strip.hpp)
+    struct Winding {
+        model::Fibers fibers;                                       ///< about the axis x
+        model::FiberFrame frame = model::FiberFrame::cylindrical;   ///< cartesian: in flat walls across z
     };
-    std::optional<Strip> strip = {};
-    std::map<std::string, model::Fibers> region_fibers = {};   ///< about the axis x, by the region they lie in
+    std::map<std::string, Winding> region_fibers = {};   ///< by the region they lie in
     std::optional<PartFigures> part = {};      ///< of the file whose surface was meshed
     std::vector<model::Support> supports;      ///< that belong to the shape, besides symmetry planes and axis
 };

@@ -1,19 +1,24 @@
-/// A closed tube (tube.cpp) with fibres in a layer of its wall, from end to end: two families at plus and minus the angle (a
-/// braid: McKibben's muscle), or one, which twists the tube. The rubber between the fibres is that of the region "fibers"
+/// A closed tube (tube.cpp), round or half-round, with fibres in a layer of its wall, from end to end: two families at plus and
+/// minus the angle (a braid: McKibben's muscle), or one, which twists the tube. A strip of another material bends it. The rubber between the fibres is that of the region "fibers"
 /// below `materials`, else the main one; their energy stands in material/fibers.hpp.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/text.hpp"
+#include "geometry/capped.hpp"
 #include "geometry/family.hpp"
+#include "geometry/fiber_keys.hpp"
+#include "geometry/half_round.hpp"
 #include "geometry/keys.hpp"
+#include "geometry/strip.hpp"
 #include "geometry/tube_section.hpp"
 
 namespace soft::geometry {
 namespace {
 
-constexpr const char* fiber_region = "fibers";
+constexpr const char *fiber_region = "fibers", *flat_fiber_region = "fibers_flat";
+constexpr const char *flat_key = "geometry.flat", *strip_thickness_key = "geometry.strip.thickness",
+                     *fibers_place = "geometry.fibers", *layer_key = "geometry.fibers.layer";
 
 /// A layer thinner than this part of the wall would need cells of its own thickness to be more than a line.
 constexpr double least_share = 0.01;
@@ -23,7 +28,7 @@ struct Layer {
 };
 
 Layer checked_layer(const design::Values& values) {
-    constexpr const char* path = "geometry.fibers.layer";
+    const char* path = layer_key;
     const std::vector<double>& bounds = values.numbers(path);
     const auto text = [](double number) { return core::number_text(number); };
     if (bounds.size() != 2)
@@ -53,51 +58,77 @@ std::vector<WallLayer> wall_layers(const TubeShape& shape, const Layer& layer, i
     return layers;
 }
 
-Body build(const design::Values& values) {
-    const TubeShape shape = tube_shape(values);
-    const Layer layer = checked_layer(values);
+void lay_fibers(Body& body, const design::Values& values) {
+    body.region_fibers[fiber_region] = {fibers_of(values, fibers_place)};
+}
+
+Body round_tube(const design::Values& values, const TubeShape& shape, const std::vector<WallLayer>& layers) {
+    if (values.number(strip_thickness_key) > 0)
+        throw values.refuse(strip_thickness_key, "a round tube has no flat wall", "geometry.strip.angle, or geometry.flat larger than 0");
     Body body;
-    body.section = tube_section(shape, values.number("mesh.size"),
-                                wall_layers(shape, layer, cells_through_wall(values, shape.wall_m())));
+    body.section = tube_section(shape, values.number("mesh.size"), layers);
     body.sweep = Revolution{values.count("mesh.sectors")};
     body.cavities = {{"cavity", "cavity", {}, {}}};
-    body.region_fibers[fiber_region] = {values.number("geometry.fibers.angle"), values.number("geometry.fibers.k1"),
-                                        values.number("geometry.fibers.k2"), values.count("geometry.fibers.families")};
+    lay_fibers(body, values);
+    add_strip_sector(body, values);
     return body;
 }
 
-std::vector<design::Key> fiber_keys() {
-    return {{.path = "geometry.fibers.angle",
-             .kind = design::Kind::angle,
-             .fallback = "30 deg",
-             .meaning = "of the fibres from the axis x; below 54.74 deg a thin braided tube shortens, above it lengthens",
-             .min = 0,
-             .max = 0.5 * std::numbers::pi},
-            {.path = "geometry.fibers.families",
-             .kind = design::Kind::count,
-             .fallback = "2",
-             .meaning = "2: fibres at plus and minus the angle, as in a braid; 1: a single helix, which twists (model: solid)",
-             .min = 1,
-             .max = 2},
-            {.path = "geometry.fibers.k1",
-             .kind = design::Kind::pressure,
-             .fallback = "0.5 MPa",
-             .meaning = "stiffness of each family at small stretch, k1/(2 k2) [exp(k2 (I4 - 1)^2) - 1] per volume of the layer",
-             .min = 0,
-             .min_open = true},
-            {.path = "geometry.fibers.k2",
-             .kind = design::Kind::ratio,
-             .fallback = "1",
-             .meaning = "how fast the fibres stiffen",
-             .min = 0,
-             .min_open = true},
-            {.path = "geometry.fibers.layer",
-             .kind = design::Kind::ratio,
-             .fallback = "[0, 1]",
-             .meaning = "where in the wall they lie, from end to end of the tube: [inner, outer] as fractions of its thickness",
-             .min = 0,
-             .max = 1,
-             .most = 2}};
+/// The fibres run straight across the flat wall; below the ring, down its sides, the direction is still that of the ring.
+Body half_tube(const design::Values& values, const TubeShape& shape, const std::vector<WallLayer>& layers) {
+    const Model model = model_of(values);
+    if (model != Model::solid && model != Model::half)
+        throw values.refuse(flat_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0",
+                            "model: solid or half");
+    if (values.number("geometry.strip.angle") > 0)
+        throw values.refuse("geometry.strip.angle", "the strip of a half-round tube lies in its flat wall", "geometry.strip.thickness");
+    const double flat_m = values.number(flat_key), strip_m = values.number(strip_thickness_key);
+    if (!(strip_m < flat_m)) throw values.refuse(strip_thickness_key, not_smaller(strip_m, "flat", flat_m), smaller_than(flat_m));
+    const double size_m = values.number("mesh.size");
+    const int eighth = (values.count("mesh.sectors") + 1) / 2, cap = cells_through_wall(values, shape.cap_m);
+    const HalfRoundCells cells{eighth, cells_through_wall(values, flat_m), size_m};
+    const Capped along{shape.length_m, shape.cap_m, cap, divisions(shape.length_m - 2 * shape.cap_m, size_m), "fixed", "inlet"};
+    const Section section =
+        half_round_section({shape.inner_m, shape.outer_m, flat_m, strip_m}, layers, cells, model == Model::half ? Cut::half : Cut::whole);
+    refuse_too_many_cells(values, cell_count(section) * (2.0 * along.cap_cells + along.along_cells));
+    Body body;
+    body.sweep = ReadyMesh{capped(section, along, "cavity"), model::Kinematics::solid};
+    body.cavities = {{"cavity", "cavity", {}, {}}};
+    if (model == Model::half) {
+        body.symmetry_planes = {false, true, false};
+        body.fraction = 0.5;
+        body.supports = {{symmetry_y_face, {false, true, false}}};
+    }
+    lay_fibers(body, values);
+    body.region_fibers[flat_fiber_region] = {body.region_fibers.at(fiber_region).fibers, model::FiberFrame::cartesian};
+    body.region_materials[flat_fiber_region] = fiber_region;
+    if (strip_m > 0) add_strip_materials(body, values);
+    return body;
+}
+
+Body build(const design::Values& values) {
+    const TubeShape shape = tube_shape(values);
+    const std::vector<WallLayer> layers = wall_layers(shape, checked_layer(values), cells_through_wall(values, shape.wall_m()));
+    return values.number(flat_key) > 0 ? half_tube(values, shape, layers) : round_tube(values, shape, layers);
+}
+
+std::vector<design::Key> own_keys() {
+    design::Key flat = length_key("flat", "0 mm", "thickness of the flat wall, below z = 0, of a half-round tube (model: half or solid); 0 = round");
+    flat.min_open = false;
+    std::vector<design::Key> keys{std::move(flat)};
+    const FiberDefaults defaults{"30 deg", "; below 54.74 deg a thin braided tube shortens, above it lengthens", "0.5 MPa"};
+    for (design::Key& key : fiber_keys(fibers_place, defaults)) keys.push_back(std::move(key));
+    keys.push_back({.path = layer_key,
+                    .kind = design::Kind::ratio,
+                    .fallback = "[0, 1]",
+                    .meaning = "where in the wall they lie, from end to end of the tube: [inner, outer] as fractions of its thickness",
+                    .min = 0,
+                    .max = 1,
+                    .most = 2});
+    design::Key strip = length_key("strip.thickness", "0 mm", "of the lowest part of the flat wall, which is of the strip's material, so that the tube bends; 0 = none");
+    strip.min_open = false;
+    keys.insert(keys.end(), {strip_angle_key(), std::move(strip), strip_material_key()});
+    return keys;
 }
 
 }  // namespace
@@ -105,8 +136,9 @@ std::vector<design::Key> fiber_keys() {
 Family fiber_tube() {
     design::FamilyKeys keys = tube_keys();
     keys.name = "fiber-tube";
-    keys.summary = "a closed tube with fibres wound into its wall: shortens, lengthens or twists by their angle";
-    for (design::Key& key : fiber_keys()) keys.geometry.push_back(std::move(key));
+    keys.summary = "a closed tube with fibres wound into its wall: shortens, lengthens or twists by their angle, or bends";
+    keys.faces.emplace_back("bottom");   // of a half-round one
+    for (design::Key& key : own_keys()) keys.geometry.push_back(std::move(key));
     return {std::move(keys), build};
 }
 

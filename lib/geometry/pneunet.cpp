@@ -126,7 +126,7 @@ std::vector<design::Key> geometry_keys() {
     design::Key material{.path = layer_material,
                          .kind = design::Kind::text,
                          .fallback = "paper",
-                         .meaning = "of the layer: a name below `materials`, paper, or rubber"};
+                         .meaning = "of the layer: a name below `materials`, paper (copy paper of 6.5 GPa; measure yours), or rubber"};
     return {std::move(chambers),
             length_key("chamber_length", "8 mm", "of a chamber along x, outside"),
             length_key("gap", "1 mm", "width of the free slots between chambers, along x"),

@@ -67,6 +67,13 @@ int curve_between(const Section& section, Ends ends) {
     return static_cast<int>(found - section.curves.begin());
 }
 
+double cell_count(const Section& section) {
+    double cells = 0;
+    for (const Block& block : section.blocks)
+        cells += static_cast<double>(cells_along(section, block.sides[0])) * cells_along(section, block.sides[1]);
+    return cells;
+}
+
 int divisions(double length_m, double size_m, int least) {
     constexpr double most = 100000;   // far beyond what can be solved, and safe to convert to int
     return std::max(least, static_cast<int>(std::lround(std::min(length_m / size_m, most))));

@@ -60,6 +60,9 @@ int add_block(Section& section, std::array<std::vector<int>, 4> sides, std::stri
 /// The curve between two neighbouring points of a chain; std::logic_error if no curve joins them.
 [[nodiscard]] int curve_between(const Section& section, Ends ends);
 
+/// Of all blocks.
+[[nodiscard]] double cell_count(const Section& section);
+
 /// Cells of nearly the wished size along a length, but no fewer than `least`.
 [[nodiscard]] int divisions(double length_m, double size_m, int least = 1);
 

@@ -5,15 +5,16 @@
 #include <numbers>
 
 #include "core/units.hpp"
+#include "geometry/capped.hpp"
 #include "geometry/family.hpp"
-#include "geometry/hollow.hpp"
+#include "geometry/fiber_keys.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/section_mesher.hpp"
 
 namespace soft::geometry {
 namespace {
 
-constexpr const char *jacket_region = "jacket", *jacket_material = "geometry.jacket.material";
+constexpr const char *jacket_region = "jacket", *jacket_material = "geometry.jacket.material", *jacket_fibers = "geometry.jacket.fibers";
 constexpr int most_chambers = 4;
 
 constexpr const char* chamber_prefix = "chamber_";
@@ -73,9 +74,13 @@ Counts counts_of(const Shape& shape, const design::Values& values) {
              cells_through_wall(values, middle_m * shape.web_rad),
              cells_through_wall(values, shape.cap_m),
              divisions(shape.length_m - 2 * shape.cap_m, size_m)};
+    const double outer_m = shape.radii_m.back(), wall_m = outer_m - shape.radii_m[chamber_ring + 1];
+    const int through = cells_through_wall(values, wall_m);
     for (std::size_t ring = 0; ring + 1 < shape.radii_m.size(); ++ring) {
         const double width_m = shape.radii_m[ring + 1] - shape.radii_m[ring];
-        n.rings.push_back(ring == chamber_ring ? divisions(width_m, size_m) : cells_through_wall(values, width_m));
+        n.rings.push_back(ring == chamber_ring  ? divisions(width_m, size_m)
+                          : ring < chamber_ring ? cells_through_wall(values, width_m)
+                                                : std::max(1, static_cast<int>(std::lround(through * width_m / wall_m))));   // jacket included
     }
     return n;
 }
@@ -115,43 +120,6 @@ Section section_of(const Shape& shape, const Counts& n) {
     return s;
 }
 
-/// Drawn out in layers of unit length along the third axis, which then become x: the caps' and the chambers'.
-void lay_along_x(mesh::Mesh& block, const Shape& shape, const Counts& n) {
-    const double cap = n.cap, along = n.along;
-    for (mesh::Point& p : block.points) {
-        const double t = p[2];
-        const double x = t <= cap           ? shape.cap_m * t / cap
-                         : t <= cap + along ? shape.cap_m + (shape.length_m - 2 * shape.cap_m) * (t - cap) / along
-                                            : shape.length_m - shape.cap_m * (2 * cap + along - t) / cap;
-        p = {x, p[0], p[1]};
-    }
-}
-
-/// What lies before and behind a chamber is rubber.
-void close_chambers(mesh::Mesh& block, const Shape& shape) {
-    const auto rubber = static_cast<std::int32_t>(std::ranges::find(block.region_names, rubber_region) - block.region_names.begin());
-    for (mesh::Index cell = 0; cell < block.cell_count(); ++cell) {
-        std::int32_t& region = block.cell_regions[static_cast<std::size_t>(cell)];
-        if (!block.region_names[static_cast<std::size_t>(region)].starts_with(chamber_prefix)) continue;
-        const auto corners = block.cell_nodes(cell).first(8);
-        double x = 0;
-        for (const mesh::Index node : corners) x += block.point(node)[0] / static_cast<double>(corners.size());
-        if (x < shape.cap_m || x > shape.length_m - shape.cap_m) region = rubber;
-    }
-}
-
-mesh::Mesh mesh_of(const Shape& shape, const Counts& n) {
-    const int layers = 2 * n.cap + n.along;
-    mesh::Mesh block = extrude(mesh_section(section_of(shape, n)),
-                               {static_cast<double>(layers), layers, {"fixed"}, {"end"}, Extrusion::Along::z});
-    lay_along_x(block, shape, n);
-    close_chambers(block, shape);
-    return hollowed(block, [&](mesh::Index cell) {
-        const std::string& region = block.region_names[static_cast<std::size_t>(block.cell_regions[static_cast<std::size_t>(cell)])];
-        return region.starts_with(chamber_prefix) ? region : std::string{};
-    });
-}
-
 double cells_of(const Shape& shape, const Counts& n) {
     double across = 0;
     for (const int cells : n.rings) across += cells;
@@ -163,9 +131,16 @@ Body build(const design::Values& values) {
     const Counts n = counts_of(shape, values);
     refuse_too_many_cells(values, cells_of(shape, n));
     Body body;
-    body.sweep = ReadyMesh{mesh_of(shape, n), model::Kinematics::solid};
+    body.sweep = ReadyMesh{capped(section_of(shape, n),
+                                  {shape.length_m, shape.cap_m, n.cap, n.along, "fixed", "end"}, chamber_prefix),
+                           model::Kinematics::solid};
     for (int k = 0; k < shape.chambers; ++k) body.cavities.push_back({chamber_name(k), chamber_name(k), {}, {}});
     body.region_materials = {{jacket_region, values.text(jacket_material)}};
+    if (const model::Fibers fibers = fibers_of(values, jacket_fibers); fibers.k1_Pa > 0) {
+        if (!shape.jacket)
+            throw values.refuse(std::string{jacket_fibers} + ".k1", "there is no jacket in which the fibres could lie", "jacket.thickness larger than 0");
+        body.region_fibers[jacket_region] = {fibers};
+    }
     return body;
 }
 
@@ -190,7 +165,8 @@ std::vector<design::Key> geometry_keys() {
                          .kind = design::Kind::text,
                          .fallback = rubber_region,
                          .meaning = "of the jacket: a name below `materials`, or rubber"};
-    return {std::move(chambers),
+    std::vector<design::Key> keys{
+            std::move(chambers),
             length_key("length", "40 mm", "along x, from the held face x = 0; caps included"),
             length_key("outer_radius", "12 mm", "of the body"),
             length_key("bore_radius", "3 mm", "of the open bore along the axis"),
@@ -200,6 +176,9 @@ std::vector<design::Key> geometry_keys() {
             length_key("cap", "3 mm", "thickness of each cap"),
             std::move(jacket),
             std::move(material)};
+    const FiberDefaults defaults{"85 deg", "; steep ones keep the body from swelling, so that it lengthens and bends instead", "0 MPa"};
+    for (design::Key& key : fiber_keys(jacket_fibers, defaults)) keys.push_back(std::move(key));
+    return keys;
 }
 
 }  // namespace

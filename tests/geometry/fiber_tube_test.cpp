@@ -121,6 +121,76 @@ TEST(FiberTube, RefusesRubberThatCannotHaveThem) {
               "the rubber between them");
 }
 
+/// Outer radius 10 mm, inner 7 mm, 100 mm long with caps of 5 mm, the flat wall 4 mm thick.
+constexpr double half_disc_mm2 = 0.5 * pi * 100, hole_mm2 = 0.5 * pi * 49, slab_mm2 = 20 * 4;
+
+TEST(FiberTube, AHalfRoundOneHasTheVolumesAndAreasOfItsSection) {
+    for (const char* model : {"half", "solid"})
+        for (const auto& [layer, begin, end] : {std::tuple{"[0, 1]", 0.0, 1.0}, {"[0.25, 0.5]", 0.25, 0.5}, {"[0.5, 1]", 0.5, 1.0}}) {
+            const design::Design d = read(std::string{"flat: 4 mm, fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n");
+            const auto c = build_case(d);
+            const Solid solid{c.mesh, c.kinematics, c.symmetry_planes, c.model_fraction};
+            constexpr double curved = 2e-5;
+            EXPECT_NEAR(1e9 * sample::rubber_m3(solid) / ((half_disc_mm2 + slab_mm2) * 100 - hole_mm2 * 90), 1, curved);
+            EXPECT_NEAR(1e9 * sample::cavity_m3(solid) / (hole_mm2 * 90), 1, curved);
+            EXPECT_NEAR(1e6 * sample::area_m2(solid, "cavity") / ((7 * pi + 14) * 90 + 2 * hole_mm2), 1, curved);
+            EXPECT_NEAR(1e6 * sample::area_m2(solid, "outer") / ((10 * pi + 2 * 4) * 100), 1, curved);
+            EXPECT_NEAR(1e6 * sample::area_m2(solid, "bottom") / (20 * 100), 1, 1e-12);
+            for (const char* face : {"fixed", "inlet"}) EXPECT_NEAR(1e6 * sample::area_m2(solid, face) / (half_disc_mm2 + slab_mm2), 1, curved);
+            // The layer: half a ring and its two legs down to the flat wall's share of it; there it turns and runs across.
+            const double from = 7 + 3 * begin, to = 7 + 3 * end;
+            const double ring_mm2 = 0.5 * pi * (to * to - from * from), legs_mm2 = 2 * (to - from) * 4 * begin;
+            EXPECT_NEAR(1e9 * region_m3(c, "fibers") / ((ring_mm2 + legs_mm2) * 100), 1, curved) << layer;
+            EXPECT_NEAR(1e9 * region_m3(c, "fibers_flat") / (2 * to * 4 * (end - begin) * 100), 1, curved) << layer;
+            EXPECT_EQ(material_of(c, "fibers").fiber_frame, model::FiberFrame::cylindrical);
+            EXPECT_EQ(material_of(c, "fibers_flat").fiber_frame, model::FiberFrame::cartesian);
+            EXPECT_EQ(material_of(c, "fibers_flat").fibers, material_of(c, "fibers").fibers);
+            EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1);
+        }
+}
+
+TEST(FiberTube, AStripKeepsTheFibresThatRunThroughIt) {
+    const std::string materials = "materials: {cloth: {law: neo-hookean, mu: 5 MPa}, fibers: {law: yeoh, c1: 30 kPa}}\n";
+    const auto strip_m3 = [](const model::Case& c) {
+        double sum = 0;
+        for (const std::string& region : c.mesh.region_names)
+            if (region.ends_with("strip")) {
+                sum += region_m3(c, region);
+                EXPECT_EQ(material_of(c, region).constants.at("mu").front(), 5e6) << region;
+                EXPECT_EQ(material_of(c, region).fibers.has_value(), region != "strip") << region;
+            }
+        return sum;
+    };
+    const auto half = build_case(read("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0.5, 1]}", "model: half\n" + materials));
+    EXPECT_NEAR(1e9 * strip_m3(half) / (20 * 1 * 100), 1, 1e-12);
+    const auto inner = build_case(read("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0, 0.9]}", "model: half\n" + materials));
+    EXPECT_NEAR(1e9 * strip_m3(inner) / (20 * 1 * 100), 1, 1e-12);
+    EXPECT_EQ(material_of(inner, "fibers_flat").law, "yeoh");
+    for (const char* model : {"half", "solid"}) {
+        const auto round = build_case(read("strip: {angle: 72 deg, material: cloth}, fibers: {layer: [0.5, 1]}", std::string{"model: "} + model + "\n" + materials));
+        double rubber_m3 = 0;
+        for (const std::string& region : round.mesh.region_names) rubber_m3 += region_m3(round, region);
+        EXPECT_NEAR(strip_m3(round) / rubber_m3, 0.2, 1e-12) << model;
+        EXPECT_EQ(material_of(round, "fibers").law, "yeoh");
+    }
+}
+
+TEST(FiberTube, RefusesStripsAndFlatWallsThatDoNotFit) {
+    EXPECT_EQ(refusal_of("flat: 4 mm"),
+              "d.yaml:2:18: geometry.flat: model 'axisymmetric' is the same all round or at z > 0 and z < 0; model: solid or half");
+    EXPECT_EQ(refusal_of("strip: {thickness: 1 mm}", "model: half\n"),
+              "d.yaml:2:31: geometry.strip.thickness: a round tube has no flat wall; geometry.strip.angle, or geometry.flat larger than 0");
+    EXPECT_EQ(refusal_of("flat: 4 mm, strip: {thickness: 4 mm}", "model: half\n"),
+              "d.yaml:2:43: geometry.strip.thickness: 4 mm is not smaller than flat 4 mm; smaller than 4 mm");
+    EXPECT_EQ(refusal_of("flat: 4 mm, strip: {angle: 72 deg}", "model: half\n"),
+              "d.yaml:2:39: geometry.strip.angle: the strip of a half-round tube lies in its flat wall; geometry.strip.thickness");
+    EXPECT_EQ(refusal_of("strip: {angle: 72 deg}"),
+              "d.yaml:2:27: geometry.strip.angle: model 'axisymmetric' is the same all round or at z > 0 and z < 0; model: solid or half");
+    EXPECT_EQ(refusal_of("flat: 4 mm, fibers: {families: 1}", "model: half\n"),
+              "d.yaml:2:43: geometry.fibers.families: one family of fibres is not its own mirror image, and the model is cut at planes "
+              "of symmetry; families: 2, or model: solid");
+}
+
 /// Twenty tubes within the ranges, in all models; the same on every machine.
 TEST(FiberTube, RandomDesignsHaveNoInvertedCell) {
     std::mt19937 random(8);

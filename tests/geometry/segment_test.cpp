@@ -114,6 +114,24 @@ TEST(Segment, TheJacketMayBeOfAnotherMaterial) {
     EXPECT_THROW((void)built("{thickness: 0 mm, material: rubber}"), Error);   // cloth is used nowhere
 }
 
+TEST(Segment, FibresLieInTheJacketAlone) {
+    const auto design = [](const std::string& jacket) {
+        return design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
+                                   "loads: {cavities: {chamber_2: {pressure: 5 kPa}}}\ngeometry: {jacket: " + jacket + "}\n",
+                                   "s.yaml", catalogue_keys(), {});
+    };
+    const model::Case wound = build_case(design("{thickness: 0.5 mm, fibers: {angle: 80 deg, k1: 2 MPa, k2: 3}}"));
+    for (const model::Material& material : wound.materials) {
+        ASSERT_EQ(material.fibers.has_value(), material.name == "jacket");
+        if (!material.fibers) continue;
+        EXPECT_EQ(*material.fibers, (model::Fibers{pi * 80 / 180, 2e6, 3, 2}));
+        EXPECT_EQ(material.fiber_frame, model::FiberFrame::cylindrical);
+    }
+    for (const model::Material& material : build_case(design("{thickness: 0.5 mm}")).materials) EXPECT_FALSE(material.fibers);
+    EXPECT_EQ(sample::refusal(design("{fibers: {k1: 2 MPa}}")),
+              "s.yaml:4:34: geometry.jacket.fibers.k1: there is no jacket in which the fibres could lie; jacket.thickness larger than 0");
+}
+
 TEST(Segment, AChamberThatIsNotThereIsRefused) {
     const auto refused = [](const std::string& chambers, const std::string& load) {
         return sample::refusal(design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"

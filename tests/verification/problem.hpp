@@ -63,6 +63,7 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> branch_problems();
 [[nodiscard]] std::vector<Problem> snap_problems();
 [[nodiscard]] std::vector<Problem> actuator_problems();
+[[nodiscard]] std::vector<Problem> family_problems();
 [[nodiscard]] std::vector<Problem> work_problems();
 [[nodiscard]] std::vector<Problem> contact_problems();
 [[nodiscard]] std::vector<Problem> panel_problems();

@@ -1,0 +1,21 @@
+#pragma once
+/// Keys of the fibres that a family lays into a part of its body, below a place such as "geometry.fibers": angle, families, k1, k2
+/// (material/fibers.hpp). Held by geometry/fiber_tube_test and geometry/segment_test.
+#include <string>
+#include <vector>
+
+#include "design/design.hpp"
+#include "model/case.hpp"
+
+namespace soft::geometry {
+
+struct FiberDefaults {
+    std::string angle, angle_meaning;
+    std::string k1;   ///< "0 MPa": no fibres unless the design asks for them
+};
+[[nodiscard]] std::vector<design::Key> fiber_keys(const std::string& place, const FiberDefaults& defaults);
+
+/// k1 = 0 stands for none.
+[[nodiscard]] model::Fibers fibers_of(const design::Values& values, const std::string& place);
+
+}  // namespace soft::geometry

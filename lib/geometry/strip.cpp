@@ -1,0 +1,58 @@
+#include "geometry/strip.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/text.hpp"
+#include "geometry/keys.hpp"
+
+namespace soft::geometry {
+namespace {
+
+constexpr const char *angle_key = "geometry.strip.angle", *material_key = "geometry.strip.material", *strip_name = "strip";
+
+}  // namespace
+
+design::Key strip_angle_key() {
+    return {.path = angle_key,
+            .kind = design::Kind::angle,
+            .fallback = "0 deg",
+            .meaning = "sector about the side z < 0 that is of another material all through, so that the body bends; 0 = none",
+            .min = 0,
+            .max = std::numbers::pi};
+}
+
+design::Key strip_material_key() {
+    return {.path = material_key,
+            .kind = design::Kind::text,
+            .fallback = std::string{design::main_region},
+            .meaning = "name of the strip's material below materials; rubber = material"};
+}
+
+std::string strip_region(const std::string& region) {
+    return region == design::main_region ? std::string{strip_name} : region + "_" + strip_name;
+}
+
+void add_strip_materials(Body& body, const design::Values& values) {
+    body.region_materials[strip_region(std::string{design::main_region})] = values.text(material_key);
+    const auto wound = body.region_fibers;   // what there is before more is added
+    for (const auto& [region, fibers] : wound) {
+        body.region_materials[strip_region(region)] = values.text(material_key);
+        body.region_fibers[strip_region(region)] = fibers;
+    }
+}
+
+void add_strip_sector(Body& body, const design::Values& values) {
+    const double angle_rad = values.number(angle_key);
+    if (angle_rad == 0) return;
+    if (const Model model = model_of(values); model != Model::solid && model != Model::half)
+        throw values.refuse(angle_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0", "model: solid or half");
+    const double step_rad = std::numbers::pi / values.count("mesh.sectors"), steps = angle_rad / step_rad;
+    if (std::abs(steps - std::round(steps)) > 1e-9 * steps)
+        throw values.refuse(angle_key, "the strip's edges do not lie between cells",
+                            "a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) + " deg, or other mesh.sectors");
+    body.strip_rad = angle_rad;
+    add_strip_materials(body, values);
+}
+
+}  // namespace soft::geometry

@@ -1,0 +1,61 @@
+// The example designs of the families that bend or shorten, on meshes that a test can afford, against the values to which their
+// mesh studies converge (notes.md, "Mesh studies of the families"): no independent code has computed them.
+#include <numbers>
+
+#include "problem.hpp"
+
+namespace soft::verification {
+namespace {
+
+struct Study {
+    const char* name;
+    const char* design;
+    std::vector<std::string> sets;
+    const char* quantity;
+    double units;       ///< of the output's SI unit
+    double converged;   ///< extrapolated from the study
+    double tolerance;   ///< what the study gives this mesh, rounded up
+};
+
+constexpr double degrees = 180 / std::numbers::pi, millimetres = 1e3;
+
+Problem held(const Study& study) {
+    return {"Families", study.name, [study] {
+                auto sets = study.sets;
+                sets.insert(sets.end(), {"path.control=pressure", "solver.steps=constant"});
+                const auto run = run_design(study.design, sets);
+                return Outcome{{{.quantity = study.quantity,
+                                 .reference = study.converged,
+                                 .source = "own mesh study, extrapolated",
+                                 .ours = study.units * run.steps.back().outputs.at(0),
+                                 .mesh = run.mesh,
+                                 .seconds = run.seconds,
+                                 .tolerance = study.tolerance,
+                                 .reason = "its mesh is coarse, and the study says by how much"}},
+                               {}};
+            }};
+}
+
+}  // namespace
+
+std::vector<Problem> family_problems() {
+    std::vector<Problem> problems;
+    for (const Study& study : {Study{"braided muscle shortens", "fiber-tube.yaml", {"loads.cavity.pressure=40 kPa", "solver.first_step=0.5"},
+                "elongation at 40 kPa [mm]", millimetres, -4.7866, 5e-4},
+          Study{"braided muscle, quarter solid", "fiber-tube.yaml",
+                {"loads.cavity.pressure=40 kPa", "solver.first_step=0.5", "model=quarter", "mesh.size=3 mm", "mesh.sectors=3", "mesh.through_wall=2"},
+                "elongation at 40 kPa [mm]", millimetres, -4.7866, 2e-3},
+          Study{"half-round muscle bends", "bending-fiber-tube.yaml", {"loads.cavity.pressure=6 kPa", "solver.first_step=1"},
+                "bend at 6 kPa [deg]", degrees, 6.906, 3e-3},
+          Study{"module of three chambers bends", "segment.yaml", {"loads.cavities.chamber_1.pressure=2 kPa", "solver.first_step=1"},
+                "bend at 2 kPa [deg]", degrees, 1.210, 4e-3},
+          Study{"finger of two chambers bends", "pneunet.yaml",
+                {"geometry.chambers=2", "loads.cavity.pressure=0.2 kPa", "solver.first_step=1", "mesh.through_wall=2"},
+                "bend at 0.2 kPa [deg]", degrees, 0.4219, 1.5e-2},
+          Study{"bellows with a strip bends", "bending-bellows.yaml", {"loads.cavity.pressure=1 kPa", "solver.first_step=1"},
+                "bend at 1 kPa [deg]", degrees, -2.7267, 3e-3}})
+        problems.push_back(held(study));
+    return problems;
+}
+
+}  // namespace soft::verification
