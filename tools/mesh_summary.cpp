@@ -76,9 +76,10 @@ std::string length_text(double length_m) { return core::quantity_text(length_m, 
 std::string part_line(const MeshSummary::Part& part, double volume_m3) {
     const surface::WallFigures &before = part.file.walls, &after = part.walls;
     return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " + volume_text(part.file.volume_m3) + ", of the mesh " +
-           core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " % more; walls of " + length_text(before.least.thickness_m) +
+           volume_text(volume_m3) + " (" +
+           core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " %); walls of " + length_text(before.least.thickness_m) +
            " at least, half of them below " + length_text(before.median_m) + ", of the mesh " + length_text(after.least.thickness_m) + " and " +
-           length_text(after.median_m) + "; how far the file is from the body that was drawn is not known here";
+           length_text(after.median_m) + "; cells follow the file's facets, not the smooth body";
 }
 
 mesh::Measure measure_of(const model::Case& model) {

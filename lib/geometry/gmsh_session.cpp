@@ -1,13 +1,9 @@
 #include "geometry/gmsh_session.hpp"
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <gmshc.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <iostream>
 #include <span>
 #include <string>
 
@@ -58,30 +54,6 @@ std::vector<T> taken(T* values, std::size_t count, decltype(gmshFree)* give_back
     give_back(values);
     return copy;
 }
-
-/// While this lives, what is written to stdout goes nowhere.
-class Silence {
-public:
-    Silence() : kept_(::dup(STDOUT_FILENO)) {
-        static_cast<void>(std::fflush(stdout));
-        if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) {
-            ::dup2(nowhere, STDOUT_FILENO);
-            ::close(nowhere);
-        }
-    }
-    ~Silence() {
-        static_cast<void>(std::fflush(stdout));
-        std::cout.flush();
-        if (kept_ < 0) return;
-        ::dup2(kept_, STDOUT_FILENO);
-        ::close(kept_);
-    }
-    Silence(const Silence&) = delete;
-    Silence& operator=(const Silence&) = delete;
-
-private:
-    int kept_;
-};
 
 }  // namespace
 
@@ -230,7 +202,6 @@ void GmshSession::fill(int volume, std::vector<int> surfaces, Filling filling) {
 }
 
 int GmshSession::import_cad(const std::string& path) {
-    const Silence silence;
     int* shapes = nullptr;   // dimension, tag, dimension, tag, ...
     std::size_t count = 0;
     constexpr int only_of_highest_dimension = 1;

@@ -66,7 +66,8 @@ public:
     enum class Filling { delaunay, hxt };
     void fill(int volume, std::vector<int> surfaces, Filling filling);
 
-    /// The number of solids in a CAD file, in mm whatever its unit. What the CAD library prints is swallowed: stdout carries data.
+    /// The number of solids in a CAD file, in mm whatever its unit. The CAD library talks on stdout, and may crash at the program's exit: for a
+    /// process of its own (apart.hpp).
     [[nodiscard]] int import_cad(const std::string& path);
     /// Chords to a full turn, and their bounds as shares of the longest side of the box around all.
     struct Chords {

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
+#include <map>
 #include <numbers>
 
 #include "core/files.hpp"
 #include "core/text.hpp"
+#include "geometry/apart.hpp"
 #include "geometry/body_mesher.hpp"
 #include "geometry/gmsh_session.hpp"
 #include "geometry/keys.hpp"
@@ -19,31 +22,38 @@ constexpr const char* rules_group = "geometry.faces";
 constexpr const char* symmetry_key = "geometry.symmetry";
 constexpr std::array<const char*, 3> symmetry_faces{symmetry_x_face, symmetry_y_face, symmetry_z_face};
 
-surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
-    static_cast<void>(core::read_file(path, core::no_limit));   // says why it cannot be opened
+/// What gmsh makes of the file, as numbers: of solids; of points, their coordinates; the points of each triangle.
+std::vector<double> cad_numbers(const std::string& file) {
     GmshSession gmsh;
-    int volumes = 0;
-    try {
-        volumes = gmsh.import_cad(path.string());
-    } catch (const Error& error) {
-        if (error.code() != ExitCode::internal) throw;
-        throw Error(ExitCode::bad_input, path.string(), std::string{"it cannot be read as STEP ("} + error.what() + ")", "export the body again as STEP");
-    }
-    if (volumes != 1)
-        throw Error(ExitCode::bad_input, path.string(), volumes == 0 ? "it holds no solid" : std::to_string(volumes) + " solids in one file",
-                    volumes == 0 ? "export a solid, not its faces" : "unite them, or put each into a file of its own");
+    const int solids = gmsh.import_cad(file);
+    std::vector<double> result{static_cast<double>(solids)};
+    if (solids != 1) return result;
     gmsh.triangulate(GmshSession::Chords{.per_turn = 64, .longest = 1.0 / 20, .shortest = 1.0 / 500});
-    surface::FacetSoup soup;
-    std::map<std::size_t, std::size_t> numbers;
     const auto [tags, xyz] = gmsh.nodes();
-    for (std::size_t n = 0; n < tags.size(); ++n) {
-        numbers[tags[n]] = n;
-        soup.points.push_back({xyz[3 * n], xyz[3 * n + 1], xyz[3 * n + 2]});
-    }
-    const auto cells = gmsh.cells(2, -1);
-    for (std::size_t n = 0; n + 2 < cells.size(); n += 3)
-        soup.facets.push_back({numbers.at(cells[n]), numbers.at(cells[n + 1]), numbers.at(cells[n + 2])});
-    if (soup.facets.empty()) throw Error(ExitCode::bad_input, path.string(), "gmsh finds no triangles on its faces", "export the body again as STEP, or as STL");
+    std::map<std::size_t, std::size_t> numbers;
+    for (std::size_t n = 0; n < tags.size(); ++n) numbers[tags[n]] = n;
+    result.push_back(static_cast<double>(tags.size()));
+    result.insert(result.end(), xyz.begin(), xyz.end());
+    for (const std::size_t tag : gmsh.cells(2, -1)) result.push_back(static_cast<double>(numbers.at(tag)));
+    return result;
+}
+
+surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
+    constexpr std::chrono::seconds limit{300};   // parts take seconds
+    constexpr std::size_t head = 2;
+    static_cast<void>(core::read_file(path, core::no_limit));   // says why it cannot be opened
+    const auto numbers = done_apart([&] { return cad_numbers(path.string()); }, limit);
+    const auto refuse = [&](const std::string& problem, const std::string& remedy) { throw Error(ExitCode::bad_input, path.string(), problem, remedy); };
+    if (!numbers || numbers->empty()) refuse("it cannot be read as STEP (gmsh fails, or takes more than 5 minutes)", "export the body again as STEP, or as STL");
+    const double solids = numbers->front();
+    if (solids == 0) refuse("it holds no solid", "export a solid, not its faces");
+    if (solids != 1) refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or put each into a file of its own");
+    const auto points = static_cast<std::size_t>(numbers->at(1));
+    surface::FacetSoup soup;
+    for (std::size_t n = head; n < head + 3 * points; n += 3) soup.points.push_back({numbers->at(n), numbers->at(n + 1), numbers->at(n + 2)});
+    const auto corner = [&](std::size_t n) { return static_cast<std::size_t>((*numbers)[n]); };
+    for (std::size_t n = head + 3 * points; n + 2 < numbers->size(); n += 3) soup.facets.push_back({corner(n), corner(n + 1), corner(n + 2)});
+    if (soup.facets.empty()) refuse("gmsh finds no triangles on its faces", "export the body again as STEP, or as STL");
     return soup;
 }
 
