@@ -28,7 +28,8 @@ void close_chambers(mesh::Mesh& block, const Capped& shape, const std::string& c
         const auto corners = block.cell_nodes(cell).first(8);
         double x = 0;
         for (const mesh::Index node : corners) x += block.point(node)[0] / static_cast<double>(corners.size());
-        if (x < shape.cap_m || x > shape.length_m - shape.cap_m) block.cell_regions[static_cast<std::size_t>(cell)] = rubber;
+        if (x < shape.cap_m || x > shape.length_m - shape.cap_m)
+            block.cell_regions[static_cast<std::size_t>(cell)] = rubber;
     }
 }
 
@@ -36,7 +37,9 @@ void close_chambers(mesh::Mesh& block, const Capped& shape, const std::string& c
 
 mesh::Mesh capped(const Section& section, const Capped& shape, const std::string& chamber) {
     const int layers = 2 * shape.cap_cells + shape.along_cells;
-    mesh::Mesh block = extrude(mesh_section(section), {static_cast<double>(layers), layers, {shape.low_face}, {shape.high_face}, Extrusion::Along::z});
+    mesh::Mesh block =
+        extrude(mesh_section(section),
+                {static_cast<double>(layers), layers, {shape.low_face}, {shape.high_face}, Extrusion::Along::z});
     lay_along_x(block, shape);
     close_chambers(block, shape, chamber);
     return hollowed(block, [&](mesh::Index cell) {

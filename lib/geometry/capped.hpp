@@ -9,9 +9,9 @@
 namespace soft::geometry {
 
 struct Capped {
-    double length_m, cap_m;     ///< caps included; of each cap
-    int cap_cells, along_cells; ///< along x: of each cap, and between them
-    std::string low_face, high_face;   ///< at x = 0 and x = length
+    double length_m, cap_m;           ///< caps included; of each cap
+    int cap_cells, along_cells;       ///< along x: of each cap, and between them
+    std::string low_face, high_face;  ///< at x = 0 and x = length
 };
 
 /// The section holds (y, z); its regions whose names begin with `chamber` become rooms, with faces of the same names, and are

@@ -11,7 +11,7 @@ namespace soft::geometry {
 
 struct FiberDefaults {
     std::string angle, angle_meaning;
-    std::string k1;   ///< "0 MPa": no fibres unless the design asks for them
+    std::string k1;  ///< "0 MPa": no fibres unless the design asks for them
 };
 [[nodiscard]] std::vector<design::Key> fiber_keys(const std::string& place, const FiberDefaults& defaults);
 

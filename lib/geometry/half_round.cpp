@@ -14,7 +14,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 constexpr const char *cavity = "cavity", *bottom = "bottom", *outer = "outer";
-constexpr double core_share = 0.5;   ///< of the inner radius: width and height of the square in the cavity's middle
+constexpr double core_share = 0.5;  ///< of the inner radius: width and height of the square in the cavity's middle
 
 /// A strip of cells between two values of y, or of z.
 struct Band {
@@ -27,7 +27,8 @@ public:
     Drawing(const HalfRound& shape, std::span<const WallLayer> layers, const HalfRoundCells& cells, Cut cut)
         : shape_(shape), layers_(layers.begin(), layers.end()), cells_(cells), cut_(cut) {
         const double core_m = core_share * shape.inner_m;
-        columns_ = {{0, core_m, cells.eighth}, {core_m, shape.inner_m, divisions(shape.inner_m - core_m, cells.size_m)}};
+        columns_ = {{0, core_m, cells.eighth},
+                    {core_m, shape.inner_m, divisions(shape.inner_m - core_m, cells.size_m)}};
         double from_m = shape.inner_m;
         for (const WallLayer& layer : layers_) {
             columns_.push_back({from_m, layer.outer_m, layer.cells});
@@ -49,8 +50,9 @@ private:
     /// The flat wall from its floor down, cut where a layer or the strip begins.
     void add_rows() {
         const auto depth_m = [&](std::size_t layer) {
-            return layer + 1 == layers_.size() ? shape_.flat_m
-                                               : shape_.flat_m * (layers_[layer].outer_m - shape_.inner_m) / (shape_.outer_m - shape_.inner_m);
+            return layer + 1 == layers_.size()
+                       ? shape_.flat_m
+                       : shape_.flat_m * (layers_[layer].outer_m - shape_.inner_m) / (shape_.outer_m - shape_.inner_m);
         };
         const double strip_m = shape_.flat_m - shape_.strip_m;
         double from_m = 0;
@@ -94,12 +96,13 @@ private:
     void side(int sign) {
         sign_ = sign;
         fill_cavity();
-        for (std::size_t ring = own_columns; ring < columns_.size(); ++ring) draw_ring(columns_[ring], layers_[ring - own_columns].region);
+        for (std::size_t ring = own_columns; ring < columns_.size(); ++ring)
+            draw_ring(columns_[ring], layers_[ring - own_columns].region);
         for (std::size_t row = 0; row < rows_.size(); ++row)
             for (std::size_t column = 0; column < columns_.size(); ++column) draw_flat(column, row);
     }
 
-    int place(double y, double z) { return at(sign_ * y + 0.0, z); }   // -0 + 0 = 0
+    int place(double y, double z) { return at(sign_ * y + 0.0, z); }  // -0 + 0 = 0
     std::array<int, 3> arc_points(double r) {
         const double slope = r * std::numbers::sqrt2 / 2;
         return {place(r, 0), place(slope, slope), place(0, r)};
@@ -145,7 +148,9 @@ private:
         const bool down = column >= own_columns && column - own_columns > layer;
         const std::string& name = layers_[down ? column - own_columns : layer].region;
         const std::string region = down || name == rubber_region ? name : name + "_flat";
-        return rows_[row].from_m >= (shape_.flat_m - shape_.strip_m) * (1 - 1e-9) && shape_.strip_m > 0 ? strip_region(region) : region;
+        return rows_[row].from_m >= (shape_.flat_m - shape_.strip_m) * (1 - 1e-9) && shape_.strip_m > 0
+                   ? strip_region(region)
+                   : region;
     }
 
     void draw_flat(std::size_t column, std::size_t row) {
@@ -174,7 +179,8 @@ private:
 
 }  // namespace
 
-Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers, const HalfRoundCells& cells, Cut cut) {
+Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers, const HalfRoundCells& cells,
+                           Cut cut) {
     return Drawing{shape, layers, cells, cut}.draw();
 }
 

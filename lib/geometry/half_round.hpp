@@ -9,21 +9,22 @@
 namespace soft::geometry {
 
 struct HalfRound {
-    double inner_m, outer_m;   ///< radii of the ring
-    double flat_m;             ///< thickness of the flat wall
-    double strip_m;            ///< of its lowest part, which is of another material; 0 = none
+    double inner_m, outer_m;  ///< radii of the ring
+    double flat_m;            ///< thickness of the flat wall
+    double strip_m;           ///< of its lowest part, which is of another material; 0 = none
 };
 
 struct HalfRoundCells {
-    int eighth;       ///< around an eighth of a turn
-    int flat;         ///< through the flat wall
-    double size_m;    ///< elsewhere
+    int eighth;     ///< around an eighth of a turn
+    int flat;       ///< through the flat wall
+    double size_m;  ///< elsewhere
 };
 
 enum class Cut { whole, half };
 
 /// Regions: "cavity"; those of the layers, with "_flat" after a name other than rubber where they run across the flat wall; the
 /// strip's by strip_region. Faces "bottom", "outer", and "symmetry_y" of the half y >= 0.
-[[nodiscard]] Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers, const HalfRoundCells& cells, Cut cut);
+[[nodiscard]] Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers,
+                                         const HalfRoundCells& cells, Cut cut);
 
 }  // namespace soft::geometry

@@ -9,7 +9,8 @@
 namespace soft::geometry {
 namespace {
 
-constexpr const char *angle_key = "geometry.strip.angle", *material_key = "geometry.strip.material", *strip_name = "strip";
+constexpr const char *angle_key = "geometry.strip.angle", *material_key = "geometry.strip.material",
+                     *strip_name = "strip";
 
 }  // namespace
 
@@ -17,7 +18,8 @@ design::Key strip_angle_key() {
     return {.path = angle_key,
             .kind = design::Kind::angle,
             .fallback = "0 deg",
-            .meaning = "sector about the side z < 0 that is of another material all through, so that the body bends; 0 = none",
+            .meaning =
+                "sector about the side z < 0 that is of another material all through, so that the body bends; 0 = none",
             .min = 0,
             .max = std::numbers::pi};
 }
@@ -35,7 +37,7 @@ std::string strip_region(const std::string& region) {
 
 void add_strip_materials(Body& body, const design::Values& values) {
     body.region_materials[strip_region(std::string{design::main_region})] = values.text(material_key);
-    const auto wound = body.region_fibers;   // what there is before more is added
+    const auto wound = body.region_fibers;  // what there is before more is added
     for (const auto& [region, fibers] : wound) {
         body.region_materials[strip_region(region)] = values.text(material_key);
         body.region_fibers[strip_region(region)] = fibers;
@@ -46,11 +48,14 @@ void add_strip_sector(Body& body, const design::Values& values) {
     const double angle_rad = values.number(angle_key);
     if (angle_rad == 0) return;
     if (const Model model = model_of(values); model != Model::solid && model != Model::half)
-        throw values.refuse(angle_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0", "model: solid or half");
+        throw values.refuse(
+            angle_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0",
+            "model: solid or half");
     const double step_rad = std::numbers::pi / values.count("mesh.sectors"), steps = angle_rad / step_rad;
     if (std::abs(steps - std::round(steps)) > 1e-9 * steps)
         throw values.refuse(angle_key, "the strip's edges do not lie between cells",
-                            "a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) + " deg, or other mesh.sectors");
+                            "a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) +
+                                " deg, or other mesh.sectors");
     body.strip_rad = angle_rad;
     add_strip_materials(body, values);
 }

@@ -12,9 +12,9 @@ struct Study {
     const char* design;
     std::vector<std::string> sets;
     const char* quantity;
-    double units;       ///< of the output's SI unit
-    double converged;   ///< extrapolated from the study
-    double tolerance;   ///< what the study gives this mesh, rounded up
+    double units;      ///< of the output's SI unit
+    double converged;  ///< extrapolated from the study
+    double tolerance;  ///< what the study gives this mesh, rounded up
 };
 
 constexpr double degrees = 180 / std::numbers::pi, millimetres = 1e3;
@@ -40,20 +40,50 @@ Problem held(const Study& study) {
 
 std::vector<Problem> family_problems() {
     std::vector<Problem> problems;
-    for (const Study& study : {Study{"braided muscle shortens", "fiber-tube.yaml", {"loads.cavity.pressure=40 kPa", "solver.first_step=0.5"},
-                "elongation at 40 kPa [mm]", millimetres, -4.7866, 5e-4},
-          Study{"braided muscle, quarter solid", "fiber-tube.yaml",
-                {"loads.cavity.pressure=40 kPa", "solver.first_step=0.5", "model=quarter", "mesh.size=3 mm", "mesh.sectors=3", "mesh.through_wall=2"},
-                "elongation at 40 kPa [mm]", millimetres, -4.7866, 2e-3},
-          Study{"half-round muscle bends", "bending-fiber-tube.yaml", {"loads.cavity.pressure=6 kPa", "solver.first_step=1"},
-                "bend at 6 kPa [deg]", degrees, 6.906, 3e-3},
-          Study{"module of three chambers bends", "segment.yaml", {"loads.cavities.chamber_1.pressure=2 kPa", "solver.first_step=1"},
-                "bend at 2 kPa [deg]", degrees, 1.210, 4e-3},
-          Study{"finger of two chambers bends", "pneunet.yaml",
+    for (const Study& study :
+         {Study{"braided muscle shortens",
+                "fiber-tube.yaml",
+                {"loads.cavity.pressure=40 kPa", "solver.first_step=0.5"},
+                "elongation at 40 kPa [mm]",
+                millimetres,
+                -4.7866,
+                5e-4},
+          Study{"braided muscle, quarter solid",
+                "fiber-tube.yaml",
+                {"loads.cavity.pressure=40 kPa", "solver.first_step=0.5", "model=quarter", "mesh.size=3 mm",
+                 "mesh.sectors=3", "mesh.through_wall=2"},
+                "elongation at 40 kPa [mm]",
+                millimetres,
+                -4.7866,
+                2e-3},
+          Study{"half-round muscle bends",
+                "bending-fiber-tube.yaml",
+                {"loads.cavity.pressure=6 kPa", "solver.first_step=1"},
+                "bend at 6 kPa [deg]",
+                degrees,
+                6.906,
+                3e-3},
+          Study{"module of three chambers bends",
+                "segment.yaml",
+                {"loads.cavities.chamber_1.pressure=2 kPa", "solver.first_step=1"},
+                "bend at 2 kPa [deg]",
+                degrees,
+                1.210,
+                4e-3},
+          Study{"finger of two chambers bends",
+                "pneunet.yaml",
                 {"geometry.chambers=2", "loads.cavity.pressure=0.2 kPa", "solver.first_step=1", "mesh.through_wall=2"},
-                "bend at 0.2 kPa [deg]", degrees, 0.4219, 1.5e-2},
-          Study{"bellows with a strip bends", "bending-bellows.yaml", {"loads.cavity.pressure=1 kPa", "solver.first_step=1"},
-                "bend at 1 kPa [deg]", degrees, -2.7267, 3e-3}})
+                "bend at 0.2 kPa [deg]",
+                degrees,
+                0.4219,
+                1.5e-2},
+          Study{"bellows with a strip bends",
+                "bending-bellows.yaml",
+                {"loads.cavity.pressure=1 kPa", "solver.first_step=1"},
+                "bend at 1 kPa [deg]",
+                degrees,
+                -2.7267,
+                3e-3}})
         problems.push_back(held(study));
     return problems;
 }
