@@ -5,7 +5,7 @@ case $3 in   # what the design is there to show
     vacuum) code=2 ends=self_contact ;;
     *) code=0 ends="done" ;;
 esac
-case $3 in pneunet | segment) export LIMIT=800 ;; esac   # solids
+case $3 in pneunet | segment | imported-part) export LIMIT=800 ;; esac   # solids
 run "mesh-gen designs/$3.yaml --json mesh.json -o case.h5 && solve case.h5 --json solve.json | postprocess --json curve.json -o curve.csv"
 claim "it runs to its end" exits "$code"
 claim "stdout has nothing" [ ! -s "$seen/out" ]

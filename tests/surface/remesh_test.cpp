@@ -69,7 +69,7 @@ TEST(Remesh, ABallStaysAtItsFacetsAndClosed) {
     EXPECT_LT(result.triangles.size(), ball.triangles.size() / 3);
 }
 
-/// A plate of 1 mm with a step of 0.1 mm, far below the size: it stays where it is.
+/// Cells of three times the radius are wished: deviation, not size, decides.
 TEST(Remesh, NoTriangleLeavesTheSurfaceByMoreThanATwentiethOfItsSize) {
     const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 1, 48));   // radius 1 mm, cells of 3 mm wished
     const Remeshed result = remeshed(ball, 3e-3);
