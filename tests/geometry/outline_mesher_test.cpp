@@ -123,10 +123,10 @@ TEST(OutlineMesher, TrianglesOnTheAxisTurnIntoASoundSolidBall) {
         for (const auto& [face, facets] : solid.facet_sets) {
             named.insert(facets.begin(), facets.end());
             sides += facets.size();
-            if (face == "outer")
-                for (const mesh::Facet& facet : facets)
-                    for (const mesh::Index n : facet_nodes(solid, facet))
-                        EXPECT_NEAR(std::hypot(solid.point(n)[0], solid.point(n)[1], solid.point(n)[2]), 10e-3, 1e-11);
+            if (face != "outer") continue;
+            for (const mesh::Facet& facet : facets)
+                for (const mesh::Index n : facet_nodes(solid, facet))
+                    EXPECT_NEAR(std::hypot(solid.point(n)[0], solid.point(n)[1], solid.point(n)[2]), 10e-3, 1e-11);
         }
         const auto boundary = mesh::boundary_facets(solid);
         EXPECT_EQ(sides, boundary.size());

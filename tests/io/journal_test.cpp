@@ -180,7 +180,8 @@ std::vector<double> numbers(int count, double first) {
 
 solution::StatePoint example_state(double first) {
     return {numbers(9, first), numbers(9, -first), numbers(2, first),  numbers(2, 3 * first), 0.25,
-            -0.5,              -1e-3 * first,      numbers(2, 2 * first), 1e-7 * first,       3};
+            -0.5,              -1e-3 * first,      numbers(2, 2 * first), 1e-7 * first,       2e-3 * first,
+            3};
 }
 
 /// Of section_case(); every member has a value of its own.

@@ -90,8 +90,9 @@ TEST(Curve, TellsEveryMeasureInItsUnit) {
     // A table that is read back finds them.
     for (const Column& column : curve.columns) {
         const table::Heading heading = table::parse_heading(column.name);
-        if (column.source == Source::output) EXPECT_EQ(heading.quantity, column.quantity);
-        if (column.source == Source::output) EXPECT_EQ(table::dimension_of(heading.unit), column.dimension) << column.name;
+        if (column.source != Source::output) continue;
+        EXPECT_EQ(heading.quantity, column.quantity);
+        EXPECT_EQ(table::dimension_of(heading.unit), column.dimension) << column.name;
     }
 }
 

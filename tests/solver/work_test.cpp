@@ -17,7 +17,7 @@ TEST(Work, OfAnInflationIsTheEnergyOfTheRubber) {
     const auto result = run(input);  // past the limit point
     ASSERT_EQ(result.end.reason, solution::StopReason::done);
     for (const auto& step : result.steps)
-        if (step.energies->stored_J > 0) EXPECT_LT(gap(step), 1e-4) << step.load_factor;
+        EXPECT_TRUE(step.energies->stored_J <= 0 || gap(step) < 1e-4) << step.load_factor;
     EXPECT_GT(result.steps.back().energies->stored_J, 0.1);  // of the whole sphere
 }
 
