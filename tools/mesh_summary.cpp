@@ -73,6 +73,12 @@ std::string volume_text(double volume_m3) { return core::quantity_text(volume_m3
 
 std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
 
+std::string corners_line(const mesh::InnerCorners& corners) {
+    const std::string where = corners.length_m > 0 ? length_text(corners.length_m) + " of edges" : std::to_string(corners.count);
+    return "sharp inner corners: " + where + ", cells of " + length_text(corners.cell_m) +
+           " beside them; the largest stretch there only grows on finer meshes, judge by stretch_p99; curves converge slowly, see --tolerance of solve";
+}
+
 std::string part_line(const MeshSummary::Part& part, double volume_m3) {
     const surface::WallFigures &before = part.file.walls, &after = part.walls;
     return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " + volume_text(part.file.volume_m3) + ", of the mesh " +
@@ -108,6 +114,7 @@ MeshSummary inspect(const geometry::Built& built) {
     summary.points = model.mesh.points.size();
     summary.unknowns = free_displacements(model) + pressures(model);
     summary.quality = mesh::quality(model.mesh);
+    summary.inner_corners = mesh::inner_corners(model.mesh);
     summary.rubber_volume_m3 = mesh::measure(model.mesh, measure_of(model)) / model.model_fraction;
     summary.mass_kg = mass_kg(model);
     summary.cavities = surface::check_cavities(model);
@@ -134,6 +141,7 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
     std::vector<std::string> lines{core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" + summary.cell_types +
                 "), " + std::to_string(summary.points) + " points, " + std::to_string(summary.unknowns) + " unknowns",
             shape};
+    if (summary.inner_corners.count > 0) lines.push_back(corners_line(summary.inner_corners));
     if (!summary.part) return lines;
     lines.push_back(part_line(*summary.part, summary.rubber_volume_m3));
     if (!summary.part->file.repairs.empty()) lines.push_back(summary.part->file.file + ": repaired: " + core::join(summary.part->file.repairs));
@@ -166,6 +174,7 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
                                    {"worst_cell", summary.quality.worst_cell},
                                    {"worst_place_m", summary.quality.worst_place_m},
                                    {"warnings", warnings}};
+    json["inner_corners"] = {{"count", summary.inner_corners.count}, {"length_m", summary.inner_corners.length_m}, {"cell_m", summary.inner_corners.cell_m}};
     if (summary.mass_kg) json["mass_kg"] = *summary.mass_kg;
     if (summary.part)
         json["part"] = {{"file", summary.part->file.file},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/build.hpp"
+#include "mesh/inner_corners.hpp"
 #include "mesh/quality.hpp"
 #include "model/case.hpp"
 #include "surface/report.hpp"
@@ -22,6 +23,7 @@ struct MeshSummary {
     double rubber_volume_m3 = 0;  ///< whole actuator
     std::optional<double> mass_kg;  ///< whole actuator; of materials that all have a density
     mesh::Quality quality;
+    mesh::InnerCorners inner_corners;
     std::vector<surface::CavityReport> cavities;
     /// Of a part that came as a surface: the file's figures, and the mesh's walls to compare.
     struct Part {
@@ -35,7 +37,7 @@ struct MeshSummary {
 /// Refuses a case that cannot be solved: inverted cells, a cavity that is open or meets itself (Error(bad_input)).
 [[nodiscard]] MeshSummary inspect(const geometry::Built& built);
 
-/// Two lines for a person, four where a part was meshed.
+/// Two lines for a person; one more where there are sharp inner corners, two more where a part was meshed.
 [[nodiscard]] std::vector<std::string> summary_lines(const MeshSummary& summary);
 /// SI, units in the names.
 [[nodiscard]] nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings);
