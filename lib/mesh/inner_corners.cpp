@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/tensor.hpp"
 #include "mesh/shape.hpp"
 
 namespace soft::mesh {
@@ -19,8 +20,7 @@ struct Side {
 };
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double norm(const Point& a) { return std::sqrt(dot(a, a)); }
+double norm(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
 
 /// Corners of the facet that a corner of the body may lie on: one of a section's, two of a solid's.
 using Ridge = std::pair<Index, Index>;
@@ -37,10 +37,7 @@ Side side_at(const Mesh& mesh, const std::vector<Index>& nodes, CellType type, s
                 along[i] += values[a].gradient[0] * x;
                 across[i] += values[a].gradient[1] * x;
             }
-        normal = facet.dimension == 1
-                     ? Point{along[1], -along[0], 0}
-                     : Point{along[1] * across[2] - along[2] * across[1], along[2] * across[0] - along[0] * across[2],
-                             along[0] * across[1] - along[1] * across[0]};
+        normal = facet.dimension == 1 ? Point{along[1], -along[0], 0} : cross(along, across);
         return place;
     };
     std::array<double, 3> corner{}, centre{};
