@@ -77,7 +77,8 @@ void refuse_empty_values(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options())
         for (const std::string& value : option->results())
             if (value.empty())
-                throw Error(ExitCode::usage, option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front(),
+                throw Error(ExitCode::usage,
+                            option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front(),
                             "its value is empty", "leave it out, or give one");
 }
 
@@ -151,10 +152,11 @@ void at_most_one_of(const CLI::App& app, std::span<const std::string> options) {
 void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
     namespace fs = std::filesystem;
     const auto is_same = [](const std::string& a, const std::string& b) {
-        std::error_code failed;   // of a file that is not there yet: then the names decide
-        if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;   // /dev/null takes anything
+        std::error_code failed;  // of a file that is not there yet: then the names decide
+        if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;  // /dev/null takes anything
         if (fs::equivalent(a, b, failed) && !failed) return true;
-        const fs::path whole_a = fs::weakly_canonical(fs::absolute(a), failed), whole_b = fs::weakly_canonical(fs::absolute(b), failed);
+        const fs::path whole_a = fs::weakly_canonical(fs::absolute(a), failed),
+                       whole_b = fs::weakly_canonical(fs::absolute(b), failed);
         return !failed && whole_a == whole_b;
     };
     const auto is_file = [](const NamedFile& named) { return !named.file.empty() && named.file != "-"; };
@@ -163,13 +165,16 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
         if (out.file.empty()) continue;
         for (const NamedFile& before : std::span(outputs).first(i)) {
             if (out.file == "-" && before.file == "-")
-                throw Error(ExitCode::usage, "", before.option + " and " + out.option + " cannot both go to stdout", "name a file for one");
+                throw Error(ExitCode::usage, "", before.option + " and " + out.option + " cannot both go to stdout",
+                            "name a file for one");
             if (is_file(out) && is_file(before) && is_same(out.file, before.file))
-                throw Error(ExitCode::usage, out.option + " " + out.file, "is also the file of " + before.option, "give each its own");
+                throw Error(ExitCode::usage, out.option + " " + out.file, "is also the file of " + before.option,
+                            "give each its own");
         }
         for (const NamedFile& in : inputs)
             if (is_file(out) && is_file(in) && is_same(out.file, in.file))
-                throw Error(ExitCode::usage, out.option + " " + out.file, "would overwrite the input", "write to another file");
+                throw Error(ExitCode::usage, out.option + " " + out.file, "would overwrite the input",
+                            "write to another file");
     }
 }
 

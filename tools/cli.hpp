@@ -66,7 +66,7 @@ void at_most_one_of(const CLI::App& app, std::span<const std::string> options);
 
 /// A file of an option, for check_distinct.
 struct NamedFile {
-    std::string option, file;   ///< file: "" and "-" as in the options
+    std::string option, file;  ///< file: "" and "-" as in the options
 };
 /// Error(usage) where an output would overwrite an input or another output, and where two go to stdout. Before any work.
 void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
@@ -89,7 +89,8 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 [[nodiscard]] int guarded(int argc, char** argv, const std::function<ExitCode()>& body);
 
 /// The part of it that tells errors; for one piece of work of several. `command_line` stands in requests to report.
-[[nodiscard]] ExitCode telling_errors(std::string_view tool, std::string_view command_line, const std::function<ExitCode()>& body);
+[[nodiscard]] ExitCode telling_errors(std::string_view tool, std::string_view command_line,
+                                      const std::function<ExitCode()>& body);
 
 /// "mesh-gen 'my tube.yaml' -o t.h5": quoted so that it can be pasted into a shell.
 [[nodiscard]] std::string command_line_of(const std::vector<std::string>& words);

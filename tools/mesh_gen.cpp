@@ -50,11 +50,13 @@ std::string write_surface(const model::Case& model, const std::string& file) {
                                                                  share_of_extent * model::extent_m(model.mesh));
     cli::write_output(file, surface::surface_file(triangles, file), cli::Content::binary);
     std::string line = file + ": " + std::to_string(triangles.triangles.size()) + " triangles";
-    if (model.model_fraction < 1) line += " around 1/" + core::rounded_text(1 / model.model_fraction, 3) + " of the actuator, closed at its cuts";
+    if (model.model_fraction < 1)
+        line += " around 1/" + core::rounded_text(1 / model.model_fraction, 3) + " of the actuator, closed at its cuts";
     return line;
 }
 
-ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input, const std::vector<design::Override>& overrides) {
+ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
+               const std::vector<design::Override>& overrides) {
     cli::Console console{about.tool, options.common.verbosity};
     const design::Design design =
         design::read_design(input.text(), input.source, geometry::catalogue_keys(), overrides);
@@ -80,17 +82,21 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input, cons
 ExitCode run_task(const cli::MeshGenOptions& options) {
     constexpr std::size_t longest_design = (std::size_t{1} << 20) + 1;  // one more than the reader takes: it says so
     const std::string& output = options.common.output;
-    cli::check_distinct({{"DESIGN", options.inputs.front()}}, {{"--output", output}, {"--json", options.common.json}, {"--surface", options.surface}});
+    cli::check_distinct({{"DESIGN", options.inputs.front()}},
+                        {{"--output", output}, {"--json", options.common.json}, {"--surface", options.surface}});
     switch (options.task) {
         case cli::Task::list: cli::write_output(output, family_list()); return ExitCode::ok;
-        case cli::Task::list_materials: cli::write_output(output, design::law_list(options.law_style)); return ExitCode::ok;
+        case cli::Task::list_materials:
+            cli::write_output(output, design::law_list(options.law_style));
+            return ExitCode::ok;
         case cli::Task::print_template:
             cli::write_output(output, design::template_yaml(family_named(options.family)));
             return ExitCode::ok;
         case cli::Task::explain:
         case cli::Task::check: break;
         case cli::Task::surface:
-            if (!surface::is_surface_file(options.surface)) throw surface::no_surface_file(options.surface);   // before the mesh is made
+            if (!surface::is_surface_file(options.surface))
+                throw surface::no_surface_file(options.surface);  // before the mesh is made
             break;
         case cli::Task::build: cli::check_output(output, cli::Content::binary); break;
     }
@@ -110,7 +116,8 @@ ExitCode mesh_gen(const cli::MeshGenOptions& options) {
     cli::make_folder(options.folder);
     ExitCode first = ExitCode::ok;
     for (const cli::MeshGenOptions& one : all) {
-        const ExitCode code = cli::telling_errors(about.tool, one.common.command_line, [&one] { return run_task(one); });
+        const ExitCode code =
+            cli::telling_errors(about.tool, one.common.command_line, [&one] { return run_task(one); });
         if (first == ExitCode::ok) first = code;
     }
     return first;
@@ -118,4 +125,6 @@ ExitCode mesh_gen(const cli::MeshGenOptions& options) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return soft::cli::run_guarded(argc, argv, soft::cli::parse_mesh_gen_options, mesh_gen); }
+int main(int argc, char** argv) {
+    return soft::cli::run_guarded(argc, argv, soft::cli::parse_mesh_gen_options, mesh_gen);
+}

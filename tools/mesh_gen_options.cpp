@@ -17,14 +17,13 @@ std::vector<Library> libraries() {
     return {{"gmsh", gmsh}, {"CGAL", cgal}, {"HDF5", hdf5}, {"yaml-cpp", yaml_cpp}};
 }
 
-const About about{
-    .tool = "mesh-gen",
-    .summary = "a parametric soft actuator (YAML) to a case (HDF5): mesh, materials, supports and loads",
-    .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
-                  "the whole way from design to curve"},
-                 {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
-                  "a design to start from, changed and meshed"}},
-    .libraries = libraries};
+const About about{.tool = "mesh-gen",
+                  .summary = "a parametric soft actuator (YAML) to a case (HDF5): mesh, materials, supports and loads",
+                  .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
+                                "the whole way from design to curve"},
+                               {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
+                                "a design to start from, changed and meshed"}},
+                  .libraries = libraries};
 
 std::vector<std::string> family_names() {
     std::vector<std::string> names;
@@ -41,8 +40,9 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     CLI::App app;
     const auto task = [&options](Task chosen) { return [&options, chosen] { options.task = chosen; }; };
     add_inputs(app, options.inputs, "DESIGN", "The design (YAML)");
-    app.add_option("--output-folder", options.folder, "Write FOLDER/NAME.h5 for each NAME.yaml of several designs; one that fails "
-                                                      "is told, the others go on")
+    app.add_option("--output-folder", options.folder,
+                   "Write FOLDER/NAME.h5 for each NAME.yaml of several designs; one that fails "
+                   "is told, the others go on")
         ->type_name("FOLDER");
     app.add_flag_callback("--check", task(Task::check), "Validate the design and write nothing");
     app.add_flag_callback("--explain", task(Task::explain),
@@ -50,13 +50,15 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     app.add_flag_callback("--list", task(Task::list), "Print the actuator families");
     auto* materials = app.add_flag_callback("--list-materials", task(Task::list_materials),
                                             "Print the material laws: energy, parameters, ranges, sources");
-    app.add_flag_callback("--markdown", [&options] { options.law_style = design::LawListStyle::markdown; },
-                          "Print the laws as the tables of the README")
+    app.add_flag_callback(
+           "--markdown", [&options] { options.law_style = design::LawListStyle::markdown; },
+           "Print the laws as the tables of the README")
         ->needs(materials);
     app.add_option("--template", options.family, "Print a commented, runnable design of the family")
         ->type_name("FAMILY")
         ->check(CLI::IsMember(family_names()));
-    app.add_option("--surface", options.surface, "Write the surface of a solid instead of a case: STL or OBJ by the ending, in mm")
+    app.add_option("--surface", options.surface,
+                   "Write the surface of a solid instead of a case: STL or OBJ by the ending, in mm")
         ->type_name("FILE");
     add_set_option(app, options.sets);
     add_common_options(app, options.common, about);
@@ -81,14 +83,15 @@ std::vector<MeshGenOptions> one_by_one(const MeshGenOptions& options) {
     std::set<std::string> files;
     for (const std::string& input : options.inputs) {
         if (input.empty() || input == "-")
-            throw Error(ExitCode::usage, "--output-folder", "a design from stdin has no name", "name its file, or use -o");
+            throw Error(ExitCode::usage, "--output-folder", "a design from stdin has no name",
+                        "name its file, or use -o");
         MeshGenOptions& one = all.emplace_back(options);
         one.inputs = {input};
         one.folder.clear();
         one.common.output = (fs::path{options.folder} / fs::path{input}.filename().replace_extension(".h5")).string();
         if (!files.insert(one.common.output).second)
-            throw Error(ExitCode::usage, "--output-folder", "two designs would write " + core::quoted(one.common.output),
-                        "call them differently");
+            throw Error(ExitCode::usage, "--output-folder",
+                        "two designs would write " + core::quoted(one.common.output), "call them differently");
         std::vector<std::string> words{std::string{about.tool}, input, "-o", one.common.output};
         for (const std::string& set : options.sets) words.insert(words.end(), {"--set", set});
         one.common.command_line = command_line_of(words);

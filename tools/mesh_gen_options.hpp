@@ -16,10 +16,10 @@ enum class Task { build, check, explain, list, list_materials, print_template, s
 struct MeshGenOptions {
     CommonOptions common;
     Task task = Task::build;
-    std::vector<std::string> inputs;   ///< one; several only with `folder`
-    std::string folder;                ///< a case for each input goes here; empty: to common.output
+    std::vector<std::string> inputs;  ///< one; several only with `folder`
+    std::string folder;               ///< a case for each input goes here; empty: to common.output
     std::string family;
-    std::string surface;               ///< file for the body's surface, in place of the case
+    std::string surface;  ///< file for the body's surface, in place of the case
     design::LawListStyle law_style = design::LawListStyle::plain;
     std::vector<std::string> sets;
 };

@@ -74,18 +74,20 @@ std::string volume_text(double volume_m3) { return core::quantity_text(volume_m3
 std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
 
 std::string corners_line(const mesh::InnerCorners& corners) {
-    const std::string where = corners.length_m > 0 ? length_text(corners.length_m) + " of edges" : std::to_string(corners.count);
+    const std::string where =
+        corners.length_m > 0 ? length_text(corners.length_m) + " of edges" : std::to_string(corners.count);
     return "sharp inner corners: " + where + ", cells of " + length_text(corners.cell_m) +
            " beside them; the largest stretch there only grows on finer meshes, judge by stretch_p99; curves converge slowly, see --tolerance of solve";
 }
 
 std::string part_line(const MeshSummary::Part& part, double volume_m3) {
     const surface::WallFigures &before = part.file.walls, &after = part.walls;
-    return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " + volume_text(part.file.volume_m3) + ", of the mesh " +
-           volume_text(volume_m3) + " (" +
-           core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " %); walls of " + length_text(before.least.thickness_m) +
-           " at least, half of them below " + length_text(before.median_m) + ", of the mesh " + length_text(after.least.thickness_m) + " and " +
-           length_text(after.median_m) + "; cells follow the file's facets, not the smooth body";
+    return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " +
+           volume_text(part.file.volume_m3) + ", of the mesh " + volume_text(volume_m3) + " (" +
+           core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " %); walls of " +
+           length_text(before.least.thickness_m) + " at least, half of them below " + length_text(before.median_m) +
+           ", of the mesh " + length_text(after.least.thickness_m) + " and " + length_text(after.median_m) +
+           "; cells follow the file's facets, not the smooth body";
 }
 
 mesh::Measure measure_of(const model::Case& model) {
@@ -96,7 +98,8 @@ std::optional<double> mass_kg(const model::Case& model) {
     const auto volumes_m3 = mesh::region_measures(model.mesh, measure_of(model));
     double mass = 0;
     for (std::size_t region = 0; region < volumes_m3.size(); ++region) {
-        const auto material = std::ranges::find(model.materials, model.mesh.region_names[region], &model::Material::name);
+        const auto material =
+            std::ranges::find(model.materials, model.mesh.region_names[region], &model::Material::name);
         if (material == model.materials.end() || !material->density_kg_m3) return std::nullopt;
         mass += volumes_m3[region] * *material->density_kg_m3 / model.model_fraction;
     }
@@ -122,7 +125,7 @@ MeshSummary inspect(const geometry::Built& built) {
         summary.wall_places.push_back(surface::place_text(model, cavity.smallest_wall_place));
     if (built.part) {
         summary.part = MeshSummary::Part{*built.part, walls_of(model)};
-        summary.part->file.volume_m3 /= model.model_fraction;   // of the whole body, as everywhere
+        summary.part->file.volume_m3 /= model.model_fraction;  // of the whole body, as everywhere
     }
     return summary;
 }
@@ -134,17 +137,19 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
         const surface::CavityReport& cavity = summary.cavities[i];
         shape += ", " + cavity.name + " " + volume_text(cavity.volume_m3);
         if (cavity.smallest_wall_m)
-            shape += ", smallest wall " + core::quantity_text(*cavity.smallest_wall_m, core::Dimension::length) + " at " +
-                     summary.wall_places[i];
+            shape += ", smallest wall " + core::quantity_text(*cavity.smallest_wall_m, core::Dimension::length) +
+                     " at " + summary.wall_places[i];
     }
     shape += ", worst scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
-    std::vector<std::string> lines{core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" + summary.cell_types +
-                "), " + std::to_string(summary.points) + " points, " + std::to_string(summary.unknowns) + " unknowns",
-            shape};
+    std::vector<std::string> lines{core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" +
+                                       summary.cell_types + "), " + std::to_string(summary.points) + " points, " +
+                                       std::to_string(summary.unknowns) + " unknowns",
+                                   shape};
     if (summary.inner_corners.count > 0) lines.push_back(corners_line(summary.inner_corners));
     if (!summary.part) return lines;
     lines.push_back(part_line(*summary.part, summary.rubber_volume_m3));
-    if (!summary.part->file.repairs.empty()) lines.push_back(summary.part->file.file + ": repaired: " + core::join(summary.part->file.repairs));
+    if (!summary.part->file.repairs.empty())
+        lines.push_back(summary.part->file.file + ": repaired: " + core::join(summary.part->file.repairs));
     return lines;
 }
 
@@ -174,7 +179,9 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
                                    {"worst_cell", summary.quality.worst_cell},
                                    {"worst_place_m", summary.quality.worst_place_m},
                                    {"warnings", warnings}};
-    json["inner_corners"] = {{"count", summary.inner_corners.count}, {"length_m", summary.inner_corners.length_m}, {"cell_m", summary.inner_corners.cell_m}};
+    json["inner_corners"] = {{"count", summary.inner_corners.count},
+                             {"length_m", summary.inner_corners.length_m},
+                             {"cell_m", summary.inner_corners.cell_m}};
     if (summary.mass_kg) json["mass_kg"] = *summary.mass_kg;
     if (summary.part)
         json["part"] = {{"file", summary.part->file.file},

@@ -19,8 +19,8 @@ struct MeshSummary {
     std::string cell_types;  ///< "hex27, wedge18"
     mesh::Index cells = 0;
     std::size_t points = 0;
-    std::size_t unknowns = 0;     ///< free displacements and pressures
-    double rubber_volume_m3 = 0;  ///< whole actuator
+    std::size_t unknowns = 0;       ///< free displacements and pressures
+    double rubber_volume_m3 = 0;    ///< whole actuator
     std::optional<double> mass_kg;  ///< whole actuator; of materials that all have a density
     mesh::Quality quality;
     mesh::InnerCorners inner_corners;
@@ -31,7 +31,7 @@ struct MeshSummary {
         surface::WallFigures walls;
     };
     std::optional<Part> part;
-    std::vector<std::string> wall_places;          ///< "x = 12.3 mm, r = 4.5 mm" of each cavity's smallest wall
+    std::vector<std::string> wall_places;  ///< "x = 12.3 mm, r = 4.5 mm" of each cavity's smallest wall
 };
 
 /// Refuses a case that cannot be solved: inverted cells, a cavity that is open or meets itself (Error(bad_input)).

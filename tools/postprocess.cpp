@@ -62,8 +62,10 @@ ExitCode postprocess(const PostprocessOptions& options) {
                                                      : post::csv_text(table, lines));
     const std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
     draw_plot(options.plot, series, comparison ? &comparison->measured : nullptr, result.model.name);
-    make_pictures(options.pictures, {result, image, curve, table, options.at.empty() ? Shown::Rows::last : Shown::Rows::asked}, console);
-    write_report(options, {.result = result, .curve = curve, .series = series, .material_notes = material_notes(json)}, comparison);
+    make_pictures(options.pictures,
+                  {result, image, curve, table, options.at.empty() ? Shown::Rows::last : Shown::Rows::asked}, console);
+    write_report(options, {.result = result, .curve = curve, .series = series, .material_notes = material_notes(json)},
+                 comparison);
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
     for (const std::string& line : summary_lines(json)) console.say(line);
     if (const auto advice = material_advice(json)) console.warn(*advice);
@@ -75,4 +77,6 @@ ExitCode postprocess(const PostprocessOptions& options) {
 }  // namespace
 }  // namespace soft
 
-int main(int argc, char** argv) { return soft::cli::run_guarded(argc, argv, soft::parse_postprocess_options, soft::postprocess); }
+int main(int argc, char** argv) {
+    return soft::cli::run_guarded(argc, argv, soft::parse_postprocess_options, soft::postprocess);
+}

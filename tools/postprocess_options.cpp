@@ -24,7 +24,8 @@ void add_plot_options(CLI::App& app, PlotOptions& plot) {
     repeatable(
         app.add_option("--with", plot.with, "Another result in the same plot, also that of --report (repeatable)"))
         ->type_name("FILE[:LABEL]");
-    app.add_option("--band", plot.band, "In the plot: the band of the errors of the constants, a table by scripts/uncertainty")
+    app.add_option("--band", plot.band,
+                   "In the plot: the band of the errors of the constants, a table by scripts/uncertainty")
         ->type_name("FILE.csv");
 }
 
@@ -93,18 +94,26 @@ void check_combinations(const CLI::App& app) {
     needs("--junit", {"--check", "--max-error"});
     for (const char* option : {"--at", "--comments"})
         if (app.count(option) > 0 && app.count("--compare") > 0)
-            throw Error(ExitCode::usage, option, "says nothing with --compare, which writes errors in place of the table",
+            throw Error(ExitCode::usage, option,
+                        "says nothing with --compare, which writes errors in place of the table",
                         "leave out one of them");
 }
 
 /// No file twice, and those of the right kind.
 void check_files(const PostprocessOptions& options) {
-    std::vector<cli::NamedFile> inputs = {{"RESULT", options.input}, {"--compare", options.compare.file}, {"--check", options.check.file}, {"--band", options.plot.band}};
+    std::vector<cli::NamedFile> inputs = {{"RESULT", options.input},
+                                          {"--compare", options.compare.file},
+                                          {"--check", options.check.file},
+                                          {"--band", options.plot.band}};
     for (const std::string& other : options.plot.with) inputs.push_back({"--with", other.substr(0, other.rfind(':'))});
-    const std::vector<cli::NamedFile> outputs = {
-        {"--output", options.wants_table ? options.common.output : ""}, {"--json", options.common.json},
-        {"--plot", options.plot.file}, {"--picture", options.pictures.picture}, {"--animate", options.pictures.animate},
-        {"--paraview", options.pictures.paraview}, {"--report", options.report}, {"--junit", options.check.junit}};
+    const std::vector<cli::NamedFile> outputs = {{"--output", options.wants_table ? options.common.output : ""},
+                                                 {"--json", options.common.json},
+                                                 {"--plot", options.plot.file},
+                                                 {"--picture", options.pictures.picture},
+                                                 {"--animate", options.pictures.animate},
+                                                 {"--paraview", options.pictures.paraview},
+                                                 {"--report", options.report},
+                                                 {"--junit", options.check.junit}};
     cli::check_distinct(inputs, outputs);
     if (!options.report.empty() && !options.report.ends_with(".html") && !options.report.ends_with(".htm"))
         throw Error(ExitCode::usage, "--report " + options.report, "a report is a .html file");

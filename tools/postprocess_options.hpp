@@ -36,7 +36,7 @@ struct PostprocessOptions {
     bool comments = false;
     bool lists_outputs = false;     ///< the columns of RESULT, or of any where none is named
     std::vector<std::string> also;  ///< columns on demand
-    bool wants_table = true;  ///< false: another product was asked for, and no -o
+    bool wants_table = true;        ///< false: another product was asked for, and no -o
     PlotOptions plot;
     CompareOptions compare;
     CheckOptions check;

@@ -54,7 +54,7 @@ std::optional<view::Range> range_of(const PictureOptions& options, fields::Quant
 
 /// Along the axis about which the body is said to bend, so that its plane is seen.
 std::string usual_view(const model::Case& model) {
-    constexpr double along = 0.9;   // cosine
+    constexpr double along = 0.9;  // cosine
     constexpr std::array views{"side", "across", "front"};
     for (const model::Output& output : model.outputs)
         if (output.measure == model::Measure::bend || output.measure == model::Measure::curvature)
@@ -228,8 +228,10 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
     app.add_option("--field", options.field, "What the colours of the body show: " + field_names())
         ->type_name("FIELD")
         ->capture_default_str();
-    app.add_option("--view", options.view, "From where: front, side (along the axis), top, across (along y, z up), iso, or AZIMUTH,ELEVATION in degrees; by itself\n"
-                   "iso, and along the axis of a bend or curvature that is measured")
+    app.add_option(
+           "--view", options.view,
+           "From where: front, side (along the axis), top, across (along y, z up), iso, or AZIMUTH,ELEVATION in degrees; by itself\n"
+           "iso, and along the axis of a bend or curvature that is measured")
         ->type_name("VIEW");
     app.add_option("--range", options.range,
                    "The values at the ends of the colour bar, e.g. 0kPa,200kPa; otherwise those of "

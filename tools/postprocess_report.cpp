@@ -4,7 +4,8 @@
 
 namespace soft {
 
-void write_report(const PostprocessOptions& options, report::Content content, const std::optional<Comparison>& comparison) {
+void write_report(const PostprocessOptions& options, report::Content content,
+                  const std::optional<Comparison>& comparison) {
     if (options.report.empty()) return;
     if (comparison) {
         content.measured = &comparison->measured;

@@ -9,6 +9,7 @@
 namespace soft {
 
 /// Without --report nothing. The content lacks the comparison and what stands in the options.
-void write_report(const PostprocessOptions& options, report::Content content, const std::optional<Comparison>& comparison);
+void write_report(const PostprocessOptions& options, report::Content content,
+                  const std::optional<Comparison>& comparison);
 
 }  // namespace soft

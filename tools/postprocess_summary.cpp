@@ -33,9 +33,9 @@ nlohmann::ordered_json fit_json(const io::Result& result) {
     if (!fitted) return nullptr;
     double stretch = 1;
     for (const solution::Step& step : result.steps) stretch = std::max(stretch, step.stretch_p99);
-    nlohmann::ordered_json json = {{"name", nullptr},         {"law", fitted->law},
-                                   {"range", fitted->range},  {"largest_I1", fitted->largest_I1},
-                                   {"stretch_p99", stretch},  {"within", fitted->holds(stretch)}};
+    nlohmann::ordered_json json = {{"name", nullptr},        {"law", fitted->law},
+                                   {"range", fitted->range}, {"largest_I1", fitted->largest_I1},
+                                   {"stretch_p99", stretch}, {"within", fitted->holds(stretch)}};
     if (!fitted->name.empty()) json["name"] = fitted->name;
     if (const auto advice = design::fit_advice(design, stretch)) json["advice"] = *advice;
     return json;

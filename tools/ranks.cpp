@@ -16,7 +16,7 @@ Input read_input_on_first_rank(const std::string& name, int rank) {
     auto size = static_cast<std::int64_t>(input.bytes.size());
     MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
     input.bytes.resize(static_cast<std::size_t>(size));
-    constexpr std::int64_t piece = std::int64_t{1} << 30;   // MPI counts are ints
+    constexpr std::int64_t piece = std::int64_t{1} << 30;  // MPI counts are ints
     for (std::int64_t at = 0; at < size; at += piece)
         MPI_Bcast(input.bytes.data() + at, static_cast<int>(std::min(piece, size - at)), MPI_BYTE, 0, MPI_COMM_WORLD);
     if (rank != 0) input.source = name.empty() || name == "-" ? "<stdin>" : name;

@@ -24,7 +24,7 @@ void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& chan
 
 io::DesignText apply(const std::vector<design::Override>& overrides, const io::DesignText& design, model::Case& model) {
     design::SolveChanges changes = design::apply_overrides(design.effective_yaml, overrides);
-    for (model::Material& material : model.materials) {   // the mesh decides names and fibres
+    for (model::Material& material : model.materials) {  // the mesh decides names and fibres
         model::Material changed = changes.material;
         for (const auto& [name, other] : changes.materials)
             if (other.source == material.source) changed = other;

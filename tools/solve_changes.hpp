@@ -14,6 +14,7 @@ namespace soft::cli {
 [[nodiscard]] std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, io::CaseFile& file);
 
 /// The same of one change to a design that has its overrides already.
-[[nodiscard]] io::DesignText apply_change(const design::Override& change, const io::DesignText& design, model::Case& model);
+[[nodiscard]] io::DesignText apply_change(const design::Override& change, const io::DesignText& design,
+                                          model::Case& model);
 
 }  // namespace soft::cli

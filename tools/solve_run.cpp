@@ -28,8 +28,8 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 struct Task {
     Input input;
     std::string output;
-    io::Interrupted from;                         ///< of a new path the case alone
-    std::optional<io::DesignText> changed;        ///< by this run's --set
+    io::Interrupted from;                   ///< of a new path the case alone
+    std::optional<io::DesignText> changed;  ///< by this run's --set
     bool resumes = false;
 };
 
@@ -70,10 +70,12 @@ io::ResultWriter make_writer(const SolveOptions& options, const About& about, co
 void judge(assembly::System& system, std::vector<solver::RowState> rows, double tolerance, io::ResultWriter* writer,
            Console& console, SolveSummary& summary) {
     const solver::Log say = [&](const std::string& line) { console.say(line); };
-    const solver::Accuracy accuracy = solver::refine_path(system, std::move(rows), summary.end, {.tolerance = tolerance}, say);
+    const solver::Accuracy accuracy =
+        solver::refine_path(system, std::move(rows), summary.end, {.tolerance = tolerance}, say);
     summary.end.newton_iterations += accuracy.newton_iterations;
     summary.end.factorizations += accuracy.factorizations;
-    summary.accuracy = {tolerance, accuracy.reached, accuracy.level, accuracy.unknowns, accuracy.has_bars, accuracy.obstacle};
+    summary.accuracy = {tolerance,         accuracy.reached,  accuracy.level,
+                        accuracy.unknowns, accuracy.has_bars, accuracy.obstacle};
     summary.last = accuracy.rows.back().step;
     if (writer == nullptr) return;
     // Finer meshes keep the numbers of the points they were made from.
@@ -84,8 +86,8 @@ void judge(assembly::System& system, std::vector<solver::RowState> rows, double 
 }
 
 /// Follows the path; the first rank has a writer.
-SolveSummary follow(assembly::System& system, const Task& task, std::optional<double> tolerance, io::ResultWriter* writer,
-                    Console& console) {
+SolveSummary follow(assembly::System& system, const Task& task, std::optional<double> tolerance,
+                    io::ResultWriter* writer, Console& console) {
     const model::Case& model = task.from.file.model;
     SolveSummary summary;
     Progress progress{model};
@@ -97,7 +99,7 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         if (step.motion && system.has_symmetric_tangent()) summary.energy.add(*step.motion);
         return progress.advance(step);
     };
-    std::vector<solver::RowState> rows;   // kept for --tolerance, whose curve is written when all is known
+    std::vector<solver::RowState> rows;  // kept for --tolerance, whose curve is written when all is known
     const auto sink = [&](const solution::Step& step, Vec x) {
         if (tolerance) {
             if (writer != nullptr) console.progress(count(step), step_text(step, model));
@@ -124,9 +126,10 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     const solver::Listeners listeners{
         sink, task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep), log,
         contact_check(system), tolerance ? keep_row : solver::RowSink()};
-    summary.end = model.dynamics ? dynamics::integrate_motion(system, listeners)
-                                 : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
-    --summary.steps;   // the undeformed state is no step
+    summary.end = model.dynamics
+                      ? dynamics::integrate_motion(system, listeners)
+                      : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
+    --summary.steps;  // the undeformed state is no step
     summary.unknowns = system.dofs().total;
     if (tolerance) judge(system, std::move(rows), *tolerance, writer, console, summary);
     return summary;
@@ -176,7 +179,8 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
     summary.ranks = session.size();
     summary.start_s += read_s;
     if (first) {
-        if (!writer->is_in_place()) console.warn(task.output + " was removed or replaced meanwhile; it is written anew");
+        if (!writer->is_in_place())
+            console.warn(task.output + " was removed or replaced meanwhile; it is written anew");
         const auto bytes = writer->finish(summary.end);
         if (task.output == "-") write_output("-", bytes, Content::binary);
         measure_process(summary);
@@ -187,8 +191,10 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
         for (const std::string& line : profile_lines(summary)) console.say(line);
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
         const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
-        if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99)) console.warn(*advice);
-        for (const std::string& option : session.unused_options()) console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");
+        if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99))
+            console.warn(*advice);
+        for (const std::string& option : session.unused_options())
+            console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");
         if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));
     }
     if (summary.end.reason != solution::StopReason::done) return ExitCode::stopped_early;

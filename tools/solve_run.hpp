@@ -13,7 +13,7 @@ struct SolveOptions {
     CommonOptions common;
     std::string input;
     std::vector<std::string> sets;
-    std::string resume;               ///< file of an interrupted solve; then there is no input
+    std::string resume;  ///< file of an interrupted solve; then there is no input
     std::string fields = "all";
     std::optional<double> tolerance;  ///< on the error bars of the load
     bool profile = false;             ///< a table of where the time went

@@ -16,7 +16,9 @@
 namespace soft::cli {
 namespace {
 
-double seconds(const timeval& time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
+double seconds(const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
 
 /// "12.3 kPa", "2 N", of a case without pressures, tractions and forces "load factor 0.5".
 std::string load_text(double load, const model::Case& model) {
@@ -38,7 +40,8 @@ std::string output_text(const model::Output& output, double value) {
 template <class Place>
 std::string place_text(const Place& place, const model::Case& model) {
     std::string text = load_text(place.pressure_Pa, model);
-    for (std::size_t i = 0; i < place.outputs.size(); ++i) text += ", " + output_text(model.outputs[i], place.outputs[i]);
+    for (std::size_t i = 0; i < place.outputs.size(); ++i)
+        text += ", " + output_text(model.outputs[i], place.outputs[i]);
     if (place.volume_m3) text += ", volume " + core::rounded_text(1e6 * *place.volume_m3, 6) + " mL";
     return text;
 }
@@ -81,8 +84,10 @@ nlohmann::ordered_json motion_json(const SolveSummary& summary, const model::Dyn
 }
 
 std::string motion_text(const SolveSummary& summary, const model::Dynamics& dynamics) {
-    std::string text = design_word(io::name_of(io::integrator_names, dynamics.integrator)) + " over " + time_text(dynamics.duration_s);
-    if (const auto error = summary.energy.error()) text += ", energy balance within " + core::rounded_text(100 * *error, 2) + " %";
+    std::string text =
+        design_word(io::name_of(io::integrator_names, dynamics.integrator)) + " over " + time_text(dynamics.duration_s);
+    if (const auto error = summary.energy.error())
+        text += ", energy balance within " + core::rounded_text(100 * *error, 2) + " %";
     return text + "; ";
 }
 
@@ -102,7 +107,8 @@ nlohmann::ordered_json end_json(const solution::Step& last, const model::Case& m
 void EnergyBalance::add(const solution::Step::Motion& row) {
     if (!first_) first_ = row;
     const double work = row.load_work_J - first_->load_work_J, stored = row.stored_energy_J - first_->stored_energy_J;
-    const double kinetic = row.kinetic_energy_J - first_->kinetic_energy_J, damping = row.damping_work_J - first_->damping_work_J;
+    const double kinetic = row.kinetic_energy_J - first_->kinetic_energy_J,
+                 damping = row.damping_work_J - first_->damping_work_J;
     for (const double part : {work, stored, kinetic, damping}) largest_J_ = std::max(largest_J_, std::abs(part));
     gap_J_ = std::max(gap_J_, std::abs(work - stored - kinetic - damping));
 }
@@ -120,8 +126,8 @@ void measure_process(SolveSummary& summary) {
 
 std::string summary_line(const SolveSummary& summary, const model::Case& model) {
     return std::string{solution::name(summary.end.reason)} + ": " + summary.end.detail + "; " +
-           std::to_string(summary.steps) + " steps, " + std::to_string(summary.end.newton_iterations) + " iterations, " +
-           std::to_string(summary.end.factorizations) + " factorizations; " +
+           std::to_string(summary.steps) + " steps, " + std::to_string(summary.end.newton_iterations) +
+           " iterations, " + std::to_string(summary.end.factorizations) + " factorizations; " +
            (model.dynamics ? motion_text(summary, *model.dynamics) : std::string{}) + std::to_string(summary.unknowns) +
            " unknowns, " + core::rounded_text(summary.wall_s, 3) + " s";
 }
@@ -148,15 +154,23 @@ std::vector<std::string> profile_lines(const SolveSummary& summary) {
 }
 
 nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Case& model) {
-    nlohmann::ordered_json json = {{"tool", "solve"}, {"version", version()}, {"revision", revision()},
-                                   {"case", model.name}, {"stop_reason", solution::name(summary.end.reason)},
-                                   {"detail", summary.end.detail}, {"steps", summary.steps},
-                                   {"newton_iterations", summary.end.newton_iterations},
-                                   {"factorizations", summary.end.factorizations}, {"unknowns", summary.unknowns},
-                                   {"linear_solver", design_word(io::name_of(io::linear_names, model.solver.linear.method))},
-                                   {"ranks", summary.ranks}, {"wall_s", summary.wall_s}, {"cpu_s", summary.cpu_s},
-                                   {"peak_memory_MB", summary.peak_memory_MB},
-                                   {"limit_points", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json json = {
+        {"tool", "solve"},
+        {"version", version()},
+        {"revision", revision()},
+        {"case", model.name},
+        {"stop_reason", solution::name(summary.end.reason)},
+        {"detail", summary.end.detail},
+        {"steps", summary.steps},
+        {"newton_iterations", summary.end.newton_iterations},
+        {"factorizations", summary.end.factorizations},
+        {"unknowns", summary.unknowns},
+        {"linear_solver", design_word(io::name_of(io::linear_names, model.solver.linear.method))},
+        {"ranks", summary.ranks},
+        {"wall_s", summary.wall_s},
+        {"cpu_s", summary.cpu_s},
+        {"peak_memory_MB", summary.peak_memory_MB},
+        {"limit_points", nlohmann::ordered_json::array()}};
     for (const auto& limit : summary.end.limit_points) {
         nlohmann::ordered_json point = {{"step", limit.step}};
         add_place(point, limit, model);
@@ -165,7 +179,9 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
     if (model.dynamics) json["dynamics"] = motion_json(summary, *model.dynamics);
     if (summary.accuracy) {
         const AccuracySummary& accuracy = *summary.accuracy;
-        json["accuracy"] = {{"tolerance", accuracy.asked}, {"met", accuracy.met()}, {"level", accuracy.level},
+        json["accuracy"] = {{"tolerance", accuracy.asked},
+                            {"met", accuracy.met()},
+                            {"level", accuracy.level},
                             {"finest_unknowns", accuracy.unknowns}};
         if (accuracy.has_bars) json["accuracy"]["reached"] = accuracy.reached;
     }
@@ -186,7 +202,8 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
 std::string accuracy_line(const AccuracySummary& accuracy) {
     const auto percent = [](double share) { return core::rounded_text(100 * share, 3) + " %"; };
     return "the tolerance of " + percent(accuracy.asked) + " is missed: " +
-           (accuracy.has_bars ? "the error bars of the load reach " + percent(accuracy.reached) : "there are no error bars") +
+           (accuracy.has_bars ? "the error bars of the load reach " + percent(accuracy.reached)
+                              : "there are no error bars") +
            "; " + accuracy.obstacle;
 }
 
@@ -196,8 +213,9 @@ std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const m
         const std::string leaving = bifurcation.modes == 1
                                         ? "another branch leaves the path"
                                         : std::to_string(bifurcation.modes) + " modes leave the path at once";
-        lines.push_back("bifurcation at " + place_text(bifurcation.at, model) + ": " + leaving +
-                        (bifurcation.mode.empty() ? "; no mode of it is stored" : "; its mode is in the file (/modes)"));
+        lines.push_back(
+            "bifurcation at " + place_text(bifurcation.at, model) + ": " + leaving +
+            (bifurcation.mode.empty() ? "; no mode of it is stored" : "; its mode is in the file (/modes)"));
     }
     return lines;
 }
@@ -212,7 +230,9 @@ std::string step_text(const solution::Step& step, const model::Case& model) {
 namespace {
 
 /// From where the stage began, `first`, to the goal.
-double share_of(double value, double first, double goal) { return goal == first ? 0 : (value - first) / (goal - first); }
+double share_of(double value, double first, double goal) {
+    return goal == first ? 0 : (value - first) / (goal - first);
+}
 
 }  // namespace
 
@@ -228,7 +248,9 @@ double Progress::advance(const solution::Step& step) {
     const auto& stages = model_.path.stages;
     double share = step.load_factor;
     for (const auto& until : stages[static_cast<std::size_t>(step.stage)].until) {
-        const auto count = [&](double value, double first) { share = std::max(share, share_of(value, first, until.value)); };
+        const auto count = [&](double value, double first) {
+            share = std::max(share, share_of(value, first, until.value));
+        };
         if (until.quantity == "pressure") count(step.pressure_Pa, start_.pressure_Pa);
         if (until.quantity == "volume_ratio" && step.volume_m3 && start_.volume_m3)
             count(*step.volume_m3 / *undeformed_m3_, *start_.volume_m3 / *undeformed_m3_);

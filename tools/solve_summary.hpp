@@ -14,11 +14,11 @@ namespace soft::cli {
 
 /// What `--tolerance` has come to.
 struct AccuracySummary {
-    double asked = 0, reached = 0;   ///< largest error bar of the load, relative
-    int level = 0;                   ///< how often the cells of the reported curve's mesh were halved
-    long long unknowns = 0;          ///< of the finest mesh
+    double asked = 0, reached = 0;  ///< largest error bar of the load, relative
+    int level = 0;                  ///< how often the cells of the reported curve's mesh were halved
+    long long unknowns = 0;         ///< of the finest mesh
     bool has_bars = false;
-    std::string obstacle;            ///< why no finer mesh was tried
+    std::string obstacle;  ///< why no finer mesh was tried
     [[nodiscard]] bool met() const { return has_bars && reached <= asked; }
 };
 
@@ -27,7 +27,7 @@ struct AccuracySummary {
 class EnergyBalance {
 public:
     void add(const solution::Step::Motion& row);
-    [[nodiscard]] std::optional<double> error() const;   ///< empty where nothing has moved
+    [[nodiscard]] std::optional<double> error() const;  ///< empty where nothing has moved
 
 private:
     std::optional<solution::Step::Motion> first_;
@@ -36,16 +36,16 @@ private:
 
 struct SolveSummary {
     solution::PathEnd end;
-    std::optional<solution::Step> last;   ///< row of the path
-    double largest_stretch_p99 = 1;       ///< of all rows
+    std::optional<solution::Step> last;  ///< row of the path
+    double largest_stretch_p99 = 1;      ///< of all rows
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
-    int steps = 0;                 ///< rows of the path after the undeformed state
-    EnergyBalance energy;          ///< of a motion
+    int steps = 0;         ///< rows of the path after the undeformed state
+    EnergyBalance energy;  ///< of a motion
     int ranks = 1;
     double wall_s = 0, cpu_s = 0;  ///< of this process
     double peak_memory_MB = 0;
-    double start_s = 0;            ///< before the path: the case read, tables made
+    double start_s = 0;  ///< before the path: the case read, tables made
     std::vector<linalg::ProfileRow> profile;
 };
 
@@ -81,7 +81,7 @@ public:
 private:
     const model::Case& model_;
     std::optional<double> undeformed_m3_;
-    solution::Step start_, last_;   ///< where the stage began, and the row before
+    solution::Step start_, last_;  ///< where the stage began, and the row before
     double share_ = 0;
     bool begun_ = false;
 };

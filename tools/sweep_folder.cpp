@@ -71,7 +71,11 @@ sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, con
     if (!has_curve(status->exit_code)) return outcome;
     const fs::path file = folder / design.id / "result.h5";
     if (!is_there(file))
-        return {.exit_code = {}, .stop_reason = "not_computed", .error = "its result.h5 has been removed", .columns = {}, .outputs = {}};
+        return {.exit_code = {},
+                .stop_reason = "not_computed",
+                .error = "its result.h5 has been removed",
+                .columns = {},
+                .outputs = {}};
     std::optional<io::Result> result;
     try {
         result = whole_result(file);
@@ -103,7 +107,8 @@ void write_designs(const fs::path& folder, const sweep::Plan& plan, const std::v
     cli::make_folder(designs.string());
     for (std::size_t d = 0; d < states.size(); ++d) {
         const fs::path file = designs / (plan.designs[d].id + ".yaml");
-        if (states[d] == sweep::State::waiting && !is_there(file)) cli::write_output(file.string(), plan.designs[d].design_yaml);
+        if (states[d] == sweep::State::waiting && !is_there(file))
+            cli::write_output(file.string(), plan.designs[d].design_yaml);
     }
 }
 

@@ -20,6 +20,7 @@ namespace soft {
                                                       const sweep::Plan& plan);
 
 /// Writes designs/ID.yaml of those that wait; what is there already has the same content, its name says so.
-void write_designs(const std::filesystem::path& folder, const sweep::Plan& plan, const std::vector<sweep::State>& states);
+void write_designs(const std::filesystem::path& folder, const sweep::Plan& plan,
+                   const std::vector<sweep::State>& states);
 
 }  // namespace soft

@@ -43,14 +43,18 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
     SweepPlanOptions options;
     CLI::App app;
     cli::add_input(app, options.input, "SWEEP", "The sweep (YAML)");
-    auto* folder = app.add_option("--folder", options.folder, "Where the designs are computed, a folder each: tells which are done");
+    auto* folder = app.add_option("--folder", options.folder,
+                                  "Where the designs are computed, a folder each: tells which are done");
     folder->type_name("FOLDER");
-    app.add_flag("--prepare", options.prepare, "Also write the designs that wait, as FOLDER/designs/ID.yaml")->needs(folder);
-    app.add_flag("--results", options.results, "Print the results of the designs in FOLDER instead of the plan, and write the "
-                                               "curve of each beside its result; exit code 2: some are not computed, or "
-                                               "failed for reasons that are not theirs")
+    app.add_flag("--prepare", options.prepare, "Also write the designs that wait, as FOLDER/designs/ID.yaml")
         ->needs(folder);
-    app.add_option("--programs", options.programs, "Text that tells the versions of the programs; part of the addresses")
+    app.add_flag("--results", options.results,
+                 "Print the results of the designs in FOLDER instead of the plan, and write the "
+                 "curve of each beside its result; exit code 2: some are not computed, or "
+                 "failed for reasons that are not theirs")
+        ->needs(folder);
+    app.add_option("--programs", options.programs,
+                   "Text that tells the versions of the programs; part of the addresses")
         ->type_name("FILE");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
@@ -61,7 +65,8 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
 }
 
 /// "1000 designs: 990 done, 10 refused", and the same as JSON.
-void tell(const SweepPlanOptions& options, std::size_t designs, const std::vector<std::pair<std::string, std::ptrdiff_t>>& counts) {
+void tell(const SweepPlanOptions& options, std::size_t designs,
+          const std::vector<std::pair<std::string, std::ptrdiff_t>>& counts) {
     nlohmann::ordered_json json = {
         {"tool", about.tool}, {"version", cli::version()}, {"revision", cli::revision()}, {"designs", designs}};
     std::vector<std::string> words;
@@ -78,7 +83,9 @@ void tell(const SweepPlanOptions& options, std::size_t designs, const std::vecto
 ExitCode write_results(const SweepPlanOptions& options, const sweep::Sweep& sweep, const sweep::Plan& plan) {
     const std::vector<sweep::Outcome> outcomes = outcomes_in(options.folder, sweep, plan);
     cli::write_output(options.common.output, sweep::results_csv(sweep, plan, outcomes));
-    const auto count = [&](std::string_view reason) { return std::ranges::count(outcomes, reason, &sweep::Outcome::stop_reason); };
+    const auto count = [&](std::string_view reason) {
+        return std::ranges::count(outcomes, reason, &sweep::Outcome::stop_reason);
+    };
     const auto done = std::ranges::count(outcomes, std::optional{0}, &sweep::Outcome::exit_code);
     const auto refused = count("refused"), failed = count("failed"), open = count("not_computed");
     const auto early = static_cast<std::ptrdiff_t>(outcomes.size()) - done - refused - failed - open;
@@ -93,7 +100,9 @@ ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, 
     cli::write_output(options.common.output, sweep::plan_csv(sweep, plan, states));
     const auto count = [&](sweep::State state) { return std::ranges::count(states, state); };
     tell(options, states.size(),
-         {{"waiting", count(sweep::State::waiting)}, {"done", count(sweep::State::done)}, {"refused", count(sweep::State::refused)}});
+         {{"waiting", count(sweep::State::waiting)},
+          {"done", count(sweep::State::done)},
+          {"refused", count(sweep::State::refused)}});
     return ExitCode::ok;
 }
 
@@ -111,8 +120,9 @@ ExitCode sweep_plan(const SweepPlanOptions& options) {
         throw Error(ExitCode::cannot_open, sweep.design.place + ": design", file.string() + " is not there",
                     "the design is looked for from the folder of the sweep");
     const std::string design = text_of(file), source = file.lexically_normal().string();
-    const std::string programs =
-        options.programs.empty() ? std::string{cli::version()} + " " + std::string{cli::revision()} : text_of(options.programs);
+    const std::string programs = options.programs.empty()
+                                     ? std::string{cli::version()} + " " + std::string{cli::revision()}
+                                     : text_of(options.programs);
     const sweep::Plan plan = sweep::make_plan(sweep, {design, source, geometry::catalogue_keys(), programs});
     return options.results ? write_results(options, sweep, plan) : write_plan(options, sweep, plan);
 }

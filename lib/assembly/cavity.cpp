@@ -42,8 +42,8 @@ std::vector<SurfaceCell> own_facets(const Mesh& mesh, const DofMap& map, const s
 }
 
 /// The rims of a surface with their unknowns.
-std::vector<Rim> make_rims(const model::Case& input, const DofMap& map, const std::vector<std::vector<model::RimEdge>>& chains,
-                           SurfaceTables& tables) {
+std::vector<Rim> make_rims(const model::Case& input, const DofMap& map,
+                           const std::vector<std::vector<model::RimEdge>>& chains, SurfaceTables& tables) {
     std::vector<Rim> rims;
     for (const auto& chain : chains) {
         Rim& rim = rims.emplace_back();
@@ -86,7 +86,8 @@ LoadSurface make_load_surface(const model::Case& input, const DofMap& map, const
         const bool is_cavity = cavity != input.cavities.end();
         const auto facets = is_cavity && load.sealed ? model::cavity_facets(input, *cavity)
                                                      : face_of(input.mesh, is_cavity ? cavity->wall : target);
-        for (auto& facet : own_facets(input.mesh, map, facets, rank, tables)) surface.facets.push_back(std::move(facet));
+        for (auto& facet : own_facets(input.mesh, map, facets, rank, tables))
+            surface.facets.push_back(std::move(facet));
     }
     return surface;
 }

@@ -20,16 +20,16 @@ namespace soft::assembly {
 
 /// A facet with its nodes, or a rim edge of an opening, ready for the kernels.
 struct SurfaceCell {
-    int reference = 0;                       ///< index into SurfaceTables
+    int reference = 0;  ///< index into SurfaceTables
     std::vector<mesh::Index> nodes;
-    std::vector<PetscInt> dofs;              ///< component-major, negative where held or moved
-    std::vector<int> local;                  ///< where System keeps their values; set by System
+    std::vector<PetscInt> dofs;  ///< component-major, negative where held or moved
+    std::vector<int> local;      ///< where System keeps their values; set by System
 };
 
 struct Rim {
-    std::vector<SurfaceCell> edges;          ///< oriented with the normal out of the cavity
-    std::vector<mesh::Index> nodes;          ///< every node once; their mean is the apex
-    std::array<bool, 3> on_plane{};          ///< the rim is cut by the symmetry plane x, y, z = 0, so its apex lies on it
+    std::vector<SurfaceCell> edges;  ///< oriented with the normal out of the cavity
+    std::vector<mesh::Index> nodes;  ///< every node once; their mean is the apex
+    std::array<bool, 3> on_plane{};  ///< the rim is cut by the symmetry plane x, y, z = 0, so its apex lies on it
 };
 
 /// Reference tables of the facet types present.
@@ -45,12 +45,12 @@ private:
 /// One pressure load with everything its force needs. Facets are those this rank assembles.
 struct LoadSurface {
     std::vector<SurfaceCell> facets;
-    SparseVector plug_force;                 ///< per unit pressure, whole mesh, the same on every rank
+    SparseVector plug_force;  ///< per unit pressure, whole mesh, the same on every rank
 };
 
 struct EnclosedVolume {
-    std::vector<SurfaceCell> facets;         ///< this rank's
-    std::vector<Rim> rims;                   ///< evaluated by rank 0 alone: rims are short
+    std::vector<SurfaceCell> facets;  ///< this rank's
+    std::vector<Rim> rims;            ///< evaluated by rank 0 alone: rims are short
     double model_fraction = 1;
 };
 

@@ -45,7 +45,8 @@ std::vector<PetscInt> fixed_components(const model::Case& input) {
                                 std::string("over-constrained: some of its nodes are to move along ") + "xyz"[i] +
                                     " and are held in that direction by a support",
                                 "take the direction out of supports, or hold another face");
-                if (slot >= 0 && static_cast<std::size_t>(other) != m && input.motions[other].displacement_m[i] != value)
+                if (slot >= 0 && static_cast<std::size_t>(other) != m &&
+                    input.motions[other].displacement_m[i] != value)
                     throw Error(ExitCode::bad_input, place,
                                 "over-constrained: nodes it shares with the face '" + input.motions[other].face +
                                     "' are to move by two different lengths",
@@ -134,14 +135,15 @@ DofMap make_dof_map(const model::Case& input, std::span<const element::Reference
         const PetscInt first = next;
         for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell)
             if (map.cell_rank[cell] == rank)
-                number_cell(input, cell, reference_of(references, mesh.cell_type(cell)), fixed, owners, rank, next, map);
+                number_cell(input, cell, reference_of(references, mesh.cell_type(cell)), fixed, owners, rank, next,
+                            map);
         if (rank == my_rank) {
             map.begin = first;
             map.end = next;
         }
     }
     map.total = next;
-    std::ranges::replace(map.displacement, unnumbered, PetscInt{-1});   // points no cell uses
+    std::ranges::replace(map.displacement, unnumbered, PetscInt{-1});  // points no cell uses
     return map;
 }
 

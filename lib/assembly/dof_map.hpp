@@ -17,14 +17,14 @@ namespace soft::assembly {
 
 struct DofMap {
     int dimension = 3;
-    PetscInt total = 0;                        ///< unknowns on all ranks
-    PetscInt begin = 0, end = 0;               ///< this rank's range
-    PetscInt pressures = 0;                    ///< pressure unknowns on all ranks
+    PetscInt total = 0;           ///< unknowns on all ranks
+    PetscInt begin = 0, end = 0;  ///< this rank's range
+    PetscInt pressures = 0;       ///< pressure unknowns on all ranks
     double pressure_scale_Pa = 1;
-    std::vector<PetscInt> displacement;        ///< [node x dimension + component], negative where held or moved
-    std::vector<PetscInt> vertex_pressure;     ///< [node], -1 where the node carries none
-    std::vector<PetscInt> cell_pressure;       ///< [cell] first of its discontinuous pressures, -1 without
-    std::vector<int> cell_rank;                ///< [cell] the rank that assembles it
+    std::vector<PetscInt> displacement;     ///< [node x dimension + component], negative where held or moved
+    std::vector<PetscInt> vertex_pressure;  ///< [node], -1 where the node carries none
+    std::vector<PetscInt> cell_pressure;    ///< [cell] first of its discontinuous pressures, -1 without
+    std::vector<int> cell_rank;             ///< [cell] the rank that assembles it
 
     /// The unknowns of a cell, component by component, then pressures: the order of element/solid_kernel.hpp.
     void cell_dofs(const mesh::Mesh& mesh, mesh::Index cell, const element::ReferenceCell& reference,
@@ -34,7 +34,9 @@ struct DofMap {
 };
 
 /// Slot of a moved component's number, -1 for any other.
-[[nodiscard]] constexpr int motion_slot(PetscInt number) noexcept { return number <= -2 ? static_cast<int>(-2 - number) : -1; }
+[[nodiscard]] constexpr int motion_slot(PetscInt number) noexcept {
+    return number <= -2 ? static_cast<int>(-2 - number) : -1;
+}
 
 /// Throws Error (bad_input) for a face the mesh lacks and a component that is held and moved, or moved twice.
 /// `references` gives the element of each cell type present (index: mesh::CellType's value).

@@ -73,12 +73,14 @@ linalg::Matrix make_interpolation(const System& system, const Numbering& fine, c
     SOFT_PETSC(MatMPIAIJSetPreallocation(P, 8, nullptr, 8, nullptr));
     for (std::size_t node = 0; node < weights.size(); ++node)
         for (int i = 0; i < map.dimension; ++i) {
-            const PetscInt dof = map.displacement[node * static_cast<std::size_t>(map.dimension) + static_cast<std::size_t>(i)];
+            const PetscInt dof =
+                map.displacement[node * static_cast<std::size_t>(map.dimension) + static_cast<std::size_t>(i)];
             if (dof < map.begin || dof >= map.end) continue;
             for (int v = 0; v < weights[node].count; ++v) {
                 const PetscInt vertex = map.displacement[weights[node].vertices[v] * map.dimension + i];
                 if (vertex < 0) continue;
-                SOFT_PETSC(MatSetValue(P, fine.number[dof], coarse.number[vertex], weights[node].values[v], INSERT_VALUES));
+                SOFT_PETSC(
+                    MatSetValue(P, fine.number[dof], coarse.number[vertex], weights[node].values[v], INSERT_VALUES));
             }
         }
     SOFT_PETSC(MatAssemblyBegin(P, MAT_FINAL_ASSEMBLY));
@@ -92,7 +94,8 @@ linalg::IndexSet own_marked(const System& system, const std::vector<char>& marke
     for (PetscInt dof = map.begin; dof < map.end; ++dof)
         if (marked[static_cast<std::size_t>(dof)] == kind) own.push_back(dof);
     linalg::IndexSet set;
-    SOFT_PETSC(ISCreateGeneral(system.comm(), static_cast<PetscInt>(own.size()), own.data(), PETSC_COPY_VALUES, set.out()));
+    SOFT_PETSC(
+        ISCreateGeneral(system.comm(), static_cast<PetscInt>(own.size()), own.data(), PETSC_COPY_VALUES, set.out()));
     return set;
 }
 
@@ -118,7 +121,8 @@ std::vector<linalg::PressureBlock> pressure_blocks(const System& system) {
     for (Index cell = 0; cell < input.mesh.cell_count(); ++cell) {
         const auto type = input.mesh.cell_type(cell);
         auto found = references.find(type);
-        if (found == references.end()) found = references.emplace(type, element::make_reference_cell(type, input.formulation)).first;
+        if (found == references.end())
+            found = references.emplace(type, element::make_reference_cell(type, input.formulation)).first;
         const auto& reference = found->second;
         const bool discontinuous = reference.pressure == element::PressureSpace::discontinuous_linear;
         if (reference.pressure_dofs == 0 || (discontinuous && !is_own(map.cell_pressure[cell]))) continue;
@@ -129,9 +133,11 @@ std::vector<linalg::PressureBlock> pressure_blocks(const System& system) {
         auto mass = element::pressure_mass(reference, input.kinematics, X, map.pressure_scale_Pa);
         for (double& m : mass) m /= modulus_Pa[input.mesh.cell_regions[cell]];
         if (discontinuous)
-            placed.push_back({map.cell_pressure[cell], {PressureBlock::Kind::of_cell, reference.pressure_dofs, std::move(mass)}});
+            placed.push_back(
+                {map.cell_pressure[cell], {PressureBlock::Kind::of_cell, reference.pressure_dofs, std::move(mass)}});
         else
-            for (int v = 0; v < reference.pressure_dofs; ++v) of_vertex[nodes[v]] += mass[v * (reference.pressure_dofs + 1)];
+            for (int v = 0; v < reference.pressure_dofs; ++v)
+                of_vertex[nodes[v]] += mass[v * (reference.pressure_dofs + 1)];
     }
     for (std::size_t node = 0; node < of_vertex.size(); ++node)
         if (is_own(map.vertex_pressure[node]))
@@ -180,7 +186,8 @@ model::LinearSettings choose_linear(model::LinearSettings wanted, const model::C
 void equip(linalg::LinearSolver& solver, const System& system, Mat K) {
     if (!solver.is_krylov()) return;
     if (solver.settings().preconditioner == model::Preconditioner::gamg) attach_rigid_motions(system, K);
-    if (solver.settings().preconditioner == model::Preconditioner::multigrid) solver.set_levels(make_element_levels(system));
+    if (solver.settings().preconditioner == model::Preconditioner::multigrid)
+        solver.set_levels(make_element_levels(system));
 }
 
 }  // namespace soft::assembly

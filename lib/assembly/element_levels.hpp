@@ -19,7 +19,8 @@ inline constexpr PetscInt largest_factorised = 500000;
 
 /// The settings that so many unknowns of a case are solved with: automatic becomes multigrid, to a tolerance with which Newton's
 /// method gains six digits an iteration; what is chosen stays.
-[[nodiscard]] model::LinearSettings choose_linear(model::LinearSettings wanted, const model::Case& input, PetscInt unknowns);
+[[nodiscard]] model::LinearSettings choose_linear(model::LinearSettings wanted, const model::Case& input,
+                                                  PetscInt unknowns);
 
 /// Gives a solver what its preconditioner wants to know of the elements: multigrid the levels, gamg the rigid motions (K gets
 /// them). Errors as above.

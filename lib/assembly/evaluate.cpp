@@ -15,7 +15,7 @@ Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::
     const linalg::Timed timed(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
     prescribe(levels);
     read_state(x);
-    SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));   // it may be a vector of PETSc's own solvers
+    SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));  // it may be a vector of PETSc's own solvers
     SOFT_PETSC(VecZeroEntries(R));
     for (const auto& column : columns) SOFT_PETSC(VecZeroEntries(column.out));
     if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
@@ -30,7 +30,10 @@ Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::
     for (std::size_t group = 0; group < groups_.size(); ++group) add_cells(group, R, adder, columns, result);
 
     // The worst point and its cell, the same on every rank; ties go to the lower rank.
-    struct { double value; int rank; } mine{result.min_jacobian, rank_}, worst{};
+    struct {
+        double value;
+        int rank;
+    } mine{result.min_jacobian, rank_}, worst{};
     MPI_Allreduce(&mine, &worst, 1, MPI_DOUBLE_INT, MPI_MINLOC, comm_);
     result.min_jacobian = worst.value;
     MPI_Bcast(&result.worst_cell, 1, MPI_INT64_T, worst.rank, comm_);
@@ -100,8 +103,8 @@ void System::add_cells(std::size_t index, Vec R, linalg::BlockAdder* K, std::spa
 #pragma omp parallel for num_threads(threads) schedule(static) if (threads > 1)
                 for (int i = 0; i < count; ++i) {
                     gather_cell(group, begin + i, local[i]);
-                    element::integrate_cell(reference, input_.kinematics, rubber, local[i].input(map_.pressure_scale_Pa),
-                                            wanted, out[i]);
+                    element::integrate_cell(reference, input_.kinematics, rubber,
+                                            local[i].input(map_.pressure_scale_Pa), wanted, out[i]);
                 }
                 for (int i = 0; i < count; ++i) {
                     const PetscInt* dofs = &group.dofs[(begin + i) * size];
@@ -176,7 +179,7 @@ void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, li
         K->add(places_.loads[load], f, stiffness);
         for (const auto& column : columns) add_moved(column, -1.0, facet.dofs, stiffness);
     }
-    if (rank_ != 0) return;   // the plug's force is known whole to every rank
+    if (rank_ != 0) return;  // the plug's force is known whole to every rank
     add(R, -pressure, surface.plug_force.dofs, surface.plug_force.values);
     for (const auto& column : columns)
         add(column.out, column.direction.pressures_Pa[load], surface.plug_force.dofs, surface.plug_force.values);

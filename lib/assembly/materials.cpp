@@ -10,7 +10,7 @@ AnyRubber make_rubber(const model::Material& material, model::Formulation formul
         try {
             return model::make_rubber(material);
         } catch (const Error& error) {
-            throw Error(error.code(), "", place + "/" + error.what());   // the law names its constant, not the region
+            throw Error(error.code(), "", place + "/" + error.what());  // the law names its constant, not the region
         }
     };
     AnyRubber rubber = make();

@@ -68,7 +68,7 @@ void System::add_rims(const EnclosedVolume& volume, Vec gradient, std::span<doub
     std::vector<double> y, slope;
     for (const auto& rim : volume.rims) {
         Vector3 apex{};
-        std::vector<std::pair<PetscInt, int>> rim_dofs;   // unknown and component, each node once
+        std::vector<std::pair<PetscInt, int>> rim_dofs;  // unknown and component, each node once
         std::vector<mesh::Index> seen;
         for (const auto& edge : rim.edges) {
             gather_surface(edge, y);
@@ -109,7 +109,8 @@ void System::for_each_point(Visit&& visit) const {
         for (std::size_t c = 0; c < group.cells.size(); ++c) {
             gather_cell(group, c, local);
             points.clear();
-            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work, points);
+            element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work,
+                                 points);
             for (std::size_t q = 0; q < points.size(); ++q) visit(points[q], *group.rubber, PointPlace{&group, c, q});
         }
     }
@@ -120,7 +121,8 @@ Vector3 System::position_of(const PointPlace& place) const {
     const auto nodes = input_.mesh.cell_nodes(place.group->cells[place.cell]);
     Vector3 X{};
     for (std::size_t a = 0; a < nodes.size(); ++a)
-        for (std::size_t i = 0; i < 3; ++i) X[i] += reference.N[place.point * nodes.size() + a] * input_.mesh.point(nodes[a])[i];
+        for (std::size_t i = 0; i < 3; ++i)
+            X[i] += reference.N[place.point * nodes.size() + a] * input_.mesh.point(nodes[a])[i];
     return X;
 }
 
@@ -146,12 +148,16 @@ StretchSummary System::stretches(Vec x) {
     StretchSummary summary;
     summary.min_jacobian = 1e300;
     const material::Form form = input_.formulation;
-    struct { double stretch; int rank; } own{0, rank_}, most{};
+    struct {
+        double stretch;
+        int rank;
+    } own{0, rank_}, most{};
     for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointPlace& place) {
         const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
         mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
         summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
-        const double energy = std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
+        const double energy =
+            std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
         summary.stored_energy_J += point.weight_m3 * energy;
         summary.largest_energy_J_m3 = std::max(summary.largest_energy_J_m3, energy);
         if (mine.back().stretch <= own.stretch) return;
@@ -193,7 +199,7 @@ double System::load_power(Vec x, Vec velocity, const LoadLevels& levels, const L
     const linalg::Timed timed(linalg::Phase::measures);
     prescribe(levels);
     read_state(x);
-    const linalg::Vector force = make_vector();   // of the loads, with the sign of a residual
+    const linalg::Vector force = make_vector();  // of the loads, with the sign of a residual
     for (std::size_t load = 0; load < loads_.size(); ++load) add_pressures(load, levels, force, nullptr, {});
     SOFT_PETSC(VecAssemblyBegin(force));
     SOFT_PETSC(VecAssemblyEnd(force));
@@ -223,12 +229,11 @@ double System::load_power(Vec x, Vec velocity, const LoadLevels& levels, const L
 }
 
 bool System::starts_under_stress() const {
-    return std::ranges::any_of(rubbers_, [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
+    return std::ranges::any_of(rubbers_,
+                               [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
 }
 
-bool System::has_symmetric_tangent() const {
-    return std::ranges::all_of(rubbers_, material::has_symmetric_tangent);
-}
+bool System::has_symmetric_tangent() const { return std::ranges::all_of(rubbers_, material::has_symmetric_tangent); }
 
 System::Fields System::gather_fields(Vec x) {
     const linalg::Timed timed(linalg::Phase::measures);

@@ -18,7 +18,7 @@ Velocity velocity(int number, const Velocity& r) {
         v[number] = 1.0;
         return v;
     }
-    const int next = (number - 2) % 3, after = (number - 1) % 3;   // e x r for the axis e = number - 3
+    const int next = (number - 2) % 3, after = (number - 1) % 3;  // e x r for the axis e = number - 3
     v[next] = -r[after];
     v[after] = r[next];
     return v;
@@ -75,7 +75,8 @@ void attach_rigid_motions(const System& system, Mat K) {
     std::vector<Vec> vectors;
     for (const auto& motion : motions) vectors.push_back(motion.get());
     linalg::NullSpace space;
-    SOFT_PETSC(MatNullSpaceCreate(system.comm(), PETSC_FALSE, static_cast<PetscInt>(vectors.size()), vectors.data(), space.out()));
+    SOFT_PETSC(MatNullSpaceCreate(system.comm(), PETSC_FALSE, static_cast<PetscInt>(vectors.size()), vectors.data(),
+                                  space.out()));
     SOFT_PETSC(MatSetNearNullSpace(K, space));
 }
 

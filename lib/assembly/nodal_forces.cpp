@@ -15,7 +15,7 @@ using mesh::Index;
 
 void add_component(Index node, int i, double value, const DofMap& map, SparseVector& vector) {
     const auto dof = map.displacement[node * map.dimension + i];
-    if (dof == -1 || value == 0.0) return;   // moved components count: their motion is known
+    if (dof == -1 || value == 0.0) return;  // moved components count: their motion is known
     vector.dofs.push_back(dof);
     vector.values.push_back(value);
 }
@@ -126,10 +126,12 @@ NodalForces body_force(const model::Case& input, std::span<const element::Refere
         const std::size_t moving = X.size();
         element::CellPoints work(reference);
         element::sample_cell(reference, input.kinematics, material::FiberFrame::cartesian,
-                             {X, {rest.data(), moving}, {rest.data() + moving, rest.size() - moving}, 1.0}, work, points);
+                             {X, {rest.data(), moving}, {rest.data() + moving, rest.size() - moving}, 1.0}, work,
+                             points);
         for (std::size_t q = 0; q < points.size(); ++q)
             for (int a = 0; a < reference.nodes; ++a)
-                mass[nodes[a]] += density[mesh.cell_regions[cell]] * points[q].weight_m3 * reference.N[q * reference.nodes + a];
+                mass[nodes[a]] +=
+                    density[mesh.cell_regions[cell]] * points[q].weight_m3 * reference.N[q * reference.nodes + a];
     }
     return spread(listed(mass), force.acceleration_m_s2);
 }

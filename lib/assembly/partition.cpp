@@ -55,7 +55,7 @@ std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm, int part
     const auto graph = dual_graph(mesh);
     const auto total = static_cast<PetscInt>(graph.size());
     const PetscInt begin = total * rank / size, end = total * (rank + 1) / size;
-    PetscInt *rows = nullptr, *columns = nullptr;   // handed over to the matrix, which frees them
+    PetscInt *rows = nullptr, *columns = nullptr;  // handed over to the matrix, which frees them
     allocate(end - begin + 1, &rows);
     rows[0] = 0;
     for (PetscInt c = begin; c < end; ++c)

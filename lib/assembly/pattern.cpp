@@ -10,13 +10,14 @@ using mesh::Index;
 
 /// The cells of each of this rank's unknowns.
 struct CellsOfRows {
-    std::vector<std::size_t> begin;   // of each row, and one beyond the last
+    std::vector<std::size_t> begin;  // of each row, and one beyond the last
     std::vector<Index> cells;
 };
 
 /// Calls visit(cell, its unknowns) for every cell of the mesh.
 template <class Visit>
-void for_each_cell(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references, Visit&& visit) {
+void for_each_cell(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references,
+                   Visit&& visit) {
     std::vector<PetscInt> dofs;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         map.cell_dofs(mesh, cell, reference_of(references, mesh.cell_type(cell)), dofs);
@@ -24,7 +25,8 @@ void for_each_cell(const mesh::Mesh& mesh, const DofMap& map, std::span<const el
     }
 }
 
-CellsOfRows cells_of_rows(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references) {
+CellsOfRows cells_of_rows(const mesh::Mesh& mesh, const DofMap& map,
+                          std::span<const element::ReferenceCell> references) {
     CellsOfRows rows;
     rows.begin.assign(static_cast<std::size_t>(map.end - map.begin) + 2, 0);
     const auto for_each_own = [&](auto&& visit) {
@@ -71,15 +73,17 @@ void for_each_row(const mesh::Mesh& mesh, const DofMap& map, std::span<const ele
 
 }  // namespace
 
-linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references,
-                                MPI_Comm comm) {
+linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map,
+                                std::span<const element::ReferenceCell> references, MPI_Comm comm) {
     const auto rows = cells_of_rows(mesh, map, references);
     const PetscInt own = map.end - map.begin;
     std::vector<PetscInt> here(static_cast<std::size_t>(own)), elsewhere(here.size());
     for_each_row(mesh, map, references, rows, [&](PetscInt row, const std::vector<PetscInt>& columns) {
-        const auto first = std::ranges::lower_bound(columns, map.begin), last = std::ranges::lower_bound(columns, map.end);
+        const auto first = std::ranges::lower_bound(columns, map.begin),
+                   last = std::ranges::lower_bound(columns, map.end);
         here[static_cast<std::size_t>(row)] = static_cast<PetscInt>(last - first);
-        elsewhere[static_cast<std::size_t>(row)] = static_cast<PetscInt>(columns.size()) - here[static_cast<std::size_t>(row)];
+        elsewhere[static_cast<std::size_t>(row)] =
+            static_cast<PetscInt>(columns.size()) - here[static_cast<std::size_t>(row)];
     });
     linalg::Matrix K;
     SOFT_PETSC(MatCreate(comm, K.out()));
@@ -91,7 +95,8 @@ linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map, std::
     for_each_row(mesh, map, references, rows, [&](PetscInt row, const std::vector<PetscInt>& columns) {
         zeros.resize(columns.size(), 0.0);
         const PetscInt number = map.begin + row;
-        SOFT_PETSC(MatSetValues(K, 1, &number, static_cast<PetscInt>(columns.size()), columns.data(), zeros.data(), INSERT_VALUES));
+        SOFT_PETSC(MatSetValues(K, 1, &number, static_cast<PetscInt>(columns.size()), columns.data(), zeros.data(),
+                                INSERT_VALUES));
     });
     SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
     SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));

@@ -21,7 +21,8 @@ struct Mode {
 std::vector<Mode> rigid_modes(model::Kinematics kinematics) {
     const Mode x{"translation along x", {1, 0, 0}, {}}, y{"translation along y", {0, 1, 0}, {}},
         z{"translation along z", {0, 0, 1}, {}}, about_x{"rotation about an axis along x", {}, {1, 0, 0}},
-        about_y{"rotation about an axis along y", {}, {0, 1, 0}}, about_z{"rotation about an axis along z", {}, {0, 0, 1}};
+        about_y{"rotation about an axis along y", {}, {0, 1, 0}},
+        about_z{"rotation about an axis along z", {}, {0, 0, 1}};
     switch (kinematics) {
         case model::Kinematics::axisymmetric: return {x};
         case model::Kinematics::plane_strain: return {x, y, about_z};
@@ -33,7 +34,8 @@ std::vector<Mode> rigid_modes(model::Kinematics kinematics) {
 /// Component i of a mode at a point, lengths measured from `centre` in units of `extent`.
 double motion(const Mode& mode, const mesh::Point& X, const mesh::Point& centre, double extent, int i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    return mode.translation[i] + (mode.rotation[j] * (X[k] - centre[k]) - mode.rotation[k] * (X[j] - centre[j])) / extent;
+    return mode.translation[i] +
+           (mode.rotation[j] * (X[k] - centre[k]) - mode.rotation[k] * (X[j] - centre[j])) / extent;
 }
 
 /// Parts of the mesh that share no node: the part's number of every node, -1 for points no cell uses.
@@ -56,7 +58,8 @@ std::vector<int> connected_parts(const mesh::Mesh& mesh, int& count) {
     std::vector<int> part(mesh.points.size(), -1);
     for (std::size_t node = 0; node < part.size(); ++node)
         if (used[node])
-            part[node] = numbers.try_emplace(root(static_cast<Index>(node)), static_cast<int>(numbers.size())).first->second;
+            part[node] =
+                numbers.try_emplace(root(static_cast<Index>(node)), static_cast<int>(numbers.size())).first->second;
     count = static_cast<int>(numbers.size());
     return part;
 }
@@ -114,7 +117,7 @@ std::optional<std::string> free_rigid_motion(const model::Case& input) {
     std::vector<std::vector<Row>> rows(parts);
     const auto hold = [&](const std::string& face, const std::array<bool, 3>& fixed) {
         const auto set = mesh.facet_sets.find(face);
-        if (set == mesh.facet_sets.end()) return;   // reported where the unknowns are numbered
+        if (set == mesh.facet_sets.end()) return;  // reported where the unknowns are numbered
         for (const auto& facet : set->second)
             for (const Index node : mesh::facet_nodes(mesh, facet)) {
                 const int part = part_of[node];
@@ -134,7 +137,7 @@ std::optional<std::string> free_rigid_motion(const model::Case& input) {
             }
     };
     for (const auto& support : input.supports) hold(support.face, support.fixed);
-    for (const auto& moving : input.motions)   // a prescribed displacement holds as well as a support
+    for (const auto& moving : input.motions)  // a prescribed displacement holds as well as a support
         hold(moving.face, {moving.displacement_m[0].has_value(), moving.displacement_m[1].has_value(),
                            moving.displacement_m[2].has_value()});
     for (int part = 0; part < parts; ++part)

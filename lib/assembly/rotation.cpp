@@ -41,7 +41,8 @@ void add_phasor(const Rotation& rotation, const element::ReferenceFacet& facet, 
         for (std::size_t row = 0; row < size; ++row) {
             const double share = -basis[k][row / n];
             phasor[k] += share * force[row];
-            for (std::size_t column = 0; column < size; ++column) slopes[k][column] += share * stiffness[row * size + column];
+            for (std::size_t column = 0; column < size; ++column)
+                slopes[k][column] += share * stiffness[row * size + column];
         }
 }
 

@@ -16,14 +16,14 @@ namespace soft::assembly {
 /// A face of a rotation output: this rank's facets with int N_a dA over each undeformed facet's nodes.
 struct RotationFace {
     std::vector<SurfaceCell> facets;
-    std::vector<std::vector<double>> weights;   ///< [facet][node] [m^2]
+    std::vector<std::vector<double>> weights;  ///< [facet][node] [m^2]
 };
 
 struct Rotation {
     model::Measure measure = model::Measure::bend;
     std::array<double, 3> axis{};
-    RotationFace face, reference;               ///< `reference` for bend only
-    double undeformed = 0;                      ///< [rad], subtracted
+    RotationFace face, reference;  ///< `reference` for bend only
+    double undeformed = 0;         ///< [rad], subtracted
 };
 
 /// Two numbers whose atan2 is an angle, summed over facets: (component along e1, along e2) of the vector area, or

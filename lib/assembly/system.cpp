@@ -30,7 +30,8 @@ std::vector<AnyRubber> make_rubbers(const model::Case& input) {
         const auto material = std::ranges::find(input.materials, region, &model::Material::name);
         if (material == input.materials.end())
             throw Error(ExitCode::bad_input, "materials", "region '" + region + "' has no material");
-        if (const std::string reason = model::why_not(*material, input.kinematics, input.symmetry_planes); !reason.empty())
+        if (const std::string reason = model::why_not(*material, input.kinematics, input.symmetry_planes);
+            !reason.empty())
             throw Error(ExitCode::bad_input, "materials/" + region, reason);
         rubbers.push_back(make_rubber(*material, input.formulation));
     }
@@ -90,7 +91,7 @@ void System::make_loads() {
     for (const auto& load : input_.loads) {
         loads_.push_back(make_load_surface(input_, map_, load, rank_, tables_));
         auto& cavities = load_cavities_.emplace_back();
-        for (const auto& target : load.targets)   // the order of model::measured_cavities
+        for (const auto& target : load.targets)  // the order of model::measured_cavities
             if (const auto cavity = std::ranges::find(input_.cavities, target, &model::Cavity::name);
                 cavity != input_.cavities.end()) {
                 cavities.push_back(volumes_.size());
@@ -145,7 +146,7 @@ void System::make_local_copy() {
             if (dof >= 0) ghosts_.push_back(dof);
     };
     for (const auto& group : groups_) collect(group.dofs);
-    for_each_surface_cell([&](const SurfaceCell& cell) { collect(cell.dofs); });   // rims reach beyond this rank's cells
+    for_each_surface_cell([&](const SurfaceCell& cell) { collect(cell.dofs); });  // rims reach beyond this rank's cells
     std::ranges::sort(ghosts_);
     const auto repeated = std::ranges::unique(ghosts_);
     ghosts_.erase(repeated.begin(), repeated.end());

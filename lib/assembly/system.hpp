@@ -23,20 +23,20 @@ namespace soft::assembly {
 
 /// Outcome of one evaluation; an inverted cell is an expected failure.
 struct Evaluation {
-    double min_jacobian = 1;             ///< least det F over all quadrature points
-    mesh::Index worst_cell = -1;         ///< cell that holds it
-    double force_scale = 0;              ///< root of the sum of squares of all cells' nodal forces, before they cancel
+    double min_jacobian = 1;      ///< least det F over all quadrature points
+    mesh::Index worst_cell = -1;  ///< cell that holds it
+    double force_scale = 0;       ///< root of the sum of squares of all cells' nodal forces, before they cancel
     [[nodiscard]] bool admissible() const noexcept { return min_jacobian > 0.0; }
 };
 
 /// How far the rubber is stretched at a state, and what energy it holds.
 struct StretchSummary {
-    double p99 = 1;                      ///< largest principal stretch exceeded in 1 % of the volume
+    double p99 = 1;  ///< largest principal stretch exceeded in 1 % of the volume
     double largest = 1;
     double min_jacobian = 1;
-    Vector3 largest_at_m{};              ///< undeformed place of the largest stretch; a section's x, r, 0
-    double stored_energy_J = 0;          ///< of the modelled part
-    double largest_energy_J_m3 = 0;      ///< per undeformed volume, at an integration point
+    Vector3 largest_at_m{};          ///< undeformed place of the largest stretch; a section's x, r, 0
+    double stored_energy_J = 0;      ///< of the modelled part
+    double largest_energy_J_m3 = 0;  ///< per undeformed volume, at an integration point
 };
 
 /// A direction of the load levels, and the vector that gets -dR/d(direction).
@@ -107,8 +107,8 @@ private:
         const element::ReferenceCell* reference;
         const AnyRubber* rubber;
         std::vector<mesh::Index> cells;
-        std::vector<PetscInt> dofs;               // [cell][unknown], -1 where held
-        std::vector<int> local;                   // the same as positions in local_
+        std::vector<PetscInt> dofs;  // [cell][unknown], -1 where held
+        std::vector<int> local;      // the same as positions in local_
     };
     /// One cell's numbers, component-major, reused from cell to cell.
     struct LocalCell {
@@ -116,7 +116,9 @@ private:
             : X(reference.displacement_dofs()), unknowns(reference.dofs()) {}
         std::vector<double> X, unknowns;
         [[nodiscard]] element::CellInput input(double pressure_scale_Pa) const {
-            return {X, {unknowns.data(), X.size()}, {unknowns.data() + X.size(), unknowns.size() - X.size()},
+            return {X,
+                    {unknowns.data(), X.size()},
+                    {unknowns.data() + X.size(), unknowns.size() - X.size()},
                     pressure_scale_Pa};
         }
     };
@@ -135,7 +137,8 @@ private:
     void gather_undeformed(const SurfaceCell& cell, std::vector<double>& X) const;
     void gather_surface(const SurfaceCell& cell, std::vector<double>& x) const;
     /// K null: no tangent is wanted.
-    void add_cells(std::size_t group, Vec R, linalg::BlockAdder* K, std::span<const LoadColumn> columns, Evaluation& result) const;
+    void add_cells(std::size_t group, Vec R, linalg::BlockAdder* K, std::span<const LoadColumn> columns,
+                   Evaluation& result) const;
     static void add_residual(mesh::Index cell, std::span<const PetscInt> dofs, const element::CellOutput& out, Vec R,
                              Evaluation& result);
     void add_pressures(std::size_t load, const LoadLevels& levels, Vec R, linalg::BlockAdder* K,
@@ -168,7 +171,7 @@ private:
 
     struct PointPlace {
         const CellGroup* group;
-        std::size_t cell, point;   // of the group, of the cell
+        std::size_t cell, point;  // of the group, of the cell
     };
     [[nodiscard]] Vector3 position_of(const PointPlace& place) const;
     /// Calls visit(point, rubber, place) for every quadrature point of this rank's cells at the state last read.
@@ -179,14 +182,14 @@ private:
     MPI_Comm comm_;
     int rank_ = 0;
     std::vector<element::ReferenceCell> references_;
-    std::vector<AnyRubber> rubbers_;              // by region
+    std::vector<AnyRubber> rubbers_;  // by region
     DofMap map_;
     SurfaceTables tables_;
     std::vector<CellGroup> groups_;
-    std::vector<LoadSurface> loads_;              // by Case::loads
-    std::vector<EnclosedVolume> volumes_;         // by model::measured_cavities
-    std::vector<std::vector<std::size_t>> load_cavities_;   // of each load, into volumes_
-    std::vector<linalg::Vector> tractions_, body_forces_;   // at level 1
+    std::vector<LoadSurface> loads_;                       // by Case::loads
+    std::vector<EnclosedVolume> volumes_;                  // by model::measured_cavities
+    std::vector<std::vector<std::size_t>> load_cavities_;  // of each load, into volumes_
+    std::vector<linalg::Vector> tractions_, body_forces_;  // at level 1
     struct LinearOutput {
         linalg::Vector weights;
         std::vector<double> by_motion;
@@ -202,7 +205,7 @@ private:
         std::vector<Image> images;  // by FaceShape::X
     };
     using OutputForm = std::variant<LinearOutput, Rotation, ShapeOutput, Reaction>;
-    std::vector<OutputForm> outputs_;             // by Case::outputs
+    std::vector<OutputForm> outputs_;  // by Case::outputs
     LoadLevels levels_;                // last prescribed
     /// Where the blocks of cells and facets lie in matrices of the pattern met last.
     struct Places {
@@ -213,8 +216,8 @@ private:
     };
     Places places_;
 
-    std::vector<PetscInt> ghosts_;                // unknowns this rank reads, sorted
-    std::vector<double> local_;                   // their values, a zero for held components, the prescribed values by slot
+    std::vector<PetscInt> ghosts_;  // unknowns this rank reads, sorted
+    std::vector<double> local_;     // their values, a zero for held components, the prescribed values by slot
     linalg::Vector ghost_values_;
     linalg::Scatter ghost_scatter_;
 };

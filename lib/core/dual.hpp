@@ -13,10 +13,10 @@ struct Dual {
 
     double v = 0;
     std::array<double, N> g{};
-    std::array<double, hessian_size> h{};   // packed upper triangle, row by row
+    std::array<double, hessian_size> h{};  // packed upper triangle, row by row
 
     Dual() = default;
-    Dual(double value) : v(value) {}   // constants mix freely with variables
+    Dual(double value) : v(value) {}  // constants mix freely with variables
     [[nodiscard]] static Dual variable(double value, int index) {
         Dual x{value};
         x.g[index] = 1.0;
@@ -51,8 +51,7 @@ struct Dual {
         r.v = a.v * b.v;
         for (int i = 0; i < N; ++i) r.g[i] = a.v * b.g[i] + b.v * a.g[i];
         for (int i = 0, k = 0; i < N; ++i)
-            for (int j = i; j < N; ++j, ++k)
-                r.h[k] = a.v * b.h[k] + b.v * a.h[k] + a.g[i] * b.g[j] + a.g[j] * b.g[i];
+            for (int j = i; j < N; ++j, ++k) r.h[k] = a.v * b.h[k] + b.v * a.h[k] + a.g[i] * b.g[j] + a.g[j] * b.g[i];
         return r;
     }
     friend Dual operator/(const Dual& a, const Dual& b) {

@@ -8,14 +8,14 @@ namespace soft {
 
 enum class ExitCode : int {
     ok = 0,
-    check_failed = 1,     ///< a comparison or regression check failed
-    stopped_early = 2,    ///< the path ended early for a physical or numerical reason; the steps reached are kept
-    usage = 64,           ///< unknown option, bad combination, binary data to a terminal
-    bad_input = 65,       ///< design, mesh, HDF5 or CSV refused
-    cannot_open = 66,     ///< an input cannot be opened
-    internal = 70,        ///< a bug
-    cannot_create = 73,   ///< an output cannot be created
-    io_error = 74,        ///< disk full, short read or write
+    check_failed = 1,    ///< a comparison or regression check failed
+    stopped_early = 2,   ///< the path ended early for a physical or numerical reason; the steps reached are kept
+    usage = 64,          ///< unknown option, bad combination, binary data to a terminal
+    bad_input = 65,      ///< design, mesh, HDF5 or CSV refused
+    cannot_open = 66,    ///< an input cannot be opened
+    internal = 70,       ///< a bug
+    cannot_create = 73,  ///< an output cannot be created
+    io_error = 74,       ///< disk full, short read or write
 };
 
 /// An unexpected failure: where, what is wrong, what would be right. `what()` is "place: problem; remedy"

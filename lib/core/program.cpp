@@ -66,7 +66,7 @@ struct Started {
 Started start(const ProgramCall& call, int output, std::string_view place) {
     const Stream input = scratch(place);
     Stream errors = scratch(place);
-    const bool empty = call.input.empty();   // and then perhaps without an address
+    const bool empty = call.input.empty();  // and then perhaps without an address
     if ((!empty && std::fwrite(call.input.data(), 1, call.input.size(), input.get()) != call.input.size()) ||
         std::fflush(input.get()) != 0)
         throw Error(ExitCode::io_error, place,

@@ -9,8 +9,8 @@
 namespace soft {
 
 struct Spectral {
-    std::array<double, 3> value{};   ///< in no order
-    Tensor vector{};                 ///< n_a is column a: vector[3 i + a]; orthonormal
+    std::array<double, 3> value{};  ///< in no order
+    Tensor vector{};                ///< n_a is column a: vector[3 i + a]; orthonormal
 };
 
 [[nodiscard]] Spectral spectral_form(const Tensor& symmetric);

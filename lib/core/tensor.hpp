@@ -19,8 +19,7 @@ inline constexpr Tensor identity_tensor{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 template <class T>
 [[nodiscard]] T determinant(const TensorOf<T>& F) {
-    return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) +
-           F[2] * (F[3] * F[7] - F[4] * F[6]);
+    return F[0] * (F[4] * F[8] - F[5] * F[7]) - F[1] * (F[3] * F[8] - F[5] * F[6]) + F[2] * (F[3] * F[7] - F[4] * F[6]);
 }
 
 /// cof F = J F^-T = dJ/dF.
@@ -54,8 +53,7 @@ template <class T>
 [[nodiscard]] TensorOf<T> multiply(const TensorOf<T>& A, const TensorOf<T>& B) {
     TensorOf<T> C{};
     for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            C[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
+        for (int j = 0; j < 3; ++j) C[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
     return C;
 }
 
@@ -68,9 +66,7 @@ template <class T>
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-[[nodiscard]] inline double dot(const Vector3& a, const Vector3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+[[nodiscard]] inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Eigenvalues of a symmetric tensor, descending. Trigonometric solution of the characteristic cubic (O. K. Smith,
 /// Comm. ACM 4 (1961) 168), accurate to about 1e-8 of the largest where two coincide, which is enough for reporting.
@@ -85,7 +81,7 @@ template <class T>
     double half_det = determinant(D) / (2.0 * radius * radius * radius);
     half_det = half_det < -1.0 ? -1.0 : (half_det > 1.0 ? 1.0 : half_det);
     const double angle = std::acos(half_det) / 3.0;
-    constexpr double third_turn = 2.0943951023931954923;   // 2 pi / 3
+    constexpr double third_turn = 2.0943951023931954923;  // 2 pi / 3
     const double largest = mean + 2.0 * radius * std::cos(angle);
     const double smallest = mean + 2.0 * radius * std::cos(angle + third_turn);
     return {largest, 3.0 * mean - largest - smallest, smallest};

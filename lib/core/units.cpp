@@ -112,9 +112,8 @@ constexpr std::array units = {
 /// Units of messages, coarse to fine within a dimension: the first that leaves a number of 1 or more is used.
 constexpr auto message_units = std::to_array<std::string_view>(
     {"m",      "mm",       "um", "m^2", "mm^2", "m^3",   "mL", "mm^3", "GPa",  "MPa", "kPa",      "Pa",
-     "deg",    "kg/m^3",   "kg", "g",   "mg",   "m/s^2",
-     "s",  "ms",   "us",   "1/s", "kPa.s/mL", "Pa.s/mL",
-     "Pa.s/L", "Pa.s/m^3", "J", "mJ",  "uJ",   "N",     "mN", "N.m",  "N.mm", "1/m"});
+     "deg",    "kg/m^3",   "kg", "g",   "mg",   "m/s^2", "s",  "ms",   "us",   "1/s", "kPa.s/mL", "Pa.s/mL",
+     "Pa.s/L", "Pa.s/m^3", "J",  "mJ",  "uJ",   "N",     "mN", "N.m",  "N.mm", "1/m"});
 
 constexpr std::size_t longest_number = 40;  // in a message
 

@@ -10,7 +10,20 @@
 
 namespace soft::core {
 
-enum class Dimension { ratio, length, area, volume, pressure, angle, density, mass, acceleration, time, rate, flow_resistance, energy,
+enum class Dimension {
+    ratio,
+    length,
+    area,
+    volume,
+    pressure,
+    angle,
+    density,
+    mass,
+    acceleration,
+    time,
+    rate,
+    flow_resistance,
+    energy,
     force,
     moment,
     curvature

@@ -53,7 +53,7 @@ FaceNames faces_of(const Node& original) {
         add(cavity.key);
         faces.cavities.push_back(faces.faces.back());
     }
-    std::erase_if(faces.aliases, [&](const auto& alias) {   // of faces that the case does not load
+    std::erase_if(faces.aliases, [&](const auto& alias) {  // of faces that the case does not load
         return std::ranges::find(faces.faces, alias.second) == faces.faces.end();
     });
     return faces;
@@ -82,9 +82,10 @@ Part part_of(const Node& root, FaceNames faces) {
 }
 
 /// The mesh turned the direction of a load into a vector, so only its size can still change.
-std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& was, const Part& part, const Values& values) {
+std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& was, const Part& part,
+                               const Values& values) {
     const std::string remedy = "give the same --set to mesh-gen";
-    std::vector<const LoadEntry*> own;   // in the order of the case's list
+    std::vector<const LoadEntry*> own;  // in the order of the case's list
     for (const LoadEntry& load : built.loads)
         if (load.kind == kind) own.push_back(&load);
     std::vector<ScaledLoad> loads;
@@ -93,11 +94,13 @@ std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& w
         const auto same = std::ranges::find(own, load.name, [](const LoadEntry* entry) { return entry->name; });
         const auto word = [](const LoadEntry& entry) { return entry.value.substr(entry.path.size() + 1); };
         if (same == own.end() || word(**same) != word(load))
-            throw values.refuse(load.value, "the case has no " + word(load) + (kind == LoadKind::gravity ? "" : " on this face"), remedy);
+            throw values.refuse(load.value,
+                                "the case has no " + word(load) + (kind == LoadKind::gravity ? "" : " on this face"),
+                                remedy);
         if (was.text((*same)->path + ".along") != values.text(load.path + ".along"))
             throw values.refuse(load.path + ".along", "the direction is built into the case", remedy);
-        loads.push_back({static_cast<std::size_t>(same - own.begin()), values.number(load.value) / was.number((*same)->value),
-                         course_of(values, load.path)});
+        loads.push_back({static_cast<std::size_t>(same - own.begin()),
+                         values.number(load.value) / was.number((*same)->value), course_of(values, load.path)});
     }
     return loads;
 }
@@ -143,8 +146,8 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
     changes.materials = materials_of(values);
     Loads loads = loads_of(part.loads, values);
     const Node* formulation = find_path(original, "mesh.formulation");
-    changes.dynamics =
-        dynamics_of({part.loads, items, formulation == nullptr ? std::string_view{} : std::string_view{formulation->text}}, values);
+    changes.dynamics = dynamics_of(
+        {part.loads, items, formulation == nullptr ? std::string_view{} : std::string_view{formulation->text}}, values);
     changes.path = path_of({part.stages, part.loads, loads, outputs}, items, values);
     changes.loads = std::move(loads.pressures);
     changes.tractions = scaled(LoadKind::traction, built, was, part, values);

@@ -204,7 +204,8 @@ std::string range_text(const Key& key) {
         case Kind::flag: return "true | false";
         case Kind::text: return "one line of text";
         case Kind::choice: return core::join(key.choices, " | ");
-        case Kind::faces: return "a face or [face, face]" + (key.choices.empty() ? "" : " | " + core::join(key.choices, " | "));
+        case Kind::faces:
+            return "a face or [face, face]" + (key.choices.empty() ? "" : " | " + core::join(key.choices, " | "));
         case Kind::list: return "a list";
         default: break;
     }

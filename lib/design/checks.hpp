@@ -22,7 +22,7 @@ struct Item {
 struct FaceNames {
     std::vector<std::string> faces;
     std::map<std::string, std::string> aliases;
-    std::vector<std::string> cavities = {};   ///< those of which the wall, a face of the same name, is there
+    std::vector<std::string> cavities = {};  ///< those of which the wall, a face of the same name, is there
 };
 
 /// What a Kind::faces value may say instead of a face, where its key lists it as a choice.

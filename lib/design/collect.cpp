@@ -94,7 +94,8 @@ std::vector<Item> collect(const Node& root, const Schema& schema, std::string_vi
                    "add " + name + ": " + (example == examples.end() ? range_text(key) : example->second));
         }
         const bool list = key.most > 1 && key.fallback.starts_with('[');
-        const Node fallback = list ? parse_fragment(key.fallback, place_default) : scalar_node(key.fallback, place_default);
+        const Node fallback =
+            list ? parse_fragment(key.fallback, place_default) : scalar_node(key.fallback, place_default);
         items.push_back(check_value(key, fallback, schema.faces));
     }
     return items;
@@ -122,7 +123,7 @@ Node tree_of(std::span<const Item> items) {
     sorted.kind = Node::Kind::map;
     for (const SectionNote& section : section_notes()) {
         if (find(root, section.name) == nullptr) {
-            if (section.name == "names" || section.name == "materials") continue;   // few designs have any
+            if (section.name == "names" || section.name == "materials") continue;  // few designs have any
             add_empty(section.name);
         }
         sorted.members.push_back(*find_member(root, section.name));

@@ -100,9 +100,7 @@ Key support_key(const std::string& component) {
 }
 
 Key output_face_key(const std::string& output) {
-    return {.path = "outputs." + output + ".face",
-            .kind = Kind::faces,
-            .meaning = "face that is measured"};
+    return {.path = "outputs." + output + ".face", .kind = Kind::faces, .meaning = "face that is measured"};
 }
 
 namespace {
@@ -116,10 +114,12 @@ std::vector<std::string> measure_words() {
 }  // namespace
 
 Key output_measure_key(const std::string& output) {
-    return {.path = "outputs." + output + ".measure",
-            .kind = Kind::choice,
-            .fallback = "displacement",
-            .meaning = "mean displacement of the face; angle by which it bends away from another one; mean angle by which it turns "
+    return {
+        .path = "outputs." + output + ".measure",
+        .kind = Kind::choice,
+        .fallback = "displacement",
+        .meaning =
+            "mean displacement of the face; angle by which it bends away from another one; mean angle by which it turns "
             "about an axis through the origin (twist), mean growth of its distance from one (radial); rotation vector; "
             "curvature of the circle that fits it best; force or moment with which the body pushes on what holds it",
         .choices = measure_words()};
@@ -172,11 +172,20 @@ std::vector<Key> face_rule_keys() {
     const auto plane = [](const char* path) {
         return Key{.path = path, .kind = Kind::length, .meaning = "the facets that lie in this plane"};
     };
-    return {plane("plane.x"), plane("plane.y"), plane("plane.z"),
+    return {plane("plane.x"),
+            plane("plane.y"),
+            plane("plane.z"),
             place("box.from", "the facets within this box, x, y, z of its lowest corner"),
             place("box.to", "x, y, z of the box's highest corner"),
-            {.path = "normal", .kind = Kind::ratio, .meaning = "the facets that look this way, x, y, z out of the rubber", .most = 3},
-            {.path = "within", .kind = Kind::angle, .meaning = "how far their normals may be from it (10 deg unless said)", .min = 0, .max = 3.1415926535897932},
+            {.path = "normal",
+             .kind = Kind::ratio,
+             .meaning = "the facets that look this way, x, y, z out of the rubber",
+             .most = 3},
+            {.path = "within",
+             .kind = Kind::angle,
+             .meaning = "how far their normals may be from it (10 deg unless said)",
+             .min = 0,
+             .max = 3.1415926535897932},
             place("point", "what hangs together with the surface nearest to x, y, z, up to sharp edges (40 deg)"),
             {.path = "up_to", .kind = Kind::faces, .meaning = "with point: across sharp edges too, up to these faces"}};
 }
@@ -213,7 +222,8 @@ const std::vector<SectionNote>& section_notes() {
          "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: {pressure}, "
          "{traction, along}, {force, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also course: {kind: ramp, rise | "
          "step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
-        {"path", "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
+        {"path",
+         "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
         {"outputs", "name: {face, measure, along}; becomes a column of the curve"},
         {"dynamics", "motion in time from rest in the undeformed state; needs material.density"},
         {"solver", "methods, tolerances and limits; the defaults are good"},

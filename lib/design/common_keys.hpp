@@ -25,7 +25,7 @@ namespace soft::design {
 /// names.<other name>: face; one word, so that solve knows the other names too.
 [[nodiscard]] std::vector<Key> name_keys(const FamilyKeys& family);
 
-[[nodiscard]] std::vector<std::string> directions();   ///< axis, x, y, z, r, normal
+[[nodiscard]] std::vector<std::string> directions();  ///< axis, x, y, z, r, normal
 
 /// Whether the user may call an output or a stage so.
 /// What a face below `geometry.faces` may be named by, without that path; all are optional.

@@ -15,11 +15,12 @@ constexpr std::array course_words{Word<Course>{"ramp", Course::ramp}, Word<Cours
 std::string course_path(const std::string& load) { return load + ".course."; }
 
 Key kind_key(const std::string& path) {
-    return {.path = path + "kind",
-            .kind = Kind::choice,
-            .fallback = word_for(course_words, model::TimeCourse{}.kind),
-            .meaning = "how the load goes with time: it grows evenly, is there at once, swings about 0, or follows a table",
-            .choices = words_of(course_words)};
+    return {
+        .path = path + "kind",
+        .kind = Kind::choice,
+        .fallback = word_for(course_words, model::TimeCourse{}.kind),
+        .meaning = "how the load goes with time: it grows evenly, is there at once, swings about 0, or follows a table",
+        .choices = words_of(course_words)};
 }
 
 /// A key beside `kind`, and the kind that has it.
@@ -27,8 +28,8 @@ struct Detail {
     Course of;
     std::string_view name;
 };
-constexpr std::array details{Detail{Course::ramp, "rise"}, Detail{Course::sine, "frequency"}, Detail{Course::table, "times"},
-                             Detail{Course::table, "shares"}};
+constexpr std::array details{Detail{Course::ramp, "rise"}, Detail{Course::sine, "frequency"},
+                             Detail{Course::table, "times"}, Detail{Course::table, "shares"}};
 
 Key detail_key(const std::string& path, std::string_view name) {
     Key key{.path = path + std::string{name}};
@@ -59,12 +60,14 @@ Key detail_key(const std::string& path, std::string_view name) {
 
 void check_table(const Values& values, const std::string& path, const model::TimeCourse& course) {
     if (course.shares.size() != course.times_s.size())
-        throw values.refuse(path + "shares",
-                            std::to_string(course.shares.size()) + " shares for " + std::to_string(course.times_s.size()) + " times",
-                            "write as many shares as times");
+        throw values.refuse(
+            path + "shares",
+            std::to_string(course.shares.size()) + " shares for " + std::to_string(course.times_s.size()) + " times",
+            "write as many shares as times");
     for (std::size_t i = 1; i < course.times_s.size(); ++i)
         if (!(course.times_s[i] > course.times_s[i - 1]))
-            throw values.refuse(path + "times", "the times do not ascend", "write each of them after the one before it");
+            throw values.refuse(path + "times", "the times do not ascend",
+                                "write each of them after the one before it");
 }
 
 }  // namespace
@@ -92,14 +95,16 @@ void add_course_keys(Schema& schema, const std::string& load, const Node& writte
 }
 
 Key line_key(const std::string& load) {
-    return {.path = load + ".line.resistance",
-            .kind = Kind::flow_resistance,
-            .fallback = "none",
-            .meaning = "of the tube between the source, whose pressure is that of the course, and the cavity: pressure drop per "
-                       "volume flow at ambient pressure; none: the course is the pressure in the cavity",
-            .min = 0,
-            .min_open = true,
-            .choices = {"none"}};
+    return {
+        .path = load + ".line.resistance",
+        .kind = Kind::flow_resistance,
+        .fallback = "none",
+        .meaning =
+            "of the tube between the source, whose pressure is that of the course, and the cavity: pressure drop per "
+            "volume flow at ambient pressure; none: the course is the pressure in the cavity",
+        .min = 0,
+        .min_open = true,
+        .choices = {"none"}};
 }
 
 model::TimeCourse course_of(const Values& values, const std::string& load) {
@@ -108,7 +113,7 @@ model::TimeCourse course_of(const Values& values, const std::string& load) {
     if (!values.has(path + "kind")) return course;
     course.kind = meant_by(course_words, values.text(path + "kind"));
     switch (course.kind) {
-        case Course::ramp: course.time_s = values.number(path + "rise"); break;   // "duration" is 0
+        case Course::ramp: course.time_s = values.number(path + "rise"); break;  // "duration" is 0
         case Course::step: break;
         case Course::sine: course.frequency_Hz = values.number(path + "frequency"); break;
         case Course::table:

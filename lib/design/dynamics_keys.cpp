@@ -21,7 +21,7 @@ constexpr std::array integrator_words{Word<Integrator>{"generalized-alpha", Inte
 
 constexpr const char *duration_path = "dynamics.duration", *integrator_path = "dynamics.integrator",
                      *radius_path = "dynamics.spectral_radius";
-constexpr double least_hht_radius = 0.5;   // alpha = (1 - rho) / (1 + rho) <= 1/3
+constexpr double least_hht_radius = 0.5;  // alpha = (1 - rho) / (1 + rho) <= 1/3
 
 Key time_key(std::string path, std::string word, std::string meaning) {
     return {.path = std::move(path),
@@ -46,7 +46,8 @@ void check_path_keys(const DynamicParts& parts, const Values& values) {
     for (const Item& item : parts.items) {
         const std::string& path = item.key.path;
         if (path.starts_with("path.stages."))
-            throw values.refuse(path, "a path in time has no stages", "give the load a course, or leave out dynamics.duration");
+            throw values.refuse(path, "a path in time has no stages",
+                                "give the load a course, or leave out dynamics.duration");
         if (path.starts_with("path.until.") && path != "path.until.steps")
             throw values.refuse(path, "a path in time ends after its duration, or after steps", remedy);
     }
@@ -63,15 +64,17 @@ void check_loads(const DynamicParts& parts, const Values& values) {
             throw values.refuse(load.value, "a prescribed displacement cannot move in time in this version",
                                 "load the face by a pressure or a traction");
         if (load.kind == LoadKind::gas && load.what != model::Prescription::pressure)
-            throw values.refuse(load.value, "a path in time takes a pressure as its supply",
-                                "write pressure; with line: {resistance: 1e8 Pa.s/m^3} the cavity fills through a tube");
+            throw values.refuse(
+                load.value, "a path in time takes a pressure as its supply",
+                "write pressure; with line: {resistance: 1e8 Pa.s/m^3} the cavity fills through a tube");
     }
 }
 
 void check_integrator(const model::Dynamics& dynamics, std::string_view formulation, const Values& values) {
     if (is_explicit(dynamics.integrator) && formulation == "mixed")
-        throw values.refuse(integrator_path, "an explicit integrator has no equation for the pressure unknowns of mixed cells",
-                            "mesh: {formulation: displacement} or f-bar with a finite kappa, or an implicit integrator");
+        throw values.refuse(
+            integrator_path, "an explicit integrator has no equation for the pressure unknowns of mixed cells",
+            "mesh: {formulation: displacement} or f-bar with a finite kappa, or an implicit integrator");
     if (dynamics.integrator == Integrator::hht && dynamics.spectral_radius < least_hht_radius)
         throw values.refuse(radius_path, "hht is stable from " + core::rounded_text(least_hht_radius, 2) + " on only",
                             "a larger radius, or integrator: generalized-alpha");
@@ -88,12 +91,18 @@ std::vector<Key> dynamics_keys() {
          .fallback = word_for(integrator_words, defaults.integrator),
          .meaning = "how time is stepped; heun, explicit-euler and central-difference are explicit",
          .choices = words_of(integrator_words)},
-        time_key("dynamics.step", "auto", "length of the steps; auto: by accuracy, of an explicit integrator its stable step")};
+        time_key("dynamics.step", "auto",
+                 "length of the steps; auto: by accuracy, of an explicit integrator its stable step")};
     const auto ratio = [&](const char* path, double fallback, const char* meaning) {
-        keys.push_back({.path = path, .kind = Kind::ratio, .fallback = core::number_text(fallback), .meaning = meaning,
-                        .min = 0, .max = 1});
+        keys.push_back({.path = path,
+                        .kind = Kind::ratio,
+                        .fallback = core::number_text(fallback),
+                        .meaning = meaning,
+                        .min = 0,
+                        .max = 1});
     };
-    ratio("dynamics.accuracy", defaults.accuracy, "wanted error of a step over the size of the motion, where step is auto");
+    ratio("dynamics.accuracy", defaults.accuracy,
+          "wanted error of a step over the size of the motion, where step is auto");
     keys.back().min_open = true;
     ratio(radius_path, defaults.spectral_radius,
           "what generalized-alpha and hht leave of motions too fast for the step, each step: 1 damps nothing");
@@ -129,7 +138,7 @@ std::optional<model::Dynamics> dynamics_of(const DynamicParts& parts, const Valu
     model::Dynamics dynamics;
     dynamics.integrator = meant_by(integrator_words, values.text(integrator_path));
     dynamics.duration_s = values.number(duration_path);
-    dynamics.step_s = values.number("dynamics.step");   // "auto" is 0
+    dynamics.step_s = values.number("dynamics.step");  // "auto" is 0
     dynamics.accuracy = values.number("dynamics.accuracy");
     dynamics.spectral_radius = values.number(radius_path);
     dynamics.mass_damping_1_s = values.number("dynamics.mass_damping");

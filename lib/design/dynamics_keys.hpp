@@ -19,7 +19,7 @@ namespace soft::design {
 struct DynamicParts {
     std::span<const LoadEntry> loads;
     std::span<const Item> items;
-    std::string_view formulation;      ///< mesh.formulation; empty where the design has no such key
+    std::string_view formulation;  ///< mesh.formulation; empty where the design has no such key
 };
 /// nullopt without a duration; then the other keys of `dynamics` must be at their defaults. Refuses a rubber without density,
 /// stages, a control, an end or a branch of a static path, supplies other than pressures, prescribed motions, and pressure

@@ -16,14 +16,16 @@ std::string annotated(std::span<const Item> items, auto&& note_of) {
     Node root = tree_of(items);
     for (const Item& item : items) find_path(root, item.key.path)->note = note_of(item);
     for (const SectionNote& section : section_notes())
-        if (Node* group = find_path(root, section.name); group != nullptr && !section.note.empty()) group->note = section.note;
+        if (Node* group = find_path(root, section.name); group != nullptr && !section.note.empty())
+            group->note = section.note;
     if (Node* stages = find_path(root, "path.stages"))
         stages->note = "in the order written; a load is 0 until a stage names it and then keeps its value";
     std::vector<std::string> ends = until_quantities();
     for (const Item& item : items)
         if (item.key.path.starts_with("outputs.") && item.key.path.ends_with(".face"))
             ends.insert(ends.begin(), item.key.path.substr(8, item.key.path.size() - 8 - 5));
-    find_path(root, "path.until")->note = "the path, or each of its stages, also ends at the first of these: " + core::join(ends);
+    find_path(root, "path.until")->note =
+        "the path, or each of its stages, also ends at the first of these: " + core::join(ends);
     return write_yaml(root, note_column);
 }
 
@@ -64,8 +66,9 @@ std::string example_design(const FamilyKeys& family) {
 
 std::string template_yaml(const FamilyKeys& family) {
     const std::string source = "template of " + family.name;
-    FamilyKeys known = family;   // a template is printed without looking for its file
-    if (known.faces_of_file) known.faces_of_file = [&](const std::string&, std::string_view) { return FileFaces{family.faces}; };
+    FamilyKeys known = family;  // a template is printed without looking for its file
+    if (known.faces_of_file)
+        known.faces_of_file = [&](const std::string&, std::string_view) { return FileFaces{family.faces}; };
     const Checked checked = check_design(parse_yaml(example_design(family), source), source, known);
     std::string text = "# " + family.name + ": " + family.summary + "\n";
     text += "# Run:   mesh-gen FILE | solve | postprocess > curve.csv      Check: mesh-gen --check FILE\n";

@@ -5,7 +5,9 @@
 namespace soft::design {
 
 void check_formulation(const Values& values) {
-    const auto says = [&](const char* path, std::string_view word) { return values.has(path) && values.text(path) == word; };
+    const auto says = [&](const char* path, std::string_view word) {
+        return values.has(path) && values.text(path) == word;
+    };
     constexpr const char* formulation = "mesh.formulation";
     const bool first_order = values.has("mesh.order") && values.text("mesh.order") == "1";
     const bool second_order = values.has("mesh.order") && values.text("mesh.order") == "2";
@@ -15,9 +17,11 @@ void check_formulation(const Values& values) {
                             "order: 2, or formulation: f-bar for quadrilaterals and hexahedra");
     if (says(formulation, "f-bar")) {
         if (second_order)
-            throw values.refuse(formulation, "f-bar is for first-order cells", "add order: 1, or take formulation: mixed");
+            throw values.refuse(formulation, "f-bar is for first-order cells",
+                                "add order: 1, or take formulation: mixed");
         if (says("mesh.cells", "simplices"))
-            throw values.refuse(formulation, "f-bar does nothing for triangles and tetrahedra: their change of volume is constant",
+            throw values.refuse(formulation,
+                                "f-bar does nothing for triangles and tetrahedra: their change of volume is constant",
                                 "cells: auto, or formulation: mixed with order: 2");
     }
     if (!values.has(formulation) || says(formulation, "mixed")) return;

@@ -29,7 +29,8 @@ Key supply_key(const std::string& load, const SupplyWord& word, When when) {
     switch (word.what) {
         case Prescription::pressure:
             key.kind = Kind::pressure;
-            key.meaning = "gauge pressure" + at(when) + "; positive pushes on the rubber and inflates a cavity; a cavity may "
+            key.meaning = "gauge pressure" + at(when) +
+                          "; positive pushes on the rubber and inflates a cavity; a cavity may "
                           "have volume, volume_ratio, mass or valve instead";
             break;
         case Prescription::volume:
@@ -40,13 +41,15 @@ Key supply_key(const std::string& load, const SupplyWord& word, When when) {
             break;
         case Prescription::volume_ratio:
             key.kind = Kind::ratio;
-            key.meaning = "enclosed volume over its undeformed value" + at(when) + ", of all cavities that share the gas";
+            key.meaning =
+                "enclosed volume over its undeformed value" + at(when) + ", of all cavities that share the gas";
             key.min = 0;
             key.min_open = true;
             break;
         case Prescription::mass:
             key.kind = Kind::mass;
-            key.meaning = "gas injected" + at(when) + ", counted since the path began, beyond what fills the undeformed cavity";
+            key.meaning =
+                "gas injected" + at(when) + ", counted since the path began, beyond what fills the undeformed cavity";
             break;
         case Prescription::closed:
             key.kind = Kind::choice;

@@ -13,7 +13,7 @@ namespace soft::design {
 
 /// How much gas a cavity gets; one of these stands in its load.
 struct SupplyWord {
-    std::string_view name;   ///< of the key: "volume_ratio"
+    std::string_view name;  ///< of the key: "volume_ratio"
     model::Prescription what;
 };
 [[nodiscard]] std::span<const SupplyWord> supply_words();
@@ -25,7 +25,7 @@ enum class When { full_load, stage_end };
 [[nodiscard]] Key shares_key(const std::string& load, std::vector<std::string> cavities);
 [[nodiscard]] Key sealed_key(const std::string& load, std::string fallback);
 [[nodiscard]] Key shape_key(const std::string& load);
-[[nodiscard]] std::vector<Key> gas_keys(const std::string& load);   ///< defaults are model::Gas's
+[[nodiscard]] std::vector<Key> gas_keys(const std::string& load);  ///< defaults are model::Gas's
 
 [[nodiscard]] Key traction_key(const std::string& load, When when);
 [[nodiscard]] Key force_key(const std::string& load, When when);
@@ -35,6 +35,6 @@ enum class When { full_load, stage_end };
 [[nodiscard]] Key displacement_key(const std::string& load, When when);
 [[nodiscard]] Key motion_along_key(const std::string& load);
 
-inline constexpr double adiabatic_exponent = 1.4;   ///< of air, ratio of its specific heats
+inline constexpr double adiabatic_exponent = 1.4;  ///< of air, ratio of its specific heats
 
 }  // namespace soft::design

@@ -65,7 +65,8 @@ std::vector<Override> in_names_of(const Node& root, std::span<const Override> ov
         const std::string name = change.path.substr(start.size(), end - start.size()), face = resolve_face(faces, name);
         const auto& loads = members_of(root, "loads");
         if (face.empty() || std::ranges::find(loads, name, &Member::key) != loads.end()) continue;
-        const auto same = std::ranges::find(loads, face, [&](const Member& load) { return resolve_face(faces, load.key); });
+        const auto same =
+            std::ranges::find(loads, face, [&](const Member& load) { return resolve_face(faces, load.key); });
         if (same != loads.end()) change.path.replace(start.size(), name.size(), same->key);
     }
     return renamed;

@@ -10,15 +10,15 @@
 
 namespace soft::design {
 
-inline constexpr std::string_view cavity_name = "cavity";        ///< the short form for the one cavity of a family
+inline constexpr std::string_view cavity_name = "cavity";  ///< the short form for the one cavity of a family
 inline constexpr std::string_view cavities_group = "cavities";
 inline constexpr std::string_view gravity_name = "gravity";
 
 enum class LoadTarget { cavity, face, gravity };
 
 struct NamedLoad {
-    std::string path;                  ///< "loads.cavities.left"
-    std::string name;                  ///< of the cavity, of the face itself, or "gravity"
+    std::string path;  ///< "loads.cavities.left"
+    std::string name;  ///< of the cavity, of the face itself, or "gravity"
     LoadTarget target;
     const Member* member;
 };

@@ -13,14 +13,14 @@ namespace {
 
 using model::Prescription;
 
-[[noreturn]] void refuse_no_loads(const Schema& schema, const Node& root, const Node& defaults, std::string_view source) {
+[[noreturn]] void refuse_no_loads(const Schema& schema, const Node& root, const Node& defaults,
+                                  std::string_view source) {
     const auto& usual = members_of(defaults, "loads");
-    const std::string example = !usual.empty() && usual.front().key != cavities_group
-                                    ? usual.front().key + ": {pressure: 30 kPa}"
-                                : schema.faces.cavities.size() == 1 ? std::string{cavity_name} + ": {pressure: 30 kPa}"
-                                : schema.faces.cavities.size() > 1
-                                    ? "cavities: {" + schema.faces.cavities.front() + ": {pressure: 30 kPa}}"
-                                    : "face: {pressure: 30 kPa}";
+    const std::string example =
+        !usual.empty() && usual.front().key != cavities_group ? usual.front().key + ": {pressure: 30 kPa}"
+        : schema.faces.cavities.size() == 1                   ? std::string{cavity_name} + ": {pressure: 30 kPa}"
+        : schema.faces.cavities.size() > 1 ? "cavities: {" + schema.faces.cavities.front() + ": {pressure: 30 kPa}}"
+                                           : "face: {pressure: 30 kPa}";
     const Member* section = find_member(root, "loads");
     refuse(section == nullptr ? std::string{source} + ":1:1" : section->place, "loads",
            "missing (what drives the actuator)", "add loads: {" + example + "}");
@@ -42,8 +42,8 @@ std::string_view only_one_of(const NamedLoad& load, std::span<const std::string>
         if (std::ranges::find(words, member.key) == words.end()) continue;
         if (!found.empty())
             refuse(member.place, load.path + "." + member.key, "the load has a " + std::string{found} + " already",
-                   "keep one of " + core::join(words) + "; --set takes a whole load too: " + load.path + "={" + member.key +
-                       ": ...}");
+                   "keep one of " + core::join(words) + "; --set takes a whole load too: " + load.path + "={" +
+                       member.key + ": ...}");
         found = member.key;
     }
     return found;
@@ -68,7 +68,8 @@ const SupplyWord& supply_word(std::string_view name) {
 }
 
 LoadEntry entry_of(const NamedLoad& load, LoadKind kind, std::string_view value) {
-    return {load.path, load.member->place, load.name, kind, Prescription::pressure, load.path + "." + std::string{value}};
+    return {load.path, load.member->place,     load.name,
+            kind,      Prescription::pressure, load.path + "." + std::string{value}};
 }
 
 LoadEntry add_cavity(Schema& schema, const NamedLoad& load, const Node& defaults) {
@@ -152,10 +153,10 @@ void refuse_zero(const LoadEntry& entry, double value, const Values& values) {
     const std::string what = entry.value.substr(entry.value.rfind('.') + 1);
     throw values.refuse(entry.value, ratio ? "1 is where the path starts" : "a load of 0 gives no path",
                         "write the " + what + " at full load, for example " +
-                            (ratio                                        ? "3"
-                             : entry.what == Prescription::mass           ? "50 mg"
-                             : entry.kind == LoadKind::gravity            ? "9.81 m/s^2"
-                             : entry.kind == LoadKind::motion             ? "10 mm"
+                            (ratio                              ? "3"
+                             : entry.what == Prescription::mass ? "50 mg"
+                             : entry.kind == LoadKind::gravity  ? "9.81 m/s^2"
+                             : entry.kind == LoadKind::motion   ? "10 mm"
                              : is_force(entry)                  ? "2 N"
                                                                 : "30 kPa"));
 }
@@ -164,7 +165,8 @@ model::PressureLoad pressure_load(const LoadEntry& entry, const Values& values) 
     model::PressureLoad load;
     load.name = entry.name;
     load.targets = {entry.name};
-    load.shape = values.text(entry.path + ".acts_on") == "undeformed" ? model::LoadShape::undeformed : model::LoadShape::deformed;
+    load.shape = values.text(entry.path + ".acts_on") == "undeformed" ? model::LoadShape::undeformed
+                                                                      : model::LoadShape::deformed;
     load.course = course_of(values, entry.path);
     load.line = line_of(values, entry.path);
     if (entry.kind != LoadKind::gas) return load;
@@ -181,7 +183,8 @@ void share_gas(const LoadEntry& entry, std::span<const LoadEntry> entries, Loads
     const std::string& other = values.text(entry.value);
     const std::string path = entry.value;
     if (other == entry.name)
-        throw values.refuse(path, "it would share its own gas", "name another cavity, or write pressure in place of shares");
+        throw values.refuse(path, "it would share its own gas",
+                            "name another cavity, or write pressure in place of shares");
     const auto owner = std::ranges::find(entries, other, &LoadEntry::name);
     if (owner == entries.end())
         throw values.refuse(path, "cavity " + core::quoted(other) + " has no load", "add it under loads.cavities");
@@ -206,7 +209,8 @@ LoadSlot take(const LoadEntry& entry, double value, Loads& loads, const Values& 
             return {entry.kind, loads.tractions.size() - 1, value};
         case LoadKind::gravity:
             require_density(values, entry.value);
-            loads.body_forces.push_back({entry.name, value, values.text(entry.path + ".along"), course_of(values, entry.path)});
+            loads.body_forces.push_back(
+                {entry.name, value, values.text(entry.path + ".along"), course_of(values, entry.path)});
             return {entry.kind, loads.body_forces.size() - 1, value};
         case LoadKind::motion:
             check_direction(values, entry.path + ".along");
@@ -260,7 +264,8 @@ std::vector<StageLoad> add_stage_load_keys(Schema& schema, const Node& root, con
                    "a stage changes what stands under loads: " + core::join(known));
         const auto index = static_cast<std::size_t>(own - loads.begin());
         if (std::ranges::find(found, index, &StageLoad::index) != found.end())
-            refuse(load.member->place, load.path, core::quoted(load.name) + " stands there twice", "keep one of its names");
+            refuse(load.member->place, load.path, core::quoted(load.name) + " stands there twice",
+                   "keep one of its names");
         if (own->kind == LoadKind::shared_gas)
             refuse(load.member->place, load.path, "its gas is that of another cavity", "change the load of that one");
         const std::vector<std::string> words = supply_names();
@@ -282,7 +287,8 @@ Loads loads_of(std::span<const LoadEntry> entries, const Values& values) {
         const double value = sharing || closed ? 0 : values.number(entry.value);
         if (!sharing) refuse_zero(entry, value, values);
         if (std::ranges::find(loaded, entry.name) != loaded.end())
-            throw values.refuse(entry.value, "face " + core::quoted(entry.name) + " is loaded twice", "keep one of its names");
+            throw values.refuse(entry.value, "face " + core::quoted(entry.name) + " is loaded twice",
+                                "keep one of its names");
         loaded.push_back(entry.name);
         loads.slots.push_back(take(entry, value, loads, values));
         moves = moves || !(sharing || closed);

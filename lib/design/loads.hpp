@@ -16,12 +16,12 @@ enum class LoadKind { gas, shared_gas, face_pressure, traction, gravity, motion 
 
 /// A load as it is written, in `loads` or in a stage.
 struct LoadEntry {
-    std::string path;                        ///< "loads.cavity", "loads.cavities.left", "path.stages.vent.loads.cavity"
-    std::string place;                       ///< of its key
-    std::string name;                        ///< resolved: of the cavity or the face; "gravity"
+    std::string path;   ///< "loads.cavity", "loads.cavities.left", "path.stages.vent.loads.cavity"
+    std::string place;  ///< of its key
+    std::string name;   ///< resolved: of the cavity or the face; "gravity"
     LoadKind kind = LoadKind::gas;
     model::Prescription what = model::Prescription::pressure;
-    std::string value = {};                  ///< path of the key that says how much: "loads.cavity.pressure"
+    std::string value = {};  ///< path of the key that says how much: "loads.cavity.pressure"
 };
 
 /// `defaults` are the family's; a value in them is an example and never used silently. Returns the loads in the order in
@@ -49,7 +49,7 @@ struct Loads {
     std::vector<Design::TractionRequest> tractions;
     std::vector<Design::BodyForceRequest> body_forces;
     std::vector<Design::MotionRequest> motions;
-    std::vector<LoadSlot> slots;             ///< one for each entry
+    std::vector<LoadSlot> slots;  ///< one for each entry
 };
 /// In the order of `entries`. Refuses loads of 0, two loads on one face, and gas that cannot be shared.
 [[nodiscard]] Loads loads_of(std::span<const LoadEntry> entries, const Values& values);

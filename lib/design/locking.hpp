@@ -10,7 +10,7 @@ enum class LockingChoice { first_order_simplices, first_order_displacement, seco
 
 struct LockingFactor {
     LockingChoice choice;
-    double stiffness;   ///< pressure over that of the converged curve at the same elongation
+    double stiffness;  ///< pressure over that of the converged curve at the same elongation
 };
 
 /// Where they were measured: tests/verification/README.md, 'Locking', elongation 20 mm, solids.

@@ -96,7 +96,7 @@ bool is_chosen_by_stretch(std::string_view effective_yaml) {
 }
 
 struct Wish {
-    std::string section;   // "material", "materials.cap"
+    std::string section;  // "material", "materials.cap"
     std::string name, place;
     std::optional<Node> law, strain;  // as written
 };
@@ -115,8 +115,8 @@ const MaterialSet& chosen(const std::vector<MaterialSet>& sets, const Wish& wish
                                       : ratio_of(usual_strain, usual_strain);
     if (const MaterialSet* set = narrowest(sets, law, strain)) return *set;
     if (wish.strain)
-        refuse(wish.strain->place, wish.section + ".range", "the data of " + wish.name + " end before " + wish.strain->text,
-               "ranges: " + ranges);
+        refuse(wish.strain->place, wish.section + ".range",
+               "the data of " + wish.name + " end before " + wish.strain->text, "ranges: " + ranges);
     return *widest(sets, law);
 }
 
@@ -179,9 +179,9 @@ void name_to_material(Node& root, const std::string& section) {
     const std::vector<MaterialSet> sets = material_sets(*file);
     const MaterialSet& set = chosen(sets, wish);
     Node block = set.block;
-    if (section == main_material && !wish.strain && std::ranges::none_of(constants_of(set), [&](const Member* constant) {
-            return find(material, constant->key) != nullptr;
-        }))
+    if (section == main_material && !wish.strain &&
+        std::ranges::none_of(constants_of(set),
+                             [&](const Member* constant) { return find(material, constant->key) != nullptr; }))
         put(block, "fit.choice", scalar_node(std::string{by_stretch}, wish.place));
     place_all(block, wish.place);
     for (const Member& member : material.members) {

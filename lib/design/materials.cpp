@@ -113,7 +113,8 @@ void add_fit_keys(Schema& schema, const Written& written) {
         if (std::ranges::find(texts, member.key) != texts.end())
             schema.keys.push_back({.path = path, .kind = Kind::text, .meaning = "of the data behind the constants"});
         if (member.key == "largest_I1")
-            schema.keys.push_back({.path = path, .kind = Kind::ratio, .meaning = "where the data end; solve warns beyond", .min = 3});
+            schema.keys.push_back(
+                {.path = path, .kind = Kind::ratio, .meaning = "where the data end; solve warns beyond", .min = 3});
     }
     schema.names[fit_path].emplace_back("largest_I1");
 }
@@ -160,7 +161,8 @@ Error at_its_key(const Values& values, const std::string& section, const Error& 
 }
 
 model::Material from_young_poisson(const Values& values, model::Material material) {
-    const double young_Pa = values.number(at(material.source, "young")), poisson = values.number(at(material.source, "poisson"));
+    const double young_Pa = values.number(at(material.source, "young")),
+                 poisson = values.number(at(material.source, "poisson"));
     material.constants["mu"] = {young_Pa / (2.0 * (1.0 + poisson))};
     if (poisson < 0.5) material.bulk_modulus_Pa = young_Pa / (3.0 * (1.0 - 2.0 * poisson));
     return material;
@@ -212,7 +214,8 @@ void add_material_keys(Schema& schema, const Node& root, std::string_view source
     schema.names[std::string{materials_group}];
     for (const Member& own : members_of(root, materials_group)) {
         const std::string section = at(std::string{materials_group}, own.key);
-        if (!is_region_name(own.key)) refuse(own.place, section, "not a name of a material", "letters, digits, _ and -");
+        if (!is_region_name(own.key))
+            refuse(own.place, section, "not a name of a material", "letters, digits, _ and -");
         if (own.value.kind == Node::Kind::empty)
             refuse(own.place, section, "has no value", "write " + own.key + ": " + std::string{usual_material});
         add_section_keys(schema, {section, own.value}, examples, usual_frame);
@@ -267,18 +270,20 @@ std::vector<std::string> material_sections(const Values& values) {
 void require_density(const Values& values, std::string_view needed_by) {
     for (const std::string& section : material_sections(values))
         if (values.text(at(section, "density")) == "none")
-            throw values.refuse(needed_by, section == main_material ? "the rubber has no density" : section + " has no density",
+            throw values.refuse(needed_by,
+                                section == main_material ? "the rubber has no density" : section + " has no density",
                                 "add " + section + ": {density: 1080 kg/m^3}, that of the undeformed rubber");
 }
 
 void check_law_formulation(const Values& values, const model::Material& material) {
     static const std::map<std::string, model::Formulation> forms = {{"displacement", material::Form::displacement},
-                                                                {"mixed", material::Form::mixed},
-                                                                {"f-bar", material::Form::f_bar}};
+                                                                    {"mixed", material::Form::mixed},
+                                                                    {"f-bar", material::Form::f_bar}};
     constexpr const char* formulation = "mesh.formulation";
     if (!values.has(formulation)) return;
     const std::string reason = material::why_not(model::make_rubber(material), forms.at(values.text(formulation)));
-    if (!reason.empty()) throw values.refuse(values.given(formulation) ? formulation : at(material.source, "law"), reason);
+    if (!reason.empty())
+        throw values.refuse(values.given(formulation) ? formulation : at(material.source, "law"), reason);
 }
 
 }  // namespace soft::design

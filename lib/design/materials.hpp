@@ -25,7 +25,8 @@ void add_material_keys(Schema& schema, const Node& root, std::string_view source
                        std::string_view usual_frame);
 
 /// Of one section; young and poisson become mu and kappa. Throws Error for constants that do not fit together, at the key's place.
-[[nodiscard]] model::Material material_of(const Values& values, const std::string& section = std::string{main_material});
+[[nodiscard]] model::Material material_of(const Values& values,
+                                          const std::string& section = std::string{main_material});
 
 /// Those below `materials`, by name.
 [[nodiscard]] std::map<std::string, model::Material, std::less<>> materials_of(const Values& values);

@@ -82,10 +82,10 @@ private:
         const std::string& name = values_.text(key);
         if (name == "first") return;
         const bool output = std::ranges::find(parts_.outputs, name) != parts_.outputs.end();
-        const bool cavity = std::ranges::any_of(parts_.entries, [&](const LoadEntry& load) {
-            return load.kind == LoadKind::gas && load.name == name;
-        });
-        const bool fits = (stage.control == Control::displacement && output) || (stage.control == Control::volume && cavity);
+        const bool cavity = std::ranges::any_of(
+            parts_.entries, [&](const LoadEntry& load) { return load.kind == LoadKind::gas && load.name == name; });
+        const bool fits =
+            (stage.control == Control::displacement && output) || (stage.control == Control::volume && cavity);
         if (fits) {
             stage.controlled = name;
             uses_controlled_ = uses_controlled_ || key == controlled_path;
@@ -103,7 +103,7 @@ private:
             if (what == Prescription::volume || what == Prescription::volume_ratio)
                 throw values_.refuse(key, "the volume of " + core::quoted(name) + " is prescribed by its load already",
                                      "use auto, or give the load a pressure");
-            return;   // the first, or the named one
+            return;  // the first, or the named one
         }
     }
 

@@ -11,7 +11,7 @@ namespace soft::design {
 /// A stage as it is written; a design without stages has one, with an empty name, that brings all loads to their values.
 struct StageEntry {
     std::string name;
-    std::string path;                  ///< "path.stages.inflate"; of the one stage "path"
+    std::string path;  ///< "path.stages.inflate"; of the one stage "path"
     std::vector<StageLoad> loads;
 };
 
@@ -26,7 +26,7 @@ struct PathParts {
     std::span<const StageEntry> stages;
     std::span<const LoadEntry> entries;
     const Loads& loads;
-    std::span<const std::string> outputs;   ///< names
+    std::span<const std::string> outputs;  ///< names
 };
 /// Refuses controls and ends that the loads and outputs do not have, and loads that no stage names.
 [[nodiscard]] model::PathSettings path_of(const PathParts& parts, std::span<const Item> items, const Values& values);

@@ -19,9 +19,11 @@ Key control_key(const std::string& path) {
     return {.path = path + ".control",
             .kind = Kind::choice,
             .fallback = of_stage ? as_path : "auto",
-            .meaning = of_stage ? "as path.control, or what grows by itself in this stage"
-                                : "what grows by itself along the path; auto takes the load while the body is stiff, then volume "
-                                  "or arc length, and passes limit points",
+            .meaning =
+                of_stage
+                    ? "as path.control, or what grows by itself in this stage"
+                    : "what grows by itself along the path; auto takes the load while the body is stiff, then volume "
+                      "or arc length, and passes limit points",
             .choices = std::move(choices)};
 }
 
@@ -41,7 +43,8 @@ std::vector<Key> branch_keys() {
     return {{.path = "path.branch",
              .kind = Kind::choice,
              .fallback = "stay",
-             .meaning = "where another branch leaves the path: stay on it, or follow the branch from the first such point on",
+             .meaning =
+                 "where another branch leaves the path: stay on it, or follow the branch from the first such point on",
              .choices = {"stay", "follow"}},
             {.path = "path.imperfection",
              .kind = Kind::length,
@@ -88,7 +91,8 @@ std::vector<NamedOutput> named_outputs(const Node& root) {
     return outputs;
 }
 
-void add_until_keys(Schema& schema, const Node& root, const std::string& section, std::span<const NamedOutput> outputs) {
+void add_until_keys(Schema& schema, const Node& root, const std::string& section,
+                    std::span<const NamedOutput> outputs) {
     std::vector<std::string> ends = until_quantities();
     for (const NamedOutput& output : outputs) ends.push_back(output.name);
     for (const Member& until : members_of(root, section)) {
@@ -149,7 +153,8 @@ std::vector<StageEntry> add_path_keys(Schema& schema, const Node& root, std::spa
     add_until_keys(schema, root, "path.until", outputs);
     for (Key& key : branch_keys()) schema.keys.push_back(std::move(key));
     std::vector<StageEntry> stages;
-    for (const Member& stage : members_of(root, stages_path)) stages.push_back(add_stage_keys(schema, root, stage, loads));
+    for (const Member& stage : members_of(root, stages_path))
+        stages.push_back(add_stage_keys(schema, root, stage, loads));
     schema.names[stages_path];
     if (!stages.empty()) return stages;
     StageEntry whole{"", "path", {}};

@@ -15,7 +15,7 @@ namespace {
 
 // Silicones: from the softest gels to hard, filled grades, with room on both sides.
 constexpr double softest_young_Pa = 1e3, hardest_young_Pa = 50e6;
-constexpr double hardest_solid_Pa = 300e9;   // above steel
+constexpr double hardest_solid_Pa = 300e9;  // above steel
 // Neo-Hookean shells pass their limit point at pressures of the order of the shear modulus.
 constexpr double pressure_over_modulus = 10.0;
 // Around one standard atmosphere, 101.325 kPa.
@@ -28,7 +28,7 @@ std::string length_text(double value_m) { return core::quantity_text(value_m, co
 
 void check_material(const model::Material& material, double mu_Pa, std::vector<std::string>& warnings) {
     const double young_Pa = 3.0 * mu_Pa;
-    const bool main = material.source == main_material;   // the others may be paper, fabric, a stiff cap
+    const bool main = material.source == main_material;  // the others may be paper, fabric, a stiff cap
     if (main && (young_Pa < softest_young_Pa || young_Pa > hardest_young_Pa))
         warnings.push_back("material: an initial Young's modulus of " + pressure_text(young_Pa) +
                            " is unusual for a silicone (1 kPa to 50 MPa); is the unit right?");
@@ -71,7 +71,8 @@ void check_ends(const model::Stage& stage, const model::SupplyTarget& from, std:
     const model::SupplyTarget& to = stage.supplies.front();
     constexpr auto pressure = model::Prescription::pressure;
     if (from.what != pressure || to.what != pressure) return;
-    const std::string path = stage.name.empty() ? "path.until.pressure: " : "stage " + stage.name + ": until pressure: ";
+    const std::string path =
+        stage.name.empty() ? "path.until.pressure: " : "stage " + stage.name + ": until pressure: ";
     for (const model::Until& until : stage.until)
         if (until.quantity == "pressure" && (until.value - from.value) * (until.value - to.value) > 0)
             warnings.push_back(path + pressure_text(until.value) + " is never reached, " +
@@ -80,7 +81,8 @@ void check_ends(const model::Stage& stage, const model::SupplyTarget& from, std:
 }
 
 std::string load_path(const Design& design, const model::Stage& stage, const std::string& load) {
-    const std::string start = stage.name.empty() ? "" : "path.stages." + stage.name + ".", short_form = start + "loads." + load;
+    const std::string start = stage.name.empty() ? "" : "path.stages." + stage.name + ".",
+                      short_form = start + "loads." + load;
     return (design.values.has(short_form + ".pressure") ? short_form : start + "loads.cavities." + load) + ".pressure";
 }
 
@@ -123,11 +125,12 @@ void check_locking(const Design& design, std::vector<std::string>& warnings) {
         warnings.push_back("mesh.cells: " + first_order_simplices_lock());
     if (!says("mesh.formulation", "displacement")) return;
     const double ratio = largest_bulk_ratio(design);
-    const auto choice = says("mesh.order", "1") ? LockingChoice::first_order_displacement
-                                                : LockingChoice::second_order_displacement;
+    const auto choice =
+        says("mesh.order", "1") ? LockingChoice::first_order_displacement : LockingChoice::second_order_displacement;
     if (ratio > locking_bulk_ratio)
-        warnings.push_back("mesh.formulation: displacements alone lock at a bulk modulus of " + core::rounded_text(ratio, 3) +
-                           " times the shear modulus (" + too_stiff(choice) + "); formulation: mixed does not");
+        warnings.push_back("mesh.formulation: displacements alone lock at a bulk modulus of " +
+                           core::rounded_text(ratio, 3) + " times the shear modulus (" + too_stiff(choice) +
+                           "); formulation: mixed does not");
 }
 
 /// The thinnest part that the family's keys name.

@@ -34,7 +34,9 @@ void fill_sections(Node& root, const Node& defaults) {
 }
 
 /// "geometry.layer.material": a part that may be of another material.
-bool is_material_reference(std::string_view path) { return path.starts_with("geometry.") && path.ends_with(".material"); }
+bool is_material_reference(std::string_view path) {
+    return path.starts_with("geometry.") && path.ends_with(".material");
+}
 
 /// Names of materials that geometry refers to: "geometry.layer.material", as written or by default.
 std::vector<std::pair<std::string, std::string>> materials_named(const Node& root, const FamilyKeys& family) {
@@ -50,7 +52,8 @@ std::vector<std::pair<std::string, std::string>> materials_named(const Node& roo
 /// A built-in material of the family that the geometry names: what the design leaves out of it. One that states its law has all.
 void fill_materials(Node& root, const FamilyKeys& family) {
     const Node* group = find(root, materials_group);
-    if (group != nullptr && group->kind != Node::Kind::map && group->kind != Node::Kind::empty) return;   // refused later
+    if (group != nullptr && group->kind != Node::Kind::map && group->kind != Node::Kind::empty)
+        return;  // refused later
     for (const auto& [key, name] : materials_named(root, family)) {
         const auto usual = family.materials.find(name);
         if (usual == family.materials.end()) continue;
@@ -90,8 +93,10 @@ void add_face_rule_keys(Schema& schema, const Node& root) {
             const std::string below = std::exchange(key.path, own + "." + key.path);
             const std::size_t dot = below.find('.');
             std::vector<std::string>& known = schema.names[own];
-            if (const std::string first = below.substr(0, dot); std::ranges::find(known, first) == known.end()) known.push_back(first);
-            if (dot != std::string::npos) schema.names[own + "." + below.substr(0, dot)].push_back(below.substr(dot + 1));
+            if (const std::string first = below.substr(0, dot); std::ranges::find(known, first) == known.end())
+                known.push_back(first);
+            if (dot != std::string::npos)
+                schema.names[own + "." + below.substr(0, dot)].push_back(below.substr(dot + 1));
             if (find_path(face.value, below) != nullptr) schema.keys.push_back(std::move(key));
         }
     }
@@ -102,7 +107,8 @@ void add_face_rule_names(FaceNames& names, const Node& root) {
     for (const Member& own : members_of(root, face_rules_path)) {
         const std::string path = std::string{face_rules_path} + "." + own.key;
         if (!is_own_name(own.key)) refuse(own.place, path, "not a name of a face", own_name_remedy);
-        if (!resolve_face(names, own.key).empty()) refuse(own.place, path, "the file has a face of this name already", "call it otherwise");
+        if (!resolve_face(names, own.key).empty())
+            refuse(own.place, path, "the file has a face of this name already", "call it otherwise");
         names.faces.push_back(own.key);
     }
 }
@@ -116,7 +122,9 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
         const Node usual = parse_fragment(family.defaults, place_default);
         const Node* example = find_path(usual, key.path);
         refuse(file == nullptr ? std::string{source} + ":1:1" : file->place, key.path, "missing (" + key.meaning + ")",
-               example == nullptr ? "" : "add geometry: {" + key.path.substr(key.path.rfind('.') + 1) + ": " + example->text + "}");
+               example == nullptr
+                   ? ""
+                   : "add geometry: {" + key.path.substr(key.path.rfind('.') + 1) + ": " + example->text + "}");
     }
     FileFaces of_file = family.faces_of_file(file->text, file->place);
     FaceNames names{std::move(of_file.faces), family.aliases, std::move(of_file.cavities)};
@@ -144,7 +152,8 @@ void check_material_references(const Values& values, const FamilyKeys& family) {
         const std::string& name = values.text(key.path);
         if (std::ranges::find(known, name) == known.end())
             throw values.refuse(key.path, "no material is called " + core::quoted(name),
-                                core::did_you_mean(name, known) + "; or add materials: {" + name + ": {law: neo-hookean, mu: 0.1644 MPa}}");
+                                core::did_you_mean(name, known) + "; or add materials: {" + name +
+                                    ": {law: neo-hookean, mu: 0.1644 MPa}}");
     }
 }
 
@@ -152,7 +161,8 @@ void check_material_references(const Values& values, const FamilyKeys& family) {
 
 void override_tree(Node& root, std::span<const Override> overrides) {
     for (const Override& change : overrides)
-        put(root, change.path, parse_fragment(change.value, change.place.empty() ? "--set " + change.path : change.place));
+        put(root, change.path,
+            parse_fragment(change.value, change.place.empty() ? "--set " + change.path : change.place));
 }
 
 Node overridden_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
@@ -161,7 +171,7 @@ Node overridden_design(std::string_view text, std::string_view source, std::span
     names_to_keys(written);
     Node root = written;
     override_tree(root, overrides);
-    const FamilyKeys& family = family_of(root, source, families);   // an override may name it
+    const FamilyKeys& family = family_of(root, source, families);  // an override may name it
     root = written;
     override_tree(root, in_names_of(written, overrides, {family.faces, family.aliases, {}}));
     names_to_materials(root);
@@ -245,7 +255,8 @@ Design read_design(std::string_view text, std::string_view source, std::span<con
     Loads loads = loads_of(checked.loads, design.values);
     const bool has_formulation = design.values.has("mesh.formulation");
     design.dynamics = dynamics_of(
-        {checked.loads, checked.items, has_formulation ? std::string_view{design.values.text("mesh.formulation")} : ""}, design.values);
+        {checked.loads, checked.items, has_formulation ? std::string_view{design.values.text("mesh.formulation")} : ""},
+        design.values);
     design.outputs = outputs_of(checked.items, checked.faces, design.values);
     std::vector<std::string> outputs;
     for (const Design::OutputRequest& output : design.outputs) outputs.push_back(output.name);

@@ -17,9 +17,10 @@ void check_output_name(const Member& output) {
     if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || std::ranges::count(others, output.key) > 0)
         refuse(output.place, "outputs." + output.key, "the name is that of a quantity every path has",
                "call the output otherwise");
-    for (const char* word : {"first", "path", "none"})   // of path.controlled
+    for (const char* word : {"first", "path", "none"})  // of path.controlled
         if (output.key == word)
-            refuse(output.place, "outputs." + output.key, "the name is a word of the group path", "call the output otherwise");
+            refuse(output.place, "outputs." + output.key, "the name is a word of the group path",
+                   "call the output otherwise");
 }
 
 /// Components of a support in the model's own coordinates (axisymmetric: x, r).
@@ -133,8 +134,8 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
                                    measure->text == "radial" || measure->text == "force";
         if (bend) schema.keys.push_back(output_reference_key(output.key));
         if (const Member* reference = find_member(output.value, "reference"); reference != nullptr && !bend)
-            refuse(reference->place, "outputs." + output.key + ".reference", "only a bend is measured from another face",
-                   "leave it out, or write measure: bend");
+            refuse(reference->place, "outputs." + output.key + ".reference",
+                   "only a bend is measured from another face", "leave it out, or write measure: bend");
         const Node* along = find_path(defaults, "outputs." + output.key + ".along");
         schema.keys.push_back(output_along_key(output.key, !axis_is_usual     ? ""
                                                            : along == nullptr ? "axis"
@@ -165,17 +166,22 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
     for (const Item& item : items) {
         const std::string name = name_between(item.key.path, "outputs.", ".face");
         if (name.empty()) continue;
-        Design::OutputRequest output{name, single_face(item, faces, values), values.text("outputs." + name + ".along"),
-                                     measure_of(values.text("outputs." + name + ".measure")), {}};
+        Design::OutputRequest output{name,
+                                     single_face(item, faces, values),
+                                     values.text("outputs." + name + ".along"),
+                                     measure_of(values.text("outputs." + name + ".measure")),
+                                     {}};
         check_measure(values, "outputs." + name, output.measure);
         if (model::is_reaction(output.measure) && values.has("dynamics.duration") &&
             values.text("dynamics.duration") != "none")
             throw values.refuse("outputs." + name + ".measure", "a reaction is measured on a static path",
                                 "leave out dynamics, or measure: displacement");
         for (const Item& other : items)
-            if (other.key.path == "outputs." + name + ".reference") output.reference = single_face(other, faces, values);
+            if (other.key.path == "outputs." + name + ".reference")
+                output.reference = single_face(other, faces, values);
         if (output.reference == output.face)
-            throw values.refuse("outputs." + name + ".reference", "a face does not bend away from itself", "name the held face");
+            throw values.refuse("outputs." + name + ".reference", "a face does not bend away from itself",
+                                "name the held face");
         outputs.push_back(std::move(output));
     }
     return outputs;

@@ -36,7 +36,8 @@ constexpr std::array preconditioner_words{Word<Preconditioner>{"lu", Preconditio
 constexpr std::array step_words{Word<StepRule>{"error-adaptive", StepRule::error_adaptive},
                                 Word<StepRule>{"iteration-adaptive", StepRule::iteration_adaptive},
                                 Word<StepRule>{"constant", StepRule::constant}};
-constexpr std::array predictor_words{Word<Predictor>{"cubic", Predictor::cubic}, Word<Predictor>{"tangent", Predictor::tangent},
+constexpr std::array predictor_words{Word<Predictor>{"cubic", Predictor::cubic},
+                                     Word<Predictor>{"tangent", Predictor::tangent},
                                      Word<Predictor>{"none", Predictor::none}};
 
 constexpr const char *linear_path = "solver.linear", *preconditioner_path = "solver.preconditioner";
@@ -81,9 +82,10 @@ std::vector<Key> newton_keys(const model::SolverSettings& defaults) {
                "equilibrium is reached when the residual is below this share of the nodal forces", 1e-14, 1e-2),
         choice("solver.newton", newton_words, defaults.newton,
                "tangent of every iteration, of a step's first alone, or that with the updates of BFGS"),
-        choice("solver.line_search", line_search_words, defaults.line_search,
-               "how far a correction is followed: halved until the residual falls, to where the residual has no part along it, "
-               "or whole"),
+        choice(
+            "solver.line_search", line_search_words, defaults.line_search,
+            "how far a correction is followed: halved until the residual falls, to where the residual has no part along it, "
+            "or whole"),
         choice("solver.tangent", tangent_words, defaults.tangent, "exact derivatives, or differences of the residual"),
         count("solver.newton_limit", defaults.newton_limit, "Newton iterations before a step is cut", 1000),
         {.path = "solver.scaling",
@@ -95,31 +97,39 @@ std::vector<Key> newton_keys(const model::SolverSettings& defaults) {
 
 std::vector<Key> linear_keys(const model::SolverSettings& defaults) {
     return {
-        choice(linear_path, linear_words, defaults.linear.method,
-               "how the linear systems are solved; auto is mumps-ldlt, mumps-lu where the tangent is not symmetric, and krylov with "
-               "multigrid for solids of more than 500,000 unknowns"),
+        choice(
+            linear_path, linear_words, defaults.linear.method,
+            "how the linear systems are solved; auto is mumps-ldlt, mumps-lu where the tangent is not symmetric, and krylov with "
+            "multigrid for solids of more than 500,000 unknowns"),
         choice(preconditioner_path, preconditioner_words, defaults.linear.preconditioner,
                "of krylov and jacobian-free; asm is additive Schwarz with one block a rank"),
         number("solver.linear_tolerance", defaults.linear.tolerance,
-               "krylov and jacobian-free stop when the residual is below this share of the right-hand side", 1e-14, 0.5),
+               "krylov and jacobian-free stop when the residual is below this share of the right-hand side", 1e-14,
+               0.5),
         count("solver.linear_limit", defaults.linear.iteration_limit,
               "iterations after which krylov and jacobian-free give their best correction so far", 1e5),
-        count("solver.threads", defaults.threads, "of a rank, in the loops over the elements; the results stay the same", 256),
+        count("solver.threads", defaults.threads,
+              "of a rank, in the loops over the elements; the results stay the same", 256),
     };
 }
 
 std::vector<Key> step_keys(const model::SolverSettings& defaults) {
     return {
-        choice("solver.steps", step_words, defaults.steps,
-               "length of the steps: by the error of the prediction, by the Newton iterations of the step before, or first_step"),
-        choice("solver.predictor", predictor_words, defaults.predictor,
-               "where a step starts: on the cubic through the last two states, on the tangent of the last, or at the last"),
+        choice(
+            "solver.steps", step_words, defaults.steps,
+            "length of the steps: by the error of the prediction, by the Newton iterations of the step before, or first_step"),
+        choice(
+            "solver.predictor", predictor_words, defaults.predictor,
+            "where a step starts: on the cubic through the last two states, on the tangent of the last, or at the last"),
         share("solver.first_step", defaults.first_step, "first step as a share of the full load"),
         number("solver.largest_step", defaults.largest_step,
                "longest step as a share of the path so far; 0 leaves it to the solver", 0, 1),
-        share("solver.smallest_step", defaults.smallest_step, "a step cut below this share of the first step ends the path"),
-        count("solver.wanted_iterations", defaults.wanted_iterations, "Newton iterations a step aims at, iteration-adaptive", 100),
-        count("solver.step_limit", defaults.step_limit, "steps after which the path ends with stop reason step_limit", 1e6),
+        share("solver.smallest_step", defaults.smallest_step,
+              "a step cut below this share of the first step ends the path"),
+        count("solver.wanted_iterations", defaults.wanted_iterations,
+              "Newton iterations a step aims at, iteration-adaptive", 100),
+        count("solver.step_limit", defaults.step_limit, "steps after which the path ends with stop reason step_limit",
+              1e6),
         share("solver.step_accuracy", defaults.step_accuracy,
               "wanted relative error of a step's prediction, error-adaptive; smaller gives denser steps"),
     };
@@ -143,7 +153,8 @@ model::SolverSettings solver_of(const Values& values) {
     solver.tangent = meant(tangent_words, "solver.tangent");
     solver.newton_limit = values.count("solver.newton_limit");
     solver.linear.method = meant(linear_words, linear_path);
-    const bool krylov = solver.linear.method == LinearMethod::krylov || solver.linear.method == LinearMethod::jacobian_free;
+    const bool krylov =
+        solver.linear.method == LinearMethod::krylov || solver.linear.method == LinearMethod::jacobian_free;
     const Preconditioner usual = solver.linear.preconditioner;
     solver.linear.preconditioner = meant(preconditioner_words, preconditioner_path);
     // The default itself may stand there: it does in every effective design.

@@ -39,7 +39,9 @@ public:
     Node take() { return std::move(root_); }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
-        if (++documents_ > 1) refuse(places_.at(mark), "", "a second document starts here", "keep one " + std::string{places_.kind.noun} + " a file");
+        if (++documents_ > 1)
+            refuse(places_.at(mark), "", "a second document starts here",
+                   "keep one " + std::string{places_.kind.noun} + " a file");
     }
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -79,7 +81,8 @@ private:
     void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         if (anchor != 0) refuse_anchor(mark);
         const bool ordinary = tag.empty() || tag == "?" || tag == "!";  // plain and quoted scalars
-        if (!ordinary) refuse(places_.at(mark), "", "tags are not part of " + places_.a_kind(), "leave out " + core::quoted(tag));
+        if (!ordinary)
+            refuse(places_.at(mark), "", "tags are not part of " + places_.a_kind(), "leave out " + core::quoted(tag));
         if (++nodes_ > most_nodes)
             refuse(places_.at(mark), "", "more than " + std::to_string(most_nodes) + " values",
                    places_.a_kind() + " is a page of text");

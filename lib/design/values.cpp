@@ -38,7 +38,8 @@ bool Values::has(std::string_view path) const { return entries_.contains(path); 
 std::vector<std::string> Values::names_below(std::string_view group) const {
     const std::string prefix = std::string{group} + ".";
     std::vector<std::string> names;
-    for (auto entry = entries_.lower_bound(prefix); entry != entries_.end() && entry->first.starts_with(prefix); ++entry) {
+    for (auto entry = entries_.lower_bound(prefix); entry != entries_.end() && entry->first.starts_with(prefix);
+         ++entry) {
         std::string name = entry->first.substr(prefix.size(), entry->first.find('.', prefix.size()) - prefix.size());
         if (names.empty() || names.back() != name) names.push_back(std::move(name));
     }
@@ -54,7 +55,7 @@ Error Values::refuse(std::string_view path, std::string_view problem, std::strin
 
 std::string file_from(std::string_view place, const std::string& file) {
     if (place.starts_with("--set") || place.starts_with('<')) return file;
-    for (int part = 0; part < 2; ++part) place = place.substr(0, place.rfind(':'));   // "designs/part.yaml:3:9"
+    for (int part = 0; part < 2; ++part) place = place.substr(0, place.rfind(':'));  // "designs/part.yaml:3:9"
     return (std::filesystem::path{place}.parent_path() / file).string();
 }
 

@@ -168,7 +168,8 @@ double MotionEquations::line_volume(std::size_t k, Vec x, Vec gradient) {
 /// dP/dV = -n (P + a) / (V + D), dP/dm = n (P + a) / m of the polytropic gas.
 MotionEquations::GasPressure MotionEquations::gas_pressure(std::size_t k, double volume_m3, double mass_kg) const {
     const model::Gas& gas = lines_.at(k).gas;
-    const double value = solver::gas_pressure_Pa(gas, volume_m3, mass_kg), absolute = gas.exponent * (value + gas.ambient_Pa);
+    const double value = solver::gas_pressure_Pa(gas, volume_m3, mass_kg),
+                 absolute = gas.exponent * (value + gas.ambient_Pa);
     return {value, -absolute / (volume_m3 + gas.dead_volume_m3), absolute / mass_kg};
 }
 

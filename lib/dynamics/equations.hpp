@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "assembly/mass.hpp"
-#include "solver/stage_loads.hpp"
 #include "dynamics/time_course.hpp"
+#include "solver/stage_loads.hpp"
 
 namespace soft::dynamics {
 

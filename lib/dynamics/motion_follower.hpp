@@ -10,8 +10,8 @@
 #include <deque>
 #include <variant>
 
-#include "dynamics/motion.hpp"
 #include "dynamics/explicit.hpp"
+#include "dynamics/motion.hpp"
 #include "dynamics/petsc_ts.hpp"
 #include "solver/history.hpp"
 #include "solver/path_text.hpp"

@@ -5,9 +5,9 @@
 ///   J = K + by_velocity C + by_acceleration M
 /// it needs, bordered by the pressures behind the lines (newton.hpp): J d = b, J b_k = f_k, dx = d + sum dp_k b_k.
 /// Internal to the room. Held by dynamics/dynamics_test.
+#include "dynamics/equations.hpp"
 #include "linalg/linear_solver.hpp"
 #include "linalg/small_matrix.hpp"
-#include "dynamics/equations.hpp"
 #include "solver/newton.hpp"
 
 namespace soft::dynamics {

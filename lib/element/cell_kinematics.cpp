@@ -12,14 +12,19 @@ namespace soft::element {
 
 namespace {
 
-std::size_t numbers(int components, int stride) { return static_cast<std::size_t>(components) * static_cast<std::size_t>(stride); }
+std::size_t numbers(int components, int stride) {
+    return static_cast<std::size_t>(components) * static_cast<std::size_t>(stride);
+}
 
 }  // namespace
 
 CellPoints::CellPoints(const ReferenceCell& cell)
     : values(numbers(2 * cell.dimension * (cell.dimension + 1), padded(cell.points))),
-      inverse(numbers(9, padded(cell.points))), volume(numbers(1, padded(cell.points))), jacobian(volume.size()),
-      gradient(numbers((cell.dimension + 1) * cell.points, cell.nodes) + lane_count), basis(numbers(cell.pressure_dofs, padded(cell.points))),
+      inverse(numbers(9, padded(cell.points))),
+      volume(numbers(1, padded(cell.points))),
+      jacobian(volume.size()),
+      gradient(numbers((cell.dimension + 1) * cell.points, cell.nodes) + lane_count),
+      basis(numbers(cell.pressure_dofs, padded(cell.points))),
       law(cell.points, cell.dimension == 2 ? material::Components::planar : material::Components::all) {}
 
 namespace detail {
@@ -51,7 +56,7 @@ inline void invert(int dim, int stride, const double* values, CellPoints& points
             }
         const Lanes det = determinant(dX);
         TensorOf<Lanes> inverse = cofactor(dX);
-        for (Lanes& c : inverse) c /= det;   // [3 J + d]: the inverse, transposed
+        for (Lanes& c : inverse) c /= det;  // [3 J + d]: the inverse, transposed
         TensorOf<Lanes> F{};
         for (int i = 0; i < 3; ++i) {
             F[4 * i] += 1.0;
@@ -80,7 +85,9 @@ inline void invert(int dim, int stride, const double* values, CellPoints& points
 SOFT_VECTOR_CLONES
 void invert_plane(int stride, const double* values, CellPoints& points) { invert<false>(2, stride, values, points); }
 SOFT_VECTOR_CLONES
-void invert_axisymmetric(int stride, const double* values, CellPoints& points) { invert<true>(2, stride, values, points); }
+void invert_axisymmetric(int stride, const double* values, CellPoints& points) {
+    invert<true>(2, stride, values, points);
+}
 SOFT_VECTOR_CLONES
 void invert_solid(int stride, const double* values, CellPoints& points) { invert<false>(3, stride, values, points); }
 
@@ -91,7 +98,7 @@ void find_gradients(const ReferenceCell& cell, const double* inverse, double* __
     for (int J = 0; J < dim; ++J)
         for (int q = 0; q < cell.points; ++q) {
             const double* __restrict g0 = cell.dN_dxi.data() + static_cast<std::ptrdiff_t>(q) * dim * n;
-            const double *__restrict g1 = g0 + n, *__restrict g2 = g1 + n;
+            const double* __restrict g1 = g0 + n, * __restrict g2 = g1 + n;
             const double i0 = inverse[(3 * J) * stride + q], i1 = inverse[(3 * J + 1) * stride + q];
             if (dim == 3) {
                 const double i2 = inverse[(3 * J + 2) * stride + q];
@@ -105,7 +112,8 @@ void find_gradients(const ReferenceCell& cell, const double* inverse, double* __
 
 void find_hoop_gradients(const ReferenceCell& cell, const double* radius, double* __restrict gradient) {
     for (int q = 0; q < cell.points; ++q)
-        for (int a = 0; a < cell.nodes; ++a) *gradient++ = cell.N[static_cast<std::size_t>(q) * cell.nodes + a] / radius[q];
+        for (int a = 0; a < cell.nodes; ++a)
+            *gradient++ = cell.N[static_cast<std::size_t>(q) * cell.nodes + a] / radius[q];
 }
 
 /// Middle of the box around the vertices, and 2 over its longest side.
@@ -133,13 +141,14 @@ void find_pressures(const ReferenceCell& cell, const CellInput& in, CellPoints& 
             for (int q = 0; q < cell.points; ++q)
                 points.basis[s * stride + q] =
                     in.pressure_scale_Pa * cell.vertex_N[static_cast<std::size_t>(q) * cell.pressure_dofs + s];
-    } else {   // {1, 2 (X - centre) / extent}
+    } else {  // {1, 2 (X - centre) / extent}
         const Box box = box_of(cell, in.X);
         for (int q = 0; q < stride; ++q) points.basis[q] = in.pressure_scale_Pa;
         for (int i = 0; i < dim; ++i)
             for (int q = 0; q < stride; ++q)
                 points.basis[(i + 1) * stride + q] =
-                    in.pressure_scale_Pa * box.scale * (points.values[(i * (dim + 1) + dim) * stride + q] - box.centre[i]);
+                    in.pressure_scale_Pa * box.scale *
+                    (points.values[(i * (dim + 1) + dim) * stride + q] - box.centre[i]);
     }
     std::ranges::fill(points.law.p, 0.0);
     for (int s = 0; s < cell.pressure_dofs; ++s)
@@ -165,7 +174,8 @@ void map_points(const ReferenceCell& cell, const CellInput& in, CellPoints& poin
         invert_solid(stride, points.values.data(), points);
     find_gradients(cell, points.inverse.data(), points.gradient.data());
     if constexpr (Axisymmetric)
-        find_hoop_gradients(cell, &points.values[length + dim * stride], &points.gradient[static_cast<std::size_t>(dim) * cell.points * n]);
+        find_hoop_gradients(cell, &points.values[length + dim * stride],
+                            &points.gradient[static_cast<std::size_t>(dim) * cell.points * n]);
     if (cell.pressure != PressureSpace::none) find_pressures(cell, in, points);
 }
 
@@ -175,13 +185,14 @@ template void map_points<false>(const ReferenceCell&, const CellInput&, CellPoin
 double least_jacobian(const ReferenceCell& cell, const CellPoints& points) {
     double least = points.jacobian.front();
     for (int q = 0; q < cell.points; ++q) {
-        if (std::isnan(points.jacobian[q])) return 0.0;   // no state of a body either
+        if (std::isnan(points.jacobian[q])) return 0.0;  // no state of a body either
         least = std::min(least, points.jacobian[q]);
     }
     return least;
 }
 
-void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X, int node, double scale_Pa, std::span<double> basis) {
+void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X, int node, double scale_Pa,
+                           std::span<double> basis) {
     if (cell.pressure == PressureSpace::continuous_vertex) {
         const auto values = mesh::vertex_values(cell.type, mesh::topology(cell.type).nodes[node]);
         for (std::size_t s = 0; s < basis.size(); ++s) basis[s] = scale_Pa * values[s];
@@ -189,7 +200,8 @@ void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X,
     }
     const Box box = box_of(cell, X);
     basis[0] = scale_Pa;
-    for (int i = 0; i < cell.dimension; ++i) basis[i + 1] = scale_Pa * box.scale * (X[i * cell.nodes + node] - box.centre[i]);
+    for (int i = 0; i < cell.dimension; ++i)
+        basis[i + 1] = scale_Pa * box.scale * (X[i * cell.nodes + node] - box.centre[i]);
 }
 
 template <bool Axisymmetric>
@@ -204,7 +216,7 @@ void find_fiber_axes(const ReferenceCell& cell, material::FiberFrame frame, Cell
         } else {
             const double y = points.values[((dim + 1) + dim) * stride + q];
             const double z = dim == 3 ? points.values[(2 * (dim + 1) + dim) * stride + q] : 0.0;
-            const double r = std::hypot(y, z);   // > 0 inside a cell: quadrature points do not lie on the axis
+            const double r = std::hypot(y, z);  // > 0 inside a cell: quadrature points do not lie on the axis
             axes = {{1, 0, 0}, {0, -z / r, y / r}};
         }
     }

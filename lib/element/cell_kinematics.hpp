@@ -15,10 +15,10 @@ namespace soft::element {
 
 /// What a cell needs. All spans are component-major as the unknowns.
 struct CellInput {
-    std::span<const double> X;           ///< reference coordinates [m], dimension x nodes
-    std::span<const double> u;           ///< displacement [m], dimension x nodes
-    std::span<const double> p;           ///< pressure unknowns (p = pressure_scale x unknown x basis)
-    double pressure_scale_Pa = 1;        ///< makes displacement and pressure rows alike in size; see assembly/dof_map.hpp
+    std::span<const double> X;     ///< reference coordinates [m], dimension x nodes
+    std::span<const double> u;     ///< displacement [m], dimension x nodes
+    std::span<const double> p;     ///< pressure unknowns (p = pressure_scale x unknown x basis)
+    double pressure_scale_Pa = 1;  ///< makes displacement and pressure rows alike in size; see assembly/dof_map.hpp
 };
 
 /// The quadrature points of a cell, side by side: component c of point q at [c * stride + q] with the stride of `law`, whose F
@@ -26,12 +26,13 @@ struct CellInput {
 struct CellPoints {
     explicit CellPoints(const ReferenceCell& cell);
 
-    std::vector<double> values;          ///< [X_i, then u_i][by xi_d, then at the point]
-    std::vector<double> inverse;         ///< [3 J + d] dxi_d/dX_J
-    std::vector<double> volume;          ///< reference volume [m^3], 2 pi R included; zero beyond the last point
-    std::vector<double> jacobian;        ///< det F
-    std::vector<double> gradient;        ///< [direction][point][node], not padded but with a vector's room behind: dN/dX, then N/R for bodies of revolution
-    std::vector<double> basis;           ///< [pressure function], scaled so that p [Pa] = sum basis x unknown
+    std::vector<double> values;    ///< [X_i, then u_i][by xi_d, then at the point]
+    std::vector<double> inverse;   ///< [3 J + d] dxi_d/dX_J
+    std::vector<double> volume;    ///< reference volume [m^3], 2 pi R included; zero beyond the last point
+    std::vector<double> jacobian;  ///< det F
+    std::vector<double>
+        gradient;  ///< [direction][point][node], not padded but with a vector's room behind: dN/dX, then N/R for bodies of revolution
+    std::vector<double> basis;  ///< [pressure function], scaled so that p [Pa] = sum basis x unknown
     material::PointBatch law;
 };
 
@@ -40,11 +41,11 @@ struct CellOutput {
     explicit CellOutput(const ReferenceCell& cell)
         : residual(cell.dofs()), stiffness(static_cast<std::size_t>(cell.dofs()) * cell.dofs()), points(cell) {}
 
-    std::vector<double> residual;        ///< [N] (pressure rows in the scaled unknown)
-    std::vector<double> stiffness;       ///< row-major, dofs x dofs
-    double min_jacobian = 1;             ///< least det F over the quadrature points
+    std::vector<double> residual;   ///< [N] (pressure rows in the scaled unknown)
+    std::vector<double> stiffness;  ///< row-major, dofs x dofs
+    double min_jacobian = 1;        ///< least det F over the quadrature points
     CellPoints points;
-    std::vector<double> product;         ///< work space: A : grad N at all points
+    std::vector<double> product;  ///< work space: A : grad N at all points
 };
 
 namespace detail {
@@ -56,7 +57,8 @@ void map_points(const ReferenceCell& cell, const CellInput& in, CellPoints& poin
 [[nodiscard]] double least_jacobian(const ReferenceCell& cell, const CellPoints& points);
 
 /// The pressure functions at a node, scaled.
-void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X, int node, double scale_Pa, std::span<double> basis);
+void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X, int node, double scale_Pa,
+                           std::span<double> basis);
 
 /// The fibre frames at the points into law.axes: e1 = x, e2 = y or the hoop direction about x. A section of a body of revolution
 /// lies in (x, r, hoop), so its hoop is the third axis.

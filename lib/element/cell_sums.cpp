@@ -20,13 +20,14 @@ int tensor_index(int i, int J) {
 
 /// Where the law's answers at a point go.
 struct Row {
-    int nodes, length;                   // length: of a row of the product, which is one of the stiffness
+    int nodes, length;  // length: of a row of the product, which is one of the stiffness
     double* out;
 };
 
 /// out[block][b] = sum over the directions L of A[L] gradient[L][b], for one component k; the gradients lie `next` numbers apart.
 /// Whole lanes: what is written beyond the block's end is overwritten by what comes behind it.
-inline void combine(const Row& row, int block, int directions, const double* A, const double* gradient, std::ptrdiff_t next) {
+inline void combine(const Row& row, int block, int directions, const double* A, const double* gradient,
+                    std::ptrdiff_t next) {
     double* out = row.out + block * row.nodes;
     Lanes g0, g1, g2;
     if (directions == 3) {
@@ -65,22 +66,26 @@ inline void fill_product(const ReferenceCell& cell, const CellPoints& points, in
                 combine(row, k - first, directions, A, gradient, next);
             }
             const double coupling = cell.pressure_dofs > 0 ? volume * points.law.dtheta_dF[m * stride + q] : 0.0;
-            for (int s = 0; s < cell.pressure_dofs; ++s) row.out[(dim - first) * n + s] = coupling * points.basis[s * stride + q];
+            for (int s = 0; s < cell.pressure_dofs; ++s)
+                row.out[(dim - first) * n + s] = coupling * points.basis[s * stride + q];
         }
     }
 }
 
 SOFT_VECTOR_CLONES
-void fill_product_of_revolution(const ReferenceCell& cell, const CellPoints& points, int i, int first, double* product) {
+void fill_product_of_revolution(const ReferenceCell& cell, const CellPoints& points, int i, int first,
+                                double* product) {
     fill_product<true>(cell, points, i, first, product);
 }
 SOFT_VECTOR_CLONES
-void fill_product_of_unit_depth(const ReferenceCell& cell, const CellPoints& points, int i, int first, double* product) {
+void fill_product_of_unit_depth(const ReferenceCell& cell, const CellPoints& points, int i, int first,
+                                double* product) {
     fill_product<false>(cell, points, i, first, product);
 }
 
 /// - int basis_s basis_t / K dV.
-void fill_compliance(const ReferenceCell& cell, const CellPoints& points, double inverse_bulk_modulus, std::vector<double>& stiffness) {
+void fill_compliance(const ReferenceCell& cell, const CellPoints& points, double inverse_bulk_modulus,
+                     std::vector<double>& stiffness) {
     const int first = cell.displacement_dofs(), size = cell.dofs(), stride = points.law.stride;
     for (int s = 0; s < cell.pressure_dofs; ++s)
         for (int t = s; t < cell.pressure_dofs; ++t) {
@@ -96,7 +101,7 @@ void mirror(const ReferenceCell& cell, std::vector<double>& stiffness) {
     const int n = cell.nodes, size = cell.dofs(), last = cell.displacement_dofs();
     double* K = stiffness.data();
     for (int column = 0; column < size; ++column) {
-        const int end = column < last ? column / n * n : column;   // blocks on the diagonal are full already
+        const int end = column < last ? column / n * n : column;  // blocks on the diagonal are full already
         for (int row = 0; row < end; ++row)
             K[static_cast<std::size_t>(column) * size + row] = K[static_cast<std::size_t>(row) * size + column];
     }
@@ -119,13 +124,15 @@ void sum_residual(const ReferenceCell& cell, double inverse_bulk_modulus, CellOu
         for (int J = 0; J < directions_of<Axisymmetric>(dim, i); ++J) {
             const double* P = &points.law.first_piola[tensor_index<Axisymmetric>(i, J) * stride];
             for (int q = 0; q < cell.points; ++q)
-                add_force(n, points.volume[q] * P[q], &points.gradient[static_cast<std::size_t>(J * cell.points + q) * n],
+                add_force(n, points.volume[q] * P[q],
+                          &points.gradient[static_cast<std::size_t>(J * cell.points + q) * n],
                           &out.residual[static_cast<std::size_t>(i) * n]);
         }
     for (int s = 0; s < cell.pressure_dofs; ++s)
         for (int q = 0; q < cell.points; ++q)
             out.residual[static_cast<std::size_t>(dim * n + s)] +=
-                points.volume[q] * points.basis[s * stride + q] * (points.law.theta[q] - points.law.p[q] * inverse_bulk_modulus);
+                points.volume[q] * points.basis[s * stride + q] *
+                (points.law.theta[q] - points.law.p[q] * inverse_bulk_modulus);
 }
 
 template <bool Axisymmetric, TangentKind Kind>

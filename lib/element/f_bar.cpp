@@ -67,7 +67,7 @@ void add_contraction(const ReferenceCell& cell, const Tensor& T, double weight, 
 
 FBarState f_bar_state(const ReferenceCell& cell, const CellPoints& points) {
     FBarState state;
-    state.min_jacobian = least_jacobian(cell, points);   // a mean that is positive may hide an inverted corner
+    state.min_jacobian = least_jacobian(cell, points);  // a mean that is positive may hide an inverted corner
     for (int q = 0; q < cell.points; ++q) {
         state.volume[q] = points.volume[q];
         state.F[q] = points.law.gradient(q);
@@ -83,7 +83,7 @@ void assemble_f_bar(const ReferenceCell& cell, const FBarState& state, Wanted wa
     CellPoints& points = out.points;
     std::array<Terms, most_f_bar_points> terms;
     std::array<PointResponse, most_f_bar_points> answers;
-    double power = 0, c = 0;   // int t dV, int (b/9 - t/3) dV
+    double power = 0, c = 0;  // int t dV, int (b/9 - t/3) dV
     for (int q = 0; q < cell.points; ++q) {
         answers[q] = points.law.response(q);
         terms[q] = scaled_terms(state.F[q], state.jacobian[q], state.scale(q), wanted, answers[q]);
@@ -105,7 +105,8 @@ void assemble_f_bar(const ReferenceCell& cell, const FBarState& state, Wanted wa
     sum_stiffness<Axisymmetric, TangentKind::symmetric>(cell, 0.0, out);
     const std::size_t size = out.residual.size();
     for (std::size_t m = 0; m < size; ++m)
-        for (std::size_t n = 0; n < size; ++n) out.stiffness[m * size + n] += g[m] * B[n] + B[m] * g[n] + c * g[m] * g[n];
+        for (std::size_t n = 0; n < size; ++n)
+            out.stiffness[m * size + n] += g[m] * B[n] + B[m] * g[n] + c * g[m] * g[n];
 }
 
 template void assemble_f_bar<true>(const ReferenceCell&, const FBarState&, Wanted, CellOutput&);

@@ -23,7 +23,7 @@
 
 namespace soft::element::detail {
 
-inline constexpr int most_f_bar_points = 8;   // hex8
+inline constexpr int most_f_bar_points = 8;  // hex8
 
 /// A law that may be run with F-bar (LawInfo::f_bar): one with an energy that is a function of the finite F.
 template <class L>
@@ -31,7 +31,7 @@ concept FBarLaw = !material::StressLaw<L> && !std::same_as<L, material::LinearEl
 
 /// Kinematics of a cell's points.
 struct FBarState {
-    std::array<double, most_f_bar_points> volume{};   ///< reference volume
+    std::array<double, most_f_bar_points> volume{};  ///< reference volume
     std::array<double, most_f_bar_points> jacobian{};
     std::array<Tensor, most_f_bar_points> F{};
     double reference_volume = 0, current_volume = 0;  ///< V, v

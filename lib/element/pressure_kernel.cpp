@@ -40,7 +40,7 @@ Surface evaluate(const ReferenceFacet& facet, std::span<const double> x, int q) 
 double normal_slope(const Surface& s, double dN1, double dN2, int i, int k) {
     if (i == k) return 0;
     const int other = 3 - i - k;
-    const double sign = (k + 1) % 3 == other ? 1.0 : -1.0;   // (e_k x e_other) points along +e_i or -e_i
+    const double sign = (k + 1) % 3 == other ? 1.0 : -1.0;  // (e_k x e_other) points along +e_i or -e_i
     return sign * (dN1 * s.t2[other] - dN2 * s.t1[other]);
 }
 

@@ -17,12 +17,12 @@ namespace soft::element {
 
 struct ReferenceFacet {
     mesh::CellType type;
-    int dimension = 0;              ///< of space: 2 for lines, 3 for surfaces
+    int dimension = 0;  ///< of space: 2 for lines, 3 for surfaces
     int nodes = 0;
     int points = 0;
-    std::vector<double> weight;     ///< [point]
-    std::vector<double> N;          ///< [point][node]
-    std::vector<double> dN_dxi;     ///< [point][direction][node]
+    std::vector<double> weight;  ///< [point]
+    std::vector<double> N;       ///< [point][node]
+    std::vector<double> dN_dxi;  ///< [point][direction][node]
     [[nodiscard]] int dofs() const noexcept { return dimension * nodes; }
 };
 

@@ -8,7 +8,7 @@
 namespace soft::element {
 
 /// `X` are the nodes, component by component. [pressure x pressure]; empty without a pressure unknown.
-[[nodiscard]] std::vector<double> pressure_mass(const ReferenceCell& cell, model::Kinematics kinematics, std::span<const double> X,
-                                                double pressure_scale_Pa);
+[[nodiscard]] std::vector<double> pressure_mass(const ReferenceCell& cell, model::Kinematics kinematics,
+                                                std::span<const double> X, double pressure_scale_Pa);
 
 }  // namespace soft::element

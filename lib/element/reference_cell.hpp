@@ -33,14 +33,15 @@ struct ReferenceCell {
     Form form = Form::displacement;
     int dimension = 0;
     int nodes = 0;
-    int points = 0;                     ///< quadrature points
+    int points = 0;  ///< quadrature points
     PressureSpace pressure = PressureSpace::none;
     int pressure_dofs = 0;
-    std::vector<double> weight;         ///< [point]
-    std::vector<double> N;              ///< [point][node]
-    std::vector<double> dN_dxi;         ///< [point][direction][node]
-    std::vector<double> vertex_N;       ///< [point][vertex], continuous_vertex only
-    std::vector<double> by_node;        ///< [node][direction, then N itself][padded(points)]: dN_dxi and N, the last point repeated
+    std::vector<double> weight;    ///< [point]
+    std::vector<double> N;         ///< [point][node]
+    std::vector<double> dN_dxi;    ///< [point][direction][node]
+    std::vector<double> vertex_N;  ///< [point][vertex], continuous_vertex only
+    std::vector<double>
+        by_node;  ///< [node][direction, then N itself][padded(points)]: dN_dxi and N, the last point repeated
 
     [[nodiscard]] int displacement_dofs() const noexcept { return dimension * nodes; }
     [[nodiscard]] int dofs() const noexcept { return displacement_dofs() + pressure_dofs; }

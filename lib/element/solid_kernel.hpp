@@ -14,11 +14,11 @@ namespace soft::element {
 
 /// One quadrature point for reporting.
 struct PointState {
-    Tensor F;                     ///< of the displacement: what is reported as stretch, and whose det tells an inverted cell
-    Tensor F_law;                 ///< what the law sees, for stress and energy: F, in F-bar form F-bar
-    material::FiberAxes axes;     ///< fibre frame
-    double p_Pa;                  ///< pressure unknown's value (0 where the form has none)
-    double weight_m3;             ///< reference volume of the point (2 pi R included)
+    Tensor F;      ///< of the displacement: what is reported as stretch, and whose det tells an inverted cell
+    Tensor F_law;  ///< what the law sees, for stress and energy: F, in F-bar form F-bar
+    material::FiberAxes axes;  ///< fibre frame
+    double p_Pa;               ///< pressure unknown's value (0 where the form has none)
+    double weight_m3;          ///< reference volume of the point (2 pi R included)
 };
 
 namespace detail {
@@ -29,11 +29,12 @@ void integrate(const ReferenceCell& cell, const material::Rubber<L>& rubber, con
     constexpr auto kind = material::StressLaw<L> ? TangentKind::full : TangentKind::symmetric;
     map_points<Axisymmetric>(cell, in, out.points);
     out.min_jacobian = least_jacobian(cell, out.points);
-    if (!(out.min_jacobian > 0.0)) return;   // the caller reports the cell; an energy of J <= 0 has no meaning
+    if (!(out.min_jacobian > 0.0)) return;  // the caller reports the cell; an energy of J <= 0 has no meaning
     if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
     material::respond(rubber, cell.form, wanted, out.points.law);
     sum_residual<Axisymmetric>(cell, rubber.inverse_bulk_modulus, out);
-    if (wanted == material::Wanted::stress_and_tangent) sum_stiffness<Axisymmetric, kind>(cell, rubber.inverse_bulk_modulus, out);
+    if (wanted == material::Wanted::stress_and_tangent)
+        sum_stiffness<Axisymmetric, kind>(cell, rubber.inverse_bulk_modulus, out);
 }
 
 template <bool Axisymmetric, class L>

@@ -29,7 +29,8 @@ Jacobian jacobian_of(const Solution& solution, const Rows& rows) {
                 linear + k);
     const auto count = static_cast<Eigen::Index>(J.which.size());
     J.columns.conservativeResize(Eigen::NoChange, count);
-    J.inverse_length = J.columns.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
+    J.inverse_length =
+        J.columns.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
     J.columns = (J.columns * J.inverse_length.asDiagonal()).eval();
     return J;
 }

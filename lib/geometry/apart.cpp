@@ -22,7 +22,8 @@ namespace {
     constexpr int failed = 1;
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
-    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) std::signal(signal, SIG_DFL);   // no report of a library's crash
+    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL})
+        std::signal(signal, SIG_DFL);  // no report of a library's crash
     if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) {
         ::dup2(nowhere, STDOUT_FILENO);
         ::dup2(nowhere, STDERR_FILENO);
@@ -36,7 +37,7 @@ namespace {
             at += written;
             left -= static_cast<std::size_t>(written);
         }
-    } catch (...) {   // gmsh also throws strings; the caller says that it has failed
+    } catch (...) {  // gmsh also throws strings; the caller says that it has failed
         ::_exit(failed);
     }
     ::_exit(0);
@@ -44,11 +45,13 @@ namespace {
 
 }  // namespace
 
-std::optional<std::vector<double>> done_apart(const std::function<std::vector<double>()>& work, std::chrono::seconds limit) {
+std::optional<std::vector<double>> done_apart(const std::function<std::vector<double>()>& work,
+                                              std::chrono::seconds limit) {
     std::array<int, 2> pipe{};
     const bool piped = ::pipe(pipe.data()) == 0;
     const pid_t child = piped ? ::fork() : -1;
-    if (child < 0) throw Error(ExitCode::internal, "a process of its own", std::string{"cannot be made: "} + std::strerror(errno));
+    if (child < 0)
+        throw Error(ExitCode::internal, "a process of its own", std::string{"cannot be made: "} + std::strerror(errno));
     if (child == 0) {
         ::close(pipe[0]);
         work_and_leave(work, pipe[1]);
@@ -59,10 +62,11 @@ std::optional<std::vector<double>> done_apart(const std::function<std::vector<do
     std::vector<char> chunk(1 << 16);
     bool ended = false;
     while (!ended) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
         pollfd watched{pipe[0], POLLIN, 0};
         const int ready = left > 0 ? ::poll(&watched, 1, static_cast<int>(left)) : 0;
-        if (ready == 0) break;   // out of time
+        if (ready == 0) break;  // out of time
         if (ready < 0 && errno == EINTR) continue;
         const ssize_t got = ::read(pipe[0], chunk.data(), chunk.size());
         if (got > 0) bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + got);

@@ -10,6 +10,7 @@ namespace soft::geometry {
 
 /// What `work` returns; nullopt where it throws, crashes, or takes longer than the limit (it is ended then).
 /// Error(internal) where no process can be made.
-[[nodiscard]] std::optional<std::vector<double>> done_apart(const std::function<std::vector<double>()>& work, std::chrono::seconds limit);
+[[nodiscard]] std::optional<std::vector<double>> done_apart(const std::function<std::vector<double>()>& work,
+                                                            std::chrono::seconds limit);
 
 }  // namespace soft::geometry

@@ -20,11 +20,11 @@ struct Counts {
 
 Counts counts_of(const BellowsShape& shape, const design::Values& values) {
     const double size_m = values.number("mesh.size");
-    constexpr int least_bend = 2;   // a half bend turns by about 84 degrees
+    constexpr int least_bend = 2;  // a half bend turns by about 84 degrees
     const auto cells = [&](double length_m, int least = 1) { return divisions(length_m, size_m, least); };
     // Between the bends the state changes slowly along the wall: longer cells cost no accuracy there (measured).
     constexpr double straight_stretch = 1.2;
-    constexpr int least_through = 3;   // two leave the bends 0.6 % too soft, whatever their grading (measured)
+    constexpr int least_through = 3;  // two leave the bends 0.6 % too soft, whatever their grading (measured)
     return {.through = cells_through_wall(values, shape.wall_m, least_through),
             .bend = cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, least_bend),
             .straight = cells(shape.straight_m / straight_stretch),
@@ -61,10 +61,14 @@ public:
             shape_ = shapes_[static_cast<std::size_t>(i)];
             n_ = counts_of(shape_, values_);
             const double half_land_m = 0.5 * shape_.trough_land_m;
-            const Frame rising{(i - 1) * shape_.pitch_m + half_land_m, 1}, falling{i * shape_.pitch_m - half_land_m, -1};
+            const Frame rising{(i - 1) * shape_.pitch_m + half_land_m, 1},
+                falling{i * shape_.pitch_m - half_land_m, -1};
             Cut crest = crest_middle(rising);
-            if (i == 0) wall(rising, add_end(rising, "inlet", {"cavity"}), n_.above_neck, crest);
-            else convolution_half(rising, half_land_m > 0 ? land(trough, trough_middle(rising), n_.trough_land) : trough, crest);
+            if (i == 0)
+                wall(rising, add_end(rising, "inlet", {"cavity"}), n_.above_neck, crest);
+            else
+                convolution_half(rising, half_land_m > 0 ? land(trough, trough_middle(rising), n_.trough_land) : trough,
+                                 crest);
             if (shape_.crest_land_m > 0) crest = land(crest, crest_middle(falling), n_.crest_land);
             if (i == convolutions - 1) {
                 wall(falling, add_end(falling, "fixed", {}), n_.above_neck, crest);
@@ -104,7 +108,9 @@ private:
     void strip(Cut from, Cut to, int centre, int cells) {
         add_arc(section_, {from.inside, to.inside}, centre, cells, {"cavity"});
         add_arc(section_, {from.outside, to.outside}, centre, cells, {"outer"});
-        add_block(section_, {{{from.inside, to.inside}, {to.inside, to.outside}, {to.outside, from.outside},
+        add_block(section_, {{{from.inside, to.inside},
+                              {to.inside, to.outside},
+                              {to.outside, from.outside},
                               {from.outside, from.inside}}});
     }
 
@@ -131,10 +137,10 @@ private:
 
     std::vector<BellowsShape> shapes_;
     const design::Values& values_;
-    BellowsShape shape_{};   ///< of the convolution that is drawn
+    BellowsShape shape_{};  ///< of the convolution that is drawn
     Counts n_{};
     Section section_;
-    int bore_inner_ = 0, bore_outer_ = 0;   ///< of the end drawn last: the line where disc and bore (or core) meet
+    int bore_inner_ = 0, bore_outer_ = 0;  ///< of the end drawn last: the line where disc and bore (or core) meet
 };
 
 /// Disc, neck and the wall up to where its outer face leaves the neck; returns the cut there.
@@ -146,7 +152,8 @@ Cut Drawing::add_end(const Frame& frame, const std::string& end_face, const Name
     const int foot = point(frame, shape_.on_wall(shape_.cavity_offset_m(), 0));
     const int bore = point(frame, {0, shape_.bore_m}), bore_end = point(frame, {end_m, shape_.bore_m});
     const int fork = point(frame, shape_.fork), below = point(frame, shape_.below_corner);
-    const int side = point(frame, {end_m, shape_.below_corner[1]}), neck_end = point(frame, {end_m, shape_.neck_radius_m});
+    const int side = point(frame, {end_m, shape_.below_corner[1]}),
+              neck_end = point(frame, {end_m, shape_.neck_radius_m});
     const int corner = point(frame, shape_.disc_corner);
     const int rim = point(frame, {shape_.disc_corner[0], shape_.disc_radius_m});
     const int rim_end = point(frame, {end_m, shape_.disc_radius_m});
@@ -203,7 +210,7 @@ Body build(const design::Values& values) {
     body.section = Drawing{values}.draw();
     add_strip_sector(body, values);
     body.sweep = Revolution{values.count("mesh.sectors")};
-    body.axis = {-1, 0, 0};   // the inlet lies at the lower x
+    body.axis = {-1, 0, 0};  // the inlet lies at the lower x
     const model::Opening bore{"inlet", std::numbers::pi * bore_m * bore_m, {-1, 0, 0}};
     body.cavities = {{"cavity", "cavity", {"cavity_end"}, {bore}}};
     return body;
@@ -222,32 +229,36 @@ Family bellows() {
     convolutions.meaning = "number of crests";
     convolutions.min = 1;
     convolutions.max = 1000;
-    design::Key last_crest = length_key("last_crest_radius", "same", "crest_radius of the convolution at the held end; evenly in between");
+    design::Key last_crest =
+        length_key("last_crest_radius", "same", "crest_radius of the convolution at the held end; evenly in between");
     last_crest.choices = {"same"};
-    keys.geometry = {std::move(convolutions),
-                     length_key("pitch", "9.25 mm", "length of a convolution, trough to trough"),
-                     length_key("crest_radius", "19 mm", "outermost radius of the rubber"),
-                     length_key("bore_radius", "2.5 mm", "innermost radius of the rubber: of the bore and of the troughs"),
-                     length_key("wall", "3 mm", "thickness of the wall"),
-                     length_key("fillet", "0.25 mm", "inner radius of every bend; its outer radius is fillet + wall"),
-                     land_key("crest_land", "straight length of every crest along x, besides its bends"),
-                     land_key("trough_land", "straight length of every trough between two convolutions; where both lands are half the "
-                                             "pitch less wall and two fillets, the walls stand upright: square convolutions"),
-                     std::move(last_crest),
-                     length_key("end_disc.length", "6 mm", "from the plane of the last trough to the outer face, at both ends"),
-                     length_key("end_disc.radius", "14.5 mm", "radius of both discs"),
-                     length_key("neck.length", "1 mm", "between disc and outer wall"),
-                     length_key("neck.radius", "7 mm", "radius of the neck; must meet the straight part of the outer wall"),
-                     strip_angle_key(),
-                     strip_material_key()};
+    keys.geometry = {
+        std::move(convolutions),
+        length_key("pitch", "9.25 mm", "length of a convolution, trough to trough"),
+        length_key("crest_radius", "19 mm", "outermost radius of the rubber"),
+        length_key("bore_radius", "2.5 mm", "innermost radius of the rubber: of the bore and of the troughs"),
+        length_key("wall", "3 mm", "thickness of the wall"),
+        length_key("fillet", "0.25 mm", "inner radius of every bend; its outer radius is fillet + wall"),
+        land_key("crest_land", "straight length of every crest along x, besides its bends"),
+        land_key("trough_land",
+                 "straight length of every trough between two convolutions; where both lands are half the "
+                 "pitch less wall and two fillets, the walls stand upright: square convolutions"),
+        std::move(last_crest),
+        length_key("end_disc.length", "6 mm", "from the plane of the last trough to the outer face, at both ends"),
+        length_key("end_disc.radius", "14.5 mm", "radius of both discs"),
+        length_key("neck.length", "1 mm", "between disc and outer wall"),
+        length_key("neck.radius", "7 mm", "radius of the neck; must meet the straight part of the outer wall"),
+        strip_angle_key(),
+        strip_material_key()};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"fixed", "inlet", "cavity", "cavity_end", "outer"};
     keys.aliases = {{"end_disc", "fixed"}};
-    keys.defaults = "supports: {fixed: end_disc}\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 30 kPa, sealed: true}   # sealed: also on the bore's plug and the end disc\n"
-                    "outputs:\n"
-                    "  elongation: {face: inlet, along: axis}     # area mean of the displacement\n";
+    keys.defaults =
+        "supports: {fixed: end_disc}\n"
+        "loads:\n"
+        "  cavity: {pressure: 30 kPa, sealed: true}   # sealed: also on the bore's plug and the end disc\n"
+        "outputs:\n"
+        "  elongation: {face: inlet, along: axis}     # area mean of the displacement\n";
     keys.mesh = {size_key("1.5 mm"), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }

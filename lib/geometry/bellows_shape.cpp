@@ -32,17 +32,18 @@ BellowsShape read(const design::Values& values) {
 /// The straight wall is an inner common tangent of the trough's and the crest's arcs: seen along its normal the two
 /// centres are 2 fillet + wall apart.
 void derive_wall(BellowsShape& s, const design::Values& values, const char* crest_key) {
-    const double bend_m = s.fillet_m + s.wall_m, apart_m = 2 * s.fillet_m + s.wall_m, lands_m = s.crest_land_m + s.trough_land_m;
+    const double bend_m = s.fillet_m + s.wall_m, apart_m = 2 * s.fillet_m + s.wall_m,
+                 lands_m = s.crest_land_m + s.trough_land_m;
     const double half_m = 0.5 * (s.pitch_m - lands_m);
     s.half_m = half_m;
     if (!(half_m > bend_m))
         throw values.refuse("geometry.pitch", length_text(s.pitch_m) + " lets neighbouring convolutions overlap",
-                            larger_than(2 * bend_m + lands_m) + " = 2 (fillet + wall)" + (lands_m > 0 ? " + crest_land + trough_land" : ""));
+                            larger_than(2 * bend_m + lands_m) + " = 2 (fillet + wall)" +
+                                (lands_m > 0 ? " + crest_land + trough_land" : ""));
     const double least_rise_m = std::sqrt(std::max(0.0, apart_m * apart_m - half_m * half_m));
     const double least_crest_m = s.bore_m + 2 * bend_m + least_rise_m;
     if (!(s.crest_m > least_crest_m))
-        throw values.refuse(crest_key,
-                            length_text(s.crest_m) + " leaves no straight wall between trough and crest",
+        throw values.refuse(crest_key, length_text(s.crest_m) + " leaves no straight wall between trough and crest",
                             larger_than(least_crest_m));
     s.trough_centre_m = s.bore_m + bend_m;
     s.crest_centre_m = s.crest_m - bend_m;
@@ -56,15 +57,17 @@ void derive_wall(BellowsShape& s, const design::Values& values, const char* cres
 }
 
 void derive_neck(BellowsShape& s, const design::Values& values) {
-    const double lowest_m = s.on_wall(s.outer_offset_m(), 0)[1], highest_m = s.on_wall(s.outer_offset_m(), s.straight_m)[1];
+    const double lowest_m = s.on_wall(s.outer_offset_m(), 0)[1],
+                 highest_m = s.on_wall(s.outer_offset_m(), s.straight_m)[1];
     if (!(s.neck_radius_m > lowest_m && s.neck_radius_m < highest_m))
         throw values.refuse("geometry.neck.radius",
                             length_text(s.neck_radius_m) + " does not meet the straight part of the outer wall",
                             "between " + length_text(lowest_m) + " and " + length_text(highest_m));
     if (!(s.disc_radius_m > s.neck_radius_m))
-        throw values.refuse("geometry.end_disc.radius",
-                            length_text(s.disc_radius_m) + " is not larger than the neck's " + length_text(s.neck_radius_m),
-                            larger_than(s.neck_radius_m));
+        throw values.refuse(
+            "geometry.end_disc.radius",
+            length_text(s.disc_radius_m) + " is not larger than the neck's " + length_text(s.neck_radius_m),
+            larger_than(s.neck_radius_m));
     s.neck_at_m = (s.neck_radius_m - lowest_m) / s.along[1];
     s.neck_corner = s.on_wall(s.outer_offset_m(), s.neck_at_m);
     s.neck_corner[1] = s.neck_radius_m;
@@ -72,7 +75,8 @@ void derive_neck(BellowsShape& s, const design::Values& values) {
     // The wall may lean over the neck: the disc must stay clear of the first crest.
     const double crest_edge_m = s.half_m - s.fillet_m - s.wall_m;
     if (!(s.disc_corner[0] < crest_edge_m))
-        throw values.refuse("geometry.neck.length", length_text(s.neck_length_m) + " lets the first crest touch the disc",
+        throw values.refuse("geometry.neck.length",
+                            length_text(s.neck_length_m) + " lets the first crest touch the disc",
                             larger_than(s.neck_corner[0] - crest_edge_m));
 }
 
@@ -86,9 +90,10 @@ void derive_fork(BellowsShape& s, const design::Values& values) {
     // The disc must reach past both, or its cells have no room.
     const double least_m = -s.disc_corner[0] + back_m;
     if (!(s.disc_length_m > least_m))
-        throw values.refuse("geometry.end_disc.length",
-                            length_text(s.disc_length_m) + " is too short for the neck of " + length_text(s.neck_length_m),
-                            larger_than(least_m));
+        throw values.refuse(
+            "geometry.end_disc.length",
+            length_text(s.disc_length_m) + " is too short for the neck of " + length_text(s.neck_length_m),
+            larger_than(least_m));
 }
 
 }  // namespace
@@ -97,7 +102,7 @@ BellowsShape shape_of(const design::Values& values, int convolution) {
     constexpr const char* last_key = "geometry.last_crest_radius";
     BellowsShape s = read(values);
     const double last_m = values.number(last_key);
-    const bool tapers = last_m > 0 && s.convolutions > 1;   // 0 stands for "same"
+    const bool tapers = last_m > 0 && s.convolutions > 1;  // 0 stands for "same"
     if (tapers) s.crest_m += (last_m - s.crest_m) * convolution / (s.convolutions - 1);
     derive_wall(s, values, tapers && convolution > 0 ? last_key : "geometry.crest_radius");
     derive_neck(s, values);
@@ -108,7 +113,8 @@ BellowsShape shape_of(const design::Values& values, int convolution) {
 std::vector<BellowsShape> shapes_of(const design::Values& values) {
     const int last = values.count("geometry.convolutions") - 1;
     static_cast<void>(shape_of(values, 0));
-    static_cast<void>(shape_of(values, last));   // a taper that does not fit is refused with its end, not with a crest on the way
+    static_cast<void>(
+        shape_of(values, last));  // a taper that does not fit is refused with its end, not with a crest on the way
     std::vector<BellowsShape> shapes;
     for (int i = 0; i <= last; ++i) shapes.push_back(shape_of(values, i));
     return shapes;

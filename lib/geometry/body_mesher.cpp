@@ -21,7 +21,7 @@ namespace {
 using mesh::Index;
 using surface::Remeshed;
 
-constexpr double mm = 1e3;   // gmsh's tolerances are made for numbers about 1
+constexpr double mm = 1e3;  // gmsh's tolerances are made for numbers about 1
 
 /// Shells of a closed surface: of each triangle its number, in the order of their first triangles.
 std::vector<int> shells_of(const Remeshed& surface) {
@@ -29,14 +29,16 @@ std::vector<int> shells_of(const Remeshed& surface) {
     for (std::size_t p = 0; p < parent.size(); ++p) parent[p] = static_cast<int>(p);
     const auto root = [&](int p) {
         auto at = static_cast<std::size_t>(p);
-        while (parent[at] != static_cast<int>(at)) at = static_cast<std::size_t>(parent[at] = parent[static_cast<std::size_t>(parent[at])]);
+        while (parent[at] != static_cast<int>(at))
+            at = static_cast<std::size_t>(parent[at] = parent[static_cast<std::size_t>(parent[at])]);
         return static_cast<int>(at);
     };
     for (const auto& t : surface.triangles)
         for (std::size_t k = 1; k < 3; ++k) parent[static_cast<std::size_t>(root(t[k]))] = root(t[0]);
     std::map<int, int> numbers;
     std::vector<int> shells;
-    for (const auto& t : surface.triangles) shells.push_back(numbers.try_emplace(root(t[0]), static_cast<int>(numbers.size())).first->second);
+    for (const auto& t : surface.triangles)
+        shells.push_back(numbers.try_emplace(root(t[0]), static_cast<int>(numbers.size())).first->second);
     return shells;
 }
 
@@ -86,19 +88,22 @@ std::optional<mesh::Mesh> filled(const Remeshed& surface, GmshSession::Filling f
     std::array<Index, 4> cell{};
     for (std::size_t n = 0; n + 3 < cells.size(); n += 4) {
         for (std::size_t k = 0; k < 4; ++k)
-            cell[k] = cells[n + k] <= surface.points.size() ? static_cast<Index>(cells[n + k]) - 1 : numbers.at(cells[n + k]);
+            cell[k] =
+                cells[n + k] <= surface.points.size() ? static_cast<Index>(cells[n + k]) - 1 : numbers.at(cells[n + k]);
         add_cell(mesh, mesh::CellType::tet4, cell, 0);
     }
     constexpr double rounding = 1e-9;
-    if (mesh.cell_types.empty() || std::abs(mesh::measure(mesh, mesh::Measure::plain) / volume_m3(surface) - 1) > rounding) return std::nullopt;
+    if (mesh.cell_types.empty() ||
+        std::abs(mesh::measure(mesh, mesh::Measure::plain) / volume_m3(surface) - 1) > rounding)
+        return std::nullopt;
     return mesh;
 }
 
 using Edge = std::array<Index, 2>;
 
 /// Where mid nodes of outer edges belong on the file's surface, by their numbers.
-std::map<Index, mesh::Point> places_of_mid_nodes(const mesh::Mesh& mesh, const Remeshed& remeshed, const surface::BodySurface& body,
-                                                 const surface::Creases& creases) {
+std::map<Index, mesh::Point> places_of_mid_nodes(const mesh::Mesh& mesh, const Remeshed& remeshed,
+                                                 const surface::BodySurface& body, const surface::Creases& creases) {
     const surface::NearestOnTriangles on_surface(body.points, body.triangles);
     std::optional<surface::NearestOnSegments> on_lines;
     if (!creases.empty()) on_lines.emplace(body.points, creases);
@@ -106,7 +111,7 @@ std::map<Index, mesh::Point> places_of_mid_nodes(const mesh::Mesh& mesh, const R
     for (const auto& [a, b] : remeshed.creases) lines.insert({a, b});
     std::map<Index, mesh::Point> places;
     for (const mesh::Facet& facet : boundary_facets(mesh)) {
-        const auto nodes = facet_nodes(mesh, facet);   // corners 0 1 2, then the middles of 0-1, 1-2, 2-0
+        const auto nodes = facet_nodes(mesh, facet);  // corners 0 1 2, then the middles of 0-1, 1-2, 2-0
         for (std::size_t k = 0; k < 3; ++k) {
             const Index middle = nodes[3 + k];
             if (places.contains(middle)) continue;
@@ -131,14 +136,15 @@ double soundness(const mesh::Mesh& mesh, Index cell, const std::vector<std::vect
 
 /// Mid nodes go to their places, as far as the cells around them stay sound.
 void curve(mesh::Mesh& mesh, const std::map<Index, mesh::Point>& places) {
-    constexpr double sound = 0.2;   // a Jacobian that varies more than fivefold in a cell spoils its quadrature
+    constexpr double sound = 0.2;  // a Jacobian that varies more than fivefold in a cell spoils its quadrature
     constexpr int rounds = 8;
-    std::map<Index, std::vector<Index>> cells;   // around a mid node that moves
+    std::map<Index, std::vector<Index>> cells;  // around a mid node that moves
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
         for (const Index node : mesh.cell_nodes(cell))
             if (places.contains(node)) cells[node].push_back(cell);
     std::vector<std::vector<mesh::ShapeValue>> shapes;
-    for (const auto& node : mesh::topology(mesh::CellType::tet10).nodes) shapes.push_back(mesh::shape_values(mesh::CellType::tet10, node));
+    for (const auto& node : mesh::topology(mesh::CellType::tet10).nodes)
+        shapes.push_back(mesh::shape_values(mesh::CellType::tet10, node));
     const std::vector<mesh::Point> straight = mesh.points;
     std::map<Index, double> shares;
     for (const auto& [node, place] : places) shares[node] = 1;
@@ -179,17 +185,19 @@ void name_facets(mesh::Mesh& mesh, const surface::BodySurface& body, const std::
 }  // namespace
 
 mesh::Mesh mesh_inside(const MeshedBody& body, const surface::SizeAt& size_m) {
-    constexpr std::size_t most_points = 200000;   // on the surface; a million tetrahedra or more inside, which no run solves
+    constexpr std::size_t most_points =
+        200000;  // on the surface; a million tetrahedra or more inside, which no run solves
     constexpr int attempts = 3;
     const surface::Creases creases = creases_of(body.surface, body.faces);
     double factor = 1;
     for (int attempt = 0; attempt < attempts; ++attempt, factor *= 0.7) {
-        const Remeshed remeshed = remesh(body.surface, creases, [&](const mesh::Point& p) { return factor * size_m(p); }, body.origin, most_points);
+        const Remeshed remeshed = remesh(
+            body.surface, creases, [&](const mesh::Point& p) { return factor * size_m(p); }, body.origin, most_points);
         for (const auto filling : {GmshSession::Filling::delaunay, GmshSession::Filling::hxt}) {
             std::optional<mesh::Mesh> mesh;
             try {
                 mesh = filled(remeshed, filling);
-            } catch (const Error& error) {   // gmsh has stumbled; over other triangles it may not
+            } catch (const Error& error) {  // gmsh has stumbled; over other triangles it may not
                 if (error.code() != ExitCode::internal) throw;
             }
             if (!mesh) continue;
@@ -199,8 +207,9 @@ mesh::Mesh mesh_inside(const MeshedBody& body, const surface::SizeAt& size_m) {
             return second;
         }
     }
-    throw Error(ExitCode::bad_input, body.origin.name, "gmsh finds no tetrahedra inside the surface",
-                "another mesh.size, or leave out very sharp edges and gaps narrower than a cell where the body was drawn");
+    throw Error(
+        ExitCode::bad_input, body.origin.name, "gmsh finds no tetrahedra inside the surface",
+        "another mesh.size, or leave out very sharp edges and gaps narrower than a cell where the body was drawn");
 }
 
 }  // namespace soft::geometry

@@ -13,7 +13,7 @@ namespace {
 
 using Triple = std::array<int, 3>;
 
-constexpr int nothing = -1;   // no box there
+constexpr int nothing = -1;  // no box there
 
 /// Planes nearer to each other than this part of the body are one: the sums that place them differ by rounding.
 constexpr double same_plane = 1e-9;
@@ -22,7 +22,7 @@ constexpr double same_plane = 1e-9;
 struct Blocks {
     const BoxBody& body;
     std::array<std::vector<double>, 3> planes;
-    std::vector<int> top;   ///< the box that lies on top in each block, or `nothing`; z runs fastest
+    std::vector<int> top;  ///< the box that lies on top in each block, or `nothing`; z runs fastest
 
     [[nodiscard]] int count(std::size_t axis) const { return static_cast<int>(planes[axis].size()) - 1; }
     [[nodiscard]] int box(const Triple& block) const {
@@ -199,7 +199,8 @@ private:
 
     [[nodiscard]] std::string face_toward(const Triple& neighbour, std::size_t axis, std::size_t side) const {
         const int box = blocks_.box(block_of(neighbour));
-        if (box != nothing) return blocks_.body.boxes[static_cast<std::size_t>(box)].name;   // hollow, or it would be a cell
+        if (box != nothing)
+            return blocks_.body.boxes[static_cast<std::size_t>(box)].name;  // hollow, or it would be a cell
         const bool border = neighbour[axis] < 0 || neighbour[axis] >= lines_[axis].cells();
         const bool image = axis == 1 && blocks_.body.extent == Extent::mirrored_in_y;
         const std::string& face = blocks_.body.borders[axis][image ? 1 : side].face;
@@ -207,7 +208,8 @@ private:
     }
 
     void add(const Triple& cell) {
-        constexpr std::array<Triple, 8> corners{   // VTK's order
+        constexpr std::array<Triple, 8> corners{
+            // VTK's order
             {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
         std::array<mesh::Index, 8> nodes{};
         for (std::size_t n = 0; n < 8; ++n)
@@ -215,17 +217,18 @@ private:
         const mesh::Index number = mesh_.cell_count();
         mesh::add_cell(mesh_, mesh::CellType::hex8, nodes, region(cell));
         for (std::size_t axis = 0; axis < 3; ++axis)
-            for (std::size_t side = 0; side < 2; ++side) {   // as topology(hex8) numbers them: -x, +x, -y, +y, -z, +z
+            for (std::size_t side = 0; side < 2; ++side) {  // as topology(hex8) numbers them: -x, +x, -y, +y, -z, +z
                 Triple neighbour = cell;
                 neighbour[axis] += side == 0 ? -1 : 1;
                 if (!blocks_.solid(block_of(neighbour)))
-                    mesh_.facet_sets[face_toward(neighbour, axis, side)].push_back({number, static_cast<int>(2 * axis + side)});
+                    mesh_.facet_sets[face_toward(neighbour, axis, side)].push_back(
+                        {number, static_cast<int>(2 * axis + side)});
             }
     }
 
     const Blocks& blocks_;
     std::array<Line, 3> lines_;
-    std::vector<mesh::Index> numbers_;   ///< of the grid's corners that belong to a cell
+    std::vector<mesh::Index> numbers_;  ///< of the grid's corners that belong to a cell
     mesh::Mesh mesh_;
 };
 
@@ -235,7 +238,10 @@ std::vector<double> graded_shares(int cells, double grading, SharpEnds sharp) {
     std::vector<double> shares;
     for (int i = 0; i < cells; ++i) {
         const int from_low = i, from_high = cells - 1 - i;
-        const int away = sharp.low && sharp.high ? std::min(from_low, from_high) : sharp.low ? from_low : sharp.high ? from_high : 0;
+        const int away = sharp.low && sharp.high ? std::min(from_low, from_high)
+                         : sharp.low             ? from_low
+                         : sharp.high            ? from_high
+                                                 : 0;
         const int farthest = sharp.low && sharp.high ? (cells - 1) / 2 : cells - 1;
         shares.push_back(farthest > 0 ? std::pow(grading, static_cast<double>(away) / farthest) : 1.0);
     }

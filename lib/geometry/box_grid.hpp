@@ -14,31 +14,32 @@ namespace soft::geometry {
 enum class Fill { solid, hollow };
 
 struct Box {
-    mesh::Point low, high;   ///< opposite corners [m]
+    mesh::Point low, high;  ///< opposite corners [m]
     Fill fill;
     std::string name;
 };
 
 /// The lowest or highest plane of the grid across an axis.
 struct Border {
-    std::string face;    ///< of the cells that end there; empty: BoxBody::outside
-    bool held = false;   ///< a held face is singular along its rim too: cells get shorter toward it
+    std::string face;   ///< of the cells that end there; empty: BoxBody::outside
+    bool held = false;  ///< a held face is singular along its rim too: cells get shorter toward it
 };
 
 /// mirrored_in_y: the boxes lie in y >= 0 and are half of a body that is its own mirror image; the mesh is that of both halves.
 enum class Extent { as_drawn, mirrored_in_y };
 
 struct BoxBody {
-    std::vector<Box> boxes;                               ///< each lies over those before it; what no box covers is outside
-    std::array<std::array<Border, 2>, 3> borders{};       ///< [x, y, z][lowest, highest]
-    std::string outside = "outer";                        ///< face toward the outside where no border says otherwise
-    Extent extent = Extent::as_drawn;                     ///< mirrored: the highest border in y is the lowest one too
+    std::vector<Box> boxes;                          ///< each lies over those before it; what no box covers is outside
+    std::array<std::array<Border, 2>, 3> borders{};  ///< [x, y, z][lowest, highest]
+    std::string outside = "outer";                   ///< face toward the outside where no border says otherwise
+    Extent extent = Extent::as_drawn;                ///< mirrored: the highest border in y is the lowest one too
 };
 
 struct Spacing {
-    double size_m;               ///< wished length of a cell
-    std::array<int, 3> least;    ///< cells between neighbouring planes along x, y, z, at least: through every wall, across every slot
-    double grading;              ///< longest over shortest cell between two planes of which one or both have re-entrant edges
+    double size_m;  ///< wished length of a cell
+    std::array<int, 3>
+        least;  ///< cells between neighbouring planes along x, y, z, at least: through every wall, across every slot
+    double grading;  ///< longest over shortest cell between two planes of which one or both have re-entrant edges
 };
 
 /// Lengths of the cells between two planes as shares of their distance; geometric, shortest at the sharp ends.

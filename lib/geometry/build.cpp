@@ -35,7 +35,8 @@ FreeCells free_cells(const Body& body, const design::Values& values, Model model
     const bool simplices = values.has("mesh.cells") && values.text("mesh.cells") == "simplices";
     const bool turned = std::holds_alternative<Revolution>(body.sweep) && model != Model::axisymmetric;
     const auto on_axis = [](const OutlineEdge& edge) { return edge.points.front()[1] == 0; };
-    const bool closes = std::ranges::any_of(body.outline.loops, [&](const Loop& loop) { return std::ranges::any_of(loop, on_axis); });
+    const bool closes =
+        std::ranges::any_of(body.outline.loops, [&](const Loop& loop) { return std::ranges::any_of(loop, on_axis); });
     return simplices || (turned && closes) ? FreeCells::triangles : FreeCells::quadrilaterals;
 }
 
@@ -100,13 +101,17 @@ void add_middle_planes(Solid& solid) {
 
 /// What follows from the shape: symmetry planes, the axis, and the middle planes of a body nobody holds.
 std::vector<model::Support> own_supports(const Body& body, const Solid& solid) {
-    if (std::holds_alternative<ReadyMesh>(body.sweep)) return {};   // its faces are the user's, whatever they are called
+    if (std::holds_alternative<ReadyMesh>(body.sweep)) return {};  // its faces are the user's, whatever they are called
     struct Named {
         const char* face;
         int component;
     };
-    constexpr std::array<Named, 6> candidates{{{symmetry_x_face, 0}, {symmetry_y_face, 1}, {symmetry_z_face, 2},
-                                               {axis_face, 1}, {"middle_y", 1}, {"middle_z", 2}}};
+    constexpr std::array<Named, 6> candidates{{{symmetry_x_face, 0},
+                                               {symmetry_y_face, 1},
+                                               {symmetry_z_face, 2},
+                                               {axis_face, 1},
+                                               {"middle_y", 1},
+                                               {"middle_z", 2}}};
     std::vector<model::Support> supports;
     for (const Named& candidate : candidates) {
         if (!solid.mesh.facet_sets.contains(candidate.face)) continue;
@@ -137,20 +142,22 @@ Solid swept(const Body& body, const design::Values& values) {
         return {ready->mesh, ready->kinematics, body.symmetry_planes, body.fraction};
     const Model model = model_of(values);
     refuse_too_many(body, values);
-    const mesh::Mesh section =
-        body.outline.loops.empty() ? mesh_section(body.section) : mesh_outline(body.outline, free_cells(body, values, model));
+    const mesh::Mesh section = body.outline.loops.empty() ? mesh_section(body.section)
+                                                          : mesh_outline(body.outline, free_cells(body, values, model));
     if (const auto* revolution = std::get_if<Revolution>(&body.sweep))
         return revolved(section, body, *revolution, model);
     if (model == Model::plane_strain)
         return {section, model::Kinematics::plane_strain, body.symmetry_planes, body.fraction};
-    return {extrude(section, std::get<Extrusion>(body.sweep)), model::Kinematics::solid, body.symmetry_planes, body.fraction};
+    return {extrude(section, std::get<Extrusion>(body.sweep)), model::Kinematics::solid, body.symmetry_planes,
+            body.fraction};
 }
 
 mesh::Mesh refined(const mesh::Mesh& mesh, const design::Values& values) {
     const int times = values.has("mesh.refine") ? values.count("mesh.refine") : 0;
     const double cells = std::ldexp(static_cast<double>(mesh.cell_count()), times * mesh.dimension);
     if (cells > most_cells)
-        throw values.refuse("mesh.refine", "it would take " + core::rounded_text(cells, 2) + " cells", "a smaller number");
+        throw values.refuse("mesh.refine", "it would take " + core::rounded_text(cells, 2) + " cells",
+                            "a smaller number");
     return mesh::refine(mesh, times);
 }
 
@@ -187,7 +194,8 @@ void check_materials(const design::Design& design, const design::FamilyKeys& key
         if (material.fibers) check_fibers(design, material);
         const std::string reason = model::why_not(material, solid.kinematics, solid.symmetry_planes);
         if (!reason.empty())
-            throw design.values.refuse((material.fibers ? "geometry.fibers" : material.source) + std::string{".families"}, reason);
+            throw design.values.refuse(
+                (material.fibers ? "geometry.fibers" : material.source) + std::string{".families"}, reason);
     }
     for (const auto& [name, material] : design.materials) {
         const bool used = std::ranges::find(materials, material.source, &model::Material::source) != materials.end();
@@ -202,9 +210,9 @@ void check_materials(const design::Design& design, const design::FamilyKeys& key
 Solid mesh_body(const Body& body, const design::Values& values) {
     Solid solid = swept(body, values);
     const bool mixed = std::ranges::find(solid.mesh.cell_types, mesh::CellType::tet10) != solid.mesh.cell_types.end() &&
-                       !std::holds_alternative<ReadyMesh>(body.sweep);   // some sides are cut already
+                       !std::holds_alternative<ReadyMesh>(body.sweep);  // some sides are cut already
     if (mixed || says(values, "mesh.cells", "simplices")) solid.mesh = split_into_simplices(solid.mesh);
-    solid.mesh = refined(solid.mesh, values);   // before mid nodes go: they know the curved edges
+    solid.mesh = refined(solid.mesh, values);  // before mid nodes go: they know the curved edges
     if (values.has("mesh.order") && values.count("mesh.order") == 1) solid.mesh = mesh::lower_order(solid.mesh);
     if (body.anchoring == Anchoring::middle_planes && solid.kinematics == model::Kinematics::solid)
         add_middle_planes(solid);
@@ -213,16 +221,19 @@ Solid mesh_body(const Body& body, const design::Values& values) {
 
 std::vector<std::string> warnings_of(const design::Design& design, const model::Case& built) {
     std::vector<std::string> warnings = design.warnings;
-    const auto locks = [](mesh::CellType type) { return type == mesh::CellType::triangle3 || type == mesh::CellType::tet4; };
+    const auto locks = [](mesh::CellType type) {
+        return type == mesh::CellType::triangle3 || type == mesh::CellType::tet4;
+    };
     const bool told = design.values.has("mesh.cells") && design.values.text("mesh.cells") == "simplices";
     if (!told && std::ranges::any_of(built.mesh.cell_types, locks))
-        warnings.push_back((design.values.has("geometry.file") ? "geometry.file: " : "mesh.order: ") + design::first_order_simplices_lock());
-    if (design.values.has("geometry.unit")) {   // a file's numbers may be of another unit
+        warnings.push_back((design.values.has("geometry.file") ? "geometry.file: " : "mesh.order: ") +
+                           design::first_order_simplices_lock());
+    if (design.values.has("geometry.unit")) {  // a file's numbers may be of another unit
         constexpr double smallest_m = 2e-3, largest_m = 3;
         const double extent_m = model::extent_m(built.mesh);
         if (extent_m < smallest_m || extent_m > largest_m)
-            warnings.push_back("geometry.unit: the part is " + length_text(extent_m) + " long; are the file's lengths in " +
-                               design.values.text("geometry.unit") + "?");
+            warnings.push_back("geometry.unit: the part is " + length_text(extent_m) +
+                               " long; are the file's lengths in " + design.values.text("geometry.unit") + "?");
     }
     return warnings;
 }
@@ -233,7 +244,8 @@ Built build_with_figures(const design::Design& design) {
     const Family& family = family_named(design.family);
     const Body body = family.build(design.values);
     Solid solid = mesh_body(body, design.values);
-    for (const model::Support& support : design.supports) require_face(solid.mesh, support.face, "supports", family.keys);
+    for (const model::Support& support : design.supports)
+        require_face(solid.mesh, support.face, "supports", family.keys);
 
     model::Case result;
     result.name = design.name;

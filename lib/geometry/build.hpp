@@ -24,8 +24,8 @@ struct Built {
 struct Solid {
     mesh::Mesh mesh;
     model::Kinematics kinematics;
-    std::array<bool, 3> symmetry_planes;   ///< x, y, z = 0
-    double fraction;                       ///< of the actuator in the mesh
+    std::array<bool, 3> symmetry_planes;  ///< x, y, z = 0
+    double fraction;                      ///< of the actuator in the mesh
 };
 [[nodiscard]] Solid mesh_body(const Body& body, const design::Values& values);
 

@@ -6,8 +6,9 @@
 namespace soft::geometry {
 
 std::span<const Family> catalogue() {
-    static const std::array<Family, 15> families{bellows(), pneunet(), segment(), tube(),  fiber_tube(), sphere(),   two_spheres(), ring(),
-                                                 rod(),     panel(),   plate(),   dome(), revolved(),   extruded(), imported()};
+    static const std::array<Family, 15> families{bellows(), pneunet(),     segment(),  tube(),     fiber_tube(),
+                                                 sphere(),  two_spheres(), ring(),     rod(),      panel(),
+                                                 plate(),   dome(),        revolved(), extruded(), imported()};
     return families;
 }
 

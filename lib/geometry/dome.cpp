@@ -37,7 +37,8 @@ Body build(const design::Values& values) {
         const int along = divisions(turn * radius_m, size_m);
         add_arc(s, {from.inner, to.inner}, centre, along, std::move(inner_faces));
         add_arc(s, {from.outer, to.outer}, centre, along, {"outer"});
-        add_block(s, {{{from.inner, from.outer}, {from.outer, to.outer}, {to.outer, to.inner}, {to.inner, from.inner}}});
+        add_block(s,
+                  {{{from.inner, from.outer}, {from.outer, to.outer}, {to.outer, to.inner}, {to.inner, from.inner}}});
     };
     const Cut apex = add_cut(0, {axis_face}), crown = add_cut(crown_share * angle, {}), rim = add_cut(angle, {"rim"});
     add_strip(apex, crown, crown_share * angle, {"inner", "crown"});
@@ -63,11 +64,12 @@ Family dome() {
                      length_key("thickness", "2 mm", "of the cap"), std::move(angle)};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"rim", "inner", "crown", "outer"};
-    keys.defaults = "supports: {fixed: rim}\n"
-                    "loads:\n"
-                    "  outer: {pressure: 5 kPa}                  # on the convex side\n"
-                    "outputs:\n"
-                    "  apex: {face: crown, along: axis}          # about the axis, on the concave side\n";
+    keys.defaults =
+        "supports: {fixed: rim}\n"
+        "loads:\n"
+        "  outer: {pressure: 5 kPa}                  # on the convex side\n"
+        "outputs:\n"
+        "  apex: {face: crown, along: axis}          # about the axis, on the concave side\n";
     keys.mesh = {size_key("1 mm"), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }

@@ -19,7 +19,9 @@ double hole_m2(const Body& body, const std::string& wall) {
         Loop own;
         for (std::size_t e = 0; e < loop.size(); ++e) {
             const OutlineEdge &edge = loop[e], &next = loop[(e + 1) % loop.size()];
-            const auto is_wall = [&](const OutlineEdge& one) { return std::ranges::find(one.faces, wall) != one.faces.end(); };
+            const auto is_wall = [&](const OutlineEdge& one) {
+                return std::ranges::find(one.faces, wall) != one.faces.end();
+            };
             if (is_wall(edge)) own.push_back(edge);
             if (is_wall(edge) == is_wall(next)) continue;
             const std::string& beside = (is_wall(edge) ? next : edge).faces.front();
@@ -36,7 +38,8 @@ design::FileFaces faces_of_file(const std::string& file, std::string_view place)
     for (const char* end : {low_end, high_end}) {
         if (std::ranges::find(faces, end) != faces.end())
             throw Error(ExitCode::bad_input, std::string{place} + ": " + profile_key,
-                        std::string{"an edge is tagged '"} + end + "', which is the name of an end of the body", "call the edge otherwise");
+                        std::string{"an edge is tagged '"} + end + "', which is the name of an end of the body",
+                        "call the edge otherwise");
         faces.emplace_back(end);
     }
     return {faces};
@@ -45,7 +48,8 @@ design::FileFaces faces_of_file(const std::string& file, std::string_view place)
 Body build(const design::Values& values) {
     Body body = body_of_profile(values, across);
     const double thickness_m = values.number("geometry.thickness");
-    body.sweep = Extrusion{thickness_m, divisions(thickness_m, values.number("mesh.size")), {low_end}, {high_end}, Extrusion::Along::z};
+    body.sweep = Extrusion{
+        thickness_m, divisions(thickness_m, values.number("mesh.size")), {low_end}, {high_end}, Extrusion::Along::z};
     if (model_of(values) != Model::solid) return body;
     for (model::Cavity& cavity : body.cavities)
         if (const double area = hole_m2(body, cavity.wall); area > 0)
@@ -59,15 +63,17 @@ Family extruded() {
     design::FamilyKeys keys;
     keys.name = "extruded";
     keys.summary = "any section in a table (CSV) of lines, arcs and splines, long in plane strain or drawn out";
-    keys.geometry = {file_key(across), length_key("thickness", "10 mm", "along z, of the solid; in plane strain it is 1 m")};
+    keys.geometry = {file_key(across),
+                     length_key("thickness", "10 mm", "along z, of the solid; in plane strain it is 1 m")};
     keys.models = {"plane-strain", "solid"};
-    keys.faces = {"base", "cavity", "side", "top", low_end, high_end};   // of the template's table
-    keys.defaults = "geometry: {profile: designs/profiles/pad.csv}\n"
-                    "supports: {fixed: base}\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 20 kPa}\n"
-                    "outputs:\n"
-                    "  rise: {face: top, along: y}\n";
+    keys.faces = {"base", "cavity", "side", "top", low_end, high_end};  // of the template's table
+    keys.defaults =
+        "geometry: {profile: designs/profiles/pad.csv}\n"
+        "supports: {fixed: base}\n"
+        "loads:\n"
+        "  cavity: {pressure: 20 kPa}\n"
+        "outputs:\n"
+        "  rise: {face: top, along: y}\n";
     keys.mesh = profile_mesh_keys("2 mm");
     keys.faces_of_file = faces_of_file;
     return {std::move(keys), build};

@@ -37,36 +37,38 @@ struct ReadyMesh {
 
 /// What keeps the solid from moving as a rigid body where no symmetry plane does.
 enum class Anchoring {
-    supports,        ///< the design's supports
-    middle_planes,   ///< a body nobody holds: nodes on its planes y = 0 and z = 0 stay in these
+    supports,       ///< the design's supports
+    middle_planes,  ///< a body nobody holds: nodes on its planes y = 0 and z = 0 stay in these
 };
 
 /// A family's answer to a set of values. SI, whole actuator unless `section` is said to be cut.
 struct Body {
-    Section section;                                        ///< empty beside an outline or a ReadyMesh
-    Outline outline;                                        ///< in place of the section: any shape, meshed without a grid
-    std::variant<Revolution, Extrusion, ReadyMesh> sweep;   ///< an Extrusion is not used in plane strain
+    Section section;  ///< empty beside an outline or a ReadyMesh
+    Outline outline;  ///< in place of the section: any shape, meshed without a grid
+    std::variant<Revolution, Extrusion, ReadyMesh> sweep;  ///< an Extrusion is not used in plane strain
     std::vector<model::Cavity> cavities;
-    std::array<double, 3> axis{1, 0, 0};       ///< `along: axis`, from the held to the moving face: positive is longer
-    std::array<bool, 3> symmetry_planes{};     ///< cuts the section or the extrusion has already (not those of a revolution)
-    double fraction = 1;                       ///< of the actuator that remains after these cuts
+    std::array<double, 3> axis{1, 0, 0};  ///< `along: axis`, from the held to the moving face: positive is longer
+    std::array<bool, 3>
+        symmetry_planes{};  ///< cuts the section or the extrusion has already (not those of a revolution)
+    double fraction = 1;    ///< of the actuator that remains after these cuts
     Anchoring anchoring = Anchoring::supports;
     /// Names of the materials of regions, those below `materials` of the design; a region that is not here is of the material
     /// of its own name, or of the main one.
     std::map<std::string, std::string> region_materials = {};
-    double strip_rad = 0;   ///< of a solid of revolution: cells within half of this of the side z < 0 are regions of their own (strip.hpp)
+    double strip_rad =
+        0;  ///< of a solid of revolution: cells within half of this of the side z < 0 are regions of their own (strip.hpp)
     struct Winding {
-        model::Fibers fibers;                                       ///< about the axis x
-        model::FiberFrame frame = model::FiberFrame::cylindrical;   ///< cartesian: in flat walls across z
+        model::Fibers fibers;                                      ///< about the axis x
+        model::FiberFrame frame = model::FiberFrame::cylindrical;  ///< cartesian: in flat walls across z
     };
-    std::map<std::string, Winding> region_fibers = {};   ///< by the region they lie in
-    std::optional<PartFigures> part = {};      ///< of the file whose surface was meshed
-    std::vector<model::Support> supports;      ///< that belong to the shape, besides symmetry planes and axis
+    std::map<std::string, Winding> region_fibers = {};  ///< by the region they lie in
+    std::optional<PartFigures> part = {};               ///< of the file whose surface was meshed
+    std::vector<model::Support> supports;               ///< that belong to the shape, besides symmetry planes and axis
 };
 
 struct Family {
     design::FamilyKeys keys;
-    Body (*build)(const design::Values& values);   ///< throws values.refuse(...) for values that do not fit together
+    Body (*build)(const design::Values& values);  ///< throws values.refuse(...) for values that do not fit together
 };
 
 [[nodiscard]] Family rod();

@@ -24,7 +24,7 @@ constexpr const char *flat_key = "geometry.flat", *strip_thickness_key = "geomet
 constexpr double least_share = 0.01;
 
 struct Layer {
-    double begin, end;   ///< fractions of the wall, from inside
+    double begin, end;  ///< fractions of the wall, from inside
 };
 
 Layer checked_layer(const design::Values& values) {
@@ -32,11 +32,13 @@ Layer checked_layer(const design::Values& values) {
     const std::vector<double>& bounds = values.numbers(path);
     const auto text = [](double number) { return core::number_text(number); };
     if (bounds.size() != 2)
-        throw values.refuse(path, std::to_string(bounds.size()) + " value where two are needed", "[inner, outer], such as [0, 1]");
+        throw values.refuse(path, std::to_string(bounds.size()) + " value where two are needed",
+                            "[inner, outer], such as [0, 1]");
     const Layer layer{bounds[0], bounds[1]};
     if (!(layer.begin < layer.end))
-        throw values.refuse(path, "the layer from " + text(layer.begin) + " to " + text(layer.end) + " is empty or runs inwards",
-                            "[inner, outer], inner smaller than outer");
+        throw values.refuse(
+            path, "the layer from " + text(layer.begin) + " to " + text(layer.end) + " is empty or runs inwards",
+            "[inner, outer], inner smaller than outer");
     for (const double share : {layer.begin, layer.end - layer.begin, 1 - layer.end})
         if (share > 0 && share < least_share)
             throw values.refuse(path, "a part of the wall is " + text(share) + " of it thick",
@@ -64,7 +66,8 @@ void lay_fibers(Body& body, const design::Values& values) {
 
 Body round_tube(const design::Values& values, const TubeShape& shape, const std::vector<WallLayer>& layers) {
     if (values.number(strip_thickness_key) > 0)
-        throw values.refuse(strip_thickness_key, "a round tube has no flat wall", "geometry.strip.angle, or geometry.flat larger than 0");
+        throw values.refuse(strip_thickness_key, "a round tube has no flat wall",
+                            "geometry.strip.angle, or geometry.flat larger than 0");
     Body body;
     body.section = tube_section(shape, values.number("mesh.size"), layers);
     body.sweep = Revolution{values.count("mesh.sectors")};
@@ -78,18 +81,22 @@ Body round_tube(const design::Values& values, const TubeShape& shape, const std:
 Body half_tube(const design::Values& values, const TubeShape& shape, const std::vector<WallLayer>& layers) {
     const Model model = model_of(values);
     if (model != Model::solid && model != Model::half)
-        throw values.refuse(flat_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0",
-                            "model: solid or half");
+        throw values.refuse(
+            flat_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0",
+            "model: solid or half");
     if (values.number("geometry.strip.angle") > 0)
-        throw values.refuse("geometry.strip.angle", "the strip of a half-round tube lies in its flat wall", "geometry.strip.thickness");
+        throw values.refuse("geometry.strip.angle", "the strip of a half-round tube lies in its flat wall",
+                            "geometry.strip.thickness");
     const double flat_m = values.number(flat_key), strip_m = values.number(strip_thickness_key);
-    if (!(strip_m < flat_m)) throw values.refuse(strip_thickness_key, not_smaller(strip_m, "flat", flat_m), smaller_than(flat_m));
+    if (!(strip_m < flat_m))
+        throw values.refuse(strip_thickness_key, not_smaller(strip_m, "flat", flat_m), smaller_than(flat_m));
     const double size_m = values.number("mesh.size");
     const int eighth = (values.count("mesh.sectors") + 1) / 2, cap = cells_through_wall(values, shape.cap_m);
     const HalfRoundCells cells{eighth, cells_through_wall(values, flat_m), size_m};
-    const Capped along{shape.length_m, shape.cap_m, cap, divisions(shape.length_m - 2 * shape.cap_m, size_m), "fixed", "inlet"};
-    const Section section =
-        half_round_section({shape.inner_m, shape.outer_m, flat_m, strip_m}, layers, cells, model == Model::half ? Cut::half : Cut::whole);
+    const Capped along{shape.length_m, shape.cap_m, cap, divisions(shape.length_m - 2 * shape.cap_m, size_m),
+                       "fixed",        "inlet"};
+    const Section section = half_round_section({shape.inner_m, shape.outer_m, flat_m, strip_m}, layers, cells,
+                                               model == Model::half ? Cut::half : Cut::whole);
     refuse_too_many_cells(values, cell_count(section) * (2.0 * along.cap_cells + along.along_cells));
     Body body;
     body.sweep = ReadyMesh{capped(section, along, "cavity"), model::Kinematics::solid};
@@ -108,24 +115,32 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
 
 Body build(const design::Values& values) {
     const TubeShape shape = tube_shape(values);
-    const std::vector<WallLayer> layers = wall_layers(shape, checked_layer(values), cells_through_wall(values, shape.wall_m()));
+    const std::vector<WallLayer> layers =
+        wall_layers(shape, checked_layer(values), cells_through_wall(values, shape.wall_m()));
     return values.number(flat_key) > 0 ? half_tube(values, shape, layers) : round_tube(values, shape, layers);
 }
 
 std::vector<design::Key> own_keys() {
-    design::Key flat = length_key("flat", "0 mm", "thickness of the flat wall, below z = 0, of a half-round tube (model: half or solid); 0 = round");
+    design::Key flat =
+        length_key("flat", "0 mm",
+                   "thickness of the flat wall, below z = 0, of a half-round tube (model: half or solid); 0 = round");
     flat.min_open = false;
     std::vector<design::Key> keys{std::move(flat)};
-    const FiberDefaults defaults{"30 deg", "; below 54.74 deg a thin braided tube shortens, above it lengthens", "0.5 MPa"};
+    const FiberDefaults defaults{"30 deg", "; below 54.74 deg a thin braided tube shortens, above it lengthens",
+                                 "0.5 MPa"};
     for (design::Key& key : fiber_keys(fibers_place, defaults)) keys.push_back(std::move(key));
-    keys.push_back({.path = layer_key,
-                    .kind = design::Kind::ratio,
-                    .fallback = "[0, 1]",
-                    .meaning = "where in the wall they lie, from end to end of the tube: [inner, outer] as fractions of its thickness",
-                    .min = 0,
-                    .max = 1,
-                    .most = 2});
-    design::Key strip = length_key("strip.thickness", "0 mm", "of the lowest part of the flat wall, which is of the strip's material, so that the tube bends; 0 = none");
+    keys.push_back(
+        {.path = layer_key,
+         .kind = design::Kind::ratio,
+         .fallback = "[0, 1]",
+         .meaning =
+             "where in the wall they lie, from end to end of the tube: [inner, outer] as fractions of its thickness",
+         .min = 0,
+         .max = 1,
+         .most = 2});
+    design::Key strip = length_key(
+        "strip.thickness", "0 mm",
+        "of the lowest part of the flat wall, which is of the strip's material, so that the tube bends; 0 = none");
     strip.min_open = false;
     keys.insert(keys.end(), {strip_angle_key(), std::move(strip), strip_material_key()});
     return keys;
@@ -136,8 +151,9 @@ std::vector<design::Key> own_keys() {
 Family fiber_tube() {
     design::FamilyKeys keys = tube_keys();
     keys.name = "fiber-tube";
-    keys.summary = "a closed tube with fibres wound into its wall: shortens, lengthens or twists by their angle, or bends";
-    keys.faces.emplace_back("bottom");   // of a half-round one
+    keys.summary =
+        "a closed tube with fibres wound into its wall: shortens, lengthens or twists by their angle, or bends";
+    keys.faces.emplace_back("bottom");  // of a half-round one
     for (design::Key& key : own_keys()) keys.geometry.push_back(std::move(key));
     return {std::move(keys), build};
 }

@@ -13,7 +13,7 @@ namespace soft::geometry {
 namespace {
 
 constexpr const char* library_file = SOFT_GMSH_LIBRARY;
-constexpr const char* needed_first = SOFT_GMSH_NEEDS;   // "libA.so.1 libB.so.2 ", from the bottom up
+constexpr const char* needed_first = SOFT_GMSH_NEEDS;  // "libA.so.1 libB.so.2 ", from the bottom up
 
 Error not_loaded(const char* reason) {
     const std::string why = reason != nullptr ? reason : "it is not said why";
@@ -37,7 +37,7 @@ void* load_gmsh() {
         static_cast<void>(::dlopen(names.substr(begin, end - begin).c_str(), how_loaded));
     void* library = ::dlopen(library_file, how_loaded);
     if (library == nullptr) throw not_loaded(::dlerror());
-    return library;   // never closed: some of them do not stand being unloaded
+    return library;  // never closed: some of them do not stand being unloaded
 }
 
 template <class Function>
@@ -62,15 +62,20 @@ struct GmshSession::Functions {
     decltype(gmshInitialize)* initialize = function<decltype(gmshInitialize)>(library, "gmshInitialize");
     decltype(gmshFinalize)* finalize = function<decltype(gmshFinalize)>(library, "gmshFinalize");
     decltype(gmshFree)* free = function<decltype(gmshFree)>(library, "gmshFree");
-    decltype(gmshLoggerGetLastError)* last_error = function<decltype(gmshLoggerGetLastError)>(library, "gmshLoggerGetLastError");
+    decltype(gmshLoggerGetLastError)* last_error =
+        function<decltype(gmshLoggerGetLastError)>(library, "gmshLoggerGetLastError");
     decltype(gmshOptionSetNumber)* set_option = function<decltype(gmshOptionSetNumber)>(library, "gmshOptionSetNumber");
-    decltype(gmshModelGeoAddPoint)* add_point = function<decltype(gmshModelGeoAddPoint)>(library, "gmshModelGeoAddPoint");
+    decltype(gmshModelGeoAddPoint)* add_point =
+        function<decltype(gmshModelGeoAddPoint)>(library, "gmshModelGeoAddPoint");
     decltype(gmshModelGeoAddLine)* add_line = function<decltype(gmshModelGeoAddLine)>(library, "gmshModelGeoAddLine");
-    decltype(gmshModelGeoAddCircleArc)* add_arc = function<decltype(gmshModelGeoAddCircleArc)>(library, "gmshModelGeoAddCircleArc");
-    decltype(gmshModelGeoAddCurveLoop)* add_loop = function<decltype(gmshModelGeoAddCurveLoop)>(library, "gmshModelGeoAddCurveLoop");
+    decltype(gmshModelGeoAddCircleArc)* add_arc =
+        function<decltype(gmshModelGeoAddCircleArc)>(library, "gmshModelGeoAddCircleArc");
+    decltype(gmshModelGeoAddCurveLoop)* add_loop =
+        function<decltype(gmshModelGeoAddCurveLoop)>(library, "gmshModelGeoAddCurveLoop");
     decltype(gmshModelGeoAddPlaneSurface)* add_surface =
         function<decltype(gmshModelGeoAddPlaneSurface)>(library, "gmshModelGeoAddPlaneSurface");
-    decltype(gmshModelGeoAddSpline)* add_spline = function<decltype(gmshModelGeoAddSpline)>(library, "gmshModelGeoAddSpline");
+    decltype(gmshModelGeoAddSpline)* add_spline =
+        function<decltype(gmshModelGeoAddSpline)>(library, "gmshModelGeoAddSpline");
     decltype(gmshModelMeshSetSizeCallback)* set_size =
         function<decltype(gmshModelMeshSetSizeCallback)>(library, "gmshModelMeshSetSizeCallback");
     decltype(gmshModelGeoMeshSetTransfiniteCurve)* divide =
@@ -79,21 +84,30 @@ struct GmshSession::Functions {
         function<decltype(gmshModelGeoMeshSetTransfiniteSurface)>(library, "gmshModelGeoMeshSetTransfiniteSurface");
     decltype(gmshModelGeoMeshSetRecombine)* recombine =
         function<decltype(gmshModelGeoMeshSetRecombine)>(library, "gmshModelGeoMeshSetRecombine");
-    decltype(gmshModelGeoSynchronize)* synchronize = function<decltype(gmshModelGeoSynchronize)>(library, "gmshModelGeoSynchronize");
-    decltype(gmshModelMeshGenerate)* generate = function<decltype(gmshModelMeshGenerate)>(library, "gmshModelMeshGenerate");
-    decltype(gmshModelMeshGetNodes)* get_nodes = function<decltype(gmshModelMeshGetNodes)>(library, "gmshModelMeshGetNodes");
+    decltype(gmshModelGeoSynchronize)* synchronize =
+        function<decltype(gmshModelGeoSynchronize)>(library, "gmshModelGeoSynchronize");
+    decltype(gmshModelMeshGenerate)* generate =
+        function<decltype(gmshModelMeshGenerate)>(library, "gmshModelMeshGenerate");
+    decltype(gmshModelMeshGetNodes)* get_nodes =
+        function<decltype(gmshModelMeshGetNodes)>(library, "gmshModelMeshGetNodes");
     decltype(gmshModelMeshGetElements)* get_elements =
         function<decltype(gmshModelMeshGetElements)>(library, "gmshModelMeshGetElements");
     decltype(gmshModelAddDiscreteEntity)* add_discrete =
         function<decltype(gmshModelAddDiscreteEntity)>(library, "gmshModelAddDiscreteEntity");
-    decltype(gmshModelMeshAddNodes)* add_nodes = function<decltype(gmshModelMeshAddNodes)>(library, "gmshModelMeshAddNodes");
+    decltype(gmshModelMeshAddNodes)* add_nodes =
+        function<decltype(gmshModelMeshAddNodes)>(library, "gmshModelMeshAddNodes");
     decltype(gmshModelMeshAddElementsByType)* add_elements =
         function<decltype(gmshModelMeshAddElementsByType)>(library, "gmshModelMeshAddElementsByType");
-    decltype(gmshModelGeoAddSurfaceLoop)* add_shell = function<decltype(gmshModelGeoAddSurfaceLoop)>(library, "gmshModelGeoAddSurfaceLoop");
-    decltype(gmshModelGeoAddVolume)* add_volume = function<decltype(gmshModelGeoAddVolume)>(library, "gmshModelGeoAddVolume");
-    decltype(gmshModelOccImportShapes)* import_shapes = function<decltype(gmshModelOccImportShapes)>(library, "gmshModelOccImportShapes");
-    decltype(gmshModelOccSynchronize)* synchronize_cad = function<decltype(gmshModelOccSynchronize)>(library, "gmshModelOccSynchronize");
-    decltype(gmshModelGetBoundingBox)* bounding_box = function<decltype(gmshModelGetBoundingBox)>(library, "gmshModelGetBoundingBox");
+    decltype(gmshModelGeoAddSurfaceLoop)* add_shell =
+        function<decltype(gmshModelGeoAddSurfaceLoop)>(library, "gmshModelGeoAddSurfaceLoop");
+    decltype(gmshModelGeoAddVolume)* add_volume =
+        function<decltype(gmshModelGeoAddVolume)>(library, "gmshModelGeoAddVolume");
+    decltype(gmshModelOccImportShapes)* import_shapes =
+        function<decltype(gmshModelOccImportShapes)>(library, "gmshModelOccImportShapes");
+    decltype(gmshModelOccSynchronize)* synchronize_cad =
+        function<decltype(gmshModelOccSynchronize)>(library, "gmshModelOccSynchronize");
+    decltype(gmshModelGetBoundingBox)* bounding_box =
+        function<decltype(gmshModelGetBoundingBox)>(library, "gmshModelGetBoundingBox");
 
     /// Calls with an `int* failed` behind the arguments, as all of gmsh's functions have it.
     template <class Function, class... Arguments>
@@ -115,7 +129,7 @@ GmshSession::GmshSession() : gmsh_(std::make_unique<const Functions>()) {
 }
 
 GmshSession::~GmshSession() {
-    int ignored = 0;   // a destructor has nobody to tell
+    int ignored = 0;  // a destructor has nobody to tell
     gmsh_->finalize(&ignored);
 }
 
@@ -134,7 +148,7 @@ void GmshSession::divide_curve(int tag, Division division) {
 }
 
 void GmshSession::add_grid(int tag, Surface surface) {
-    constexpr double widest_angle = 45;   // gmsh's own default
+    constexpr double widest_angle = 45;  // gmsh's own default
     gmsh_->call(gmsh_->add_loop, surface.loop.data(), surface.loop.size(), tag, 0);
     gmsh_->call(gmsh_->add_surface, &tag, std::size_t{1}, tag);
     gmsh_->call(gmsh_->make_grid, tag, "Left", surface.corners.data(), surface.corners.size());
@@ -164,16 +178,20 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
         const char* name;
         double value;
     };
-    constexpr double frontal_delaunay = 6, blossom = 1, into_quadrilaterals = 1;   // 8, made for them, crashes in gmsh 4.8
+    constexpr double frontal_delaunay = 6, blossom = 1,
+                     into_quadrilaterals = 1;  // 8, made for them, crashes in gmsh 4.8
     // Thrown from one of its threads, gmsh's errors would end the program: what it could not mesh is seen in what it made.
-    for (const Option& option : {Option{"General.AbortOnError", 0}, Option{"Mesh.MeshSizeExtendFromBoundary", 0}, Option{"Mesh.MeshSizeFromPoints", 0},
-                                 Option{"Mesh.Algorithm", frontal_delaunay}, Option{"Mesh.ElementOrder", 2}})
+    for (const Option& option : {Option{"General.AbortOnError", 0}, Option{"Mesh.MeshSizeExtendFromBoundary", 0},
+                                 Option{"Mesh.MeshSizeFromPoints", 0}, Option{"Mesh.Algorithm", frontal_delaunay},
+                                 Option{"Mesh.ElementOrder", 2}})
         gmsh_->call(gmsh_->set_option, option.name, option.value);
     if (cells == Free::quadrilaterals)
         for (const Option& option : {Option{"Mesh.RecombineAll", 1}, Option{"Mesh.RecombinationAlgorithm", blossom},
                                      Option{"Mesh.SubdivisionAlgorithm", into_quadrilaterals}})
             gmsh_->call(gmsh_->set_option, option.name, option.value);
-    const auto ask = [](int, int, double x, double y, double, void* wished) { return (*static_cast<const Size*>(wished))({x, y}); };
+    const auto ask = [](int, int, double x, double y, double, void* wished) {
+        return (*static_cast<const Size*>(wished))({x, y});
+    };
     gmsh_->call(gmsh_->set_size, static_cast<double (*)(int, int, double, double, double, void*)>(ask),
                 const_cast<void*>(static_cast<const void*>(&size)));
     gmsh_->call(gmsh_->generate, 2);
@@ -182,9 +200,10 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
 void GmshSession::add_triangles(int tag, Nodes nodes, std::vector<std::size_t> triangles) {
     constexpr int dimension = 2, triangle = 2;
     gmsh_->call(gmsh_->add_discrete, dimension, tag, static_cast<int*>(nullptr), std::size_t{0});
-    gmsh_->call(gmsh_->add_nodes, dimension, tag, nodes.tags.data(), nodes.tags.size(), nodes.xyz.data(), nodes.xyz.size(),
-                static_cast<double*>(nullptr), std::size_t{0});
-    gmsh_->call(gmsh_->add_elements, tag, triangle, static_cast<std::size_t*>(nullptr), std::size_t{0}, triangles.data(), triangles.size());
+    gmsh_->call(gmsh_->add_nodes, dimension, tag, nodes.tags.data(), nodes.tags.size(), nodes.xyz.data(),
+                nodes.xyz.size(), static_cast<double*>(nullptr), std::size_t{0});
+    gmsh_->call(gmsh_->add_elements, tag, triangle, static_cast<std::size_t*>(nullptr), std::size_t{0},
+                triangles.data(), triangles.size());
 }
 
 void GmshSession::fill(int volume, std::vector<int> surfaces, Filling filling) {
@@ -194,15 +213,16 @@ void GmshSession::fill(int volume, std::vector<int> surfaces, Filling filling) {
     }
     gmsh_->call(gmsh_->add_volume, surfaces.data(), surfaces.size(), volume);
     gmsh_->call(gmsh_->synchronize);
-    for (const auto& [name, value] : {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeExtendFromBoundary", 1.0},
-                                      std::pair{"Mesh.MeshSizeFromPoints", 0.0}, std::pair{"Mesh.OptimizeThreshold", 0.4}, std::pair{"Mesh.Renumber", 0.0},
-                                      std::pair{"Mesh.Algorithm3D", filling == Filling::hxt ? hxt : delaunay}})
+    for (const auto& [name, value] :
+         {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeExtendFromBoundary", 1.0},
+          std::pair{"Mesh.MeshSizeFromPoints", 0.0}, std::pair{"Mesh.OptimizeThreshold", 0.4},
+          std::pair{"Mesh.Renumber", 0.0}, std::pair{"Mesh.Algorithm3D", filling == Filling::hxt ? hxt : delaunay}})
         gmsh_->call(gmsh_->set_option, name, value);
     gmsh_->call(gmsh_->generate, 3);
 }
 
 int GmshSession::import_cad(const std::string& path) {
-    int* shapes = nullptr;   // dimension, tag, dimension, tag, ...
+    int* shapes = nullptr;  // dimension, tag, dimension, tag, ...
     std::size_t count = 0;
     constexpr int only_of_highest_dimension = 1;
     gmsh_->call(gmsh_->import_shapes, path.c_str(), &shapes, &count, only_of_highest_dimension, "step");
@@ -218,9 +238,10 @@ void GmshSession::triangulate(const Chords& chords) {
     gmsh_->call(gmsh_->bounding_box, -1, -1, &box[0], &box[1], &box[2], &box[3], &box[4], &box[5]);
     const double extent = std::max({box[3] - box[0], box[4] - box[1], box[5] - box[2]});
     constexpr double frontal_delaunay = 6;
-    for (const auto& [name, value] : {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeFromCurvature", chords.per_turn},
-                                      std::pair{"Mesh.MeshSizeMax", chords.longest * extent}, std::pair{"Mesh.MeshSizeMin", chords.shortest * extent},
-                                      std::pair{"Mesh.Algorithm", frontal_delaunay}})
+    for (const auto& [name, value] :
+         {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeFromCurvature", chords.per_turn},
+          std::pair{"Mesh.MeshSizeMax", chords.longest * extent},
+          std::pair{"Mesh.MeshSizeMin", chords.shortest * extent}, std::pair{"Mesh.Algorithm", frontal_delaunay}})
         gmsh_->call(gmsh_->set_option, name, value);
     gmsh_->call(gmsh_->generate, 2);
 }
@@ -228,7 +249,8 @@ void GmshSession::triangulate(const Chords& chords) {
 GmshSession::Nodes GmshSession::nodes() const {
     std::size_t *tags = nullptr, tag_count = 0, coordinate_count = 0, parameter_count = 0;
     double *coordinates = nullptr, *parameters = nullptr;
-    gmsh_->call(gmsh_->get_nodes, &tags, &tag_count, &coordinates, &coordinate_count, &parameters, &parameter_count, -1, -1, 0, 0);
+    gmsh_->call(gmsh_->get_nodes, &tags, &tag_count, &coordinates, &coordinate_count, &parameters, &parameter_count, -1,
+                -1, 0, 0);
     gmsh_->free(parameters);
     return {taken(tags, tag_count, gmsh_->free), taken(coordinates, coordinate_count, gmsh_->free)};
 }
@@ -237,8 +259,8 @@ std::vector<std::size_t> GmshSession::cells(int dimension, int tag) const {
     int* types = nullptr;
     std::size_t type_count = 0, **elements = nullptr, *element_counts = nullptr, element_lists = 0;
     std::size_t **nodes = nullptr, *node_counts = nullptr, node_lists = 0;
-    gmsh_->call(gmsh_->get_elements, &types, &type_count, &elements, &element_counts, &element_lists, &nodes, &node_counts,
-                &node_lists, dimension, tag);
+    gmsh_->call(gmsh_->get_elements, &types, &type_count, &elements, &element_counts, &element_lists, &nodes,
+                &node_counts, &node_lists, dimension, tag);
     std::vector<std::size_t> result;
     if (type_count == 1) result.assign(nodes[0], nodes[0] + node_counts[0]);
     for (std::size_t* list : std::span(elements, element_lists)) gmsh_->free(list);

@@ -33,18 +33,18 @@ public:
         double ratio;
     };
     struct Surface {
-        std::vector<int> loop, corners;   ///< curves, minus those run backwards; the four points
+        std::vector<int> loop, corners;  ///< curves, minus those run backwards; the four points
     };
     void add_point(int tag, std::array<double, 2> place);
     void add_line(int tag, Line line);
     void add_arc(int tag, Arc arc);
     void divide_curve(int tag, Division division);
-    void add_grid(int tag, Surface surface);   ///< plane, of quadrilaterals
-    void mesh();                               ///< all that was added
+    void add_grid(int tag, Surface surface);  ///< plane, of quadrilaterals
+    void mesh();                              ///< all that was added
 
-    void add_spline(int tag, std::vector<int> points);   ///< uniform Catmull-Rom
+    void add_spline(int tag, std::vector<int> points);  ///< uniform Catmull-Rom
     void add_loop(int tag, std::vector<int> curves);
-    void add_plane(int tag, std::vector<int> loops);     ///< the first round it, the others round its holes
+    void add_plane(int tag, std::vector<int> loops);  ///< the first round it, the others round its holes
     /// What was added, with curved cells of second order: triangles of the given length, or quadrilaterals of half of it. Says
     /// nothing where it fails: the caller looks whether all is covered.
     enum class Free { triangles, quadrilaterals };

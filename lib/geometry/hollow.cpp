@@ -71,7 +71,8 @@ mesh::Mesh hollowed(const mesh::Mesh& block, const std::function<std::string(Ind
                 result.facet_sets[laid_bare->second].push_back({number, side.local});
     }
     for (const Index point : points.kept()) result.points.push_back(block.point(point));
-    for (const Index region : regions.kept()) result.region_names.push_back(block.region_names[static_cast<std::size_t>(region)]);
+    for (const Index region : regions.kept())
+        result.region_names.push_back(block.region_names[static_cast<std::size_t>(region)]);
     for (const auto& [name, facets] : block.facet_sets)
         for (const Facet& facet : facets)
             if (const Index number = cells[static_cast<std::size_t>(facet.cell)]; number != gone)

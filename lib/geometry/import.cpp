@@ -53,7 +53,8 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(const std::string& problem, const std::string& remedy = "repair the mesh and export it again") const {
+    [[noreturn]] void refuse(const std::string& problem,
+                             const std::string& remedy = "repair the mesh and export it again") const {
         throw Error(ExitCode::bad_input, name_, problem, remedy);
     }
     static const MshType& type_of(const MshBlock& block) { return *msh_type(block.type); }
@@ -114,8 +115,9 @@ private:
             if (block.groups.size() > 1)
                 refuse("element " + std::to_string(block.tags.front()) + " belongs to several physical groups of cells",
                        "put each part in one group only");
-            const std::int32_t own = region(
-                block.groups.empty() ? rubber_region : group_name(result_.dimension, block.groups.front(), rubber_region));
+            const std::int32_t own =
+                region(block.groups.empty() ? rubber_region
+                                            : group_name(result_.dimension, block.groups.front(), rubber_region));
             add_cells(block, type, own);
         }
         const auto order_of = [](mesh::CellType type) { return mesh::topology(type).order; };
@@ -179,8 +181,9 @@ private:
         const double z = result_.points.front()[2];
         for (mesh::Point& p : result_.points) {
             if (std::abs(p[2] - z) > tolerance)
-                refuse("the mesh has no cells of dimension 3, and those of dimension 2 do not lie in one plane z = constant",
-                       "mesh the volume, or draw the section in the x-y plane");
+                refuse(
+                    "the mesh has no cells of dimension 3, and those of dimension 2 do not lie in one plane z = constant",
+                    "mesh the volume, or draw the section in the x-y plane");
             p[2] = 0;
         }
     }
@@ -217,8 +220,9 @@ private:
         for (Index c = 0; c < result_.cell_count(); ++c)
             for (const auto& xi : mesh::topology(result_.cell_type(c)).nodes)
                 if (!(determinant_at(c, xi) > 0))
-                    refuse(element(c) + " is turned inside out or flat",
-                           "mesh again with other sizes, or optimise the mesh (Gmsh: Tools, or Mesh.Optimize, Mesh.HighOrderOptimize)");
+                    refuse(
+                        element(c) + " is turned inside out or flat",
+                        "mesh again with other sizes, or optimise the mesh (Gmsh: Tools, or Mesh.Optimize, Mesh.HighOrderOptimize)");
     }
 
     [[nodiscard]] std::vector<Index> corners_of(const mesh::Facet& facet) const {
@@ -234,8 +238,9 @@ private:
                 std::vector<mesh::Facet>& cells = sides_[key_of(corners_of({c, local}))];
                 cells.push_back({c, local});
                 if (cells.size() > 2)
-                    refuse(element(c) + " shares a side with " + element(cells[0].cell) + " and " + element(cells[1].cell),
-                           "the mesh overlaps itself: remove cells that stand there twice");
+                    refuse(
+                        element(c) + " shares a side with " + element(cells[0].cell) + " and " + element(cells[1].cell),
+                        "the mesh overlaps itself: remove cells that stand there twice");
                 if (cells.size() == 2) refuse_twins(cells[0].cell, c);
             }
         }
@@ -249,7 +254,8 @@ private:
             return copy;
         };
         if (sorted(a) == sorted(b))
-            refuse(element(a) + " and " + element(b) + " are the same cell", "put each part in one physical group only");
+            refuse(element(a) + " and " + element(b) + " are the same cell",
+                   "put each part in one physical group only");
     }
 
     void add_facet_sets() {
@@ -297,8 +303,8 @@ private:
     const MshFile& file_;
     std::string name_;
     mesh::Mesh result_;
-    std::unordered_map<std::size_t, Index> numbers_;    ///< node tag -> point
-    std::unordered_map<Key, Index, Hash> side_nodes_;   ///< added to serendipity elements
+    std::unordered_map<std::size_t, Index> numbers_;   ///< node tag -> point
+    std::unordered_map<Key, Index, Hash> side_nodes_;  ///< added to serendipity elements
     std::unordered_map<Key, std::vector<mesh::Facet>, Hash> sides_;
     std::vector<std::size_t> cell_tags_;
     std::vector<int> cell_entities_;

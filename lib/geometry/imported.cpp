@@ -52,7 +52,7 @@ design::FileFaces faces_of_file(const std::string& file, std::string_view place)
         std::vector<std::string> faces;
         for (const auto& [name, facets] : mesh.facet_sets) faces.push_back(name);
         return {faces};
-    } catch (const Error& error) {   // the same, with the line of the design that asked for it
+    } catch (const Error& error) {  // the same, with the line of the design that asked for it
         throw Error(error.code(), std::string{place} + ": " + file_key, error.what());
     }
 }
@@ -60,10 +60,13 @@ design::FileFaces faces_of_file(const std::string& file, std::string_view place)
 Kinematics kinematics_of(const design::Values& values, const mesh::Mesh& mesh) {
     const std::string& model = values.text("model");
     if (mesh.dimension == 3 && model != "solid")
-        throw values.refuse("model", core::quoted(model) + " needs a plane mesh, the file holds a solid", "model: solid");
+        throw values.refuse("model", core::quoted(model) + " needs a plane mesh, the file holds a solid",
+                            "model: solid");
     if (mesh.dimension == 2 && model == "solid")
         throw values.refuse("model", "the file holds a plane mesh", "axisymmetric or plane-strain");
-    return model == "solid" ? Kinematics::solid : model == "axisymmetric" ? Kinematics::axisymmetric : Kinematics::plane_strain;
+    return model == "solid"          ? Kinematics::solid
+           : model == "axisymmetric" ? Kinematics::axisymmetric
+                                     : Kinematics::plane_strain;
 }
 
 /// Moves nodes that miss the axis by rounding onto it, and names the sides that lie on it.
@@ -71,7 +74,8 @@ void add_axis(mesh::Mesh& mesh, const design::Values& values) {
     const double tolerance_m = model::plane_tolerance * model::extent_m(mesh);
     for (mesh::Point& p : mesh.points) {
         if (p[1] < -tolerance_m)
-            throw values.refuse(file_key, "a point lies at y = " + core::rounded_text(1e3 * p[1], 6) + " mm, below the axis",
+            throw values.refuse(file_key,
+                                "a point lies at y = " + core::rounded_text(1e3 * p[1], 6) + " mm, below the axis",
                                 "draw the section at y >= 0; the axis of revolution is x");
         if (std::abs(p[1]) <= tolerance_m) p[1] = 0;
     }
@@ -83,7 +87,8 @@ void add_axis(mesh::Mesh& mesh, const design::Values& values) {
     }
     const auto own = mesh.facet_sets.find(axis_face);
     if (own != mesh.facet_sets.end() && own->second != on_axis)
-        throw values.refuse(file_key, "its face 'axis' is not what lies on the axis of revolution y = 0", "rename the face");
+        throw values.refuse(file_key, "its face 'axis' is not what lies on the axis of revolution y = 0",
+                            "rename the face");
     if (!on_axis.empty()) mesh.facet_sets[axis_face] = std::move(on_axis);
 }
 
@@ -103,7 +108,8 @@ std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values
     for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity), kinematics, cut)) {
         if (found.opening.face.empty()) {
             if (wanted)
-                throw values.refuse(sealed, "no single named face surrounds an opening of the cavity, for its plug to hold to",
+                throw values.refuse(sealed,
+                                    "no single named face surrounds an opening of the cavity, for its plug to hold to",
                                     "sealed: false, or name the face around the hole in the mesh");
             found.opening.face = cavity + "_rim_" + std::to_string(openings.size() + 1);
             mesh.facet_sets[found.opening.face] = std::move(found.around);
@@ -119,7 +125,8 @@ void add_wall(mesh::Mesh& mesh, const design::Values& values, const std::string&
     const bool named = mesh.facet_sets.contains(cavity);
     if (text == "none" || text == cavity) {
         if (!named)
-            throw values.refuse(key, "the file has no face " + core::quoted(cavity), "list the faces of the cavity's wall");
+            throw values.refuse(key, "the file has no face " + core::quoted(cavity),
+                                "list the faces of the cavity's wall");
         return;
     }
     if (named)
@@ -136,18 +143,21 @@ void add_wall(mesh::Mesh& mesh, const design::Values& values, const std::string&
 }
 
 /// Pressure on a side that two cavities claim would act twice.
-void refuse_common_walls(const mesh::Mesh& mesh, const design::Values& values, const std::vector<model::Cavity>& cavities) {
+void refuse_common_walls(const mesh::Mesh& mesh, const design::Values& values,
+                         const std::vector<model::Cavity>& cavities) {
     std::map<mesh::Facet, std::string> owners;
     for (const model::Cavity& cavity : cavities)
         for (const mesh::Facet& facet : mesh.facet_sets.at(cavity.wall))
             if (const auto [owner, fresh] = owners.try_emplace(facet, cavity.name); !fresh)
-                throw values.refuse("geometry.cavities." + cavity.name, "its wall and that of " + core::quoted(owner->second) + " have sides in common",
+                throw values.refuse("geometry.cavities." + cavity.name,
+                                    "its wall and that of " + core::quoted(owner->second) + " have sides in common",
                                     "each face belongs to one cavity");
 }
 
 /// Those that the design names, and the closed ones of a part.
 std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics,
-                                        const std::vector<std::string>& closed = {}, const std::array<bool, 3>& cut = {}) {
+                                        const std::vector<std::string>& closed = {},
+                                        const std::array<bool, 3>& cut = {}) {
     constexpr const char *key = "geometry.cavity", *group = "geometry.cavities";
     std::vector<std::string> names = values.names_below(group);
     for (const std::string& name : names) add_wall(mesh, values, std::string{group} + "." + name, name);
@@ -179,13 +189,15 @@ std::vector<design::Key> surface_mesh_keys() {
     size.choices = {"auto"};
     through_wall.meaning = "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone";
     through_wall.fallback = "1";
-    grading.meaning = "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
+    grading.meaning =
+        "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
     return {size, through_wall, grading};
 }
 
 /// A part's cells are made here: closed cavities come by themselves, and what is a cavity's wall is not `outer`.
 Body build_part(const design::Values& values) {
-    const std::string path = design::file_from(values.place(file_key), values.text(file_key)), &unit = values.text("geometry.unit");
+    const std::string path = design::file_from(values.place(file_key), values.text(file_key)),
+                      &unit = values.text("geometry.unit");
     if (is_cad_file(path) && unit != "mm")
         throw values.refuse("geometry.unit", "a STEP file says its own unit", "leave it out");
     MeshedPart part = mesh_part(read_part(path, unit, unit_m(unit)), values);
@@ -208,7 +220,8 @@ Body build_part(const design::Values& values) {
     for (const std::string& name : not_outer) {
         const auto& facets = ready.mesh.facet_sets.at(name);
         const std::set<mesh::Facet> own(facets.begin(), facets.end());
-        std::erase_if(ready.mesh.facet_sets.at(outer_face), [&](const mesh::Facet& facet) { return own.contains(facet); });
+        std::erase_if(ready.mesh.facet_sets.at(outer_face),
+                      [&](const mesh::Facet& facet) { return own.contains(facet); });
     }
     body.sweep = std::move(ready);
     body.part = std::move(part.figures);
@@ -216,23 +229,27 @@ Body build_part(const design::Values& values) {
 }
 
 void refuse_part_keys(const design::Values& values) {
-    static const std::map<std::string, std::string> defaults = [] {   // a template states them
+    static const std::map<std::string, std::string> defaults = [] {  // a template states them
         std::map<std::string, std::string> all{{"geometry.symmetry", "none"}};
         for (const design::Key& key : surface_mesh_keys()) all[key.path] = key.fallback;
         return all;
     }();
     for (const auto& [key, fallback] : defaults)
         if (values.given(key) && values.text(key) != fallback)
-            throw values.refuse(key, "a mesh has its cells already; this is for surfaces (.stl, .obj, .step)", "mesh.refine: 1 halves them");
+            throw values.refuse(key, "a mesh has its cells already; this is for surfaces (.stl, .obj, .step)",
+                                "mesh.refine: 1 halves them");
     if (const auto rules = face_rules(values); !rules.empty())
-        throw values.refuse("geometry.file", "a mesh has its faces already, its physical groups; geometry.faces is for surfaces (.stl, .obj, .step)",
-                            "take out geometry.faces");
+        throw values.refuse(
+            "geometry.file",
+            "a mesh has its faces already, its physical groups; geometry.faces is for surfaces (.stl, .obj, .step)",
+            "take out geometry.faces");
 }
 
 Body build(const design::Values& values) {
     if (is_part_file(values.text(file_key))) return build_part(values);
     refuse_part_keys(values);
-    ReadyMesh ready{read(values.text(file_key), values.place(file_key), unit_m(values.text("geometry.unit"))), Kinematics::solid};
+    ReadyMesh ready{read(values.text(file_key), values.place(file_key), unit_m(values.text("geometry.unit"))),
+                    Kinematics::solid};
     ready.kinematics = kinematics_of(values, ready.mesh);
     if (ready.kinematics == Kinematics::axisymmetric) add_axis(ready.mesh, values);
     Body body;
@@ -246,45 +263,51 @@ Body build(const design::Values& values) {
 
 std::vector<design::Key> geometry_keys() {
     using design::Kind;
-    return {{.path = file_key, .kind = Kind::text, .meaning = "the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder"},
-            {.path = "geometry.unit",
-             .kind = Kind::choice,
-             .fallback = "mm",
-             .meaning = "unit of the file's coordinates; STEP says its own",
-             .choices = {"mm", "cm", "m", "in"}},
-            {.path = "geometry.cavity",
-             .kind = Kind::faces,
-             .fallback = "none",
-             .meaning = "faces that together are the wall of a cavity, for loads.cavity; cavities: {name: faces, ...} for several",
-             .choices = {"none"}},
-            {.path = "geometry.symmetry",
-             .kind = Kind::choice,
-             .fallback = "none",
-             .meaning = "of a surface: the planes x, y, z = 0 at which the part in the file is cut; faces: {name: {plane: {x: 0 mm} | box: "
-                        "{from: [x, y, z], to: ..} | normal: [x, y, z] | point: [x, y, z], up_to: faces}} beside it names its faces",
-             .choices = {"none", "x", "y", "z", "xy", "xz", "yz", "xyz"}}};
+    return {
+        {.path = file_key,
+         .kind = Kind::text,
+         .meaning =
+             "the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder"},
+        {.path = "geometry.unit",
+         .kind = Kind::choice,
+         .fallback = "mm",
+         .meaning = "unit of the file's coordinates; STEP says its own",
+         .choices = {"mm", "cm", "m", "in"}},
+        {.path = "geometry.cavity",
+         .kind = Kind::faces,
+         .fallback = "none",
+         .meaning =
+             "faces that together are the wall of a cavity, for loads.cavity; cavities: {name: faces, ...} for several",
+         .choices = {"none"}},
+        {.path = "geometry.symmetry",
+         .kind = Kind::choice,
+         .fallback = "none",
+         .meaning =
+             "of a surface: the planes x, y, z = 0 at which the part in the file is cut; faces: {name: {plane: {x: 0 mm} | box: "
+             "{from: [x, y, z], to: ..} | normal: [x, y, z] | point: [x, y, z], up_to: faces}} beside it names its faces",
+         .choices = {"none", "x", "y", "z", "xy", "xz", "yz", "xyz"}}};
 }
 
 std::vector<design::Key> mesh_keys() {
     using design::Kind;
     std::vector<design::Key> keys = surface_mesh_keys();
     const std::vector<design::Key> more{
-            {.path = "mesh.order",
-             .kind = Kind::count,
-             .fallback = "file",
-             .meaning = "polynomial order of the cells; mixed needs 2",
-             .min = 1,
-             .max = 2,
-             .choices = {"file"}},
-            {.path = "mesh.raise_order",
-             .kind = Kind::flag,
-             .fallback = "true",
-             .meaning = "order: 2 may give first-order cells of the file straight mid nodes"},
-            {.path = "mesh.cells",
-             .kind = Kind::choice,
-             .fallback = "auto",
-             .meaning = "auto: as in the file; simplices: each split into triangles or tetrahedra",
-             .choices = {"auto", "simplices"}}};
+        {.path = "mesh.order",
+         .kind = Kind::count,
+         .fallback = "file",
+         .meaning = "polynomial order of the cells; mixed needs 2",
+         .min = 1,
+         .max = 2,
+         .choices = {"file"}},
+        {.path = "mesh.raise_order",
+         .kind = Kind::flag,
+         .fallback = "true",
+         .meaning = "order: 2 may give first-order cells of the file straight mid nodes"},
+        {.path = "mesh.cells",
+         .kind = Kind::choice,
+         .fallback = "auto",
+         .meaning = "auto: as in the file; simplices: each split into triangles or tetrahedra",
+         .choices = {"auto", "simplices"}}};
     keys.insert(keys.end(), more.begin(), more.end());
     return keys;
 }
@@ -297,14 +320,15 @@ Family imported() {
     keys.summary = "a mesh (.msh) or the surface of a part (.stl, .obj, .step) from a file";
     keys.geometry = geometry_keys();
     keys.models = {"solid", "axisymmetric", "plane-strain"};
-    keys.faces = {"fixed", "tip", "sides", "bore", "bore_end", "cavity"};   // of the template's file
-    keys.defaults = "geometry: {file: meshes/finger.msh, cavity: [bore, bore_end]}\n"
-                    "mesh: {order: 2}\n"
-                    "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 30 kPa, sealed: false}\n"
-                    "outputs:\n"
-                    "  deflection: {face: tip, along: z}\n";
+    keys.faces = {"fixed", "tip", "sides", "bore", "bore_end", "cavity"};  // of the template's file
+    keys.defaults =
+        "geometry: {file: meshes/finger.msh, cavity: [bore, bore_end]}\n"
+        "mesh: {order: 2}\n"
+        "supports: {fixed: fixed}\n"
+        "loads:\n"
+        "  cavity: {pressure: 30 kPa, sealed: false}\n"
+        "outputs:\n"
+        "  deflection: {face: tip, along: z}\n";
     keys.mesh = mesh_keys();
     keys.faces_of_file = faces_of_file;
     keys.has_face_rules = true;

@@ -39,13 +39,16 @@ void add_body_forces(model::Case& result, const design::Design& design, const Me
     for (const auto& request : design.body_forces) {
         const std::string path = "loads." + request.name + ".along";
         const bool against = request.along.starts_with('-');
-        Vector acceleration = direction_of({path, "", request.along.substr(against ? 1 : 0)}, meshed.body, meshed.solid);
-        for (double& component : acceleration) component *= against ? -request.acceleration_m_s2 : request.acceleration_m_s2;
+        Vector acceleration =
+            direction_of({path, "", request.along.substr(against ? 1 : 0)}, meshed.body, meshed.solid);
+        for (double& component : acceleration)
+            component *= against ? -request.acceleration_m_s2 : request.acceleration_m_s2;
         for (std::size_t i = 0; i < 3; ++i) {
             if (acceleration[i] == 0) continue;
             if (meshed.solid.symmetry_planes[i])
-                throw design.values.refuse(path, std::string{"the model is mirrored at "} + component_name(meshed.solid, i) +
-                                                     " = 0, and with it the weight would be",
+                throw design.values.refuse(path,
+                                           std::string{"the model is mirrored at "} + component_name(meshed.solid, i) +
+                                               " = 0, and with it the weight would be",
                                            "a model that is not cut there, or another direction");
             if (meshed.body.anchoring == Anchoring::middle_planes && i > 0)
                 throw design.values.refuse(path, "nothing holds the body against its weight", "leave gravity out");
@@ -117,7 +120,8 @@ bool share_a_node(const Solid& solid, const std::string& one, const std::string&
 void check_constraints(const model::Case& result, const design::Design& design, const Meshed& meshed) {
     const auto refuse = [&](const model::Motion& motion, std::size_t component, const std::string& other) {
         throw design.values.refuse("loads." + motion.face + ".displacement",
-                                   std::string{"over-constrained in "} + component_name(meshed.solid, component) + ": " + other +
+                                   std::string{"over-constrained in "} + component_name(meshed.solid, component) +
+                                       ": " + other +
                                        (other.ends_with(core::quoted(motion.face))
                                             ? ""
                                             : ", with which " + core::quoted(motion.face) + " has nodes in common"),
@@ -170,7 +174,8 @@ void check_reaction(const model::Case& result, const design::Design::OutputReque
 
 }  // namespace
 
-void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& place, const design::FamilyKeys& keys) {
+void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& place,
+                  const design::FamilyKeys& keys) {
     if (mesh.facet_sets.contains(face)) return;
     std::vector<std::string> present;
     for (const std::string& name : keys.faces)
@@ -184,10 +189,11 @@ std::array<double, 3> direction_of(const Heading& heading, const Body& body, con
     if (along == "axis") return body.axis;
     if (along == "x") return {1, 0, 0};
     if (along == "normal") {
-        constexpr double flat = 1 - 1e-9;   // rounding of the sums; a curved face falls far below
+        constexpr double flat = 1 - 1e-9;  // rounding of the sums; a curved face falls far below
         const auto n = mean_normal(solid, heading.face);
         if (std::hypot(n[0], n[1], n[2]) < flat)
-            throw Error(ExitCode::bad_input, place, "face " + core::quoted(heading.face) + " is not flat", "axis, x, y or z");
+            throw Error(ExitCode::bad_input, place, "face " + core::quoted(heading.face) + " is not flat",
+                        "axis, x, y or z");
         return n;
     }
     // The mean of y or z over a whole turn says nothing of a section, and r is no fixed direction of a solid.
@@ -197,7 +203,9 @@ std::array<double, 3> direction_of(const Heading& heading, const Body& body, con
     if (along == "y" && !revolved) return {0, 1, 0};
     if (along == "z" && !revolved && !plane) return {0, 0, 1};
     throw Error(ExitCode::bad_input, place, core::quoted(along) + " is no direction of this model",
-                revolved ? "axis, x, r or normal" : plane ? "axis, x, y or normal" : "axis, x, y, z or normal");
+                revolved ? "axis, x, r or normal"
+                : plane  ? "axis, x, y or normal"
+                         : "axis, x, y, z or normal");
 }
 
 void add_loads(model::Case& result, const design::Design& design, const Meshed& meshed) {
@@ -230,10 +238,12 @@ void add_outputs(model::Case& result, const design::Design& design, const Meshed
         if (bend) require_face(meshed.solid.mesh, request.reference, place + ".reference", meshed.keys);
         const bool about_z = (model::is_angle(request.measure) || request.measure == model::Measure::moment) &&
                              request.along == "z" && meshed.solid.kinematics == model::Kinematics::plane_strain;
-        const Vector direction = about_z ? Vector{0, 0, 1}
-                                         : direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
+        const Vector direction =
+            about_z ? Vector{0, 0, 1}
+                    : direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
         if (model::is_reaction(request.measure)) check_reaction(result, request, direction, meshed, design.values);
-        result.outputs.push_back({request.name, request.face, direction, request.measure, bend ? request.reference : ""});
+        result.outputs.push_back(
+            {request.name, request.face, direction, request.measure, bend ? request.reference : ""});
     }
 }
 

@@ -9,15 +9,16 @@ namespace soft::geometry {
 
 /// A direction asked for at a face.
 struct Heading {
-    std::string place;   ///< of the key, for errors: "outputs.elongation.along"
+    std::string place;  ///< of the key, for errors: "outputs.elongation.along"
     std::string face;
-    std::string along;   ///< axis | x | y | z | r | normal
+    std::string along;  ///< axis | x | y | z | r | normal
 };
 /// Its unit vector; `normal` points out of the undeformed face and needs a flat one.
 [[nodiscard]] std::array<double, 3> direction_of(const Heading& heading, const Body& body, const Solid& solid);
 
 /// Error(bad_input) at `place`, with the faces of the family that the mesh has.
-void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& place, const design::FamilyKeys& keys);
+void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& place,
+                  const design::FamilyKeys& keys);
 
 struct Meshed {
     const design::FamilyKeys& keys;

@@ -16,7 +16,7 @@ inline constexpr int lacking = -1;
 struct Completion {
     int node;
     std::vector<std::pair<int, double>> parts;
-    std::vector<int> corners;   ///< whose mean it is; four on a side
+    std::vector<int> corners;  ///< whose mean it is; four on a side
 };
 [[nodiscard]] std::vector<Completion> completions(const MshType& type);
 

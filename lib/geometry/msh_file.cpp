@@ -36,7 +36,8 @@ public:
     MshFile read() {
         while (in_.skip_blanks()) read_section();
         if (version_ == 0) in_.fail("the file is empty", "export the mesh as Gmsh .msh, version 4.1 or 2.2");
-        if (!has_nodes_ || !has_elements_) in_.fail("there is no $Nodes or no $Elements section", "export the mesh again");
+        if (!has_nodes_ || !has_elements_)
+            in_.fail("there is no $Nodes or no $Elements section", "export the mesh again");
         return std::move(file_);
     }
 
@@ -51,14 +52,20 @@ private:
                      "export the mesh as Gmsh .msh, version 4.1 or 2.2");
         }
         const std::string end = "$End" + name.substr(1);
-        if (name == "$MeshFormat") read_format();
-        else if (name == "$PhysicalNames") read_names();
-        else if (name == "$Entities" && version_ == 4) read_entities();
-        else if (name == "$Nodes") version_ == 4 ? read_nodes_4() : read_nodes_2();
-        else if (name == "$Elements") version_ == 4 ? read_elements_4() : read_elements_2();
+        if (name == "$MeshFormat")
+            read_format();
+        else if (name == "$PhysicalNames")
+            read_names();
+        else if (name == "$Entities" && version_ == 4)
+            read_entities();
+        else if (name == "$Nodes")
+            version_ == 4 ? read_nodes_4() : read_nodes_2();
+        else if (name == "$Elements")
+            version_ == 4 ? read_elements_4() : read_elements_2();
         else if (name == "$PartitionedEntities")
             in_.fail("the mesh is cut into partitions", "export it as one (Gmsh: Mesh.SaveAll = 0, unpartitioned)");
-        else return in_.skip_to(end);
+        else
+            return in_.skip_to(end);
         in_.expect(end);
     }
 
@@ -97,7 +104,7 @@ private:
                 for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) static_cast<void>(in_.number<double>());
                 std::vector<int>& groups = entity_groups_[{dimension, tag}];
                 groups.resize(in_.count(1));
-                for (int& group : groups) group = std::abs(in_.number<int>());   // the sign is an orientation
+                for (int& group : groups) group = std::abs(in_.number<int>());  // the sign is an orientation
                 if (dimension == 0) continue;
                 for (std::size_t k = in_.count(1); k > 0; --k) static_cast<void>(in_.number<int>());
             }
@@ -140,19 +147,21 @@ private:
         const MshType* type = msh_type(number);
         if (type != nullptr) return *type;
         const bool pyramid = number == 7 || number == 14 || number == 19;
-        in_.fail(pyramid ? "pyramids are not read" : "elements of Gmsh's type " + std::to_string(number) + " are not read",
-                 "mesh with triangles, quadrilaterals, tetrahedra, hexahedra or prisms of first or second order");
+        in_.fail(
+            pyramid ? "pyramids are not read" : "elements of Gmsh's type " + std::to_string(number) + " are not read",
+            "mesh with triangles, quadrilaterals, tetrahedra, hexahedra or prisms of first or second order");
     }
 
     void add_element(MshBlock& block, const MshType& type, std::size_t tag) {
         block.tags.push_back(tag);
         for (int k = 0; k < type.nodes; ++k)
-            block.nodes.push_back(version_ == 4 ? in_.number<std::size_t>() : static_cast<std::size_t>(in_.number<int>()));
+            block.nodes.push_back(version_ == 4 ? in_.number<std::size_t>()
+                                                : static_cast<std::size_t>(in_.number<int>()));
     }
 
     void read_elements_2() {
         has_elements_ = true;
-        std::map<std::tuple<int, int, int>, std::size_t> known;   // (type, entity, group) -> block
+        std::map<std::tuple<int, int, int>, std::size_t> known;  // (type, entity, group) -> block
         const auto count = in_.sound(in_.text_number<std::size_t>(), 4);
         if (in_.binary()) in_.line();
         for (std::size_t done = 0; done < count;) {
@@ -163,7 +172,7 @@ private:
                 in_.fail("the header of a run of elements makes no sense", "export the mesh again");
             for (int i = 0; i < run; ++i, ++done) {
                 if (in_.binary()) tag = in_.number<int>();
-                std::array<int, 2> kept{};   // physical group and entity; partitions follow
+                std::array<int, 2> kept{};  // physical group and entity; partitions follow
                 for (int k = 0; k < tag_count; ++k) {
                     const int value = in_.number<int>();
                     if (k < 2) kept[static_cast<std::size_t>(k)] = std::abs(value);
@@ -186,7 +195,8 @@ private:
             const MshType& type = type_of(in_.number<int>());
             if (type.dimension != dimension)
                 in_.fail("elements of dimension " + std::to_string(type.dimension) + " in an entity of dimension " +
-                             std::to_string(dimension), "export the mesh again");
+                             std::to_string(dimension),
+                         "export the mesh again");
             const std::size_t count = in_.count(4);
             MshBlock& block = file_.blocks.emplace_back(MshBlock{type.number, entity, {}, {}, {}});
             if (const auto groups = entity_groups_.find({dimension, entity}); groups != entity_groups_.end())
@@ -198,7 +208,7 @@ private:
     MshScanner in_;
     MshFile file_;
     std::map<std::pair<int, int>, std::vector<int>> entity_groups_;
-    int version_ = 0;   ///< 2 or 4 once known
+    int version_ = 0;  ///< 2 or 4 once known
     bool has_nodes_ = false, has_elements_ = false;
 };
 
@@ -211,7 +221,7 @@ const MshType* msh_type(int number) noexcept {
 }
 
 MshFile read_msh(const std::filesystem::path& path) {
-    constexpr std::size_t largest = std::size_t{1} << 32U;   // more than any mesh we could solve
+    constexpr std::size_t largest = std::size_t{1} << 32U;  // more than any mesh we could solve
     const core::Bytes bytes = core::read_file(path, largest);
     const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     return Reader{text, path.string()}.read();

@@ -15,25 +15,25 @@ namespace soft::geometry {
 
 /// Elements of one type, geometric entity and set of physical groups.
 struct MshBlock {
-    int type;                         ///< Gmsh's number, one of msh_type's
-    int entity;                       ///< tag of the curve, surface or volume; 0 where the file does not say
-    std::vector<int> groups;          ///< tags of the physical groups of its dimension
-    std::vector<std::size_t> tags;    ///< one an element
-    std::vector<std::size_t> nodes;   ///< tags, msh_type(type)->nodes an element
+    int type;                        ///< Gmsh's number, one of msh_type's
+    int entity;                      ///< tag of the curve, surface or volume; 0 where the file does not say
+    std::vector<int> groups;         ///< tags of the physical groups of its dimension
+    std::vector<std::size_t> tags;   ///< one an element
+    std::vector<std::size_t> nodes;  ///< tags, msh_type(type)->nodes an element
 };
 
 struct MshFile {
     std::vector<std::size_t> node_tags;
-    std::vector<mesh::Point> positions;                         ///< in the file's unit
+    std::vector<mesh::Point> positions;  ///< in the file's unit
     std::vector<MshBlock> blocks;
-    std::map<std::pair<int, int>, std::string> group_names;     ///< (dimension, tag) -> name as written
+    std::map<std::pair<int, int>, std::string> group_names;  ///< (dimension, tag) -> name as written
 };
 
 struct MshType {
     int number;
     int dimension;
     int nodes;
-    std::optional<mesh::CellType> cell;   ///< none for a point; serendipity types give the cell they are completed to
+    std::optional<mesh::CellType> cell;  ///< none for a point; serendipity types give the cell they are completed to
 };
 
 /// nullptr for types that are not read (pyramids, third order and up).

@@ -58,8 +58,10 @@ public:
         T value{};
         const auto [end, error] = std::from_chars(bytes_.data() + at_, bytes_.data() + bytes_.size(), value);
         const auto after = static_cast<std::size_t>(end - bytes_.data());
-        const bool whole = after == bytes_.size() || std::string_view{" \t\r\n"}.find(bytes_[after]) != std::string_view::npos;
-        if (error != std::errc{} || !whole) fail(core::quoted(word()) + " stands where a number is needed", "export the mesh again");
+        const bool whole =
+            after == bytes_.size() || std::string_view{" \t\r\n"}.find(bytes_[after]) != std::string_view::npos;
+        if (error != std::errc{} || !whole)
+            fail(core::quoted(word()) + " stands where a number is needed", "export the mesh again");
         at_ = after;
         return checked(value);
     }
@@ -85,7 +87,8 @@ public:
     /// Past the given words, which must come next but for blanks.
     void expect(std::string_view words) {
         if (!skip_blanks()) truncated();
-        if (!bytes_.substr(at_).starts_with(words)) fail(std::string{words} + " is missing here", "export the mesh again");
+        if (!bytes_.substr(at_).starts_with(words))
+            fail(std::string{words} + " is missing here", "export the mesh again");
         at_ += words.size();
     }
     /// Past the next occurrence of the words.

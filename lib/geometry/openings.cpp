@@ -46,7 +46,8 @@ std::vector<mesh::Facet> sides_around(const mesh::Mesh& mesh, const std::vector<
     for (const mesh::Facet& facet : boundary_facets(mesh)) {
         const auto nodes = facet_nodes(mesh, facet);
         const auto corners = nodes.begin() + mesh::topology(facet_type(mesh, facet)).vertex_count;
-        if (!own.contains(facet) && std::count_if(nodes.begin(), corners, [&](Index n) { return rim.contains(n); }) >= needed)
+        if (!own.contains(facet) &&
+            std::count_if(nodes.begin(), corners, [&](Index n) { return rim.contains(n); }) >= needed)
             around.push_back(facet);
     }
     return around;
@@ -58,7 +59,9 @@ std::string face_around(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& 
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     for (const auto& [name, facets] : mesh.facet_sets) {
         const std::set<mesh::Facet> set(facets.begin(), facets.end());
-        if (around.empty() || facets.size() >= fewest || !std::ranges::all_of(around, [&](const mesh::Facet& f) { return set.contains(f); })) continue;
+        if (around.empty() || facets.size() >= fewest ||
+            !std::ranges::all_of(around, [&](const mesh::Facet& f) { return set.contains(f); }))
+            continue;
         smallest = name;
         fewest = facets.size();
     }
@@ -76,7 +79,7 @@ FoundOpening found(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall,
 /// The wall's ends away from the axis. A wall that runs outwards at its end (r grows along it) ends below a plug at
 /// higher x: the axial parts of wall and plugs cancel, closed integral of n dA = 0.
 std::vector<FoundOpening> openings_of_section(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall) {
-    std::map<Index, int> sense;   // +1 where a facet ends, -1 where one starts; 0 where both do
+    std::map<Index, int> sense;  // +1 where a facet ends, -1 where one starts; 0 where both do
     for (const mesh::Facet& facet : wall) {
         const auto nodes = facet_nodes(mesh, facet);
         --sense[nodes[0]];
@@ -104,7 +107,9 @@ std::vector<FoundOpening> openings_of(const mesh::Mesh& mesh, const std::vector<
     for (const auto& rim : model::rims(bare, wall)) {
         std::set<Index> corners;
         for (const model::RimEdge& edge : rim) corners.insert({edge[0], edge[1]});
-        Vector area = area_of(mesh, rim);   // lines along the cuts, which would close the rim, add nothing to what the images do not cancel
+        Vector area = area_of(
+            mesh,
+            rim);  // lines along the cuts, which would close the rim, add nothing to what the images do not cancel
         for (std::size_t d = 0; d < 3; ++d)
             if (mirrors[d])
                 for (std::size_t e = 0; e < 3; ++e) area[e] *= e == d ? 0 : 2;

@@ -18,6 +18,7 @@ struct FoundOpening {
 
 /// `mirrors`: the mesh is cut at x, y, z = 0; areas are those of the whole body then. In the order of model::rims (section: of the wall's facets). Plane strain has none.
 [[nodiscard]] std::vector<FoundOpening> openings_of(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall,
-                                                    model::Kinematics kinematics, const std::array<bool, 3>& mirrors = {});
+                                                    model::Kinematics kinematics,
+                                                    const std::array<bool, 3>& mirrors = {});
 
 }  // namespace soft::geometry

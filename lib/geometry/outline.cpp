@@ -51,18 +51,24 @@ bool folds(const OutlinePiece& before, const OutlinePiece& after, double near_m)
 }
 
 std::string place_text(PlanePoint p) {
-    std::string text{"("};   // with operator+ g++ 12 warns of an overlap that is none
-    return text.append(core::rounded_text(1e3 * p[0], 5)).append(", ").append(core::rounded_text(1e3 * p[1], 5)).append(") mm");
+    std::string text{"("};  // with operator+ g++ 12 warns of an overlap that is none
+    return text.append(core::rounded_text(1e3 * p[0], 5))
+        .append(", ")
+        .append(core::rounded_text(1e3 * p[1], 5))
+        .append(") mm");
 }
 
-const OutlineEdge& edge_of(const Outline& outline, const OutlinePiece& piece) { return outline.loops[piece.loop][piece.edge]; }
+const OutlineEdge& edge_of(const Outline& outline, const OutlinePiece& piece) {
+    return outline.loops[piece.loop][piece.edge];
+}
 
 std::optional<OutlineFault> point_twice(const Outline& outline, double near_m) {
     for (const Loop& loop : outline.loops)
         for (const OutlineEdge& edge : loop) {
             for (std::size_t i = 0; i + 1 < edge.points.size(); ++i)
                 if (length(minus(edge.points[i + 1], edge.points[i])) < near_m)
-                    return OutlineFault{edge.row, "the point " + place_text(edge.points[i]) + " stands there twice in a row",
+                    return OutlineFault{edge.row,
+                                        "the point " + place_text(edge.points[i]) + " stands there twice in a row",
                                         "leave one out; the last point is joined to the first by itself"};
             const bool closed = length(minus(edge.points.front(), edge.points.back())) < near_m;
             if (closed && edge.shape != OutlineEdge::Shape::spline)
@@ -82,8 +88,9 @@ std::optional<OutlineFault> meeting(const Outline& outline, double near_m) {
             if (follows ? folds(a, b, near_m) : precedes ? folds(b, a, near_m) : touch(a, b, near_m)) {
                 const std::size_t row = edge_of(outline, a).row, other = edge_of(outline, b).row;
                 const std::string whom = row == other ? "itself" : "the one of line " + std::to_string(other);
-                return OutlineFault{row, "its edge crosses, touches or runs back over " + whom + " near " + place_text(b.start),
-                                    "an outline goes once round the solid"};
+                return OutlineFault{
+                    row, "its edge crosses, touches or runs back over " + whom + " near " + place_text(b.start),
+                    "an outline goes once round the solid"};
             }
         }
     return std::nullopt;
@@ -96,7 +103,8 @@ std::optional<OutlineFault> wrong_sense(const Outline& outline) {
     const auto pieces = pieces_of(outline);
     const auto only = [&](std::size_t loop) {
         std::vector<OutlinePiece> own;
-        std::ranges::copy_if(pieces, std::back_inserter(own), [&](const OutlinePiece& piece) { return piece.loop == loop; });
+        std::ranges::copy_if(pieces, std::back_inserter(own),
+                             [&](const OutlinePiece& piece) { return piece.loop == loop; });
         return own;
     };
     const std::string remedy = "reverse the order of its points (each tag moves to the row where its edge now starts)";
@@ -108,11 +116,13 @@ std::optional<OutlineFault> wrong_sense(const Outline& outline) {
         if (i == outer) continue;
         for (std::size_t other = 0; other < outline.loops.size(); ++other)
             if (other != i && is_inside(only(other), loop.front().points.front()) != (other == outer))
-                return OutlineFault{loop.front().row,
-                                    other == outer ? "this loop lies outside the largest one" : "this loop lies within another hole",
-                                    "one outline and holes in it: a section is one body"};
+                return OutlineFault{
+                    loop.front().row,
+                    other == outer ? "this loop lies outside the largest one" : "this loop lies within another hole",
+                    "one outline and holes in it: a section is one body"};
         if (runs_left)
-            return OutlineFault{loop.front().row, "the hole's loop runs counter-clockwise: the solid would lie inside it", remedy};
+            return OutlineFault{loop.front().row,
+                                "the hole's loop runs counter-clockwise: the solid would lie inside it", remedy};
     }
     return std::nullopt;
 }
@@ -177,7 +187,8 @@ std::vector<OutlinePiece> pieces_of(const Outline& outline) {
         const std::size_t first = pieces.size();
         for (std::size_t e = 0; e < outline.loops[l].size(); ++e) {
             const auto line = polyline(outline.loops[l][e]);
-            for (std::size_t i = 0; i + 1 < line.size(); ++i) pieces.push_back({line[i], line[i + 1], l, e, false, false});
+            for (std::size_t i = 0; i + 1 < line.size(); ++i)
+                pieces.push_back({line[i], line[i + 1], l, e, false, false});
         }
         if (pieces.size() == first) continue;
         pieces[first].first_of_loop = true;

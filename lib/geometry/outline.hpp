@@ -18,8 +18,8 @@ struct OutlineEdge {
     enum class Shape { line, arc, spline };
     Shape shape = Shape::line;
     std::vector<PlanePoint> points;
-    std::vector<std::string> faces;   ///< facet sets its cells belong to
-    std::size_t row = 0;              ///< where it is written, for messages
+    std::vector<std::string> faces;  ///< facet sets its cells belong to
+    std::size_t row = 0;             ///< where it is written, for messages
 };
 
 /// Closed: an edge starts where the one before ends.
@@ -28,15 +28,15 @@ using Loop = std::vector<OutlineEdge>;
 /// The solid lies to the left of every loop: one runs round it counter-clockwise, the others round its holes, clockwise.
 struct Outline {
     std::vector<Loop> loops;
-    std::function<double(PlanePoint)> size_m = {};   ///< wished length of a cell there
+    std::function<double(PlanePoint)> size_m = {};  ///< wished length of a cell there
 };
 
 struct OutlineArc {
     PlanePoint centre;
-    double radius_m, start_rad, turn_rad;   ///< turn > 0: counter-clockwise
+    double radius_m, start_rad, turn_rad;  ///< turn > 0: counter-clockwise
     [[nodiscard]] PlanePoint at(double share) const;
 };
-[[nodiscard]] OutlineArc arc_of(const OutlineEdge& edge);   ///< of an arc whose three points are not in line
+[[nodiscard]] OutlineArc arc_of(const OutlineEdge& edge);  ///< of an arc whose three points are not in line
 
 /// `span` counts from 0 along the points: 1.5 lies between the second and the third.
 [[nodiscard]] PlanePoint spline_at(const std::vector<PlanePoint>& points, double span);
@@ -47,7 +47,7 @@ struct OutlineArc {
 /// Straight pieces of all loops, in order.
 struct OutlinePiece {
     PlanePoint start, end;
-    std::size_t loop, edge;   ///< numbers
+    std::size_t loop, edge;  ///< numbers
     bool first_of_loop, last_of_loop;
 };
 [[nodiscard]] std::vector<OutlinePiece> pieces_of(const Outline& outline);

@@ -31,19 +31,21 @@ public:
             for (std::size_t e = 0; e < loop.size(); ++e) {
                 const auto first = static_cast<std::ptrdiff_t>(edges_.size());
                 add(loop[e], {starts[e], starts[(e + 1) % loop.size()]});
-                for (auto c = first; c < static_cast<std::ptrdiff_t>(edges_.size()); ++c) curves.push_back(static_cast<int>(c) + 1);
+                for (auto c = first; c < static_cast<std::ptrdiff_t>(edges_.size()); ++c)
+                    curves.push_back(static_cast<int>(c) + 1);
             }
             loops.push_back(static_cast<int>(loops.size()) + 1);
             gmsh_.add_loop(loops.back(), std::move(curves));
         }
         // The loop round the solid comes first for gmsh, the holes behind it.
-        const auto outer = std::ranges::max_element(loops, {}, [&](int loop) { return area_m2(outline.loops[static_cast<std::size_t>(loop) - 1]); });
+        const auto outer = std::ranges::max_element(
+            loops, {}, [&](int loop) { return area_m2(outline.loops[static_cast<std::size_t>(loop) - 1]); });
         std::iter_swap(loops.begin(), outer);
         gmsh_.add_plane(surface, std::move(loops));
     }
 
     static constexpr int surface = 1;
-    [[nodiscard]] const std::vector<const OutlineEdge*>& edges() const { return edges_; }   ///< of curve 1, 2, ...
+    [[nodiscard]] const std::vector<const OutlineEdge*>& edges() const { return edges_; }  ///< of curve 1, 2, ...
 
 private:
     int point(PlanePoint place) {
@@ -91,7 +93,7 @@ private:
 class Fetched {
 public:
     Fetched(const GmshSession& gmsh, const Outline& outline, double scale) : gmsh_(gmsh) {
-        const double snap_m = 1e-13 * extent_m(outline);   // rounding; a node on the axis must have r = 0
+        const double snap_m = 1e-13 * extent_m(outline);  // rounding; a node on the axis must have r = 0
         const auto [tags, xyz] = gmsh.nodes();
         for (std::size_t i = 0; i < tags.size(); ++i) {
             const auto snapped = [&](double value) { return std::abs(value) < snap_m ? 0.0 : value; };
@@ -109,7 +111,7 @@ public:
         std::vector<Index> cell(per_cell);
         for (std::size_t n = 0; n < nodes.size(); n += per_cell) {
             for (std::size_t k = 0; k < per_cell; ++k) cell[k] = number(nodes[n + k]);
-            add_cell(result_, type, cell, 0);   // gmsh's order of these types is VTK's
+            add_cell(result_, type, cell, 0);  // gmsh's order of these types is VTK's
         }
         for (const mesh::Facet& facet : boundary_facets(result_)) {
             const auto ends = facet_nodes(result_, facet);
@@ -155,7 +157,9 @@ mesh::Mesh mesh_once(const Outline& outline, const Size& size_m, FreeCells cells
     const bool quads = cells == FreeCells::quadrilaterals;
     const double factor = (quads ? 2 : 1) * scale;
     gmsh.mesh_freely(quads ? GmshSession::Free::quadrilaterals : GmshSession::Free::triangles,
-                     [&](std::array<double, 2> place) { return factor * size_m({place[0] / scale, place[1] / scale}); });
+                     [&](std::array<double, 2> place) {
+                         return factor * size_m({place[0] / scale, place[1] / scale});
+                     });
     Fetched fetched{gmsh, outline, scale};
     fetched.add_cells(quads ? mesh::CellType::quad9 : mesh::CellType::triangle6);
     for (std::size_t c = 0; c < description.edges().size(); ++c)
@@ -163,7 +167,7 @@ mesh::Mesh mesh_once(const Outline& outline, const Size& size_m, FreeCells cells
     mesh::Mesh mesh = fetched.take();
     double outline_m2 = 0;
     for (const Loop& loop : outline.loops) outline_m2 += area_m2(loop);
-    constexpr double uncovered = 0.05;   // quadratic sides miss the outline by far less
+    constexpr double uncovered = 0.05;  // quadratic sides miss the outline by far less
     if (!(std::abs(mesh::measure(mesh, mesh::Measure::plain) / outline_m2 - 1) < uncovered))
         throw Error(ExitCode::internal, "section mesh", "gmsh's cells do not cover the section");
     return mesh;
@@ -171,15 +175,16 @@ mesh::Mesh mesh_once(const Outline& outline, const Size& size_m, FreeCells cells
 
 /// A curved side may come so near to the opposite corner that its cell is flat there or inside out.
 struct Spoilt {
-    double least = 1;                  ///< least over largest determinant of any cell; below 0 inside out
-    std::vector<PlanePoint> places;    ///< of the cells that are hardly sound
+    double least = 1;                ///< least over largest determinant of any cell; below 0 inside out
+    std::vector<PlanePoint> places;  ///< of the cells that are hardly sound
 };
 
 Spoilt spoilt_cells(const mesh::Mesh& mesh) {
     constexpr double hardly = 0.05;
     Spoilt spoilt;
     std::vector<std::vector<mesh::ShapeValue>> shapes;
-    for (const auto& node : mesh::topology(mesh.cell_types.front()).nodes) shapes.push_back(mesh::shape_values(mesh.cell_types.front(), node));
+    for (const auto& node : mesh::topology(mesh.cell_types.front()).nodes)
+        shapes.push_back(mesh::shape_values(mesh.cell_types.front(), node));
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         double least = INFINITY, most = -INFINITY;
         for (const auto& at_node : shapes) {
@@ -202,7 +207,8 @@ Size shorter_at(Size size_m, const std::vector<PlanePoint>& places) {
     return [=](PlanePoint p) {
         double shortest_m = size_m(p);
         for (std::size_t i = 0; i < places.size(); ++i)
-            shortest_m = std::min(shortest_m, sizes_m[i] + size_growth * std::hypot(p[0] - places[i][0], p[1] - places[i][1]));
+            shortest_m =
+                std::min(shortest_m, sizes_m[i] + size_growth * std::hypot(p[0] - places[i][0], p[1] - places[i][1]));
         return shortest_m;
     };
 }
@@ -210,7 +216,7 @@ Size shorter_at(Size size_m, const std::vector<PlanePoint>& places) {
 }  // namespace
 
 mesh::Mesh mesh_outline(const Outline& outline, FreeCells cells) {
-    constexpr int attempts = 5;   // what a sixteenth of the length does not cure is a corner too sharp for any cell
+    constexpr int attempts = 5;  // what a sixteenth of the length does not cure is a corner too sharp for any cell
     Size size_m = outline.size_m;
     mesh::Mesh best;
     double best_quality = -INFINITY;
@@ -218,7 +224,7 @@ mesh::Mesh mesh_outline(const Outline& outline, FreeCells cells) {
         mesh::Mesh mesh;
         try {
             mesh = mesh_once(outline, size_m, cells);
-        } catch (const Error& error) {   // gmsh has stumbled; over other lengths it may not
+        } catch (const Error& error) {  // gmsh has stumbled; over other lengths it may not
             if (error.code() != ExitCode::internal) throw;
             size_m = [=](PlanePoint place) { return 0.7 * size_m(place); };
             continue;
@@ -232,8 +238,9 @@ mesh::Mesh mesh_outline(const Outline& outline, FreeCells cells) {
         size_m = shorter_at(size_m, spoilt.places);
     }
     if (best.cell_types.empty())
-        throw Error(ExitCode::bad_input, "section mesh", "gmsh finds no mesh in the outline", "leave out very sharp corners and very thin walls");
-    static_cast<void>(mesh::quality(best));   // throws with the place if no attempt has given sound cells
+        throw Error(ExitCode::bad_input, "section mesh", "gmsh finds no mesh in the outline",
+                    "leave out very sharp corners and very thin walls");
+    static_cast<void>(mesh::quality(best));  // throws with the place if no attempt has given sound cells
     return best;
 }
 

@@ -23,7 +23,8 @@ double cross(PlanePoint a, PlanePoint b) { return a[0] * b[1] - a[1] * b[0]; }
 
 class Seeds {
 public:
-    Seeds(const Outline& outline, const SizeWishes& wishes) : outline_(outline), wishes_(wishes), pieces_(pieces_of(outline)) {
+    Seeds(const Outline& outline, const SizeWishes& wishes)
+        : outline_(outline), wishes_(wishes), pieces_(pieces_of(outline)) {
         for (std::size_t p = 0; p < pieces_.size(); ++p) add_wall(p);
         for (const Loop& loop : outline.loops)
             for (std::size_t e = 0; e < loop.size(); ++e) {
@@ -44,16 +45,17 @@ private:
         const OutlinePiece& piece = pieces_[number];
         const PlanePoint along = minus(piece.end, piece.start);
         const double piece_m = length(along);
-        constexpr double least_step = 1e-3;   // of the side: a slip in through_wall must not take forever
+        constexpr double least_step = 1e-3;  // of the side: a slip in through_wall must not take forever
         const PlanePoint inward{-along[1] / piece_m, along[0] / piece_m};
         const auto size_at = [&](double share) {
             const PlanePoint at{piece.start[0] + share * along[0], piece.start[1] + share * along[1]};
             const auto thickness_m = to_opposite(number, at, inward);
-            const double size_m = thickness_m ? std::min(*thickness_m / wishes_.through_wall, wishes_.size_m) : wishes_.size_m;
+            const double size_m =
+                thickness_m ? std::min(*thickness_m / wishes_.through_wall, wishes_.size_m) : wishes_.size_m;
             add(at, size_m);
             return size_m;
         };
-        constexpr double middle = 0.5;   // a side shorter than two cells is looked at there alone
+        constexpr double middle = 0.5;  // a side shorter than two cells is looked at there alone
         if (piece_m < 2 * size_at(middle)) return;
         for (double share = least_step; share < 1;) share += std::max(2 * size_at(share) / piece_m, least_step);
     }
@@ -61,7 +63,9 @@ private:
     /// The wall goes on behind the axis and the planes of symmetry.
     [[nodiscard]] bool is_cut(const OutlinePiece& piece) const {
         const auto& faces = outline_.loops[piece.loop][piece.edge].faces;
-        return std::ranges::any_of(faces, [](const std::string& face) { return face == axis_face || face == symmetry_x_face || face == symmetry_y_face; });
+        return std::ranges::any_of(faces, [](const std::string& face) {
+            return face == axis_face || face == symmetry_x_face || face == symmetry_y_face;
+        });
     }
 
     [[nodiscard]] std::optional<double> to_opposite(std::size_t number, PlanePoint from, PlanePoint inward) const {
@@ -93,7 +97,8 @@ private:
         const auto line = polyline(edge);
         for (std::size_t i = 1; i + 1 < line.size(); ++i) {
             const PlanePoint before = minus(line[i], line[i - 1]), after = minus(line[i + 1], line[i]);
-            const double turn_rad = std::abs(std::atan2(cross(before, after), before[0] * after[0] + before[1] * after[1]));
+            const double turn_rad =
+                std::abs(std::atan2(cross(before, after), before[0] * after[0] + before[1] * after[1]));
             const double bend_m = 0.5 * (length(before) + length(after));
             if (turn_rad > 0) add(line[i], bend_m * largest_turn_rad / turn_rad);
         }
@@ -106,13 +111,17 @@ private:
     void add_corner(const OutlineEdge& before, const OutlineEdge& after) {
         const auto in = polyline(before), out = polyline(after);
         const PlanePoint arriving = minus(in[in.size() - 1], in[in.size() - 2]), leaving = minus(out[1], out[0]);
-        const double turn_rad = std::atan2(cross(arriving, leaving), arriving[0] * leaving[0] + arriving[1] * leaving[1]);
-        constexpr double blunt_rad = 10 * std::numbers::pi / 180;   // the strain hardly rises in a blunter corner
-        if (turn_rad < -blunt_rad || is_held(before) != is_held(after)) add(out.front(), wishes_.size_m / wishes_.grading);
+        const double turn_rad =
+            std::atan2(cross(arriving, leaving), arriving[0] * leaving[0] + arriving[1] * leaving[1]);
+        constexpr double blunt_rad = 10 * std::numbers::pi / 180;  // the strain hardly rises in a blunter corner
+        if (turn_rad < -blunt_rad || is_held(before) != is_held(after))
+            add(out.front(), wishes_.size_m / wishes_.grading);
     }
 
     [[nodiscard]] bool is_held(const OutlineEdge& edge) const {
-        return std::ranges::any_of(edge.faces, [&](const std::string& face) { return std::ranges::find(wishes_.held, face) != wishes_.held.end(); });
+        return std::ranges::any_of(edge.faces, [&](const std::string& face) {
+            return std::ranges::find(wishes_.held, face) != wishes_.held.end();
+        });
     }
 
     const Outline& outline_;
@@ -126,7 +135,8 @@ private:
 std::function<double(PlanePoint)> cell_sizes(const Outline& outline, const SizeWishes& wishes) {
     return [size_m = wishes.size_m, seeds = Seeds{outline, wishes}.take()](PlanePoint place) {
         double shortest_m = size_m;
-        for (const Seed& seed : seeds) shortest_m = std::min(shortest_m, seed.size_m + size_growth * length(minus(place, seed.place)));
+        for (const Seed& seed : seeds)
+            shortest_m = std::min(shortest_m, seed.size_m + size_growth * length(minus(place, seed.place)));
         return shortest_m;
     };
 }

@@ -15,9 +15,9 @@ inline constexpr double size_growth = 1.0 / 3;
 
 struct SizeWishes {
     double size_m;
-    int through_wall;                  ///< at least so many cells through every wall
-    double grading;                    ///< size over the cells at corners; 1: not refined there
-    std::vector<std::string> held;     ///< faces at whose ends the strain is singular as in a re-entrant corner
+    int through_wall;               ///< at least so many cells through every wall
+    double grading;                 ///< size over the cells at corners; 1: not refined there
+    std::vector<std::string> held;  ///< faces at whose ends the strain is singular as in a re-entrant corner
 };
 
 [[nodiscard]] std::function<double(PlanePoint)> cell_sizes(const Outline& outline, const SizeWishes& wishes);

@@ -17,8 +17,9 @@ struct Shape {
 };
 
 Shape checked_shape(const design::Values& values) {
-    Shape shape{values.number("geometry.length"), values.number("geometry.height"), values.number("geometry.end_height"),
-                values.number("geometry.rise"), values.number("geometry.loaded_top")};
+    Shape shape{values.number("geometry.length"), values.number("geometry.height"),
+                values.number("geometry.end_height"), values.number("geometry.rise"),
+                values.number("geometry.loaded_top")};
     if (values.text("geometry.end_height") == "height") shape.end_height_m = shape.height_m;
     if (shape.patch_m > shape.length_m)
         throw values.refuse("geometry.loaded_top",
@@ -71,7 +72,8 @@ Family panel() {
                      .kind = design::Kind::length,
                      .fallback = "0 mm",
                      .meaning = "y of the lower corner at x = length"};
-    design::Key loaded_top = length_key("loaded_top", "0 mm", "length of the face patch, the top from x = 0 on; 0 = none");
+    design::Key loaded_top =
+        length_key("loaded_top", "0 mm", "length of the face patch, the top from x = 0 on; 0 = none");
     loaded_top.min_open = false;
     keys.geometry = {length_key("length", "48 mm", "length along x, from the held face x = 0"),
                      length_key("height", "44 mm", "height of the face x = 0, along y from y = 0"),
@@ -81,11 +83,12 @@ Family panel() {
                      std::move(loaded_top)};
     keys.models = {"plane-strain", "solid"};
     keys.faces = {"fixed", "end", "bottom", "top", "patch", "left", "right"};
-    keys.defaults = "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  end: {traction: 20 kPa, along: y}     # a dead shear; per undeformed area\n"
-                    "outputs:\n"
-                    "  deflection: {face: end, along: y}\n";
+    keys.defaults =
+        "supports: {fixed: fixed}\n"
+        "loads:\n"
+        "  end: {traction: 20 kPa, along: y}     # a dead shear; per undeformed area\n"
+        "outputs:\n"
+        "  deflection: {face: end, along: y}\n";
     design::Key across = through_wall_key();
     across.meaning = "cells between bottom and top; 0 = by mesh.size";
     keys.mesh = {size_key("4 mm"), std::move(across)};

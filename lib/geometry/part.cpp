@@ -17,7 +17,7 @@
 namespace soft::geometry {
 namespace {
 
-constexpr std::size_t most_facets = 2000000;   // some gigabytes and minutes
+constexpr std::size_t most_facets = 2000000;  // some gigabytes and minutes
 constexpr const char* rules_group = "geometry.faces";
 constexpr const char* symmetry_key = "geometry.symmetry";
 constexpr std::array<const char*, 3> symmetry_faces{symmetry_x_face, symmetry_y_face, symmetry_z_face};
@@ -39,20 +39,27 @@ std::vector<double> cad_numbers(const std::string& file) {
 }
 
 surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
-    constexpr std::chrono::seconds limit{300};   // parts take seconds
+    constexpr std::chrono::seconds limit{300};  // parts take seconds
     constexpr std::size_t head = 2;
-    static_cast<void>(core::read_file(path, core::no_limit));   // says why it cannot be opened
+    static_cast<void>(core::read_file(path, core::no_limit));  // says why it cannot be opened
     const auto numbers = done_apart([&] { return cad_numbers(path.string()); }, limit);
-    const auto refuse = [&](const std::string& problem, const std::string& remedy) { throw Error(ExitCode::bad_input, path.string(), problem, remedy); };
-    if (!numbers || numbers->empty()) refuse("it cannot be read as STEP (gmsh fails, or takes more than 5 minutes)", "export the body again as STEP, or as STL");
+    const auto refuse = [&](const std::string& problem, const std::string& remedy) {
+        throw Error(ExitCode::bad_input, path.string(), problem, remedy);
+    };
+    if (!numbers || numbers->empty())
+        refuse("it cannot be read as STEP (gmsh fails, or takes more than 5 minutes)",
+               "export the body again as STEP, or as STL");
     const double solids = numbers->front();
     if (solids == 0) refuse("it holds no solid", "export a solid, not its faces");
-    if (solids != 1) refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or put each into a file of its own");
+    if (solids != 1)
+        refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or put each into a file of its own");
     const auto points = static_cast<std::size_t>(numbers->at(1));
     surface::FacetSoup soup;
-    for (std::size_t n = head; n < head + 3 * points; n += 3) soup.points.push_back({numbers->at(n), numbers->at(n + 1), numbers->at(n + 2)});
+    for (std::size_t n = head; n < head + 3 * points; n += 3)
+        soup.points.push_back({numbers->at(n), numbers->at(n + 1), numbers->at(n + 2)});
     const auto corner = [&](std::size_t n) { return static_cast<std::size_t>((*numbers)[n]); };
-    for (std::size_t n = head + 3 * points; n + 2 < numbers->size(); n += 3) soup.facets.push_back({corner(n), corner(n + 1), corner(n + 2)});
+    for (std::size_t n = head + 3 * points; n + 2 < numbers->size(); n += 3)
+        soup.facets.push_back({corner(n), corner(n + 1), corner(n + 2)});
     if (soup.facets.empty()) refuse("gmsh finds no triangles on its faces", "export the body again as STEP, or as STL");
     return soup;
 }
@@ -74,29 +81,39 @@ surface::FaceRule rule_of(const design::Values& values, const std::string& name)
         rule.plane = surface::FaceRule::Plane{c, values.number(own + planes[c])};
     }
     if (values.has(own + "box.from") != values.has(own + "box.to"))
-        throw values.refuse(own + (values.has(own + "box.from") ? "box.from" : "box.to"), "a box has two corners", "box: {from: [x, y, z], to: [x, y, z]}");
-    if (values.has(own + "box.from")) rule.box = surface::FaceRule::Box{point_of(values, own + "box.from"), point_of(values, own + "box.to")};
-    if (values.has(own + "within") && !values.has(own + "normal")) throw values.refuse(own + "within", "there is no normal", "normal: [x, y, z] beside it");
+        throw values.refuse(own + (values.has(own + "box.from") ? "box.from" : "box.to"), "a box has two corners",
+                            "box: {from: [x, y, z], to: [x, y, z]}");
+    if (values.has(own + "box.from"))
+        rule.box = surface::FaceRule::Box{point_of(values, own + "box.from"), point_of(values, own + "box.to")};
+    if (values.has(own + "within") && !values.has(own + "normal"))
+        throw values.refuse(own + "within", "there is no normal", "normal: [x, y, z] beside it");
     if (values.has(own + "normal")) {
-        rule.direction = surface::FaceRule::Direction{point_of(values, own + "normal"),
-                                                      values.has(own + "within") ? values.number(own + "within") : usual_within_rad};
-        if (rule.direction->normal == mesh::Point{}) throw values.refuse(own + "normal", "it has no direction", "e.g. [1, 0, 0]");
+        rule.direction =
+            surface::FaceRule::Direction{point_of(values, own + "normal"),
+                                         values.has(own + "within") ? values.number(own + "within") : usual_within_rad};
+        if (rule.direction->normal == mesh::Point{})
+            throw values.refuse(own + "normal", "it has no direction", "e.g. [1, 0, 0]");
     }
-    if (values.has(own + "up_to") && !values.has(own + "point")) throw values.refuse(own + "up_to", "there is no point", "point: [x, y, z] beside it");
+    if (values.has(own + "up_to") && !values.has(own + "point"))
+        throw values.refuse(own + "up_to", "there is no point", "point: [x, y, z] beside it");
     if (values.has(own + "point"))
-        rule.flood = surface::FaceRule::Flood{point_of(values, own + "point"), values.has(own + "up_to") ? listed(values.text(own + "up_to")) : std::vector<std::string>{}};
+        rule.flood = surface::FaceRule::Flood{point_of(values, own + "point"), values.has(own + "up_to")
+                                                                                   ? listed(values.text(own + "up_to"))
+                                                                                   : std::vector<std::string>{}};
     return rule;
 }
 
 /// A part that is cut lies on one side of the cut.
-void refuse_crossing(const surface::BodySurface& surface, const std::array<bool, 3>& cut, const design::Values& values) {
+void refuse_crossing(const surface::BodySurface& surface, const std::array<bool, 3>& cut,
+                     const design::Values& values) {
     constexpr double rounding = 1e-6;
     for (std::size_t c = 0; c < 3; ++c) {
         if (!cut[c]) continue;
         const auto [low, high] = std::ranges::minmax(surface.points, {}, [c](const mesh::Point& p) { return p[c]; });
         if (std::min(-low[c], high[c]) > rounding * surface.extent_m())
-            throw values.refuse(symmetry_key, std::string{"the part goes from "} + "xyz"[c] + " = " + length_text(low[c]) + " to " + length_text(high[c]) +
-                                                  " and is not cut at 0",
+            throw values.refuse(symmetry_key,
+                                std::string{"the part goes from "} + "xyz"[c] + " = " + length_text(low[c]) + " to " +
+                                    length_text(high[c]) + " and is not cut at 0",
                                 "cut it where it was drawn, or leave this plane out");
     }
 }
@@ -138,16 +155,18 @@ bool is_part_file(const std::filesystem::path& path) { return is_cad_file(path) 
 
 Part read_part(const std::filesystem::path& path, const std::string& unit, double unit_m) {
     const bool cad = is_cad_file(path);
-    const surface::SoupOrigin origin = cad ? surface::SoupOrigin{path.string()} : surface::SoupOrigin{path.string(), unit, unit_m};
+    const surface::SoupOrigin origin =
+        cad ? surface::SoupOrigin{path.string()} : surface::SoupOrigin{path.string(), unit, unit_m};
     surface::FacetSoup soup = cad ? triangles_of_cad(path) : surface::read_soup(path);
     if (soup.facets.size() > most_facets)
-        throw Error(ExitCode::bad_input, origin.name, std::to_string(soup.facets.size()) + " facets are more than " + std::to_string(most_facets),
+        throw Error(ExitCode::bad_input, origin.name,
+                    std::to_string(soup.facets.size()) + " facets are more than " + std::to_string(most_facets),
                     "export the body with a coarser tolerance");
     return {origin, surface::body_surface(std::move(soup), origin)};
 }
 
 std::vector<surface::FaceRule> face_rules(const design::Values& values) {
-    std::vector<surface::FaceRule> rules, floods;   // the latter name faces among the former
+    std::vector<surface::FaceRule> rules, floods;  // the latter name faces among the former
     for (const std::string& name : values.names_below(rules_group)) {
         surface::FaceRule rule = rule_of(values, name);
         (rule.flood && !rule.flood->up_to.empty() ? floods : rules).push_back(std::move(rule));
@@ -155,7 +174,8 @@ std::vector<surface::FaceRule> face_rules(const design::Values& values) {
     for (const surface::FaceRule& rule : floods)
         for (const std::string& border : rule.flood->up_to)
             if (std::ranges::find(rules, border, &surface::FaceRule::name) == rules.end())
-                throw values.refuse(std::string{rules_group} + "." + rule.name + ".up_to", core::quoted(border) + " is no face of geometry.faces without up_to",
+                throw values.refuse(std::string{rules_group} + "." + rule.name + ".up_to",
+                                    core::quoted(border) + " is no face of geometry.faces without up_to",
                                     "faces by plane, box, normal or point");
     rules.insert(rules.end(), floods.begin(), floods.end());
     return rules;
@@ -180,13 +200,18 @@ MeshedPart mesh_part(const Part& part, const design::Values& values) {
     const std::vector<surface::NamedFace> faces = named_faces(part.surface, with_cuts(face_rules(values), cut));
     for (const surface::NamedFace& face : faces)
         if (std::ranges::find(face.facets, true) == face.facets.end()) {
-            std::string first = face.name.starts_with("symmetry_") ? symmetry_key : "";   // key of the rule, for the place
+            std::string first =
+                face.name.starts_with("symmetry_") ? symmetry_key : "";  // key of the rule, for the place
             for (const char* key : {"plane.x", "plane.y", "plane.z", "box.from", "normal", "point"})
-                if (const std::string path = std::string{rules_group} + "." + face.name + "." + key; first.empty() && values.has(path)) first = path;
-            throw values.refuse(first, "no facet of the surface is there", "look at the coordinates in the program the part was drawn with");
+                if (const std::string path = std::string{rules_group} + "." + face.name + "." + key;
+                    first.empty() && values.has(path))
+                    first = path;
+            throw values.refuse(first, "no facet of the surface is there",
+                                "look at the coordinates in the program the part was drawn with");
         }
     const double given_m = values.number("mesh.size"), most_m = given_m > 0 ? given_m : usual_size_m(part.surface);
-    const surface::WallSizes sizes(walls, bends(part.surface), {most_m / values.number("mesh.grading"), most_m, values.count("mesh.through_wall")});
+    const surface::WallSizes sizes(walls, bends(part.surface),
+                                   {most_m / values.number("mesh.grading"), most_m, values.count("mesh.through_wall")});
     result.mesh = mesh_inside({part.surface, faces, part.origin}, sizes);
     put_on_planes(result.mesh, cut);
     return result;

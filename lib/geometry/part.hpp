@@ -41,7 +41,7 @@ struct PartFigures {
 struct MeshedPart {
     mesh::Mesh mesh;
     PartFigures figures;
-    std::vector<std::string> cavities;   ///< closed ones, faces of the same names
+    std::vector<std::string> cavities;  ///< closed ones, faces of the same names
 };
 [[nodiscard]] MeshedPart mesh_part(const Part& part, const design::Values& values);
 

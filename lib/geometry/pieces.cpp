@@ -17,7 +17,7 @@ std::vector<std::vector<mesh::Facet>> pieces_of(const mesh::Mesh& mesh, const st
         while (parent[f] != f) f = parent[f] = parent[parent[f]];
         return f;
     };
-    std::map<Index, std::size_t> first_at;   // node -> a facet there
+    std::map<Index, std::size_t> first_at;  // node -> a facet there
     for (std::size_t f = 0; f < facets.size(); ++f)
         for (const Index node : facet_nodes(mesh, facets[f])) {
             const auto [other, fresh] = first_at.try_emplace(node, f);

@@ -10,8 +10,13 @@ namespace {
 Body round_plate(const design::Values& values) {
     const double radius_m = values.number("geometry.radius"), thickness_m = values.number("geometry.thickness");
     Body body;
-    body.section = rectangle({thickness_m, radius_m, cells_through_wall(values, thickness_m),
-                              divisions(radius_m, values.number("mesh.size")), {axis_face}, {"top"}, {"rim", "edges"},
+    body.section = rectangle({thickness_m,
+                              radius_m,
+                              cells_through_wall(values, thickness_m),
+                              divisions(radius_m, values.number("mesh.size")),
+                              {axis_face},
+                              {"top"},
+                              {"rim", "edges"},
                               {"bottom"}});
     body.sweep = Revolution{values.count("mesh.sectors")};
     return body;
@@ -29,11 +34,18 @@ Body rectangular_plate(const design::Values& values) {
     using Names = std::vector<std::string>;
 
     Body body;
-    body.section = rectangle({length_m, thickness_m, divisions(length_m, size_m), cells_through_wall(values, thickness_m),
-                              {"bottom"}, {"edge_x1", "edges"}, {"top"},
+    body.section = rectangle({length_m,
+                              thickness_m,
+                              divisions(length_m, size_m),
+                              cells_through_wall(values, thickness_m),
+                              {"bottom"},
+                              {"edge_x1", "edges"},
+                              {"top"},
                               cut_x ? Names{symmetry_x_face} : Names{"edge_x0", "edges"}});
-    body.sweep = Extrusion{width_m, divisions(width_m, size_m),
-                           cut_y ? Names{symmetry_y_face} : Names{"edge_y0", "edges"}, {"edge_y1", "edges"}};
+    body.sweep = Extrusion{width_m,
+                           divisions(width_m, size_m),
+                           cut_y ? Names{symmetry_y_face} : Names{"edge_y0", "edges"},
+                           {"edge_y1", "edges"}};
     body.symmetry_planes = {cut_x, cut_y, false};
     body.fraction = (cut_x ? 0.5 : 1.0) * (cut_y ? 0.5 : 1.0);
     return body;
@@ -49,8 +61,8 @@ Family plate() {
     design::FamilyKeys keys;
     keys.name = "plate";
     keys.summary = "a flat plate, rectangular or round, held at its edges";
-    design::Key radius = length_key("radius", "0 mm",
-                                    "radius of a round plate, axis x; 0 = rectangular, else length and width are not used");
+    design::Key radius = length_key(
+        "radius", "0 mm", "radius of a round plate, axis x; 0 = rectangular, else length and width are not used");
     radius.min_open = false;
     keys.geometry = {length_key("length", "100 mm", "length along x; the quarter model has x = 0 in the middle"),
                      length_key("width", "100 mm", "width along y; half and quarter models have y = 0 in the middle"),
@@ -58,11 +70,12 @@ Family plate() {
                      length_key("thickness", "2 mm", "thickness, along z (rectangular) or x (round)")};
     keys.models = {"solid", "half", "quarter", "axisymmetric"};
     keys.faces = {"edges", "edge_x0", "edge_x1", "edge_y0", "edge_y1", "rim", "top", "bottom"};
-    keys.defaults = "supports: {fixed: edges}\n"
-                    "loads:\n"
-                    "  bottom: {pressure: 5 kPa}     # pushes the plate up\n"
-                    "outputs:\n"
-                    "  deflection: {face: top, along: normal}\n";
+    keys.defaults =
+        "supports: {fixed: edges}\n"
+        "loads:\n"
+        "  bottom: {pressure: 5 kPa}     # pushes the plate up\n"
+        "outputs:\n"
+        "  deflection: {face: top, along: normal}\n";
     keys.mesh = {size_key("10 mm"), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }

@@ -32,9 +32,10 @@ void require_below(const design::Values& values, const char* key, double value_m
         throw values.refuse(key, not_smaller(value_m, bound.what, bound.value_m), smaller_than(bound.value_m));
 }
 void require_within(const design::Values& values, const char* key, double value_m, Bound bound) {
-    constexpr double rounding = 1 + 1e-9;   // the bound is a difference of keys
+    constexpr double rounding = 1 + 1e-9;  // the bound is a difference of keys
     if (value_m > rounding * bound.value_m)
-        throw values.refuse(key, length_text(value_m) + " is more than " + bound.what + " " + length_text(bound.value_m),
+        throw values.refuse(key,
+                            length_text(value_m) + " is more than " + bound.what + " " + length_text(bound.value_m),
                             "at most " + length_text(bound.value_m));
 }
 
@@ -44,7 +45,8 @@ void check(const Shape& s, const design::Values& values) {
     require_below(values, "geometry.roof", s.roof_m, {s.height_m, "the height"});
     require_below(values, "geometry.bridge", s.bridge_m, {s.height_m, "the chambers' height"});
     require_below(values, "geometry.channel.height", s.channel_height_m, {s.bridge_m, "the bridge, which covers it,"});
-    require_within(values, "geometry.channel.height", s.channel_height_m, {s.height_m - s.roof_m, "the cavities' height"});
+    require_within(values, "geometry.channel.height", s.channel_height_m,
+                   {s.height_m - s.roof_m, "the cavities' height"});
     require_within(values, "geometry.channel.width", 2 * s.channel_half_width_m,
                    {2 * (s.half_width_m - s.side_m), "the cavities' width"});
     require_below(values, "geometry.layer.thickness", s.layer_m, {s.base_m, "the base"});
@@ -82,7 +84,7 @@ std::vector<Box> boxes_of(const Shape& s) {
                          Fill::hollow,
                          cavity_face});
     }
-    if (s.chambers > 1)   // from the first chamber's cavity to the last one's
+    if (s.chambers > 1)  // from the first chamber's cavity to the last one's
         boxes.push_back({{s.chamber_at(0) + s.wall_m, 0, s.base_m},
                          {s.chambers_end() - s.wall_m, s.channel_half_width_m, s.base_m + s.channel_height_m},
                          Fill::hollow,
@@ -101,12 +103,13 @@ Body build(const design::Values& values) {
     // Of two chambers on 2, 2, 2 cells a third one along x moves the bend by 0.65 %, along y by 0.62 %, along z by 0.01 %;
     // on 3, 3, 2 a grading of 8 in place of 4 by 0.58 % (measured).
     const int through = values.count("mesh.through_wall");
-    const Spacing spacing{values.number("mesh.size"), {through, through, std::max(1, through - 1)}, values.number("mesh.grading")};
+    const Spacing spacing{
+        values.number("mesh.size"), {through, through, std::max(1, through - 1)}, values.number("mesh.grading")};
     refuse_too_many_cells(values, cells_of_boxes(boxes, spacing));
 
     Body body;
     body.sweep = ReadyMesh{mesh_of_boxes(boxes, spacing), model::Kinematics::solid};
-    body.cavities = {{cavity_face, cavity_face, {}, {}}};   // closed: the supply line is not modelled
+    body.cavities = {{cavity_face, cavity_face, {}, {}}};  // closed: the supply line is not modelled
     body.symmetry_planes = {false, half, false};
     body.fraction = half ? 0.5 : 1.0;
     if (half) body.supports = {{symmetry_y_face, {false, true, false}}};
@@ -121,12 +124,14 @@ std::vector<design::Key> geometry_keys() {
                          .meaning = "number of chambers in the row",
                          .min = 1,
                          .max = 100};
-    design::Key layer = length_key("layer.thickness", "0 mm", "of a layer of another material, the lowest part of the base; 0 = none");
+    design::Key layer =
+        length_key("layer.thickness", "0 mm", "of a layer of another material, the lowest part of the base; 0 = none");
     layer.min_open = false;
-    design::Key material{.path = layer_material,
-                         .kind = design::Kind::text,
-                         .fallback = "paper",
-                         .meaning = "of the layer: a name below `materials`, paper (copy paper of 6.5 GPa; measure yours), or rubber"};
+    design::Key material{
+        .path = layer_material,
+        .kind = design::Kind::text,
+        .fallback = "paper",
+        .meaning = "of the layer: a name below `materials`, paper (copy paper of 6.5 GPa; measure yours), or rubber"};
     return {std::move(chambers),
             length_key("chamber_length", "8 mm", "of a chamber along x, outside"),
             length_key("gap", "1 mm", "width of the free slots between chambers, along x"),
@@ -154,18 +159,20 @@ Family pneunet() {
     keys.geometry = geometry_keys();
     keys.models = {"half", "solid"};
     keys.faces = {"fixed", "tip", "cavity", "bottom", "outer"};
-    keys.defaults = "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 3.5 kPa}\n"
-                    "outputs:\n"
-                    "  bend: {face: tip, measure: bend, reference: fixed, along: y}   # positive toward the base\n"
-                    "  forward: {face: tip, along: x}\n"
-                    "  up: {face: tip, along: z}\n";
+    keys.defaults =
+        "supports: {fixed: fixed}\n"
+        "loads:\n"
+        "  cavity: {pressure: 3.5 kPa}\n"
+        "outputs:\n"
+        "  bend: {face: tip, measure: bend, reference: fixed, along: y}   # positive toward the base\n"
+        "  forward: {face: tip, along: x}\n"
+        "  up: {face: tip, along: z}\n";
     // Copy paper: Young's modulus 6.5 GPa, Poisson's ratio 0.2, as in the Soft Robotics Toolkit's model of this actuator.
     keys.materials = {{"paper", "{law: neo-hookean, mu: 2.708 GPa, kappa: 3.611 GPa, density: 750 kg/m^3}"}};
     design::Key least = through_wall_key();
     least.fallback = "3";
-    least.meaning = "least number of cells between neighbouring planes of the body, through walls and across slots; one fewer along z";
+    least.meaning =
+        "least number of cells between neighbouring planes of the body, through walls and across slots; one fewer along z";
     least.min = 1;
     keys.mesh = {size_key("2.5 mm"), std::move(least), grading_key("8")};
     return {std::move(keys), build};

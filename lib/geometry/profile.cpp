@@ -34,7 +34,8 @@ public:
     Reader(std::string_view text, std::string_view source, Across across)
         : table_(table::read_table(text, source)), second_(across == Across::r ? "r" : "y") {
         if (table_.headings.empty())
-            throw fault(source, table_.lines.front(), "no line says what the columns are", "begin with x_mm," + second_ + "_mm,tag");
+            throw fault(source, table_.lines.front(), "no line says what the columns are",
+                        "begin with x_mm," + second_ + "_mm,tag");
         for (const table::Heading& heading : table_.headings) check_known(heading);
     }
 
@@ -44,7 +45,8 @@ public:
         for (std::size_t i = 0; i < table_.rows.size(); ++i)
             rows.push_back({table_.lines[i], {x[i], y[i]}, word("tag", i), word("loop", i), shape_in(i), std::nullopt});
         if (!column("tag"))
-            throw fault(table_.source, table_.header_line, "there is no column 'tag'", "name the face of the edge that starts at each row");
+            throw fault(table_.source, table_.header_line, "there is no column 'tag'",
+                        "name the face of the edge that starts at each row");
         read_vias(rows);
         return rows;
     }
@@ -65,11 +67,12 @@ private:
 
     [[nodiscard]] std::vector<double> lengths(const std::string& quantity, const table::Table& table) const {
         const auto found = column(quantity);
-        if (!found) throw fault(table_.source, table_.header_line, "there is no column " + core::quoted(quantity + "_mm"));
+        if (!found)
+            throw fault(table_.source, table_.header_line, "there is no column " + core::quoted(quantity + "_mm"));
         const table::Heading& heading = table_.headings[*found];
         if (table::dimension_of(heading.unit) != core::Dimension::length)
-            throw fault(table_.source, table_.header_line, "column " + core::quoted(heading.name) + " has no unit of length",
-                        "write " + quantity + "_mm");
+            throw fault(table_.source, table_.header_line,
+                        "column " + core::quoted(heading.name) + " has no unit of length", "write " + quantity + "_mm");
         return table::values_SI(table, *found, heading.unit, core::Dimension::length);
     }
 
@@ -87,7 +90,7 @@ private:
     }
 
     void read_vias(std::vector<Row>& rows) const {
-        table::Table arcs = table_;   // of the rows that have one
+        table::Table arcs = table_;  // of the rows that have one
         arcs.rows.clear();
         arcs.lines.clear();
         std::vector<Row*> owners;
@@ -109,7 +112,8 @@ private:
 bool is_tag(const std::string& word) {
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const auto is_other = [](char c) { return (c >= '0' && c <= '9') || c == '_' || c == '-'; };
-    return !word.empty() && is_letter(word.front()) && std::ranges::all_of(word, [&](char c) { return is_letter(c) || is_other(c); });
+    return !word.empty() && is_letter(word.front()) &&
+           std::ranges::all_of(word, [&](char c) { return is_letter(c) || is_other(c); });
 }
 
 /// The points of one loop as edges.
@@ -120,10 +124,13 @@ Loop loop_of(std::vector<Row> rows, std::string_view source) {
         const Row& row = rows[i];
         const PlanePoint next = rows[(i + 1) % rows.size()].point;
         if (row.tag.empty())
-            throw fault(source, row.line, "it has no tag", "name the face of the edge that starts here, for example free");
+            throw fault(source, row.line, "it has no tag",
+                        "name the face of the edge that starts here, for example free");
         if (!is_tag(row.tag))
-            throw fault(source, row.line, core::quoted(row.tag) + " is not a name of a face", "letters, digits, _ and -, a letter first");
-        const bool goes_on = i > 0 && row.shape == OutlineEdge::Shape::spline && rows[i - 1].shape == row.shape && rows[i - 1].tag == row.tag;
+            throw fault(source, row.line, core::quoted(row.tag) + " is not a name of a face",
+                        "letters, digits, _ and -, a letter first");
+        const bool goes_on = i > 0 && row.shape == OutlineEdge::Shape::spline && rows[i - 1].shape == row.shape &&
+                             rows[i - 1].tag == row.tag;
         if (goes_on) {
             loop.back().points.push_back(next);
             continue;
@@ -131,8 +138,10 @@ Loop loop_of(std::vector<Row> rows, std::string_view source) {
         OutlineEdge edge{row.shape, {row.point, next}, {row.tag}, row.line};
         if (row.via) {
             edge.points.insert(edge.points.begin() + 1, *row.via);
-            const PlanePoint a{row.via->at(0) - row.point[0], row.via->at(1) - row.point[1]}, b{next[0] - row.point[0], next[1] - row.point[1]};
-            if (std::abs(a[0] * b[1] - a[1] * b[0]) <= outline_tolerance * std::hypot(a[0], a[1]) * std::hypot(b[0], b[1]))
+            const PlanePoint a{row.via->at(0) - row.point[0], row.via->at(1) - row.point[1]},
+                b{next[0] - row.point[0], next[1] - row.point[1]};
+            if (std::abs(a[0] * b[1] - a[1] * b[0]) <=
+                outline_tolerance * std::hypot(a[0], a[1]) * std::hypot(b[0], b[1]))
                 throw fault(source, row.line, "the three points of its arc lie on a line", "write line");
         }
         loop.push_back(std::move(edge));
@@ -147,24 +156,33 @@ Outline loops_of(const std::vector<Row>& rows, std::string_view source) {
         std::size_t end = begin;
         while (end < rows.size() && rows[end].loop == rows[begin].loop) ++end;
         if (std::ranges::find(names, rows[begin].loop) != names.end())
-            throw fault(source, rows[begin].line, "loop " + core::quoted(rows[begin].loop) + " goes on after another one", "put its rows together");
+            throw fault(source, rows[begin].line,
+                        "loop " + core::quoted(rows[begin].loop) + " goes on after another one",
+                        "put its rows together");
         names.push_back(rows[begin].loop);
-        outline.loops.push_back(loop_of({rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end)}, source));
+        outline.loops.push_back(loop_of(
+            {rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end)},
+            source));
         begin = end;
     }
     return outline;
 }
 
 /// Edges that lie on a plane or on the axis carry its name, and no other edge does.
-void check_named_line(const Outline& outline, std::string_view source, std::size_t component, const std::string& name, bool demanded) {
+void check_named_line(const Outline& outline, std::string_view source, std::size_t component, const std::string& name,
+                      bool demanded) {
     const char* const zero = component == 0 ? "x = 0" : "r = 0";
     for (const Loop& loop : outline.loops)
         for (const OutlineEdge& edge : loop) {
-            const bool lies = edge.shape == OutlineEdge::Shape::line && edge.points[0][component] == 0 && edge.points[1][component] == 0;
+            const bool lies = edge.shape == OutlineEdge::Shape::line && edge.points[0][component] == 0 &&
+                              edge.points[1][component] == 0;
             const bool named = edge.faces.front() == name;
-            if (named && !lies) throw fault(source, edge.row, "its edge is tagged " + name + " and does not lie on " + zero);
+            if (named && !lies)
+                throw fault(source, edge.row, "its edge is tagged " + name + " and does not lie on " + zero);
             if (!named && lies && demanded)
-                throw fault(source, edge.row, "its edge lies on the axis r = 0 and is tagged " + core::quoted(edge.faces.front()), "tag it axis");
+                throw fault(source, edge.row,
+                            "its edge lies on the axis r = 0 and is tagged " + core::quoted(edge.faces.front()),
+                            "tag it axis");
         }
 }
 
@@ -173,7 +191,9 @@ void check_not_below(const Outline& outline, std::string_view source, std::size_
     for (const OutlinePiece& piece : pieces_of(outline))
         if (piece.start[component] < -rounding_m) {
             const OutlineEdge& edge = outline.loops[piece.loop][piece.edge];
-            throw fault(source, edge.row, std::string{component == 0 ? "x" : "r"} + " gets down to " + core::rounded_text(1e3 * piece.start[component], 6) + " mm",
+            throw fault(source, edge.row,
+                        std::string{component == 0 ? "x" : "r"} + " gets down to " +
+                            core::rounded_text(1e3 * piece.start[component], 6) + " mm",
                         what);
         }
 }
@@ -186,19 +206,24 @@ bool has_tag(const Outline& outline, std::string_view tag) {
 /// Faces that the programs give a meaning of their own.
 void check_reserved(const Outline& outline, std::string_view source, Across across) {
     check_named_line(outline, source, 0, symmetry_x_face, false);
-    if (has_tag(outline, symmetry_x_face)) check_not_below(outline, source, 0, "the body is mirrored at x = 0, where an edge is tagged symmetry_x");
+    if (has_tag(outline, symmetry_x_face))
+        check_not_below(outline, source, 0, "the body is mirrored at x = 0, where an edge is tagged symmetry_x");
     if (across == Across::r) {
         check_named_line(outline, source, 1, axis_face, true);
         check_not_below(outline, source, 1, "draw the half section at r >= 0; the axis of revolution is x");
     } else {
         check_named_line(outline, source, 1, symmetry_y_face, false);
-        if (has_tag(outline, symmetry_y_face)) check_not_below(outline, source, 1, "the body is mirrored at y = 0, where an edge is tagged symmetry_y");
+        if (has_tag(outline, symmetry_y_face))
+            check_not_below(outline, source, 1, "the body is mirrored at y = 0, where an edge is tagged symmetry_y");
     }
     const std::string foreign = across == Across::r ? symmetry_y_face : axis_face;
     for (const Loop& loop : outline.loops)
         for (const OutlineEdge& edge : loop)
-            for (const std::string& taken : {foreign, std::string{symmetry_z_face}, std::string{"middle_y"}, std::string{"middle_z"}})
-                if (edge.faces.front() == taken) throw fault(source, edge.row, core::quoted(taken) + " is a name of the program's own", "call the face otherwise");
+            for (const std::string& taken :
+                 {foreign, std::string{symmetry_z_face}, std::string{"middle_y"}, std::string{"middle_z"}})
+                if (edge.faces.front() == taken)
+                    throw fault(source, edge.row, core::quoted(taken) + " is a name of the program's own",
+                                "call the face otherwise");
 }
 
 /// Nothing is gained by a point that misses the axis or a plane of symmetry by rounding.
@@ -216,7 +241,8 @@ void add_cavity(Outline& outline, const design::Values& values, const std::strin
     const std::string key = "geometry.cavities." + name;
     const auto tags = tags_of(outline);
     for (const std::string& tag : listed(values.text(key))) {
-        if (std::ranges::find(tags, tag) == tags.end()) throw values.refuse(key, "no edge is tagged " + core::quoted(tag), core::did_you_mean(tag, tags));
+        if (std::ranges::find(tags, tag) == tags.end())
+            throw values.refuse(key, "no edge is tagged " + core::quoted(tag), core::did_you_mean(tag, tags));
         for (Loop& loop : outline.loops)
             for (OutlineEdge& edge : loop)
                 if (edge.faces.front() == tag && tag != name) edge.faces.push_back(name);
@@ -224,15 +250,20 @@ void add_cavity(Outline& outline, const design::Values& values, const std::strin
 }
 
 /// Pressure on an edge that two cavities claim would act twice.
-void refuse_common_walls(const Outline& outline, const design::Values& values, const std::vector<std::string>& cavities) {
+void refuse_common_walls(const Outline& outline, const design::Values& values,
+                         const std::vector<std::string>& cavities) {
     for (const Loop& loop : outline.loops)
         for (const OutlineEdge& edge : loop) {
             std::vector<std::string> owners;
-            std::ranges::copy_if(cavities, std::back_inserter(owners), [&](const std::string& name) { return std::ranges::find(edge.faces, name) != edge.faces.end(); });
+            std::ranges::copy_if(cavities, std::back_inserter(owners), [&](const std::string& name) {
+                return std::ranges::find(edge.faces, name) != edge.faces.end();
+            });
             if (owners.size() < 2) continue;
-            const std::string key = "geometry.cavities." + (values.has("geometry.cavities." + owners[1]) ? owners[1] : owners[0]);
+            const std::string key =
+                "geometry.cavities." + (values.has("geometry.cavities." + owners[1]) ? owners[1] : owners[0]);
             const std::string& other = key.ends_with("." + owners[1]) ? owners[0] : owners[1];
-            throw values.refuse(key, "its wall and that of " + core::quoted(other) + " have edges in common", "each edge belongs to one cavity");
+            throw values.refuse(key, "its wall and that of " + core::quoted(other) + " have edges in common",
+                                "each edge belongs to one cavity");
         }
 }
 
@@ -256,7 +287,7 @@ Outline outline_of_file(const std::string& file, std::string_view place, Across 
         const std::string path = design::file_from(place, file);
         const auto bytes = core::read_file(path);
         return outline_from({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path, across);
-    } catch (const Error& error) {   // the same, with the line of the design that asked for it
+    } catch (const Error& error) {  // the same, with the line of the design that asked for it
         throw Error(error.code(), std::string{place} + ": " + profile_key, error.what());
     }
 }
@@ -275,10 +306,12 @@ Body body_of_profile(const design::Values& values, Across across) {
     outline = outline_of_file(values.text(profile_key), values.place(profile_key), across);
     std::vector<std::string> names = values.names_below("geometry.cavities");
     for (const std::string& name : names) add_cavity(outline, values, name);
-    if (std::ranges::find(names, cavity_face) == names.end() && has_tag(outline, cavity_face)) names.emplace_back(cavity_face);
+    if (std::ranges::find(names, cavity_face) == names.end() && has_tag(outline, cavity_face))
+        names.emplace_back(cavity_face);
     refuse_common_walls(outline, values, names);
     for (const std::string& name : names) body.cavities.push_back({name, name, {}, {}});
-    outline.size_m = cell_sizes(outline, {values.number("mesh.size"), values.count("mesh.through_wall"), values.number("mesh.grading"), held_faces(values)});
+    outline.size_m = cell_sizes(outline, {values.number("mesh.size"), values.count("mesh.through_wall"),
+                                          values.number("mesh.grading"), held_faces(values)});
     body.symmetry_planes = {has_tag(outline, symmetry_x_face), has_tag(outline, symmetry_y_face), false};
     for (const bool cut : body.symmetry_planes) body.fraction *= cut ? 0.5 : 1.0;
     return body;
@@ -288,9 +321,11 @@ design::Key file_key(Across across) {
     const bool turned = across == Across::r;
     return {.path = profile_key,
             .kind = design::Kind::text,
-            .meaning = std::string{turned ? "the half section" : "the section"} + " as a table, from the design's folder: columns " +
-                       (turned ? "x_mm, r_mm" : "x_mm, y_mm") + ", tag (of the edge that starts at the row), optional curve (line, arc, spline), " +
-                       (turned ? "via_x_mm, via_r_mm" : "via_x_mm, via_y_mm") + " (of an arc), loop; the solid on the left"};
+            .meaning = std::string{turned ? "the half section" : "the section"} +
+                       " as a table, from the design's folder: columns " + (turned ? "x_mm, r_mm" : "x_mm, y_mm") +
+                       ", tag (of the edge that starts at the row), optional curve (line, arc, spline), " +
+                       (turned ? "via_x_mm, via_r_mm" : "via_x_mm, via_y_mm") +
+                       " (of an arc), loop; the solid on the left"};
 }
 
 std::vector<design::Key> profile_mesh_keys(std::string_view size) {

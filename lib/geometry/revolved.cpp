@@ -14,7 +14,9 @@ constexpr Across across = Across::r;
 /// Where the wall ends away from the axis, a plug would sit on the edge that goes on there. The solid lies to the left of the
 /// wall, so a wall that comes to its end looks along x out of the cavity: closed integral of n dA = 0.
 std::vector<model::Opening> plugs(const Outline& outline, const std::string& wall) {
-    const auto is_wall = [&](const OutlineEdge& edge) { return std::ranges::find(edge.faces, wall) != edge.faces.end(); };
+    const auto is_wall = [&](const OutlineEdge& edge) {
+        return std::ranges::find(edge.faces, wall) != edge.faces.end();
+    };
     std::vector<model::Opening> openings;
     for (const Loop& loop : outline.loops)
         for (std::size_t e = 0; e < loop.size(); ++e) {
@@ -22,7 +24,8 @@ std::vector<model::Opening> plugs(const Outline& outline, const std::string& wal
             const OutlineEdge& rim = is_wall(before) ? after : before;
             const double radius_m = after.points.front()[1];
             if (is_wall(before) == is_wall(after) || radius_m == 0 || rim.faces.front() == symmetry_x_face) continue;
-            openings.push_back({rim.faces.front(), std::numbers::pi * radius_m * radius_m, {is_wall(before) ? 1.0 : -1.0, 0, 0}});
+            openings.push_back(
+                {rim.faces.front(), std::numbers::pi * radius_m * radius_m, {is_wall(before) ? 1.0 : -1.0, 0, 0}});
         }
     return openings;
 }
@@ -46,13 +49,14 @@ Family revolved() {
     keys.summary = "any body of revolution, its half section in a table (CSV) of lines, arcs and splines";
     keys.geometry = {file_key(across)};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
-    keys.faces = {"fixed", "cavity", "outer", "tip"};   // of the template's table
-    keys.defaults = "geometry: {profile: designs/profiles/fingertip.csv}\n"
-                    "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 20 kPa}\n"
-                    "outputs:\n"
-                    "  elongation: {face: tip, along: x}\n";
+    keys.faces = {"fixed", "cavity", "outer", "tip"};  // of the template's table
+    keys.defaults =
+        "geometry: {profile: designs/profiles/fingertip.csv}\n"
+        "supports: {fixed: fixed}\n"
+        "loads:\n"
+        "  cavity: {pressure: 20 kPa}\n"
+        "outputs:\n"
+        "  elongation: {face: tip, along: x}\n";
     keys.mesh = profile_mesh_keys("2 mm");
     keys.mesh.push_back(sectors_key());
     keys.faces_of_file = faces_of_file;

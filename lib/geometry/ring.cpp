@@ -24,8 +24,9 @@ Section section_of(double inner_m, double outer_m, int through, int around) {
 Body build(const design::Values& values) {
     const double inner_m = values.number("geometry.inner_radius"), outer_m = values.number("geometry.outer_radius");
     if (!(inner_m < outer_m))
-        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m), smaller_than(outer_m));
-    constexpr int least_around = 4;   // as for a quarter of the sphere's meridian
+        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m),
+                            smaller_than(outer_m));
+    constexpr int least_around = 4;  // as for a quarter of the sphere's meridian
     const double size_m = values.number("mesh.size");
     const bool solid = model_of(values) == Model::solid;
 
@@ -54,15 +55,17 @@ Family ring() {
     design::FamilyKeys keys;
     keys.name = "ring";
     keys.summary = "the section of a long thick cylinder, inflated";
-    keys.geometry = {length_key("inner_radius", "10 mm", "radius of the cavity"),
-                     length_key("outer_radius", "20 mm", "radius of the outer face; every model holds the quarter x, y >= 0"),
-                     length_key("length", "10 mm", "length along z of the solid slice; in plane strain it is 1 m")};
+    keys.geometry = {
+        length_key("inner_radius", "10 mm", "radius of the cavity"),
+        length_key("outer_radius", "20 mm", "radius of the outer face; every model holds the quarter x, y >= 0"),
+        length_key("length", "10 mm", "length along z of the solid slice; in plane strain it is 1 m")};
     keys.models = {"plane-strain", "solid"};
     keys.faces = {"cavity", "outer", "left", "right"};
-    keys.defaults = "supports: {}                    # the symmetry planes hold the ring\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 80 kPa}\n"
-                    "outputs: {}                     # the cavity's volume is in every curve\n";
+    keys.defaults =
+        "supports: {}                    # the symmetry planes hold the ring\n"
+        "loads:\n"
+        "  cavity: {pressure: 80 kPa}\n"
+        "outputs: {}                     # the cavity's volume is in every curve\n";
     keys.mesh = {size_key("2.5 mm"), through_wall_key()};
     return {std::move(keys), build};
 }

@@ -14,8 +14,14 @@ Body build(const design::Values& values) {
     const double height_m = values.number("geometry.height") / (cut_z ? 2 : 1);
 
     Body body;
-    body.section = rectangle({length_m, height_m, divisions(length_m, size_m), cells_through_wall(values, height_m),
-                              {cut_z ? symmetry_z_face : "bottom"}, {"end"}, {"top"}, {"fixed"}});
+    body.section = rectangle({length_m,
+                              height_m,
+                              divisions(length_m, size_m),
+                              cells_through_wall(values, height_m),
+                              {cut_z ? symmetry_z_face : "bottom"},
+                              {"end"},
+                              {"top"},
+                              {"fixed"}});
     body.sweep = Extrusion{width_m, divisions(width_m, size_m), {cut_y ? symmetry_y_face : "left"}, {"right"}};
     body.symmetry_planes = {false, cut_y, cut_z};
     body.fraction = (cut_y ? 0.5 : 1.0) * (cut_z ? 0.5 : 1.0);
@@ -28,18 +34,18 @@ Family rod() {
     design::FamilyKeys keys;
     keys.name = "rod";
     keys.summary = "a box held at x = 0 and pulled at its end";
-    keys.geometry = {length_key("length", "100 mm", "length along x, from the held face x = 0"),
-                     length_key("width", "10 mm",
-                                "width along y; half and quarter models hold the upper half, y = 0 in the middle"),
-                     length_key("height", "10 mm",
-                                "height along z; the quarter model holds the upper half, z = 0 in the middle")};
+    keys.geometry = {
+        length_key("length", "100 mm", "length along x, from the held face x = 0"),
+        length_key("width", "10 mm", "width along y; half and quarter models hold the upper half, y = 0 in the middle"),
+        length_key("height", "10 mm", "height along z; the quarter model holds the upper half, z = 0 in the middle")};
     keys.models = {"solid", "half", "quarter"};
     keys.faces = {"fixed", "end", "bottom", "top", "left", "right"};
-    keys.defaults = "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  end: {pressure: -50 kPa}      # negative pulls; per deformed area\n"
-                    "outputs:\n"
-                    "  elongation: {face: end, along: axis}\n";
+    keys.defaults =
+        "supports: {fixed: fixed}\n"
+        "loads:\n"
+        "  end: {pressure: -50 kPa}      # negative pulls; per deformed area\n"
+        "outputs:\n"
+        "  elongation: {face: end, along: axis}\n";
     keys.mesh = {size_key("5 mm"), through_wall_key()};
     return {std::move(keys), build};
 }

@@ -75,7 +75,7 @@ double cell_count(const Section& section) {
 }
 
 int divisions(double length_m, double size_m, int least) {
-    constexpr double most = 100000;   // far beyond what can be solved, and safe to convert to int
+    constexpr double most = 100000;  // far beyond what can be solved, and safe to convert to int
     return std::max(least, static_cast<int>(std::lround(std::min(length_m / size_m, most))));
 }
 

@@ -17,10 +17,10 @@ using PlanePoint = std::array<double, 2>;
 struct Curve {
     int start;
     int end;
-    int centre;                       ///< point number, or `straight`
+    int centre;  ///< point number, or `straight`
     int cells;
-    std::vector<std::string> faces;   ///< facet sets its edges belong to
-    double grading = 1;               ///< length of the last cell over the first; geometric in between
+    std::vector<std::string> faces;  ///< facet sets its edges belong to
+    double grading = 1;              ///< length of the last cell over the first; geometric in between
     static constexpr int straight = -1;
 };
 
@@ -28,7 +28,7 @@ struct Curve {
 /// where the one before ends.
 struct Block {
     std::array<std::vector<int>, 4> sides;
-    std::string region = "rubber";    ///< of its cells; blocks of different regions are bonded where they share a curve
+    std::string region = "rubber";  ///< of its cells; blocks of different regions are bonded where they share a curve
 };
 
 struct Section {
@@ -72,7 +72,7 @@ struct Rectangle {
     double height_m;
     int cells_along;
     int cells_across;
-    std::vector<std::string> bottom, right, top, left;   ///< faces of the four sides
+    std::vector<std::string> bottom, right, top, left;  ///< faces of the four sides
 };
 [[nodiscard]] Section rectangle(const Rectangle& shape);
 

@@ -14,7 +14,7 @@ namespace {
 
 using mesh::Index;
 
-constexpr int tag_of(std::size_t number) { return static_cast<int>(number) + 1; }   // gmsh counts from 1
+constexpr int tag_of(std::size_t number) { return static_cast<int>(number) + 1; }  // gmsh counts from 1
 
 /// The power of two that brings the section near unit size (gmsh's absolute tolerances mean lengths of order one);
 /// a power of two changes no digit.
@@ -62,12 +62,12 @@ void describe(GmshSession& gmsh, const Section& section, double scale) {
     }
 }
 
-using Quad = std::array<std::size_t, 4>;   ///< gmsh node tags
+using Quad = std::array<std::size_t, 4>;  ///< gmsh node tags
 
 /// What gmsh made, fetched in a few calls.
 struct FineMesh {
     std::unordered_map<std::size_t, PlanePoint> nodes;
-    std::vector<std::vector<std::size_t>> curves;   ///< node tags from start to end
+    std::vector<std::vector<std::size_t>> curves;  ///< node tags from start to end
     std::vector<std::vector<Quad>> blocks;
 };
 
@@ -153,7 +153,7 @@ public:
     Builder(const Section& section, const FineMesh& fine) : section_(section), fine_(fine) {
         result_.dimension = 2;
         for (const PlanePoint& p : section.points) snap_m_ = std::max({snap_m_, std::abs(p[0]), std::abs(p[1])});
-        snap_m_ *= 1e-13;   // rounding of the interpolation; a node on the axis must have r = 0
+        snap_m_ *= 1e-13;  // rounding of the interpolation; a node on the axis must have r = 0
     }
 
     void add(std::size_t block) {
@@ -201,8 +201,8 @@ private:
             for (const Step& step : steps(section_, sides[static_cast<std::size_t>(k)])) {
                 const Curve& curve = section_.curves[static_cast<std::size_t>(step.curve)];
                 for (int n = 0; n < curve.cells; ++n, ++place) {
-                    const std::array<Index, 4> cell{place, place * columns + columns - 1,
-                                                    rows * columns - 1 - place, (rows - 1 - place) * columns};
+                    const std::array<Index, 4> cell{place, place * columns + columns - 1, rows * columns - 1 - place,
+                                                    (rows - 1 - place) * columns};
                     for (const std::string& face : curve.faces)
                         result_.facet_sets[face].push_back({first + cell[static_cast<std::size_t>(k)], k});
                 }

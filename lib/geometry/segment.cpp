@@ -14,7 +14,8 @@
 namespace soft::geometry {
 namespace {
 
-constexpr const char *jacket_region = "jacket", *jacket_material = "geometry.jacket.material", *jacket_fibers = "geometry.jacket.fibers";
+constexpr const char *jacket_region = "jacket", *jacket_material = "geometry.jacket.material",
+                     *jacket_fibers = "geometry.jacket.fibers";
 constexpr int most_chambers = 4;
 
 constexpr const char* chamber_prefix = "chamber_";
@@ -26,7 +27,7 @@ constexpr std::size_t chamber_ring = 1;
 struct Shape {
     int chambers;
     double length_m, cap_m, web_rad;
-    std::vector<double> radii_m;   ///< of the bore, both sides of the chambers, [the jacket's inside,] the outside
+    std::vector<double> radii_m;  ///< of the bore, both sides of the chambers, [the jacket's inside,] the outside
     bool jacket;
 
     [[nodiscard]] double chamber_rad() const { return 2 * std::numbers::pi / chambers - web_rad; }
@@ -44,16 +45,18 @@ Shape checked_shape(const design::Values& values) {
     const double inside_m = bore_m + number("core"), outside_m = outer_m - wall_m;
     if (!(inside_m < outside_m))
         throw values.refuse("geometry.wall", length_text(wall_m) + " leaves no chamber between core and wall",
-                            outer_m > inside_m ? smaller_than(outer_m - inside_m) + " = outer_radius - bore_radius - core"
-                                               : "outer_radius " + larger_than(inside_m));
+                            outer_m > inside_m
+                                ? smaller_than(outer_m - inside_m) + " = outer_radius - bore_radius - core"
+                                : "outer_radius " + larger_than(inside_m));
     if (!(jacket_m < wall_m))
         throw values.refuse("geometry.jacket.thickness", not_smaller(jacket_m, "wall", wall_m), smaller_than(wall_m));
     if (!(2 * shape.cap_m < shape.length_m))
         throw values.refuse("geometry.cap", not_smaller(shape.cap_m, "half the length", 0.5 * shape.length_m),
                             smaller_than(0.5 * shape.length_m));
     if (!(shape.chamber_rad() > 0))
-        throw values.refuse("geometry.web", "it leaves no angle for the chambers",
-                            "smaller than " + core::quantity_text(2 * std::numbers::pi / shape.chambers, core::Dimension::angle));
+        throw values.refuse(
+            "geometry.web", "it leaves no angle for the chambers",
+            "smaller than " + core::quantity_text(2 * std::numbers::pi / shape.chambers, core::Dimension::angle));
     shape.radii_m = {bore_m, inside_m, outside_m};
     if (shape.jacket) shape.radii_m.push_back(outer_m - jacket_m);
     shape.radii_m.push_back(outer_m);
@@ -61,13 +64,13 @@ Shape checked_shape(const design::Values& values) {
 }
 
 struct Counts {
-    std::vector<int> rings;   ///< across each
-    int chamber, web;         ///< around
+    std::vector<int> rings;  ///< across each
+    int chamber, web;        ///< around
     int cap, along;
 };
 
 Counts counts_of(const Shape& shape, const design::Values& values) {
-    constexpr int least_around = 3;   // a chamber's arc, as a curved beam
+    constexpr int least_around = 3;  // a chamber's arc, as a curved beam
     const double size_m = values.number("mesh.size"), middle_m = 0.5 * (shape.radii_m[1] + shape.radii_m[2]);
     Counts n{{},
              divisions(middle_m * shape.chamber_rad(), size_m, least_around),
@@ -78,9 +81,11 @@ Counts counts_of(const Shape& shape, const design::Values& values) {
     const int through = cells_through_wall(values, wall_m);
     for (std::size_t ring = 0; ring + 1 < shape.radii_m.size(); ++ring) {
         const double width_m = shape.radii_m[ring + 1] - shape.radii_m[ring];
-        n.rings.push_back(ring == chamber_ring  ? divisions(width_m, size_m)
-                          : ring < chamber_ring ? cells_through_wall(values, width_m)
-                                                : std::max(1, static_cast<int>(std::lround(through * width_m / wall_m))));   // jacket included
+        n.rings.push_back(
+            ring == chamber_ring ? divisions(width_m, size_m)
+            : ring < chamber_ring
+                ? cells_through_wall(values, width_m)
+                : std::max(1, static_cast<int>(std::lround(through * width_m / wall_m))));  // jacket included
     }
     return n;
 }
@@ -106,7 +111,9 @@ Section section_of(const Shape& shape, const Counts& n) {
     for (int j = 0; j < pieces; ++j) {
         for (std::size_t i = 0; i <= rings; ++i)
             add_arc(s, {at(i, j), at(i, j + 1)}, centre, j % 2 == 0 ? n.chamber : n.web,
-                    i == 0 ? Names{"bore"} : i == rings ? Names{"outer"} : Names{});
+                    i == 0       ? Names{"bore"}
+                    : i == rings ? Names{"outer"}
+                                 : Names{});
         for (std::size_t i = 0; i < rings; ++i) add_line(s, {at(i, j), at(i + 1, j)}, n.rings[i]);
     }
     for (int j = 0; j < pieces; ++j)
@@ -131,26 +138,29 @@ Body build(const design::Values& values) {
     const Counts n = counts_of(shape, values);
     refuse_too_many_cells(values, cells_of(shape, n));
     Body body;
-    body.sweep = ReadyMesh{capped(section_of(shape, n),
-                                  {shape.length_m, shape.cap_m, n.cap, n.along, "fixed", "end"}, chamber_prefix),
-                           model::Kinematics::solid};
+    body.sweep = ReadyMesh{
+        capped(section_of(shape, n), {shape.length_m, shape.cap_m, n.cap, n.along, "fixed", "end"}, chamber_prefix),
+        model::Kinematics::solid};
     for (int k = 0; k < shape.chambers; ++k) body.cavities.push_back({chamber_name(k), chamber_name(k), {}, {}});
     body.region_materials = {{jacket_region, values.text(jacket_material)}};
     if (const model::Fibers fibers = fibers_of(values, jacket_fibers); fibers.k1_Pa > 0) {
         if (!shape.jacket)
-            throw values.refuse(std::string{jacket_fibers} + ".k1", "there is no jacket in which the fibres could lie", "jacket.thickness larger than 0");
+            throw values.refuse(std::string{jacket_fibers} + ".k1", "there is no jacket in which the fibres could lie",
+                                "jacket.thickness larger than 0");
         body.region_fibers[jacket_region] = {fibers};
     }
     return body;
 }
 
 std::vector<design::Key> geometry_keys() {
-    design::Key chambers{.path = "geometry.chambers",
-                         .kind = design::Kind::count,
-                         .fallback = "3",
-                         .meaning = "chambers around the axis, called chamber_1, ...; the first lies in direction z, the second toward -y",
-                         .min = 2,
-                         .max = most_chambers};
+    design::Key chambers{
+        .path = "geometry.chambers",
+        .kind = design::Kind::count,
+        .fallback = "3",
+        .meaning =
+            "chambers around the axis, called chamber_1, ...; the first lies in direction z, the second toward -y",
+        .min = 2,
+        .max = most_chambers};
     design::Key web{.path = "geometry.web",
                     .kind = design::Kind::angle,
                     .fallback = "30 deg",
@@ -165,18 +175,18 @@ std::vector<design::Key> geometry_keys() {
                          .kind = design::Kind::text,
                          .fallback = rubber_region,
                          .meaning = "of the jacket: a name below `materials`, or rubber"};
-    std::vector<design::Key> keys{
-            std::move(chambers),
-            length_key("length", "40 mm", "along x, from the held face x = 0; caps included"),
-            length_key("outer_radius", "12 mm", "of the body"),
-            length_key("bore_radius", "3 mm", "of the open bore along the axis"),
-            length_key("core", "2 mm", "between bore and chambers"),
-            length_key("wall", "2 mm", "between chambers and outer face, jacket included"),
-            std::move(web),
-            length_key("cap", "3 mm", "thickness of each cap"),
-            std::move(jacket),
-            std::move(material)};
-    const FiberDefaults defaults{"85 deg", "; steep ones keep the body from swelling, so that it lengthens and bends instead", "0 MPa"};
+    std::vector<design::Key> keys{std::move(chambers),
+                                  length_key("length", "40 mm", "along x, from the held face x = 0; caps included"),
+                                  length_key("outer_radius", "12 mm", "of the body"),
+                                  length_key("bore_radius", "3 mm", "of the open bore along the axis"),
+                                  length_key("core", "2 mm", "between bore and chambers"),
+                                  length_key("wall", "2 mm", "between chambers and outer face, jacket included"),
+                                  std::move(web),
+                                  length_key("cap", "3 mm", "thickness of each cap"),
+                                  std::move(jacket),
+                                  std::move(material)};
+    const FiberDefaults defaults{
+        "85 deg", "; steep ones keep the body from swelling, so that it lengthens and bends instead", "0 MPa"};
     for (design::Key& key : fiber_keys(jacket_fibers, defaults)) keys.push_back(std::move(key));
     return keys;
 }
@@ -195,14 +205,15 @@ Family segment() {
         keys.faces.push_back(chamber_name(k));
         keys.cavities.push_back(chamber_name(k));
     }
-    keys.defaults = "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  cavities:\n"
-                    "    chamber_1: {pressure: 20 kPa}\n"
-                    "outputs:\n"
-                    "  bend: {face: end, measure: bend, reference: fixed, along: y}      # away from chamber_1\n"
-                    "  sideways: {face: end, measure: bend, reference: fixed, along: z}\n"
-                    "  elongation: {face: end, along: axis}\n";
+    keys.defaults =
+        "supports: {fixed: fixed}\n"
+        "loads:\n"
+        "  cavities:\n"
+        "    chamber_1: {pressure: 20 kPa}\n"
+        "outputs:\n"
+        "  bend: {face: end, measure: bend, reference: fixed, along: y}      # away from chamber_1\n"
+        "  sideways: {face: end, measure: bend, reference: fixed, along: z}\n"
+        "  elongation: {face: end, along: axis}\n";
     keys.mesh = {size_key("3 mm"), through_wall_key()};
     return {std::move(keys), build};
 }

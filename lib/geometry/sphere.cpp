@@ -11,10 +11,12 @@ namespace {
 Body build(const design::Values& values) {
     const double inner_m = values.number("geometry.inner_radius"), outer_m = values.number("geometry.outer_radius");
     if (!(inner_m < outer_m))
-        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m), smaller_than(outer_m));
-    constexpr int least_around = 4;   // per quarter turn, as for mesh.sectors
+        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m),
+                            smaller_than(outer_m));
+    constexpr int least_around = 4;  // per quarter turn, as for mesh.sectors
     const int through = cells_through_wall(values, outer_m - inner_m);
-    const int around = divisions(0.25 * std::numbers::pi * (inner_m + outer_m), values.number("mesh.size"), least_around);
+    const int around =
+        divisions(0.25 * std::numbers::pi * (inner_m + outer_m), values.number("mesh.size"), least_around);
 
     Body body;
     Section& s = body.section;
@@ -40,14 +42,16 @@ Family sphere() {
     design::FamilyKeys keys;
     keys.name = "sphere";
     keys.summary = "a thick spherical shell, inflated";
-    keys.geometry = {length_key("inner_radius", "10 mm", "radius of the cavity"),
-                     length_key("outer_radius", "20 mm", "radius of the outer face; every model holds the half x >= 0")};
+    keys.geometry = {
+        length_key("inner_radius", "10 mm", "radius of the cavity"),
+        length_key("outer_radius", "20 mm", "radius of the outer face; every model holds the half x >= 0")};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"cavity", "outer"};
-    keys.defaults = "supports: {}                    # the symmetry planes hold the shell\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 100 kPa}\n"
-                    "outputs: {}                     # the cavity's volume is in every curve\n";
+    keys.defaults =
+        "supports: {}                    # the symmetry planes hold the shell\n"
+        "loads:\n"
+        "  cavity: {pressure: 100 kPa}\n"
+        "outputs: {}                     # the cavity's volume is in every curve\n";
     keys.mesh = {size_key("2.5 mm"), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }

@@ -21,7 +21,7 @@ constexpr int none = -1;
 
 /// Where the sides of a section cell go in the solid cell: swept edges, and the two ends.
 struct Sides {
-    std::array<int, 4> edge;   ///< local facet of the solid for each edge of the section cell, or `none`
+    std::array<int, 4> edge;  ///< local facet of the solid for each edge of the section cell, or `none`
     int first, last;
 };
 
@@ -37,7 +37,9 @@ template <class Place>
 class Sweep {
 public:
     Sweep(const mesh::Mesh& section, Place place, int layers)
-        : section_(section), place_(place), planes_(2 * layers + 1),
+        : section_(section),
+          place_(place),
+          planes_(2 * layers + 1),
           numbers_(section.points.size() * static_cast<std::size_t>(planes_), Index{none}) {
         solid_.region_names = section.region_names;
         first_of_.resize(static_cast<std::size_t>(section.cell_count()));
@@ -124,15 +126,32 @@ private:
     }
 
     void add_hexahedron(std::span<const Index> q, int plane, std::int32_t region) {
-        constexpr std::array<Entry, 27> entries{
-            {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 2}, {1, 2}, {2, 2}, {3, 2}, {4, 0}, {5, 0}, {6, 0}, {7, 0}, {4, 2}, {5, 2},
-             {6, 2}, {7, 2}, {0, 1}, {1, 1}, {2, 1}, {3, 1}, {7, 1}, {5, 1}, {4, 1}, {6, 1}, {8, 0}, {8, 2}, {8, 1}}};
+        constexpr std::array<Entry, 27> entries{{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 2}, {1, 2}, {2, 2},
+                                                 {3, 2}, {4, 0}, {5, 0}, {6, 0}, {7, 0}, {4, 2}, {5, 2},
+                                                 {6, 2}, {7, 2}, {0, 1}, {1, 1}, {2, 1}, {3, 1}, {7, 1},
+                                                 {5, 1}, {4, 1}, {6, 1}, {8, 0}, {8, 2}, {8, 1}}};
         emit(CellType::hex27, entries, q, plane, region);
     }
 
     void add_prism(std::span<const Index> t, int plane, std::int32_t region) {
-        constexpr std::array<Entry, 18> entries{{{0, 0}, {1, 0}, {2, 0}, {0, 2}, {1, 2}, {2, 2}, {3, 0}, {4, 0}, {5, 0},
-                                                 {3, 2}, {4, 2}, {5, 2}, {0, 1}, {1, 1}, {2, 1}, {3, 1}, {4, 1}, {5, 1}}};
+        constexpr std::array<Entry, 18> entries{{{0, 0},
+                                                 {1, 0},
+                                                 {2, 0},
+                                                 {0, 2},
+                                                 {1, 2},
+                                                 {2, 2},
+                                                 {3, 0},
+                                                 {4, 0},
+                                                 {5, 0},
+                                                 {3, 2},
+                                                 {4, 2},
+                                                 {5, 2},
+                                                 {0, 1},
+                                                 {1, 1},
+                                                 {2, 1},
+                                                 {3, 1},
+                                                 {4, 1},
+                                                 {5, 1}}};
         emit(CellType::wedge18, entries, t, plane, region);
     }
 
@@ -144,42 +163,68 @@ private:
             p[k + 4] = q[4 + (k + turn) % 4];
         }
         p[8] = q[8];
-        constexpr std::array<Entry, 18> entries{{{0, 0}, {3, 0}, {3, 2}, {1, 0}, {2, 0}, {2, 2}, {7, 0}, {3, 1}, {7, 2},
-                                                 {5, 0}, {2, 1}, {5, 2}, {4, 0}, {6, 0}, {6, 2}, {8, 0}, {6, 1}, {8, 2}}};
+        constexpr std::array<Entry, 18> entries{{{0, 0},
+                                                 {3, 0},
+                                                 {3, 2},
+                                                 {1, 0},
+                                                 {2, 0},
+                                                 {2, 2},
+                                                 {7, 0},
+                                                 {3, 1},
+                                                 {7, 2},
+                                                 {5, 0},
+                                                 {2, 1},
+                                                 {5, 2},
+                                                 {4, 0},
+                                                 {6, 0},
+                                                 {6, 2},
+                                                 {8, 0},
+                                                 {6, 1},
+                                                 {8, 2}}};
         emit(CellType::wedge18, entries, p, plane, region);
     }
 
-    using Corner = Entry;   ///< of a triangle, on a plane
+    using Corner = Entry;  ///< of a triangle, on a plane
 
     /// The node half-way between two corners of a tetrahedron. A corner on the axis lies on all planes.
     Entry between(Corner a, Corner b, const std::array<bool, 4>& on_axis) const {
         if (a.node == b.node) return {a.node, 1};
-        const int middle = a.node + b.node == 1 ? 3 : a.node + b.node == 3 ? 4 : 5;   // of edges 01, 12, 20
+        const int middle = a.node + b.node == 1 ? 3 : a.node + b.node == 3 ? 4 : 5;  // of edges 01, 12, 20
         if (on_axis[a.node]) return {middle, b.plane};
         if (on_axis[b.node]) return {middle, a.plane};
         return {middle, (a.plane + b.plane) / 2};
     }
 
-    void add_tetrahedron(std::span<const Index> t, const std::array<Corner, 4>& corners, const std::array<bool, 4>& on_axis,
-                         int plane, std::int32_t region) {
+    void add_tetrahedron(std::span<const Index> t, const std::array<Corner, 4>& corners,
+                         const std::array<bool, 4>& on_axis, int plane, std::int32_t region) {
         std::array<Entry, 10> entries{};
         std::copy(corners.begin(), corners.end(), entries.begin());
         constexpr std::array<std::array<std::size_t, 2>, 6> edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
-        for (std::size_t e = 0; e < edges.size(); ++e) entries[4 + e] = between(corners[edges[e][0]], corners[edges[e][1]], on_axis);
+        for (std::size_t e = 0; e < edges.size(); ++e)
+            entries[4 + e] = between(corners[edges[e][0]], corners[edges[e][1]], on_axis);
         emit(CellType::tet10, entries, t, plane, region);
     }
 
     /// A triangle turned about an edge of its own is a tetrahedron; about a corner a pyramid: two, whose common side meets the
     /// base along the diagonal that split_into_simplices chooses for the wedge behind it, from the smallest number.
-    void add_axis_tetrahedra(std::span<const Index> t, const std::array<bool, 4>& on_axis, int plane, std::int32_t region) {
-        const auto only = [&](bool wanted) { return static_cast<int>(std::find(on_axis.begin(), on_axis.begin() + 3, wanted) - on_axis.begin()); };
+    void add_axis_tetrahedra(std::span<const Index> t, const std::array<bool, 4>& on_axis, int plane,
+                             std::int32_t region) {
+        const auto only = [&](bool wanted) {
+            return static_cast<int>(std::find(on_axis.begin(), on_axis.begin() + 3, wanted) - on_axis.begin());
+        };
         const bool by_edge = std::count(on_axis.begin(), on_axis.begin() + 3, true) == 2;
         const int apex = only(!by_edge), b = (apex + 1) % 3, c = (apex + 2) % 3;
-        const auto add = [&](const std::array<Corner, 4>& corners) { add_tetrahedron(t, corners, on_axis, plane, region); };
+        const auto add = [&](const std::array<Corner, 4>& corners) {
+            add_tetrahedron(t, corners, on_axis, plane, region);
+        };
         if (by_edge) return add({{{b, 0}, {c, 0}, {apex, 0}, {apex, 2}}});
         const std::array<Corner, 4> base{{{b, 0}, {c, 0}, {c, 2}, {b, 2}}};
-        const auto number = [&](const Corner& corner) { return node(t[static_cast<std::size_t>(corner.node)], plane + corner.plane); };
-        const auto least = std::min_element(base.begin(), base.end(), [&](const Corner& one, const Corner& other) { return number(one) < number(other); });
+        const auto number = [&](const Corner& corner) {
+            return node(t[static_cast<std::size_t>(corner.node)], plane + corner.plane);
+        };
+        const auto least = std::min_element(base.begin(), base.end(), [&](const Corner& one, const Corner& other) {
+            return number(one) < number(other);
+        });
         if ((least - base.begin()) % 2 == 0) {
             add({{{apex, 0}, base[0], base[1], base[2]}});
             add({{{apex, 0}, base[0], base[2], base[3]}});
@@ -198,7 +243,8 @@ private:
             for (const mesh::FacetTopology& side : mesh::topology(CellType::tet10).facets) {
                 const auto corners = std::span(side.nodes).first(3);
                 if (std::all_of(corners.begin(), corners.end(), [&](int n) {
-                        return std::find(nodes.begin(), nodes.end(), solid_.cell_nodes(solid)[static_cast<std::size_t>(n)]) != nodes.end();
+                        return std::find(nodes.begin(), nodes.end(),
+                                         solid_.cell_nodes(solid)[static_cast<std::size_t>(n)]) != nodes.end();
                     }))
                     found.push_back({solid, local});
                 ++local;
@@ -219,7 +265,8 @@ private:
                 if (place_.is_fixed(section_.point(ends[0])) && place_.is_fixed(section_.point(ends[1]))) continue;
                 for (int layer = 0; layer < layers; ++layer)
                     find_sides(facet.cell, layer,
-                               {node(ends[0], 2 * layer), node(ends[1], 2 * layer), node(ends[0], 2 * layer + 2), node(ends[1], 2 * layer + 2)},
+                               {node(ends[0], 2 * layer), node(ends[1], 2 * layer), node(ends[0], 2 * layer + 2),
+                                node(ends[1], 2 * layer + 2)},
                                swept);
                 continue;
             }
@@ -242,7 +289,8 @@ private:
             }
             std::vector<Index> corners;
             for (std::size_t k = 0; k < 3; ++k)
-                corners.push_back(node(section_.cell_nodes(cell)[k], side == &Sides::first ? 2 * layer : 2 * layer + 2));
+                corners.push_back(
+                    node(section_.cell_nodes(cell)[k], side == &Sides::first ? 2 * layer : 2 * layer + 2));
             find_sides(cell, layer, corners, set);
         }
     }
@@ -250,19 +298,19 @@ private:
     const mesh::Mesh& section_;
     Place place_;
     int planes_;
-    std::vector<Index> numbers_;    ///< solid node of (section node, plane)
+    std::vector<Index> numbers_;  ///< solid node of (section node, plane)
     mesh::Mesh solid_;
-    std::vector<Index> first_of_;   ///< first solid cell of each section cell; the others of all layers follow
-    std::vector<int> pieces_;       ///< solid cells a layer: 1, or tetrahedra at the axis
+    std::vector<Index> first_of_;  ///< first solid cell of each section cell; the others of all layers follow
+    std::vector<int> pieces_;      ///< solid cells a layer: 1, or tetrahedra at the axis
     std::vector<Sides> sides_of_;
-    std::vector<int> turned_;       ///< by how many corners an axis quadrilateral was turned
+    std::vector<int> turned_;  ///< by how many corners an axis quadrilateral was turned
 };
 
 /// Planes at equal angles. Multiples of a quarter turn are exact, so cut planes hold exact zeros.
 struct Circle {
     int half_layers_per_quarter;
-    int offset;     ///< plane 0 lies at offset quarter turns
-    int period;     ///< planes of a full turn; 0 where the turn does not close
+    int offset;  ///< plane 0 lies at offset quarter turns
+    int period;  ///< planes of a full turn; 0 where the turn does not close
 
     [[nodiscard]] bool is_fixed(const Point& p) const { return p[1] == 0.0; }
     [[nodiscard]] int plane(const Point& p, int plane) const {
@@ -324,8 +372,7 @@ mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter
             sweep.name_last(symmetry_y_face);
             return sweep.take();
         }
-        case Turn::full:
-            return Sweep{section, Circle{half_layers, 0, 4 * half_layers}, 4 * sectors_per_quarter}.take();
+        case Turn::full: return Sweep{section, Circle{half_layers, 0, 4 * half_layers}, 4 * sectors_per_quarter}.take();
     }
     throw std::logic_error("revolve: unknown turn");
 }

@@ -23,8 +23,8 @@ struct Extrusion {
     enum class Along { y, z };
     double width_m = 0;
     int layers = 1;
-    std::vector<std::string> low_faces;    ///< at 0
-    std::vector<std::string> high_faces;   ///< at width_m
+    std::vector<std::string> low_faces;   ///< at 0
+    std::vector<std::string> high_faces;  ///< at width_m
     Along along = Along::y;
 };
 [[nodiscard]] mesh::Mesh extrude(const mesh::Mesh& section, const Extrusion& extrusion);

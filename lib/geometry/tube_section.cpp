@@ -12,11 +12,12 @@ design::FamilyKeys tube_keys() {
                      length_key("cap", "5 mm", "thickness of each cap")};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"fixed", "inlet", "cavity", "outer"};
-    keys.defaults = "supports: {fixed: fixed}\n"
-                    "loads:\n"
-                    "  cavity: {pressure: 30 kPa}\n"
-                    "outputs:\n"
-                    "  elongation: {face: inlet, along: axis}\n";
+    keys.defaults =
+        "supports: {fixed: fixed}\n"
+        "loads:\n"
+        "  cavity: {pressure: 30 kPa}\n"
+        "outputs:\n"
+        "  elongation: {face: inlet, along: axis}\n";
     keys.mesh = {size_key("1.5 mm"), through_wall_key(), sectors_key()};
     return keys;
 }
@@ -56,13 +57,16 @@ Section tube_section(const TubeShape& shape, double size_m, std::span<const Wall
         const int cells = divisions(cap ? shape.cap_m : shape.length_m - 2 * shape.cap_m, size_m);
         for (std::size_t j = cap ? 0 : 1; j <= last; ++j)
             add_line(s, {p[i][j], p[i + 1][j]}, cells,
-                     j == 0                ? Names{axis_face}
-                     : j == last           ? Names{"outer"}
-                     : j == 1 && i == 1    ? Names{"cavity"}
-                                           : Names{});
+                     j == 0             ? Names{axis_face}
+                     : j == last        ? Names{"outer"}
+                     : j == 1 && i == 1 ? Names{"cavity"}
+                                        : Names{});
         for (std::size_t j = cap ? 0 : 1; j < last; ++j)
-            add_block(s, {{{p[i][j], p[i + 1][j]}, {p[i + 1][j], p[i + 1][j + 1]}, {p[i + 1][j + 1], p[i][j + 1]},
-                           {p[i][j + 1], p[i][j]}}},
+            add_block(s,
+                      {{{p[i][j], p[i + 1][j]},
+                        {p[i + 1][j], p[i + 1][j + 1]},
+                        {p[i + 1][j + 1], p[i][j + 1]},
+                        {p[i][j + 1], p[i][j]}}},
                       j == 0 ? "rubber" : layers[j - 1].region);
     }
     return s;

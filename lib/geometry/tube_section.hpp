@@ -21,7 +21,7 @@ struct TubeShape {
 [[nodiscard]] TubeShape tube_shape(const design::Values& values);
 
 struct WallLayer {
-    double outer_m;          ///< outer radius; the inner one is that of the layer before, or of the cavity
+    double outer_m;  ///< outer radius; the inner one is that of the layer before, or of the cavity
     int cells;
     std::string region = "rubber";
 };

@@ -11,8 +11,8 @@ namespace {
 constexpr std::array<const char*, 2> plane_faces{"plane_left", "plane_right"};
 
 struct Half {
-    double plane_m;          ///< x of its plane of symmetry
-    int sign;                ///< -1: it lies at lower x
+    double plane_m;  ///< x of its plane of symmetry
+    int sign;        ///< -1: it lies at lower x
     double inner_m, outer_m;
     const char *wall, *outside, *plane;
 };
@@ -35,8 +35,9 @@ void add_half(Section& s, const Half& half, Counts n) {
 Body build(const design::Values& values) {
     const double inner_m = values.number("geometry.inner_radius"), outer_m = values.number("geometry.outer_radius");
     if (!(inner_m < outer_m))
-        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m), smaller_than(outer_m));
-    constexpr int least_around = 4;   // per quarter turn, as for mesh.sectors
+        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m),
+                            smaller_than(outer_m));
+    constexpr int least_around = 4;  // per quarter turn, as for mesh.sectors
     const double wall_m = outer_m - inner_m, right_wall_m = wall_m * values.number("geometry.right_scale");
     const double half_gap_m = 0.5 * values.number("geometry.gap");
     // The same cells on both: a difference of their meshes would be an imperfection of its own.
@@ -70,17 +71,19 @@ Family two_spheres() {
                             .max = 10,
                             .min_open = true};
     keys.geometry = {length_key("inner_radius", "10 mm", "radius of both cavities"),
-                     length_key("outer_radius", "11 mm", "radius of the outer faces; the model holds the outward half of each shell"),
+                     length_key("outer_radius", "11 mm",
+                                "radius of the outer faces; the model holds the outward half of each shell"),
                      length_key("gap", "10 mm", "between the two planes of symmetry"), std::move(right_scale)};
     keys.models = {"axisymmetric"};
     keys.faces = {"left", "right", "outer_left", "outer_right", plane_faces[0], plane_faces[1]};
     keys.cavities = {"left", "right"};
-    keys.defaults = "supports: {}                    # the planes of symmetry hold the shells\n"
-                    "loads:\n"
-                    "  cavities:\n"
-                    "    left: {volume_ratio: 10}    # of both volumes together\n"
-                    "    right: {shares: left}\n"
-                    "outputs: {}                     # the volumes are in every curve\n";
+    keys.defaults =
+        "supports: {}                    # the planes of symmetry hold the shells\n"
+        "loads:\n"
+        "  cavities:\n"
+        "    left: {volume_ratio: 10}    # of both volumes together\n"
+        "    right: {shares: left}\n"
+        "outputs: {}                     # the volumes are in every curve\n";
     keys.mesh = {size_key("0.5 mm"), through_wall_key()};
     return {std::move(keys), build};
 }

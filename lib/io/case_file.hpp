@@ -15,8 +15,8 @@ namespace soft::io {
 /// The design a case was made from.
 struct DesignText {
     std::string family;
-    std::string effective_yaml;           ///< defaults and overrides in place
-    std::vector<std::string> overrides;   ///< "geometry.wall=2.5mm", as given to --set
+    std::string effective_yaml;          ///< defaults and overrides in place
+    std::vector<std::string> overrides;  ///< "geometry.wall=2.5mm", as given to --set
 
     friend bool operator==(const DesignText&, const DesignText&) = default;
 };
@@ -24,7 +24,7 @@ struct DesignText {
 struct CaseFile {
     model::Case model;
     DesignText design;
-    std::vector<Provenance> provenance;   ///< in alphabetical order of the tools
+    std::vector<Provenance> provenance;  ///< in alphabetical order of the tools
 };
 
 /// The whole file as bytes, ready for a pipe or a core::AtomicFile. Throws Error (internal) for a case that

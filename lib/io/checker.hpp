@@ -54,8 +54,7 @@ public:
         for (const auto& entry : list) {
             const std::string& text = name_of_item(entry);
             require_name(text, item(place, seen.size()));
-            if (!seen.insert(text).second)
-                refuse(item(place, seen.size()), core::quoted(text) + " stands there twice");
+            if (!seen.insert(text).second) refuse(item(place, seen.size()), core::quoted(text) + " stands there twice");
         }
     }
 

@@ -27,8 +27,8 @@ void check_filters(const Place& place, hid_t properties) {
         unsigned flags = 0;
         unsigned configuration = 0;
         std::size_t values = 0;
-        const H5Z_filter_t filter = H5Pget_filter2(properties, static_cast<unsigned>(i), &flags, &values, nullptr, 0,
-                                                   nullptr, &configuration);
+        const H5Z_filter_t filter =
+            H5Pget_filter2(properties, static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, &configuration);
         if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32)
             throw place.refuse("is packed by a filter other than gzip and shuffle");
     }
@@ -38,12 +38,13 @@ void check_filters(const Place& place, hid_t properties) {
 
 std::string hdf5_reason() {
     std::string reason;
-    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD,
-             [](unsigned level, const H5E_error2_t* error, void* text) -> herr_t {
-                 if (level == 0 && error->desc != nullptr) *static_cast<std::string*>(text) = error->desc;
-                 return 0;
-             },
-             &reason);
+    H5Ewalk2(
+        H5E_DEFAULT, H5E_WALK_UPWARD,
+        [](unsigned level, const H5E_error2_t* error, void* text) -> herr_t {
+            if (level == 0 && error->desc != nullptr) *static_cast<std::string*>(text) = error->desc;
+            return 0;
+        },
+        &reason);
     return reason.empty() ? "no reason given" : core::one_line(reason);
 }
 

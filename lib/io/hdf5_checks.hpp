@@ -13,7 +13,7 @@ namespace soft::io {
 
 /// What stands in messages and what bounds sizes.
 struct Origin {
-    std::string source;             ///< "case.h5"
+    std::string source;  ///< "case.h5"
     std::size_t image_bytes = 0;
     std::string remedy = "rebuild the case with mesh-gen";
 };
@@ -26,7 +26,7 @@ inline constexpr std::int64_t any = -1;
 struct Place {
     hid_t dataset;
     const Origin& origin;
-    const std::string& where;       ///< "case.h5:/mesh/cell_regions"
+    const std::string& where;  ///< "case.h5:/mesh/cell_regions"
 
     [[nodiscard]] Error refuse(std::string_view problem) const {
         return {ExitCode::bad_input, where, problem, origin.remedy};

@@ -18,11 +18,16 @@ namespace {
 constexpr hsize_t most_links = 10000;
 constexpr std::size_t most_attribute_bytes = std::size_t{1} << 16;
 
-template <class T> constexpr std::string_view type_words = "";
-template <> constexpr std::string_view type_words<double> = "64-bit little-endian floats";
-template <> constexpr std::string_view type_words<std::int64_t> = "64-bit little-endian integers";
-template <> constexpr std::string_view type_words<std::int32_t> = "32-bit little-endian integers";
-template <> constexpr std::string_view type_words<std::uint8_t> = "unsigned bytes";
+template <class T>
+constexpr std::string_view type_words = "";
+template <>
+constexpr std::string_view type_words<double> = "64-bit little-endian floats";
+template <>
+constexpr std::string_view type_words<std::int64_t> = "64-bit little-endian integers";
+template <>
+constexpr std::string_view type_words<std::int32_t> = "32-bit little-endian integers";
+template <>
+constexpr std::string_view type_words<std::uint8_t> = "unsigned bytes";
 
 template <class T>
 std::vector<T> allocate(const Place& place, std::uint64_t count) {
@@ -54,8 +59,7 @@ FileHandle open_image(std::span<const std::byte> hdf5, const Origin& origin) {
     // The library takes a void* but neither writes to nor frees the bytes with these flags.
     void* bytes = const_cast<std::byte*>(hdf5.data());
     FileHandle file{H5LTopen_file_image(bytes, hdf5.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE)};
-    if (!file)
-        throw Error(ExitCode::bad_input, origin.source, "HDF5 cannot open it: " + hdf5_reason(), origin.remedy);
+    if (!file) throw Error(ExitCode::bad_input, origin.source, "HDF5 cannot open it: " + hdf5_reason(), origin.remedy);
     return file;
 }
 
@@ -93,9 +97,7 @@ Error GroupReader::unknown_word(const std::string& name, const std::string& word
     return refuse(name, core::quoted(word) + " is not a known value");
 }
 
-bool GroupReader::has(const std::string& name) const {
-    return H5Lexists(group_.get(), name.c_str(), H5P_DEFAULT) > 0;
-}
+bool GroupReader::has(const std::string& name) const { return H5Lexists(group_.get(), name.c_str(), H5P_DEFAULT) > 0; }
 
 void GroupReader::require_hard_link(const std::string& name) const {
     if (!has(name)) throw refuse(name, "is missing");
@@ -146,8 +148,7 @@ std::vector<T> GroupReader::array(const std::string& name, const Shape& shape) c
     const std::uint64_t bytes = checked_bytes(place, checked_shape(place, shape), sizeof(T));
     check_storage(place, bytes, sizeof(T));
     auto values = allocate<T>(place, bytes / sizeof(T));
-    if (!values.empty() &&
-        H5Dread(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    if (!values.empty() && H5Dread(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
         throw place.refuse("cannot be read: " + hdf5_reason());
     if constexpr (std::is_floating_point_v<T>) require_finite(values, name);
     return values;

@@ -77,8 +77,8 @@ private:
     [[nodiscard]] Error unknown_word(const std::string& name, const std::string& word) const;
 
     GroupHandle group_;
-    std::string path_;               ///< "/mesh"; "" for the root
-    const Origin* origin_;           ///< outlives the reader
+    std::string path_;      ///< "/mesh"; "" for the root
+    const Origin* origin_;  ///< outlives the reader
 };
 
 }  // namespace soft::io

@@ -63,8 +63,8 @@ void compress(hid_t properties, const std::vector<hsize_t>& chunk) {
 }
 
 DatasetHandle create_dataset(hid_t parent, const Label& label, hid_t type, hid_t space, hid_t properties) {
-    DatasetHandle dataset{check(
-        H5Dcreate2(parent, label.name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), "H5Dcreate2")};
+    DatasetHandle dataset{
+        check(H5Dcreate2(parent, label.name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT), "H5Dcreate2")};
     describe(dataset.get(), label);
     return dataset;
 }
@@ -85,21 +85,45 @@ FileHandle memory_file(std::span<const std::byte> hdf5) {
     // Never a path, as there is no backing store; but HDF5 takes two open memory files of one name for the same file.
     const std::string name = "soft-actuator-" + std::to_string(access.get());
     if (hdf5.empty()) return FileHandle{H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get())};
-    void* bytes = const_cast<std::byte*>(hdf5.data());   // HDF5 takes a void* and copies from it
+    void* bytes = const_cast<std::byte*>(hdf5.data());  // HDF5 takes a void* and copies from it
     check(H5Pset_file_image(access.get(), bytes, hdf5.size()), "H5Pset_file_image");
     return FileHandle{H5Fopen(name.c_str(), H5F_ACC_RDWR, access.get())};
 }
 
 }  // namespace
 
-template <> hid_t file_type<double>() { return H5T_IEEE_F64LE; }
-template <> hid_t file_type<std::int64_t>() { return H5T_STD_I64LE; }
-template <> hid_t file_type<std::int32_t>() { return H5T_STD_I32LE; }
-template <> hid_t file_type<std::uint8_t>() { return H5T_STD_U8LE; }
-template <> hid_t memory_type<double>() { return H5T_NATIVE_DOUBLE; }
-template <> hid_t memory_type<std::int64_t>() { return H5T_NATIVE_INT64; }
-template <> hid_t memory_type<std::int32_t>() { return H5T_NATIVE_INT32; }
-template <> hid_t memory_type<std::uint8_t>() { return H5T_NATIVE_UINT8; }
+template <>
+hid_t file_type<double>() {
+    return H5T_IEEE_F64LE;
+}
+template <>
+hid_t file_type<std::int64_t>() {
+    return H5T_STD_I64LE;
+}
+template <>
+hid_t file_type<std::int32_t>() {
+    return H5T_STD_I32LE;
+}
+template <>
+hid_t file_type<std::uint8_t>() {
+    return H5T_STD_U8LE;
+}
+template <>
+hid_t memory_type<double>() {
+    return H5T_NATIVE_DOUBLE;
+}
+template <>
+hid_t memory_type<std::int64_t>() {
+    return H5T_NATIVE_INT64;
+}
+template <>
+hid_t memory_type<std::int32_t>() {
+    return H5T_NATIVE_INT32;
+}
+template <>
+hid_t memory_type<std::uint8_t>() {
+    return H5T_NATIVE_UINT8;
+}
 
 FileHandle create_memory_file() {
     FileHandle file = memory_file({});
@@ -153,8 +177,7 @@ namespace {
 template <class T>
 void write_scalar(hid_t parent, const Label& label, T value) {
     const PropertiesHandle properties = without_times(H5P_DATASET_CREATE);
-    const DatasetHandle dataset =
-        create_dataset(parent, label, file_type<T>(), scalar_space().get(), properties.get());
+    const DatasetHandle dataset = create_dataset(parent, label, file_type<T>(), scalar_space().get(), properties.get());
     check(H5Dwrite(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), "H5Dwrite");
 }
 
@@ -181,8 +204,7 @@ void write_texts(hid_t parent, const Label& label, std::span<const std::string> 
     const SpaceHandle space{check(H5Screate_simple(1, &count, nullptr), "H5Screate_simple")};
     const PropertiesHandle properties = without_times(H5P_DATASET_CREATE);
     const DatasetHandle dataset = create_dataset(parent, label, type.get(), space.get(), properties.get());
-    if (count > 0)
-        check(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), "H5Dwrite");
+    if (count > 0) check(H5Dwrite(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), "H5Dwrite");
 }
 
 void write_attribute(hid_t object, const char* name, std::string_view text) {
@@ -209,7 +231,7 @@ DatasetHandle create_rows(hid_t parent, const Label& label, const std::vector<hs
     std::vector<hsize_t> limit = shape;
     limit[0] = H5S_UNLIMITED;
     std::vector<hsize_t> chunk = chunk_shape(shape, sizeof(double), Growth::rows);
-    chunk[0] = 1;   // a row is written once, whole: larger chunks would be packed again at every step
+    chunk[0] = 1;  // a row is written once, whole: larger chunks would be packed again at every step
     const PropertiesHandle properties = without_times(H5P_DATASET_CREATE);
     compress(properties.get(), chunk);
     const SpaceHandle space{

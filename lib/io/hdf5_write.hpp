@@ -18,21 +18,29 @@ struct Label {
     std::string_view description;
 };
 
-enum class Growth { fixed, rows };   ///< rows: extendible in the first dimension
+enum class Growth { fixed, rows };  ///< rows: extendible in the first dimension
 
 /// double, int64, int32 and uint8, little endian in the file.
 template <class T>
 [[nodiscard]] hid_t file_type();
 template <class T>
 [[nodiscard]] hid_t memory_type();
-template <> hid_t file_type<double>();
-template <> hid_t file_type<std::int64_t>();
-template <> hid_t file_type<std::int32_t>();
-template <> hid_t file_type<std::uint8_t>();
-template <> hid_t memory_type<double>();
-template <> hid_t memory_type<std::int64_t>();
-template <> hid_t memory_type<std::int32_t>();
-template <> hid_t memory_type<std::uint8_t>();
+template <>
+hid_t file_type<double>();
+template <>
+hid_t file_type<std::int64_t>();
+template <>
+hid_t file_type<std::int32_t>();
+template <>
+hid_t file_type<std::uint8_t>();
+template <>
+hid_t memory_type<double>();
+template <>
+hid_t memory_type<std::int64_t>();
+template <>
+hid_t memory_type<std::int32_t>();
+template <>
+hid_t memory_type<std::uint8_t>();
 
 /// An empty file that lives in memory only.
 [[nodiscard]] FileHandle create_memory_file();

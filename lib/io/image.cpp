@@ -47,7 +47,7 @@ Error damaged(std::string_view source, std::string_view problem) {
 
 /// Where the fields of a superblock lie (HDF5 File Format Specification 3.0, section II.A).
 struct SuperblockLayout {
-    std::size_t offset_size, base, end, driver, size;   ///< driver: 0 where the version has no such field
+    std::size_t offset_size, base, end, driver, size;  ///< driver: 0 where the version has no such field
 };
 
 std::optional<SuperblockLayout> superblock_layout(unsigned version) {
@@ -85,7 +85,7 @@ std::size_t hdf5_size(std::span<const std::byte> image, std::string_view source)
 struct Record {
     RecordKind kind;
     std::span<const std::byte> payload;
-    std::size_t size;   ///< of the whole record
+    std::size_t size;  ///< of the whole record
 };
 
 std::string_view word_of(RecordKind kind) {

@@ -19,7 +19,7 @@ namespace soft::io {
 
 struct ImageParts {
     std::span<const std::byte> hdf5;
-    std::vector<std::span<const std::byte>> steps;   ///< payloads of the whole step records
+    std::vector<std::span<const std::byte>> steps;  ///< payloads of the whole step records
     /// The last whole checkpoint: its payload, how many step records are before it, and where it ends in the image.
     struct Checkpoint {
         std::span<const std::byte> payload;

@@ -93,46 +93,51 @@ private:
 };
 
 /// Of a step, in the order of the record.
-constexpr std::array numbers{&solution::Step::load_factor,     &solution::Step::pressure_Pa,
+constexpr std::array numbers{&solution::Step::load_factor,         &solution::Step::pressure_Pa,
                              &solution::Step::tangent_load_factor, &solution::Step::tangent_pressure,
-                             &solution::Step::tangent_volume,  &solution::Step::stretch_p99,
-                             &solution::Step::max_stretch,     &solution::Step::min_jacobian};
-constexpr std::array lists{&solution::Step::pressures_Pa,      &solution::Step::volumes_m3,
-                           &solution::Step::outputs,           &solution::Step::tangent_pressures,
-                           &solution::Step::tangent_volumes,   &solution::Step::tangent_outputs,
+                             &solution::Step::tangent_volume,      &solution::Step::stretch_p99,
+                             &solution::Step::max_stretch,         &solution::Step::min_jacobian};
+constexpr std::array lists{&solution::Step::pressures_Pa,    &solution::Step::volumes_m3,
+                           &solution::Step::outputs,         &solution::Step::tangent_pressures,
+                           &solution::Step::tangent_volumes, &solution::Step::tangent_outputs,
                            &solution::Step::output_errors};
 constexpr std::array counts{&solution::Step::stage, &solution::Step::newton_iterations,
                             &solution::Step::factorizations};
 
 using Motion = solution::Step::Motion;
-constexpr std::array motion_numbers{&Motion::time_s, &Motion::kinetic_energy_J, &Motion::stored_energy_J, &Motion::load_work_J,
-                                    &Motion::damping_work_J};
+constexpr std::array motion_numbers{&Motion::time_s, &Motion::kinetic_energy_J, &Motion::stored_energy_J,
+                                    &Motion::load_work_J, &Motion::damping_work_J};
 
 /// Of a state of the solver, and of the loads where a stage begins.
 constexpr std::array state_lists{&solution::StatePoint::unknowns, &solution::StatePoint::tangent_unknowns,
                                  &solution::StatePoint::pressures_Pa, &solution::StatePoint::tangent_pressures,
                                  &solution::StatePoint::outputs};
 constexpr std::array state_numbers{&solution::StatePoint::load_factor, &solution::StatePoint::tangent_load_factor,
-                                   &solution::StatePoint::power, &solution::StatePoint::q, &solution::StatePoint::load_work_J};
+                                   &solution::StatePoint::power, &solution::StatePoint::q,
+                                   &solution::StatePoint::load_work_J};
 constexpr std::array start_lists{&solution::StageStart::pressures_Pa, &solution::StageStart::volumes_m3,
                                  &solution::StageStart::masses_kg,    &solution::StageStart::tractions,
                                  &solution::StageStart::body_forces,  &solution::StageStart::motions};
 constexpr std::array checkpoint_numbers{&solution::Checkpoint::step, &solution::Checkpoint::first_step,
                                         &solution::Checkpoint::work_before_stage_J, &solution::Checkpoint::first_slope};
-constexpr std::array checkpoint_counts{&solution::Checkpoint::ranks, &solution::Checkpoint::rows,
-                                       &solution::Checkpoint::stage, &solution::Checkpoint::stage_first_row,
-                                       &solution::Checkpoint::control, &solution::Checkpoint::confirmed_pivots,
+constexpr std::array checkpoint_counts{&solution::Checkpoint::ranks,
+                                       &solution::Checkpoint::rows,
+                                       &solution::Checkpoint::stage,
+                                       &solution::Checkpoint::stage_first_row,
+                                       &solution::Checkpoint::control,
+                                       &solution::Checkpoint::confirmed_pivots,
                                        &solution::Checkpoint::pending_factorizations};
 constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &solution::Checkpoint::on_branch};
 
 /// Does not compile where a struct has a member more than is kept here: then a resumed path would not be the same.
 [[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
-    [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18,
-                                  s19, extremes, energies, motion, s20, s21] = step;
+    [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19,
+                                  extremes, energies, motion, s20, s21] = step;
     [[maybe_unused]] const auto& [x1, x2] = *extremes;
     [[maybe_unused]] const auto& [n1, n2] = *energies;
     [[maybe_unused]] const auto& [m1, m2, m3, m4, m5] = *motion;
-    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, c15, end] = checkpoint;
+    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, c15, end] =
+        checkpoint;
     [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6] = start;
     [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11] = last;
     [[maybe_unused]] const auto& [reason, detail, e1, bifurcations, e2, e3] = end;

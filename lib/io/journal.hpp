@@ -14,8 +14,8 @@ namespace soft::io {
 
 struct JournalStep {
     solution::Step step;
-    std::vector<double> displacement_m;   ///< [point, 3], or empty
-    std::vector<double> pressure_Pa;      ///< [point], or empty
+    std::vector<double> displacement_m;  ///< [point, 3], or empty
+    std::vector<double> pressure_Pa;     ///< [point], or empty
 };
 
 [[nodiscard]] std::vector<std::byte> encode_step(const solution::Step& step, std::span<const double> displacement,

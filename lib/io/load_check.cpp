@@ -65,8 +65,8 @@ void check_pressures(const Checker& check) {
         check.require_positive(gas.ambient_Pa, Checker::item("/loads/ambient_pressure", i));
         check.require_positive(gas.ambient_density_kg_m3, Checker::item("/loads/ambient_density", i));
         check.require_positive(gas.exponent, Checker::item("/loads/exponent", i));
-        check.require(std::isfinite(gas.dead_volume_m3) && gas.dead_volume_m3 >= 0, Checker::item("/loads/dead_volume", i),
-                      "must not be negative");
+        check.require(std::isfinite(gas.dead_volume_m3) && gas.dead_volume_m3 >= 0,
+                      Checker::item("/loads/dead_volume", i), "must not be negative");
         check_course(check, loads[i].course, "/loads", i);
         if (!loads[i].line) continue;
         check.require_positive(loads[i].line->resistance_Pa_s_m3, Checker::item("/loads/line_resistance", i));
@@ -162,7 +162,8 @@ void check_supply(const Checker& check, const model::PressureLoad& load, const m
     if (volume) check.require_positive(supply.value, place);
 }
 
-void check_levels(const Checker& check, const std::vector<double>& levels, std::size_t loads, const std::string& place) {
+void check_levels(const Checker& check, const std::vector<double>& levels, std::size_t loads,
+                  const std::string& place) {
     check.require(levels.size() == loads, place, "must be one a load");
     for (std::size_t i = 0; i < levels.size(); ++i) check.require_finite(levels[i], Checker::item(place, i));
 }

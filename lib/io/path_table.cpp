@@ -69,7 +69,8 @@ const std::array optional_columns{
                    [](Step& s) { return s.extremes ? &s.extremes->stretch_at_m[2] : nullptr; }},
     OptionalColumn{"max_energy_density", "J/m3", "largest strain energy per undeformed volume at an integration point",
                    [](Step& s) { return s.extremes ? &s.extremes->energy_J_m3 : nullptr; }},
-    OptionalColumn{"stored_energy", "J", "of the whole actuator", [](Step& s) { return s.energies ? &s.energies->stored_J : nullptr; }},
+    OptionalColumn{"stored_energy", "J", "of the whole actuator",
+                   [](Step& s) { return s.energies ? &s.energies->stored_J : nullptr; }},
     OptionalColumn{"load_work", "J", "done by the loads since the path began",
                    [](Step& s) { return s.energies ? &s.energies->load_work_J : nullptr; }},
 };
@@ -134,7 +135,7 @@ void read_times(const GroupReader& path, std::vector<Step>& steps, const model::
 }
 
 void write_optional(hid_t path, std::span<const Step> steps) {
-    std::vector<Step> rows(steps.begin(), steps.end());   // find() may change what it finds
+    std::vector<Step> rows(steps.begin(), steps.end());  // find() may change what it finds
     for (const OptionalColumn& column : optional_columns)
         if (!rows.empty() && std::ranges::all_of(rows, column.find))
             write_column(path, {column.name, column.units, column.description}, rows.size(),
@@ -171,7 +172,8 @@ void read_errors(const GroupReader& path, std::vector<Step>& steps, const model:
     read_lists(path, output_error_columns(model), steps, &Step::output_errors);
     for (std::size_t i = 0; i < steps.size(); ++i)
         if (!is_error(values[i]) || !std::ranges::all_of(steps[i].output_errors, is_error))
-            throw path.refuse("pressure_error[" + std::to_string(i) + "]", "an error of step " + std::to_string(i) + " is negative");
+            throw path.refuse("pressure_error[" + std::to_string(i) + "]",
+                              "an error of step " + std::to_string(i) + " is negative");
 }
 
 }  // namespace

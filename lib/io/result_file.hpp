@@ -23,7 +23,7 @@ namespace soft::io {
 struct FieldsPolicy {
     enum class Keep { all, last, none, every };
     Keep keep = Keep::all;
-    int interval = 1;   ///< N of every=N
+    int interval = 1;  ///< N of every=N
 
     friend bool operator==(const FieldsPolicy&, const FieldsPolicy&) = default;
 };
@@ -34,7 +34,7 @@ struct FieldsPolicy {
 
 struct ResultOptions {
     FieldsPolicy fields;
-    std::optional<DesignText> changed_design;   ///< where solve was given overrides of its own
+    std::optional<DesignText> changed_design;  ///< where solve was given overrides of its own
 };
 
 /// What is solved: a file as read, seal included, how errors call it, and its case with solve's own overrides in place.
@@ -95,8 +95,8 @@ private:
 class FieldReader {
 public:
     struct Values {
-        std::vector<double> displacement_m;   ///< [point, 3]
-        std::vector<double> pressure_Pa;      ///< [point]; empty if the formulation has none
+        std::vector<double> displacement_m;  ///< [point, 3]
+        std::vector<double> pressure_Pa;     ///< [point]; empty if the formulation has none
     };
     struct State;
     explicit FieldReader(std::unique_ptr<State> state);
@@ -114,22 +114,22 @@ private:
 };
 
 struct Result {
-    model::Case model;                            ///< as it was solved: solve's own overrides in place
-    DesignText design;                            ///< of the case
-    std::optional<DesignText> changed_design;     ///< solve's own overrides applied, where there were any
+    model::Case model;                         ///< as it was solved: solve's own overrides in place
+    DesignText design;                         ///< of the case
+    std::optional<DesignText> changed_design;  ///< solve's own overrides applied, where there were any
     FieldsPolicy fields_policy;
-    std::vector<Provenance> provenance;           ///< in alphabetical order of the tools
+    std::vector<Provenance> provenance;  ///< in alphabetical order of the tools
     std::vector<solution::Step> steps;
-    std::optional<solution::PathEnd> end;         ///< empty: solve was killed or is still at work
+    std::optional<solution::PathEnd> end;  ///< empty: solve was killed or is still at work
     FieldReader fields;
 };
 
 /// An interrupted `solve -o` as `solve --resume` wants it.
 struct Interrupted {
-    CaseFile file;                                        ///< its model as it was solved, solve's own overrides in place
+    CaseFile file;  ///< its model as it was solved, solve's own overrides in place
     std::optional<DesignText> changed_design;
-    std::vector<solution::Step> steps;                    ///< up to the checkpoint
-    std::optional<solution::Checkpoint> checkpoint;       ///< empty: killed before the second row; start from the beginning
+    std::vector<solution::Step> steps;               ///< up to the checkpoint
+    std::optional<solution::Checkpoint> checkpoint;  ///< empty: killed before the second row; start from the beginning
 };
 
 /// Throws Error (bad_input) for a case, a finished result ("is finished") or a damaged file.

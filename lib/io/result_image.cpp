@@ -29,10 +29,12 @@ void require_finite(std::span<const double> values, std::string_view place) {
 
 /// All of a case but its mesh, which is large and stays the same.
 model::Case without_mesh(const model::Case& input) {
-    return {input.name,        input.kinematics, input.formulation, input.model_fraction, input.symmetry_planes, {},
-            input.materials,   input.supports,   input.cavities,    input.loads,          input.tractions,
-            input.body_forces, input.motions,    input.outputs,     input.path,           input.solver,
-            input.dynamics};
+    return {input.name,           input.kinematics,      input.formulation,
+            input.model_fraction, input.symmetry_planes, {},
+            input.materials,      input.supports,        input.cavities,
+            input.loads,          input.tractions,       input.body_forces,
+            input.motions,        input.outputs,         input.path,
+            input.solver,         input.dynamics};
 }
 
 void write_changed_design(hid_t root, const DesignText& design, const model::Case& solved) {

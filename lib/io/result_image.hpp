@@ -37,14 +37,14 @@ private:
 
     FileHandle file_;
     std::size_t points_ = 0;
-    model::Case solved_;                         ///< its mesh is empty
+    model::Case solved_;  ///< its mesh is empty
     FieldsPolicy policy_;
     std::vector<solution::Step> steps_;
-    bool has_pressure_ = false;                  ///< decided by the first step
+    bool has_pressure_ = false;  ///< decided by the first step
     DatasetHandle displacement_;
     DatasetHandle pressure_;
     std::vector<std::int64_t> stored_rows_;
-    std::vector<double> last_displacement_;      ///< of the last step, if its fields are not stored yet
+    std::vector<double> last_displacement_;  ///< of the last step, if its fields are not stored yet
     std::vector<double> last_pressure_;
 };
 

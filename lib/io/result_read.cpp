@@ -46,8 +46,7 @@ bool lacks_rows(std::span<const std::byte> hdf5, std::string_view source) {
     const Origin origin{std::string{source}, hdf5.size()};
     const FileHandle file = open_image(hdf5, origin);
     const GroupReader root{file.get(), origin};
-    if (!root.has("path"))
-        throw Error(ExitCode::bad_input, source, "a case without solution", "run solve on it");
+    if (!root.has("path")) throw Error(ExitCode::bad_input, source, "a case without solution", "run solve on it");
     return !root.group("path").has("step");
 }
 
@@ -137,7 +136,8 @@ Interrupted read_interrupted(std::span<const std::byte> image, std::string_view 
     // Whether its states fit the unknowns is the solver's to say.
     if (interrupted.steps.size() != static_cast<std::size_t>(interrupted.checkpoint->rows) ||
         interrupted.steps.empty() || interrupted.steps.back().stage > interrupted.checkpoint->stage)
-        throw Error(ExitCode::bad_input, source, "the last checkpoint does not fit the steps before it", "run solve again");
+        throw Error(ExitCode::bad_input, source, "the last checkpoint does not fit the steps before it",
+                    "run solve again");
     return interrupted;
 }
 
@@ -166,8 +166,14 @@ Result read_result(std::vector<std::byte> image, std::string_view source) {
     }
     check_fields(*state, root, steps.size(), points);
     const FieldsPolicy policy = read_policy(root.group("fields"));
-    return {std::move(file.model), std::move(file.design), std::move(solved.changed_design), policy,
-            std::move(file.provenance), std::move(steps), std::move(end), FieldReader{std::move(state)}};
+    return {std::move(file.model),
+            std::move(file.design),
+            std::move(solved.changed_design),
+            policy,
+            std::move(file.provenance),
+            std::move(steps),
+            std::move(end),
+            FieldReader{std::move(state)}};
 }
 
 }  // namespace soft::io

@@ -61,7 +61,8 @@ public:
     }
     /// Whether the name still leads to the file that was opened.
     [[nodiscard]] bool is_in_place() const {
-        struct stat open_file{}, named{};
+        struct stat open_file {
+        }, named{};
         return ::fstat(descriptor_, &open_file) == 0 && ::stat(name_.c_str(), &named) == 0 &&
                open_file.st_dev == named.st_dev && open_file.st_ino == named.st_ino;
     }
@@ -77,15 +78,14 @@ struct ResultWriter::State {
     explicit State(ResultImage begun) : image(std::move(begun)) {}
 
     ResultImage image;
-    fs::path file;                 ///< empty: in memory only
-    std::optional<Tail> journal;   ///< open until finish(), where the file can be appended to
+    fs::path file;                ///< empty: in memory only
+    std::optional<Tail> journal;  ///< open until finish(), where the file can be appended to
 };
 
 ResultWriter::ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options) {
     const ImageParts parts = split_image(given.image, given.source);
     const QuietErrors quiet;
-    state_ = std::make_unique<State>(
-        ResultImage::begin({parts.hdf5, given.source, given.solved}, provenance, options));
+    state_ = std::make_unique<State>(ResultImage::begin({parts.hdf5, given.source, given.solved}, provenance, options));
 }
 
 ResultWriter::ResultWriter(const fs::path& file, const Given& given, const Provenance& provenance,

@@ -22,7 +22,8 @@ void check_solver(const Checker& check) {
     check.require(solver.linear.iteration_limit >= 1, place + "linear_limit", "must be at least 1");
     check.require(solver.wanted_iterations >= 1, place + "wanted_iterations", "must be at least 1");
     check.require(solver.step_limit >= 1, place + "step_limit", "must be at least 1");
-    check.require(solver.threads >= 1 && solver.threads <= most_threads, place + "threads", "must lie between 1 and 256");
+    check.require(solver.threads >= 1 && solver.threads <= most_threads, place + "threads",
+                  "must lie between 1 and 256");
     check.require_positive(solver.first_step, place + "first_step");
     check.require_positive(solver.smallest_step, place + "smallest_step");
     check.require_positive(solver.step_accuracy, place + "step_accuracy");
@@ -38,15 +39,15 @@ void check_dynamic_case(const Checker& check) {
     check.require(input.path.stages.size() == 1, "/control/stages", "must be one: the case is dynamic");
     const auto& supplies = input.path.stages.front().supplies;
     for (std::size_t i = 0; i < supplies.size(); ++i)
-        check.require(supplies[i].what == model::Prescription::pressure, Checker::item("/control/stages/0/prescription", i),
-                      "must be a pressure: the case is dynamic");
+        check.require(supplies[i].what == model::Prescription::pressure,
+                      Checker::item("/control/stages/0/prescription", i), "must be a pressure: the case is dynamic");
 }
 
 void check_dynamics(const Checker& check) {
     if (!check.model().dynamics) return;
     const model::Dynamics& dynamics = *check.model().dynamics;
     const std::string place = "/control/dynamics/";
-    constexpr double least_hht_radius = 0.5;   // below it the method is not stable
+    constexpr double least_hht_radius = 0.5;  // below it the method is not stable
     check.require_positive(dynamics.duration_s, place + "duration");
     check_not_negative(check, dynamics.step_s, place + "step");
     check.require_positive(dynamics.accuracy, place + "accuracy");
@@ -71,7 +72,8 @@ void check_course(const Checker& check, const model::TimeCourse& course, const s
         check_not_negative(check, course.frequency_Hz, own("frequency"));
     const auto& times = course.times_s;
     check.require(times.size() == course.shares.size(), table, "must be one a share");
-    check.require(course.kind == model::Course::table || times.empty(), own("kind"), "has points of a table and is none");
+    check.require(course.kind == model::Course::table || times.empty(), own("kind"),
+                  "has points of a table and is none");
     check.require(course.kind != model::Course::table || !times.empty(), own("kind"), "is a table without points");
     for (std::size_t i = 0; i < times.size(); ++i) {
         check_not_negative(check, times[i], table);

@@ -24,16 +24,21 @@ struct CountEntry {
 };
 
 constexpr std::array solver_numbers{
-    NumberEntry<SolverSettings>{"residual_tolerance", "1", "relative to the nodal forces", &SolverSettings::residual_tolerance},
-    NumberEntry<SolverSettings>{"first_step", "1", "fraction of the full load in the linear response", &SolverSettings::first_step},
-    NumberEntry<SolverSettings>{"largest_step", "1", "fraction of the path; 0: chosen by the solver", &SolverSettings::largest_step},
+    NumberEntry<SolverSettings>{"residual_tolerance", "1", "relative to the nodal forces",
+                                &SolverSettings::residual_tolerance},
+    NumberEntry<SolverSettings>{"first_step", "1", "fraction of the full load in the linear response",
+                                &SolverSettings::first_step},
+    NumberEntry<SolverSettings>{"largest_step", "1", "fraction of the path; 0: chosen by the solver",
+                                &SolverSettings::largest_step},
     NumberEntry<SolverSettings>{"smallest_step", "1", "fraction of the first step", &SolverSettings::smallest_step},
-    NumberEntry<SolverSettings>{"step_accuracy", "1", "wanted relative error of the predictor", &SolverSettings::step_accuracy},
+    NumberEntry<SolverSettings>{"step_accuracy", "1", "wanted relative error of the predictor",
+                                &SolverSettings::step_accuracy},
 };
 constexpr std::array solver_counts{
     CountEntry<SolverSettings>{"newton_limit", "iterations a step", &SolverSettings::newton_limit},
     CountEntry<SolverSettings>{"threads", "of a rank, in the element loops", &SolverSettings::threads},
-    CountEntry<SolverSettings>{"wanted_iterations", "Newton iterations a step aims at", &SolverSettings::wanted_iterations},
+    CountEntry<SolverSettings>{"wanted_iterations", "Newton iterations a step aims at",
+                               &SolverSettings::wanted_iterations},
     CountEntry<SolverSettings>{"step_limit", "most steps of a path", &SolverSettings::step_limit},
 };
 constexpr std::array linear_numbers{
@@ -48,7 +53,8 @@ constexpr std::array dynamics_numbers{
     NumberEntry<Dynamics>{"step", "s", "length of the steps; 0: chosen by the solver", &Dynamics::step_s},
     NumberEntry<Dynamics>{"accuracy", "1", "wanted error of a step over the size of the motion", &Dynamics::accuracy},
     NumberEntry<Dynamics>{"spectral_radius", "1", "at infinite frequency: 1 damps nothing", &Dynamics::spectral_radius},
-    NumberEntry<Dynamics>{"mass_damping", "1/s", "Rayleigh damping in proportion to the mass", &Dynamics::mass_damping_1_s},
+    NumberEntry<Dynamics>{"mass_damping", "1/s", "Rayleigh damping in proportion to the mass",
+                          &Dynamics::mass_damping_1_s},
     NumberEntry<Dynamics>{"stiffness_damping", "s", "Rayleigh damping in proportion to the undeformed stiffness",
                           &Dynamics::stiffness_damping_s},
 };
@@ -134,11 +140,13 @@ void read_settings(const GroupReader& control, model::Case& model) {
 }
 
 void write_courses(hid_t loads, const std::vector<model::TimeCourse>& courses) {
-    const GroupHandle group = create_group(loads, "course", "how the loads go with time in a dynamic case, one row a load");
+    const GroupHandle group =
+        create_group(loads, "course", "how the loads go with time in a dynamic case, one row a load");
     const hid_t id = group.get();
     write_texts(id, {"kind", "1", words_of(course_names)},
                 column(courses, [](const auto& c) { return std::string{name_of(course_names, c.kind)}; }));
-    write_list(id, {"rise", "s", "of a ramp; 0: the whole duration"}, column(courses, [](const auto& c) { return c.time_s; }));
+    write_list(id, {"rise", "s", "of a ramp; 0: the whole duration"},
+               column(courses, [](const auto& c) { return c.time_s; }));
     write_list(id, {"frequency", "1/s", "of a sine"}, column(courses, [](const auto& c) { return c.frequency_Hz; }));
     std::vector<std::int64_t> owners;
     std::vector<double> times, shares;
@@ -166,7 +174,8 @@ std::vector<model::TimeCourse> read_courses(const GroupReader& loads, std::int64
     const auto shares = table.array<double>("share", {extent(owners.size())});
     for (std::size_t i = 0; i < owners.size(); ++i) {
         if (owners[i] < 0 || owners[i] >= count)
-            throw table.refuse("load[" + std::to_string(i) + "]", "load " + std::to_string(owners[i]) + " does not exist");
+            throw table.refuse("load[" + std::to_string(i) + "]",
+                               "load " + std::to_string(owners[i]) + " does not exist");
         model::TimeCourse& course = courses[static_cast<std::size_t>(owners[i])];
         course.times_s.push_back(times[i]);
         course.shares.push_back(shares[i]);

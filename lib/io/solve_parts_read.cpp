@@ -44,8 +44,13 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
     const auto courses = read_courses(group, count);
     std::vector<model::PressureLoad> loads;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        loads.push_back({names[i], {}, sealed[i] == 1, {ambients[i], densities[i], dead_volumes[i], exponents[i]}, shapes[i],
-                         courses[i], {}});
+        loads.push_back({names[i],
+                         {},
+                         sealed[i] == 1,
+                         {ambients[i], densities[i], dead_volumes[i], exponents[i]},
+                         shapes[i],
+                         courses[i],
+                         {}});
         if (resistances[i] != 0) loads.back().line = model::SupplyLine{resistances[i]};
     }
     const GroupReader targets = group.group("targets");
@@ -53,7 +58,8 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
     const auto owners = targets.array<std::int64_t>("load", {extent(targeted.size())});
     for (std::size_t i = 0; i < targeted.size(); ++i) {
         if (owners[i] < 0 || owners[i] >= count)
-            throw targets.refuse("load[" + std::to_string(i) + "]", "load " + std::to_string(owners[i]) + " does not exist");
+            throw targets.refuse("load[" + std::to_string(i) + "]",
+                                 "load " + std::to_string(owners[i]) + " does not exist");
         loads[static_cast<std::size_t>(owners[i])].targets.push_back(targeted[i]);
     }
     return loads;
@@ -66,7 +72,8 @@ std::vector<model::TractionLoad> read_tractions(const GroupReader& group) {
         group.has("area") ? group.array<double>("area", {extent(faces.size())}) : std::vector(faces.size(), 0.0);
     const auto courses = read_courses(group, extent(faces.size()));
     std::vector<model::TractionLoad> tractions;
-    for (std::size_t i = 0; i < faces.size(); ++i) tractions.push_back({faces[i], triple<double>(values, i), courses[i], areas[i]});
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        tractions.push_back({faces[i], triple<double>(values, i), courses[i], areas[i]});
     return tractions;
 }
 

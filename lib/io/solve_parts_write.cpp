@@ -22,11 +22,14 @@ void write_materials(hid_t parent, const std::vector<model::Material>& materials
         if (material.bulk_modulus_Pa)
             write_number(one.get(), {"bulk_modulus", "Pa", "kappa; absent: incompressible"}, *material.bulk_modulus_Pa);
         if (material.density_kg_m3)
-            write_number(one.get(), {"density", "kg/m3", "undeformed; absent: no body force acts, and the path is static"},
+            write_number(one.get(),
+                         {"density", "kg/m3", "undeformed; absent: no body force acts, and the path is static"},
                          *material.density_kg_m3);
         if (material.fibers) {
-            const GroupHandle fibers = create_group(one.get(), "fibers", "laid into the region besides the law; absent: none");
-            write_number(fibers.get(), {"angle", "rad", "from the first direction of the frame"}, material.fibers->angle_rad);
+            const GroupHandle fibers =
+                create_group(one.get(), "fibers", "laid into the region besides the law; absent: none");
+            write_number(fibers.get(), {"angle", "rad", "from the first direction of the frame"},
+                         material.fibers->angle_rad);
             write_number(fibers.get(), {"k1", "Pa", "stiffness at small stretch"}, material.fibers->k1_Pa);
             write_number(fibers.get(), {"k2", "1", "how fast the fibres stiffen"}, material.fibers->k2);
             write_count(fibers.get(), {"families", "1", "2: at plus and minus the angle; 1: at plus the angle"},
@@ -93,7 +96,8 @@ void write_forces(hid_t loads_group, const model::Case& model) {
 }
 
 void write_motions(hid_t loads_group, const std::vector<model::Motion>& motions) {
-    const GroupHandle group = create_group(loads_group, "motions", "prescribed displacements at level 1, one row a load");
+    const GroupHandle group =
+        create_group(loads_group, "motions", "prescribed displacements at level 1, one row a load");
     std::vector<double> values;
     std::vector<std::uint8_t> moved;
     for (const model::Motion& motion : motions)
@@ -102,8 +106,8 @@ void write_motions(hid_t loads_group, const std::vector<model::Motion>& motions)
             moved.push_back(component.has_value());
         }
     write_texts(group.get(), {"face", "1", "named face"}, column(motions, [](const auto& m) { return m.face; }));
-    write_list(group.get(), {"moved", "1", "1 where x, y, z (axisymmetric: x, r, unused) is prescribed, else free"}, moved,
-               {motions.size(), 3});
+    write_list(group.get(), {"moved", "1", "1 where x, y, z (axisymmetric: x, r, unused) is prescribed, else free"},
+               moved, {motions.size(), 3});
     write_list(group.get(), {"displacement", "m", "x, y, z (axisymmetric: x, r, unused); 0 where free"}, values,
                {motions.size(), 3});
 }
@@ -144,7 +148,8 @@ void write_control(hid_t parent, const model::Case& model) {
                  path.imperfection_m);
     write_text(group.get(), {"contact", "1", "stop | ignore, where walls of the body touch"},
                name_of(contact_names, path.contact));
-    write_number(group.get(), {"stretch_limit", "1", "stretch_p99 beyond which a load that is never reached is given up"},
+    write_number(group.get(),
+                 {"stretch_limit", "1", "stretch_p99 beyond which a load that is never reached is given up"},
                  path.stretch_limit);
     const GroupHandle stages = create_group(group.get(), "stages", "the load programme, one group a stage: 0, 1 ...");
     for (std::size_t i = 0; i < path.stages.size(); ++i) write_stage(stages.get(), path.stages[i], i);

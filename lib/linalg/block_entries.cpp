@@ -32,7 +32,8 @@ std::size_t find(const MatrixRows& rows, PetscInt row, PetscInt column) {
     const PetscInt *first = rows.columns + rows.begin[row], *last = rows.columns + rows.begin[row + 1];
     const PetscInt* place = std::lower_bound(first, last, column);
     if (place == last || *place != column)
-        throw Error(ExitCode::internal, "matrix", "its pattern lacks row " + std::to_string(row) + ", column " + std::to_string(column));
+        throw Error(ExitCode::internal, "matrix",
+                    "its pattern lacks row " + std::to_string(row) + ", column " + std::to_string(column));
     return static_cast<std::size_t>(place - first);
 }
 
@@ -55,7 +56,8 @@ std::uint64_t pattern_hash(Mat K) {
 
 BlockPlaces::BlockPlaces(Mat K, std::span<const std::span<const PetscInt>> blocks) {
     const Parts parts = parts_of(K);
-    const MatrixRows diagonal = rows_of(parts.diagonal), rest = parts.rest == nullptr ? MatrixRows{} : rows_of(parts.rest);
+    const MatrixRows diagonal = rows_of(parts.diagonal),
+                     rest = parts.rest == nullptr ? MatrixRows{} : rows_of(parts.rest);
     PetscInt begin = 0, end = 0, first = 0, last = 0, rest_columns = 0;
     SOFT_PETSC(MatGetOwnershipRange(K, &begin, &end));
     SOFT_PETSC(MatGetOwnershipRangeColumn(K, &first, &last));

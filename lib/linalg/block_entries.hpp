@@ -26,9 +26,9 @@ private:
     struct Block {
         std::size_t dofs, places;  // where its own begin
     };
-    std::vector<Block> blocks_;           // and one beyond the last
-    std::vector<PetscInt> dofs_;          // [block][row]
-    std::vector<std::uint16_t> places_;   // [block][row][column] in the row; empty where a row is too long for them
+    std::vector<Block> blocks_;          // and one beyond the last
+    std::vector<PetscInt> dofs_;         // [block][row]
+    std::vector<std::uint16_t> places_;  // [block][row][column] in the row; empty where a row is too long for them
 };
 
 /// Holds the values of a matrix for the time of its life; MatZeroEntries before it tells solvers that they change.

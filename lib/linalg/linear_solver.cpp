@@ -39,7 +39,8 @@ PetscErrorCode solve_by_small_factors(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings& settings) : K_(K), settings_(settings) {
+LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings& settings)
+    : K_(K), settings_(settings) {
     SOFT_PETSC(KSPCreate(PetscObjectComm(reinterpret_cast<PetscObject>(K)), ksp_.out()));
     SOFT_PETSC(KSPSetType(ksp_, KSPFGMRES));
     SOFT_PETSC(KSPGMRESSetRestart(ksp_, restart_of(settings)));
@@ -55,7 +56,7 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings
 void LinearSolver::take_small_factors() {
     PetscBool sequential = PETSC_FALSE, chosen = PETSC_FALSE;
     PetscInt size = 0;
-    SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));   // by the user, of what set_type gives
+    SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // by the user, of what set_type gives
     SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(K_), MATSEQAIJ, &sequential));
     SOFT_PETSC(MatGetSize(K_, &size, nullptr));
     if (chosen == PETSC_TRUE || sequential == PETSC_FALSE || size > most_small_unknowns) return;
@@ -123,7 +124,7 @@ Factorization LinearSolver::factorize() {
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
     if (raised) {
-        SOFT_PETSC(KSPReset(ksp_));   // half made, with its vectors
+        SOFT_PETSC(KSPReset(ksp_));  // half made, with its vectors
         return {};
     }
     PCFailedReason failed = PC_NOERROR;
@@ -133,7 +134,7 @@ Factorization LinearSolver::factorize() {
     Mat factor = nullptr;
     SOFT_PETSC(PCFactorGetMatrix(pc, &factor));
     PetscInt status = 0;
-    SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));   // a failed MUMPS factorisation returns no PETSc error
+    SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));  // a failed MUMPS factorisation returns no PETSc error
     if (status < 0) return {false, std::nullopt, std::nullopt};
     if (is_type(pc, PCCHOLESKY)) {
         PetscInt negative = 0;
@@ -170,7 +171,9 @@ std::optional<bool> LinearSolver::determinant_is_negative() {
 LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
     LinearSolve result = solve_once(b, x);
     if (settings_.method != LinearMethod::automatic || factor == Factor::stale) return result;
-    const auto is_poor = [&] { return result.iterations > many_iterations_for_ldlt || (has_small_factors() && !result.converged); };
+    const auto is_poor = [&] {
+        return result.iterations > many_iterations_for_ldlt || (has_small_factors() && !result.converged);
+    };
     while (is_poor() && take_next_factorization()) {
         if (!factorize().succeeded) return {};
         result = solve_once(b, x);
@@ -194,7 +197,8 @@ bool LinearSolver::take_next_factorization() {
 LinearSolve LinearSolver::solve_roughly(Vec b, Vec x, double tolerance) {
     PetscReal usual = 0;
     SOFT_PETSC(KSPGetTolerances(ksp_, &usual, nullptr, nullptr, nullptr));
-    SOFT_PETSC(KSPSetTolerances(ksp_, std::max<PetscReal>(tolerance, usual), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
+    SOFT_PETSC(
+        KSPSetTolerances(ksp_, std::max<PetscReal>(tolerance, usual), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
     const LinearSolve result = solve_once(b, x);
     SOFT_PETSC(KSPSetTolerances(ksp_, usual, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT));
     return result;

@@ -21,14 +21,14 @@ namespace soft::linalg {
 
 struct Factorization {
     bool succeeded = false;
-    std::optional<PetscInt> negative_pivots;   ///< empty where the preconditioner is no LDL^T factor
-    std::optional<bool> determinant_is_negative;   ///< of an LU factor; empty for any other preconditioner
+    std::optional<PetscInt> negative_pivots;      ///< empty where the preconditioner is no LDL^T factor
+    std::optional<bool> determinant_is_negative;  ///< of an LU factor; empty for any other preconditioner
 };
 
 struct LinearSolve {
     bool converged = false;
     int iterations = 0;
-    bool at_limit = false;   ///< a Krylov method has reached its iteration limit: x is its best so far (inexact Newton)
+    bool at_limit = false;  ///< a Krylov method has reached its iteration limit: x is its best so far (inexact Newton)
     [[nodiscard]] bool usable() const noexcept { return converged || at_limit; }
 };
 
@@ -69,13 +69,14 @@ public:
     [[nodiscard]] LinearSolve improve(Vec b, Vec x);
 
     [[nodiscard]] bool is_krylov() const noexcept {
-        return settings_.method == model::LinearMethod::krylov || settings_.method == model::LinearMethod::jacobian_free;
+        return settings_.method == model::LinearMethod::krylov ||
+               settings_.method == model::LinearMethod::jacobian_free;
     }
     /// By a factorisation, whose stale factor is a good preconditioner for a while.
     [[nodiscard]] bool is_direct() const noexcept { return !is_krylov(); }
     [[nodiscard]] const model::LinearSettings& settings() const noexcept { return settings_; }
     [[nodiscard]] int factorizations() const noexcept { return factorizations_; }
-    [[nodiscard]] long iterations() const noexcept { return iterations_; }   ///< of all solves so far
+    [[nodiscard]] long iterations() const noexcept { return iterations_; }  ///< of all solves so far
     [[nodiscard]] KSP ksp() const noexcept { return ksp_; }
 
 private:
@@ -91,7 +92,7 @@ private:
 
     Mat K_, operator_ = nullptr;
     model::LinearSettings settings_;
-    std::optional<SparseLdlt> small_;           // behind the preconditioner of ksp_, which goes first
+    std::optional<SparseLdlt> small_;  // behind the preconditioner of ksp_, which goes first
     std::unique_ptr<Multigrid> multigrid_;
     KrylovSolver ksp_;
     int factorizations_ = 0;

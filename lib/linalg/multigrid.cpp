@@ -19,7 +19,7 @@ constexpr double bulk_over_shear = 2.0;
 /// Values of the rows of one block, all with the same columns.
 struct BlockRows {
     std::size_t columns = 0;
-    std::vector<double> values;   // [row][column]
+    std::vector<double> values;  // [row][column]
     void read(Mat B, PetscInt first, int size) {
         values.clear();
         for (PetscInt row = first; row < first + size; ++row) {
@@ -94,10 +94,10 @@ private:
     void solve_blocks(Vec from, Vec to, Kind kind) const;
 
     ElementLevels levels_;
-    bool mixed_ = false;              // there are pressures
+    bool mixed_ = false;  // there are pressures
     Matrix A_, B_;
-    std::vector<double> inverse_;     // of the blocks of C + M_g, one after the other
-    BlockPlaces places_;              // of the cells' displacements in A_
+    std::vector<double> inverse_;  // of the blocks of C + M_g, one after the other
+    BlockPlaces places_;           // of the cells' displacements in A_
     Preconditioner cycle_;
     Vector from_u_, to_u_, from_p_, to_p_;
     Scatter displacements_, pressures_;
@@ -171,7 +171,7 @@ void Multigrid::Parts::invert_blocks(Mat K) {
     const PetscInt* row = rows;
     for (const auto& block : levels_.blocks) {
         SmallMatrix sum(block.size);
-        SOFT_PETSC(MatGetValues(K, block.size, row, block.size, row, sum.values.data()));   // -C
+        SOFT_PETSC(MatGetValues(K, block.size, row, block.size, row, sum.values.data()));  // -C
         const double factor = block.kind == Kind::of_cell ? 1.0 / bulk_over_shear : 1.0;
         for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] = factor * block.mass[i] - sum.values[i];
         append_inverse(sum, inverse_);
@@ -218,15 +218,16 @@ void Multigrid::Parts::make_cycle(Mat A) {
     SOFT_PETSC(KSPSetType(smoother, KSPRICHARDSON));
     SOFT_PETSC(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, 1));
     SOFT_PETSC(KSPGetPC(smoother, &pc));
-    SOFT_PETSC(PCSetType(pc, PCSOR));   // the components of a node at once: PETSc finds rows of equal pattern
+    SOFT_PETSC(PCSetType(pc, PCSOR));  // the components of a node at once: PETSc finds rows of equal pattern
     SOFT_PETSC(PCSORSetSymmetric(pc, SOR_LOCAL_SYMMETRIC_SWEEP));
     // LDL^T: beyond a limit point the vertices feel the negative direction too.
     SOFT_PETSC(PCMGGetCoarseSolve(cycle_, &coarse));
     SOFT_PETSC(KSPGetPC(coarse, &pc));
     SOFT_PETSC(PCSetType(pc, PCCHOLESKY));
     SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-    set_defaults({{"-multigrid_mg_coarse_mat_mumps_icntl_14", "80"}, {"-multigrid_mg_coarse_mat_mumps_icntl_6", "0"},
-                  {"-multigrid_mg_coarse_mat_mumps_icntl_12", "1"}});   // as of K itself
+    set_defaults({{"-multigrid_mg_coarse_mat_mumps_icntl_14", "80"},
+                  {"-multigrid_mg_coarse_mat_mumps_icntl_6", "0"},
+                  {"-multigrid_mg_coarse_mat_mumps_icntl_12", "1"}});  // as of K itself
     SOFT_PETSC(PCSetFromOptions(cycle_));
 }
 

@@ -20,15 +20,15 @@ namespace soft::linalg {
 struct PressureBlock {
     enum class Kind { of_cell, of_vertex };
     Kind kind = Kind::of_cell;
-    int size = 1;                ///< consecutive unknowns; a vertex has 1
-    std::vector<double> mass;    ///< [size x size], over the shear modulus, in the scale of the pressure unknowns
+    int size = 1;              ///< consecutive unknowns; a vertex has 1
+    std::vector<double> mass;  ///< [size x size], over the shear modulus, in the scale of the pressure unknowns
 };
 
 /// What the preconditioner must know of the unknowns beside their matrix.
 struct ElementLevels {
-    IndexSet displacements, pressures;     ///< this rank's, ascending; together all of its unknowns
-    Matrix interpolation;                  ///< displacements (numbered as in the index set, rank after rank) x those of vertices
-    std::vector<PressureBlock> blocks;     ///< this rank's, they cover `pressures`
+    IndexSet displacements, pressures;  ///< this rank's, ascending; together all of its unknowns
+    Matrix interpolation;  ///< displacements (numbered as in the index set, rank after rank) x those of vertices
+    std::vector<PressureBlock> blocks;  ///< this rank's, they cover `pressures`
 };
 
 /// The preconditioner itself; what it is made of can be tuned by PETSc's options with the prefix multigrid_ (multigrid_mg_levels_,

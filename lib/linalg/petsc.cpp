@@ -14,7 +14,7 @@ void check(PetscErrorCode code, const char* call) {
     PetscErrorMessage(code, &text, nullptr);
     if (code == PETSC_ERR_MEM)
         throw Error(ExitCode::io_error, "solve", "out of memory", "use a coarser mesh or more memory");
-    if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_MISSING_FACTOR)   // types come from PETSc's options only
+    if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_MISSING_FACTOR)  // types come from PETSc's options only
         throw Error(ExitCode::usage, "PETSc", "has no solver or preconditioner of the type asked for behind --",
                     "see `solve CASE -- -help`");
     throw Error(ExitCode::internal, "PETSc", std::string(call) + " failed: " + (text != nullptr ? text : "unknown"));
@@ -48,7 +48,7 @@ std::vector<double> gather(Vec distributed) {
     SOFT_PETSC(VecScatterCreateToZero(distributed, to_zero.out(), all.out()));
     SOFT_PETSC(VecScatterBegin(to_zero, distributed, all, INSERT_VALUES, SCATTER_FORWARD));
     SOFT_PETSC(VecScatterEnd(to_zero, distributed, all, INSERT_VALUES, SCATTER_FORWARD));
-    PetscInt size = 0;   // 0 on the other ranks
+    PetscInt size = 0;  // 0 on the other ranks
     SOFT_PETSC(VecGetLocalSize(all, &size));
     const PetscScalar* values = nullptr;
     SOFT_PETSC(VecGetArrayRead(all, &values));

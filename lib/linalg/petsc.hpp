@@ -31,7 +31,7 @@ public:
     }
     [[nodiscard]] Handle get() const noexcept { return handle_; }
     operator Handle() const noexcept { return handle_; }
-    [[nodiscard]] Handle* out() noexcept { return &handle_; }   ///< for PETSc's create functions
+    [[nodiscard]] Handle* out() noexcept { return &handle_; }  ///< for PETSc's create functions
 
 private:
     Handle handle_ = nullptr;
@@ -44,13 +44,13 @@ using Scatter = Owned<VecScatter, VecScatterDestroy>;
 using IndexSet = Owned<IS, ISDestroy>;
 using NullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 
-[[nodiscard]] Vector duplicate(Vec like);   ///< same layout, zero
+[[nodiscard]] Vector duplicate(Vec like);  ///< same layout, zero
 [[nodiscard]] double dot(Vec a, Vec b);
 [[nodiscard]] double norm(Vec a);
 /// All values of a distributed vector on rank 0, empty elsewhere; and back from values known whole to every rank.
 [[nodiscard]] std::vector<double> gather(Vec distributed);
 void spread(std::span<const double> all, Vec distributed);
 void copy(Vec from, Vec to);
-void add(Vec y, double factor, Vec x);      ///< y += factor x
+void add(Vec y, double factor, Vec x);  ///< y += factor x
 
 }  // namespace soft::linalg

@@ -35,19 +35,23 @@ void set_mumps(PC pc, PCType type) {
     // ICNTL(33) = 1: the determinant, whose sign is all that LU tells of the inertia.
     // ICNTL(12) = 1, ICNTL(6) = 0: the order of elimination follows from the pattern of K alone, not from the values of the
     // first K that comes along, so that a path that is resumed in its middle is that of one run to the last digit.
-    set_defaults({{"-mat_mumps_icntl_14", "80"}, {"-mat_mumps_icntl_13", "1"}, {"-mat_mumps_icntl_33", "1"},
-                  {"-mat_mumps_icntl_12", "1"}, {"-mat_mumps_icntl_6", "0"}});
+    set_defaults({{"-mat_mumps_icntl_14", "80"},
+                  {"-mat_mumps_icntl_13", "1"},
+                  {"-mat_mumps_icntl_33", "1"},
+                  {"-mat_mumps_icntl_12", "1"},
+                  {"-mat_mumps_icntl_6", "0"}});
 }
 
 void set_cholmod(PC pc) {
     int ranks = 1;
     MPI_Comm_size(PetscObjectComm(reinterpret_cast<PetscObject>(pc)), &ranks);
     if (ranks > 1)
-        throw Error(ExitCode::bad_input, "solver.linear", "cholmod runs on one rank, these are " + std::to_string(ranks),
-                    "use mumps-ldlt, or one rank");
+        throw Error(ExitCode::bad_input, "solver.linear",
+                    "cholmod runs on one rank, these are " + std::to_string(ranks), "use mumps-ldlt, or one rank");
     set_factorization(pc, PCCHOLESKY, MATSOLVERCHOLMOD, "CHOLMOD (SuiteSparse)");
-    set_defaults({{"-mat_cholmod_print", "0"},   // its warnings go to stdout, which is for data
-                  {"-mat_cholmod_factor", "supernodal"}});   // LL^T: the simplicial LDL^T of small matrices takes any sign
+    set_defaults(
+        {{"-mat_cholmod_print", "0"},              // its warnings go to stdout, which is for data
+         {"-mat_cholmod_factor", "supernodal"}});  // LL^T: the simplicial LDL^T of small matrices takes any sign
 }
 
 void set_boomeramg(PC pc) {
@@ -65,7 +69,7 @@ void set_krylov(PC pc, Preconditioner preconditioner) {
         case Preconditioner::asm_boomeramg: return SOFT_PETSC(PCSetType(pc, PCASM));
         case Preconditioner::boomeramg: return set_boomeramg(pc);
         case Preconditioner::gamg: return SOFT_PETSC(PCSetType(pc, PCGAMG));
-        case Preconditioner::multigrid: return SOFT_PETSC(PCSetType(pc, PCSHELL));   // Multigrid::attach does the rest
+        case Preconditioner::multigrid: return SOFT_PETSC(PCSetType(pc, PCSHELL));  // Multigrid::attach does the rest
         case Preconditioner::jacobi: return SOFT_PETSC(PCSetType(pc, PCJACOBI));
         case Preconditioner::none: return SOFT_PETSC(PCSetType(pc, PCNONE));
     }
@@ -111,7 +115,7 @@ void set_block_type(PC pc, Preconditioner preconditioner) {
             case Preconditioner::gamg:
             case Preconditioner::multigrid:
             case Preconditioner::jacobi:
-            case Preconditioner::none: break;   // -pc_type asm behind --
+            case Preconditioner::none: break;  // -pc_type asm behind --
         }
         SOFT_PETSC(KSPSetFromOptions(solvers[i]));
     }

@@ -9,7 +9,8 @@ namespace soft::linalg {
 
 namespace {
 
-constexpr std::array<const char*, 8> phase_events{"Residual", "Tangent", "Measures", "Contact", "Writing", "LdltOrder", "LdltFactor", "LdltSolve"};
+constexpr std::array<const char*, 8> phase_events{"Residual", "Tangent",   "Measures",   "Contact",
+                                                  "Writing",  "LdltOrder", "LdltFactor", "LdltSolve"};
 
 constexpr const char* name_of(Phase phase) { return phase_events[static_cast<std::size_t>(phase)]; }
 
@@ -17,7 +18,8 @@ PetscLogEvent event_of(Phase phase) {
     // PETSc numbers events once a process; a name that is known keeps its number.
     static const std::array<PetscLogEvent, phase_events.size()> events = [] {
         std::array<PetscLogEvent, phase_events.size()> ids{};
-        for (std::size_t i = 0; i < ids.size(); ++i) SOFT_PETSC(PetscLogEventRegister(phase_events[i], KSP_CLASSID, &ids[i]));
+        for (std::size_t i = 0; i < ids.size(); ++i)
+            SOFT_PETSC(PetscLogEventRegister(phase_events[i], KSP_CLASSID, &ids[i]));
         return ids;
     }();
     return events[static_cast<std::size_t>(phase)];
@@ -43,7 +45,9 @@ ProfileRow row(const char* what, std::initializer_list<const char*> events) {
 
 }  // namespace
 
-Timed::Timed(Phase phase) : event_(event_of(phase)) { (void)PetscLogEventBegin(event_, nullptr, nullptr, nullptr, nullptr); }
+Timed::Timed(Phase phase) : event_(event_of(phase)) {
+    (void)PetscLogEventBegin(event_, nullptr, nullptr, nullptr, nullptr);
+}
 
 Timed::~Timed() { (void)PetscLogEventEnd(event_, nullptr, nullptr, nullptr, nullptr); }
 

@@ -28,7 +28,7 @@ void start_profile();
 struct ProfileRow {
     std::string what;
     long calls = 0;
-    double seconds = 0;   ///< of this rank
+    double seconds = 0;  ///< of this rank
 };
 
 /// In the order of a run; no two rows share time. Rows without calls are left out.

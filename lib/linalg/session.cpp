@@ -15,7 +15,7 @@ namespace soft::linalg {
 
 namespace {
 
-const auto petsc_print = PetscVFPrintf;   // PETSc's own, as it stands before anything replaces it
+const auto petsc_print = PetscVFPrintf;  // PETSc's own, as it stands before anything replaces it
 
 /// stdout carries data only; -log_view, -ksp_monitor and -help print there. PetscInitialize sets PETSC_STDOUT anew and
 /// prints before it returns, so that only this hook catches all.
@@ -29,7 +29,7 @@ Session::Session(const std::vector<std::string>& options) {
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) {
         // Values the user has set stay: overwrite = 0.
         setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);   // one for all: who ends removes it under who starts
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);  // one for all: who ends removes it under who starts
         setenv("OMPI_MCA_pml", "ob1", 0);
         setenv("OMPI_MCA_btl", "self,vader", 0);
     }
@@ -98,8 +98,8 @@ bool blas_kernel_is_poor(std::string& better) {
     const char* core = openblas_text("openblas_get_corename");
     if (core == nullptr) return false;
     const std::string_view kernel{core};
-    const bool old_kernel = kernel == "Prescott" || kernel == "Core2" || kernel == "Nehalem" || kernel == "Generic" ||
-                            kernel == "generic";
+    const bool old_kernel =
+        kernel == "Prescott" || kernel == "Core2" || kernel == "Nehalem" || kernel == "Generic" || kernel == "generic";
 #if defined(__x86_64__)
     if (old_kernel && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl")) {
         better = "SkylakeX";

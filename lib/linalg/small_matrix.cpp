@@ -1,7 +1,7 @@
 #include "linalg/small_matrix.hpp"
 
-#include <petscsys.h>
 #include <petscblaslapack.h>
+#include <petscsys.h>
 
 #include <algorithm>
 #include <cmath>

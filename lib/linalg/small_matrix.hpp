@@ -9,7 +9,7 @@ namespace soft::linalg {
 
 struct SmallMatrix {
     int size = 0;
-    std::vector<double> values;   ///< [row x size + column]
+    std::vector<double> values;  ///< [row x size + column]
 
     explicit SmallMatrix(int n = 0) : size(n), values(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), 0.0) {}
     [[nodiscard]] double& at(int row, int column) { return values[static_cast<std::size_t>(row * size + column)]; }

@@ -21,9 +21,9 @@ constexpr double least_diagonal = 1e-6;
 
 struct SparseLdlt::Parts {
     cholmod_common common{};
-    cholmod_sparse* upper = nullptr;     // row i of K's upper triangle as column i of the lower one
+    cholmod_sparse* upper = nullptr;  // row i of K's upper triangle as column i of the lower one
     cholmod_factor* factor = nullptr;
-    cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;   // of cholmod_solve2, kept from solve to solve
+    cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;  // of cholmod_solve2, kept from solve to solve
     std::vector<double> diagonal;
     double flops = 0;
 
@@ -77,7 +77,8 @@ void SparseLdlt::Parts::read_values(const MatrixRows& rows) {
     auto* value = static_cast<double*>(upper->x);
     for (PetscInt row = 0; row < rows.count; ++row)
         for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
-            if (rows.columns[k] >= row) *value++ = rows.columns[k] == row ? bounded_diagonal(rows, row) : rows.values[k];
+            if (rows.columns[k] >= row)
+                *value++ = rows.columns[k] == row ? bounded_diagonal(rows, row) : rows.values[k];
 }
 
 double SparseLdlt::Parts::bounded_diagonal(const MatrixRows& rows, PetscInt row) const {
@@ -112,7 +113,8 @@ bool SparseLdlt::factorize(Mat K) {
     if (parts_->common.status != CHOLMOD_OK || factor.minor < factor.n) return false;
     const auto* start = static_cast<const int*>(factor.p);
     const auto* value = static_cast<const double*>(factor.x);
-    return std::all_of(start, start + factor.n, [&](int first) { return std::isfinite(value[first]) && value[first] != 0.0; });
+    return std::all_of(start, start + factor.n,
+                       [&](int first) { return std::isfinite(value[first]) && value[first] != 0.0; });
 }
 
 PetscInt SparseLdlt::negative_pivots() const {
@@ -128,10 +130,11 @@ void SparseLdlt::solve(Vec b, Vec x) {
     cholmod_dense right{};
     right.nrow = right.d = right.nzmax = parts_->factor->n;
     right.ncol = 1;
-    right.x = const_cast<PetscScalar*>(from);   // CHOLMOD only reads it
+    right.x = const_cast<PetscScalar*>(from);  // CHOLMOD only reads it
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
-    cholmod_solve2(CHOLMOD_A, parts_->factor, &right, nullptr, &parts_->x, nullptr, &parts_->y, &parts_->e, &parts_->common);
+    cholmod_solve2(CHOLMOD_A, parts_->factor, &right, nullptr, &parts_->x, nullptr, &parts_->y, &parts_->e,
+                   &parts_->common);
     SOFT_PETSC(VecRestoreArrayRead(b, &from));
     parts_->check();
     PetscScalar* to = nullptr;

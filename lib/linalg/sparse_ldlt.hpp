@@ -22,7 +22,7 @@ public:
     SparseLdlt(SparseLdlt&&) noexcept;
     SparseLdlt& operator=(SparseLdlt&&) noexcept;
 
-    [[nodiscard]] double flops() const;          ///< of one factorisation
+    [[nodiscard]] double flops() const;  ///< of one factorisation
     /// False where a pivot vanishes or is not finite: there is no factor then.
     [[nodiscard]] bool factorize(Mat K);
     /// The number of negative eigenvalues of the matrix that was factorised (Sylvester).

@@ -21,7 +21,7 @@ std::vector<LawInfo> infos_of(std::tuple<L...>*) {
 }
 
 double fallback_value(const Parameter& parameter) {
-    double value = 0;   // a plain number, or one in the SI unit: held by catalogue_test
+    double value = 0;  // a plain number, or one in the SI unit: held by catalogue_test
     std::from_chars(parameter.fallback.data(), parameter.fallback.data() + parameter.fallback.size(), value);
     return value;
 }
@@ -57,7 +57,8 @@ Constants checked(const LawInfo& law, const Constants& given) {
 void check(const Fibers& fibers) {
     constexpr double right_angle_rad = 1.5707963267948966;
     if (!(fibers.angle_rad >= 0.0 && fibers.angle_rad <= right_angle_rad))
-        refuse("fibers.angle", core::number_text(fibers.angle_rad) + " rad is outside its range", "0 to 90 degrees from the axis");
+        refuse("fibers.angle", core::number_text(fibers.angle_rad) + " rad is outside its range",
+               "0 to 90 degrees from the axis");
     if (!(fibers.k1_Pa > 0.0)) refuse("fibers.k1", core::number_text(fibers.k1_Pa) + " Pa is not positive");
     if (!(fibers.k2 > 0.0)) refuse("fibers.k2", core::number_text(fibers.k2) + " is not positive");
     if (fibers.families != 1 && fibers.families != 2)
@@ -68,12 +69,14 @@ template <Law L>
 std::optional<Fibers> fibers_in(const Constants& constants, const Description& description) {
     const std::string law = "the law " + std::string(L::info().name);
     if constexpr (FiberLaw<L>) {
-        if (description.fibers) refuse("fibers", law + " has its own", "a law without fibres for the rubber between them");
+        if (description.fibers)
+            refuse("fibers", law + " has its own", "a law without fibres for the rubber between them");
         return L::fibers_from(constants);
     } else {
         if (!description.fibers) return std::nullopt;
         if (!MayHaveFibers<L>)
-            refuse("fibers", law + " has no finite-strain energy to which theirs could be added", "neo-hookean, for example");
+            refuse("fibers", law + " has no finite-strain energy to which theirs could be added",
+                   "neo-hookean, for example");
         check(*description.fibers);
         return description.fibers;
     }
@@ -85,14 +88,17 @@ Rubber<L> rubber_of(const Constants& constants, const Description& description) 
                      fibers_in<L>(constants, description)};
     if (!description.bulk_modulus_Pa) {
         if (L::info().bulk == Bulk::finite)
-            refuse("kappa", "the law " + std::string(L::info().name) + " has no incompressible form", "give a bulk modulus");
+            refuse("kappa", "the law " + std::string(L::info().name) + " has no incompressible form",
+                   "give a bulk modulus");
         return rubber;
     }
     double modulus_Pa = *description.bulk_modulus_Pa;
     if constexpr (requires { rubber.law.dilatation_modulus_Pa(modulus_Pa); })
         modulus_Pa = rubber.law.dilatation_modulus_Pa(modulus_Pa);
     if (!(modulus_Pa > 0.0))
-        refuse("kappa", core::number_text(*description.bulk_modulus_Pa) + " Pa is too small for the law " + std::string(L::info().name),
+        refuse("kappa",
+               core::number_text(*description.bulk_modulus_Pa) + " Pa is too small for the law " +
+                   std::string(L::info().name),
                "the bulk modulus of a rubber is far above its shear modulus");
     if constexpr (requires { rubber.law.kappa_Pa; }) rubber.law.kappa_Pa = modulus_Pa;
     rubber.inverse_bulk_modulus = 1.0 / modulus_Pa;
@@ -137,7 +143,8 @@ std::string why_not(const AnyRubber& rubber, Form form) {
     const LawInfo& law = info_of(rubber);
     const std::string name = "the law " + std::string(law.name);
     if (form == Form::mixed)
-        return law.mixed ? "" : name + " is a stress without an energy and has no mixed form; use formulation displacement";
+        return law.mixed ? ""
+                         : name + " is a stress without an energy and has no mixed form; use formulation displacement";
     if (form == Form::f_bar && !law.f_bar)
         return name + " has no F-bar form; use formulation displacement" + (law.mixed ? " or mixed" : "");
     if (bulk_modulus_Pa(rubber)) return {};
@@ -159,7 +166,7 @@ double reference_stress_Pa(const AnyRubber& rubber) {
     double largest = 0;
     std::visit(
         [&]<class L>(const Rubber<L>& r) {
-            if constexpr (StressLaw<L>) {   // an energy of strains or isochoric stretches has its minimum at rest
+            if constexpr (StressLaw<L>) {  // an energy of strains or isochoric stretches has its minimum at rest
                 PointResponse point;
                 displacement_response(r, {}, identity_tensor, Wanted::stress, point);
                 for (const double P : point.first_piola) largest = std::max(largest, std::abs(P));

@@ -19,11 +19,11 @@ namespace soft::material {
 /// What a design states of a rubber.
 struct Description {
     std::string_view law;
-    Constants constants = {};                     ///< SI, by the names of LawInfo::parameters; optional ones may be missing
-    std::optional<double> bulk_modulus_Pa = {};   ///< kappa; nullopt = incompressible
+    Constants constants = {};  ///< SI, by the names of LawInfo::parameters; optional ones may be missing
+    std::optional<double> bulk_modulus_Pa = {};  ///< kappa; nullopt = incompressible
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     FiberFrame fiber_frame = FiberFrame::cartesian;
-    std::optional<Fibers> fibers = {};            ///< besides the law; not where the law brings its own
+    std::optional<Fibers> fibers = {};  ///< besides the law; not where the law brings its own
 };
 
 /// Throws Error (bad_input) whose place is the parameter's name ("mu", "kappa", "law") for an unknown law, a missing or

@@ -49,9 +49,9 @@ void invariant_gradients(const TensorOf<T>& F, const TensorOf<T>& C, std::array<
 template <class T>
 struct TangentParts {
     std::array<TensorOf<T>, 3> gradient;
-    std::array<TensorOf<T>, 3> weight;   // [a][n] dW_a/dF_n, and W2 dI1/dF_n in a = 0
+    std::array<TensorOf<T>, 3> weight;  // [a][n] dW_a/dF_n, and W2 dI1/dF_n in a = 0
     TensorOf<T> F, C, b;
-    T twice_W2, WJ, diagonal;            // diagonal: 2 (W1 + W2 I1)
+    T twice_W2, WJ, diagonal;  // diagonal: 2 (W1 + W2 I1)
 };
 
 /// A_iJkL = sum_a weight_a,kL dIa/dF_iJ + second derivatives:
@@ -91,7 +91,8 @@ inline void tangent_entries(const TangentParts<T>& parts, Sink&& sink) {
             }
         };
         (entry(std::integral_constant<int, K / 9>{}, std::integral_constant<int, K % 9>{}), ...);
-    }(std::make_index_sequence<81>{});
+    }
+    (std::make_index_sequence<81>{});
 }
 
 }  // namespace detail
@@ -126,7 +127,8 @@ void chain_rule(const TensorOf<T>& F, const std::array<T, 3>& theta_slopes, Tens
     std::array<TensorOf<T>, 3> gradient;
     detail::invariant_gradients(F, right_cauchy_green(F), gradient);
     for (int m = 0; m < 9; ++m)
-        dtheta_dF[m] = theta_slopes[0] * gradient[0][m] + theta_slopes[1] * gradient[1][m] + theta_slopes[2] * gradient[2][m];
+        dtheta_dF[m] =
+            theta_slopes[0] * gradient[0][m] + theta_slopes[1] * gradient[1][m] + theta_slopes[2] * gradient[2][m];
 }
 
 }  // namespace soft::material

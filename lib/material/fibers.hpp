@@ -9,10 +9,10 @@
 namespace soft::material {
 
 struct Fibers {
-    double angle_rad = 0;   ///< from e1, 0 to pi/2
-    double k1_Pa = 0;       ///< > 0, stiffness at small stretch
-    double k2 = 1;          ///< > 0, how fast it grows
-    int families = 2;       ///< 2: at plus and minus the angle; 1: at plus the angle
+    double angle_rad = 0;  ///< from e1, 0 to pi/2
+    double k1_Pa = 0;      ///< > 0, stiffness at small stretch
+    double k2 = 1;         ///< > 0, how fast it grows
+    int families = 2;      ///< 2: at plus and minus the angle; 1: at plus the angle
 
     bool operator==(const Fibers&) const = default;
 };

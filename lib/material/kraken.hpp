@@ -25,7 +25,8 @@ struct Kraken {
     static LawInfo info() {
         return {.name = "kraken",
                 .energy = "no energy; Cauchy stress kappa (J - 1) I + mu B",
-                .validity = "the reference work's stress, to reproduce its numbers; the undeformed state carries the stress mu",
+                .validity =
+                    "the reference work's stress, to reproduce its numbers; the undeformed state carries the stress mu",
                 .source = "MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot Simulations (2022), Eq. 2",
                 .parameters = {{.name = "mu",
                                 .meaning = "twice the paper's C1",

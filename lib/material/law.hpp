@@ -23,9 +23,9 @@
 
 #include "core/dual.hpp"
 #include "core/tensor.hpp"
-#include "material/form.hpp"
 #include "material/arruda_boyce.hpp"
 #include "material/fibers.hpp"
+#include "material/form.hpp"
 #include "material/gent.hpp"
 #include "material/holzapfel_gasser_ogden.hpp"
 #include "material/kraken.hpp"
@@ -50,7 +50,7 @@ struct Rubber {
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     double inverse_bulk_modulus = 0;
     FiberFrame fiber_frame = FiberFrame::cartesian;
-    std::optional<Fibers> fibers = {};   ///< only of laws with MayHaveFibers
+    std::optional<Fibers> fibers = {};  ///< only of laws with MayHaveFibers
 };
 
 template <class L>
@@ -84,12 +84,12 @@ concept StressLaw = requires(const L& law, const Invariants<Dual<3>>& I, const D
 template <class L>
 concept MayHaveFibers = !StressLaw<L> && !std::same_as<L, LinearElastic>;
 template <class L>
-concept Law = (InvariantLaw<L> || StretchLaw<L> || CoupledLaw<L> || StressLaw<L> || std::same_as<L, LinearElastic>) &&
-              requires(const L& law, const Constants& constants) {
-                  { law.initial_shear_modulus_Pa() } -> std::same_as<double>;
-                  { L::info() } -> std::same_as<LawInfo>;
-                  { L::from(constants) } -> std::same_as<L>;
-              };
+concept Law = (InvariantLaw<L> || StretchLaw<L> || CoupledLaw<L> || StressLaw<L> ||
+               std::same_as<L, LinearElastic>)&&requires(const L& law, const Constants& constants) {
+    { law.initial_shear_modulus_Pa() } -> std::same_as<double>;
+    { L::info() } -> std::same_as<LawInfo>;
+    { L::from(constants) } -> std::same_as<L>;
+};
 
 template <class List>
 struct RubberOf;

@@ -16,15 +16,16 @@ struct NeoHookean {
     [[nodiscard]] double initial_shear_modulus_Pa() const { return mu_Pa; }
 
     static LawInfo info() {
-        return {.name = "neo-hookean",
-                .energy = "mu/2 (I1 - 3)",
-                .validity = "one constant; good to stretches of about 1.5, stable everywhere",
-                .source = "Treloar, Trans. Faraday Soc. 39 (1943) 241",
-                .parameters = {{.name = "mu",
-                                .meaning = "initial shear modulus, a third of Young's modulus of an incompressible rubber",
-                                .example = "0.1644 MPa",
-                                .min = 0,
-                                .min_open = true}}};
+        return {
+            .name = "neo-hookean",
+            .energy = "mu/2 (I1 - 3)",
+            .validity = "one constant; good to stretches of about 1.5, stable everywhere",
+            .source = "Treloar, Trans. Faraday Soc. 39 (1943) 241",
+            .parameters = {{.name = "mu",
+                            .meaning = "initial shear modulus, a third of Young's modulus of an incompressible rubber",
+                            .example = "0.1644 MPa",
+                            .min = 0,
+                            .min_open = true}}};
     }
     static NeoHookean from(const Constants& constants) { return {constants.at("mu").front()}; }
 };

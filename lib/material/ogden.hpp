@@ -57,16 +57,19 @@ struct Ogden {
         const auto& mu = constants.at("mu");
         const auto& alpha = constants.at("alpha");
         if (mu.size() != alpha.size())
-            throw Error(ExitCode::bad_input, "alpha", "mu has " + std::to_string(mu.size()) + " values and alpha " +
-                        std::to_string(alpha.size()), "write one exponent for each modulus");
+            throw Error(ExitCode::bad_input, "alpha",
+                        "mu has " + std::to_string(mu.size()) + " values and alpha " + std::to_string(alpha.size()),
+                        "write one exponent for each modulus");
         Ogden law;
         for (std::size_t i = 0; i < mu.size() && i < most_terms; ++i) {
-            if (alpha[i] == 0.0) throw Error(ExitCode::bad_input, "alpha", "an exponent of 0 gives no energy", "leave the term out");
+            if (alpha[i] == 0.0)
+                throw Error(ExitCode::bad_input, "alpha", "an exponent of 0 gives no energy", "leave the term out");
             law.terms[i] = {mu[i], alpha[i]};
             ++law.count;
         }
         if (!(law.initial_shear_modulus_Pa() > 0.0))
-            throw Error(ExitCode::bad_input, "mu", "the initial shear modulus, half the sum of mu_i alpha_i, is not positive",
+            throw Error(ExitCode::bad_input, "mu",
+                        "the initial shear modulus, half the sum of mu_i alpha_i, is not positive",
                         "check the signs of mu and alpha");
         return law;
     }

@@ -17,26 +17,26 @@ enum class Quantity { pressure, ratio, angle, count };
 struct Parameter {
     std::string_view name;
     Quantity quantity = Quantity::pressure;
-    std::string_view meaning;          ///< one sentence, no full stop
-    std::string_view example;          ///< as in a design, with its unit; also what a template shows
-    double min = -std::numeric_limits<double>::infinity();   ///< SI, exclusive where min_open
+    std::string_view meaning;  ///< one sentence, no full stop
+    std::string_view example;  ///< as in a design, with its unit; also what a template shows
+    double min = -std::numeric_limits<double>::infinity();  ///< SI, exclusive where min_open
     double max = std::numeric_limits<double>::infinity();
     bool min_open = false;
-    std::string_view fallback = {};    ///< as in a design; empty: the parameter is required
-    int most = 1;                      ///< 1: a single value; else a list of 1 to `most` values
+    std::string_view fallback = {};  ///< as in a design; empty: the parameter is required
+    int most = 1;                    ///< 1: a single value; else a list of 1 to `most` values
 };
 
 /// How the design states the resistance to a change of volume.
 enum class Bulk {
-    selectable,   ///< kappa: a modulus, or incompressible
-    finite        ///< kappa: a modulus; the law has no incompressible limit
+    selectable,  ///< kappa: a modulus, or incompressible
+    finite       ///< kappa: a modulus; the law has no incompressible limit
 };
 
 struct LawInfo {
     std::string_view name;
-    std::string_view energy;           ///< W per undeformed volume, or the stress where there is no energy
-    std::string_view validity;         ///< what the law is for, and its limits; one sentence
-    std::string_view source;           ///< author, year, place
+    std::string_view energy;    ///< W per undeformed volume, or the stress where there is no energy
+    std::string_view validity;  ///< what the law is for, and its limits; one sentence
+    std::string_view source;    ///< author, year, place
     std::vector<Parameter> parameters;
     Bulk bulk = Bulk::selectable;
     bool takes_volumetric = true;      ///< the design's `volumetric` chooses Theta(J)

@@ -6,7 +6,9 @@ namespace {
 
 constexpr int slope_count = 15;
 
-std::size_t numbers(int components, int stride) { return static_cast<std::size_t>(components) * static_cast<std::size_t>(stride); }
+std::size_t numbers(int components, int stride) {
+    return static_cast<std::size_t>(components) * static_cast<std::size_t>(stride);
+}
 
 template <std::size_t N>
 void load_all(const double* from, int stride, std::array<Lanes, N>& to) {
@@ -21,9 +23,18 @@ void store_all(const std::array<Lanes, N>& from, int stride, double* to) {
 }  // namespace
 
 PointBatch::PointBatch(int count, Components wanted)
-    : points(count), components(wanted), stride(padded(count)), F(numbers(9, stride)), p(numbers(1, stride)), axes(static_cast<std::size_t>(count)),
-      first_piola(numbers(9, stride)), tangent(numbers(81, stride)), theta(numbers(1, stride)), dtheta_dF(numbers(9, stride)),
-      invariants(numbers(3, stride)), slopes(numbers(slope_count, stride)) {}
+    : points(count),
+      components(wanted),
+      stride(padded(count)),
+      F(numbers(9, stride)),
+      p(numbers(1, stride)),
+      axes(static_cast<std::size_t>(count)),
+      first_piola(numbers(9, stride)),
+      tangent(numbers(81, stride)),
+      theta(numbers(1, stride)),
+      dtheta_dF(numbers(9, stride)),
+      invariants(numbers(3, stride)),
+      slopes(numbers(slope_count, stride)) {}
 
 Tensor PointBatch::gradient(int q) const {
     Tensor value;
@@ -99,7 +110,8 @@ inline void apply_to_all(PointBatch& batch, Form form, Wanted wanted) {
             for (int b = 0; b < 3; ++b) energy.second[a][b] = slopes[3 + 3 * a + b];
         }
         double* A = &batch.tangent[q];
-        chain_rule<Which, Kind>(F, energy, wanted, P, [&](int m, int n, const Lanes& entry) { store(entry, A + (9 * m + n) * stride); });
+        chain_rule<Which, Kind>(F, energy, wanted, P,
+                                [&](int m, int n, const Lanes& entry) { store(entry, A + (9 * m + n) * stride); });
         store_all(P, stride, &batch.first_piola[q]);
         if (form != Form::mixed) continue;
         chain_rule(F, {slopes[12], slopes[13], slopes[14]}, dtheta_dF);
@@ -108,11 +120,17 @@ inline void apply_to_all(PointBatch& batch, Form form, Wanted wanted) {
 }
 
 SOFT_VECTOR_CLONES
-void apply_planar(PointBatch& batch, Form form, Wanted wanted) { apply_to_all<Components::planar, Symmetry::energy>(batch, form, wanted); }
+void apply_planar(PointBatch& batch, Form form, Wanted wanted) {
+    apply_to_all<Components::planar, Symmetry::energy>(batch, form, wanted);
+}
 SOFT_VECTOR_CLONES
-void apply_spatial(PointBatch& batch, Form form, Wanted wanted) { apply_to_all<Components::all, Symmetry::energy>(batch, form, wanted); }
+void apply_spatial(PointBatch& batch, Form form, Wanted wanted) {
+    apply_to_all<Components::all, Symmetry::energy>(batch, form, wanted);
+}
 SOFT_VECTOR_CLONES
-void apply_unsymmetric(PointBatch& batch, Form form, Wanted wanted) { apply_to_all<Components::all, Symmetry::none>(batch, form, wanted); }
+void apply_unsymmetric(PointBatch& batch, Form form, Wanted wanted) {
+    apply_to_all<Components::all, Symmetry::none>(batch, form, wanted);
+}
 
 void apply_chain_rules(PointBatch& batch, Form form, Symmetry symmetry, Wanted wanted) {
     if (symmetry == Symmetry::none) return apply_unsymmetric(batch, form, wanted);

@@ -15,17 +15,17 @@ struct PointBatch {
     explicit PointBatch(int count, Components wanted = Components::all);
 
     int points;
-    Components components;               ///< those of P and A that are wanted; planar F must be
-    int stride;                          ///< padded(points)
-    std::vector<double> F;               ///< [9]
-    std::vector<double> p;               ///< pressure unknown's value [Pa] (mixed form only)
-    std::vector<FiberAxes> axes;         ///< one a point; only rubbers with fibres look at them
-    std::vector<double> first_piola;     ///< [9] P = dW/dF [Pa]
-    std::vector<double> tangent;         ///< [81] A = dP/dF [Pa] (only if asked for)
-    std::vector<double> theta;           ///< Theta (mixed form only)
-    std::vector<double> dtheta_dF;       ///< [9] (mixed form only)
-    std::vector<double> invariants;      ///< [3] I1, I2, J
-    std::vector<double> slopes;          ///< [15] W_a, dW_a/dI_b, dTheta/dI_a: work space
+    Components components;            ///< those of P and A that are wanted; planar F must be
+    int stride;                       ///< padded(points)
+    std::vector<double> F;            ///< [9]
+    std::vector<double> p;            ///< pressure unknown's value [Pa] (mixed form only)
+    std::vector<FiberAxes> axes;      ///< one a point; only rubbers with fibres look at them
+    std::vector<double> first_piola;  ///< [9] P = dW/dF [Pa]
+    std::vector<double> tangent;      ///< [81] A = dP/dF [Pa] (only if asked for)
+    std::vector<double> theta;        ///< Theta (mixed form only)
+    std::vector<double> dtheta_dF;    ///< [9] (mixed form only)
+    std::vector<double> invariants;   ///< [3] I1, I2, J
+    std::vector<double> slopes;       ///< [15] W_a, dW_a/dI_b, dTheta/dI_a: work space
 
     [[nodiscard]] Tensor gradient(int q) const;
     void set_gradient(int q, const Tensor& value);

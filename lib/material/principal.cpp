@@ -5,7 +5,7 @@ namespace {
 
 /// d / tanh(2 d), 1/2 at d = 0.
 double quotient_of_tanh(double d) {
-    if (std::abs(d) < 1e-4) return 0.5 + 2.0 * d * d / 3.0;   // the next term is d^4
+    if (std::abs(d) < 1e-4) return 0.5 + 2.0 * d * d / 3.0;  // the next term is d^4
     return d / std::tanh(2.0 * d);
 }
 
@@ -42,8 +42,7 @@ void add_principal_chain_rule(const Tensor& F, const Spectral& C, const Principa
         const int a = pair == 2 ? 1 : 0, b = pair == 0 ? 1 : 2;
         const double d = 0.25 * std::log(C.value[b] / C.value[a]);
         const double mean = 0.5 * (slopes.first[a] + slopes.first[b]);
-        shear[a][b] = shear[b][a] =
-            (slopes.difference[pair] * quotient_of_tanh(d) - mean) / (C.value[a] * C.value[b]);
+        shear[a][b] = shear[b][a] = (slopes.difference[pair] * quotient_of_tanh(d) - mean) / (C.value[a] * C.value[b]);
     }
     for (int i = 0; i < 3; ++i)
         for (int J = 0; J < 3; ++J)

@@ -18,9 +18,9 @@
 namespace soft::material {
 
 struct PrincipalSlopes {
-    std::array<double, 3> first{};                     ///< tau_a
-    std::array<std::array<double, 3>, 3> second{};     ///< H_ab
-    std::array<double, 3> difference{};                ///< r of the pairs (0, 1), (0, 2), (1, 2)
+    std::array<double, 3> first{};                  ///< tau_a
+    std::array<std::array<double, 3>, 3> second{};  ///< H_ab
+    std::array<double, 3> difference{};             ///< r of the pairs (0, 1), (0, 2), (1, 2)
 };
 
 /// Adds P and (unless null) A = dP/dF of an energy with these slopes; `C` is the spectral form of F^T F.
@@ -48,7 +48,7 @@ template <class L>
     // Beyond this the plain quotient has lost less than two digits of the fourteen it starts with; within it the
     // Gauss rule's error, of order (alpha d)^6 / 2e6, is below rounding for any exponent in use.
     constexpr double near = 0.01;
-    constexpr std::array<double, 3> place{0.11270166537925831, 0.5, 0.88729833462074169};   // Gauss-Legendre on [0, 1]
+    constexpr std::array<double, 3> place{0.11270166537925831, 0.5, 0.88729833462074169};  // Gauss-Legendre on [0, 1]
     constexpr std::array<double, 3> weight{5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
     PrincipalSlopes slopes;
     const Dual<3> W = energy_of_log_stretches(law, e);

@@ -6,7 +6,7 @@ namespace {
 
 /// Adds the pull of fibres along the unit vector a0: w1 = dW/dI4, w2 = d2W/dI4^2.
 void add_fiber_response(const Tensor& F, const Vector3& a0, const Dual<1>& energy, Wanted wanted, PointResponse& out) {
-    Vector3 a;   // F a0
+    Vector3 a;  // F a0
     for (int i = 0; i < 3; ++i) a[i] = F[3 * i] * a0[0] + F[3 * i + 1] * a0[1] + F[3 * i + 2] * a0[2];
     const double slope = 2.0 * energy.g[0], curvature = 4.0 * energy.hessian(0, 0);
     for (int i = 0; i < 3; ++i)
@@ -45,7 +45,8 @@ void apply_chain_rule(const Tensor& F, const Slopes& slopes, Wanted wanted, Poin
                                                 [&](int m, int n, double entry) { out.tangent[9 * m + n] = entry; });
 }
 
-void add_fibers_response(const Fibers& fibers, const FiberAxes& axes, const Tensor& F, Wanted wanted, PointResponse& out) {
+void add_fibers_response(const Fibers& fibers, const FiberAxes& axes, const Tensor& F, Wanted wanted,
+                         PointResponse& out) {
     for (int family = 0; family < fibers.families; ++family) {
         const Vector3 a0 = fiber_direction(fibers, axes, family);
         const auto energy = fiber_energy(fibers, Dual<1>::variable(squared_fiber_stretch(F, a0), 0));
@@ -61,8 +62,7 @@ void linear_response(double mu_Pa, const Tensor& F, double p, Wanted wanted, Poi
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             const double twice_strain = F[3 * i + j] + F[3 * j + i] - (i == j ? 2.0 : 0.0);
-            out.first_piola[3 * i + j] =
-                mu_Pa * twice_strain + (i == j ? p - 2.0 * mu_Pa * dilatation / 3.0 : 0.0);
+            out.first_piola[3 * i + j] = mu_Pa * twice_strain + (i == j ? p - 2.0 * mu_Pa * dilatation / 3.0 : 0.0);
         }
     if (wanted == Wanted::stress) return;
     out.tangent.fill(0.0);

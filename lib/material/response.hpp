@@ -42,11 +42,11 @@ struct FiberAxes {
 
 /// What an integration point gives the element. Reference configuration, Pa.
 struct PointResponse {
-    Tensor first_piola;      ///< P = dW/dF
-    Tangent tangent;         ///< A = dP/dF (only if asked for)
-    double jacobian = 1;     ///< J = det F
-    double theta = 0;        ///< Theta (mixed form only)
-    Tensor dtheta_dF;        ///< dTheta/dF (mixed form only)
+    Tensor first_piola;   ///< P = dW/dF
+    Tangent tangent;      ///< A = dP/dF (only if asked for)
+    double jacobian = 1;  ///< J = det F
+    double theta = 0;     ///< Theta (mixed form only)
+    Tensor dtheta_dF;     ///< dTheta/dF (mixed form only)
 };
 
 /// P, and A where it is wanted, from slopes by (I1, I2, J).
@@ -56,7 +56,8 @@ void apply_chain_rule(const Tensor& F, const Slopes& slopes, Wanted wanted, Poin
 [[nodiscard]] Slopes slopes_of(const std::array<Dual<3>, 3>& coefficients);
 
 /// Adds the pull of all families.
-void add_fibers_response(const Fibers& fibers, const FiberAxes& axes, const Tensor& F, Wanted wanted, PointResponse& out);
+void add_fibers_response(const Fibers& fibers, const FiberAxes& axes, const Tensor& F, Wanted wanted,
+                         PointResponse& out);
 
 /// Small strain: P = 2 mu dev e + p I, with Theta = tr e; its constant tangent without the part of p.
 void linear_response(double mu_Pa, const Tensor& F, double p, Wanted wanted, PointResponse& out);
@@ -73,7 +74,7 @@ template <class T>
 
 /// W_s of the laws in invariants, fibres not included.
 template <class L, class T>
-    requires InvariantLaw<L> || CoupledLaw<L>
+requires InvariantLaw<L> || CoupledLaw<L>
 [[nodiscard]] T shear_energy(const L& law, const Invariants<T>& I, const T& J) {
     if constexpr (CoupledLaw<L>) {
         return law.shear_energy(I, J);
@@ -142,8 +143,8 @@ template <class L>
 
 /// Mixed formulation: energy W(F, p) at fixed p.
 template <Law L>
-    requires(!StressLaw<L> && !std::same_as<L, LinearElastic>)
-[[nodiscard]] LawSlopes mixed_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J, double p) {
+requires(!StressLaw<L> && !std::same_as<L, LinearElastic>) [[nodiscard]] LawSlopes
+    mixed_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J, double p) {
     const detail::Variables at(I, J);
     const Dual<3> dilation = dilatation(rubber, at.I, at.J);
     return {detail::with_shear(rubber, at, p * dilation), dilation.v, dilation.g};
@@ -151,8 +152,8 @@ template <Law L>
 
 /// Displacement formulation: energy W(F) with a finite K.
 template <Law L>
-    requires(!std::same_as<L, LinearElastic>)
-[[nodiscard]] LawSlopes displacement_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J) {
+requires(!std::same_as<L, LinearElastic>) [[nodiscard]] LawSlopes
+    displacement_slopes(const Rubber<L>& rubber, const Invariants<double>& I, double J) {
     const detail::Variables at(I, J);
     if constexpr (StressLaw<L>) {
         return {slopes_of(rubber.law.stress_coefficients(at.I, at.J)), 0.0, {}};
@@ -170,9 +171,11 @@ template <class L>
 
 /// Adds what goes beyond the slopes by (I1, I2, J): principal stretches and fibres.
 template <class L>
-void add_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted, PointResponse& out) {
+void add_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted,
+                           PointResponse& out) {
     if constexpr (StretchLaw<L>)
-        add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr, out.first_piola);
+        add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr,
+                               out.first_piola);
     if constexpr (MayHaveFibers<L>)
         if (rubber.fibers) add_fibers_response(*rubber.fibers, axes, F, wanted, out);
 }

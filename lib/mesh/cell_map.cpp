@@ -82,7 +82,9 @@ double measure(const Mesh& mesh, Measure kind) {
 
 std::vector<double> region_measures(const Mesh& mesh, Measure kind) {
     std::vector<double> sums(mesh.region_names.size(), 0.0);
-    for_each_share(mesh, kind, [&](Index cell, double share) { sums[static_cast<std::size_t>(mesh.cell_regions[static_cast<std::size_t>(cell)])] += share; });
+    for_each_share(mesh, kind, [&](Index cell, double share) {
+        sums[static_cast<std::size_t>(mesh.cell_regions[static_cast<std::size_t>(cell)])] += share;
+    });
     return sums;
 }
 

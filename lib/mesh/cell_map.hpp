@@ -12,9 +12,9 @@
 namespace soft::mesh {
 
 struct CellMap {
-    Point position;                 ///< X [m]
-    std::array<double, 9> dX_dxi;   ///< row by row; the unused rows and columns are zero
-    double determinant;             ///< of the leading dimension x dimension part; for a line its length per d xi
+    Point position;                ///< X [m]
+    std::array<double, 9> dX_dxi;  ///< row by row; the unused rows and columns are zero
+    double determinant;            ///< of the leading dimension x dimension part; for a line its length per d xi
 };
 
 /// `shapes` = shape_values(type of the cell, xi).
@@ -29,8 +29,8 @@ struct CellMap {
 [[nodiscard]] std::vector<QuadraturePoint> volume_rule(CellType type);
 
 enum class Measure {
-    plain,      ///< area of a section, volume of a solid
-    revolved,   ///< volume of the section turned about x once: integral of 2 pi r
+    plain,     ///< area of a section, volume of a solid
+    revolved,  ///< volume of the section turned about x once: integral of 2 pi r
 };
 
 /// [m^2] or [m^3], sums in cell order.

@@ -10,7 +10,7 @@ namespace {
 using Node = std::array<double, 3>;
 using Edge = std::array<int, 2>;
 using Quad = std::array<int, 4>;
-using Corners = std::array<int, 4>;   ///< of a facet; unused places hold -1
+using Corners = std::array<int, 4>;  ///< of a facet; unused places hold -1
 
 constexpr int unused = -1;
 
@@ -18,9 +18,9 @@ constexpr int unused = -1;
 template <std::size_t C, std::size_t E, std::size_t Q, std::size_t F>
 struct Skeleton {
     std::array<Node, C> corners;
-    std::array<Edge, E> edges;       ///< in the order of the mid-edge nodes
-    std::array<Quad, Q> quads;       ///< in the order of the mid-face nodes
-    std::array<Corners, F> facets;   ///< corners, outward
+    std::array<Edge, E> edges;      ///< in the order of the mid-edge nodes
+    std::array<Quad, Q> quads;      ///< in the order of the mid-face nodes
+    std::array<Corners, F> facets;  ///< corners, outward
 };
 
 template <std::size_t N, std::size_t F>
@@ -106,10 +106,8 @@ constexpr Tables<N, F> make_tables(const Skeleton<C, E, Q, F>& s) {
 
 constexpr int _ = unused;
 constexpr Skeleton<2, 1, 0, 0> line{{{{-1, 0, 0}, {1, 0, 0}}}, {{{0, 1}}}, {}, {}};
-constexpr Skeleton<3, 3, 0, 3> triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
-                                        {{{0, 1}, {1, 2}, {2, 0}}},
-                                        {},
-                                        {{{0, 1, _, _}, {1, 2, _, _}, {2, 0, _, _}}}};
+constexpr Skeleton<3, 3, 0, 3> triangle{
+    {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {{{0, 1}, {1, 2}, {2, 0}}}, {}, {{{0, 1, _, _}, {1, 2, _, _}, {2, 0, _, _}}}};
 constexpr Skeleton<4, 4, 1, 4> quad{{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}},
                                     {{{0, 1}, {1, 2}, {2, 3}, {3, 0}}},
                                     {{{0, 1, 2, 3}}},
@@ -120,17 +118,15 @@ constexpr Skeleton<4, 6, 0, 4> tet{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}
                                    {{{0, 1, 3, _}, {1, 2, 3, _}, {2, 0, 3, _}, {0, 2, 1, _}}}};
 constexpr std::array<Quad, 6> hex_faces{
     {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
-constexpr Skeleton<8, 12, 6, 6> hex{{{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                                      {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}},
-                                    {{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4},
-                                      {0, 4}, {1, 5}, {2, 6}, {3, 7}}},
-                                    hex_faces,
-                                    hex_faces};
-constexpr Skeleton<6, 9, 3, 5> wedge{
-    {{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
-    {{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}},
-    {{{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
-    {{{0, 2, 1, _}, {3, 4, 5, _}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}}};
+constexpr Skeleton<8, 12, 6, 6> hex{
+    {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}},
+    {{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}},
+    hex_faces,
+    hex_faces};
+constexpr Skeleton<6, 9, 3, 5> wedge{{{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
+                                     {{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}},
+                                     {{{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
+                                     {{{0, 2, 1, _}, {3, 4, 5, _}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}}};
 
 constexpr auto line2 = make_tables<1, 2>(line);
 constexpr auto line3 = make_tables<2, 3>(line);
@@ -148,8 +144,7 @@ constexpr auto wedge18 = make_tables<2, 18>(wedge);
 template <std::size_t N, std::size_t F>
 constexpr CellTopology make_topology(CellType type, Shape shape, std::string_view name, int dimension, int order,
                                      int vertex_count, const Tables<N, F>& tables) {
-    return {type,         shape,        name,         dimension, order, static_cast<int>(N), vertex_count,
-            tables.nodes, tables.facets};
+    return {type, shape, name, dimension, order, static_cast<int>(N), vertex_count, tables.nodes, tables.facets};
 }
 
 constexpr std::array<CellTopology, 12> topologies{

@@ -12,13 +12,19 @@
 
 namespace soft::mesh {
 
-enum class CellType : std::uint8_t {   // values are VTK's
-    line2 = 3, line3 = 21,
-    triangle3 = 5, triangle6 = 22,
-    quad4 = 9, quad9 = 28,
-    tet4 = 10, tet10 = 24,
-    hex8 = 12, hex27 = 29,
-    wedge6 = 13, wedge18 = 32,
+enum class CellType : std::uint8_t {  // values are VTK's
+    line2 = 3,
+    line3 = 21,
+    triangle3 = 5,
+    triangle6 = 22,
+    quad4 = 9,
+    quad9 = 28,
+    tet4 = 10,
+    tet10 = 24,
+    hex8 = 12,
+    hex27 = 29,
+    wedge6 = 13,
+    wedge18 = 32,
 };
 
 enum class Shape : std::uint8_t { line, triangle, quadrilateral, tetrahedron, hexahedron, wedge };
@@ -27,7 +33,7 @@ enum class Shape : std::uint8_t { line, triangle, quadrilateral, tetrahedron, he
 /// the facet's normal (t1 x t2 in 3D; the tangent turned clockwise, (t_y, -t_x), in 2D) points OUT of the cell.
 struct FacetTopology {
     CellType type;
-    std::array<int, 9> nodes;   ///< first node_count(type) entries are used
+    std::array<int, 9> nodes;  ///< first node_count(type) entries are used
 };
 
 struct CellTopology {
@@ -35,11 +41,11 @@ struct CellTopology {
     Shape shape;
     std::string_view name;
     int dimension;
-    int order;                                         ///< 1 or 2
+    int order;  ///< 1 or 2
     int node_count;
-    int vertex_count;                                  ///< the first vertex_count nodes are the corners
-    std::span<const std::array<double, 3>> nodes;      ///< reference coordinates
-    std::span<const FacetTopology> facets;             ///< empty for lines
+    int vertex_count;                              ///< the first vertex_count nodes are the corners
+    std::span<const std::array<double, 3>> nodes;  ///< reference coordinates
+    std::span<const FacetTopology> facets;         ///< empty for lines
 };
 
 /// Table lookup; the reference lives as long as the program.

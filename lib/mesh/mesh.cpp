@@ -14,7 +14,7 @@ Key corner_key(std::span<const Index> cell, const FacetTopology& facet) {
     key.fill(std::numeric_limits<Index>::max());
     const int corners = topology(facet.type).vertex_count;
     for (int i = 0; i < corners; ++i) key[i] = cell[facet.nodes[i]];
-    std::sort(key.begin(), key.end());   // the unused places stay last
+    std::sort(key.begin(), key.end());  // the unused places stay last
     return key;
 }
 

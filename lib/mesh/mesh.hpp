@@ -12,7 +12,7 @@
 namespace soft::mesh {
 
 using Index = std::int64_t;
-using Point = std::array<double, 3>;   ///< reference position [m]: (x, y, z); a section holds (x, r, 0)
+using Point = std::array<double, 3>;  ///< reference position [m]: (x, y, z); a section holds (x, r, 0)
 
 /// A side of a cell: cell number and the cell's local facet number (topology(type).facets).
 struct Facet {
@@ -22,12 +22,12 @@ struct Facet {
 };
 
 struct Mesh {
-    int dimension = 3;                                     ///< of the cells: 2 (section) or 3 (solid)
+    int dimension = 3;  ///< of the cells: 2 (section) or 3 (solid)
     std::vector<Point> points;
-    std::vector<CellType> cell_types;                      ///< one a cell
-    std::vector<Index> offsets{0};                         ///< cell c has nodes connectivity[offsets[c] .. offsets[c+1])
+    std::vector<CellType> cell_types;  ///< one a cell
+    std::vector<Index> offsets{0};     ///< cell c has nodes connectivity[offsets[c] .. offsets[c+1])
     std::vector<Index> connectivity;
-    std::vector<std::int32_t> cell_regions;                ///< index into region_names, one a cell
+    std::vector<std::int32_t> cell_regions;  ///< index into region_names, one a cell
     std::vector<std::string> region_names;
     std::map<std::string, std::vector<Facet>> facet_sets;  ///< named faces; sets may overlap
     std::map<std::string, std::vector<Index>> point_sets;

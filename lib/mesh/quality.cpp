@@ -61,8 +61,7 @@ Quality quality(const Mesh& mesh) {
         const Range range = range_of(mesh, cell, table->second);
         const double value = scaled(range);
         sum += value;
-        if (value < result.min_scaled_jacobian || cell == 0)
-            result = {value, 0, cell, range.least_at};
+        if (value < result.min_scaled_jacobian || cell == 0) result = {value, 0, cell, range.least_at};
     }
     if (mesh.cell_count() > 0) result.mean_scaled_jacobian = sum / static_cast<double>(mesh.cell_count());
     if (!(result.min_scaled_jacobian > 0))

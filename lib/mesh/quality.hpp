@@ -11,7 +11,7 @@ struct Quality {
     double min_scaled_jacobian = 1;
     double mean_scaled_jacobian = 1;
     Index worst_cell = 0;
-    Point worst_place_m{};   ///< where in the worst cell the least value stands
+    Point worst_place_m{};  ///< where in the worst cell the least value stands
 };
 
 /// Throws Error(bad_input) that names the worst cell and its place if any det dX/dxi is not positive.

@@ -64,7 +64,8 @@ void note_existing(const Mesh& mesh, const std::map<CellType, MidNodes>& tables,
         const MidNodes& mids = tables.at(cell.type);
         for (std::size_t m = 0; m < mids.size(); ++m)
             if (mids[m].size() <= 4)
-                static_cast<void>(shared.number(nodes, mids[m], nodes[static_cast<std::size_t>(cell.vertex_count) + m]));
+                static_cast<void>(
+                    shared.number(nodes, mids[m], nodes[static_cast<std::size_t>(cell.vertex_count) + m]));
     }
 }
 
@@ -88,7 +89,7 @@ Mesh raise_order(const Mesh& mesh) {
         if (raised != mesh.cell_type(c)) {
             for (const auto& corners : tables.at(raised)) {
                 const auto next = static_cast<Index>(result.points.size());
-                const bool inside = corners.size() > 4;   // the centre of a hexahedron; no neighbour has it
+                const bool inside = corners.size() > 4;  // the centre of a hexahedron; no neighbour has it
                 const Index node = inside ? next : shared.number(old, corners, next);
                 if (node == next) result.points.push_back(mean_of(mesh, old, corners));
                 nodes.push_back(node);
@@ -103,7 +104,8 @@ Mesh lower_order(const Mesh& mesh) {
     constexpr Index dropped = -1;
     std::vector<Index> numbers(mesh.points.size(), dropped);
     for (Index c = 0; c < mesh.cell_count(); ++c)
-        for (const Index corner : mesh.cell_nodes(c).first(static_cast<std::size_t>(topology(mesh.cell_type(c)).vertex_count)))
+        for (const Index corner :
+             mesh.cell_nodes(c).first(static_cast<std::size_t>(topology(mesh.cell_type(c)).vertex_count)))
             numbers[static_cast<std::size_t>(corner)] = corner;
     Mesh result = frame_of(mesh);
     for (std::size_t p = 0; p < numbers.size(); ++p) {

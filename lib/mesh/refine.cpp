@@ -13,7 +13,7 @@ namespace soft::mesh {
 namespace {
 
 using Xi = std::array<double, 3>;
-using Corners = std::vector<Xi>;   ///< of a child, in the parent's reference cell
+using Corners = std::vector<Xi>;  ///< of a child, in the parent's reference cell
 
 Xi middle(const Xi& a, const Xi& b) { return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])}; }
 
@@ -36,16 +36,17 @@ std::vector<Corners> children_of(const CellTopology& cell) {
     }
     switch (cell.shape) {
         case Shape::triangle: children.push_back(between(cell, {{0, 1}, {1, 2}, {2, 0}})); break;
-        case Shape::tetrahedron:   // Bey's order; corners 0 and 2 of the second and fourth exchanged: positive again
+        case Shape::tetrahedron:  // Bey's order; corners 0 and 2 of the second and fourth exchanged: positive again
             children.push_back(between(cell, {{0, 1}, {0, 2}, {0, 3}, {1, 3}}));
             children.push_back(between(cell, {{1, 2}, {0, 2}, {0, 1}, {1, 3}}));
             children.push_back(between(cell, {{0, 2}, {0, 3}, {1, 3}, {2, 3}}));
             children.push_back(between(cell, {{1, 3}, {1, 2}, {0, 2}, {2, 3}}));
             break;
-        case Shape::wedge:   // the triangle in the middle, below and above half height
+        case Shape::wedge:  // the triangle in the middle, below and above half height
             for (const int layer : {0, 3}) {
                 Corners corners = between(cell, {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}});
-                for (Xi& corner : corners) corner[2] = 0.5 * (corner[2] + cell.nodes[static_cast<std::size_t>(layer)][2]);
+                for (Xi& corner : corners)
+                    corner[2] = 0.5 * (corner[2] + cell.nodes[static_cast<std::size_t>(layer)][2]);
                 children.push_back(std::move(corners));
             }
             break;
@@ -60,16 +61,16 @@ std::vector<Corners> children_of(const CellTopology& cell) {
 struct Place {
     Xi xi;
     std::vector<CornerWeight> weights;
-    std::vector<ShapeValue> shapes;   ///< the parent's, at xi
-    int own = -1;                     ///< the parent's node that lies there
-    bool inside = false;              ///< no neighbour has it
+    std::vector<ShapeValue> shapes;  ///< the parent's, at xi
+    int own = -1;                    ///< the parent's node that lies there
+    bool inside = false;             ///< no neighbour has it
 };
 
 /// How cells of a type are cut; all coordinates are multiples of 1/4, so equal places are equal to the last digit.
 struct Pattern {
     std::vector<Place> places;
-    std::vector<std::vector<int>> children;      ///< places, in the node order of the type
-    std::vector<std::vector<Facet>> facets;      ///< of each side of the parent its pieces; `cell` is the child's number
+    std::vector<std::vector<int>> children;  ///< places, in the node order of the type
+    std::vector<std::vector<Facet>> facets;  ///< of each side of the parent its pieces; `cell` is the child's number
 };
 
 int place_at(Pattern& pattern, const CellTopology& cell, const Xi& xi) {
@@ -177,7 +178,7 @@ private:
         std::vector<Index> numbers, child_nodes;
         for (const Place& place : cutting.pattern.places) {
             const auto next = static_cast<Index>(result_.mesh.points.size());
-            const Index number = place.own >= 0  ? nodes[static_cast<std::size_t>(place.own)]
+            const Index number = place.own >= 0 ? nodes[static_cast<std::size_t>(place.own)]
                                  : place.inside ? next
                                                 : shared_.number(nodes, place.weights, next);
             if (number == next) {
@@ -190,7 +191,8 @@ private:
         for (const std::vector<int>& child : cutting.pattern.children) {
             child_nodes.clear();
             for (const int place : child) child_nodes.push_back(numbers[static_cast<std::size_t>(place)]);
-            add_cell(result_.mesh, coarse_->cell_type(c), child_nodes, coarse_->cell_regions[static_cast<std::size_t>(c)]);
+            add_cell(result_.mesh, coarse_->cell_type(c), child_nodes,
+                     coarse_->cell_regions[static_cast<std::size_t>(c)]);
         }
     }
 
@@ -223,15 +225,18 @@ Refined refine_once(const Mesh& mesh, Curve curve) { return Refinement(mesh, cur
 
 std::vector<double> prolong(const Refined& refined, std::span<const double> field, int components) {
     const auto count = static_cast<std::size_t>(components);
-    const Index coarse_points = refined.nodes.empty() ? 0 : *std::max_element(refined.nodes.begin(), refined.nodes.end()) + 1;
+    const Index coarse_points =
+        refined.nodes.empty() ? 0 : *std::max_element(refined.nodes.begin(), refined.nodes.end()) + 1;
     if (field.size() != count * static_cast<std::size_t>(coarse_points))
         throw std::logic_error("prolong: the field does not belong to the coarse mesh");
     const std::size_t points = refined.offsets.size() - 1;
     std::vector<double> result(count * points);
     for (std::size_t p = 0; p < points; ++p)
-        for (auto k = static_cast<std::size_t>(refined.offsets[p]); k < static_cast<std::size_t>(refined.offsets[p + 1]); ++k)
+        for (auto k = static_cast<std::size_t>(refined.offsets[p]);
+             k < static_cast<std::size_t>(refined.offsets[p + 1]); ++k)
             for (std::size_t i = 0; i < count; ++i)
-                result[count * p + i] += refined.weights[k] * field[count * static_cast<std::size_t>(refined.nodes[k]) + i];
+                result[count * p + i] +=
+                    refined.weights[k] * field[count * static_cast<std::size_t>(refined.nodes[k]) + i];
     return result;
 }
 

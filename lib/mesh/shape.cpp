@@ -45,7 +45,7 @@ Xi gradient_of(int dimension, int lambda) {
 
 ShapeValue simplex(int dimension, int order, const Xi& node, const Xi& xi) {
     const auto at_node = barycentric(dimension, node), lambda = barycentric(dimension, xi);
-    int i = 0, j = 0;   // the corners the node lies between; equal at a corner
+    int i = 0, j = 0;  // the corners the node lies between; equal at a corner
     for (int k = 0; k <= dimension; ++k)
         if (at_node[k] > 0.25) j = k;
     for (int k = dimension; k >= 0; --k)
@@ -62,8 +62,9 @@ ShapeValue simplex(int dimension, int order, const Xi& node, const Xi& xi) {
 ShapeValue wedge(int order, const Xi& node, const Xi& xi) {
     const ShapeValue triangle = simplex(2, order, {node[0], node[1], 0}, {xi[0], xi[1], 0});
     const Slope along = lagrange(order, node[2], xi[2]);
-    return {triangle.value * along.value,
-            {triangle.gradient[0] * along.value, triangle.gradient[1] * along.value, triangle.value * along.derivative}};
+    return {
+        triangle.value * along.value,
+        {triangle.gradient[0] * along.value, triangle.gradient[1] * along.value, triangle.value * along.derivative}};
 }
 
 ShapeValue shape_value(const CellTopology& t, int order, const Xi& node, const Xi& xi) {

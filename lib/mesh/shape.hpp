@@ -12,7 +12,7 @@ namespace soft::mesh {
 
 struct ShapeValue {
     double value;
-    std::array<double, 3> gradient;   ///< dN/dxi; unused directions are zero
+    std::array<double, 3> gradient;  ///< dN/dxi; unused directions are zero
 };
 
 /// One entry a node.

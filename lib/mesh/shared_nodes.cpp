@@ -22,7 +22,7 @@ Index SharedNodes::number(std::span<const Index> cell_nodes, std::span<const Cor
     parts.fill({std::numeric_limits<Index>::max(), 0});
     for (std::size_t i = 0; i < place.size(); ++i)
         parts[i] = {cell_nodes[static_cast<std::size_t>(place[i].corner)], place[i].sixteenths};
-    std::sort(parts.begin(), parts.end());   // neighbours see the same corners in another order
+    std::sort(parts.begin(), parts.end());  // neighbours see the same corners in another order
     Key key{};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         key.corners[i] = parts[i].first;
@@ -33,7 +33,7 @@ Index SharedNodes::number(std::span<const Index> cell_nodes, std::span<const Cor
 
 std::size_t SharedNodes::Hash::operator()(const Key& key) const noexcept {
     std::uint64_t hash = 0;
-    const auto mix = [&hash](std::uint64_t value) {   // multiply by the golden ratio and fold
+    const auto mix = [&hash](std::uint64_t value) {  // multiply by the golden ratio and fold
         hash = (hash ^ value) * 0x9E3779B97F4A7C15ULL;
         hash ^= hash >> 29U;
     };

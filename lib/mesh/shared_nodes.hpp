@@ -13,7 +13,7 @@ namespace soft::mesh {
 /// A place on an edge or side by its corners: the first-order shape functions there, which all cells that share the side
 /// agree on to the last digit because they are multiples of 1/16 at the places of mid nodes and of halved cells.
 struct CornerWeight {
-    int corner;       ///< local number in the cell
+    int corner;  ///< local number in the cell
     int sixteenths;
 };
 

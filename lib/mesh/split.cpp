@@ -24,8 +24,8 @@ int smallest(const Corners& corners, std::span<const Index> nodes) {
 /// A line or triangle as it is; a quadrilateral as two triangles of the same orientation.
 std::vector<Corners> pieces_of(const Corners& facet, std::span<const Index> nodes) {
     if (facet.size() < 4) return {facet};
-    const auto turned = static_cast<std::size_t>(
-        std::find(facet.begin(), facet.end(), smallest(facet, nodes)) - facet.begin());
+    const auto turned =
+        static_cast<std::size_t>(std::find(facet.begin(), facet.end(), smallest(facet, nodes)) - facet.begin());
     const auto at = [&](std::size_t k) { return facet[(turned + k) % 4]; };
     return {{at(0), at(1), at(2)}, {at(0), at(2), at(3)}};
 }
@@ -41,8 +41,10 @@ std::vector<Corners> simplices_of(const CellTopology& cell, std::span<const Inde
         if (has(corners, apex)) continue;
         for (const Corners& piece : pieces_of(corners, nodes)) {
             // The piece looks out of the cell, away from the apex: a tetrahedron's base must look at it.
-            if (cell.dimension == 2) simplices.push_back({piece[0], piece[1], apex});
-            else simplices.push_back({piece[0], piece[2], piece[1], apex});
+            if (cell.dimension == 2)
+                simplices.push_back({piece[0], piece[1], apex});
+            else
+                simplices.push_back({piece[0], piece[2], piece[1], apex});
         }
     }
     return simplices;
@@ -86,9 +88,8 @@ void carry_over(const Mesh& split, Index first, Index last, const std::vector<In
         int local = 0;
         for (const FacetTopology& side : topology(split.cell_type(cell)).facets) {
             const Corners corners = corners_of(side);
-            if (std::all_of(corners.begin(), corners.end(), [&](int c) {
-                    return std::find(parent.begin(), parent.end(), nodes[c]) != parent.end();
-                }))
+            if (std::all_of(corners.begin(), corners.end(),
+                            [&](int c) { return std::find(parent.begin(), parent.end(), nodes[c]) != parent.end(); }))
                 out.push_back({cell, local});
             ++local;
         }

@@ -13,7 +13,8 @@ material::AnyRubber small_strain(const material::AnyRubber& rubber) {
     if (material::fibers_of(rubber) || material::reference_stress_Pa(rubber) != 0.0)
         throw Error(ExitCode::bad_input, "strain",
                     "the law " + std::string{material::info_of(rubber).name} +
-                        (material::fibers_of(rubber) ? " with its fibres" : "") + " has no isotropic, stress-free linear counterpart",
+                        (material::fibers_of(rubber) ? " with its fibres" : "") +
+                        " has no isotropic, stress-free linear counterpart",
                     "strain: finite, or another law");
     return material::make_rubber({.law = "linear-elastic",
                                   .constants = {{"mu", {material::initial_shear_modulus_Pa(rubber)}}},
@@ -36,11 +37,11 @@ bool is_one_sided(const Material& material) {
 
 material::AnyRubber make_rubber(const Material& material) {
     const auto rubber = material::make_rubber({.law = material.law,
-                                  .constants = {material.constants.begin(), material.constants.end()},
-                                  .bulk_modulus_Pa = material.bulk_modulus_Pa,
-                                  .volumetric = material.volumetric,
-                                  .fiber_frame = material.fiber_frame,
-                                  .fibers = material.fibers});
+                                               .constants = {material.constants.begin(), material.constants.end()},
+                                               .bulk_modulus_Pa = material.bulk_modulus_Pa,
+                                               .volumetric = material.volumetric,
+                                               .fiber_frame = material.fiber_frame,
+                                               .fibers = material.fibers});
     return material.strain == Strain::small ? small_strain(rubber) : rubber;
 }
 

@@ -10,6 +10,7 @@ namespace soft::model {
 
 /// Why a case of these kinematics and cuts cannot show what the material does ("problem; remedy"); empty where it can. A
 /// single family of fibres about the axis twists a body of revolution: a section has no twist, a half no mirror.
-[[nodiscard]] std::string why_not(const Material& material, Kinematics kinematics, const std::array<bool, 3>& symmetry_planes);
+[[nodiscard]] std::string why_not(const Material& material, Kinematics kinematics,
+                                  const std::array<bool, 3>& symmetry_planes);
 
 }  // namespace soft::model

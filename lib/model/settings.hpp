@@ -22,8 +22,8 @@ enum class TangentSource { exact, finite_difference };
 struct LinearSettings {
     LinearMethod method = LinearMethod::automatic;
     Preconditioner preconditioner = Preconditioner::asm_lu;
-    double tolerance = 1e-8;            ///< residual of a linear solve over its right-hand side
-    int iteration_limit = 40;           ///< a Krylov method that reaches it gives its best correction so far
+    double tolerance = 1e-8;   ///< residual of a linear solve over its right-hand side
+    int iteration_limit = 40;  ///< a Krylov method that reaches it gives its best correction so far
 };
 
 /// full: a new tangent every iteration. modified: that of the step's first iteration. bfgs: the same with the updates of
@@ -42,33 +42,34 @@ enum class StepRule { error_adaptive, iteration_adaptive, constant };
 enum class Predictor { cubic, tangent, none };
 
 struct SolverSettings {
-    double residual_tolerance = 1e-9;   ///< |residual| <= tolerance x scale of the nodal forces
+    double residual_tolerance = 1e-9;  ///< |residual| <= tolerance x scale of the nodal forces
     NewtonMethod newton = NewtonMethod::full;
     LineSearch line_search = LineSearch::backtracking;
     TangentSource tangent = TangentSource::exact;
-    int newton_limit = 16;              ///< iterations a step
+    int newton_limit = 16;  ///< iterations a step
     LinearSettings linear;
-    bool scaling = true;                ///< pressure unknowns are scaled to displacements (assembly/dof_map.hpp); false: in Pa
-    int threads = 1;                    ///< of a rank, in the element loops; the sums keep their order
+    bool scaling = true;  ///< pressure unknowns are scaled to displacements (assembly/dof_map.hpp); false: in Pa
+    int threads = 1;      ///< of a rank, in the element loops; the sums keep their order
     StepRule steps = StepRule::error_adaptive;
     Predictor predictor = Predictor::cubic;
-    double first_step = 0.02;           ///< first step, fraction of the full load in the linear response
-    double largest_step = 0.0;          ///< 0: chosen by the solver; else a bound on the step as a fraction of the path so far
-    double smallest_step = 1e-4;        ///< a step cut below this fraction of the first step ends the path
-    int wanted_iterations = 5;          ///< of a step, steps iteration_adaptive
-    int step_limit = 1000;              ///< stop_reason step_limit beyond
-    double step_accuracy = 2e-3;        ///< wanted relative error of the predictor; smaller = denser steps
+    double first_step = 0.02;   ///< first step, fraction of the full load in the linear response
+    double largest_step = 0.0;  ///< 0: chosen by the solver; else a bound on the step as a fraction of the path so far
+    double smallest_step = 1e-4;  ///< a step cut below this fraction of the first step ends the path
+    int wanted_iterations = 5;    ///< of a step, steps iteration_adaptive
+    int step_limit = 1000;        ///< stop_reason step_limit beyond
+    double step_accuracy = 2e-3;  ///< wanted relative error of the predictor; smaller = denser steps
 };
 
 /// Time integration of M a + C v + R(x, t) = 0 (dynamics/motion.hpp).
 enum class Integrator {
-    generalized_alpha,      ///< Chung and Hulbert 1993, second order, damps what the step does not resolve
-    hht,                    ///< Hilber, Hughes and Taylor 1977
-    newmark,                ///< average acceleration: keeps the energy of linear systems
+    generalized_alpha,  ///< Chung and Hulbert 1993, second order, damps what the step does not resolve
+    hht,                ///< Hilber, Hughes and Taylor 1977
+    newmark,            ///< average acceleration: keeps the energy of linear systems
     implicit_euler,
-    ark4,                   ///< fourth-order additive Runge-Kutta (Kennedy and Carpenter 2003)
-    rosenbrock,             ///< linearly implicit Runge-Kutta (Rang and Angermann 2005)
-    heun, explicit_euler,   ///< explicit: a lumped mass and no pressure unknown
+    ark4,        ///< fourth-order additive Runge-Kutta (Kennedy and Carpenter 2003)
+    rosenbrock,  ///< linearly implicit Runge-Kutta (Rang and Angermann 2005)
+    heun,
+    explicit_euler,  ///< explicit: a lumped mass and no pressure unknown
     central_difference,
 };
 
@@ -81,12 +82,12 @@ enum class Integrator {
 struct Dynamics {
     Integrator integrator = Integrator::generalized_alpha;
     double duration_s = 0;
-    double step_s = 0;                  ///< 0: chosen by `accuracy`, of an explicit integrator by its stable step
-    double accuracy = 1e-4;             ///< wanted error of a step over the size of the motion, where step_s is 0
-    double spectral_radius = 0.8;       ///< of generalized_alpha and hht (>= 1/2), at infinite frequency: 1 damps nothing
-    double mass_damping_1_s = 0;        ///< Rayleigh: C = mass_damping M + stiffness_damping K(undeformed)
+    double step_s = 0;             ///< 0: chosen by `accuracy`, of an explicit integrator by its stable step
+    double accuracy = 1e-4;        ///< wanted error of a step over the size of the motion, where step_s is 0
+    double spectral_radius = 0.8;  ///< of generalized_alpha and hht (>= 1/2), at infinite frequency: 1 damps nothing
+    double mass_damping_1_s = 0;   ///< Rayleigh: C = mass_damping M + stiffness_damping K(undeformed)
     double stiffness_damping_s = 0;
-    int rows = 2000;                    ///< of the path at most (constant steps: every so many)
+    int rows = 2000;  ///< of the path at most (constant steps: every so many)
 };
 
 }  // namespace soft::model

@@ -15,11 +15,12 @@ Band read_band(const table::Table& table, const Curve& curve) {
     if (sampled == end && linear == end)
         throw Error(ExitCode::bad_input, table.source, "has no column band_linear or band_sampled",
                     "give a table that scripts/uncertainty has written");
-    Band band{read_measured(table, curve, {}), 0, table::numbers(table, static_cast<std::size_t>(sampled != end ? sampled : linear)),
-              sampled != end};
+    Band band{read_measured(table, curve, {}), 0,
+              table::numbers(table, static_cast<std::size_t>(sampled != end ? sampled : linear)), sampled != end};
     for (std::size_t row = 0; row < band.half.size(); ++row)
         if (band.half[row] < 0)
-            throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(table.lines[row]), "the band is less than 0 wide");
+            throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(table.lines[row]),
+                        "the band is less than 0 wide");
     const auto load = std::ranges::find(curve.columns, Source::load, &Column::source);
     band.load = static_cast<std::size_t>(load - curve.columns.begin());
     if (load == curve.columns.end() || band.points.find(band.load) == nullptr)

@@ -11,8 +11,8 @@
 namespace soft::post {
 
 struct Band {
-    Measured points;          ///< the load and what else the table has, a row a place
-    std::size_t load = 0;     ///< column of the curve
+    Measured points;           ///< the load and what else the table has, a row a place
+    std::size_t load = 0;      ///< column of the curve
     std::vector<double> half;  ///< of the load, in its unit: the sampled one where there is one
     bool sampled = false;
 };

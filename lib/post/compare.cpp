@@ -136,8 +136,12 @@ std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, s
         const auto parsed = core::parse_quantity(limit, of.dimension);
         if (!std::holds_alternative<double>(parsed)) continue;
         const double allowed = in_column_unit(of, std::get<double>(parsed));
-        if (allowed < 0) throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is negative", "give how large an error may be");
-        Claim claim{"largest error of " + name_of(curve, error) + " is at most " + with_unit(of, allowed) + " (" + points_text(error) + ")", ""};
+        if (allowed < 0)
+            throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is negative",
+                        "give how large an error may be");
+        Claim claim{"largest error of " + name_of(curve, error) + " is at most " + with_unit(of, allowed) + " (" +
+                        points_text(error) + ")",
+                    ""};
         if (std::abs(error.largest) > allowed)
             claim.failure = "the largest error of " + name_of(curve, error) + " is " + with_unit(of, error.largest) +
                             " at " + place_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);

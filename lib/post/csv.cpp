@@ -27,7 +27,7 @@ std::string csv_text(const Curve& curve, std::span<const std::string> comments) 
     text += header + '\n';
     for (std::size_t row = 0; row < curve.row_count(); ++row) {
         for (std::size_t i = 0; i < shown.size(); ++i)
-            text.append(i == 0 ? "" : ",").append(core::number_text(shown[i]->values[row] + 0.0));   // -0 becomes 0
+            text.append(i == 0 ? "" : ",").append(core::number_text(shown[i]->values[row] + 0.0));  // -0 becomes 0
         text += '\n';
     }
     return text;

@@ -37,22 +37,26 @@ Column with_unit(const std::string& quantity, const Unit& unit, Role role, std::
     return column;
 }
 
-Column coordinate(const std::string& quantity, const Unit& unit, Source source, std::string meaning, std::size_t index = 0) {
+Column coordinate(const std::string& quantity, const Unit& unit, Source source, std::string meaning,
+                  std::size_t index = 0) {
     Column column = with_unit(quantity, unit, Role::coordinate, std::move(meaning));
     column.source = source;
     column.index = index;
     return column;
 }
 
-Column plain(const std::string& name, Role role, std::string meaning) { return with_unit(name, none, role, std::move(meaning)); }
+Column plain(const std::string& name, Role role, std::string meaning) {
+    return with_unit(name, none, role, std::move(meaning));
+}
 
 /// Half width of the error of a coordinate: "pressure_error_kPa".
 Column error_column(const Column& of) {
     Column column = of;
     column.quantity += "_error";
     column.name = column.quantity + of.name.substr(of.quantity.size());
-    column.meaning = of.source == Source::load ? "half width of the error of the mesh in " + of.quantity + ", at an equal first output"
-                                               : "half width of the error of the mesh in " + of.quantity + ", at an equal load";
+    column.meaning = of.source == Source::load
+                         ? "half width of the error of the mesh in " + of.quantity + ", at an equal first output"
+                         : "half width of the error of the mesh in " + of.quantity + ", at an equal load";
     column.role = Role::follower;
     column.source = Source::other;
     return column;
@@ -68,7 +72,8 @@ Column leading_column(const model::Case& model) {
             return coordinate("load", newton, Source::load, "first force on a face, where nothing is under pressure");
         case model::LeadingLoad::load_factor: break;
     }
-    return coordinate("load_factor", none, Source::load, "part of the loads, where there is no pressure, traction or force");
+    return coordinate("load_factor", none, Source::load,
+                      "part of the loads, where there is no pressure, traction or force");
 }
 
 /// Numbers of a step that are no part of the table unless they are asked for.
@@ -97,7 +102,8 @@ std::vector<OnDemand> on_demand(const model::Case& model) {
         add("max_stretch_r", millimetre, "where max_stretch is, undeformed", place(1));
     else
         add("max_stretch_y", millimetre, "where max_stretch is, undeformed", place(1));
-    if (model.kinematics == model::Kinematics::solid) add("max_stretch_z", millimetre, "where max_stretch is, undeformed", place(2));
+    if (model.kinematics == model::Kinematics::solid)
+        add("max_stretch_z", millimetre, "where max_stretch is, undeformed", place(2));
     add("max_energy_density", per_volume, "largest strain energy per undeformed volume at an integration point",
         [](const Step& s) { return s.extremes ? Value(s.extremes->energy_J_m3) : std::nullopt; });
     return list;
@@ -124,7 +130,7 @@ struct MotionColumns {
     }
     void push(const Motion& motion) {
         time.values.push_back(motion.time_s);
-        time.slopes.push_back(1);   // the other slopes are derivatives by time
+        time.slopes.push_back(1);  // the other slopes are derivatives by time
         for (Energy& energy : energies)
             energy.column.values.push_back(in_column_unit(energy.column, motion.*energy.value));
     }
@@ -152,7 +158,8 @@ ListColumns pressure_columns(const model::Case& model) {
     ListColumns list{{}, &solution::Step::pressures_Pa, &solution::Step::tangent_pressures, "pressures"};
     if (model.loads.size() > 1)
         for (const model::PressureLoad& load : model.loads)
-            list.columns.push_back(coordinate("pressure_" + load.name, kilopascal, Source::other, "gauge pressure of each load, where there are several"));
+            list.columns.push_back(coordinate("pressure_" + load.name, kilopascal, Source::other,
+                                              "gauge pressure of each load, where there are several"));
     return list;
 }
 
@@ -230,19 +237,23 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     Column number = plain("step", Role::counter, "number of the row");
     Column stage = plain("stage", Role::stage, "1, 2 ..., where the path has several");
     Column load = leading_column(model);
-    Column volume = coordinate("volume", millilitre, Source::volume, "enclosed by the cavities of the first load, whole actuator");
+    Column volume =
+        coordinate("volume", millilitre, Source::volume, "enclosed by the cavities of the first load, whole actuator");
     std::vector<Column> errors;
     if (!steps.empty() && steps.front().pressure_error_Pa) {
         errors.push_back(error_column(load));
         for (const Column& output : lists[0].columns) errors.push_back(error_column(output));
     }
-    Column p99 = plain("stretch_p99", Role::follower, "largest principal stretch exceeded in 1 % of the rubber: it converges");
+    Column p99 =
+        plain("stretch_p99", Role::follower, "largest principal stretch exceeded in 1 % of the rubber: it converges");
     Column largest = plain("max_stretch", Role::follower, "largest principal stretch at an integration point");
     Column jacobian = plain("min_J", Role::follower, "least ratio of volumes at an integration point");
     Column stable = plain("stable", Role::flag, "1 where no direction is left in which the body gives way");
     std::vector<OnDemand> extras = on_demand(model);
     std::erase_if(extras, [&](const OnDemand& extra) {
-        return !std::ranges::all_of(steps, [&](const solution::Step& step) { return extra.value_SI(step).has_value(); }) || steps.empty();
+        return !std::ranges::all_of(steps, [&](const solution::Step& step) {
+            return extra.value_SI(step).has_value();
+        }) || steps.empty();
     });
     for (const solution::Step& step : steps) {
         number.values.push_back(static_cast<double>(number.values.size()));
@@ -258,7 +269,8 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
         largest.values.push_back(step.max_stretch);
         jacobian.values.push_back(step.min_jacobian);
         stable.values.push_back(step.stable ? 1 : 0);
-        for (OnDemand& extra : extras) extra.column.values.push_back(in_column_unit(extra.column, *extra.value_SI(step)));
+        for (OnDemand& extra : extras)
+            extra.column.values.push_back(in_column_unit(extra.column, *extra.value_SI(step)));
     }
 
     Curve curve;

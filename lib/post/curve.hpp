@@ -36,16 +36,16 @@ enum class Role {
 enum class Source { time, load, output, volume, other };
 
 struct Column {
-    std::string name;      ///< "pressure_kPa"
-    std::string quantity;  ///< "pressure": how --at calls it
-    std::string unit;      ///< "kPa"; empty for pure numbers
-    std::string meaning = {};   ///< one clause, no full stop
+    std::string name;          ///< "pressure_kPa"
+    std::string quantity;      ///< "pressure": how --at calls it
+    std::string unit;          ///< "kPa"; empty for pure numbers
+    std::string meaning = {};  ///< one clause, no full stop
     Shown shown = Shown::always;
     core::Dimension dimension = core::Dimension::ratio;
     double SI_per_unit = 1;  ///< SI value = value in this column x SI_per_unit
     Role role = Role::follower;
     Source source = Source::other;
-    std::size_t index = 0;   ///< of the output, where the source is one
+    std::size_t index = 0;       ///< of the output, where the source is one
     std::vector<double> values;  ///< one a row
     std::vector<double> slopes;  ///< coordinates: derivative along the path, any positive scale a row; 0 in all
                                  ///< coordinates of a row: not known there

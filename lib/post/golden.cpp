@@ -34,7 +34,8 @@ std::vector<Pair> pair_columns(const Curve& curve, const table::Table& golden, c
         for (const double value : pair.golden) pair.largest = std::max(pair.largest, std::abs(value));
         for (std::size_t k = 0; k < curve.columns.size(); ++k)
             if (curve.columns[k].name == pair.name) pair.column = k;
-        if (pair.column != absent && curve.columns[pair.column].role == Role::counter) continue;  // numbers of other steps
+        if (pair.column != absent && curve.columns[pair.column].role == Role::counter)
+            continue;  // numbers of other steps
         for (const Allowance& allowance : tolerance.absolute)
             if (allowance.quantity.empty() ||
                 (pair.column != absent && curve.columns[pair.column].quantity == allowance.quantity))
@@ -142,7 +143,8 @@ struct RowCheck {
 };
 
 double not_negative(double value, std::string_view text, const std::string& option) {
-    if (value < 0) throw Error(ExitCode::usage, option, core::quoted(text) + " is negative", "give how much a difference may be");
+    if (value < 0)
+        throw Error(ExitCode::usage, option, core::quoted(text) + " is negative", "give how much a difference may be");
     return value;
 }
 
@@ -158,7 +160,8 @@ bool Verdict::agrees() const noexcept {
 Allowance parse_allowance(std::string_view text, const Curve& curve) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos)
-        return {"", not_negative(core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::usage, "--atol"), text, "--atol")};
+        return {"", not_negative(core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::usage, "--atol"), text,
+                                 "--atol")};
     const std::string quantity{core::trimmed(text.substr(0, equals))};
     const Column* column = curve.find(quantity);
     if (column == nullptr) {
@@ -180,9 +183,11 @@ Verdict check_golden(const Curve& curve, const table::Table& golden, const Toler
     if (tracks.empty())
         throw Error(ExitCode::bad_input, golden.source, "has no column by which its rows could be found on the path",
                     "it needs one of " + curve.coordinate_names());
-    const auto known = std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.column != absent; });
+    const auto known =
+        std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.column != absent; });
     if (known < 2)
-        throw Error(ExitCode::bad_input, golden.source, "has no column beside the one by which its rows are found: nothing is checked",
+        throw Error(ExitCode::bad_input, golden.source,
+                    "has no column beside the one by which its rows are found: nothing is checked",
                     "give a table with at least two quantities");
     const std::size_t leader = leading_track(tracks), column = tracks[leader].column;
     const Path path(curve);

@@ -153,12 +153,13 @@ Speeds motion_speeds(const Metric& metric, const Column& time, std::size_t row_a
 }
 
 /// Share of the chord that the path has covered on an interval, a cubic of t like the coordinates themselves.
-Hermite progress(const Metric& metric, const Curve& curve, const std::vector<std::vector<Hermite>>& pieces, std::size_t interval,
-                 double chord) {
+Hermite progress(const Metric& metric, const Curve& curve, const std::vector<std::vector<Hermite>>& pieces,
+                 std::size_t interval, double chord) {
     Hermite progress{0, 1, 0, 0};
     for (std::size_t k = 0; k < metric.columns.size(); ++k) {
         const Hermite& piece = pieces[static_cast<std::size_t>(metric.columns[k] - curve.columns.data())][interval];
-        const double share = (piece.q1 - piece.q0) * metric.inverse_range[k] * metric.inverse_range[k] / (chord * chord);
+        const double share =
+            (piece.q1 - piece.q0) * metric.inverse_range[k] * metric.inverse_range[k] / (chord * chord);
         progress.m0 += piece.m0 * share;
         progress.m1 += piece.m1 * share;
     }
@@ -178,7 +179,7 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     const Column* stage = first_of(curve, [](const Column& column) { return column.role == Role::stage; });
     const Column* time = first_of(curve, [](const Column& column) { return column.source == Source::time; });
     std::vector<Speeds> speeds;
-    std::vector<double> chords{0};   // added up
+    std::vector<double> chords{0};  // added up
     rows_.push_back(0);
     s_.push_back(0);
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
@@ -190,7 +191,8 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         if (!(next.start + next.end > 0)) continue;
         rows_.push_back(row);
         speeds.push_back(next);
-        s_.push_back(s_.back() + (time != nullptr ? time->values[row] - time->values[before] : (next.start + next.end) / 2));
+        s_.push_back(s_.back() +
+                     (time != nullptr ? time->values[row] - time->values[before] : (next.start + next.end) / 2));
         chords.push_back(chords.back() + metric.distance(before, row));
     }
     for (const Column& column : curve.columns) {
@@ -215,8 +217,9 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         }
     }
     for (std::size_t i = 0; i < speeds.size(); ++i)
-        progress_.push_back(time != nullptr ? Hermite{0, 1, 1, 1}
-                                            : progress(metric, curve, pieces_, i, metric.distance(rows_[i], rows_[i + 1])));
+        progress_.push_back(time != nullptr
+                                ? Hermite{0, 1, 1, 1}
+                                : progress(metric, curve, pieces_, i, metric.distance(rows_[i], rows_[i + 1])));
 }
 
 double Path::in_interval(std::size_t column, std::size_t interval, double t) const {
@@ -267,7 +270,8 @@ std::vector<double> Path::crossings(std::size_t column, double value) const {
     const auto& values = curve_->columns[column].values;
     const double last = values[rows_.back()], size = std::max(std::abs(last), std::abs(value));
     const bool at_the_end = std::abs(last - value) <= solved_to * size;
-    if (at_the_end && (found.empty() || found.back() < s_.back() - solved_to * (s_.back() - s_.front()))) found.push_back(s_.back());
+    if (at_the_end && (found.empty() || found.back() < s_.back() - solved_to * (s_.back() - s_.front())))
+        found.push_back(s_.back());
     return found;
 }
 

@@ -35,10 +35,11 @@ public:
                         "it has " + curve_.coordinate_names());
         const std::size_t number = numbered(choice);
         if (has(index_of(*column)))
-            throw Error(ExitCode::usage, "--columns", core::quoted(choice.quantity) + " is there twice", "name each quantity once");
+            throw Error(ExitCode::usage, "--columns", core::quoted(choice.quantity) + " is there twice",
+                        "name each quantity once");
         if (taken_[number] != 0)
-            throw Error(ExitCode::usage, "--columns " + choice.quantity, table::column_text(file_, number) + " is taken already",
-                        "name each column once");
+            throw Error(ExitCode::usage, "--columns " + choice.quantity,
+                        table::column_text(file_, number) + " is taken already", "name each column once");
         add(index_of(*column), number, choice.unit);
     }
 
@@ -190,16 +191,17 @@ Measured read_measured(const table::Table& file, const Curve& curve, std::span<c
             [](const Column& column) { return column.source == Source::output || column.source == Source::volume; });
     if (!found(is_base) || !found(is_other)) {
         const Column& column = *std::find_if(curve.columns.begin(), curve.columns.end(), is_base);
-        const auto lacks = found(is_base)
-                               ? std::find_if(curve.columns.begin(), curve.columns.end(),
-                                              [&](const Column& c) { return c.role == Role::coordinate && is_other(c); })
-                               : curve.columns.begin() + (&column - curve.columns.data());
+        const auto lacks =
+            found(is_base) ? std::find_if(curve.columns.begin(), curve.columns.end(),
+                                          [&](const Column& c) { return c.role == Role::coordinate && is_other(c); })
+                           : curve.columns.begin() + (&column - curve.columns.data());
         const std::string unit = lacks == curve.columns.end() || lacks->unit.empty() ? "" : ":" + lacks->unit;
         throw Error(
             ExitCode::bad_input, file.source,
             found(is_base) ? "nothing to set against the " + column.quantity + " is found among " + column_list(file)
                            : "no " + column.quantity + " is found among " + column_list(file),
-            (lacks == curve.columns.end() ? std::string{} : "say where it is, e.g. --columns " + lacks->quantity + "=1" + unit + "; ") +
+            (lacks == curve.columns.end() ? std::string{}
+                                          : "say where it is, e.g. --columns " + lacks->quantity + "=1" + unit + "; ") +
                 "the case has " + curve.coordinate_names());
     }
 

@@ -73,7 +73,8 @@ std::size_t first_column(const Curve& curve, Wanted wanted) {
 std::size_t output_column(const Curve& curve, const Measured* measured) {  // outputs stand before the volume
     return first_column(curve, [&](const Column& column) {
         return (column.source == Source::output || column.source == Source::volume) &&
-               (measured == nullptr || measured->find(static_cast<std::size_t>(&column - curve.columns.data())) != nullptr);
+               (measured == nullptr ||
+                measured->find(static_cast<std::size_t>(&column - curve.columns.data())) != nullptr);
     });
 }
 
@@ -151,7 +152,8 @@ void add_path(Script& script, const Blocks& blocks, std::size_t index, double po
     script.add("stable" + n, blocks.stable, "with lines linewidth 2" + colour + " notitle");
     script.add("unstable" + n, blocks.unstable, "with lines linewidth 2 dashtype (8,6)" + colour + " notitle");
     script.add("bars" + n, blocks.bars, "with xyerrorbars linewidth 1 pointtype 0" + colour + " notitle");
-    script.add("constants" + n, blocks.constants, "with xyerrorbars linewidth 5 pointtype 0 linecolor rgb '#E69F00' notitle");
+    script.add("constants" + n, blocks.constants,
+               "with xyerrorbars linewidth 5 pointtype 0 linecolor rgb '#E69F00' notitle");
     script.add("markers" + n, blocks.markers,
                "with points " + script.points(style.point, point_size) + colour + " notitle");
     script.add("limits" + n, blocks.limits,
@@ -205,11 +207,13 @@ PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measure
     const auto named = [&](const std::string& name, const char* option) {
         const std::size_t column = named_column(curve, name, option);
         if (measured != nullptr && measured->find(column) == nullptr)
-            throw Error(ExitCode::usage, option, core::quoted(name) + " was not measured, so that no point could be drawn",
+            throw Error(ExitCode::usage, option,
+                        core::quoted(name) + " was not measured, so that no point could be drawn",
                         "plot without --compare, or another quantity");
         return column;
     };
-    return {request.x.empty() ? usual_x() : named(request.x, "--x"), request.y.empty() ? usual_y() : named(request.y, "--y")};
+    return {request.x.empty() ? usual_x() : named(request.x, "--x"),
+            request.y.empty() ? usual_y() : named(request.y, "--y")};
 }
 
 std::string plot_script(std::span<const PlotSeries> series, const Measured* measured, const PlotRequest& request,

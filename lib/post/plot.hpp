@@ -26,7 +26,7 @@ struct PlotRequest {
 struct PlotSeries {
     std::string label;  ///< in the legend, where there are several
     Curve curve;
-    solution::PathEnd end;  ///< its limit points and bifurcations are drawn
+    solution::PathEnd end;          ///< its limit points and bifurcations are drawn
     std::optional<Band> band = {};  ///< of its constants, drawn where the load is on an axis
 };
 

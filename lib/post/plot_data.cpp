@@ -71,7 +71,8 @@ std::string constants_bars(const Band& band, const PlotAxes& axes) {
     std::string bars;
     for (std::size_t row = 0; row < band.half.size(); ++row) {
         const double dx = axes.x == band.load ? band.half[row] : 0, dy = axes.x == band.load ? 0 : band.half[row];
-        bars += line({x->values[row], y->values[row], x->values[row] - dx, x->values[row] + dx, y->values[row] - dy, y->values[row] + dy});
+        bars += line({x->values[row], y->values[row], x->values[row] - dx, x->values[row] + dx, y->values[row] - dy,
+                      y->values[row] + dy});
     }
     return bars;
 }

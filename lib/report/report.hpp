@@ -23,7 +23,7 @@ struct Content {
     const post::Measured* measured = nullptr;
     std::span<const post::ErrorSummary> errors = {};  ///< of `curve` against `measured`
     post::PlotRequest plot = {};
-    std::string made_by = {};  ///< program, version, command line
+    std::string made_by = {};                      ///< program, version, command line
     std::vector<std::string> material_notes = {};  ///< what is known of the data behind the constants, a sentence each
 };
 

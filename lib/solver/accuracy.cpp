@@ -21,9 +21,10 @@ constexpr double small_load = 0.1;
 void require_refinable(const model::Case& input, const solution::Step& step) {
     for (const auto type : input.mesh.cell_types)
         if (mesh::topology(type).order < 2)
-            throw Error(ExitCode::bad_input, "--tolerance",
-                        "the straight edges of first-order cells do not come nearer to a bent body when they are halved",
-                        "set mesh.order=2");
+            throw Error(
+                ExitCode::bad_input, "--tolerance",
+                "the straight edges of first-order cells do not come nearer to a bent body when they are halved",
+                "set mesh.order=2");
     if (step.outputs.empty() && !step.volume_m3)
         throw Error(ExitCode::bad_input, "--tolerance", "the case measures nothing that an error could be stated of",
                     "give it an output");
@@ -32,7 +33,8 @@ void require_refinable(const model::Case& input, const solution::Step& step) {
 /// A mesh finer than the given one, with everything that stands on it.
 struct Level {
     Level(const model::Case& coarse, MPI_Comm comm)
-        : refined(mesh::refine_once(coarse.mesh, mesh::Curve::circle)), input(with_mesh(coarse, refined.mesh)),
+        : refined(mesh::refine_once(coarse.mesh, mesh::Curve::circle)),
+          input(with_mesh(coarse, refined.mesh)),
           system(input, comm) {}
     static model::Case with_mesh(model::Case input, const mesh::Mesh& mesh) {
         input.mesh = mesh;
@@ -45,8 +47,8 @@ struct Level {
 
 RowPlace place_of(const Rows& rows, std::size_t i, const solution::PathEnd& end) {
     if (i == 0) return RowPlace::first;
-    const bool last = i + 1 == rows.size() ? end.reason == solution::StopReason::done
-                                           : rows[i + 1].step.stage != rows[i].step.stage;
+    const bool last =
+        i + 1 == rows.size() ? end.reason == solution::StopReason::done : rows[i + 1].step.stage != rows[i].step.stage;
     return last ? RowPlace::ends_stage : RowPlace::inside;
 }
 
@@ -65,7 +67,8 @@ struct Measure {
 std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, const Rows& finer, const Rows& before) {
     std::vector<LevelRow> rows;
     for (std::size_t i = 0; i < reported.size(); ++i) {
-        rows.push_back({measure.point(reported[i].step), measure.point(finer[i].step), {}, measure.tangent(reported[i].step)});
+        rows.push_back(
+            {measure.point(reported[i].step), measure.point(finer[i].step), {}, measure.tangent(reported[i].step)});
         if (!before.empty()) rows.back().before = measure.point(before[i].step);
     }
     return error_bars(rows);
@@ -90,8 +93,8 @@ double largest_relative_bar(const Rows& rows) {
     for (const RowState& row : rows) largest_load = std::max(largest_load, std::abs(row.step.pressure_Pa));
     if (!(largest_load > 0.0)) return 0;
     for (const RowState& row : rows)
-        worst = std::max(worst, *row.step.pressure_error_Pa /
-                                    std::max(std::abs(row.step.pressure_Pa), small_load * largest_load));
+        worst = std::max(
+            worst, *row.step.pressure_error_Pa / std::max(std::abs(row.step.pressure_Pa), small_load * largest_load));
     return worst;
 }
 
@@ -101,7 +104,8 @@ struct Solved {
     std::string failure;
 };
 
-Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end, RefinedPath::Keep keep, Accuracy& counts) {
+Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end, RefinedPath::Keep keep,
+                  Accuracy& counts) {
     Solved solved;
     RefinedPath path(level.system, level.refined);
     for (std::size_t i = 0; i < coarse.size() && solved.failure.empty(); ++i) {
@@ -135,7 +139,7 @@ solution::LimitPoint limit_beside(const Rows& rows, std::size_t i) {
         const CurvePoint tangent = measure.tangent(step);
         return tangent.load / tangent.measure;
     };
-    for (const std::size_t other : {i - 1, i + 1}) {   // i - 1 of the first row is beyond the last
+    for (const std::size_t other : {i - 1, i + 1}) {  // i - 1 of the first row is beyond the last
         if (other >= rows.size() || rows[other].step.stage != at.stage) continue;
         const solution::Step& neighbour = rows[other].step;
         const double here = slope(at), there = slope(neighbour);
@@ -171,7 +175,7 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
     result.unknowns = given.dofs().total;
     const model::Case* coarse = &input;
     std::unique_ptr<Level> level;
-    Rows before, finer = std::move(rows);   // the reported rows lie between them
+    Rows before, finer = std::move(rows);  // the reported rows lie between them
     for (;;) {
         const std::int64_t needed = growth * result.unknowns;
         if (needed > bound) result.obstacle = bound_text(needed, bound);
@@ -180,7 +184,7 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
         const auto keep = growth * needed > bound ? RefinedPath::Keep::values : RefinedPath::Keep::fields;
         Solved solved = solve_rows(*next, finer, end, keep, result);
         if (!(result.obstacle = solved.failure).empty()) break;
-        if (result.has_bars) {   // one level on
+        if (result.has_bars) {  // one level on
             before = std::move(result.rows);
             ++result.level;
         }

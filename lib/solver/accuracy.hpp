@@ -19,17 +19,17 @@ namespace soft::solver {
 
 struct AccuracyTarget {
     double tolerance = 1e-3;
-    std::int64_t largest_unknowns_2d = 1'500'000, largest_unknowns_3d = 400'000;   ///< of the finest mesh
+    std::int64_t largest_unknowns_2d = 1'500'000, largest_unknowns_3d = 400'000;  ///< of the finest mesh
 };
 
 struct Accuracy {
-    std::vector<RowState> rows;   ///< of the reported level, bars in their steps; fields [point of that level] on rank 0
-    int level = 0;                ///< that is reported; the one behind it has been solved too where there are bars
+    std::vector<RowState> rows;  ///< of the reported level, bars in their steps; fields [point of that level] on rank 0
+    int level = 0;               ///< that is reported; the one behind it has been solved too where there are bars
     bool has_bars = false;
-    double reached = 0;           ///< what is held to the tolerance, where there are bars
-    std::string obstacle;         ///< why there is no finer level, one clause; empty where the tolerance is met
-    std::int64_t unknowns = 0;    ///< of the finest level that was solved
-    int newton_iterations = 0, factorizations = 0;   ///< of all levels after the first
+    double reached = 0;         ///< what is held to the tolerance, where there are bars
+    std::string obstacle;       ///< why there is no finer level, one clause; empty where the tolerance is met
+    std::int64_t unknowns = 0;  ///< of the finest level that was solved
+    int newton_iterations = 0, factorizations = 0;  ///< of all levels after the first
 };
 
 /// `rows`: the whole path of `given` (Listeners::row); `end`: how it ended. Limit points and bifurcations of `end` are moved

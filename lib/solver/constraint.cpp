@@ -44,8 +44,7 @@ ConstraintValue evaluate(const Constraint& constraint, assembly::System& system,
             result.value = linalg::dot(gradient, state.x) - linalg::dot(gradient, constraint.arc_origin);
             return result;
     }
-    result.by_load_factor =
-        std::inner_product(by_motion.begin(), by_motion.end(), loads.rate().motions.begin(), 0.0);
+    result.by_load_factor = std::inner_product(by_motion.begin(), by_motion.end(), loads.rate().motions.begin(), 0.0);
     return result;
 }
 

@@ -18,7 +18,7 @@ namespace soft::solver {
 struct State {
     linalg::Vector x;
     double load_factor = 0;
-    std::vector<double> pressures_Pa;   ///< of the free supplies (StageLoads)
+    std::vector<double> pressures_Pa;  ///< of the free supplies (StageLoads)
 };
 
 enum class ConstraintKind { load_factor, volume, output, arc, pressure };
@@ -28,17 +28,17 @@ enum class ConstraintKind { load_factor, volume, output, arc, pressure };
 
 struct Constraint {
     ConstraintKind kind = ConstraintKind::load_factor;
-    std::size_t index = 0;          ///< of the output, of the load (volume), of the free supply (pressure)
-    Vec arc_origin = nullptr;       ///< x0, kind arc only; not owned
-    Vec arc_direction = nullptr;    ///< t of unit length, kind arc only; not owned
-    double scale = 0;               ///< |c - target| is measured by the larger of this and |target|
+    std::size_t index = 0;        ///< of the output, of the load (volume), of the free supply (pressure)
+    Vec arc_origin = nullptr;     ///< x0, kind arc only; not owned
+    Vec arc_direction = nullptr;  ///< t of unit length, kind arc only; not owned
+    double scale = 0;             ///< |c - target| is measured by the larger of this and |target|
 };
 
 /// c with its derivatives besides that by x.
 struct ConstraintValue {
     double value = 0;
     double by_load_factor = 0;
-    std::vector<double> by_pressures;   ///< one a free supply
+    std::vector<double> by_pressures;  ///< one a free supply
 };
 
 /// Fills `gradient` = dc/dx. The system's prescribed motions are those of the state.

@@ -13,7 +13,8 @@ constexpr double relative_step = 1e-7;
 double node_distance_m(const mesh::Mesh& mesh) {
     double diagonal2 = 0;
     for (int i = 0; i < mesh.dimension; ++i) {
-        const auto [low, high] = std::ranges::minmax(mesh.points, {}, [i](const mesh::Point& point) { return point[i]; });
+        const auto [low, high] =
+            std::ranges::minmax(mesh.points, {}, [i](const mesh::Point& point) { return point[i]; });
         diagonal2 += (high[i] - low[i]) * (high[i] - low[i]);
     }
     return std::sqrt(diagonal2) / std::pow(static_cast<double>(mesh.points.size()), 1.0 / mesh.dimension);
@@ -22,16 +23,23 @@ double node_distance_m(const mesh::Mesh& mesh) {
 double shear_modulus_Pa(const model::Case& input) {
     double modulus = 0;
     for (const auto& material : input.materials)
-        modulus = std::max(modulus, material::initial_shear_modulus_Pa(assembly::make_rubber(material, input.formulation)));
+        modulus =
+            std::max(modulus, material::initial_shear_modulus_Pa(assembly::make_rubber(material, input.formulation)));
     return modulus;
 }
 
 }  // namespace
 
 ResidualDifferences::ResidualDifferences(assembly::System& system, Mat K, model::TangentSource source)
-    : system_(system), scale_(system.make_vector()), inverse_scale_(system.make_vector()), x_(system.make_vector()),
-      y_(system.make_vector()), base_x_(system.make_vector()), base_R_(system.make_vector()),
-      levels_(assembly::no_loads(system.input())), base_levels_(levels_) {
+    : system_(system),
+      scale_(system.make_vector()),
+      inverse_scale_(system.make_vector()),
+      x_(system.make_vector()),
+      y_(system.make_vector()),
+      base_x_(system.make_vector()),
+      base_R_(system.make_vector()),
+      levels_(assembly::no_loads(system.input())),
+      base_levels_(levels_) {
     make_scale();
     const PetscInt own = system.dofs().end - system.dofs().begin, all = system.dofs().total;
     SOFT_PETSC(MatCreateShell(system.comm(), own, own, all, all, this, jacobian_.out()));
@@ -61,9 +69,9 @@ void ResidualDifferences::make_colors(Mat K) {
     SOFT_PETSC(MatColoringSetDistance(method, 2));
     SOFT_PETSC(MatColoringApply(method, classes.out()));
     SOFT_PETSC(MatFDColoringCreate(K, classes, colors_.out()));
-    const auto untyped = reinterpret_cast<void (*)(void)>(&scaled_residual);   // PETSc calls it by its true type
+    const auto untyped = reinterpret_cast<void (*)(void)>(&scaled_residual);  // PETSc calls it by its true type
     SOFT_PETSC(MatFDColoringSetFunction(colors_, reinterpret_cast<PetscErrorCode (*)(void)>(untyped), this));
-    SOFT_PETSC(MatFDColoringSetParameters(colors_, relative_step, 1.0));   // unknowns in their scale are of order 1
+    SOFT_PETSC(MatFDColoringSetParameters(colors_, relative_step, 1.0));  // unknowns in their scale are of order 1
     SOFT_PETSC(MatFDColoringSetUp(K, classes, colors_));
 }
 

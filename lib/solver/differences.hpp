@@ -41,7 +41,7 @@ private:
     assembly::LoadLevels levels_, base_levels_;
     linalg::Owned<MatFDColoring, MatFDColoringDestroy> colors_;
     linalg::Matrix jacobian_;
-    std::exception_ptr thrown_;   // out of a residual, past PETSc's C code
+    std::exception_ptr thrown_;  // out of a residual, past PETSc's C code
 };
 
 }  // namespace soft::solver

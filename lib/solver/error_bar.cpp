@@ -10,10 +10,10 @@ namespace {
 constexpr double widest = 2.2;
 /// Of measured differences, and never less than.
 constexpr double safety = 1.2, narrowest = 1.2;
-constexpr double slow = 2, fast = 16;   ///< ratios of differences at rates 1 and 4
+constexpr double slow = 2, fast = 16;  ///< ratios of differences at rates 1 and 4
 /// Of the neighbourhood's difference, where the row's own is smaller.
 constexpr double least_share = 0.5;
-constexpr double neighbourhood = 0.25;  ///< of the path's length, either way
+constexpr double neighbourhood = 0.25;     ///< of the path's length, either way
 constexpr double least_correlation = 0.9;  ///< of two levels' differences that fall at one rate
 constexpr double nearest_start =
     0.02;  ///< of the ranges: nearer to the start differences are not taken relative to less
@@ -127,7 +127,7 @@ Nearby nearby(const std::vector<Scaled>& path, std::size_t i) {
 double share_of_error(const Nearby& near) {
     const double rho = near.difference > 0 ? near.before / near.difference : 0;
     if (near.correlation < least_correlation || rho <= slow) return widest;
-    const double share = (std::min(rho, fast) - slow) / (fast - slow);   // of the fast part
+    const double share = (std::min(rho, fast) - slow) / (fast - slow);  // of the fast part
     return std::clamp(safety * (share * fast / (fast - 1) + (1 - share) * slow / (slow - 1)), narrowest, widest);
 }
 

@@ -36,8 +36,8 @@ struct CurvePoint {
 
 struct LevelRow {
     CurvePoint reported, finer;
-    std::optional<CurvePoint> before;   ///< level k - 1, where it was solved
-    CurvePoint tangent;   ///< derivative along the path, any positive scale; both 0: unknown, by neighbours
+    std::optional<CurvePoint> before;  ///< level k - 1, where it was solved
+    CurvePoint tangent;  ///< derivative along the path, any positive scale; both 0: unknown, by neighbours
 };
 
 /// Half widths, in the units of the row.

@@ -90,18 +90,20 @@ std::optional<int> PathFollower::branch_index(const PathPoint& point) const {
 
 bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
     std::vector<Event> events;
-    std::string ends;   // why the user's own control cannot go on
+    std::string ends;  // why the user's own control cannot go on
     const auto watch = [&](double (*slope)(const PathPoint&, std::size_t), std::size_t index) -> PathPoint* {
         if (slope(from, index) * slope(to, index) >= 0.0) return nullptr;
         auto point = locate_extremum(from, to, slope, index);
-        if (!point) return nullptr;   // the sign change stays in the rows
+        if (!point) return nullptr;  // the sign change stays in the rows
         events.push_back({std::move(*point), slope == leading_slope, 0, std::nullopt});
         return &events.back().point;
     };
     (void)watch(leading_slope, 0);
     if (chosen_) {
         const bool loads = chosen_->kind == ConstraintKind::load_factor;
-        const auto slope = loads ? load_factor_slope : chosen_->kind == ConstraintKind::volume ? volume_slope : output_slope;
+        const auto slope = loads                                     ? load_factor_slope
+                           : chosen_->kind == ConstraintKind::volume ? volume_slope
+                                                                     : output_slope;
         const bool same = loads && model::leading_load(input_) == model::LeadingLoad::pressure &&
                           loads_->rate().pressures_Pa[0] != 0.0;
         if (same ? !events.empty() : watch(slope, chosen_->index) != nullptr)
@@ -114,7 +116,8 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
             events.push_back(std::move(*event));
         }
     const double sense = step_ < 0.0 ? -1.0 : 1.0;
-    std::ranges::stable_sort(events, [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });
+    std::ranges::stable_sort(events,
+                             [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });
     for (auto& event : events) {
         if (event.modes > 0) {
             solution::Bifurcation bifurcation{place_of(event.point), event.modes, {}};
@@ -150,7 +153,8 @@ std::optional<PathPoint> PathFollower::locate_extremum(const PathPoint& from, co
         auto point = solve_between(a, b, a.q + share * span);
         if (!point) return std::nullopt;
         const double curvature = (slope_of(b, index) - slope_of(a, index)) / span, slope = slope_of(*point, index);
-        const double gain = std::abs(slope_of(from, index) * (to.q - from.q));   // what the quantity itself is compared to
+        const double gain =
+            std::abs(slope_of(from, index) * (to.q - from.q));  // what the quantity itself is compared to
         const double size = std::max(slope_of == leading_slope ? std::abs(point->leading) : 0.0, gain);
         const bool located = slope * slope <= 2.0 * limit_point_tolerance * std::abs(curvature) * size;
         if (located || solve + 1 == limit_point_solves) return point;
@@ -194,18 +198,19 @@ std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, con
         (before ? left : right) = std::move(point);
         (before ? left_test : right_test) = test;
         if (!left || !right) continue;
-        const double change = std::abs(right->leading - left->leading) + std::abs(right->state.load_factor - left->state.load_factor) *
-                              std::abs(left->leading);
+        const double change = std::abs(right->leading - left->leading) +
+                              std::abs(right->state.load_factor - left->state.load_factor) * std::abs(left->leading);
         if (change <= bifurcation_tolerance * std::max(std::abs(left->leading), std::abs(right->leading))) break;
     }
     if (!left && !right) return std::nullopt;
     Event event{std::move(left ? *left : *right), false, 1, std::move(mode)};
-    if (event.mode) {   // largest displacement 1, positive where it first is large: the same on any number of ranks
+    if (event.mode) {  // largest displacement 1, positive where it first is large: the same on any number of ranks
         system_.prescribe(assembly::no_loads(input_));
         const auto u = system_.gather_fields(*event.mode).displacement_m;
         double factor = 0;
         for (const double component : u) factor = std::max(factor, std::abs(component));
-        const auto first = std::ranges::find_if(u, [&](double component) { return std::abs(component) > 0.5 * factor; });
+        const auto first =
+            std::ranges::find_if(u, [&](double component) { return std::abs(component) > 0.5 * factor; });
         if (first != u.end() && *first < 0.0) factor = -factor;
         MPI_Bcast(&factor, 1, MPI_DOUBLE, 0, system_.comm());
         if (factor != 0.0) SOFT_PETSC(VecScale(*event.mode, 1.0 / factor));
@@ -223,7 +228,8 @@ bool PathFollower::take_branch(const Event& event) {
     auto saved_before = std::move(before_);
     const double saved_step = step_;
     PathPoint origin;
-    origin.state = {linalg::duplicate(event.point.state.x), event.point.state.load_factor, event.point.state.pressures_Pa};
+    origin.state = {linalg::duplicate(event.point.state.x), event.point.state.load_factor,
+                    event.point.state.pressures_Pa};
     linalg::copy(event.point.state.x, origin.state.x);
     origin.tangent.x = linalg::duplicate(*event.mode);
     linalg::add(origin.tangent.x, 1.0 / length, *event.mode);

@@ -15,7 +15,7 @@ namespace {
 /// The scalar curve of one goal's quantity along q.
 struct Scalar {
     const Goal& goal;
-    const PathPoint* before;    // nullptr: tangent line at `last`
+    const PathPoint* before;  // nullptr: tangent line at `last`
     const PathPoint& last;
 
     [[nodiscard]] double operator()(double q) const {
@@ -74,12 +74,14 @@ Goal make_goal(const model::Case& input, const model::Until& until, const StageL
     if (until.quantity == "volume_ratio") {
         if (undeformed_volumes_m3.empty() || undeformed_volumes_m3[0] == 0.0)
             throw Error(ExitCode::bad_input, place, "no cavity is loaded", "remove it, or load a cavity");
-        return {{ConstraintKind::volume}, until.value * undeformed_volumes_m3[0],
+        return {{ConstraintKind::volume},
+                until.value * undeformed_volumes_m3[0],
                 "volume ratio of " + with_unit(until.value, 1.0, "")};
     }
     const auto output = std::ranges::find(input.outputs, until.quantity, &model::Output::name);
     if (output == input.outputs.end())
-        throw Error(ExitCode::bad_input, place, "there is no such output", "name one of outputs, pressure, volume_ratio, steps");
+        throw Error(ExitCode::bad_input, place, "there is no such output",
+                    "name one of outputs, pressure, volume_ratio, steps");
     Constraint constraint{ConstraintKind::output};
     constraint.index = static_cast<std::size_t>(output - input.outputs.begin());
     const model::MeasureUnit& unit = model::unit_of(output->measure);
@@ -122,8 +124,8 @@ double goal_slope(const Goal& goal, const PathPoint& point) {
     throw std::logic_error("goal_slope: an arc length is no goal");
 }
 
-std::optional<Crossing> first_predicted(const std::vector<Goal>& goals, const PathPoint* before,
-                                        const PathPoint& last, double q_end) {
+std::optional<Crossing> first_predicted(const std::vector<Goal>& goals, const PathPoint* before, const PathPoint& last,
+                                        double q_end) {
     std::optional<Crossing> first;
     for (const auto& goal : goals) {
         const auto q = first_meeting({goal, before, last}, last.q, q_end);

@@ -10,9 +10,9 @@ namespace soft::solver {
 
 /// A value that one quantity of the path has to reach.
 struct Goal {
-    Constraint constraint;      ///< holds the quantity at `target`; no arc
+    Constraint constraint;  ///< holds the quantity at `target`; no arc
     double target = 0;
-    std::string text;           ///< "elongation of 130 mm", for the message
+    std::string text;  ///< "elongation of 130 mm", for the message
 };
 
 /// Throws Error (bad_input) for an `until` that the case cannot measure.
@@ -25,7 +25,7 @@ struct Goal {
 
 struct Crossing {
     const Goal* goal = nullptr;
-    double q = 0;               ///< where the cubic through the two points (or the tangent) meets the target
+    double q = 0;  ///< where the cubic through the two points (or the tangent) meets the target
 };
 
 /// The first goal met for last.q < q <= q_end by the predictor from (`before`, `last`); nothing if none is met.

@@ -19,7 +19,8 @@ State predict(const PathPoint* before, const PathPoint& last, double q) {
         linalg::copy(last.state.x, state.x);
         linalg::add(state.x, step, last.tangent.x);
         state.load_factor = last.state.load_factor + step * last.tangent.load_factor;
-        for (std::size_t k = 0; k < state.pressures_Pa.size(); ++k) state.pressures_Pa[k] += step * last.tangent.pressures[k];
+        for (std::size_t k = 0; k < state.pressures_Pa.size(); ++k)
+            state.pressures_Pa[k] += step * last.tangent.pressures[k];
         return state;
     }
     const auto w = hermite_weights(before->q, last.q, q);

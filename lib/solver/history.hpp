@@ -13,14 +13,15 @@ namespace soft::solver {
 struct PathPoint {
     State state;
     PathTangent tangent;
-    double q = 0;                               ///< value of the controlled quantity
-    std::vector<double> pressures_Pa = {}, pressure_slopes = {};   ///< of all pressure loads
-    std::vector<double> volumes_m3 = {}, volume_slopes = {};       ///< of all measured cavities
-    std::vector<double> load_volumes_m3 = {}, load_volume_slopes = {};   ///< of the cavities of each pressure load together
+    double q = 0;                                                 ///< value of the controlled quantity
+    std::vector<double> pressures_Pa = {}, pressure_slopes = {};  ///< of all pressure loads
+    std::vector<double> volumes_m3 = {}, volume_slopes = {};      ///< of all measured cavities
+    std::vector<double> load_volumes_m3 = {},
+                        load_volume_slopes = {};  ///< of the cavities of each pressure load together
     std::vector<double> outputs = {}, output_slopes = {};
-    LoadLevels levels, level_slopes;            ///< of all loads
-    double load_work_J = 0;                     ///< done by the loads since the path began, of the modelled part
-    double leading = 0, leading_slope = 0;      ///< the load a curve shows (model::leading_load): [Pa], or the load factor
+    LoadLevels levels, level_slopes;        ///< of all loads
+    double load_work_J = 0;                 ///< done by the loads since the path began, of the modelled part
+    double leading = 0, leading_slope = 0;  ///< the load a curve shows (model::leading_load): [Pa], or the load factor
 };
 
 /// Cubic Hermite weights of (y0, y0', y1, y1') at q.

@@ -13,16 +13,16 @@ namespace soft::solver {
 
 /// The state at one length.
 struct Trial {
-    bool admissible = true;      ///< det F > 0
-    double residual = 0;         ///< |R|
-    double floor = 0;            ///< |R| that counts as equilibrium
-    double slope = 0;            ///< g, looked at by secant only
+    bool admissible = true;  ///< det F > 0
+    double residual = 0;     ///< |R|
+    double floor = 0;        ///< |R| that counts as equilibrium
+    double slope = 0;        ///< g, looked at by secant only
 };
 
 struct SearchStart {
-    double pending = 0;          ///< |R| and the loads still to come, as a force
-    double allowed_rise = 1;     ///< of the residual over `pending`, backtracking only
-    double slope = 0;            ///< g(0)
+    double pending = 0;       ///< |R| and the loads still to come, as a force
+    double allowed_rise = 1;  ///< of the residual over `pending`, backtracking only
+    double slope = 0;         ///< g(0)
 };
 
 enum class SearchEnd { found, no_descent, inverted };
@@ -30,8 +30,8 @@ enum class SearchEnd { found, no_descent, inverted };
 struct Search {
     SearchEnd end = SearchEnd::found;
     double length = 1;
-    int halvings = 0;            ///< trials beyond the first
-    Trial trial;                 ///< at `length`, which was tried last
+    int halvings = 0;  ///< trials beyond the first
+    Trial trial;       ///< at `length`, which was tried last
 };
 
 [[nodiscard]] Search search(model::LineSearch kind, const SearchStart& start, const std::function<Trial(double)>& at);

@@ -126,8 +126,10 @@ bool Newton::solve_all(const SolveOne& solve) { return solve(R_, correction_).us
 
 /// K_ is that of this iteration, its factor that of one before.
 bool Newton::solve_with_kept_factor(const Correction& now) {
-    if (!factor_is_recent_ || differences_ || !solver_.is_direct() || now.residual > little_left * residual_at_factor_) return false;
-    const double enough = now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
+    if (!factor_is_recent_ || differences_ || !solver_.is_direct() || now.residual > little_left * residual_at_factor_)
+        return false;
+    const double enough =
+        now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
     const double tolerance = std::min(enough, loosest_linear_tolerance);
     SOFT_PETSC(VecScale(R_, -1.0));
     const bool served = solve_all([&](Vec b, Vec x) {
@@ -141,7 +143,7 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
 /// Eliminates the border; nullopt where it is singular.
 std::optional<Newton::Increment> Newton::increment(const Correction& now) {
     fill_border();
-    std::vector<double> wanted;   // what the rows still lack, then what `a` leaves of it
+    std::vector<double> wanted;  // what the rows still lack, then what `a` leaves of it
     for (const auto& equation : supply_) wanted.push_back(-equation.value);
     wanted.push_back(now.missing);
     const auto far = linalg::solve(border_, wanted);
@@ -153,7 +155,7 @@ std::optional<Newton::Increment> Newton::increment(const Correction& now) {
     double pending = now.residual;
     for (std::size_t j = 0; j < far->size(); ++j)
         pending = std::hypot(pending, (*far)[j] * linalg::norm(wanted_[j].out));
-    for (std::size_t j = 0; j < step->size(); ++j) linalg::add(correction_, (*step)[j], columns_[j]);   // now dx
+    for (std::size_t j = 0; j < step->size(); ++j) linalg::add(correction_, (*step)[j], columns_[j]);  // now dx
     return Increment{std::move(*step), pending};
 }
 
@@ -161,7 +163,8 @@ std::optional<Newton::Increment> Newton::increment(const Correction& now) {
 Search Newton::move(const Increment& step, const State& state, State& trial, Correction& now) {
     const auto work_of_loads = [&] {
         double work = 0;
-        for (std::size_t j = 0; j < step.loads.size(); ++j) work += step.loads[j] * linalg::dot(wanted_[j].out, correction_);
+        for (std::size_t j = 0; j < step.loads.size(); ++j)
+            work += step.loads[j] * linalg::dot(wanted_[j].out, correction_);
         return work;
     };
     const bool slopes = settings_.line_search == model::LineSearch::secant;

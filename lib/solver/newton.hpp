@@ -27,16 +27,25 @@ namespace soft::solver {
 
 /// not_definite: CHOLMOD has met a tangent with another than positive pivots. linear_solver: no solution of the linear systems
 /// to the wanted tolerance, and without it no equilibrium.
-enum class NewtonEnd { converged, inverted, iteration_limit, no_descent, singular, not_definite, linear_solver, not_finite };
+enum class NewtonEnd {
+    converged,
+    inverted,
+    iteration_limit,
+    no_descent,
+    singular,
+    not_definite,
+    linear_solver,
+    not_finite
+};
 /// For a sentence about the failure.
 [[nodiscard]] std::string_view text_of(NewtonEnd end);
 
 struct NewtonResult {
     NewtonEnd end = NewtonEnd::converged;
     int iterations = 0;
-    int halvings = 0;                   ///< of the line search (trials beyond the first), over all iterations
-    double residual = 0;                ///< |R| over the force scale
-    mesh::Index worst_cell = -1;        ///< cell with the least det F at the last evaluation
+    int halvings = 0;             ///< of the line search (trials beyond the first), over all iterations
+    double residual = 0;          ///< |R| over the force scale
+    mesh::Index worst_cell = -1;  ///< cell with the least det F at the last evaluation
     double min_jacobian = 1;
 };
 
@@ -44,7 +53,7 @@ struct NewtonResult {
 struct PathTangent {
     linalg::Vector x;
     double load_factor = 0;
-    std::vector<double> pressures;      ///< of the free supplies [Pa]
+    std::vector<double> pressures;  ///< of the free supplies [Pa]
     /// Directions in which the body gives way at fixed load factor with every supply as prescribed: 0 = stable. From the
     /// negative pivots of K beyond one a pressure unknown, less what volume and gas of the free supplies hold back
     /// (Haynsworth: inertia of the bordered matrix). Where the count changes from one tangent to the next it must agree with
@@ -89,17 +98,17 @@ public:
 private:
     /// A correction on its way.
     struct Correction {
-        assembly::Evaluation evaluation;        // the last
-        double residual = 0;                    // |R| at the state
+        assembly::Evaluation evaluation;  // the last
+        double residual = 0;              // |R| at the state
         double first_force_scale = 0, constraint_scale = 0;
-        double missing = 0;                     // of the constraint
-        double aim = 0;                         // of the residual: equilibrium
+        double missing = 0;  // of the constraint
+        double aim = 0;      // of the residual: equilibrium
         NewtonResult result;
     };
     /// dx is in correction_; and what the bordered system adds to it.
     struct Increment {
-        std::vector<double> loads;              // of the free supplies' pressures and the load factor
-        double pending = 0;                     // what is still to be done, as a force
+        std::vector<double> loads;  // of the free supplies' pressures and the load factor
+        double pending = 0;         // what is still to be done, as a force
     };
     enum class Assemble { tangent, forces };
     using SolveOne = std::function<linalg::LinearSolve(Vec, Vec)>;
@@ -147,26 +156,26 @@ private:
     assembly::System& system_;
     model::SolverSettings settings_;
     const StageLoads* loads_ = nullptr;
-    bool loads_move_ = false;                   // a face, with the load factor
-    linalg::Matrix K_, spare_;                  // the spare is for columns that need a tangent while K_ stays
+    bool loads_move_ = false;   // a face, with the load factor
+    linalg::Matrix K_, spare_;  // the spare is for columns that need a tangent while K_ stays
     linalg::LinearSolver solver_;
     std::optional<ResidualDifferences> differences_;
     linalg::Factorization factor_;
-    bool factor_is_recent_ = false;             // made in the last correction
-    double residual_at_factor_ = 0;             // |R| where it was made
-    bool linear_limit_met_ = false;             // in the last iteration
+    bool factor_is_recent_ = false;  // made in the last correction
+    double residual_at_factor_ = 0;  // |R| where it was made
+    bool linear_limit_met_ = false;  // in the last iteration
     NewtonEnd tangent_end_ = NewtonEnd::converged;
-    int confirmed_pivots_ = 0;                  // excess_pivots() of the tangent before
-    linalg::Vector R_, correction_;             // a, then dx
+    int confirmed_pivots_ = 0;       // excess_pivots() of the tangent before
+    linalg::Vector R_, correction_;  // a, then dx
     SecantUpdates updates_;
     linalg::Vector minus_R_before_, load_change_;   // of the secant pair to come: sum of (dp_k, dlambda) f
-    std::vector<linalg::Vector> forces_, columns_;   // f_k, -dR/dlambda; b_k, b_l
+    std::vector<linalg::Vector> forces_, columns_;  // f_k, -dR/dlambda; b_k, b_l
     std::vector<assembly::LoadColumn> wanted_;
-    std::optional<State> assembled_at_;         // of the last evaluation, where it gave K_
-    std::vector<linalg::Vector> gradients_;     // of e_k, c by x
+    std::optional<State> assembled_at_;      // of the last evaluation, where it gave K_
+    std::vector<linalg::Vector> gradients_;  // of e_k, c by x
     std::vector<SupplyEquation> supply_;
     ConstraintValue constraint_;
-    std::vector<double> volume_by_load_factor_; // of the free supplies, through prescribed motions
+    std::vector<double> volume_by_load_factor_;  // of the free supplies, through prescribed motions
     linalg::SmallMatrix border_;
 };
 

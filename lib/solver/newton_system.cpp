@@ -21,11 +21,16 @@ model::SolverSettings with_choice(const assembly::System& system, model::SolverS
 }  // namespace
 
 Newton::Newton(assembly::System& system, const model::SolverSettings& settings)
-    : system_(system), settings_(with_choice(system, settings)), K_(system.make_matrix()), solver_(K_, symmetry_of(system), settings_.linear),
-      R_(system.make_vector()), correction_(system.make_vector()) {
+    : system_(system),
+      settings_(with_choice(system, settings)),
+      K_(system.make_matrix()),
+      solver_(K_, symmetry_of(system), settings_.linear),
+      R_(system.make_vector()),
+      correction_(system.make_vector()) {
     const bool matrix_free = settings_.linear.method == model::LinearMethod::jacobian_free;
     assembly::equip(solver_, system, K_);
-    if (matrix_free || settings.tangent == model::TangentSource::finite_difference) differences_.emplace(system, K_, settings.tangent);
+    if (matrix_free || settings.tangent == model::TangentSource::finite_difference)
+        differences_.emplace(system, K_, settings.tangent);
     if (matrix_free) solver_.set_operator(differences_->jacobian());
     if (settings.newton != model::NewtonMethod::bfgs) return;
     minus_R_before_ = system.make_vector();
@@ -140,7 +145,7 @@ void Newton::fill_border() {
 
 bool Newton::solve_columns(const SolveOne& solve) {
     for (std::size_t j = 0; j < wanted_.size(); ++j) {
-        if (linalg::norm(wanted_[j].out) == 0.0) {   // only volumes or masses change with the load factor
+        if (linalg::norm(wanted_[j].out) == 0.0) {  // only volumes or masses change with the load factor
             SOFT_PETSC(VecZeroEntries(columns_[j]));
             continue;
         }

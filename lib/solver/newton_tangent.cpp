@@ -29,7 +29,8 @@ std::optional<NewtonEnd> Newton::solve_tangent_columns() {
     // The factor may be that of a state a little before this one: what it says of stability counts where it says nothing new.
     const auto says_the_same = [this] {
         const auto pivots = pivots_of_factor();
-        return !pivots || (factor_.negative_pivots ? *pivots == confirmed_pivots_ : (*pivots - confirmed_pivots_) % 2 == 0);
+        return !pivots ||
+               (factor_.negative_pivots ? *pivots == confirmed_pivots_ : (*pivots - confirmed_pivots_) % 2 == 0);
     };
     if (factor_is_recent_ && says_the_same() && solve_columns(with_the_last)) return std::nullopt;
     factor_ = solver_.factorize();
@@ -69,7 +70,7 @@ std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const S
 }
 
 std::optional<int> Newton::pivots_of_factor() const {
-    const auto pressures = system_.dofs().pressures;   // one negative pivot each belongs to the saddle point
+    const auto pressures = system_.dofs().pressures;  // one negative pivot each belongs to the saddle point
     if (factor_.negative_pivots) return static_cast<int>(*factor_.negative_pivots - pressures);
     if (factor_.determinant_is_negative) return *factor_.determinant_is_negative != (pressures % 2 == 1) ? 1 : 0;
     return std::nullopt;
@@ -91,9 +92,10 @@ std::optional<int> Newton::unstable_modes() {
     const auto modes = excess_pivots();
     if (!modes) return std::nullopt;
     const int free = static_cast<int>(supply_.size());
-    linalg::SmallMatrix held(free);   // compliance of the gas + grad V . K^-1 f
+    linalg::SmallMatrix held(free);  // compliance of the gas + grad V . K^-1 f
     for (int i = 0; i < free; ++i)
-        for (int j = 0; j < free; ++j) held.at(i, j) = border_.at(i, j) / supply_[static_cast<std::size_t>(i)].by_volume;
+        for (int j = 0; j < free; ++j)
+            held.at(i, j) = border_.at(i, j) / supply_[static_cast<std::size_t>(i)].by_volume;
     const int freed = linalg::negative_eigenvalues(held);
     return factor_.negative_pivots ? *modes - freed : (*modes + freed) % 2;
 }

@@ -50,7 +50,7 @@ void PathFollower::start() {
         throw Error(ExitCode::bad_input, "loads", "nothing loads the body", "give loads.cavity.pressure");
     State state{system_.make_vector(), 0.0, {}};
     state.pressures_Pa.assign(loads_->free_supplies().size(), 0.0);
-    if (system_.starts_under_stress()) {   // row 0 is the body free of load, not the undeformed one
+    if (system_.starts_under_stress()) {  // row 0 is the body free of load, not the undeformed one
         newton_result_ = newton_.correct({ConstraintKind::load_factor}, 0.0, state);
         if (newton_result_.end != NewtonEnd::converged)
             throw no_beginning(newton_result_.end, "no equilibrium without load under the law's initial stress");

@@ -55,10 +55,10 @@ using RowSink = std::function<void(const RowState&)>;
 
 struct Listeners {
     StepSink step;
-    CheckpointSink checkpoint = {};   ///< may be empty
-    Log log = {};                     ///< may be empty
-    ContactCheck contact = {};        ///< may be empty: walls pass through each other
-    RowSink row = {};                 ///< may be empty
+    CheckpointSink checkpoint = {};  ///< may be empty
+    Log log = {};                    ///< may be empty
+    ContactCheck contact = {};       ///< may be empty: walls pass through each other
+    RowSink row = {};                ///< may be empty
 };
 
 /// `from`: goes on from there instead of the undeformed state; the rows before it are not passed to the sink again. The

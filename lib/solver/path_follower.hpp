@@ -26,15 +26,19 @@ inline constexpr const char* linear_remedy =
 struct Event {
     PathPoint point;
     bool is_limit_point = false;
-    int modes = 0;                              ///< eigenvalues that pass zero, of a bifurcation
+    int modes = 0;  ///< eigenvalues that pass zero, of a bifurcation
     std::optional<linalg::Vector> mode;
 };
 
 class PathFollower {
 public:
     PathFollower(assembly::System& system, const Listeners& listeners)
-        : system_(system), input_(system.input()), settings_(input_.solver), newton_(system, settings_),
-          listeners_(listeners), scratch_(system.make_vector()) {}
+        : system_(system),
+          input_(system.input()),
+          settings_(input_.solver),
+          newton_(system, settings_),
+          listeners_(listeners),
+          scratch_(system.make_vector()) {}
 
     solution::PathEnd run(const solution::Checkpoint* from);
 
@@ -72,7 +76,7 @@ private:
     /// Of the next step. The forecast is the predictor's state there, where Newton's method starts from or not.
     struct Aim {
         std::optional<Crossing> crossing = {};
-        bool straight = false;                      ///< by the tangent, not the cubic
+        bool straight = false;  ///< by the tangent, not the cubic
         State forecast = {};
         Constraint constraint = {};
         double target = 0;
@@ -102,7 +106,9 @@ private:
     [[nodiscard]] bool load_falls(const PathPoint& point) const { return point.tangent.load_factor * step_ < 0.0; }
     [[nodiscard]] solution::LimitPoint place_of(const PathPoint& point) const;
     [[nodiscard]] std::string describe(const PathPoint& point) const { return state_text(point, input_); }
-    void log(const std::string& line) const { if (listeners_.log) listeners_.log(line); }
+    void log(const std::string& line) const {
+        if (listeners_.log) listeners_.log(line);
+    }
 
     // events.cpp
     [[nodiscard]] std::optional<std::string> find_contact(PathPoint& point);
@@ -125,23 +131,23 @@ private:
     Newton newton_;
     const Listeners& listeners_;
     linalg::Vector scratch_;
-    std::vector<double> undeformed_volumes_m3_;   // by load
+    std::vector<double> undeformed_volumes_m3_;  // by load
 
     int stage_ = 0, stage_first_row_ = 0;
     std::optional<StageLoads> loads_;
     std::vector<Goal> goals_;
     Constraint control_;
-    std::optional<Constraint> chosen_;          // by the user, where the path is followed by another control to see why it ends
+    std::optional<Constraint> chosen_;  // by the user, where the path is followed by another control to see why it ends
     std::optional<PathPoint> before_, last_;
-    double step_ = 0, first_step_ = 0;          // of q, signed
-    double stretch_p99_ = 1;                    // of the last row
+    double step_ = 0, first_step_ = 0;  // of q, signed
+    double stretch_p99_ = 1;            // of the last row
     double work_before_stage_J_ = 0;
-    double first_slope_ = 0;                    // |dx / d load factor| where the stage began
-    int failures_ = 0;                          // in a row
-    std::optional<double> rejected_error_;      // of the predictor, at the last attempt from here
+    double first_slope_ = 0;                // |dx / d load factor| where the stage began
+    int failures_ = 0;                      // in a row
+    std::optional<double> rejected_error_;  // of the predictor, at the last attempt from here
     NewtonResult newton_result_;
     int iterations_since_row_ = 0, factorizations_at_row_ = 0;
-    int factorizations_before_ = 0;             // of the run that was interrupted
+    int factorizations_before_ = 0;  // of the run that was interrupted
     int rows_ = 0;
     bool on_branch_ = false;
     bool finished_ = false;

@@ -17,8 +17,9 @@ PathPoint PathFollower::measure(State state, PathTangent tangent) {
 void PathFollower::read_values(PathPoint& point) {
     const bool is_first = !last_ || &*last_ == &point;
     solver::read_values(system_, *loads_, is_first ? nullptr : &*last_, point);
-    point.load_work_J = is_first ? work_before_stage_J_
-                                 : last_->load_work_J + work_between(system_, *last_, point, FromTangent::along_the_path);
+    point.load_work_J = is_first
+                            ? work_before_stage_J_
+                            : last_->load_work_J + work_between(system_, *last_, point, FromTangent::along_the_path);
 }
 
 double PathFollower::leading_of(const State& state) const { return solver::leading_of(input_, *loads_, state); }
@@ -26,13 +27,13 @@ double PathFollower::leading_of(const State& state) const { return solver::leadi
 /// Changes the parameter of a point's slopes. They are read anew, as after a resumption, so that both agree to the byte.
 void PathFollower::rescale(PathPoint& point, double factor) {
     scale(point.tangent, factor);
-    auto outputs = std::move(point.outputs);   // angles stay beyond half a turn
+    auto outputs = std::move(point.outputs);  // angles stay beyond half a turn
     solver::read_values(system_, *loads_, nullptr, point);
     point.outputs = std::move(outputs);
 }
 
 void PathFollower::append(const PathPoint& point) {
-    const double direction = step_ < 0.0 ? -1.0 : 1.0;   // tangents point in the direction of travel
+    const double direction = step_ < 0.0 ? -1.0 : 1.0;  // tangents point in the direction of travel
     solution::Step step = step_of(system_, point, direction);
     step.stage = stage_;
     step.newton_iterations = iterations_since_row_;

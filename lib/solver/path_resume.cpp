@@ -6,11 +6,16 @@ namespace soft::solver {
 void PathFollower::keep_checkpoint() {
     if (!listeners_.checkpoint) return;
     const auto stored = [](const PathPoint& point) {
-        return solution::StatePoint{linalg::gather(point.state.x), linalg::gather(point.tangent.x),
-                                    point.state.pressures_Pa,      point.tangent.pressures,
-                                    point.state.load_factor,       point.tangent.load_factor,
-                                    point.tangent.power,           point.outputs,
-                                    point.q,                       point.load_work_J,
+        return solution::StatePoint{linalg::gather(point.state.x),
+                                    linalg::gather(point.tangent.x),
+                                    point.state.pressures_Pa,
+                                    point.tangent.pressures,
+                                    point.state.load_factor,
+                                    point.tangent.load_factor,
+                                    point.tangent.power,
+                                    point.outputs,
+                                    point.q,
+                                    point.load_work_J,
                                     point.tangent.unstable_modes};
     };
     solution::Checkpoint checkpoint;
@@ -43,7 +48,8 @@ void PathFollower::restore(const solution::Checkpoint& from) {
         throw Error(ExitCode::bad_input, "the interrupted path", problem, remedy);
     };
     if (ranks != from.ranks)
-        refuse("was followed by " + std::to_string(from.ranks) + " ranks, these are " + std::to_string(ranks), "use as many");
+        refuse("was followed by " + std::to_string(from.ranks) + " ranks, these are " + std::to_string(ranks),
+               "use as many");
     const auto loads = input_.loads.size();
     const bool fits = from.stage >= 0 && static_cast<std::size_t>(from.stage) < input_.path.stages.size() &&
                       from.start.pressures_Pa.size() == loads && from.start.volumes_m3.size() == loads &&
@@ -67,14 +73,15 @@ void PathFollower::restore(const solution::Checkpoint& from) {
         linalg::spread(stored.tangent_unknowns, point.tangent.x);
         point.q = stored.q;
         read_values(point);
-        point.outputs = stored.outputs;   // angles beyond 180 degrees
+        point.outputs = stored.outputs;  // angles beyond 180 degrees
         point.load_work_J = stored.load_work_J;
         return point;
     };
     if (static_cast<ConstraintKind>(from.control) != control_.kind && from.chosen_is_left) chosen_ = control_;
     control_ = {static_cast<ConstraintKind>(from.control), static_cast<std::size_t>(from.controlled)};
-    if (control_.kind == ConstraintKind::volume ? control_.index >= loads
-                                                : control_.kind == ConstraintKind::output && control_.index >= system_.output_count())
+    if (control_.kind == ConstraintKind::volume
+            ? control_.index >= loads
+            : control_.kind == ConstraintKind::output && control_.index >= system_.output_count())
         refuse("has other loads or outputs than the case", "run solve again");
     on_branch_ = from.on_branch;
     factorizations_at_row_ = newton_.factorizations() - from.pending_factorizations;

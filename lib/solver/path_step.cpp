@@ -62,9 +62,8 @@ std::optional<PathPoint> PathFollower::solve_between(const PathPoint& a, const P
     State guess = predict(&a, b, q);
     Constraint constraint = bind(control_, a);
     constraint.scale = std::abs(b.q - a.q);
-    const double target = constraint.kind == ConstraintKind::arc
-                              ? evaluate(constraint, system_, *loads_, guess, scratch_).value
-                              : q;
+    const double target =
+        constraint.kind == ConstraintKind::arc ? evaluate(constraint, system_, *loads_, guess, scratch_).value : q;
     auto point = solve_at(constraint, target, std::move(guess));
     if (point && control_.kind == ConstraintKind::arc) point->q = q;
     return point;
@@ -147,8 +146,8 @@ void PathFollower::advance() {
     }
     failures_ = 0;
     rejected_error_.reset();
-    log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(error.state) + " (load " +
-        short_text(error.load) + "), " + std::to_string(newton_result_.iterations) + " iterations" +
+    log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(error.state) +
+        " (load " + short_text(error.load) + "), " + std::to_string(newton_result_.iterations) + " iterations" +
         (point->tangent.unstable_modes ? ", unstable modes " + std::to_string(*point->tangent.unstable_modes) : ""));
     if (!arrive(std::move(*point), aimed.crossing ? aimed.crossing->goal : nullptr)) return;
     adapt_step(std::max(error.state, load_share * error.load), aimed.straight ? 1.0 : 3.0);
@@ -178,14 +177,16 @@ bool PathFollower::arrive(PathPoint point, const Goal* goal) {
     else if (is_hopeless())
         finish(StopReason::limit_point,
                "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
-               "path.stretch_limit at " + describe(*last_));
+               "path.stretch_limit at " +
+                   describe(*last_));
     else
         return true;
     return false;
 }
 
 bool PathFollower::is_hopeless() const {
-    const bool past_a_maximum = !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
+    const bool past_a_maximum =
+        !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
     return past_a_maximum && stretch_p99_ > input_.path.stretch_limit;
 }
 
@@ -198,15 +199,15 @@ void PathFollower::accept(PathPoint point) {
 void PathFollower::adapt_step(double predictor_error, double order) {
     const double taken = last_->q - before_->q;
     switch (settings_.steps) {
-        case model::StepRule::constant:   // grows back where it had to be cut
+        case model::StepRule::constant:  // grows back where it had to be cut
             step_ = std::abs(2.0 * step_) < std::abs(first_step_) ? 2.0 * step_ : first_step_;
             return;
-        case model::StepRule::iteration_adaptive: {   // Ramm 1981; Crisfield 1991 9.5.1
+        case model::StepRule::iteration_adaptive: {  // Ramm 1981; Crisfield 1991 9.5.1
             const double iterations = std::max(newton_result_.iterations, 1);
             step_ = coarse(std::clamp(std::sqrt(settings_.wanted_iterations / iterations), 0.5, 2.0) * taken);
             break;
         }
-        case model::StepRule::error_adaptive: {   // the error goes with the power order + 1 of the step
+        case model::StepRule::error_adaptive: {  // the error goes with the power order + 1 of the step
             double factor = std::pow(settings_.step_accuracy / std::max(predictor_error, 1e-12), 1.0 / order);
             factor = std::clamp(0.9 * factor, smallest_shrink, largest_growth);
             if (newton_result_.iterations > many_iterations) factor = std::min(factor, 0.7);
@@ -239,7 +240,7 @@ void PathFollower::handle_failure() {
         if (!automatic) chosen_ = control_;
         return change_control({ConstraintKind::arc}, "steps under the " + std::string(name(control_.kind)) + " fail");
     }
-    if (failures_ > 1) before_.reset();   // a bad extrapolation: go back to the tangent
+    if (failures_ > 1) before_.reset();  // a bad extrapolation: go back to the tangent
     if (too_short) give_up();
 }
 
@@ -247,14 +248,14 @@ void PathFollower::give_up() {
     const std::string place = place_text(newton_result_.worst_cell, input_);
     log("no step goes on: smaller cells (mesh.size) would be next");
     if (newton_result_.end == NewtonEnd::inverted)
-        return finish(StopReason::inverted_element, "a cell turns inside out (det F = " +
-                                                        short_text(newton_result_.min_jacobian) + ") " + place +
-                                                        "; use smaller cells there (mesh.size)");
+        return finish(StopReason::inverted_element,
+                      "a cell turns inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " + place +
+                          "; use smaller cells there (mesh.size)");
     if (newton_result_.end == NewtonEnd::linear_solver)
         return finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + ": " + linear_remedy);
     finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + " (" +
-                                     std::string(text_of(newton_result_.end)) + "); the most distorted cell is " + place +
-                                     ", det F = " + short_text(newton_result_.min_jacobian) +
+                                     std::string(text_of(newton_result_.end)) + "); the most distorted cell is " +
+                                     place + ", det F = " + short_text(newton_result_.min_jacobian) +
                                      "; smaller cells there (mesh.size) may go on");
 }
 

@@ -27,7 +27,7 @@ private:
         linalg::Vector s, y;
         double rho;
     };
-    std::vector<Pair> pairs_;   // oldest first
+    std::vector<Pair> pairs_;  // oldest first
 };
 
 }  // namespace soft::solver

@@ -15,8 +15,12 @@ constexpr double meets_goal = 5e-3;
 }  // namespace
 
 RefinedPath::RefinedPath(assembly::System& fine, const mesh::Refined& refined)
-    : system_(fine), refined_(refined), newton_(fine, fine.input().solver), origin_(fine.make_vector()),
-      direction_(fine.make_vector()), pressures_(fine.make_vector()),
+    : system_(fine),
+      refined_(refined),
+      newton_(fine, fine.input().solver),
+      origin_(fine.make_vector()),
+      direction_(fine.make_vector()),
+      pressures_(fine.make_vector()),
       undeformed_volumes_m3_(undeformed_volumes_m3(fine)) {}
 
 void RefinedPath::set_stage(int stage) {
@@ -80,7 +84,7 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPlace p
         return state;
     }
     State state = carry_over(coarse);
-    if (nearest_.kind != ConstraintKind::arc) {   // a hold
+    if (nearest_.kind != ConstraintKind::arc) {  // a hold
         if (converges(nearest_, coarse.step.load_factor, state)) return state;
         return std::nullopt;
     }
@@ -89,7 +93,7 @@ std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPlace p
         state = carry_over(coarse);
     }
     if (converges(nearest_, 0.0, state)) return state;
-    SOFT_PETSC(VecZeroEntries(pressures_));   // once more, without those of the row before
+    SOFT_PETSC(VecZeroEntries(pressures_));  // once more, without those of the row before
     state = carry_over(coarse);
     if (converges(nearest_, 0.0, state)) return state;
     return std::nullopt;
@@ -107,8 +111,7 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPlace plac
     PathPoint near;
     near.outputs = coarse.step.outputs;
     read_values(system_, *loads_, &near, point);
-    if (last_)
-        point.load_work_J = last_->load_work_J + work_between(system_, *last_, point, of_last_);
+    if (last_) point.load_work_J = last_->load_work_J + work_between(system_, *last_, point, of_last_);
     of_last_ = FromTangent::along_the_path;
     RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
     row.step.stage = coarse.step.stage;

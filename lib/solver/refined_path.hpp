@@ -44,8 +44,8 @@ private:
     Newton newton_;
     int stage_ = -1;
     std::optional<StageLoads> loads_;
-    linalg::Vector origin_, direction_, pressures_;   // pressures_: the row before, a guess of the pressure unknowns
-    std::vector<double> undeformed_volumes_m3_;       // by load
+    linalg::Vector origin_, direction_, pressures_;  // pressures_: the row before, a guess of the pressure unknowns
+    std::vector<double> undeformed_volumes_m3_;      // by load
     Constraint nearest_;
     std::optional<PathPoint> last_;
     FromTangent of_last_ = FromTangent::along_the_path;

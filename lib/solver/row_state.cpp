@@ -33,7 +33,8 @@ double leading_of(const model::Case& input, const StageLoads& loads, const State
 
 StageStart stage_start_at(const model::Case& input, const StageLoads& loads, const PathPoint& point) {
     const LoadLevels levels = loads.levels(point.state.load_factor, point.state.pressures_Pa);
-    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {}, levels.tractions, levels.body_forces, levels.motions};
+    StageStart start{levels.pressures_Pa, point.load_volumes_m3, {},
+                     levels.tractions,    levels.body_forces,    levels.motions};
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         start.masses_kg.push_back(gas_mass_kg(input.loads[i].gas, start.volumes_m3[i], start.pressures_Pa[i]));
     return start;
@@ -87,7 +88,7 @@ void read_values(assembly::System& system, const LoadLevels& levels, const LoadL
     for (std::size_t i = 0; i < system.output_count(); ++i) {
         assembly::LoadLevels by_levels;
         double value = system.output(i, point.state.x, gradient, &by_levels);
-        if (model::is_angle(input.outputs[i].measure) && before != nullptr)   // a turn goes on beyond 180 degrees
+        if (model::is_angle(input.outputs[i].measure) && before != nullptr)  // a turn goes on beyond 180 degrees
             value = before->outputs[i] + std::remainder(value - before->outputs[i], 2.0 * std::numbers::pi);
         point.outputs.push_back(value);
         point.output_slopes.push_back(linalg::dot(gradient, point.tangent.x) + assembly::product(by_levels, slopes));
@@ -154,7 +155,7 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
     LoadLevels start_rate;
     if (of_from == FromTangent::along_the_path) {
         start_rate = scaled(from, start);
-    } else {   // the parabola through both that has the tangent of `to`
+    } else {  // the parabola through both that has the tangent of `to`
         SOFT_PETSC(VecWAXPY(start, -1.0, end, change));
         linalg::add(start, 1.0, change);
         start_rate = difference(assembly::moved(turn, 1.0, turn), end_rate);
@@ -163,12 +164,13 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
     linalg::add(middle, 0.5, change);
     linalg::add(middle, 0.125, start);
     linalg::add(middle, -0.125, end);
-    LoadLevels levels = assembly::moved(from.levels, 0.5, turn), rate = assembly::moved(assembly::no_loads(system.input()), 1.5, turn);
+    LoadLevels levels = assembly::moved(from.levels, 0.5, turn),
+               rate = assembly::moved(assembly::no_loads(system.input()), 1.5, turn);
     levels = assembly::moved(assembly::moved(levels, 0.125, start_rate), -0.125, end_rate);
     rate = assembly::moved(assembly::moved(rate, -0.25, start_rate), -0.25, end_rate);
     const double at_start = system.load_power(from.state.x, start, from.levels, start_rate);
     const double at_end = system.load_power(to.state.x, end, to.levels, end_rate);
-    SOFT_PETSC(VecScale(change, 1.5));   // now the velocity in the middle
+    SOFT_PETSC(VecScale(change, 1.5));  // now the velocity in the middle
     linalg::add(change, -0.25, start);
     linalg::add(change, -0.25, end);
     const double in_middle = system.load_power(middle, change, levels, rate);
@@ -178,8 +180,9 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
 
 RowState row_state(assembly::System& system, const PathPoint& point, double direction, solution::Step step) {
     auto fields = system.gather_fields(point.state.x);
-    RowState row{std::move(step), std::move(fields.displacement_m), system.gather_fields(point.tangent.x).displacement_m,
-                 std::move(fields.pressure_Pa), point.state.pressures_Pa};
+    RowState row{std::move(step), std::move(fields.displacement_m),
+                 system.gather_fields(point.tangent.x).displacement_m, std::move(fields.pressure_Pa),
+                 point.state.pressures_Pa};
     for (double& component : row.tangent) component *= direction;
     return row;
 }

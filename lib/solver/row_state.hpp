@@ -10,11 +10,11 @@ namespace soft::solver {
 
 /// A row of the path. The fields are on rank 0 alone.
 struct RowState {
-    solution::Step step;                     ///< as it is reported
-    std::vector<double> displacement_m;      ///< [point x 3]
-    std::vector<double> tangent;             ///< [point x 3] displacement along the path, any positive scale
-    std::vector<double> pressure_Pa;         ///< [point], empty without pressure unknowns
-    std::vector<double> free_pressures_Pa;   ///< of the supplies whose pressure is unknown, on all ranks
+    solution::Step step;                    ///< as it is reported
+    std::vector<double> displacement_m;     ///< [point x 3]
+    std::vector<double> tangent;            ///< [point x 3] displacement along the path, any positive scale
+    std::vector<double> pressure_Pa;        ///< [point], empty without pressure unknowns
+    std::vector<double> free_pressures_Pa;  ///< of the supplies whose pressure is unknown, on all ranks
 };
 
 /// The load that a curve shows (model::leading_load), at a state.
@@ -43,12 +43,14 @@ enum class FromTangent { along_the_path, of_another_stage };
 /// Work of the loads [J], modelled part, on the way between two points that have been read: Simpson's rule of the power along
 /// the cubic with both tangents, so that its error falls with the fourth power of the step. Prescribes the motions of `to`.
 /// Held by solver/work_test.
-[[nodiscard]] double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from);
+[[nodiscard]] double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to,
+                                  FromTangent of_from);
 
 /// Stretches and energies of a state; `load_work_J` of the modelled part. The motions prescribed are those of the state.
 void read_stretches(assembly::System& system, Vec x, double load_work_J, solution::Step& step);
 
 /// `step` with the fields of the point. The motions prescribed are those of the state.
-[[nodiscard]] RowState row_state(assembly::System& system, const PathPoint& point, double direction, solution::Step step);
+[[nodiscard]] RowState row_state(assembly::System& system, const PathPoint& point, double direction,
+                                 solution::Step step);
 
 }  // namespace soft::solver

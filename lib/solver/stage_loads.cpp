@@ -42,12 +42,14 @@ StageLoads::StageLoads(const model::Case& input, int stage, StageStart start,
             supply.end = gas_mass_kg(supply.gas, undeformed_volumes_m3[i], 0.0) + target.value;
         if (target.what == Prescription::volume) supply.end = target.value;
         if (target.what == Prescription::volume_ratio) supply.end = target.value * undeformed_volumes_m3[i];
-        if (target.what == Prescription::volume || target.what == Prescription::volume_ratio) now = start_.volumes_m3[i];
+        if (target.what == Prescription::volume || target.what == Prescription::volume_ratio)
+            now = start_.volumes_m3[i];
         changes_ = changes_ || supply.end != now;
         free_.push_back(i);
         supplies_.push_back(supply);
     }
-    const auto change = [&](std::vector<double>& rates, const std::vector<double>& ends, const std::vector<double>& starts) {
+    const auto change = [&](std::vector<double>& rates, const std::vector<double>& ends,
+                            const std::vector<double>& starts) {
         for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = ends.at(i) - starts[i];
     };
     change(rate_.tractions, programme.tractions, start_.tractions);

@@ -45,19 +45,20 @@ public:
     /// False for a stage in which nothing changes.
     [[nodiscard]] bool changes() const noexcept { return changes_; }
     /// `k` counts the free supplies.
-    [[nodiscard]] SupplyEquation equation(std::size_t k, double volume_m3, double pressure_Pa, double load_factor) const;
+    [[nodiscard]] SupplyEquation equation(std::size_t k, double volume_m3, double pressure_Pa,
+                                          double load_factor) const;
     [[nodiscard]] const StageStart& start() const noexcept { return start_; }
 
 private:
     struct Supply {
         model::SupplyTarget target;
         model::Gas gas;
-        double end = 0;     ///< volume [m^3] or mass [kg] at load factor 1
+        double end = 0;  ///< volume [m^3] or mass [kg] at load factor 1
     };
     StageStart start_;
     LoadLevels begin_, rate_;
     std::vector<std::size_t> free_;
-    std::vector<Supply> supplies_;   // of the free ones
+    std::vector<Supply> supplies_;  // of the free ones
     bool changes_ = false;
 };
 

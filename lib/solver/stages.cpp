@@ -30,7 +30,8 @@ Constraint PathFollower::stage_control() const {
         case Control::volume: {
             Constraint constraint{ConstraintKind::volume};
             for (std::size_t load = 0; load < input_.loads.size(); ++load)
-                if (stage().controlled.empty() ? system_.encloses_volume(load) : input_.loads[load].name == stage().controlled) {
+                if (stage().controlled.empty() ? system_.encloses_volume(load)
+                                               : input_.loads[load].name == stage().controlled) {
                     if (!system_.encloses_volume(load)) break;
                     constraint.index = load;
                     return constraint;
@@ -77,7 +78,7 @@ double PathFollower::control_slope(const Constraint& control, const PathPoint& p
         case ConstraintKind::volume: return point.load_volume_slopes[control.index];
         case ConstraintKind::output: return point.output_slopes[control.index];
         case ConstraintKind::arc: return linalg::norm(point.tangent.x);
-        case ConstraintKind::pressure: break;   // never a control
+        case ConstraintKind::pressure: break;  // never a control
     }
     throw std::logic_error("control_slope: not a control");
 }
@@ -112,10 +113,10 @@ void PathFollower::begin_stage(State state) {
     if (!by_load || !std::isfinite(linalg::norm(by_load->x))) {
         if (newton_.tangent_end() == NewtonEnd::linear_solver) {
             begin_without_direction(std::move(state));
-            return finish(StopReason::diverged, std::string("no direction of the path where it begins: ") + linear_remedy);
+            return finish(StopReason::diverged,
+                          std::string("no direction of the path where it begins: ") + linear_remedy);
         }
-        if (rows_ == 0)
-            throw no_beginning(newton_.tangent_end(), "the undeformed body has a singular stiffness");
+        if (rows_ == 0) throw no_beginning(newton_.tangent_end(), "the undeformed body has a singular stiffness");
         return finish(StopReason::diverged, "the tangent is singular where stage '" + stage().name + "' begins");
     }
     first_slope_ = linalg::norm(by_load->x);
@@ -161,7 +162,7 @@ void PathFollower::end_stage(const std::string& text) {
     for (const std::size_t load : loads_->free_supplies()) state.pressures_Pa.push_back(start.pressures_Pa[load]);
     begin_stage(std::move(state));
     if (finished_ || loads_->changes()) return;
-    last_->state.load_factor = 1.0;   // hold: the same state once more
+    last_->state.load_factor = 1.0;  // hold: the same state once more
     append(*last_);
     end_stage("end of the hold");
 }
@@ -171,7 +172,7 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
     log(why + ": following the path by " + std::string(name(control.kind)));
     const double sense = step_ < 0.0 ? -1.0 : 1.0, reach = std::abs(step_) * linalg::norm(last_->tangent.x);
     for (auto* point : {&before_, &last_})
-        if (*point) rescale(**point, sense);   // now in the direction of travel
+        if (*point) rescale(**point, sense);  // now in the direction of travel
     control_ = control;
     double span = 0;
     if (before_) {
@@ -199,7 +200,9 @@ bool PathFollower::nears_a_maximum() {
     linalg::copy(last_->state.x, scratch_);
     linalg::add(scratch_, -1.0, before_->state.x);
     const double length = linalg::norm(scratch_);
-    const auto slope = [](const PathPoint& point) { return 1.0 / linalg::norm(point.tangent.x); };   // d load factor / d length
+    const auto slope = [](const PathPoint& point) {
+        return 1.0 / linalg::norm(point.tangent.x);
+    };  // d load factor / d length
     const double fall = slope(*before_) - slope(*last_);
     return length > 0.0 && slope(*last_) < steps_to_a_maximum * fall;
 }

@@ -29,7 +29,8 @@ std::string ending_of(const std::filesystem::path& path) {
     return ending;
 }
 
-bool read(std::istream& stream, const std::string& ending, std::vector<CgalPoint>& points, std::vector<std::vector<std::size_t>>& facets) {
+bool read(std::istream& stream, const std::string& ending, std::vector<CgalPoint>& points,
+          std::vector<std::vector<std::size_t>>& facets) {
     if (ending == ".obj") return CGAL::IO::read_OBJ(stream, points, facets);
     return CGAL::IO::read_STL(stream, points, facets);
 }
@@ -54,7 +55,9 @@ std::size_t merge_points(FacetSoup& soup) {
     std::map<Cell, std::vector<std::size_t>> cells;
     std::vector<mesh::Point> kept;
     std::vector<std::size_t> numbers;
-    const auto cell_of = [&](double x, std::size_t d) { return tolerance > 0 ? std::llround((x - low[d]) / tolerance) : 0; };
+    const auto cell_of = [&](double x, std::size_t d) {
+        return tolerance > 0 ? std::llround((x - low[d]) / tolerance) : 0;
+    };
     const auto find = [&](const mesh::Point& p, const Cell& at) {
         const auto [i, j, k] = at;
         for (long long a = -1; a <= 1; ++a)
@@ -62,7 +65,9 @@ std::size_t merge_points(FacetSoup& soup) {
                 for (long long c = -1; c <= 1; ++c)
                     if (const auto found = cells.find({i + a, j + b, k + c}); found != cells.end())
                         for (const std::size_t other : found->second)
-                            if (std::hypot(kept[other][0] - p[0], kept[other][1] - p[1], kept[other][2] - p[2]) <= tolerance) return other;
+                            if (std::hypot(kept[other][0] - p[0], kept[other][1] - p[1], kept[other][2] - p[2]) <=
+                                tolerance)
+                                return other;
         return kept.size();
     };
     for (const mesh::Point& p : soup.points) {
@@ -106,14 +111,17 @@ std::string counted(std::size_t count, const std::string& one, const std::string
 
 double BodySurface::volume_m3() const {
     double sum = 0;
-    for (std::size_t t = 0; t < triangles.size(); ++t) sum += dot(corner(*this, t, 0), cross(corner(*this, t, 1), corner(*this, t, 2))) / 6;
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        sum += dot(corner(*this, t, 0), cross(corner(*this, t, 1), corner(*this, t, 2))) / 6;
     return sum;
 }
 
 double BodySurface::area_m2() const {
     double sum = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t)
-        sum += norm(cross(along(corner(*this, t, 1), -1, corner(*this, t, 0)), along(corner(*this, t, 2), -1, corner(*this, t, 0)))) / 2;
+        sum += norm(cross(along(corner(*this, t, 1), -1, corner(*this, t, 0)),
+                          along(corner(*this, t, 2), -1, corner(*this, t, 0)))) /
+               2;
     return sum;
 }
 
@@ -132,28 +140,32 @@ bool is_surface_file(const std::filesystem::path& path) {
 }
 
 FacetSoup read_soup(const std::filesystem::path& path) {
-    static_cast<void>(core::read_file(path, core::no_limit));   // says why it cannot be opened
+    static_cast<void>(core::read_file(path, core::no_limit));  // says why it cannot be opened
     std::ifstream stream(path, std::ios::binary);
     std::vector<CgalPoint> points;
     FacetSoup soup;
     const bool whole = read(stream, ending_of(path), points, soup.facets);
     if (!whole || soup.facets.empty())
-        throw Error(ExitCode::bad_input, path.string(), whole ? "it holds no facets" : "it cannot be read as " + ending_of(path).substr(1),
+        throw Error(ExitCode::bad_input, path.string(),
+                    whole ? "it holds no facets" : "it cannot be read as " + ending_of(path).substr(1),
                     "export the body again as STL or OBJ");
     for (const CgalPoint& p : points) soup.points.push_back({p.x(), p.y(), p.z()});
     for (const mesh::Point& p : soup.points)
         for (const double component : p)
-            if (!std::isfinite(component)) throw Error(ExitCode::bad_input, path.string(), "a coordinate is no number", "export the body again");
+            if (!std::isfinite(component))
+                throw Error(ExitCode::bad_input, path.string(), "a coordinate is no number", "export the body again");
     for (const auto& facet : soup.facets)
         for (const std::size_t node : facet)
             if (node >= soup.points.size())
-                throw Error(ExitCode::bad_input, path.string(), "a facet has a point that the file does not hold", "export the body again");
+                throw Error(ExitCode::bad_input, path.string(), "a facet has a point that the file does not hold",
+                            "export the body again");
     return soup;
 }
 
 BodySurface body_surface(FacetSoup soup, const SoupOrigin& origin) {
     std::vector<std::string> repairs;
-    if (const std::size_t merged = merge_points(soup); merged > 0) repairs.push_back(counted(merged, "point", "points") + " merged with others in the same place");
+    if (const std::size_t merged = merge_points(soup); merged > 0)
+        repairs.push_back(counted(merged, "point", "points") + " merged with others in the same place");
     if (const std::size_t dropped = drop_idle_facets(soup); dropped > 0)
         repairs.push_back(counted(dropped, "facet", "facets") + " without area or twice there taken out");
     BodySurface surface = closed_shells(soup, origin);

@@ -19,20 +19,20 @@ namespace soft::surface {
 /// their lowest corners).
 struct Shell {
     std::string name;
-    double volume_m3 = 0;   ///< enclosed by the sheet, positive
-    mesh::Point inside{};   ///< centre of its box, to say where it is [m]
+    double volume_m3 = 0;  ///< enclosed by the sheet, positive
+    mesh::Point inside{};  ///< centre of its box, to say where it is [m]
 };
 
 struct BodySurface {
-    std::vector<mesh::Point> points;                 ///< [m]
-    std::vector<std::array<int, 3>> triangles;       ///< normals out of the body
-    std::vector<int> shell_of;                       ///< of each triangle
-    std::vector<Shell> shells;                       ///< the outside first
-    std::vector<std::string> repairs;                ///< "3 facets turned over"
+    std::vector<mesh::Point> points;            ///< [m]
+    std::vector<std::array<int, 3>> triangles;  ///< normals out of the body
+    std::vector<int> shell_of;                  ///< of each triangle
+    std::vector<Shell> shells;                  ///< the outside first
+    std::vector<std::string> repairs;           ///< "3 facets turned over"
 
-    [[nodiscard]] double volume_m3() const;          ///< of the body
+    [[nodiscard]] double volume_m3() const;  ///< of the body
     [[nodiscard]] double area_m2() const;
-    [[nodiscard]] double extent_m() const;           ///< longest side of its box
+    [[nodiscard]] double extent_m() const;  ///< longest side of its box
 };
 
 /// Points and facets as they stand in a file.

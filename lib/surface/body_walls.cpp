@@ -19,16 +19,19 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
 
-constexpr double growth = 0.5;   ///< of the wanted size, per distance
+constexpr double growth = 0.5;  ///< of the wanted size, per distance
 
 struct Facet {
     std::array<mesh::Point, 3> corners;
-    Vector normal;   ///< unit
+    Vector normal;  ///< unit
     double area;
 };
 
 Facet facet_of(const std::vector<mesh::Point>& points, const std::array<int, 3>& t) {
-    Facet facet{{points[static_cast<std::size_t>(t[0])], points[static_cast<std::size_t>(t[1])], points[static_cast<std::size_t>(t[2])]}, {}, 0};
+    Facet facet{{points[static_cast<std::size_t>(t[0])], points[static_cast<std::size_t>(t[1])],
+                 points[static_cast<std::size_t>(t[2])]},
+                {},
+                0};
     const auto& [a, b, c] = facet.corners;
     facet.normal = cross(along(b, -1, a), along(c, -1, a));
     const double length = norm(facet.normal);
@@ -40,20 +43,22 @@ Facet facet_of(const std::vector<mesh::Point>& points, const std::array<int, 3>&
 /// Evenly spread over a triangle: the plastic number's sequence, folded (M. Roberts, 2018).
 mesh::Point place_in(const Facet& facet, std::size_t number) {
     constexpr double g = 1.3247179572447460;
-    double u = std::fmod(1.0 / 3 + static_cast<double>(number) / g, 1.0), v = std::fmod(1.0 / 3 + static_cast<double>(number) / (g * g), 1.0);
+    double u = std::fmod(1.0 / 3 + static_cast<double>(number) / g, 1.0),
+           v = std::fmod(1.0 / 3 + static_cast<double>(number) / (g * g), 1.0);
     if (u + v > 1) {
         u = 1 - u;
         v = 1 - v;
     }
     mesh::Point p{};
-    for (std::size_t d = 0; d < 3; ++d) p[d] = (1 - u - v) * facet.corners[0][d] + u * facet.corners[1][d] + v * facet.corners[2][d];
+    for (std::size_t d = 0; d < 3; ++d)
+        p[d] = (1 - u - v) * facet.corners[0][d] + u * facet.corners[1][d] + v * facet.corners[2][d];
     return p;
 }
 
 }  // namespace
 
 std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vector<std::array<int, 3>>& triangles) {
-    constexpr double places = 20000;      // a few seconds; a bellows of 100 mm gets one every 2 mm
+    constexpr double places = 20000;  // a few seconds; a bellows of 100 mm gets one every 2 mm
     constexpr double least_cosine = 0.5;
     Triangles surface{points, triangles, {}, points};
     std::vector<Facet> facets;
@@ -65,7 +70,7 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
     }
     const RayTree tree(surface);
     std::vector<Wall> found;
-    double share = 0;   // of a place that the facets so far have left over
+    double share = 0;  // of a place that the facets so far have left over
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const Facet& facet = facets[f];
         share += places * facet.area / area;
@@ -87,10 +92,12 @@ std::vector<Bend> bends(const BodySurface& surface) {
     for (const auto& [edge, sides] : edges_with_sides(surface)) {
         const Facet &one = facets[sides[0]], &other = facets[sides[1]];
         const double angle = std::atan2(norm(cross(one.normal, other.normal)), dot(one.normal, other.normal));
-        const mesh::Point &a = surface.points[static_cast<std::size_t>(edge[0])], &b = surface.points[static_cast<std::size_t>(edge[1])];
+        const mesh::Point &a = surface.points[static_cast<std::size_t>(edge[0])],
+                          &b = surface.points[static_cast<std::size_t>(edge[1])];
         const double turn = norm(along(b, -1, a)) * angle;
         if (angle < sharp_rad && turn > 0)
-            found.push_back({{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}, (one.area + other.area) / turn});
+            found.push_back(
+                {{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}, (one.area + other.area) / turn});
     }
     return found;
 }
@@ -103,7 +110,7 @@ WallFigures figures(std::vector<Wall> walls) {
 /// Walls of about the same size share a tree: the nearest of each decides.
 struct WallSizes::Classes {
     double most_m = 0;
-    std::map<int, std::unique_ptr<Search::Tree>> trees;   ///< size = most / step^number
+    std::map<int, std::unique_ptr<Search::Tree>> trees;  ///< size = most / step^number
     static constexpr double step = 1.1;
 };
 
@@ -113,7 +120,8 @@ WallSizes::WallSizes(const std::vector<Wall>& walls, const std::vector<Bend>& be
     const auto add = [&](const mesh::Point& place, double wished_m) {
         const double size_m = std::max(bounds.least_m, wished_m);
         if (size_m >= bounds.most_m) return;
-        auto& tree = classes->trees[static_cast<int>(std::round(std::log(bounds.most_m / size_m) / std::log(Classes::step)))];
+        auto& tree =
+            classes->trees[static_cast<int>(std::round(std::log(bounds.most_m / size_m) / std::log(Classes::step)))];
         if (!tree) tree = std::make_unique<Search::Tree>();
         tree->insert({place[0], place[1], place[2]});
     };

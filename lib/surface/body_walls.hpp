@@ -16,7 +16,8 @@ struct Wall {
     mesh::Point place;
     double thickness_m;
 };
-[[nodiscard]] std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vector<std::array<int, 3>>& triangles);
+[[nodiscard]] std::vector<Wall> walls(const std::vector<mesh::Point>& points,
+                                      const std::vector<std::array<int, 3>>& triangles);
 
 /// Where the surface is bent, at edges that are not sharp: the radius, (areas of the two facets) / (length of the edge x angle).
 struct Bend {
@@ -27,7 +28,7 @@ struct Bend {
 
 struct WallFigures {
     Wall least{};
-    double median_m = 0;   ///< half of the surface has thinner walls behind it
+    double median_m = 0;  ///< half of the surface has thinner walls behind it
 };
 /// Of at least one wall.
 [[nodiscard]] WallFigures figures(std::vector<Wall> walls);
@@ -36,7 +37,7 @@ struct WallFigures {
 /// growth x distance. Those of about the same size (10 %) are one.
 struct SizeBounds {
     double least_m, most_m;
-    int through_wall;   ///< 0: the walls do not matter
+    int through_wall;  ///< 0: the walls do not matter
 };
 class WallSizes {
 public:

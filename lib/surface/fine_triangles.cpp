@@ -12,7 +12,8 @@ namespace {
 
 /// An arc whose middle is this part of its chord away from the chord turns by 8 times as much: 15 degrees.
 constexpr double bent = 0.033;
-constexpr int most_halvings = 6;   // a facet is no more than 90 degrees of a circle, and the deviation no less than 1e-4 of it
+constexpr int most_halvings =
+    6;  // a facet is no more than 90 degrees of a circle, and the deviation no less than 1e-4 of it
 
 struct Corner {
     int point;
@@ -99,7 +100,7 @@ private:
                 off[d] = x[d] - (p[d] + q[d]) / 2;
                 along[d] = q[d] - p[d];
             }
-            const double least = 1e-3 * deviation_m_;   // rounding bends no edge
+            const double least = 1e-3 * deviation_m_;  // rounding bends no edge
             const double strays = norm(off), length = norm(along);
             if (strays > deviation_m_ || strays > std::max(bent * length, least)) {
                 found->second = static_cast<int>(surface_.points.size());
@@ -110,14 +111,17 @@ private:
         return mid.point != whole;
     }
 
-    [[nodiscard]] const mesh::Point& point(const Corner& corner) const { return surface_.points[static_cast<std::size_t>(corner.point)]; }
+    [[nodiscard]] const mesh::Point& point(const Corner& corner) const {
+        return surface_.points[static_cast<std::size_t>(corner.point)];
+    }
 
     [[nodiscard]] double distance(const Corner& a, const Corner& b) const {
         const mesh::Point &p = point(a), &q = point(b);
         return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     }
 
-    void divide(const Piece& old, const std::array<Corner, 3>& mid, const std::array<bool, 3>& split, std::vector<Piece>& pieces) const {
+    void divide(const Piece& old, const std::array<Corner, 3>& mid, const std::array<bool, 3>& split,
+                std::vector<Piece>& pieces) const {
         const auto count = std::count(split.begin(), split.end(), true);
         if (count == 0) {
             pieces.push_back(old);
@@ -128,9 +132,10 @@ private:
             const auto k = static_cast<std::size_t>(std::find(split.begin(), split.end(), true) - split.begin());
             pieces.push_back({old[k], mid[k], old[(k + 2) % 3]});
             pieces.push_back({mid[k], old[(k + 1) % 3], old[(k + 2) % 3]});
-        } else {   // edge k stays whole: corners a -> b along it, c opposite; b-c and c-a are halved
+        } else {  // edge k stays whole: corners a -> b along it, c opposite; b-c and c-a are halved
             const auto k = static_cast<std::size_t>(std::find(split.begin(), split.end(), false) - split.begin());
-            const Corner &a = old[k], &b = old[(k + 1) % 3], &c = old[(k + 2) % 3], &bc = mid[(k + 1) % 3], &ca = mid[(k + 2) % 3];
+            const Corner &a = old[k], &b = old[(k + 1) % 3], &c = old[(k + 2) % 3], &bc = mid[(k + 1) % 3],
+                         &ca = mid[(k + 2) % 3];
             pieces.push_back({ca, bc, c});
             if (distance(a, bc) <= distance(b, ca)) {
                 pieces.push_back({a, b, bc});

@@ -10,6 +10,7 @@
 namespace soft::surface {
 
 /// Of a solid; normals out of the rubber.
-[[nodiscard]] Triangles fine_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets, double deviation_m);
+[[nodiscard]] Triangles fine_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets,
+                                       double deviation_m);
 
 }  // namespace soft::surface

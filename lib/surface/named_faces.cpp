@@ -14,7 +14,9 @@ namespace {
 using Edge = std::array<int, 2>;
 
 Vector unit_normal(const BodySurface& surface, std::size_t t) {
-    const auto corner = [&](std::size_t k) { return surface.points[static_cast<std::size_t>(surface.triangles[t][k])]; };
+    const auto corner = [&](std::size_t k) {
+        return surface.points[static_cast<std::size_t>(surface.triangles[t][k])];
+    };
     Vector n = cross(along(corner(1), -1, corner(0)), along(corner(2), -1, corner(0)));
     const double length = norm(n);
     for (double& component : n) component /= length;
@@ -27,7 +29,8 @@ bool is_sharp(const BodySurface& surface, const std::array<std::size_t, 2>& side
 }
 
 /// Triangles that hang together with `start`; `closed` edges and triangles are not passed.
-std::vector<bool> flooded(const BodySurface& surface, std::size_t start, const std::vector<bool>& barred, bool across_sharp_edges) {
+std::vector<bool> flooded(const BodySurface& surface, std::size_t start, const std::vector<bool>& barred,
+                          bool across_sharp_edges) {
     std::vector<std::array<std::size_t, 3>> around(surface.triangles.size());
     std::vector<std::size_t> count(surface.triangles.size());
     for (const auto& [edge, sides] : edges_with_sides(surface)) {
@@ -50,32 +53,38 @@ std::vector<bool> flooded(const BodySurface& surface, std::size_t start, const s
     return in;
 }
 
-std::vector<bool> flood(const BodySurface& surface, const FaceRule::Flood& rule, const std::vector<NamedFace>& earlier) {
+std::vector<bool> flood(const BodySurface& surface, const FaceRule::Flood& rule,
+                        const std::vector<NamedFace>& earlier) {
     std::vector<bool> barred(surface.triangles.size());
     for (const std::string& name : rule.up_to) {
         const auto face = std::ranges::find(earlier, name, &NamedFace::name);
         if (face == earlier.end()) throw std::logic_error("no face " + name + " before the one that goes up to it");
         for (std::size_t t = 0; t < barred.size(); ++t) barred[t] = barred[t] || face->facets[t];
     }
-    const auto start = static_cast<std::size_t>(NearestOnTriangles(surface.points, surface.triangles)(rule.point).element);
+    const auto start =
+        static_cast<std::size_t>(NearestOnTriangles(surface.points, surface.triangles)(rule.point).element);
     return flooded(surface, start, barred, !rule.up_to.empty());
 }
 
 std::vector<bool> facets_of(const BodySurface& surface, const FaceRule& rule, const std::vector<NamedFace>& earlier) {
-    constexpr double rounding = 1e-6;   // files of floats hold seven digits
+    constexpr double rounding = 1e-6;  // files of floats hold seven digits
     const double tolerance_m = rounding * surface.extent_m();
     const auto holds = [&](std::size_t t, auto&& is_in) {
-        return std::ranges::all_of(surface.triangles[t], [&](int corner) { return is_in(surface.points[static_cast<std::size_t>(corner)]); });
+        return std::ranges::all_of(surface.triangles[t],
+                                   [&](int corner) { return is_in(surface.points[static_cast<std::size_t>(corner)]); });
     };
     std::vector<bool> in(surface.triangles.size(), true);
     if (rule.flood) in = flood(surface, *rule.flood, earlier);
     for (std::size_t t = 0; t < in.size(); ++t) {
         if (rule.plane)
-            in[t] = in[t] && holds(t, [&](const mesh::Point& p) { return std::abs(p[rule.plane->component] - rule.plane->at_m) <= tolerance_m; });
+            in[t] = in[t] && holds(t, [&](const mesh::Point& p) {
+                        return std::abs(p[rule.plane->component] - rule.plane->at_m) <= tolerance_m;
+                    });
         if (rule.box)
             in[t] = in[t] && holds(t, [&](const mesh::Point& p) {
                         for (std::size_t d = 0; d < 3; ++d)
-                            if (p[d] < rule.box->from[d] - tolerance_m || p[d] > rule.box->to[d] + tolerance_m) return false;
+                            if (p[d] < rule.box->from[d] - tolerance_m || p[d] > rule.box->to[d] + tolerance_m)
+                                return false;
                         return true;
                     });
         if (rule.direction)
@@ -88,7 +97,7 @@ std::vector<bool> facets_of(const BodySurface& surface, const FaceRule& rule, co
 }  // namespace
 
 std::map<Edge, std::array<std::size_t, 2>> edges_with_sides(const BodySurface& surface) {
-    std::map<Edge, std::array<std::size_t, 2>> found;   // the surface is closed
+    std::map<Edge, std::array<std::size_t, 2>> found;  // the surface is closed
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [a, b] = std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);
@@ -109,7 +118,8 @@ std::vector<NamedFace> named_faces(const BodySurface& surface, const std::vector
     std::vector<NamedFace> faces;
     for (std::size_t s = 0; s < surface.shells.size(); ++s) {
         NamedFace& face = faces.emplace_back(surface.shells[s].name, std::vector<bool>(surface.triangles.size()));
-        for (std::size_t t = 0; t < surface.triangles.size(); ++t) face.facets[t] = surface.shell_of[t] == static_cast<int>(s);
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+            face.facets[t] = surface.shell_of[t] == static_cast<int>(s);
     }
     for (const FaceRule& rule : rules) faces.push_back({rule.name, facets_of(surface, rule, faces)});
     return faces;
@@ -118,7 +128,8 @@ std::vector<NamedFace> named_faces(const BodySurface& surface, const std::vector
 Creases creases_of(const BodySurface& surface, const std::vector<NamedFace>& faces) {
     Creases edges;
     for (const auto& [edge, sides] : edges_with_sides(surface)) {
-        const bool border = std::ranges::any_of(faces, [&](const NamedFace& face) { return face.facets[sides[0]] != face.facets[sides[1]]; });
+        const bool border = std::ranges::any_of(
+            faces, [&](const NamedFace& face) { return face.facets[sides[0]] != face.facets[sides[1]]; });
         if (border || is_sharp(surface, sides)) edges.push_back(edge);
     }
     return edges;

@@ -13,7 +13,7 @@
 namespace soft::surface {
 
 /// Where the surface turns by more than this between two facets, a face ends.
-inline constexpr double sharp_rad = 0.6981317007977318;   // 40 degrees
+inline constexpr double sharp_rad = 0.6981317007977318;  // 40 degrees
 
 /// The two triangles beside each edge (its points ascending).
 [[nodiscard]] std::map<std::array<int, 2>, std::array<std::size_t, 2>> edges_with_sides(const BodySurface& surface);
@@ -24,20 +24,20 @@ inline constexpr double sharp_rad = 0.6981317007977318;   // 40 degrees
 /// What is given holds for every facet of the face.
 struct FaceRule {
     struct Plane {
-        std::size_t component;   ///< 0, 1, 2: x, y, z
+        std::size_t component;  ///< 0, 1, 2: x, y, z
         double at_m;
     };
     struct Box {
-        mesh::Point from, to;   ///< [m]
+        mesh::Point from, to;  ///< [m]
     };
     struct Direction {
-        mesh::Point normal;   ///< of any length
+        mesh::Point normal;  ///< of any length
         double within_rad;
     };
     /// What hangs together with the place on the surface that is nearest to `point`, up to sharp edges; with `up_to`, across
     /// sharp edges up to these faces.
     struct Flood {
-        mesh::Point point;   ///< [m]
+        mesh::Point point;  ///< [m]
         std::vector<std::string> up_to;
     };
     std::string name;
@@ -49,7 +49,7 @@ struct FaceRule {
 
 struct NamedFace {
     std::string name;
-    std::vector<bool> facets;   ///< one a triangle of the surface
+    std::vector<bool> facets;  ///< one a triangle of the surface
 };
 
 /// The shells' faces ("outer", "cavity", ...), then those of the rules in their order; `up_to` names faces before its own.

@@ -42,7 +42,8 @@ public:
     Remesher(const BodySurface& surface, const Creases& creases, const SizeAt& size_m)
         : size_m_(size_m), original_(surface.points, surface.triangles) {
         for (const auto& t : surface.triangles) {
-            const Vector n = area_vector({surface.points[static_cast<std::size_t>(t[0])], surface.points[static_cast<std::size_t>(t[1])],
+            const Vector n = area_vector({surface.points[static_cast<std::size_t>(t[0])],
+                                          surface.points[static_cast<std::size_t>(t[1])],
                                           surface.points[static_cast<std::size_t>(t[2])]});
             const double length = norm(n);
             normals_.push_back({n[0] / length, n[1] / length, n[2] / length});
@@ -62,7 +63,7 @@ public:
 
     /// False if there would be more than `most` points.
     bool run(std::size_t most) {
-        constexpr int rounds = 6;   // later ones change next to nothing
+        constexpr int rounds = 6;  // later ones change next to nothing
         for (int round = 0; round < rounds; ++round) {
             if (!split(most)) return false;
             collapse();
@@ -79,12 +80,14 @@ public:
         for (const auto face : mesh_.faces()) {
             std::array<int, 3> t{};
             std::size_t k = 0;
-            for (const Vertex v : CGAL::vertices_around_face(mesh_.halfedge(face), mesh_)) t[k++] = static_cast<int>(v.idx());
+            for (const Vertex v : CGAL::vertices_around_face(mesh_.halfedge(face), mesh_))
+                t[k++] = static_cast<int>(v.idx());
             result.triangles.push_back(t);
         }
         for (const EdgeIndex e : mesh_.edges())
             if (creases_[e]) {
-                const auto a = static_cast<int>(mesh_.vertex(e, 0).idx()), b = static_cast<int>(mesh_.vertex(e, 1).idx());
+                const auto a = static_cast<int>(mesh_.vertex(e, 0).idx()),
+                           b = static_cast<int>(mesh_.vertex(e, 1).idx());
                 result.creases.push_back({std::min(a, b), std::max(a, b)});
             }
         return result;
@@ -96,7 +99,9 @@ private:
         return {p.x(), p.y(), p.z()};
     }
     [[nodiscard]] double length(EdgeIndex e) const { return distance(at(mesh_.vertex(e, 0)), at(mesh_.vertex(e, 1))); }
-    [[nodiscard]] double wanted(EdgeIndex e) const { return (sizes_[mesh_.vertex(e, 0)] + sizes_[mesh_.vertex(e, 1)]) / 2; }
+    [[nodiscard]] double wanted(EdgeIndex e) const {
+        return (sizes_[mesh_.vertex(e, 0)] + sizes_[mesh_.vertex(e, 1)]) / 2;
+    }
 
     [[nodiscard]] std::vector<EdgeIndex> creases_at(Vertex v) const {
         std::vector<EdgeIndex> found;
@@ -104,11 +109,13 @@ private:
             if (creases_[mesh_.edge(h)]) found.push_back(mesh_.edge(h));
         return found;
     }
-    [[nodiscard]] Vertex other_end(EdgeIndex e, Vertex v) const { return mesh_.vertex(e, 0) == v ? mesh_.vertex(e, 1) : mesh_.vertex(e, 0); }
+    [[nodiscard]] Vertex other_end(EdgeIndex e, Vertex v) const {
+        return mesh_.vertex(e, 0) == v ? mesh_.vertex(e, 1) : mesh_.vertex(e, 0);
+    }
 
     /// Where creases end, cross or turn sharply.
     [[nodiscard]] bool is_corner(Vertex v) const {
-        constexpr double sharp_turn = 0.77;   // cosine of 40 degrees
+        constexpr double sharp_turn = 0.77;  // cosine of 40 degrees
         const auto own = creases_at(v);
         if (own.empty()) return false;
         if (own.size() != 2) return true;
@@ -131,12 +138,15 @@ private:
             const auto place = original_.within(p, share * size_m);
             return place && dot(normals_[static_cast<std::size_t>(place->element)], n) >= least_cosine * area;
         };
-        const Point centre{(t[0][0] + t[1][0] + t[2][0]) / 3, (t[0][1] + t[1][1] + t[2][1]) / 3, (t[0][2] + t[1][2] + t[2][2]) / 3};
+        const Point centre{(t[0][0] + t[1][0] + t[2][0]) / 3, (t[0][1] + t[1][1] + t[2][1]) / 3,
+                           (t[0][2] + t[1][2] + t[2][2]) / 3};
         if (!near(centre)) return false;
         if (where == Where::in_the_middle) return true;
-        for (std::size_t k = 0; k < 3; ++k) {   // beside the edges: on a crease either side would do
+        for (std::size_t k = 0; k < 3; ++k) {  // beside the edges: on a crease either side would do
             const Point &a = t[k], &b = t[(k + 1) % 3];
-            if (!near({0.45 * (a[0] + b[0]) + 0.1 * centre[0], 0.45 * (a[1] + b[1]) + 0.1 * centre[1], 0.45 * (a[2] + b[2]) + 0.1 * centre[2]})) return false;
+            if (!near({0.45 * (a[0] + b[0]) + 0.1 * centre[0], 0.45 * (a[1] + b[1]) + 0.1 * centre[1],
+                       0.45 * (a[2] + b[2]) + 0.1 * centre[2]}))
+                return false;
         }
         return true;
     }
@@ -195,14 +205,14 @@ private:
         if (fixed_[from]) return std::nullopt;
         const bool crease = creases_[mesh_.edge(h)];
         if (!crease && !creases_at(from).empty()) return std::nullopt;
-        for (const Halfedge side : {h, mesh_.opposite(h)})   // two creases would become one
+        for (const Halfedge side : {h, mesh_.opposite(h)})  // two creases would become one
             if (creases_[mesh_.edge(mesh_.next(side))] && creases_[mesh_.edge(mesh_.prev(side))]) return std::nullopt;
         if (!CGAL::Euler::does_satisfy_link_condition(mesh_.edge(h), mesh_)) return std::nullopt;
         double worst = 1, worst_before = 1;
         for (const Halfedge in : CGAL::halfedges_around_target(from, mesh_)) {
             const std::array<Point, 3> old = corners(in);
             worst_before = std::min(worst_before, shape_of(old));
-            const Vertex next = mesh_.source(in);   // faces of `in`: (next, from, third)
+            const Vertex next = mesh_.source(in);  // faces of `in`: (next, from, third)
             const Vertex third = mesh_.target(mesh_.next(in));
             if (next == to || third == to) continue;
             const std::array<Point, 3> t{at(next), at(to), at(third)};
@@ -247,14 +257,17 @@ private:
     }
 
     void flip() {
-        constexpr double better = 1e-6;   // rounding must not flip edges to and fro
+        constexpr double better = 1e-6;  // rounding must not flip edges to and fro
         for (const EdgeIndex e : mesh_.edges()) {
             if (creases_[e]) continue;
             const Halfedge h = mesh_.halfedge(e), back = mesh_.opposite(h);
-            const Vertex a = mesh_.source(h), b = mesh_.target(h), c = mesh_.target(mesh_.next(h)), d = mesh_.target(mesh_.next(back));
+            const Vertex a = mesh_.source(h), b = mesh_.target(h), c = mesh_.target(mesh_.next(h)),
+                         d = mesh_.target(mesh_.next(back));
             if (mesh_.halfedge(c, d) != SurfaceMesh::null_halfedge()) continue;
             const std::array<Point, 3> one{at(a), at(d), at(c)}, other{at(d), at(b), at(c)};
-            if (std::min(shape_of(one), shape_of(other)) <= std::min(shape_of(corners(h)), shape_of(corners(back))) + better) continue;
+            if (std::min(shape_of(one), shape_of(other)) <=
+                std::min(shape_of(corners(h)), shape_of(corners(back))) + better)
+                continue;
             const double size_m = (sizes_[a] + sizes_[b] + sizes_[c] + sizes_[d]) / 4;
             if (fits(one, size_m) && fits(other, size_m)) CGAL::Euler::flip_edge(h, mesh_);
         }
@@ -309,10 +322,13 @@ private:
 
 }  // namespace
 
-Remeshed remesh(const BodySurface& surface, const Creases& creases, const SizeAt& size_m, const SoupOrigin& origin, std::size_t most) {
+Remeshed remesh(const BodySurface& surface, const Creases& creases, const SizeAt& size_m, const SoupOrigin& origin,
+                std::size_t most) {
     Remesher remesher(surface, creases, size_m);
     if (!remesher.run(most))
-        throw Error(ExitCode::bad_input, origin.name, "cells of this size would take more than " + std::to_string(most) + " points on the surface", "a larger mesh.size");
+        throw Error(ExitCode::bad_input, origin.name,
+                    "cells of this size would take more than " + std::to_string(most) + " points on the surface",
+                    "a larger mesh.size");
     return remesher.take();
 }
 

@@ -19,13 +19,13 @@ using SizeAt = std::function<double(const mesh::Point&)>;
 using Creases = std::vector<std::array<int, 2>>;
 
 struct Remeshed {
-    std::vector<mesh::Point> points;             ///< on the surface of the file, those of creases on the creases [m]
-    std::vector<std::array<int, 3>> triangles;   ///< normals out of the body
+    std::vector<mesh::Point> points;            ///< on the surface of the file, those of creases on the creases [m]
+    std::vector<std::array<int, 3>> triangles;  ///< normals out of the body
     Creases creases;
 };
 
 /// Error(bad_input) "name: ..." where more than `most` points would be needed.
-[[nodiscard]] Remeshed remesh(const BodySurface& surface, const Creases& creases, const SizeAt& size_m, const SoupOrigin& origin,
-                              std::size_t most);
+[[nodiscard]] Remeshed remesh(const BodySurface& surface, const Creases& creases, const SizeAt& size_m,
+                              const SoupOrigin& origin, std::size_t most);
 
 }  // namespace soft::surface

@@ -85,6 +85,8 @@ std::string place_text(model::Kinematics kinematics, const mesh::Point& place) {
     return kinematics == model::Kinematics::plane_strain ? xy : xy + ", z = " + millimetres(2);
 }
 
-std::string place_text(const model::Case& model, const mesh::Point& place) { return place_text(model.kinematics, place); }
+std::string place_text(const model::Case& model, const mesh::Point& place) {
+    return place_text(model.kinematics, place);
+}
 
 }  // namespace soft::surface

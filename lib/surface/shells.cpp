@@ -30,7 +30,9 @@ using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Edge = std::pair<std::size_t, std::size_t>;
 
 std::string place_text(const mesh::Point& p, const SoupOrigin& origin) {
-    const auto number = [&](std::size_t d) { return core::rounded_text(p[d], 4) + (origin.unit.empty() ? "" : " ") + origin.unit; };
+    const auto number = [&](std::size_t d) {
+        return core::rounded_text(p[d], 4) + (origin.unit.empty() ? "" : " ") + origin.unit;
+    };
     return "x = " + number(0) + ", y = " + number(1) + ", z = " + number(2);
 }
 
@@ -38,7 +40,9 @@ std::string place_text(const mesh::Point& p, const SoupOrigin& origin) {
     throw Error(ExitCode::bad_input, origin.name, problem, remedy);
 }
 
-mesh::Point middle(const mesh::Point& a, const mesh::Point& b) { return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}; }
+mesh::Point middle(const mesh::Point& a, const mesh::Point& b) {
+    return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
+}
 
 /// Edges by their ends, with the number of facets that have them.
 std::map<Edge, int> edges_of(const FacetSoup& soup) {
@@ -80,8 +84,10 @@ void refuse_open(const FacetSoup& soup, const SoupOrigin& origin) {
     const auto crowded = std::ranges::count_if(edges, [](const auto& edge) { return edge.second > 2; });
     for (const auto& [edge, uses] : edges)
         if (uses > 2)
-            refuse(origin, counted(static_cast<std::size_t>(crowded), "edge has", "edges have") + " more than two facets, one with " + std::to_string(uses) + " near " +
-                               place_text(middle(soup.points[edge.first], soup.points[edge.second]), origin),
+            refuse(origin,
+                   counted(static_cast<std::size_t>(crowded), "edge has", "edges have") +
+                       " more than two facets, one with " + std::to_string(uses) + " near " +
+                       place_text(middle(soup.points[edge.first], soup.points[edge.second]), origin),
                    "join the parts to one body, or part them");
     const auto rims = rims_of(edges);
     if (rims.empty()) return;
@@ -92,8 +98,10 @@ void refuse_open(const FacetSoup& soup, const SoupOrigin& origin) {
         length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
         for (std::size_t d = 0; d < 3; ++d) centre[d] += (p[d] + q[d]) / 2 / static_cast<double>(rims.front().size());
     }
-    refuse(origin, counted(rims.size(), "hole", "holes") + " in the surface, " + (rims.size() > 1 ? "the first " : "") + "near " + place_text(centre, origin) + " with a rim " +
-                       core::rounded_text(length, 4) + (origin.unit.empty() ? "" : " ") + origin.unit + " long",
+    refuse(origin,
+           counted(rims.size(), "hole", "holes") + " in the surface, " + (rims.size() > 1 ? "the first " : "") +
+               "near " + place_text(centre, origin) + " with a rim " + core::rounded_text(length, 4) +
+               (origin.unit.empty() ? "" : " ") + origin.unit + " long",
            "close the surface where it was drawn; a body is solid, its openings are walls around a channel");
 }
 
@@ -104,8 +112,11 @@ SurfaceMesh oriented(const FacetSoup& soup, const SoupOrigin& origin) {
     std::vector<std::vector<std::size_t>> facets = soup.facets;
     const std::size_t before = points.size();
     if (!PMP::orient_polygon_soup(points, facets) && points.size() != before) {
-        const Kernel::Point_3& p = points[before];   // the copies of points in which sheets hang together stand at the end
-        refuse(origin, "sheets of the surface hang together at a point, or have only one side, near " + place_text({p.x(), p.y(), p.z()}, origin),
+        const Kernel::Point_3& p =
+            points[before];  // the copies of points in which sheets hang together stand at the end
+        refuse(origin,
+               "sheets of the surface hang together at a point, or have only one side, near " +
+                   place_text({p.x(), p.y(), p.z()}, origin),
                "join the parts properly, or part them");
     }
     SurfaceMesh mesh;
@@ -120,7 +131,7 @@ void refuse_crossings(const SurfaceMesh& mesh, const SoupOrigin& origin) {
     for (auto& [a, b] : pairs)
         if (b < a) std::swap(a, b);
     const auto [first, second] = *std::ranges::min_element(pairs);
-    mesh::Point place{};   // middle of what the boxes of the two have in common
+    mesh::Point place{};  // middle of what the boxes of the two have in common
     for (int d = 0; d < 3; ++d) {
         double from = -std::numeric_limits<double>::infinity(), to = -from;
         for (const auto face : {first, second}) {
@@ -130,7 +141,9 @@ void refuse_crossings(const SurfaceMesh& mesh, const SoupOrigin& origin) {
         }
         place[static_cast<std::size_t>(d)] = (from + to) / 2;
     }
-    refuse(origin, counted(pairs.size(), "pair of facets cuts", "pairs of facets cut") + " each other, the first near " + place_text(place, origin),
+    refuse(origin,
+           counted(pairs.size(), "pair of facets cuts", "pairs of facets cut") + " each other, the first near " +
+               place_text(place, origin),
            "unite the overlapping parts where the body was drawn");
 }
 
@@ -175,21 +188,26 @@ std::vector<Sheet> sheets_of(const SurfaceMesh& mesh, const SoupOrigin& origin) 
         sheet.faces.push_back(face);
         sheet.box = sheet.faces.size() == 1 ? PMP::face_bbox(face, mesh) : sheet.box + PMP::face_bbox(face, mesh);
     }
-    for (Sheet& sheet : sheets)   // about the origin: each sheet is closed
+    for (Sheet& sheet : sheets)  // about the origin: each sheet is closed
         for (const auto face : sheet.faces) {
             const auto h = mesh.halfedge(face);
-            const Kernel::Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)), &c = mesh.point(mesh.target(mesh.next(h)));
+            const Kernel::Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
+                                  &c = mesh.point(mesh.target(mesh.next(h)));
             sheet.volume += CGAL::to_double(CGAL::volume(CGAL::ORIGIN + Kernel::Vector_3(0, 0, 0), a, b, c));
         }
-    std::ranges::sort(sheets, [](const Sheet& a, const Sheet& b) {   // the outside first, cavities by place
+    std::ranges::sort(sheets, [](const Sheet& a, const Sheet& b) {  // the outside first, cavities by place
         if ((a.volume > 0) != (b.volume > 0)) return a.volume > 0;
-        return std::array{a.box.xmin(), a.box.ymin(), a.box.zmin()} < std::array{b.box.xmin(), b.box.ymin(), b.box.zmin()};
+        return std::array{a.box.xmin(), a.box.ymin(), a.box.zmin()} <
+               std::array{b.box.xmin(), b.box.ymin(), b.box.zmin()};
     });
     const auto bodies = std::ranges::count_if(sheets, [](const Sheet& sheet) { return sheet.volume > 0; });
     if (bodies != 1) {
         const CGAL::Bbox_3& box = sheets[1].box;
-        refuse(origin, std::to_string(bodies) + " bodies in one file, the second around " +
-                           place_text({(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2}, origin),
+        refuse(origin,
+               std::to_string(bodies) + " bodies in one file, the second around " +
+                   place_text(
+                       {(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2},
+                       origin),
                "unite them, or put each into a file of its own");
     }
     return sheets;
@@ -204,13 +222,17 @@ BodySurface plain(const SurfaceMesh& mesh, const std::vector<Sheet>& sheets, dou
     const std::size_t cavities = sheets.size() - 1;
     for (std::size_t s = 0; s < sheets.size(); ++s) {
         const CGAL::Bbox_3& box = sheets[s].box;
-        surface.shells.push_back({s == 0 ? "outer" : cavities == 1 ? "cavity" : "cavity_" + std::to_string(s),
+        surface.shells.push_back({s == 0          ? "outer"
+                                  : cavities == 1 ? "cavity"
+                                                  : "cavity_" + std::to_string(s),
                                   std::abs(sheets[s].volume) * std::pow(unit_m, 3),
-                                  {(box.xmin() + box.xmax()) / 2 * unit_m, (box.ymin() + box.ymax()) / 2 * unit_m, (box.zmin() + box.zmax()) / 2 * unit_m}});
+                                  {(box.xmin() + box.xmax()) / 2 * unit_m, (box.ymin() + box.ymax()) / 2 * unit_m,
+                                   (box.zmin() + box.zmax()) / 2 * unit_m}});
         for (const auto face : sheets[s].faces) {
             std::array<int, 3> t{};
             std::size_t k = 0;
-            for (const auto vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh)) t[k++] = static_cast<int>(vertex.idx());
+            for (const auto vertex : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+                t[k++] = static_cast<int>(vertex.idx());
             surface.triangles.push_back(t);
             surface.shell_of.push_back(static_cast<int>(s));
         }
@@ -227,12 +249,16 @@ BodySurface closed_shells(const FacetSoup& soup, const SoupOrigin& origin) {
     PMP::degenerate_faces(mesh, std::back_inserter(flat));
     const bool mended = flat.empty() || PMP::remove_degenerate_faces(mesh);
     mesh.collect_garbage();
-    if (!mended) refuse(origin, counted(flat.size(), "facet", "facets") + " without area that cannot be taken out", "export the body again, with larger facets");
+    if (!mended)
+        refuse(origin, counted(flat.size(), "facet", "facets") + " without area that cannot be taken out",
+               "export the body again, with larger facets");
     refuse_crossings(mesh, origin);
     PMP::orient_to_bound_a_volume(mesh);
-    const std::size_t turned = flat.empty() ? turned_over(soup, mesh) : 0;   // numbers of points hold no longer otherwise
+    const std::size_t turned =
+        flat.empty() ? turned_over(soup, mesh) : 0;  // numbers of points hold no longer otherwise
     BodySurface surface = plain(mesh, sheets_of(mesh, origin), origin.unit_m);
-    if (!flat.empty()) surface.repairs.push_back(counted(flat.size(), "facet", "facets") + " without area flattened out");
+    if (!flat.empty())
+        surface.repairs.push_back(counted(flat.size(), "facet", "facets") + " without area flattened out");
     if (turned > 0) surface.repairs.push_back(counted(turned, "facet", "facets") + " turned over");
     return surface;
 }

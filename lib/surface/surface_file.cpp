@@ -24,7 +24,7 @@ void append(core::Bytes& bytes, const T& value) {
 
 /// 80 bytes of title, the number of triangles, and for each its normal, its corners and two unused bytes.
 core::Bytes stl(const Triangles& surface) {
-    std::string title = "soft-actuator, mm";   // must not begin with "solid", as ASCII files do
+    std::string title = "soft-actuator, mm";  // must not begin with "solid", as ASCII files do
     title.resize(80, ' ');
     core::Bytes bytes;
     bytes.reserve(84 + 50 * surface.triangles.size());

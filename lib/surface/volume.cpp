@@ -17,7 +17,8 @@ using model::RimEdge;
 std::vector<double> gather(std::span<const Index> nodes, int dimension, std::span<const Point> positions) {
     std::vector<double> x;
     for (int i = 0; i < dimension; ++i)
-        for (const Index node : nodes) x.push_back(positions[static_cast<std::size_t>(node)][static_cast<std::size_t>(i)]);
+        for (const Index node : nodes)
+            x.push_back(positions[static_cast<std::size_t>(node)][static_cast<std::size_t>(i)]);
     return x;
 }
 
@@ -51,7 +52,7 @@ double caps_m3(const model::Case& model, const std::vector<RimEdge>& rim, std::s
                Tables& tables) {
     const Point c = apex(model, rim, positions);
     std::array<double, 3> apex_gradient{};
-    std::vector<double> gradient(9);   // not asked for here
+    std::vector<double> gradient(9);  // not asked for here
     double volume = 0;
     for (const RimEdge& edge : rim) {
         const auto& table = tables[edge.size() == 3 ? mesh::CellType::line3 : mesh::CellType::line2];

@@ -53,7 +53,10 @@ double on_curved_facet(const FacetMap& map, const Point& from, const Vector& dir
 class WallProbe {
 public:
     WallProbe(const model::Case& model, const model::Cavity& cavity)
-        : model_(&model), cavity_(cavity_facets(model, cavity)), boundary_(free_facets(model)), mirrors_(mirrors(model)) {
+        : model_(&model),
+          cavity_(cavity_facets(model, cavity)),
+          boundary_(free_facets(model)),
+          mirrors_(mirrors(model)) {
         tree_.emplace(facet_triangles(model.mesh, boundary_));
     }
 

@@ -25,7 +25,8 @@ std::optional<std::vector<double>> row_at(const Written& place, const post::Curv
     };
     if (place.text == "end") return curve.row_count() == 0 ? std::nullopt : std::optional{row(curve.row_count() - 1)};
     if (place.text == "limit")
-        return limit_points.empty() ? std::nullopt : std::optional{row(static_cast<std::size_t>(limit_points.front().step))};
+        return limit_points.empty() ? std::nullopt
+                                    : std::optional{row(static_cast<std::size_t>(limit_points.front().step))};
     std::vector<post::Request> requests;
     try {
         requests = post::parse_requests(place.text, curve);
@@ -39,7 +40,7 @@ std::optional<std::vector<double>> row_at(const Written& place, const post::Curv
         return values;
     } catch (const Error& error) {
         if (error.code() != ExitCode::bad_input) throw Error(ExitCode::bad_input, place.place + ": at", error.what());
-        return std::nullopt;   // not reached
+        return std::nullopt;  // not reached
     }
 }
 
@@ -70,7 +71,8 @@ bool is_final(int exit_code) noexcept {
     return std::ranges::any_of(finals, [exit_code](ExitCode code) { return static_cast<int>(code) == exit_code; });
 }
 
-std::vector<Cell> outputs_of(const Sweep& sweep, const post::Curve& curve, std::span<const solution::LimitPoint> limit_points) {
+std::vector<Cell> outputs_of(const Sweep& sweep, const post::Curve& curve,
+                             std::span<const solution::LimitPoint> limit_points) {
     std::vector<Cell> cells;
     for (const Written& place : sweep.at) {
         const auto values = row_at(place, curve, limit_points);

@@ -15,7 +15,7 @@ namespace soft::sweep {
 /// The file `status` in the folder of a design, written when all else in it is: lines "key value".
 struct Status {
     int exit_code = 0;       ///< of the first program that did not end with 0
-    std::string error = {};       ///< its last line on stderr
+    std::string error = {};  ///< its last line on stderr
 };
 
 /// nullopt for a text without a line "exit_code N".
@@ -25,7 +25,7 @@ struct Status {
 [[nodiscard]] bool is_final(int exit_code) noexcept;
 
 struct Cell {
-    std::string column;      ///< "pressure_kPa@elongation=5mm"
+    std::string column;  ///< "pressure_kPa@elongation=5mm"
     std::optional<double> value;
 };
 

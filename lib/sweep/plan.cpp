@@ -13,7 +13,7 @@
 namespace soft::sweep {
 namespace {
 
-constexpr int digits = 9;   // more than any dimension is known to, fewer than logarithms agree on everywhere
+constexpr int digits = 9;  // more than any dimension is known to, fewer than logarithms agree on everywhere
 constexpr std::size_t id_length = 16;
 constexpr std::array file_keys{"geometry.file", "geometry.profile"};
 
@@ -27,7 +27,8 @@ double between(const Range& range, double share) {
 }
 
 std::string place_of(const Factor& factor, const std::string& value) {
-    if (const auto* range = std::get_if<Range>(&factor.values)) return value == range->to.text ? range->to.place : range->from.place;
+    if (const auto* range = std::get_if<Range>(&factor.values))
+        return value == range->to.text ? range->to.place : range->from.place;
     const auto& choices = std::get<Choices>(factor.values);
     const auto choice = std::ranges::find(choices, value, &Written::text);
     return choice == choices.end() ? factor.place : choice->place;
@@ -51,9 +52,10 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
     try {
         design::Design design = design::read_design(basis.design_text, basis.design_source, basis.families, settings);
         std::string content = design.effective_yaml;
-        for (const char* file_key : file_keys) {   // it is to be found from any folder, and to count by what is in it
+        for (const char* file_key : file_keys) {  // it is to be found from any folder, and to count by what is in it
             if (!design.values.has(file_key)) continue;
-            const std::filesystem::path file = design::file_from(design.values.place(file_key), design.values.text(file_key));
+            const std::filesystem::path file =
+                design::file_from(design.values.place(file_key), design.values.text(file_key));
             content += core::sha256_hex(core::read_file(file));
             settings.push_back({file_key, std::filesystem::absolute(file).lexically_normal().string()});
             design = design::read_design(basis.design_text, basis.design_source, basis.families, settings);
@@ -64,7 +66,8 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
         if (error.code() != ExitCode::bad_input) throw;
         row.refusal = error.what();
         std::string content{basis.design_text};
-        for (const design::Override& setting : settings) content.append("\n").append(setting.path).append("=").append(setting.value);
+        for (const design::Override& setting : settings)
+            content.append("\n").append(setting.path).append("=").append(setting.value);
         row.id = address(content, basis);
     }
     return row;
@@ -153,7 +156,8 @@ std::string level(const Factor& factor, int k) {
 std::vector<std::vector<std::string>> sampled_values(const Sweep& sweep) {
     if (sweep.method == Method::grid) return grid_values(sweep);
     const SampleSize size{sweep.samples, static_cast<int>(sweep.factors.size())};
-    const Points points = sweep.method == Method::random ? random_points(size, sweep.seed) : latin_hypercube(size, sweep.seed);
+    const Points points =
+        sweep.method == Method::random ? random_points(size, sweep.seed) : latin_hypercube(size, sweep.seed);
     std::vector<std::vector<std::string>> rows;
     for (const auto& point : points) {
         std::vector<std::string>& row = rows.emplace_back();

@@ -12,22 +12,22 @@ namespace soft::sweep {
 /// What all designs of a sweep are made of.
 struct Basis {
     std::string_view design_text;
-    std::string_view design_source;                   ///< file, for errors and for files the design names
+    std::string_view design_source;  ///< file, for errors and for files the design names
     std::span<const design::FamilyKeys> families;
-    std::string_view programs;                        ///< versions of the programs that will run it; part of the address
+    std::string_view programs;  ///< versions of the programs that will run it; part of the address
 };
 
 struct Planned {
     /// 16 hex digits: SHA-256 of the effective design (of a mesh file its content, not its name) and of the programs.
     /// Where the design is refused, of the design's text and the settings instead.
     std::string id;
-    std::vector<std::string> values;   ///< one a factor, as a design would have them
-    std::string design_yaml;           ///< effective; files it names by their whole path; empty where refused
-    std::string refusal;               ///< one line; empty where nothing is wrong with it
+    std::vector<std::string> values;  ///< one a factor, as a design would have them
+    std::string design_yaml;          ///< effective; files it names by their whole path; empty where refused
+    std::string refusal;              ///< one line; empty where nothing is wrong with it
 };
 
 struct Plan {
-    std::vector<Planned> designs;      ///< of a grid the last factor varies fastest; designs may be equal
+    std::vector<Planned> designs;  ///< of a grid the last factor varies fastest; designs may be equal
 };
 
 /// A combination of values that is refused is a row with its refusal. The sweep itself is refused, with Error(bad_input) as

@@ -47,7 +47,8 @@ std::vector<Written> several(const Node& node, const std::string& path, const st
 }
 
 template <class Choice>
-Choice choice_of(const Node& node, const std::string& path, const std::vector<std::pair<std::string, Choice>>& choices) {
+Choice choice_of(const Node& node, const std::string& path,
+                 const std::vector<std::pair<std::string, Choice>>& choices) {
     std::vector<std::string> words;
     for (const auto& [word, choice] : choices) words.push_back(word);
     const std::string text = single(node, path, words.front()).text;
@@ -62,7 +63,8 @@ struct Limits {
 long whole_number(const Node& node, const std::string& path, Limits limits) {
     const Written written = single(node, path, std::to_string(limits.least));
     const auto parsed = core::parse_count(written.text);
-    if (const auto* refusal = std::get_if<core::Refusal>(&parsed)) refuse(node.place, path, refusal->problem, refusal->remedy);
+    if (const auto* refusal = std::get_if<core::Refusal>(&parsed))
+        refuse(node.place, path, refusal->problem, refusal->remedy);
     const long value = std::get<long>(parsed);
     if (value < limits.least || value > limits.most)
         refuse(node.place, path, written.text + " is out of range",
@@ -81,7 +83,8 @@ Quantity quantity_of(const Written& written, const std::string& path) {
     Quantity quantity{0, tidy.substr(std::min(blank + 1, tidy.size()))};
     const auto end = std::from_chars(first, tidy.data() + blank, quantity.number);
     if (end.ec != std::errc{} || end.ptr != tidy.data() + blank || !std::isfinite(quantity.number))
-        refuse(written.place, path, core::quoted(written.text) + " is not a number", "words stand in a list: [one, two]");
+        refuse(written.place, path, core::quoted(written.text) + " is not a number",
+               "words stand in a list: [one, two]");
     return quantity;
 }
 
@@ -97,10 +100,12 @@ Range range_of(const Node& node, const std::string& path, Method method) {
     range.to = single(needed(node, "to", {path + ".to", node.place}, "4 mm"), path + ".to", "4 mm");
     const Quantity from = quantity_of(range.from, path), to = quantity_of(range.to, path);
     if (from.unit != to.unit)
-        refuse(range.to.place, path, core::quoted(range.to.text) + " has another unit than " + core::quoted(range.from.text),
+        refuse(range.to.place, path,
+               core::quoted(range.to.text) + " has another unit than " + core::quoted(range.from.text),
                "write both in the same");
     if (!(from.number < to.number))
-        refuse(range.to.place, path, range.to.text + " is not more than " + range.from.text, "write the smaller one first");
+        refuse(range.to.place, path, range.to.text + " is not more than " + range.from.text,
+               "write the smaller one first");
     range.low = from.number, range.high = to.number, range.unit = from.unit;
     if (const Node* scale = design::find(node, "scale"))
         range.scale = choice_of<Scale>(*scale, path + ".scale",
@@ -108,13 +113,15 @@ Range range_of(const Node& node, const std::string& path, Method method) {
     if (range.scale == Scale::log && range.low <= 0)
         refuse(range.from.place, path, range.from.text + " has no logarithm", "a log scale starts above 0");
     if (range.scale == Scale::whole && (std::floor(range.low) != range.low || std::floor(range.high) != range.high))
-        refuse(range.from.place, path, "the ends are not whole numbers", "write for example {from: 5, to: 12, scale: whole}");
+        refuse(range.from.place, path, "the ends are not whole numbers",
+               "write for example {from: 5, to: 12, scale: whole}");
     const Node* steps = design::find(node, "steps");
     if (method == Method::grid)
-        range.steps = static_cast<int>(
-            whole_number(needed(node, "steps", {path + ".steps", node.place}, "5"), path + ".steps", {2, most_designs}));
+        range.steps = static_cast<int>(whole_number(needed(node, "steps", {path + ".steps", node.place}, "5"),
+                                                    path + ".steps", {2, most_designs}));
     else if (steps != nullptr)
-        refuse(steps->place, path + ".steps", "only a grid has steps", "leave it out; samples says how many designs there are");
+        refuse(steps->place, path + ".steps", "only a grid has steps",
+               "leave it out; samples says how many designs there are");
     return range;
 }
 
@@ -138,7 +145,8 @@ std::vector<Factor> factors_of(const Node& vary, Method method) {
 }
 
 std::vector<design::Override> overrides_of(const Node& set) {
-    if (set.kind != Node::Kind::map) refuse(set.place, "set", "a group of keys is needed here", "write {mesh.size: 2 mm}");
+    if (set.kind != Node::Kind::map)
+        refuse(set.place, "set", "a group of keys is needed here", "write {mesh.size: 2 mm}");
     std::vector<design::Override> overrides;
     for (const Member& member : set.members) {
         if (member.value.kind == Node::Kind::map)
@@ -147,7 +155,8 @@ std::vector<design::Override> overrides_of(const Node& set) {
         std::vector<std::string> texts;
         for (const Written& value : several(member.value, member.key, "2 mm")) texts.push_back(value.text);
         const bool list = member.value.kind == Node::Kind::list;
-        overrides.push_back({member.key, list ? std::string{"["}.append(core::join(texts)).append("]") : texts.front(), member.value.place});
+        overrides.push_back({member.key, list ? std::string{"["}.append(core::join(texts)).append("]") : texts.front(),
+                             member.value.place});
     }
     return overrides;
 }
@@ -167,7 +176,8 @@ std::vector<Written> points_of(const Node& at) {
             else if (word == "end" || word == "limit")
                 quantity.clear();
             else if (quantity.empty() || word.empty())
-                refuse(entry.place, "at", core::quoted(word) + " is no place on a path", "write elongation=20mm, limit or end");
+                refuse(entry.place, "at", core::quoted(word) + " is no place on a path",
+                       "write elongation=20mm, limit or end");
             else
                 word.insert(0, quantity + "=");
             points.push_back({std::move(word), entry.place});
@@ -197,12 +207,15 @@ Sweep read_sweep(std::string_view text, std::string_view source) {
     sweep.design = single(needed(root, "design", {"design", top}, "designs/tube.yaml"), "design", "designs/tube.yaml");
     if (const Node* method = design::find(root, "method"))
         sweep.method = choice_of<Method>(
-            *method, "method", {{"grid", Method::grid}, {"random", Method::random}, {"latin-hypercube", Method::latin_hypercube}});
+            *method, "method",
+            {{"grid", Method::grid}, {"random", Method::random}, {"latin-hypercube", Method::latin_hypercube}});
     for (const char* key : {"samples", "seed"})
         if (const Member* member = design::find_member(root, key); member != nullptr && sweep.method == Method::grid)
-            refuse(member->place, key, "a grid has none", "write method: random or method: latin-hypercube, or leave it out");
+            refuse(member->place, key, "a grid has none",
+                   "write method: random or method: latin-hypercube, or leave it out");
     if (sweep.method != Method::grid)
-        sweep.samples = static_cast<int>(whole_number(needed(root, "samples", {"samples", top}, "100"), "samples", {1, most_designs}));
+        sweep.samples = static_cast<int>(
+            whole_number(needed(root, "samples", {"samples", top}, "100"), "samples", {1, most_designs}));
     if (const Node* seed = design::find(root, "seed"))
         sweep.seed = static_cast<std::uint64_t>(whole_number(*seed, "seed", {0, std::numeric_limits<long>::max()}));
     const Node& vary = needed(root, "vary", {"vary", top}, "{geometry.wall: [2 mm, 3 mm]}");
@@ -213,7 +226,8 @@ Sweep read_sweep(std::string_view text, std::string_view source) {
             refuse(fixed.place, fixed.path, "it varies, so it cannot be set", "write it once");
     sweep.at = {{"end", "default"}};
     if (const Node* at = design::find(root, "at")) sweep.at = points_of(*at);
-    if (const Node* outputs = design::find(root, "outputs")) sweep.outputs = several(*outputs, "outputs", "pressure_kPa");
+    if (const Node* outputs = design::find(root, "outputs"))
+        sweep.outputs = several(*outputs, "outputs", "pressure_kPa");
     check_size(sweep, vary.place);
     return sweep;
 }

@@ -90,8 +90,8 @@ void check_outputs(const Sweep& sweep, std::span<const Outcome> outcomes) {
     if (known.empty()) return;
     for (const Written& output : sweep.outputs)
         if (std::ranges::find(known, output.text) == known.end())
-            throw Error(ExitCode::bad_input, output.place + ": outputs", "no curve has a column " + core::quoted(output.text),
-                        core::did_you_mean(output.text, known));
+            throw Error(ExitCode::bad_input, output.place + ": outputs",
+                        "no curve has a column " + core::quoted(output.text), core::did_you_mean(output.text, known));
 }
 
 }  // namespace
@@ -117,11 +117,15 @@ std::string results_csv(const Sweep& sweep, const Plan& plan, std::span<const Ou
     for (std::size_t d = 0; d < plan.designs.size(); ++d) {
         const Outcome& outcome = outcomes[d];
         std::map<std::string, std::string> outputs;
-        for (const Cell& output : outcome.outputs) outputs[output.column] = output.value ? core::number_text(*output.value) : "";
+        for (const Cell& output : outcome.outputs)
+            outputs[output.column] = output.value ? core::number_text(*output.value) : "";
         text.append(plan.designs[d].id).append(factors.of(plan.designs[d]));
         for (const std::string& column : columns) text.append(",").append(outputs[column]);
         text.append(",").append(cell(outcome.stop_reason)).append(",");
-        text.append(outcome.exit_code ? std::to_string(*outcome.exit_code) : "").append(",").append(cell(outcome.error)).append("\n");
+        text.append(outcome.exit_code ? std::to_string(*outcome.exit_code) : "")
+            .append(",")
+            .append(cell(outcome.error))
+            .append("\n");
     }
     return text;
 }

@@ -29,7 +29,8 @@ std::vector<int> permutation(Engine& engine, int count) {
 }
 
 Points empty_points(SampleSize size) {
-    return Points(static_cast<std::size_t>(size.samples), std::vector<double>(static_cast<std::size_t>(size.dimensions)));
+    return Points(static_cast<std::size_t>(size.samples),
+                  std::vector<double>(static_cast<std::size_t>(size.dimensions)));
 }
 
 }  // namespace

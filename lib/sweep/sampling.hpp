@@ -6,7 +6,7 @@
 
 namespace soft::sweep {
 
-using Points = std::vector<std::vector<double>>;   ///< [sample][dimension]
+using Points = std::vector<std::vector<double>>;  ///< [sample][dimension]
 
 struct SampleSize {
     int samples;

@@ -24,7 +24,7 @@ namespace soft::sweep {
 /// A word or value as it stands in the file, and where.
 struct Written {
     std::string text;
-    std::string place;   ///< "sweeps/tube.yaml:7:9"
+    std::string place;  ///< "sweeps/tube.yaml:7:9"
 };
 
 /// How the numbers of a range are spread: evenly, their logarithms evenly, or whole numbers.
@@ -33,31 +33,31 @@ enum class Scale { linear, log, whole };
 /// Both ends belong to it and have the same unit.
 struct Range {
     Written from, to;
-    double low = 0, high = 0;   ///< the ends as numbers in `unit`, low <= high
-    std::string unit;           ///< as written, "mm"; empty of pure numbers
-    int steps = 0;              ///< of a grid, at least 2; else 0
+    double low = 0, high = 0;  ///< the ends as numbers in `unit`, low <= high
+    std::string unit;          ///< as written, "mm"; empty of pure numbers
+    int steps = 0;             ///< of a grid, at least 2; else 0
     Scale scale = Scale::linear;
 };
-using Choices = std::vector<Written>;   ///< at least one
+using Choices = std::vector<Written>;  ///< at least one
 
 struct Factor {
-    std::string path;    ///< "geometry.cap"
-    std::string place;   ///< of the key
+    std::string path;   ///< "geometry.cap"
+    std::string place;  ///< of the key
     std::variant<Range, Choices> values;
 };
 
 enum class Method { grid, random, latin_hypercube };
 
 struct Sweep {
-    std::string source;                     ///< the file, for errors
-    Written design;                         ///< file as written
-    std::vector<Factor> factors;            ///< at least one, in the order of the file
+    std::string source;           ///< the file, for errors
+    Written design;               ///< file as written
+    std::vector<Factor> factors;  ///< at least one, in the order of the file
     Method method = Method::grid;
-    int samples = 0;                        ///< 0 of a grid
+    int samples = 0;  ///< 0 of a grid
     std::uint64_t seed = 1;
-    std::vector<design::Override> fixed;    ///< `set`, with places
-    std::vector<Written> at;                ///< one value each: "elongation=5mm", "limit", "end"; "end" where none is given
-    std::vector<Written> outputs;           ///< empty: all columns
+    std::vector<design::Override> fixed;  ///< `set`, with places
+    std::vector<Written> at;       ///< one value each: "elongation=5mm", "limit", "end"; "end" where none is given
+    std::vector<Written> outputs;  ///< empty: all columns
 };
 
 /// More are refused: the plan is kept in memory.

@@ -26,14 +26,16 @@ std::string place(const Table& table, std::size_t row, std::size_t column) {
 bool may_be_thousands(std::string_view cell) {
     cell = core::trimmed(cell);
     const std::size_t comma = cell.find(',');
-    return comma != std::string_view::npos && cell.size() == comma + 4 && comma >= 1 && comma <= 4 && cell.front() != '0' &&
-           cell.find_first_not_of("0123456789", comma + 1) == std::string_view::npos;
+    return comma != std::string_view::npos && cell.size() == comma + 4 && comma >= 1 && comma <= 4 &&
+           cell.front() != '0' && cell.find_first_not_of("0123456789", comma + 1) == std::string_view::npos;
 }
 
 /// Somewhere a point stands for the decimals, so a comma does not.
 bool has_decimal_points(const Table& table) {
     return std::ranges::any_of(table.rows, [](const auto& row) {
-        return std::ranges::any_of(row, [](const std::string& cell) { return cell.find('.') != std::string::npos && number_in(cell, Decimal::point); });
+        return std::ranges::any_of(row, [](const std::string& cell) {
+            return cell.find('.') != std::string::npos && number_in(cell, Decimal::point);
+        });
     });
 }
 
@@ -46,7 +48,8 @@ public:
         const std::string& cell = table_.rows[row][column_];
         if (may_be_thousands(cell) && !commas_are_decimal())
             throw Error(ExitCode::bad_input, place(table_, row, column_),
-                        core::quoted(cell) + " may have a decimal comma or one for thousands", "write it without the comma");
+                        core::quoted(cell) + " may have a decimal comma or one for thousands",
+                        "write it without the comma");
         if (auto number = number_in(cell, table_.decimal)) return *number;
         throw Error(ExitCode::bad_input, place(table_, row, column_),
                     core::trimmed(cell).empty() ? "the cell is empty" : core::quoted(cell) + " is no number",
@@ -135,8 +138,8 @@ std::vector<double> values_SI(const Table& table, std::size_t column, std::strin
     std::vector<double> values;
     ColumnReader reader(table, column);
     for (std::size_t row = 0; row < table.rows.size(); ++row)
-        values.push_back(core::quantity_or_throw(reader.number_or_throw(row) + " " + std::string{unit},
-                                                 dimension, ExitCode::bad_input, place(table, row, column)));
+        values.push_back(core::quantity_or_throw(reader.number_or_throw(row) + " " + std::string{unit}, dimension,
+                                                 ExitCode::bad_input, place(table, row, column)));
     return values;
 }
 

@@ -36,7 +36,7 @@ inline std::vector<std::vector<Corner>> cells_of_a_cube(mesh::CellType type) {
         case Shape::triangle: return {lower, upper};
         case Shape::hexahedron: return {prism(square)};
         case Shape::wedge: return {prism(lower), prism(upper)};
-        case Shape::tetrahedron: {   // Kuhn: one for each order in which the axes are walked from (0,0,0) to (1,1,1)
+        case Shape::tetrahedron: {  // Kuhn: one for each order in which the axes are walked from (0,0,0) to (1,1,1)
             std::vector<std::vector<Corner>> list;
             for (int first = 0; first < 3; ++first)
                 for (const int turn : {1, 2}) {
@@ -77,7 +77,7 @@ mesh::Mesh block_mesh(int dimension, const BlockShape& shape, TypeOf&& type_of, 
     mesh::Mesh mesh;
     mesh.dimension = dimension;
     mesh.region_names = {"rubber"};
-    std::map<Corner, mesh::Index> numbers;   // by twice the logical position: mid-nodes are whole numbers too
+    std::map<Corner, mesh::Index> numbers;  // by twice the logical position: mid-nodes are whole numbers too
     for (int k = 0; k < (dimension == 3 ? shape.n : 1); ++k)
         for (int j = 0; j < shape.n; ++j)
             for (int i = 0; i < shape.n; ++i) {
@@ -95,9 +95,11 @@ mesh::Mesh block_mesh(int dimension, const BlockShape& shape, TypeOf&& type_of, 
                                 s[d] += share[v] * at[d];
                             }
                         }
-                        const Corner key{static_cast<int>(std::lround(twice[0])), static_cast<int>(std::lround(twice[1])),
+                        const Corner key{static_cast<int>(std::lround(twice[0])),
+                                         static_cast<int>(std::lround(twice[1])),
                                          static_cast<int>(std::lround(twice[2]))};
-                        const auto [entry, fresh] = numbers.try_emplace(key, static_cast<mesh::Index>(mesh.points.size()));
+                        const auto [entry, fresh] =
+                            numbers.try_emplace(key, static_cast<mesh::Index>(mesh.points.size()));
                         if (fresh) mesh.points.push_back(place(s));
                         nodes.push_back(entry->second);
                     }
@@ -117,7 +119,9 @@ inline model::Case block_case(mesh::CellType type, model::Kinematics kinematics,
     const double lowest = kinematics == model::Kinematics::axisymmetric ? 1.0 : 0.0;
     input.mesh = block_mesh(
         mesh::dimension(type), shape, [&](int, int, int) { return type; },
-        [&](const std::array<double, 3>& s) { return mesh::Point{s[0], s[1] + lowest, s[2]}; });
+        [&](const std::array<double, 3>& s) {
+            return mesh::Point{s[0], s[1] + lowest, s[2]};
+        });
     input.materials = {sample_material(false)};
     return input;
 }

@@ -38,7 +38,8 @@ std::vector<PetscInt> vertex_unknowns(const System& system) {
     for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell)
         for (int v = 0; v < mesh::topology(mesh.cell_type(cell)).vertex_count; ++v)
             for (int i = 0; i < mesh.dimension; ++i)
-                if (const PetscInt dof = system.dofs().displacement[mesh.cell_nodes(cell)[v] * mesh.dimension + i]; dof >= 0)
+                if (const PetscInt dof = system.dofs().displacement[mesh.cell_nodes(cell)[v] * mesh.dimension + i];
+                    dof >= 0)
                     unknowns.push_back(dof);
     std::ranges::sort(unknowns);
     const auto repeated = std::ranges::unique(unknowns);
@@ -106,7 +107,7 @@ TEST(ElementLevels, MassOfAConstantPressureIsTheVolume) {
         EXPECT_EQ(block.size, 4);
         sum += block.mass[0];
     }
-    const double wanted = scale * scale * 1e-6 / sample_mu_Pa;   // 10 mm cubed
+    const double wanted = scale * scale * 1e-6 / sample_mu_Pa;  // 10 mm cubed
     EXPECT_NEAR(sum, wanted, 1e-12 * wanted);
 }
 
@@ -115,7 +116,8 @@ TEST(ElementLevels, AutomaticIsMultigridForLargeSolidsOfSecondOrderAlone) {
     auto first_order = box;
     first_order.mesh.cell_types = {mesh::CellType::hex8};
     const auto is_multigrid = [](const model::LinearSettings& settings) {
-        return settings.method == model::LinearMethod::krylov && settings.preconditioner == model::Preconditioner::multigrid;
+        return settings.method == model::LinearMethod::krylov &&
+               settings.preconditioner == model::Preconditioner::multigrid;
     };
     EXPECT_TRUE(is_multigrid(choose_linear({}, box, largest_factorised + 1)));
     EXPECT_FALSE(is_multigrid(choose_linear({}, box, largest_factorised)));
@@ -139,7 +141,8 @@ TEST(ElementLevels, FirstOrderCellsAreRefused) {
         (void)make_element_levels(system);
         FAIL() << "it was taken";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("solver.preconditioner: multigrid is for second-order cells"), std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("solver.preconditioner: multigrid is for second-order cells"),
+                  std::string::npos)
             << error.what();
     }
 }

@@ -72,7 +72,7 @@ Dense stiffness_at_rest(const model::Case& input, std::vector<PetscInt>& pressur
     for (const PetscInt dof : map.displacement)
         if (dof >= 0) is_pressure[dof] = 0;
     std::vector<double> ones(map.total, 0.0);
-    for (const auto* list : {&map.vertex_pressure, &map.cell_pressure})   // the constant is the first function of P-1
+    for (const auto* list : {&map.vertex_pressure, &map.cell_pressure})  // the constant is the first function of P-1
         for (const PetscInt dof : *list)
             if (dof >= 0) ones[dof] = 1.0;
     pressures.clear();
@@ -146,12 +146,13 @@ double inf_sup_constant(mesh::Mesh mesh, model::Kinematics kinematics) {
     std::vector<PetscInt> pressures;
     std::vector<double> constant;
     const Dense K = stiffness_at_rest(input, pressures, constant);
-    input.materials[0].bulk_modulus_Pa = sample_mu_Pa;   // adds -M/mu to the block of the pressures
+    input.materials[0].bulk_modulus_Pa = sample_mu_Pa;  // adds -M/mu to the block of the pressures
     const Dense with_mass = stiffness_at_rest(input, pressures, constant);
     Dense M(static_cast<int>(pressures.size()));
     for (int i = 0; i < M.size; ++i)
         for (int j = 0; j < M.size; ++j)
-            M.row(i)[j] = sample_mu_Pa * (K.row(pressures[i])[pressures[j]] - with_mass.row(pressures[i])[pressures[j]]);
+            M.row(i)[j] =
+                sample_mu_Pa * (K.row(pressures[i])[pressures[j]] - with_mass.row(pressures[i])[pressures[j]]);
     const Dense S = schur_complement(K, pressures);
     const auto unseen = times(S, constant), seen = times(M, constant);
     EXPECT_LT(std::abs(*std::ranges::max_element(unseen)), 1e-9 * *std::ranges::max_element(seen) / sample_mu_Pa);
@@ -161,7 +162,7 @@ double inf_sup_constant(mesh::Mesh mesh, model::Kinematics kinematics) {
 struct Pair {
     const char* name;
     model::Kinematics kinematics;
-    CellType type, at_axis;   ///< cells of the block, and of its row at y = 0
+    CellType type, at_axis;  ///< cells of the block, and of its row at y = 0
     std::array<int, 3> sizes;
 };
 
@@ -174,7 +175,9 @@ TEST_P(InfSup, TheConstantDoesNotFallUnderRefinement) {
         auto mesh = block_mesh(
             mesh::dimension(pair.type), {pair.sizes[level], 0.1},
             [&](int, int j, int) { return j == 0 ? pair.at_axis : pair.type; },
-            [](const std::array<double, 3>& s) { return mesh::Point{s[0], s[1], s[2]}; });
+            [](const std::array<double, 3>& s) {
+                return mesh::Point{s[0], s[1], s[2]};
+            });
         beta[level] = inf_sup_constant(std::move(mesh), pair.kinematics);
         RecordProperty("beta_" + std::to_string(pair.sizes[level]), std::to_string(beta[level]));
     }

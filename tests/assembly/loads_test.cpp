@@ -30,7 +30,8 @@ TEST(Motion, ColumnIsTheDerivativeOfTheResidualByTheLevel) {
     System system(input, PETSC_COMM_WORLD);
     const auto x = wavy(system, 2e-5, 0.3);
     const auto matrix = system.make_matrix();
-    auto column = system.make_vector(), R = system.make_vector(), ahead = system.make_vector(), behind = system.make_vector();
+    auto column = system.make_vector(), R = system.make_vector(), ahead = system.make_vector(),
+         behind = system.make_vector();
     const LoadColumn wanted{levels(0.0, 1.0), column};
     const double p = 0.3 * sample_mu_Pa;
     system.evaluate(x, levels(p, 0.4), R, matrix, {&wanted, 1});
@@ -39,7 +40,7 @@ TEST(Motion, ColumnIsTheDerivativeOfTheResidualByTheLevel) {
         system.evaluate(x, levels(p, 0.4 + h), ahead, nullptr);
         system.evaluate(x, levels(p, 0.4 - h), behind, nullptr);
         linalg::add(ahead, -1.0, behind);
-        linalg::add(ahead, 2.0 * h, column);   // the column is -dR
+        linalg::add(ahead, 2.0 * h, column);  // the column is -dR
         return linalg::norm(ahead) / (2.0 * h);
     };
     EXPECT_LT(error(0.01), 1e-2 * linalg::norm(column));
@@ -51,7 +52,7 @@ TEST(Motion, MovedNodesAreInTheFieldsAndInTheOutputs) {
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
     system.prescribe(levels(0.0, 0.5));
-    EXPECT_NEAR(system.output(0, x, nullptr), 1e-3, 1e-15);   // all of the end, half way
+    EXPECT_NEAR(system.output(0, x, nullptr), 1e-3, 1e-15);  // all of the end, half way
     LoadLevels by_levels;
     (void)system.output(0, x, nullptr, &by_levels);
     EXPECT_NEAR(by_levels.motions[0], 2e-3, 1e-15);
@@ -71,7 +72,7 @@ TEST(Motion, RefusesAComponentThatIsHeldAndMoved) {
         EXPECT_EQ(error.code(), ExitCode::bad_input);
     }
     input = moved_box();
-    input.motions.push_back({"top", {1e-3, std::nullopt, std::nullopt}});   // shares an edge with the end
+    input.motions.push_back({"top", {1e-3, std::nullopt, std::nullopt}});  // shares an edge with the end
     EXPECT_THROW(System(input, PETSC_COMM_WORLD), Error);
 }
 
@@ -89,7 +90,7 @@ TEST(BodyForce, AddsUpToTheWeight) {
         input.materials[0].density_kg_m3 = 1080.0;
         input.loads.clear();
         input.body_forces = {{"gravity", {9.81, 0, 0}}};
-        input.supports.clear();   // every node counts
+        input.supports.clear();  // every node counts
         System system(input, PETSC_COMM_WORLD);
         auto R = system.make_vector();
         system.evaluate(system.make_vector(), {{}, {}, {1.0}, {}}, R, nullptr);
@@ -100,7 +101,7 @@ TEST(BodyForce, AddsUpToTheWeight) {
         for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
             sum -= values[system.dofs().displacement[dimension * node]];
         SOFT_PETSC(VecRestoreArrayRead(R, &values));
-        const double volume = dimension == 3 ? 1e-6 : 2.0 / 3.0 * std::numbers::pi * 7e-6;   // half a shell, 10 to 20 mm
+        const double volume = dimension == 3 ? 1e-6 : 2.0 / 3.0 * std::numbers::pi * 7e-6;  // half a shell, 10 to 20 mm
         EXPECT_NEAR(sum / (1080.0 * 9.81 * volume), 1.0, dimension == 3 ? 1e-12 : 1e-6);
     }
     auto without = box_case(1, true);
@@ -118,9 +119,10 @@ linalg::Vector turned(const System& system, const std::array<double, 3>& axis, d
         const std::array<double, 3> across{axis[1] * X[2] - axis[2] * X[1], axis[2] * X[0] - axis[0] * X[2],
                                            axis[0] * X[1] - axis[1] * X[0]};
         const double along = axis[0] * X[0] + axis[1] * X[1] + axis[2] * X[2];
-        for (std::size_t i = 0; i < 3; ++i)   // Rodrigues
+        for (std::size_t i = 0; i < 3; ++i)  // Rodrigues
             if (const auto dof = system.dofs().displacement[3 * node + i]; dof >= 0)
-                SOFT_PETSC(VecSetValue(x, dof, c * X[i] + s * across[i] + (1 - c) * along * axis[i] - X[i], INSERT_VALUES));
+                SOFT_PETSC(
+                    VecSetValue(x, dof, c * X[i] + s * across[i] + (1 - c) * along * axis[i] - X[i], INSERT_VALUES));
     }
     SOFT_PETSC(VecAssemblyBegin(x));
     SOFT_PETSC(VecAssemblyEnd(x));
@@ -141,7 +143,7 @@ TEST(Rotation, TwistOfARigidTurnIsItsAngleAndBendOfItIsNothing) {
     for (const double angle : {-2.5, -0.3, 0.0, 0.7, 3.0}) {
         const auto x = turned(system, {1, 0, 0}, angle);
         EXPECT_NEAR(system.output(0, x, nullptr), angle, 1e-12);
-        EXPECT_NEAR(system.output(1, turned(system, {0, 1, 0}, angle), nullptr), 0.0, 1e-12);   // both faces turn
+        EXPECT_NEAR(system.output(1, turned(system, {0, 1, 0}, angle), nullptr), 0.0, 1e-12);  // both faces turn
     }
 }
 
@@ -149,11 +151,11 @@ TEST(Rotation, TwistOfARigidTurnIsItsAngleAndBendOfItIsNothing) {
 TEST(Rotation, BendIsTheAngleBetweenTheFaces) {
     const auto input = measured_box();
     System system(input, PETSC_COMM_WORLD);
-    const double angle = 1.2, radius = 0.01 / angle;   // of the line z = 0, 10 mm long
+    const double angle = 1.2, radius = 0.01 / angle;  // of the line z = 0, 10 mm long
     auto x = system.make_vector();
     for (std::size_t node = 0; node < input.mesh.points.size(); ++node) {
         const auto& X = input.mesh.points[node];
-        const double a = X[0] / radius;   // positive about y turns x towards -z
+        const double a = X[0] / radius;  // positive about y turns x towards -z
         const std::array<double, 3> bent{(radius + X[2]) * std::sin(a), X[1], (radius + X[2]) * std::cos(a) - radius};
         for (std::size_t i = 0; i < 3; ++i)
             SOFT_PETSC(VecSetValue(x, system.dofs().displacement[3 * node + i], bent[i] - X[i], INSERT_VALUES));

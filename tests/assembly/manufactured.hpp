@@ -42,7 +42,8 @@ struct Problem {
 /// In-plane displacement with J = 1 nearly: the implicit midpoint rule d = (psi_,y, -psi_,x) at X + d/2 keeps areas exactly
 /// (Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), VI.4); four of its fixed-point steps to about 1e-5.
 /// psi = a bump(x) bump(y). In a body of revolution the plane is (x, r^2/2), whose areas are volumes.
-inline std::array<Number, 2> isochoric(model::Kinematics kinematics, double a, const std::array<Number, 3>& X, const Number& depth) {
+inline std::array<Number, 2> isochoric(model::Kinematics kinematics, double a, const std::array<Number, 3>& X,
+                                       const Number& depth) {
     const bool axisymmetric = kinematics == model::Kinematics::axisymmetric;
     const Number across = axisymmetric ? 0.5 * X[1] * X[1] : X[1];
     Number dx = 0.0, dy = 0.0;
@@ -93,10 +94,12 @@ inline Field field(const Problem& problem, const mesh::Point& X) {
     return result;
 }
 
-inline std::array<double, 3> body_force(const material::AnyRubber& rubber, const Problem& problem, const mesh::Point& X) {
+inline std::array<double, 3> body_force(const material::AnyRubber& rubber, const Problem& problem,
+                                        const mesh::Point& X) {
     const Field at = field(problem, X);
     material::PointResponse point;
-    std::visit([&](const auto& r) { displacement_response(r, {}, at.F, material::Wanted::stress_and_tangent, point); }, rubber);
+    std::visit([&](const auto& r) { displacement_response(r, {}, at.F, material::Wanted::stress_and_tangent, point); },
+               rubber);
     std::array<double, 3> B{};
     for (int i = 0; i < 3; ++i)
         for (int M = 0; M < 3; ++M)
@@ -111,8 +114,8 @@ inline std::array<double, 3> body_force(const material::AnyRubber& rubber, const
 /// A point of a cell with what the integrals need.
 struct Place {
     mesh::Point X{};
-    double volume = 0;                  ///< 2 pi R included
-    std::vector<double> N, gradient;    ///< [node], [direction x node + node]
+    double volume = 0;                ///< 2 pi R included
+    std::vector<double> N, gradient;  ///< [node], [direction x node + node]
 };
 
 /// Calls visit(cell, place) for every point of a rule two degrees finer than the elements' own.
@@ -163,8 +166,9 @@ inline linalg::Vector force(const assembly::System& system, const material::AnyR
         const auto nodes = input.mesh.cell_nodes(cell);
         for (std::size_t a = 0; a < nodes.size(); ++a)
             for (int i = 0; i < dim; ++i)
-                SOFT_PETSC(VecSetValue(f, system.dofs().displacement[nodes[a] * dim + i], place.volume * place.N[a] * B[i],
-                                       ADD_VALUES));   // held unknowns have number -1, which PETSc skips
+                SOFT_PETSC(VecSetValue(f, system.dofs().displacement[nodes[a] * dim + i],
+                                       place.volume * place.N[a] * B[i],
+                                       ADD_VALUES));  // held unknowns have number -1, which PETSc skips
     });
     SOFT_PETSC(VecAssemblyBegin(f));
     SOFT_PETSC(VecAssemblyEnd(f));
@@ -180,7 +184,7 @@ inline linalg::Vector solve(assembly::System& system, const material::AnyRubber&
     const auto f = force(system, rubber, flow);
     const auto K = system.make_matrix();
     linalg::LinearSolver solver(K);
-    for (const double share : {0.5, 1.0})   // half the force first: a step from rest to the end may fold a cell
+    for (const double share : {0.5, 1.0})  // half the force first: a step from rest to the end may fold a cell
         for (int iteration = 0;; ++iteration) {
             if (iteration == 12 || !system.evaluate(x, assembly::no_loads(system.input()), R, K).admissible())
                 throw std::runtime_error("manufactured::solve: Newton did not converge");
@@ -194,7 +198,7 @@ inline linalg::Vector solve(assembly::System& system, const material::AnyRubber&
 }
 
 struct Errors {
-    double displacement = 0, gradient = 0, pressure = 0;   ///< L2 norms
+    double displacement = 0, gradient = 0, pressure = 0;  ///< L2 norms
 };
 
 /// Of the pressure at a place of a cell: its nodal values, which lie in the pressure space, interpolated.
@@ -238,7 +242,7 @@ inline Errors errors(const assembly::System& system, const material::AnyRubber& 
         }
         if (reference.pressure_dofs == 0) return;
         const double kappa_Pa = material::bulk_modulus_Pa(rubber).value();
-        double difference = -kappa_Pa * (determinant(exact.F) - 1.0);   // volumetric: quadratic
+        double difference = -kappa_Pa * (determinant(exact.F) - 1.0);  // volumetric: quadratic
         for (std::size_t a = 0; a < n; ++a) difference += place.N[a] * pressures[a];
         sum.pressure += place.volume * difference * difference;
     });

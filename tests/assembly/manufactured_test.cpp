@@ -15,7 +15,7 @@ struct Study {
     CellType type;
     Kinematics kinematics;
     Formulation formulation;
-    int coarse, fine;          ///< cells along an edge
+    int coarse, fine;  ///< cells along an edge
     double shake = 0;
 };
 

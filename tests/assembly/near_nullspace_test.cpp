@@ -24,14 +24,15 @@ TEST(NearNullspace, AFreeBodyDoesNotResistItsRigidMotions) {
         for (std::size_t i = 0; i < motions.size(); ++i) {
             SOFT_PETSC(MatMult(K, motions[i], R));
             EXPECT_LT(linalg::norm(R), 1e-13 * size);
-            for (std::size_t j = 0; j <= i; ++j) EXPECT_NEAR(linalg::dot(motions[i], motions[j]), i == j ? 1.0 : 0.0, 1e-13);
+            for (std::size_t j = 0; j <= i; ++j)
+                EXPECT_NEAR(linalg::dot(motions[i], motions[j]), i == j ? 1.0 : 0.0, 1e-13);
         }
     }
 }
 
 TEST(NearNullspace, ASectionHasThoseOfItsPlane) {
     const auto sphere = sphere_case(1, 2);
-    EXPECT_EQ(rigid_motions(System(sphere, PETSC_COMM_WORLD)).size(), 1u);   // along the axis
+    EXPECT_EQ(rigid_motions(System(sphere, PETSC_COMM_WORLD)).size(), 1u);  // along the axis
     auto strip = sphere;
     strip.kinematics = model::Kinematics::plane_strain;
     EXPECT_EQ(rigid_motions(System(strip, PETSC_COMM_WORLD)).size(), 3u);

@@ -15,7 +15,7 @@ using mesh::CellType;
 using model::Formulation;
 using model::Kinematics;
 
-constexpr Tensor slope{0.08, 0.05, -0.03, 0.04, -0.06, 0.06, 0.02, -0.07, 0.05};   // grad u
+constexpr Tensor slope{0.08, 0.05, -0.03, 0.04, -0.06, 0.06, 0.02, -0.07, 0.05};  // grad u
 
 struct Patch {
     CellType type;
@@ -34,7 +34,8 @@ std::vector<Patch> all_patches() {
     for (const auto kinematics : {Kinematics::plane_strain, Kinematics::axisymmetric})
         for (const auto type : {CellType::triangle3, CellType::triangle6, CellType::quad4, CellType::quad9})
             add(type, kinematics);
-    for (const auto type : {CellType::tet4, CellType::tet10, CellType::hex8, CellType::hex27, CellType::wedge6, CellType::wedge18})
+    for (const auto type :
+         {CellType::tet4, CellType::tet10, CellType::hex8, CellType::hex27, CellType::wedge6, CellType::wedge18})
         add(type, Kinematics::solid);
     return list;
 }
@@ -66,7 +67,8 @@ std::vector<PetscInt> boundary_dofs(const System& system) {
     std::vector<PetscInt> rows;
     for (const auto& facet : mesh.facet_sets.at("boundary"))
         for (const auto node : mesh::facet_nodes(mesh, facet))
-            for (int i = 0; i < mesh.dimension; ++i) rows.push_back(system.dofs().displacement[node * mesh.dimension + i]);
+            for (int i = 0; i < mesh.dimension; ++i)
+                rows.push_back(system.dofs().displacement[node * mesh.dimension + i]);
     std::ranges::sort(rows);
     const auto repeated = std::ranges::unique(rows);
     rows.erase(repeated.begin(), repeated.end());
@@ -119,8 +121,9 @@ TEST(Patch, AnAffineBoundaryGivesTheAffineFieldInside) {
         const auto fields = system.gather_fields(x);
         for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
             for (int i = 0; i < input.mesh.dimension; ++i)
-                EXPECT_NEAR(fields.displacement_m[3 * node + i], affine(p, input.mesh.points[node], i), 1e-12) << label(p);
-        const double p_Pa = 100 * sample_mu_Pa * (dilatation(p) - 1.0);   // kappa (J - 1)
+                EXPECT_NEAR(fields.displacement_m[3 * node + i], affine(p, input.mesh.points[node], i), 1e-12)
+                    << label(p);
+        const double p_Pa = 100 * sample_mu_Pa * (dilatation(p) - 1.0);  // kappa (J - 1)
         for (const double found : fields.pressure_Pa) EXPECT_NEAR(found, p_Pa, 1e-8 * std::abs(p_Pa)) << label(p);
     }
 }

@@ -17,7 +17,8 @@ std::set<std::pair<PetscInt, PetscInt>> pairs(const System& system) {
     const auto& input = system.input();
     std::vector<PetscInt> dofs;
     for (mesh::Index cell = 0; cell < input.mesh.cell_count(); ++cell) {
-        system.dofs().cell_dofs(input.mesh, cell, element::make_reference_cell(input.mesh.cell_type(cell), input.formulation), dofs);
+        system.dofs().cell_dofs(input.mesh, cell,
+                                element::make_reference_cell(input.mesh.cell_type(cell), input.formulation), dofs);
         for (const PetscInt row : dofs)
             for (const PetscInt column : dofs)
                 if (row >= 0 && column >= 0) found.emplace(row, column);
@@ -43,7 +44,7 @@ TEST(Pattern, HoldsThePairsOfUnknownsThatShareACellAndNoOthers) {
         EXPECT_EQ(found, pairs(system));
         MatInfo info;
         SOFT_PETSC(MatGetInfo(K, MAT_LOCAL, &info));
-        EXPECT_EQ(info.nz_allocated, info.nz_used);   // counted exactly
+        EXPECT_EQ(info.nz_allocated, info.nz_used);  // counted exactly
     }
 }
 

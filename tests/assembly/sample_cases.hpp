@@ -57,16 +57,16 @@ inline model::Case sphere_case(int layers, int sectors) {
     for (int j = 0; j <= 2 * sectors; ++j)
         for (int i = 0; i < columns; ++i) {
             const double radius = A + (B - A) * i / (2 * layers), angle = 0.5 * std::numbers::pi * j / (2 * sectors);
-            mesh.points.push_back({j == 0 ? 0.0 : radius * std::sin(angle),
-                                   j == 2 * sectors ? 0.0 : radius * std::cos(angle), 0.0});
+            mesh.points.push_back(
+                {j == 0 ? 0.0 : radius * std::sin(angle), j == 2 * sectors ? 0.0 : radius * std::cos(angle), 0.0});
         }
     for (int j = 0; j < 2 * sectors; j += 2)
         for (int i = 0; i < 2 * layers; i += 2) {
             const auto id = [&](int di, int dj) { return static_cast<mesh::Index>(j + dj) * columns + i + di; };
-            mesh::add_cell(mesh, mesh::CellType::quad9,
-                           std::array{id(0, 0), id(0, 2), id(2, 2), id(2, 0), id(0, 1), id(1, 2), id(2, 1), id(1, 0),
-                                      id(1, 1)},
-                           0);
+            mesh::add_cell(
+                mesh, mesh::CellType::quad9,
+                std::array{id(0, 0), id(0, 2), id(2, 2), id(2, 0), id(0, 1), id(1, 2), id(2, 1), id(1, 0), id(1, 1)},
+                0);
         }
     // Angle grows from the r axis to the x axis, clockwise in (x, r): (angle, radius) is a positively oriented frame.
     name_boundary(mesh, [&](const mesh::Point& p) {
@@ -134,8 +134,9 @@ inline model::Case box_case(int n, bool incompressible) {
             for (int i = 0; i < 2 * n; i += 2) {
                 std::array<mesh::Index, 27> cell{};
                 for (int a = 0; a < 27; ++a)
-                    cell[a] = ((k + 1 + static_cast<int>(nodes[a][2])) * m + j + 1 + static_cast<int>(nodes[a][1])) * m +
-                              i + 1 + static_cast<int>(nodes[a][0]);
+                    cell[a] =
+                        ((k + 1 + static_cast<int>(nodes[a][2])) * m + j + 1 + static_cast<int>(nodes[a][1])) * m + i +
+                        1 + static_cast<int>(nodes[a][0]);
                 mesh::add_cell(mesh, mesh::CellType::hex27, cell, 0);
             }
     name_boundary(mesh, [&](const mesh::Point& p) {
@@ -145,7 +146,8 @@ inline model::Case box_case(int n, bool incompressible) {
         if (p[2] < 1e-9) return "bottom";
         return p[1] > edge - 1e-9 ? "right" : "top";
     });
-    input.supports = {{"fixed", {true, false, false}}, {"left", {false, true, false}}, {"bottom", {false, false, true}}};
+    input.supports = {
+        {"fixed", {true, false, false}}, {"left", {false, true, false}}, {"bottom", {false, false, true}}};
     input.materials = {sample_material(incompressible)};
     input.loads = {{.name = "end", .targets = {"end"}, .gas = {}}};
     input.outputs = {{"elongation", "end", {1, 0, 0}}};

@@ -84,9 +84,9 @@ TEST(UndeformedShape, TakesTheForceAtEveryStateFromTheUndeformedArea) {
     system.evaluate(x, levels, without, nullptr);
     levels.pressures_Pa = {-sample_mu_Pa};
     system.evaluate(x, levels, with, nullptr);
-    linalg::add(with, -1.0, without);   // -(force of the load)
+    linalg::add(with, -1.0, without);  // -(force of the load)
     // Along x alone, in total the pull times the undeformed area.
-    const auto mean = system.output(0, with, nullptr);   // weights of the face's mean
+    const auto mean = system.output(0, with, nullptr);  // weights of the face's mean
     EXPECT_LT(mean, 0.0);
     double total = 0;
     SOFT_PETSC(VecSum(with, &total));

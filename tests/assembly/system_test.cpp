@@ -16,13 +16,16 @@ namespace {
 model::Case open_box() {
     auto input = box_case(2, false);
     input.cavities = {{"cavity", "right", {}, {{"end", 2e-5, {1, 0, 0}}}}};
-    input.loads = {{.name = "cavity", .targets = {"cavity"}, .gas = {}}, {.name = "top", .targets = {"top"}, .gas = {}}};
+    input.loads = {{.name = "cavity", .targets = {"cavity"}, .gas = {}},
+                   {.name = "top", .targets = {"top"}, .gas = {}}};
     return input;
 }
 
 /// Every load at this share of a full load of its own.
 LoadLevels levels_at(const model::Case& input, double share) {
-    LoadLevels full{{}, std::vector(input.tractions.size(), 1.0), std::vector(input.body_forces.size(), 1.0),
+    LoadLevels full{{},
+                    std::vector(input.tractions.size(), 1.0),
+                    std::vector(input.body_forces.size(), 1.0),
                     std::vector(input.motions.size(), 1.0)};
     for (std::size_t i = 0; i < input.loads.size(); ++i)
         full.pressures_Pa.push_back((i == 0 ? 0.3 : 0.2) * sample_mu_Pa);
@@ -78,7 +81,7 @@ TEST(System, ForceOfADeadTractionIsItsAreaAndDoesNotFollowTheBody) {
     auto R = system.make_vector(), load = system.make_vector(), elsewhere = system.make_vector();
     evaluate_at(system, system.make_vector(), 1.0, R, load);
     evaluate_at(system, wavy(system, 2e-4, 0.0), 0.5, R, elsewhere);
-    double sum = 0;   // of the x components
+    double sum = 0;  // of the x components
     const PetscScalar* values = nullptr;
     SOFT_PETSC(VecGetArrayRead(load, &values));
     for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
@@ -121,7 +124,7 @@ TEST(System, EnclosedVolumeOfTheSphereIsFourThirdsPiCubedOfTheWholeBall) {
     const auto input = sphere_case(1, 16);
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
-    const double exact = 4.0 / 3.0 * std::numbers::pi * 1e-6;   // second-order arcs: error O(h^4)
+    const double exact = 4.0 / 3.0 * std::numbers::pi * 1e-6;  // second-order arcs: error O(h^4)
     EXPECT_NEAR(system.enclosed_volume(0, x, nullptr) / exact, 1.0, 1e-6);
 }
 
@@ -176,19 +179,20 @@ TEST(System, StretchSummaryOfAHomogeneousStateIsThatState) {
     for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
         for (int i = 0; i < 3; ++i)
             if (const auto dof = system.dofs().displacement[3 * node + i]; dof >= 0)
-                SOFT_PETSC(VecSetValue(x, dof, ((i == 0 ? l : across) - 1.0) * input.mesh.points[node][i], INSERT_VALUES));
+                SOFT_PETSC(
+                    VecSetValue(x, dof, ((i == 0 ? l : across) - 1.0) * input.mesh.points[node][i], INSERT_VALUES));
     SOFT_PETSC(VecAssemblyBegin(x));
     SOFT_PETSC(VecAssemblyEnd(x));
     const auto summary = system.stretches(x);
     EXPECT_NEAR(summary.p99, l, 1e-12);
     EXPECT_NEAR(summary.largest, l, 1e-12);
     EXPECT_NEAR(summary.min_jacobian, 1.0, 1e-12);
-    const double energy = 0.5 * sample_mu_Pa * (l * l + 2.0 / l - 3.0) * 1e-6;   // neo-Hookean, box of 1 cm^3
+    const double energy = 0.5 * sample_mu_Pa * (l * l + 2.0 / l - 3.0) * 1e-6;  // neo-Hookean, box of 1 cm^3
     EXPECT_NEAR(system.stored_energy(x), energy, 1e-12 * energy);
 }
 
 TEST(DofMap, CountsFreeComponentsAndPressures) {
-    const auto input = box_case(2, true);   // 125 nodes, three faces of 25 nodes held in one component each, 8 cells
+    const auto input = box_case(2, true);  // 125 nodes, three faces of 25 nodes held in one component each, 8 cells
     System system(input, PETSC_COMM_WORLD);
     EXPECT_EQ(system.dofs().pressures, 8 * 4);
     EXPECT_EQ(system.dofs().total, 3 * 125 - 3 * 25 + 8 * 4);
@@ -218,7 +222,7 @@ TEST(System, RefusesACaseItCannotRun) {
     EXPECT_TRUE(model::why_not(fibres, Kinematics::solid, half).empty());
     fibres.fibers = model::Fibers{0.5, 1e5, 1, 1};
     EXPECT_FALSE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
-    fibres.fibers->angle_rad = 0;   // along the axis: its own mirror image
+    fibres.fibers->angle_rad = 0;  // along the axis: its own mirror image
     EXPECT_TRUE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
     EXPECT_TRUE(model::why_not(fibres, Kinematics::solid, half).empty());
     auto no_material = box_case(1, true);

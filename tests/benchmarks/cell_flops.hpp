@@ -17,8 +17,8 @@
 namespace soft::benchmarks {
 
 struct CellFlops {
-    double residual = 0;                 ///< with the map and the stress
-    double stiffness = 0;                ///< beyond it
+    double residual = 0;   ///< with the map and the stress
+    double stiffness = 0;  ///< beyond it
     [[nodiscard]] double total() const { return residual + stiffness; }
 };
 

@@ -59,7 +59,7 @@ void time_cell(benchmark::State& state, const CellCase& which, Wanted wanted, co
     set_rates(state, wanted == Wanted::stress ? flops.residual : flops.total(), peak);
 }
 
-constexpr int box_side = 6;   // 216 hexahedra, 2 197 nodes: a matrix beyond the second-level cache, as in real meshes
+constexpr int box_side = 6;  // 216 hexahedra, 2 197 nodes: a matrix beyond the second-level cache, as in real meshes
 
 model::Case box() {
     model::Case input = box_case(box_side, false);
@@ -92,11 +92,11 @@ void time_evaluation(benchmark::State& state, Wanted wanted, const Peak& peak) {
     assembly::System system(input, PETSC_COMM_SELF);
     const linalg::Vector x = system.make_vector(), R = system.make_vector();
     SOFT_PETSC(VecSetRandom(x, nullptr));
-    SOFT_PETSC(VecScale(x, 1e-6));   // of 10 mm: cells that are not all alike, and none inverted
+    SOFT_PETSC(VecScale(x, 1e-6));  // of 10 mm: cells that are not all alike, and none inverted
     const linalg::Matrix K = system.make_matrix();
     const auto levels = assembly::no_loads(input);
     const auto cells = static_cast<double>(input.mesh.cell_count());
-    static_cast<void>(system.evaluate(x, levels, R, K));   // the first looks up the places of the matrix's entries
+    static_cast<void>(system.evaluate(x, levels, R, K));  // the first looks up the places of the matrix's entries
     for (auto _ : state)
         if (!system.evaluate(x, levels, R, wanted == Wanted::stress ? nullptr : K.get()).admissible())
             state.SkipWithError("the sample is inverted");
@@ -116,12 +116,14 @@ void register_all(const Peak& peak) {
         set_rates(state, 2.0 * widest.width * detail::chain_count * rounds, peak);
     });
     for (const CellCase& which : cell_cases()) {
-        add(which.name() + ": residual", [=](benchmark::State& state) { time_cell(state, which, Wanted::stress, peak); });
+        add(which.name() + ": residual",
+            [=](benchmark::State& state) { time_cell(state, which, Wanted::stress, peak); });
         add(which.name() + ": residual and stiffness",
             [=](benchmark::State& state) { time_cell(state, which, Wanted::stress_and_tangent, peak); });
     }
     add("hex27 mixed: scatter", time_scatter);
-    add("hex27 mixed 216 cells: residual", [peak](benchmark::State& state) { time_evaluation(state, Wanted::stress, peak); });
+    add("hex27 mixed 216 cells: residual",
+        [peak](benchmark::State& state) { time_evaluation(state, Wanted::stress, peak); });
     add("hex27 mixed 216 cells: residual and stiffness",
         [peak](benchmark::State& state) { time_evaluation(state, Wanted::stress_and_tangent, peak); });
 }

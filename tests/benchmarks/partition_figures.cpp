@@ -18,7 +18,7 @@ using namespace soft;
 constexpr int displacements_a_node = 3, pressures_a_hexahedron = 4;
 
 struct Figures {
-    std::vector<long> cells, own, ghosts, neighbours;   // of each part; own and ghosts in unknowns
+    std::vector<long> cells, own, ghosts, neighbours;  // of each part; own and ghosts in unknowns
 };
 
 /// A node belongs to the lowest part that uses it, as in assembly/dof_map.hpp; ghosts are the nodes of a part's cells that do not.
@@ -30,7 +30,8 @@ Figures figures_of(const mesh::Mesh& mesh, const std::vector<int>& part_of_cell,
     for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell) {
         const int part = part_of_cell[static_cast<std::size_t>(cell)];
         ++figures.cells[static_cast<std::size_t>(part)];
-        if (mesh.cell_type(cell) == mesh::CellType::hex27) figures.own[static_cast<std::size_t>(part)] += pressures_a_hexahedron;
+        if (mesh.cell_type(cell) == mesh::CellType::hex27)
+            figures.own[static_cast<std::size_t>(part)] += pressures_a_hexahedron;
         for (const auto node : mesh.cell_nodes(cell)) {
             auto& list = users[static_cast<std::size_t>(node)];
             if (std::ranges::find(list, part) == list.end()) list.push_back(part);
@@ -61,9 +62,9 @@ double mean(const std::vector<long>& values) {
 void tell(const mesh::Mesh& mesh, int parts) {
     const auto figures = figures_of(mesh, assembly::partition_cells(mesh, MPI_COMM_WORLD, parts), parts);
     const auto largest = [](const std::vector<long>& values) { return *std::ranges::max_element(values); };
-    std::printf("%d,%.0f,%ld,%.0f,%ld,%.0f,%ld,%.3f,%.1f,%ld\n", parts, mean(figures.cells), largest(figures.cells), mean(figures.own),
-                largest(figures.own), mean(figures.ghosts), largest(figures.ghosts), mean(figures.ghosts) / mean(figures.own),
-                mean(figures.neighbours), largest(figures.neighbours));
+    std::printf("%d,%.0f,%ld,%.0f,%ld,%.0f,%ld,%.3f,%.1f,%ld\n", parts, mean(figures.cells), largest(figures.cells),
+                mean(figures.own), largest(figures.own), mean(figures.ghosts), largest(figures.ghosts),
+                mean(figures.ghosts) / mean(figures.own), mean(figures.neighbours), largest(figures.neighbours));
 }
 
 }  // namespace
@@ -72,7 +73,8 @@ int main(int argc, char** argv) try {
     if (argc < 3) throw Error(ExitCode::usage, "partition_figures", "wants CASE PARTS...");
     const linalg::Session session({});
     const auto input = io::read_case(core::read_file(argv[1]), argv[1]);
-    std::printf("parts,cells,cells_max,own_unknowns,own_max,ghost_unknowns,ghost_max,ghosts_per_own,neighbours,neighbours_max\n");
+    std::printf(
+        "parts,cells,cells_max,own_unknowns,own_max,ghost_unknowns,ghost_max,ghosts_per_own,neighbours,neighbours_max\n");
     for (int i = 2; i < argc; ++i) tell(input.mesh, std::atoi(argv[i]));
     return 0;
 } catch (const std::exception& error) {

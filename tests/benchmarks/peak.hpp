@@ -12,13 +12,14 @@ inline constexpr int chain_count = 10;
 
 template <int Width>
 struct VectorOf {
-    typedef double Type __attribute__((vector_size(Width * sizeof(double))));   // `using` loses the attribute of a dependent size
+    typedef double Type
+        __attribute__((vector_size(Width * sizeof(double))));  // `using` loses the attribute of a dependent size
 };
 
 template <int Width>
 [[nodiscard]] inline double multiply_adds(long rounds) {
     using Vector = typename VectorOf<Width>::Type;
-    const Vector factor = Vector{} + 0.999999, term = Vector{} + 1e-6;   // tends to 1: neither overflow nor denormals
+    const Vector factor = Vector{} + 0.999999, term = Vector{} + 1e-6;  // tends to 1: neither overflow nor denormals
     Vector chain[chain_count];
     for (int c = 0; c < chain_count; ++c) chain[c] = Vector{} + 1.0 + 0.01 * c;
     for (long round = 0; round < rounds; ++round)
@@ -31,13 +32,17 @@ template <int Width>
 }
 
 #if defined(__x86_64__)
-[[gnu::target("arch=x86-64-v4"), gnu::flatten]] inline double rounds_of_8(long rounds) { return multiply_adds<8>(rounds); }
-[[gnu::target("arch=x86-64-v3"), gnu::flatten]] inline double rounds_of_4(long rounds) { return multiply_adds<4>(rounds); }
+[[gnu::target("arch=x86-64-v4"), gnu::flatten]] inline double rounds_of_8(long rounds) {
+    return multiply_adds<8>(rounds);
+}
+[[gnu::target("arch=x86-64-v3"), gnu::flatten]] inline double rounds_of_4(long rounds) {
+    return multiply_adds<4>(rounds);
+}
 #endif
 [[gnu::flatten]] inline double rounds_of_2(long rounds) { return multiply_adds<2>(rounds); }
 
 struct WidestVector {
-    int width;                           // doubles
+    int width;  // doubles
     double (*run)(long rounds);
 };
 
@@ -60,7 +65,7 @@ struct WidestVector {
 
 struct Peak {
     double flops_per_s = 0;
-    int vector_width = 0;                ///< doubles
+    int vector_width = 0;  ///< doubles
 };
 
 /// The best of several short tries: a peak is what nothing disturbed.

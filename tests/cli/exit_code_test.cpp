@@ -33,7 +33,8 @@ protected:
 TEST_F(ExitCodes, UsageIs64) {
     expect_refusal(folder_, "mesh-gen --chek tube.yaml", 64, "did you mean '--check'?");
     expect_refusal(folder_, "mesh-gen tube.yaml more.yaml", 64, "one argument too many: 'more.yaml'");
-    expect_refusal(folder_, "mesh-gen tube.yaml a/tube.yaml --output-folder f", 64, "two designs would write 'f/tube.h5'");
+    expect_refusal(folder_, "mesh-gen tube.yaml a/tube.yaml --output-folder f", 64,
+                   "two designs would write 'f/tube.h5'");
     expect_refusal(folder_, "mesh-gen --output-folder f < tube.yaml", 64, "a design from stdin has no name");
     expect_refusal(folder_, "mesh-gen tube.yaml --output-folder f -o a.h5", 64, "exclude each other");
     expect_refusal(folder_, "mesh-gen --list --explain", 64, "exclude each other");

@@ -44,22 +44,23 @@ TEST(MeshGen, PipeAndFileGiveTheSameBytesTwice) {
 
 TEST(MeshGen, SeveralDesignsGiveTheBytesOfEachAlone) {
     Folder folder;
-    const Outcome outcome =
-        run(folder,
-            "mesh-gen --template tube > 'a tube.yaml' && mesh-gen --template rod > rod.yaml && "
-            "mesh-gen -q 'a tube.yaml' rod.yaml --output-folder new/cases --set mesh.size=3mm && mkdir kept && "
-            "mv new/cases/* kept && mesh-gen 'a tube.yaml' -o 'new/cases/a tube.h5' --set mesh.size=3mm 2>tube.txt && "
-            "cmp 'kept/a tube.h5' 'new/cases/a tube.h5' && mesh-gen rod.yaml -o new/cases/rod.h5 --set mesh.size=3mm 2>rod.txt && "
-            "cmp kept/rod.h5 new/cases/rod.h5");
+    const Outcome outcome = run(
+        folder,
+        "mesh-gen --template tube > 'a tube.yaml' && mesh-gen --template rod > rod.yaml && "
+        "mesh-gen -q 'a tube.yaml' rod.yaml --output-folder new/cases --set mesh.size=3mm && mkdir kept && "
+        "mv new/cases/* kept && mesh-gen 'a tube.yaml' -o 'new/cases/a tube.h5' --set mesh.size=3mm 2>tube.txt && "
+        "cmp 'kept/a tube.h5' 'new/cases/a tube.h5' && mesh-gen rod.yaml -o new/cases/rod.h5 --set mesh.size=3mm 2>rod.txt && "
+        "cmp kept/rod.h5 new/cases/rod.h5");
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
     EXPECT_EQ(outcome.err, "");
 }
 
 TEST(MeshGen, OfSeveralDesignsOneThatIsRefusedDoesNotStopTheOthers) {
     Folder folder;
-    const Outcome outcome =
-        run(folder, "mesh-gen --template tube > a.yaml && sed 's/inner_radius: .*/inner_radius: 1 m/' a.yaml > b.yaml && "
-                    "cp a.yaml c.yaml && mesh-gen -q a.yaml absent.yaml b.yaml c.yaml --output-folder cases; code=$?; ls cases; exit $code");
+    const Outcome outcome = run(
+        folder,
+        "mesh-gen --template tube > a.yaml && sed 's/inner_radius: .*/inner_radius: 1 m/' a.yaml > b.yaml && "
+        "cp a.yaml c.yaml && mesh-gen -q a.yaml absent.yaml b.yaml c.yaml --output-folder cases; code=$?; ls cases; exit $code");
     EXPECT_EQ(outcome.code, 66) << outcome.err;
     EXPECT_EQ(outcome.out, "a.h5\nc.h5\n");
     EXPECT_TRUE(holds(outcome.err, "mesh-gen: absent.yaml: ")) << outcome.err;
@@ -71,7 +72,8 @@ TEST(MeshGen, OfSeveralDesignsOneThatIsRefusedDoesNotStopTheOthers) {
 TEST(MeshGen, GmshIsLoadedOnlyToMakeAMesh) {
     Folder folder;
     const auto loads = [&folder](const std::string& command) {
-        const Outcome outcome = run(folder, "LD_DEBUG=files " + command + " 2>&1 >out.txt | grep -c 'libgmsh.*generating link map'");
+        const Outcome outcome =
+            run(folder, "LD_DEBUG=files " + command + " 2>&1 >out.txt | grep -c 'libgmsh.*generating link map'");
         return std::stoi(outcome.out);
     };
     EXPECT_EQ(loads("mesh-gen --version"), 0);
@@ -96,14 +98,15 @@ TEST(MeshGen, TheSummaryHoldsTheVolumesOfTheClosedForm) {
     EXPECT_NEAR(json.at("cavities").at(0).at("smallest_wall_m").get<double>(), 0.003, 1e-6);
     EXPECT_GT(json.at("min_scaled_jacobian").get<double>(), 0.0);
     EXPECT_TRUE(holds(outcome.err, "rubber 17.5")) << outcome.err;
-    EXPECT_FALSE(json.contains("mass_kg"));   // without a density
+    EXPECT_FALSE(json.contains("mass_kg"));  // without a density
 }
 
 TEST(MeshGen, TheSummaryWeighsTheWholeActuator) {
     Folder folder;
-    const Outcome outcome = run(folder,
-                                "mesh-gen --template rod | mesh-gen -o r.h5 --json - --set model=quarter --set geometry.length=100mm "
-                                "--set geometry.width=10mm --set geometry.height=10mm --set material.density=1080kg/m^3");
+    const Outcome outcome =
+        run(folder,
+            "mesh-gen --template rod | mesh-gen -o r.h5 --json - --set model=quarter --set geometry.length=100mm "
+            "--set geometry.width=10mm --set geometry.height=10mm --set material.density=1080kg/m^3");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NEAR(nlohmann::json::parse(outcome.out).at("mass_kg").get<double>(), 0.0108, 1e-9);
     EXPECT_TRUE(holds(outcome.err, "10.8 g")) << outcome.err;

@@ -9,13 +9,13 @@ namespace {
 
 TEST(Dual, ProductAndQuotientRulesGiveExactSecondDerivatives) {
     const auto x = Dual<2>::variable(1.3, 0), y = Dual<2>::variable(0.7, 1);
-    const auto product = x * x * y;   // gradient (2xy, x^2), Hessian (2y, 2x, 0)
+    const auto product = x * x * y;  // gradient (2xy, x^2), Hessian (2y, 2x, 0)
     EXPECT_DOUBLE_EQ(product.g[0], 2 * 1.3 * 0.7);
     EXPECT_DOUBLE_EQ(product.g[1], 1.3 * 1.3);
     EXPECT_DOUBLE_EQ(product.hessian(0, 0), 2 * 0.7);
     EXPECT_DOUBLE_EQ(product.hessian(0, 1), 2 * 1.3);
     EXPECT_DOUBLE_EQ(product.hessian(1, 1), 0.0);
-    const auto quotient = x / y;      // gradient (1/y, -x/y^2), Hessian (0, -1/y^2, 2x/y^3)
+    const auto quotient = x / y;  // gradient (1/y, -x/y^2), Hessian (0, -1/y^2, 2x/y^3)
     EXPECT_NEAR(quotient.g[0], 1 / 0.7, 1e-15);
     EXPECT_NEAR(quotient.g[1], -1.3 / 0.49, 1e-14);
     EXPECT_NEAR(quotient.hessian(0, 1), -1 / 0.49, 1e-14);

@@ -38,7 +38,7 @@ TEST(Units, PrefixesGiveTheDoubleNearestToTheDecimalValue) {
     EXPECT_EQ(si("2 kHz", Dimension::rate), 2000.0);
     EXPECT_EQ(si("0.5 1/s", Dimension::rate), 0.5);
     EXPECT_EQ(si("1e8 Pa.s/m^3", Dimension::flow_resistance), 1e8);
-    EXPECT_EQ(si("0.1 kPa.s/mL", Dimension::flow_resistance), 1e8);   // 100 Pa s over 1e-6 m^3
+    EXPECT_EQ(si("0.1 kPa.s/mL", Dimension::flow_resistance), 1e8);  // 100 Pa s over 1e-6 m^3
     EXPECT_EQ(si("2.5 mJ", Dimension::energy), 2.5e-3);
     EXPECT_EQ(si("10 mL", Dimension::volume), 1e-5);
     EXPECT_EQ(si("10 mm^2", Dimension::area), 1e-5);

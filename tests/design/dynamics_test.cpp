@@ -14,7 +14,9 @@ const std::string rubber = "family: pipe\nmaterial: {law: neo-hookean, mu: 0.164
 const std::string cavity = "loads: {cavity: {pressure: 30 kPa}}\n";
 const std::string moving = "dynamics: {duration: 0.5 s}\n";
 
-std::string loaded(const std::string& more) { return rubber + "loads: {cavity: {pressure: 30 kPa, " + more + "}}\n" + moving; }
+std::string loaded(const std::string& more) {
+    return rubber + "loads: {cavity: {pressure: 30 kPa, " + more + "}}\n" + moving;
+}
 
 TEST(DynamicDesign, TakesItsDefaultsFromTheModel) {
     const Dynamics set = read(rubber + cavity + moving).dynamics.value(), usual;
@@ -30,10 +32,11 @@ TEST(DynamicDesign, TakesItsDefaultsFromTheModel) {
 }
 
 TEST(DynamicDesign, EveryKeyHasItsPlace) {
-    const Dynamics set = read(rubber + cavity +
-                              "dynamics: {duration: 40 ms, integrator: hht, step: 50 us, accuracy: 1e-3, spectral_radius: 0.6, "
-                              "mass_damping: 2 1/s, stiffness_damping: 0.1 ms, rows: 12}\n")
-                             .dynamics.value();
+    const Dynamics set =
+        read(rubber + cavity +
+             "dynamics: {duration: 40 ms, integrator: hht, step: 50 us, accuracy: 1e-3, spectral_radius: 0.6, "
+             "mass_damping: 2 1/s, stiffness_damping: 0.1 ms, rows: 12}\n")
+            .dynamics.value();
     EXPECT_EQ(set.duration_s, 0.04);
     EXPECT_EQ(set.integrator, Integrator::hht);
     EXPECT_EQ(set.step_s, 5e-5);
@@ -62,7 +65,8 @@ TEST(DynamicDesign, EveryIntegratorHasAWord) {
 }
 
 TEST(DynamicDesign, ReadsBackFromItsEffectiveDesign) {
-    const std::string text = loaded("course: {kind: table, times: [0 s, 50 ms], shares: [0, 1]}, line: {resistance: 0.1 kPa.s/mL}");
+    const std::string text =
+        loaded("course: {kind: table, times: [0 s, 50 ms], shares: [0, 1]}, line: {resistance: 0.1 kPa.s/mL}");
     const std::string effective = read(text).effective_yaml;
     const Design again = read(effective);
     EXPECT_EQ(again.effective_yaml, effective);
@@ -75,8 +79,8 @@ TEST(DynamicDesign, ReadsBackFromItsEffectiveDesign) {
 
 TEST(DynamicDesign, IsInTheTemplateAsAStaticOne) {
     const std::string text = template_yaml(pipe());
-    for (const char* part : {"  duration: none", "  integrator: generalized-alpha", "  mass_damping: 0 1/s", "  linear: auto",
-                             "    acts_on: deformed", "  strain: finite"})
+    for (const char* part : {"  duration: none", "  integrator: generalized-alpha", "  mass_damping: 0 1/s",
+                             "  linear: auto", "    acts_on: deformed", "  strain: finite"})
         EXPECT_TRUE(holds(text, part)) << part << text;
     EXPECT_FALSE(read(text).dynamics.has_value());
 }
@@ -84,7 +88,7 @@ TEST(DynamicDesign, IsInTheTemplateAsAStaticOne) {
 TEST(Course, OfEachKindHasItsOwnKeys) {
     const auto course = [](const std::string& text) { return read(loaded(text)).loads.at(0).course; };
     EXPECT_EQ(read(rubber + cavity + moving).loads.at(0).course.kind, Course::ramp);
-    EXPECT_EQ(course("course: {kind: ramp}").time_s, 0.0);   // the duration
+    EXPECT_EQ(course("course: {kind: ramp}").time_s, 0.0);  // the duration
     EXPECT_EQ(course("course: {rise: 20 ms}").time_s, 0.02);
     EXPECT_EQ(course("course: {kind: step}").kind, Course::step);
     EXPECT_EQ(course("course: {kind: sine, frequency: 5 Hz}").frequency_Hz, 5.0);
@@ -95,12 +99,14 @@ TEST(Course, OfEachKindHasItsOwnKeys) {
 }
 
 TEST(Course, IsThatOfTractionsAndGravityToo) {
-    const Design design = read("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
-                               "loads: {end: {traction: 1 kPa, along: x, course: {kind: step}}, "
-                               "gravity: {acceleration: 9.81 m/s^2, along: -z, course: {kind: sine, frequency: 2 Hz}}}\n");
+    const Design design =
+        read("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
+             "loads: {end: {traction: 1 kPa, along: x, course: {kind: step}}, "
+             "gravity: {acceleration: 9.81 m/s^2, along: -z, course: {kind: sine, frequency: 2 Hz}}}\n");
     EXPECT_EQ(design.tractions.at(0).course.kind, Course::step);
     EXPECT_EQ(design.body_forces.at(0).course.frequency_Hz, 2.0);
-    const SolveChanges part = apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.end.course", "{rise: 10 ms}"}});
+    const SolveChanges part =
+        apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.end.course", "{rise: 10 ms}"}});
     EXPECT_EQ(part.tractions.at(0).course.kind, Course::ramp);
     EXPECT_EQ(part.tractions.at(0).course.time_s, 0.01);
     EXPECT_EQ(part.body_forces.at(0).course.kind, Course::sine);
@@ -113,20 +119,27 @@ void expect_refused(const std::string& text, std::string_view place, std::string
 }
 
 TEST(Course, ThatMakesNoSenseIsRefused) {
-    expect_refused(loaded("course: {kind: table, times: [0 s, 1 s], shares: [1]}"), "course.shares: 1 shares for 2 times",
-                   "as many shares as times");
-    expect_refused(loaded("course: {kind: table, times: [1 s, 1 s], shares: [1, 2]}"), "course.times: the times do not ascend", "after");
-    expect_refused(loaded("course: {kind: table, times: [-1 s, 1 s], shares: [1, 2]}"), "course.times: -1 s is out of range", "at least 0");
+    expect_refused(loaded("course: {kind: table, times: [0 s, 1 s], shares: [1]}"),
+                   "course.shares: 1 shares for 2 times", "as many shares as times");
+    expect_refused(loaded("course: {kind: table, times: [1 s, 1 s], shares: [1, 2]}"),
+                   "course.times: the times do not ascend", "after");
+    expect_refused(loaded("course: {kind: table, times: [-1 s, 1 s], shares: [1, 2]}"),
+                   "course.times: -1 s is out of range", "at least 0");
     expect_refused(loaded("course: {kind: table, shares: [1, 2]}"), "course.times: missing", "add times: [0 s, 50 ms]");
-    expect_refused(loaded("course: {kind: sine, frequency: 0 Hz}"), "course.frequency: 0 Hz is out of range", "more than 0");
+    expect_refused(loaded("course: {kind: sine, frequency: 0 Hz}"), "course.frequency: 0 Hz is out of range",
+                   "more than 0");
     expect_refused(loaded("course: {kind: sine}"), "course.frequency: missing", "add frequency: 5 Hz");
     expect_refused(loaded("course: {kind: sine, frequency: 5 s}"), "'5 s' is a time where a rate is needed", "");
-    expect_refused(loaded("course: {kind: step, rise: 1 s}"), "course.rise: a course of kind step has none", "kind: ramp");
-    expect_refused(loaded("course: {frequency: 5 Hz}"), "course.frequency: a course of kind ramp has none", "kind: sine");
+    expect_refused(loaded("course: {kind: step, rise: 1 s}"), "course.rise: a course of kind step has none",
+                   "kind: ramp");
+    expect_refused(loaded("course: {frequency: 5 Hz}"), "course.frequency: a course of kind ramp has none",
+                   "kind: sine");
     expect_refused(loaded("course: {kind: jump}"), "course.kind: 'jump' is not a choice", "");
     expect_refused(loaded("course: step"), "loads.cavity.course: a group of keys is needed here", "kind");
-    expect_refused(loaded("line: {resistance: 0 Pa.s/mL}"), "line.resistance: 0 Pa.s/mL is out of range", "more than 0");
-    expect_refused(loaded("line: {resistance: 5 kPa}"), "'5 kPa' is a pressure where a flow resistance is needed", "Pa.s/m^3");
+    expect_refused(loaded("line: {resistance: 0 Pa.s/mL}"), "line.resistance: 0 Pa.s/mL is out of range",
+                   "more than 0");
+    expect_refused(loaded("line: {resistance: 5 kPa}"), "'5 kPa' is a pressure where a flow resistance is needed",
+                   "Pa.s/m^3");
     expect_refused("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
                        "loads: {end: {pressure: 1 kPa, line: {resistance: 1 Pa.s/mL}}}\n",
                    "loads.end.line: a face encloses no gas", "only a cavity");
@@ -134,10 +147,12 @@ TEST(Course, ThatMakesNoSenseIsRefused) {
 
 TEST(DynamicDesign, IsNeededByEverythingThatGoesWithTime) {
     const std::string course = "loads: {cavity: {pressure: 30 kPa, course: {kind: step}}}\n";
-    expect_refused(rubber + course, "p.yaml:3:36: loads.cavity.course: a static path does not go with time", "dynamics: {duration: 1 s}");
-    expect_refused(rubber + "loads: {cavity: {pressure: 30 kPa, line: {resistance: 1 Pa.s/mL}}}\n", "loads.cavity.line: a static path", "");
-    expect_refused(rubber + cavity + "dynamics: {integrator: hht}\n", "p.yaml:4:24: dynamics.integrator: without a duration",
+    expect_refused(rubber + course, "p.yaml:3:36: loads.cavity.course: a static path does not go with time",
                    "dynamics: {duration: 1 s}");
+    expect_refused(rubber + "loads: {cavity: {pressure: 30 kPa, line: {resistance: 1 Pa.s/mL}}}\n",
+                   "loads.cavity.line: a static path", "");
+    expect_refused(rubber + cavity + "dynamics: {integrator: hht}\n",
+                   "p.yaml:4:24: dynamics.integrator: without a duration", "dynamics: {duration: 1 s}");
     expect_refused(rubber + cavity + "dynamics: {rows: 3}\n", "dynamics.rows: without a duration", "");
 }
 
@@ -148,29 +163,35 @@ TEST(DynamicDesign, NeedsADensity) {
 
 TEST(DynamicDesign, RefusesWhatBelongsToAStaticPath) {
     const auto with = [](const std::string& path) { return rubber + cavity + moving + "path: {" + path + "}\n"; };
-    expect_refused(with("stages: {a: {loads: {cavity: {pressure: 1 kPa}}}}"), "path.stages.a", "give the load a course");
+    expect_refused(with("stages: {a: {loads: {cavity: {pressure: 1 kPa}}}}"), "path.stages.a",
+                   "give the load a course");
     expect_refused(with("control: pressure"), "path.control: in time nothing but time", "leave out dynamics.duration");
     expect_refused(with("branch: follow"), "path.branch: a path in time has no branches", "");
-    expect_refused(with("until: {elongation: 4 mm}"), "path.until.elongation: a path in time ends after its duration", "");
+    expect_refused(with("until: {elongation: 4 mm}"), "path.until.elongation: a path in time ends after its duration",
+                   "");
     EXPECT_EQ(read(with("until: {steps: 4}, contact: ignore")).path.stages.at(0).until.at(0).quantity, "steps");
     for (const char* supply : {"volume: 10 mL", "volume_ratio: 2", "mass: 3 mg"})
-        expect_refused(rubber + "loads: {cavity: {" + supply + "}}\n" + moving, "a path in time takes a pressure as its supply",
-                       "write pressure");
+        expect_refused(rubber + "loads: {cavity: {" + supply + "}}\n" + moving,
+                       "a path in time takes a pressure as its supply", "write pressure");
     expect_refused("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
                        "loads: {end: {displacement: 1 mm, along: x}}\n",
                    "loads.end.displacement: a prescribed displacement", "pressure or a traction");
 }
 
 TEST(DynamicDesign, RefusesIntegratorsThatCannotWork) {
-    const auto with = [](const std::string& keys) { return rubber + cavity + "dynamics: {duration: 1 s, " + keys + "}\n"; };
+    const auto with = [](const std::string& keys) {
+        return rubber + cavity + "dynamics: {duration: 1 s, " + keys + "}\n";
+    };
     for (const char* word : {"heun", "explicit-euler", "central-difference"})
-        expect_refused(with(std::string{"integrator: "} + word), "dynamics.integrator: an explicit integrator has no equation",
-                       "formulation: displacement");
-    expect_refused(with("integrator: hht, spectral_radius: 0.4"), "dynamics.spectral_radius: hht is stable from 0.5 on", "generalized-alpha");
+        expect_refused(with(std::string{"integrator: "} + word),
+                       "dynamics.integrator: an explicit integrator has no equation", "formulation: displacement");
+    expect_refused(with("integrator: hht, spectral_radius: 0.4"), "dynamics.spectral_radius: hht is stable from 0.5 on",
+                   "generalized-alpha");
     EXPECT_EQ(read(with("spectral_radius: 0")).dynamics->spectral_radius, 0.0);
     expect_refused(with("spectral_radius: 1.1"), "out of range", "at most 1");
     expect_refused(with("step: 2 s"), "dynamics.step: a step longer than the duration", "a shorter step");
-    expect_refused(rubber + cavity + "dynamics: {duration: 0 s}\n", "dynamics.duration: 0 s is out of range", "more than 0");
+    expect_refused(rubber + cavity + "dynamics: {duration: 0 s}\n", "dynamics.duration: 0 s is out of range",
+                   "more than 0");
 }
 
 TEST(DynamicDesign, SolveMayMakeAStaticCaseMove) {
@@ -185,11 +206,13 @@ TEST(DynamicDesign, SolveMayMakeAStaticCaseMove) {
     EXPECT_EQ(part.loads.at(0).course.kind, Course::step);
     EXPECT_EQ(part.loads.at(0).line.value().resistance_Pa_s_m3, 1e8);
     EXPECT_EQ(part.effective_yaml, read(effective, changes).effective_yaml);
-    const SolveChanges still = apply_overrides(part.effective_yaml, std::vector<Override>{{"dynamics", "{duration: none}"},
-                                                                                         {"loads.cavity", "{pressure: 2 kPa}"}});
+    const SolveChanges still =
+        apply_overrides(part.effective_yaml,
+                        std::vector<Override>{{"dynamics", "{duration: none}"}, {"loads.cavity", "{pressure: 2 kPa}"}});
     EXPECT_FALSE(still.dynamics.has_value());
-    try {   // the mesh is for pressure unknowns, whatever solve is told
-        static_cast<void>(apply_overrides(effective, std::vector<Override>{{"dynamics", "{duration: 1 s, integrator: heun}"}}));
+    try {  // the mesh is for pressure unknowns, whatever solve is told
+        static_cast<void>(
+            apply_overrides(effective, std::vector<Override>{{"dynamics", "{duration: 1 s, integrator: heun}"}}));
         ADD_FAILURE();
     } catch (const Error& error) {
         EXPECT_TRUE(holds(error.what(), "an explicit integrator")) << error.what();

@@ -29,10 +29,9 @@ TEST(EffectiveYaml, ReadsBackToItselfByteForByte) {
 
 TEST(EffectiveYaml, StatesEveryDefaultAndKeepsUnits) {
     const std::string yaml = read(std::string{least} + "geometry: {wall: 0.25cm}\n").effective_yaml;
-    for (const char* line :
-         {"  wall: 0.25 cm\n", "  length: 100 mm\n", "  kappa: incompressible\n", "  volumetric: quadratic\n",
-          "  size: 1.5 mm\n", "  formulation: mixed\n", "  sealed: true\n", "  control: auto\n",
-          "  newton_limit: 16\n", "model: axisymmetric\n"})
+    for (const char* line : {"  wall: 0.25 cm\n", "  length: 100 mm\n", "  kappa: incompressible\n",
+                             "  volumetric: quadratic\n", "  size: 1.5 mm\n", "  formulation: mixed\n",
+                             "  sealed: true\n", "  control: auto\n", "  newton_limit: 16\n", "model: axisymmetric\n"})
         EXPECT_TRUE(holds("\n" + yaml, line)) << line << yaml;
 }
 

@@ -53,14 +53,14 @@ TEST(Traction, IsALoadByItself) {
     EXPECT_EQ(design.tractions[0].face, "end");
     EXPECT_EQ(design.tractions[0].size, 62500.0);
     EXPECT_EQ(design.tractions[0].along, "y");
-    EXPECT_EQ(design.path.stages.at(0).tractions, std::vector{1.0});   // all of it at the end
+    EXPECT_EQ(design.path.stages.at(0).tractions, std::vector{1.0});  // all of it at the end
     EXPECT_TRUE(design.warnings.empty());
 }
 
 TEST(Traction, StandsBesidePressuresOnOtherFaces) {
     const Design design = read_sheet("loads: {tip: {traction: -3 kPa, along: normal}, top: {pressure: 2 kPa}}\n");
     ASSERT_EQ(design.tractions.size(), 1u);
-    EXPECT_EQ(design.tractions[0].face, "end");   // tip is another name of it
+    EXPECT_EQ(design.tractions[0].face, "end");  // tip is another name of it
     EXPECT_EQ(design.tractions[0].size, -3000.0);
     ASSERT_EQ(design.loads.size(), 1u);
     EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"top"});
@@ -70,7 +70,8 @@ TEST(Traction, StandsBesidePressuresOnOtherFaces) {
 
 TEST(Traction, WhatContradictsItselfIsRefused) {
     expect_refusal("loads: {end: {traction: 3 kPa, pressure: 3 kPa, along: y}}\n",
-                   "p.yaml:3:32: loads.end.pressure: the load has a traction already", "keep one of pressure, traction, force, displacement");
+                   "p.yaml:3:32: loads.end.pressure: the load has a traction already",
+                   "keep one of pressure, traction, force, displacement");
     expect_refusal("loads: {end: {pressure: 3 kPa, along: y}}\n",
                    "p.yaml:3:32: loads.end.along: a pressure acts along the normal", "write traction");
     expect_refusal("loads: {end: {traction: 3 kPa}}\n", "p.yaml:3:9: loads.end.along: missing", "add along: y");
@@ -78,17 +79,19 @@ TEST(Traction, WhatContradictsItselfIsRefused) {
                    "write the traction at full load");
     expect_refusal("loads: {end: {tracton: 3 kPa}}\n", "p.yaml:3:15: loads.end.tracton: unknown key",
                    "did you mean 'traction'?");
-    expect_refusal("loads: {end: {traction: 3 kPa, along: up}}\n", "p.yaml:3:39: loads.end.along: 'up' is not a choice", "");
+    expect_refusal("loads: {end: {traction: 3 kPa, along: up}}\n", "p.yaml:3:39: loads.end.along: 'up' is not a choice",
+                   "");
     expect_refusal("loads: {end: {traction: 3 mm, along: y}}\n",
                    "p.yaml:3:25: loads.end.traction: '3 mm' is a length where a pressure is needed", "");
     expect_refusal("loads: {end: {traction: 3 kPa, along: y, sealed: true}}\n",
                    "p.yaml:3:42: loads.end.sealed: a face has no openings", "leave it out");
-    expect_refusal(pulled + "path: {until: {pressure: 3 kPa}}\n", "p.yaml:4:26: path.until.pressure: no load is a pressure",
-                   "use an output or steps");
+    expect_refusal(pulled + "path: {until: {pressure: 3 kPa}}\n",
+                   "p.yaml:4:26: path.until.pressure: no load is a pressure", "use an output or steps");
     expect_refusal(pulled + "path: {control: volume}\n", "p.yaml:4:17: path.control: no cavity is loaded", "use auto");
-    const std::string cavity =
-        refusal("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: {traction: 1 kPa, along: x}}\n");
-    EXPECT_EQ(cavity.find("p.yaml:3:18: loads.cavity.traction: a cavity is loaded by a pressure; write pressure"), 0u) << cavity;
+    const std::string cavity = refusal(
+        "family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: {traction: 1 kPa, along: x}}\n");
+    EXPECT_EQ(cavity.find("p.yaml:3:18: loads.cavity.traction: a cavity is loaded by a pressure; write pressure"), 0u)
+        << cavity;
 }
 
 TEST(Traction, FarAboveTheModulusIsNoticed) {
@@ -117,12 +120,14 @@ TEST(PlaneStrain, HasTheComponentsAndDirectionsXAndY) {
     EXPECT_EQ(design.supports[0].fixed, (std::array{true, true, false}));
     EXPECT_EQ(design.supports[1].fixed, (std::array{false, true, false}));
     for (const char* component : {"z", "r"})
-        expect_refusal(pulled + "supports: {" + component + ": top}\n",
-                       std::string{"p.yaml:4:15: supports."} + component + ": a plane strain model has the components x and y",
-                       "use x, y or fixed");
+        expect_refusal(
+            pulled + "supports: {" + component + ": top}\n",
+            std::string{"p.yaml:4:15: supports."} + component + ": a plane strain model has the components x and y",
+            "use x, y or fixed");
     for (const char* along : {"z", "r"})
         expect_refusal(pulled + "outputs: {a: {face: top, along: " + along + "}}\n",
-                       "p.yaml:4:33: outputs.a.along: a plane strain model has the directions x and y", "axis, x, y or normal");
+                       "p.yaml:4:33: outputs.a.along: a plane strain model has the directions x and y",
+                       "axis, x, y or normal");
     expect_refusal("loads: {end: {traction: 1 kPa, along: z}}\n",
                    "p.yaml:3:39: loads.end.along: a plane strain model has the directions x and y", "");
 }
@@ -130,7 +135,8 @@ TEST(PlaneStrain, HasTheComponentsAndDirectionsXAndY) {
 class ApplyToTractions : public testing::Test {
 protected:
     const std::string effective_ =
-        read_sheet("loads: {top: {pressure: 2 kPa}, end: {traction: 50 kPa, along: y}, fixed: {traction: 1 kPa, along: x}}\n")
+        read_sheet(
+            "loads: {top: {pressure: 2 kPa}, end: {traction: 50 kPa, along: y}, fixed: {traction: 1 kPa, along: x}}\n")
             .effective_yaml;
 
     std::string refusal_of(const std::string& path, const std::string& value) {
@@ -167,8 +173,9 @@ TEST_F(ApplyToTractions, OneThatBecomesAPressureGoes) {
 TEST_F(ApplyToTractions, RefusesNewOnesAndNewDirections) {
     EXPECT_EQ(refusal_of("loads.end.along", "x"),
               "--set loads.end.along: the direction is built into the case; give the same --set to mesh-gen");
-    EXPECT_EQ(refusal_of("loads.top", "{traction: 3 kPa, along: x}"),
-              "--set loads.top: loads.top.traction: the case has no traction on this face; give the same --set to mesh-gen");
+    EXPECT_EQ(
+        refusal_of("loads.top", "{traction: 3 kPa, along: x}"),
+        "--set loads.top: loads.top.traction: the case has no traction on this face; give the same --set to mesh-gen");
 }
 
 TEST(Motion, IsThatOfAComponentOfAFace) {
@@ -180,7 +187,8 @@ TEST(Motion, IsThatOfAComponentOfAFace) {
     EXPECT_EQ(design.path.stages.at(0).motions, std::vector{1.0});
     expect_refusal("loads: {end: {displacement: 10 mm, traction: 3 kPa, along: y}}\n",
                    "p.yaml:3:36: loads.end.traction: the load has a displacement already", "keep one of");
-    expect_refusal("loads: {end: {displacement: 10 mm, along: z}}\n", "p.yaml:3:43: loads.end.along: a plane strain model", "");
+    expect_refusal("loads: {end: {displacement: 10 mm, along: z}}\n",
+                   "p.yaml:3:43: loads.end.along: a plane strain model", "");
     expect_refusal("loads: {end: {displacement: 0 mm, along: x}}\n", "p.yaml:3:29: loads.end.displacement: a load of 0",
                    "write the displacement at full load, for example 10 mm");
 }
@@ -193,8 +201,10 @@ TEST(Gravity, NeedsADensityAndADirection) {
     EXPECT_EQ(design.body_forces[0].acceleration_m_s2, 9.81);
     EXPECT_EQ(design.body_forces[0].along, "-y");
     EXPECT_EQ(design.material.density_kg_m3, 1080.0);
-    expect_refusal(weight, "p.yaml:3:33: loads.gravity.acceleration: the rubber has no density", "material: {density: 1080 kg/m^3}");
-    expect_refusal("loads: {gravity: {acceleration: 9.81 m/s^2}}\n", "p.yaml:3:9: loads.gravity.along: missing", "add along: -x");
+    expect_refusal(weight, "p.yaml:3:33: loads.gravity.acceleration: the rubber has no density",
+                   "material: {density: 1080 kg/m^3}");
+    expect_refusal("loads: {gravity: {acceleration: 9.81 m/s^2}}\n", "p.yaml:3:9: loads.gravity.along: missing",
+                   "add along: -x");
     expect_refusal("loads: {gravity: {acceleration: 9.81 m, along: x}}\n",
                    "p.yaml:3:33: loads.gravity.acceleration: '9.81 m' is a length where an acceleration is needed", "");
 }
@@ -216,7 +226,8 @@ TEST(Stages, OfTractionsWeightAndMotionsAreLevels) {
 }
 
 TEST(Overrides, FindALoadUnderEveryNameOfItsFace) {
-    const std::string tip = "loads: {tip: {displacement: 10 mm, along: x}}\n", end = "loads: {end: {displacement: 10 mm, along: x}}\n";
+    const std::string tip = "loads: {tip: {displacement: 10 mm, along: x}}\n",
+                      end = "loads: {end: {displacement: 10 mm, along: x}}\n";
     for (const std::string& design : {tip, end})
         for (const char* path : {"loads.tip.displacement", "loads.end.displacement"}) {
             const std::vector<Override> changes = {{path, "5 mm"}};
@@ -231,9 +242,11 @@ TEST(Overrides, FindALoadUnderEveryNameOfItsFace) {
 }
 
 TEST_F(ApplyToTractions, RefusesFacesThatTheCaseDoesNotLoad) {
-    EXPECT_TRUE(holds(refusal_of("loads.tip.traction", "5 kPa"), "accepted"));   // another name of end
-    EXPECT_TRUE(holds(refusal_of("loads.bottom.pressure", "5 kPa"), "--set loads.bottom.pressure: loads.bottom: unknown key; known: "));
-    EXPECT_TRUE(holds(refusal_of("loads.gravity", "{acceleration: 9.81 m/s^2, along: x}"), "the rubber has no density"));
+    EXPECT_TRUE(holds(refusal_of("loads.tip.traction", "5 kPa"), "accepted"));  // another name of end
+    EXPECT_TRUE(holds(refusal_of("loads.bottom.pressure", "5 kPa"),
+                      "--set loads.bottom.pressure: loads.bottom: unknown key; known: "));
+    EXPECT_TRUE(
+        holds(refusal_of("loads.gravity", "{acceleration: 9.81 m/s^2, along: x}"), "the rubber has no density"));
     EXPECT_EQ(refusal_of("loads.cavity.pressure", "5 kPa"),
               "--set loads.cavity.pressure: loads.cavity: there is no cavity to load; faces: top, end, fixed, tip");
 }
@@ -242,8 +255,9 @@ class Angles : public testing::Test {
 protected:
     std::string refusal_of(const std::string& model, const std::string& output) {
         try {
-            static_cast<void>(read("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: {pressure: 1 kPa}}\nmodel: " +
-                                   model + "\noutputs: {a: {" + output + "}}\n"));
+            static_cast<void>(read(
+                "family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: {pressure: 1 kPa}}\nmodel: " +
+                model + "\noutputs: {a: {" + output + "}}\n"));
         } catch (const Error& error) {
             return error.what();
         }
@@ -252,9 +266,10 @@ protected:
 };
 
 TEST_F(Angles, AreBendsFromAReferenceAndTwists) {
-    const Design design = read(std::string{least} +
-                               "model: solid\noutputs: {b: {face: inlet, measure: bend, reference: end_disc, along: y}, "
-                               "t: {face: inlet, measure: twist, along: axis}, d: {face: inlet}}\n");
+    const Design design =
+        read(std::string{least} +
+             "model: solid\noutputs: {b: {face: inlet, measure: bend, reference: end_disc, along: y}, "
+             "t: {face: inlet, measure: twist, along: axis}, d: {face: inlet}}\n");
     ASSERT_EQ(design.outputs.size(), 3u);
     EXPECT_EQ(design.outputs[0].measure, model::Measure::bend);
     EXPECT_EQ(design.outputs[0].reference, "fixed");
@@ -267,16 +282,17 @@ TEST_F(Angles, WhatDoesNotTurnIsRefused) {
     const std::string bend = "face: inlet, measure: bend, ";
     EXPECT_TRUE(holds(refusal_of("solid", bend + "along: y"), "outputs.a.reference: missing"));
     EXPECT_TRUE(holds(refusal_of("solid", bend + "reference: fixed"), "outputs.a.along: missing"));
-    EXPECT_TRUE(holds(refusal_of("solid", bend + "reference: inlet, along: y"), "a face does not bend away from itself"));
+    EXPECT_TRUE(
+        holds(refusal_of("solid", bend + "reference: inlet, along: y"), "a face does not bend away from itself"));
     EXPECT_TRUE(holds(refusal_of("solid", bend + "reference: fixed, along: r"), "r is no axis to turn about"));
-    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, reference: fixed"), "only a bend is measured from another face"));
+    EXPECT_TRUE(
+        holds(refusal_of("solid", "face: inlet, reference: fixed"), "only a bend is measured from another face"));
     EXPECT_TRUE(holds(refusal_of("axisymmetric", bend + "reference: fixed, along: x"), "neither bends nor twists"));
     EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: twist"), "neither bends nor twists"));
 }
 
 TEST(PlaneStrain, FacesTurnAboutZ) {
-    const Design design =
-        read_sheet(pulled + "outputs: {a: {face: end, measure: bend, reference: fixed, along: z}}\n");
+    const Design design = read_sheet(pulled + "outputs: {a: {face: end, measure: bend, reference: fixed, along: z}}\n");
     EXPECT_EQ(design.outputs.at(0).along, "z");
     expect_refusal(pulled + "outputs: {a: {face: end, measure: bend, reference: fixed, along: y}}\n",
                    "p.yaml:4:66: outputs.a.along: in plane strain faces turn about z", "along: z");
@@ -285,10 +301,11 @@ TEST(PlaneStrain, FacesTurnAboutZ) {
 class Measures : public Angles {};
 
 TEST_F(Measures, ShapesAndReactionsAreReadWithTheirAxis) {
-    const Design design = read(std::string{least} +
-                               "model: solid\noutputs: {f: {face: end_disc, measure: force}, m: {face: end_disc, measure: moment, along: z}, "
-                               "w: {face: outer, measure: radial}, o: {face: inlet, measure: rotation, along: x}, "
-                               "k: {face: outer, measure: curvature, along: y}}\npath: {until: {f: 20 mN, m: 3 N.mm, k: 5 1/m}}\n");
+    const Design design = read(
+        std::string{least} +
+        "model: solid\noutputs: {f: {face: end_disc, measure: force}, m: {face: end_disc, measure: moment, along: z}, "
+        "w: {face: outer, measure: radial}, o: {face: inlet, measure: rotation, along: x}, "
+        "k: {face: outer, measure: curvature, along: y}}\npath: {until: {f: 20 mN, m: 3 N.mm, k: 5 1/m}}\n");
     ASSERT_EQ(design.outputs.size(), 5u);
     EXPECT_EQ(design.outputs[0].measure, model::Measure::force);
     EXPECT_EQ(design.outputs[0].along, "axis");
@@ -307,18 +324,23 @@ TEST_F(Measures, ShapesAndReactionsAreReadWithTheirAxis) {
 TEST_F(Measures, WhatTheModelDoesNotHaveIsRefused) {
     EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: moment"), "outputs.a.along: missing"));
     EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: curvature"), "outputs.a.along: missing"));
-    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: radial, along: r"), "it is the axis from which the distance is taken"));
-    EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: force, along: r"), "forces along r cancel all round"));
-    EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: moment, along: x"), "neither bends nor twists"));
-    EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: curvature, along: x"), "neither bends nor twists"));
+    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: radial, along: r"),
+                      "it is the axis from which the distance is taken"));
+    EXPECT_TRUE(
+        holds(refusal_of("axisymmetric", "face: inlet, measure: force, along: r"), "forces along r cancel all round"));
+    EXPECT_TRUE(
+        holds(refusal_of("axisymmetric", "face: inlet, measure: moment, along: x"), "neither bends nor twists"));
+    EXPECT_TRUE(
+        holds(refusal_of("axisymmetric", "face: inlet, measure: curvature, along: x"), "neither bends nor twists"));
     EXPECT_EQ(refusal_of("axisymmetric", "face: outer, measure: radial"), "accepted");
     EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: forces"), "force"));
 }
 
 TEST(Reactions, OfAMotionInTimeAreRefused) {
     try {
-        static_cast<void>(read("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa, density: 1000 kg/m^3}\nloads: {cavity: {pressure: 1 kPa}}\n"
-                               "model: solid\noutputs: {a: {face: end_disc, measure: force}}\ndynamics: {duration: 1 s}\n"));
+        static_cast<void>(read(
+            "family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa, density: 1000 kg/m^3}\nloads: {cavity: {pressure: 1 kPa}}\n"
+            "model: solid\noutputs: {a: {face: end_disc, measure: force}}\ndynamics: {duration: 1 s}\n"));
         FAIL() << "not refused";
     } catch (const Error& error) {
         EXPECT_TRUE(holds(error.what(), "a reaction is measured on a static path"));
@@ -336,7 +358,8 @@ TEST(OutputNames, AreNotThoseOfTheLoad) {
     }
 }
 
-constexpr const char* pushed = "family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {inlet: {force: 150 mN, along: x}}\n";
+constexpr const char* pushed =
+    "family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {inlet: {force: 150 mN, along: x}}\n";
 
 TEST(Forces, AreReadWithTheirUnit) {
     const Design design = read(pushed);
@@ -351,8 +374,9 @@ TEST(Forces, ChangeInSolveByTheirSize) {
     const auto changes = apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.inlet.force", "0.3 N"}});
     ASSERT_EQ(changes.tractions.size(), 1u);
     EXPECT_EQ(changes.tractions[0].factor, 2.0);
-    try {   // a traction is no force
-        static_cast<void>(apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.inlet", "{traction: 1 kPa, along: x}"}}));
+    try {  // a traction is no force
+        static_cast<void>(apply_overrides(design.effective_yaml,
+                                          std::vector<Override>{{"loads.inlet", "{traction: 1 kPa, along: x}"}}));
         FAIL() << "not refused";
     } catch (const Error& error) {
         EXPECT_TRUE(holds(error.what(), "the case has no traction on this face")) << error.what();

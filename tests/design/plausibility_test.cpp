@@ -49,12 +49,14 @@ TEST(Plausibility, ACompressibleRubberIsNoticed) {
 TEST(Plausibility, LockingChoicesAreNoticedAndTheKnownFactorQuoted) {
     const std::vector<Override> stiff = {{"mesh.formulation", "displacement"}, {"material.kappa", "16.44 MPa"}};
     expect_warning(stiff, "mesh.formulation:", "100 times the shear modulus (1.2 times too stiff on the bellows");
-    std::vector<Override> simplices = {{"mesh.formulation", "displacement"}, {"material.kappa", "8.2 MPa"},   // 49.9 mu
-                                       {"mesh.order", "1"}, {"mesh.cells", "simplices"}};
+    std::vector<Override> simplices = {{"mesh.formulation", "displacement"},
+                                       {"material.kappa", "8.2 MPa"},  // 49.9 mu
+                                       {"mesh.order", "1"},
+                                       {"mesh.cells", "simplices"}};
     expect_warning(simplices, "mesh.cells:", "3.6 times too stiff on the bellows");
     simplices[1].value = "16.44 MPa";
     EXPECT_EQ(read(least, simplices).warnings.size(), 2u);
-    EXPECT_TRUE(read(least, {{"mesh.cells", "simplices"}}).warnings.empty());   // mixed, second order
+    EXPECT_TRUE(read(least, {{"mesh.cells", "simplices"}}).warnings.empty());  // mixed, second order
     EXPECT_TRUE(read(least, {{"mesh.formulation", "f-bar"}, {"mesh.order", "1"}, {"material.kappa", "16.44 MPa"}})
                     .warnings.empty());
 }
@@ -75,9 +77,12 @@ TEST(Plausibility, LockingFactorsAreTheMeasuredOnes) {
         if (element.starts_with(" solid, ")) measured[element] = std::atof(at_20mm.c_str());
     }
     const auto quoted = [](LockingChoice choice) { return locking_factor(choice); };
-    EXPECT_NEAR(measured[" solid, tetrahedra, first order, displacement "], quoted(LockingChoice::first_order_simplices), 0.05);
-    EXPECT_NEAR(measured[" solid, hexahedra, first order, displacement "], quoted(LockingChoice::first_order_displacement), 0.05);
-    EXPECT_NEAR(measured[" solid, hexahedra, second order, displacement "], quoted(LockingChoice::second_order_displacement), 0.05);
+    EXPECT_NEAR(measured[" solid, tetrahedra, first order, displacement "],
+                quoted(LockingChoice::first_order_simplices), 0.05);
+    EXPECT_NEAR(measured[" solid, hexahedra, first order, displacement "],
+                quoted(LockingChoice::first_order_displacement), 0.05);
+    EXPECT_NEAR(measured[" solid, hexahedra, second order, displacement "],
+                quoted(LockingChoice::second_order_displacement), 0.05);
 }
 
 }  // namespace

@@ -45,8 +45,7 @@ TEST(Refusal, ARangeIsStatedInReadableUnits) {
     expect(base + "geometry: {wall: 0 mm}\n", "p.yaml:4:18: geometry.wall: 0 mm is out of range", "more than 0");
     expect(base + "geometry: {folds: 51}\n", "p.yaml:4:19: geometry.folds: 51 is out of range",
            "at least 1, at most 50");
-    expect(base + "mesh: {order: 3}\n", "p.yaml:4:15: mesh.order: 3 is out of range",
-           "at least 1, at most 2");
+    expect(base + "mesh: {order: 3}\n", "p.yaml:4:15: mesh.order: 3 is out of range", "at least 1, at most 2");
     expect(base + "solver: {first_step: 2}\n", "p.yaml:4:22: solver.first_step: 2 is out of range", "at most 1");
 }
 
@@ -70,8 +69,8 @@ TEST(Refusal, NamesOfFamilyLawFaceAndChoiceAreSuggested) {
     expect("family: pip\n", "p.yaml:1:9: family: no family is called 'pip'", "did you mean 'pipe'?");
     expect("family: pipe\nmaterial: {law: neo-hokean}\n", "p.yaml:2:17: material.law: no law is called",
            "did you mean 'neo-hookean'?");
-    expect("family: pipe\nmaterial: dragon-skin-2O\n", "p.yaml:2:11: material.name: no silicone is called 'dragon-skin-2O'",
-           "did you mean 'dragon-skin-20'?");
+    expect("family: pipe\nmaterial: dragon-skin-2O\n",
+           "p.yaml:2:11: material.name: no silicone is called 'dragon-skin-2O'", "did you mean 'dragon-skin-20'?");
     expect(base + "supports: {fixed: inlt}\n", "p.yaml:4:19: supports.fixed: no face is called 'inlt'",
            "did you mean 'inlet'?");
     expect(base + "supports: {fixed: [inlet, end-disc]}\n", "p.yaml:4:27: supports.fixed:", "did you mean 'end_disc'?");
@@ -89,7 +88,8 @@ TEST(Refusal, AValueAndAGroupAreNotTheSame) {
     expect(base + "geometry: {wall: [1 mm]}\n", "p.yaml:4:18: geometry.wall: a single value", "");
     expect(base + "geometry: {wall: }\n", "p.yaml:4:", "geometry.wall: has no value");
     expect("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: 30 kPa}\n",
-           "p.yaml:3:17: loads.cavity: a group of keys", "known: pressure, sealed, acts_on, gas, volume, volume_ratio, mass, valve, shares");
+           "p.yaml:3:17: loads.cavity: a group of keys",
+           "known: pressure, sealed, acts_on, gas, volume, volume_ratio, mass, valve, shares");
     expect("family: {a: b}\n", "p.yaml:1:9: family: a single value", "");
     expect("- family\n", "p.yaml:1:1: a design is a group of keys", "");
     expect("just text\n", "p.yaml:1:1: a design is a group of keys", "");

@@ -13,7 +13,8 @@ namespace model = soft::model;
 FamilyKeys capped_pipe() {
     FamilyKeys family = pipe();
     family.name = "capped";
-    family.geometry.push_back({.path = "geometry.cap.material", .kind = Kind::text, .fallback = "rubber", .meaning = "of the cap"});
+    family.geometry.push_back(
+        {.path = "geometry.cap.material", .kind = Kind::text, .fallback = "rubber", .meaning = "of the cap"});
     family.materials = {{"paper", "{law: neo-hookean, mu: 540 MPa, kappa: 720 MPa}"}};
     return family;
 }
@@ -24,7 +25,8 @@ Design read_capped(const std::string& text, const std::vector<Override>& overrid
 }
 
 std::string capped(const std::string& more) {
-    return "family: capped\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n" + more + "\nloads: {cavity: {pressure: 1 kPa}}\n";
+    return "family: capped\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n" + more +
+           "\nloads: {cavity: {pressure: 1 kPa}}\n";
 }
 
 std::string refused(const std::string& more, const std::vector<Override>& overrides = {}) {
@@ -39,10 +41,11 @@ std::string refused(const std::string& more, const std::vector<Override>& overri
 }
 
 TEST(RegionMaterials, TakeWhatTheMainOneTakes) {
-    const Design design = read_capped(capped("materials:\n"
-                                             "  stiff: {law: yeoh, c1: 1 MPa, c2: 1 kPa, c3: 1 kPa, density: 1200 kg/m^3}\n"
-                                             "  ecoflex-like: {law: saint-venant-kirchhoff, young: 0.1 MPa, poisson: 0.49}\n"
-                                             "geometry: {cap: {material: stiff}}"));
+    const Design design =
+        read_capped(capped("materials:\n"
+                           "  stiff: {law: yeoh, c1: 1 MPa, c2: 1 kPa, c3: 1 kPa, density: 1200 kg/m^3}\n"
+                           "  ecoflex-like: {law: saint-venant-kirchhoff, young: 0.1 MPa, poisson: 0.49}\n"
+                           "geometry: {cap: {material: stiff}}"));
     ASSERT_EQ(design.materials.size(), 2u);
     const model::Material& stiff = design.materials.at("stiff");
     EXPECT_EQ(stiff.law, "yeoh");
@@ -65,12 +68,16 @@ TEST(RegionMaterials, MayBeASiliconeOfTheLibrary) {
 }
 
 TEST(RegionMaterials, FaultsAreRefusedWhereTheyStand) {
-    EXPECT_EQ(refused("materials: {cap: {law: neo-hokean, mu: 1 MPa}}").find("p.yaml:3:24: materials.cap.law: no law is called"), 0u);
-    EXPECT_TRUE(holds(refused("materials: {cap: {law: neo-hookean, mo: 1 MPa}}"), "materials.cap.mo: unknown key; did you mean 'mu'"));
+    EXPECT_EQ(refused("materials: {cap: {law: neo-hokean, mu: 1 MPa}}")
+                  .find("p.yaml:3:24: materials.cap.law: no law is called"),
+              0u);
+    EXPECT_TRUE(holds(refused("materials: {cap: {law: neo-hookean, mo: 1 MPa}}"),
+                      "materials.cap.mo: unknown key; did you mean 'mu'"));
     EXPECT_TRUE(holds(refused("materials: {cap: {law: neo-hookean}}"), "materials.cap.mu: missing ("));
     EXPECT_TRUE(holds(refused("materials: {cap: }"), "materials.cap: has no value; write cap: {law: neo-hookean"));
     EXPECT_TRUE(holds(refused("materials: {a b: {law: neo-hookean, mu: 1 MPa}}"), "not a name of a material"));
-    EXPECT_TRUE(holds(refused("geometry: {cap: {material: papier}}"), "geometry.cap.material: no material is called 'papier'"));
+    EXPECT_TRUE(
+        holds(refused("geometry: {cap: {material: papier}}"), "geometry.cap.material: no material is called 'papier'"));
 }
 
 TEST(RegionMaterials, WhatAFamilyKnowsNeedsNotBeStated) {
@@ -80,17 +87,20 @@ TEST(RegionMaterials, WhatAFamilyKnowsNeedsNotBeStated) {
     EXPECT_EQ(read_capped(named.effective_yaml).effective_yaml, named.effective_yaml);
     const Design softer = read_capped(capped("geometry: {cap: {material: paper}}"), {{"materials.paper.mu", "10 MPa"}});
     EXPECT_NEAR(softer.materials.at("paper").constants.at("mu").at(0), 10e6, 1.0);
-    const Design own = read_capped(capped("geometry: {cap: {material: paper}}\nmaterials: {paper: {law: gent, mu: 1 MPa, jm: 3}}"));
+    const Design own =
+        read_capped(capped("geometry: {cap: {material: paper}}\nmaterials: {paper: {law: gent, mu: 1 MPa, jm: 3}}"));
     EXPECT_EQ(own.materials.at("paper").law, "gent");
 }
 
 TEST(RegionMaterials, AreLookedAtLikeTheMainOne) {
-    const std::string incompressible = refused("materials: {cap: {law: neo-hookean, mu: 1 MPa}}\nmesh: {formulation: displacement}",
-                                               {{"material.kappa", "10 MPa"}});
+    const std::string incompressible =
+        refused("materials: {cap: {law: neo-hookean, mu: 1 MPa}}\nmesh: {formulation: displacement}",
+                {{"material.kappa", "10 MPa"}});
     EXPECT_TRUE(holds(incompressible, "or a value for materials.cap.kappa")) << incompressible;
-    const std::string weightless =
-        refused("materials: {cap: {law: neo-hookean, mu: 1 MPa}}\ndynamics: {duration: 1 s}", {{"material.density", "1 g/cm^3"}});
-    EXPECT_TRUE(holds(weightless, "materials.cap has no density; add materials.cap: {density: 1080 kg/m^3}")) << weightless;
+    const std::string weightless = refused("materials: {cap: {law: neo-hookean, mu: 1 MPa}}\ndynamics: {duration: 1 s}",
+                                           {{"material.density", "1 g/cm^3"}});
+    EXPECT_TRUE(holds(weightless, "materials.cap has no density; add materials.cap: {density: 1080 kg/m^3}"))
+        << weightless;
     const Design unstable = read_capped(capped("materials: {cap: {law: yeoh, c1: 10 kPa, c2: -1 kPa, c3: 0 kPa}}"));
     ASSERT_EQ(unstable.warnings.size(), 1u);
     EXPECT_EQ(unstable.warnings[0].find("materials.cap: yeoh is "), 0u) << unstable.warnings[0];
@@ -101,7 +111,8 @@ TEST(RegionMaterials, AreLookedAtLikeTheMainOne) {
 
 TEST(RegionMaterials, CanBeChangedBySolveButNotAdded) {
     const std::string effective =
-        read_capped(capped("materials: {cap: {law: neo-hookean, mu: 1 MPa}}\ngeometry: {cap: {material: cap}}")).effective_yaml;
+        read_capped(capped("materials: {cap: {law: neo-hookean, mu: 1 MPa}}\ngeometry: {cap: {material: cap}}"))
+            .effective_yaml;
     const std::vector<Override> change{{"materials.cap.mu", "2 MPa"}}, add{{"materials.cup.mu", "2 MPa"}};
     const SolveChanges changes = apply_overrides(effective, change);
     EXPECT_EQ(changes.materials.at("cap").constants.at("mu"), std::vector<double>{2e6});
@@ -120,7 +131,8 @@ TEST(RegionMaterials, AreExplained) {
     const std::string text = explain_design(capped("geometry: {cap: {material: paper}}"), "p.yaml", known, {});
     EXPECT_TRUE(holds(text, "materials:")) << text;
     EXPECT_TRUE(holds(text, "mu: 540 MPa")) << text;
-    EXPECT_EQ(read_capped(text).effective_yaml, read_capped(capped("geometry: {cap: {material: paper}}")).effective_yaml);
+    EXPECT_EQ(read_capped(text).effective_yaml,
+              read_capped(capped("geometry: {cap: {material: paper}}")).effective_yaml);
 }
 
 }  // namespace

@@ -50,18 +50,23 @@ TEST(Solver, EveryWordMeansItsSetting) {
     EXPECT_EQ(solver("linear: superlu-dist").linear.method, LinearMethod::superlu_dist);
     EXPECT_EQ(solver("linear: cholmod").linear.method, LinearMethod::cholmod);
     EXPECT_EQ(solver("linear: jacobian-free").linear.method, LinearMethod::jacobian_free);
-    const std::vector<std::pair<std::string, Preconditioner>> words{
-        {"lu", Preconditioner::lu},           {"asm-lu", Preconditioner::asm_lu},
-        {"asm-ilu", Preconditioner::asm_ilu}, {"asm-boomeramg", Preconditioner::asm_boomeramg},
-        {"gamg", Preconditioner::gamg},       {"boomeramg", Preconditioner::boomeramg},
-        {"multigrid", Preconditioner::multigrid}, {"jacobi", Preconditioner::jacobi},   {"none", Preconditioner::none}};
+    const std::vector<std::pair<std::string, Preconditioner>> words{{"lu", Preconditioner::lu},
+                                                                    {"asm-lu", Preconditioner::asm_lu},
+                                                                    {"asm-ilu", Preconditioner::asm_ilu},
+                                                                    {"asm-boomeramg", Preconditioner::asm_boomeramg},
+                                                                    {"gamg", Preconditioner::gamg},
+                                                                    {"boomeramg", Preconditioner::boomeramg},
+                                                                    {"multigrid", Preconditioner::multigrid},
+                                                                    {"jacobi", Preconditioner::jacobi},
+                                                                    {"none", Preconditioner::none}};
     for (const auto& [word, meant] : words)
         EXPECT_EQ(solver("linear: krylov, preconditioner: " + word).linear.preconditioner, meant) << word;
 }
 
 TEST(Solver, NumbersGoWhereTheyBelong) {
-    const SolverSettings set = solver("newton_limit: 1, scaling: false, threads: 4, wanted_iterations: 9, linear_tolerance: 1e-3, "
-                                      "linear_limit: 500");
+    const SolverSettings set = solver(
+        "newton_limit: 1, scaling: false, threads: 4, wanted_iterations: 9, linear_tolerance: 1e-3, "
+        "linear_limit: 500");
     EXPECT_EQ(set.newton_limit, 1);
     EXPECT_FALSE(set.scaling);
     EXPECT_EQ(set.threads, 4);
@@ -72,15 +77,18 @@ TEST(Solver, NumbersGoWhereTheyBelong) {
 
 TEST(Solver, RefusesWhatIsOutOfRangeOrUnknown) {
     const std::vector<std::pair<std::string, std::string>> bad{
-        {"newton_limit: 0", "at least 1"},        {"threads: 257", "at most 256"},     {"threads: 0", "at least 1"},
-        {"linear_tolerance: 0.6", "at most 0.5"}, {"linear_limit: 200000", "at most"}, {"wanted_iterations: 101", "at most 100"},
-        {"linear: pardiso", "is not a choice"},   {"newton: fast", "is not a choice"}, {"scaling: maybe", "true or false"}};
+        {"newton_limit: 0", "at least 1"},      {"threads: 257", "at most 256"},
+        {"threads: 0", "at least 1"},           {"linear_tolerance: 0.6", "at most 0.5"},
+        {"linear_limit: 200000", "at most"},    {"wanted_iterations: 101", "at most 100"},
+        {"linear: pardiso", "is not a choice"}, {"newton: fast", "is not a choice"},
+        {"scaling: maybe", "true or false"}};
     for (const auto& [keys, part] : bad) EXPECT_TRUE(holds(refusal(base + "solver: {" + keys + "}\n"), part)) << keys;
 }
 
 TEST(Solver, APreconditionerWithoutAKrylovMethodIsRefused) {
     const std::string line = refusal(base + "solver: {preconditioner: gamg}\n");
-    EXPECT_EQ(line.find("p.yaml:4:26: solver.preconditioner: linear: auto takes no preconditioner; linear: krylov"), 0u) << line;
+    EXPECT_EQ(line.find("p.yaml:4:26: solver.preconditioner: linear: auto takes no preconditioner; linear: krylov"), 0u)
+        << line;
     EXPECT_EQ(solver("linear: jacobian-free, preconditioner: gamg").linear.preconditioner, Preconditioner::gamg);
 }
 
@@ -88,8 +96,10 @@ TEST(Solver, SettingsReadBackFromTheEffectiveDesignAndReachSolve) {
     const std::string text = base + "solver: {linear: krylov, preconditioner: asm-ilu, newton: bfgs, threads: 2}\n";
     const std::string effective = read(text).effective_yaml;
     EXPECT_EQ(read(effective).effective_yaml, effective);
-    const std::vector<Override> changes = {{"solver.newton", "modified"}, {"solver.linear_limit", "7"},
-                                           {"material.strain", "small"}, {"loads.cavity.acts_on", "undeformed"}};
+    const std::vector<Override> changes = {{"solver.newton", "modified"},
+                                           {"solver.linear_limit", "7"},
+                                           {"material.strain", "small"},
+                                           {"loads.cavity.acts_on", "undeformed"}};
     const SolveChanges part = apply_overrides(effective, changes);
     EXPECT_EQ(part.solver.newton, NewtonMethod::modified);
     EXPECT_EQ(part.solver.linear.iteration_limit, 7);
@@ -102,20 +112,25 @@ TEST(Solver, SettingsReadBackFromTheEffectiveDesignAndReachSolve) {
 
 TEST(Strain, IsSmallForLawsThatHaveALinearCounterpart) {
     EXPECT_EQ(read("family: pipe\nmaterial: {law: yeoh, c1: 50 kPa, c2: 1 kPa, c3: 0 Pa, strain: small}\n"
-                   "loads: {cavity: {pressure: 3 kPa}}\n").material.strain,
+                   "loads: {cavity: {pressure: 3 kPa}}\n")
+                  .material.strain,
               Strain::small);
-    const std::string kraken = refusal("family: pipe\nmaterial: {law: kraken, mu: 50 kPa, kappa: 5 MPa, strain: small}\n"
-                                       "mesh: {formulation: displacement}\nloads: {cavity: {pressure: 3 kPa}}\n");
+    const std::string kraken = refusal(
+        "family: pipe\nmaterial: {law: kraken, mu: 50 kPa, kappa: 5 MPa, strain: small}\n"
+        "mesh: {formulation: displacement}\nloads: {cavity: {pressure: 3 kPa}}\n");
     EXPECT_TRUE(holds(kraken, "material.strain: ")) << kraken;
     EXPECT_TRUE(holds(kraken, "linear counterpart")) << kraken;
 }
 
 TEST(LoadShape, IsThatOfAnyPressure) {
-    EXPECT_EQ(read(base + "model: solid\n", {{"loads.cavity.acts_on", "undeformed"}}).loads.at(0).shape, LoadShape::undeformed);
-    const Design bar = read("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {end: {pressure: 1 kPa, acts_on: undeformed}}\n");
+    EXPECT_EQ(read(base + "model: solid\n", {{"loads.cavity.acts_on", "undeformed"}}).loads.at(0).shape,
+              LoadShape::undeformed);
+    const Design bar = read(
+        "family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {end: {pressure: 1 kPa, acts_on: undeformed}}\n");
     EXPECT_EQ(bar.loads.at(0).shape, LoadShape::undeformed);
-    const std::string traction = refusal("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa}\n"
-                                         "loads: {end: {traction: 1 kPa, along: x, acts_on: undeformed}}\n");
+    const std::string traction = refusal(
+        "family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa}\n"
+        "loads: {end: {traction: 1 kPa, along: x, acts_on: undeformed}}\n");
     EXPECT_TRUE(holds(traction, "loads.end.acts_on: unknown key")) << traction;
 }
 

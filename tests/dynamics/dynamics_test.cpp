@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "../assembly/block_mesh.hpp"
+#include "../solver/sphere.hpp"
 #include "assembly/mass.hpp"
 #include "breathing_sphere.hpp"
 #include "core/error.hpp"
 #include "motion_bench.hpp"
-#include "../solver/sphere.hpp"
 
 namespace soft::dynamics {
 namespace {
@@ -137,7 +137,8 @@ TEST(Motion, ASlowRampFollowsTheStaticPath) {
         EXPECT_EQ(moved.end.reason, solution::StopReason::done) << moved.end.detail;
         for (const auto& step : moved.steps) {
             if (step.motion->time_s < (step_s == 0.0 ? 0.6 : 0.2)) continue;
-            EXPECT_NEAR(step.pressure_Pa / (sample_mu_Pa * solver::sphere_pressure(solver::inner_stretch(step))), 1.0, 1e-3)
+            EXPECT_NEAR(step.pressure_Pa / (sample_mu_Pa * solver::sphere_pressure(solver::inner_stretch(step))), 1.0,
+                        1e-3)
                 << step.motion->time_s;
         }
         EXPECT_NEAR(moved.last().tangent_pressure, 0.0, 1e-9);  // the ramp ends with the motion

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "motion_bench.hpp"
 #include "dynamics/time_course.hpp"
+#include "motion_bench.hpp"
 
 namespace soft::dynamics {
 namespace {

@@ -49,7 +49,9 @@ TEST(FBar, IsTheMeanDilatationElementForASplitLaw) {
             material::PointResponse response;
             mixed_response(rubber, {}, points[q].F, p, material::Wanted::stress, response);
             const int n = s.cell.nodes;
-            const auto gradient = [&](int J, int a) { return mapped.volume[q] * mapped.gradient[(J * s.cell.points + q) * n + a]; };
+            const auto gradient = [&](int J, int a) {
+                return mapped.volume[q] * mapped.gradient[(J * s.cell.points + q) * n + a];
+            };
             for (int a = 0; a < n; ++a) {
                 for (int i = 0; i < s.cell.dimension; ++i)
                     for (int J = 0; J < s.cell.dimension; ++J)
@@ -72,7 +74,7 @@ TEST(FBar, PlaneStrainIsASliceOfASolidBetweenRigidWalls) {
             X[i * 8 + a] = flat.X[i * 4 + a % 4];
             u[i * 8 + a] = flat.unknowns[i * 4 + a % 4];
         }
-    for (int a = 4; a < 8; ++a) X[16 + a] = 1.0;   // [m]
+    for (int a = 4; a < 8; ++a) X[16 + a] = 1.0;  // [m]
     const auto expected = force(solid, Kinematics::solid, {X, u, {}, 1.0});
     const auto R = force(flat.cell, Kinematics::plane_strain, flat.input(flat.unknowns));
     for (int i = 0; i < 2; ++i)
@@ -104,7 +106,7 @@ TEST(FBar, TheLawSeesTheMeanDilatationAtEveryPointAndTheShapeOfF) {
 TEST(FBar, AFoldedCornerIsReportedThoughTheMeanIsPositive) {
     Sample s({CellType::quad4, Kinematics::plane_strain, Form::f_bar}, rubber);
     s.X = {0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0};
-    const std::vector<double> u{0.0, 0.0, -0.9, 0.0, 0.0, 0.0, -0.9, 0.0};   // the third corner, almost to the first
+    const std::vector<double> u{0.0, 0.0, -0.9, 0.0, 0.0, 0.0, -0.9, 0.0};  // the third corner, almost to the first
     const auto points = s.points(u);
     double v = 0;
     for (const auto& point : points) v += point.weight_m3 * determinant(point.F);

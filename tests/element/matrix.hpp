@@ -13,8 +13,8 @@
 namespace soft::element {
 
 inline constexpr std::array<mesh::CellType, 10> solid_types{
-    mesh::CellType::triangle3, mesh::CellType::triangle6, mesh::CellType::quad4,  mesh::CellType::quad9,
-    mesh::CellType::tet4,      mesh::CellType::tet10,     mesh::CellType::hex8,   mesh::CellType::hex27,
+    mesh::CellType::triangle3, mesh::CellType::triangle6, mesh::CellType::quad4, mesh::CellType::quad9,
+    mesh::CellType::tet4,      mesh::CellType::tet10,     mesh::CellType::hex8,  mesh::CellType::hex27,
     mesh::CellType::wedge6,    mesh::CellType::wedge18};
 inline constexpr std::array<Form, 3> forms{Form::displacement, Form::mixed, Form::f_bar};
 
@@ -72,7 +72,10 @@ struct Sample {
     std::vector<double> X, unknowns;
 
     explicit Sample(const Combination& c, material::AnyRubber law = neo_hookean())
-        : combination(c), rubber(std::move(law)), cell(make_reference_cell(c.type, c.form)), X(distorted_nodes(c.type)),
+        : combination(c),
+          rubber(std::move(law)),
+          cell(make_reference_cell(c.type, c.form)),
+          X(distorted_nodes(c.type)),
           unknowns(smooth_displacement(c.type, X, 1.0)) {
         for (int s = 0; s < cell.pressure_dofs; ++s) unknowns.push_back(0.3 + 0.1 * s);
     }
@@ -84,7 +87,8 @@ struct Sample {
         CellOutput out(cell);
         std::visit(
             [&](const auto& r) {
-                integrate_cell(cell, combination.kinematics, r, input(values), material::Wanted::stress_and_tangent, out);
+                integrate_cell(cell, combination.kinematics, r, input(values), material::Wanted::stress_and_tangent,
+                               out);
             },
             rubber);
         return out;

@@ -33,11 +33,11 @@ void expect_second_order(Remainder&& remainder, const std::string& name) {
 // |E(x + h d) - E(x) - h R.d| = O(h^2).
 TEST(LawElementMatrix, ResidualIsTheDerivativeOfTheEnergy) {
     for_each_entry([](const Sample& s, const LawInfo& law) {
-        if (!material::has_symmetric_tangent(s.rubber)) return;   // no energy
+        if (!material::has_symmetric_tangent(s.rubber)) return;  // no energy
         const auto d = s.direction();
         const double E = s.energy(s.unknowns), slope = inner_product(s.integrate(s.unknowns).residual, d);
-        expect_second_order(
-            [&](double h) { return std::abs(s.energy(moved(s.unknowns, d, h)) - E - h * slope); }, label(s, law));
+        expect_second_order([&](double h) { return std::abs(s.energy(moved(s.unknowns, d, h)) - E - h * slope); },
+                            label(s, law));
     });
 }
 
@@ -67,7 +67,8 @@ TEST(LawElementMatrix, TangentIsSymmetricWhereThereIsAnEnergyAndOnlyThere) {
         double largest = 0, difference = 0;
         for (const double k : K) largest = std::max(largest, std::abs(k));
         for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t j = 0; j < i; ++j) difference = std::max(difference, std::abs(K[i * n + j] - K[j * n + i]));
+            for (std::size_t j = 0; j < i; ++j)
+                difference = std::max(difference, std::abs(K[i * n + j] - K[j * n + i]));
         if (material::has_symmetric_tangent(s.rubber))
             EXPECT_LT(difference, 1e-12 * largest) << label(s, law);
         else
@@ -121,7 +122,8 @@ TEST(LawElementMatrix, CellsAreRefusedInTheFormsTheyDoNotHave) {
         if (c.form == Form::mixed && cell.order == 1)
             EXPECT_TRUE(contains(reason, "have no stable pressure; use mesh.order 2")) << label(c) << ": " << reason;
         else if (c.form == Form::f_bar && !has_mean_dilatation)
-            EXPECT_TRUE(contains(reason, "F-bar is for first-order quadrilaterals and hexahedra")) << label(c) << reason;
+            EXPECT_TRUE(contains(reason, "F-bar is for first-order quadrilaterals and hexahedra"))
+                << label(c) << reason;
         else
             EXPECT_EQ(reason, "") << label(c);
         if (reason.empty()) continue;
@@ -140,7 +142,8 @@ TEST(LawElementMatrix, LawsAreRefusedInTheFormsTheyDoNotHave) {
     for (const LawInfo& law : material::laws()) {
         const AnyRubber rubber = rubber_of(law);
         EXPECT_EQ(material::why_not(rubber, Form::displacement), "") << law.name;
-        const std::string mixed = material::why_not(rubber, Form::mixed), f_bar = material::why_not(rubber, Form::f_bar);
+        const std::string mixed = material::why_not(rubber, Form::mixed),
+                          f_bar = material::why_not(rubber, Form::f_bar);
         if (law.name == "kraken")
             EXPECT_TRUE(contains(mixed, "kraken is a stress without an energy and has no mixed form; use formulation"));
         else

@@ -59,7 +59,7 @@ TEST(PressureKernel, TangentIsTheDerivativeOfTheForce) {
             }
             return std::sqrt(sum);
         };
-        if (kinematics == Kinematics::plane_strain)   // the force is linear in x: no remainder at all
+        if (kinematics == Kinematics::plane_strain)  // the force is linear in x: no remainder at all
             EXPECT_NEAR(remainder(1e-2), 0.0, 1e-13);
         else
             EXPECT_NEAR(remainder(2e-3) / remainder(1e-3), 4.0, 0.05);
@@ -92,7 +92,7 @@ TEST(PressureKernel, ForceAndVolumeOfACylindersWallAreTheClosedForm) {
     const std::vector<double> x{0.0, L, L / 2, R, R, R};
     std::vector<double> f(6, 0.0), gradient(6, 0.0);
     pressure_force(facet, Kinematics::axisymmetric, x, f, {});
-    EXPECT_NEAR(f[3] + f[4] + f[5], 2 * std::numbers::pi * R * L, 1e-15);   // pushes outwards: positive r
+    EXPECT_NEAR(f[3] + f[4] + f[5], 2 * std::numbers::pi * R * L, 1e-15);  // pushes outwards: positive r
     EXPECT_NEAR(f[0] + f[1] + f[2], 0.0, 1e-18);
     EXPECT_NEAR(swept_volume(facet, Kinematics::axisymmetric, x, gradient), std::numbers::pi * R * R * L, 1e-18);
     std::vector<double> weights(3, 0.0);
@@ -107,7 +107,7 @@ TEST(PressureKernel, ASquareInSpaceFeelsItsAreaAlongItsNormal) {
         x[9 + a] = 0.5 * mesh::topology(CellType::quad9).nodes[a][1];
         x[18 + a] = 0.3;
     }
-    pressure_force(facet, Kinematics::solid, x, f, {});   // normal +z, unit area: total force -z
+    pressure_force(facet, Kinematics::solid, x, f, {});  // normal +z, unit area: total force -z
     double total[3] = {0, 0, 0};
     for (int i = 0; i < 3; ++i)
         for (int a = 0; a < 9; ++a) total[i] += f[9 * i + a];
@@ -141,7 +141,7 @@ TEST(PressureKernel, CapGradientsAreTheDerivativesOfTheVolume) {
     std::vector<double> gradient(9, 0.0), unused(9, 0.0);
     double apex_gradient[3] = {0, 0, 0}, ignored[3] = {0, 0, 0};
     (void)cap_volume(edge, y, apex, gradient, apex_gradient);
-    constexpr double h = 1e-6;   // the volume is cubic at most: central differences are accurate to h^2
+    constexpr double h = 1e-6;  // the volume is cubic at most: central differences are accurate to h^2
     for (int i = 0; i < 9; ++i) {
         auto plus = y, minus = y;
         plus[i] += h;

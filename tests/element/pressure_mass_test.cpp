@@ -19,11 +19,13 @@ std::vector<double> box(mesh::CellType type, const std::array<double, 3>& factor
 TEST(PressureMass, OfACubeIsTheIntegralOfItsMonomials) {
     const auto cell = make_reference_cell(mesh::CellType::hex27, Form::mixed);
     const double edge = 0.02, scale = 7.0, volume = edge * edge * edge;
-    const auto M = pressure_mass(cell, model::Kinematics::solid, box(cell.type, {edge / 2, edge / 2, edge / 2}, {1, 2, 3}), scale);
+    const auto M =
+        pressure_mass(cell, model::Kinematics::solid, box(cell.type, {edge / 2, edge / 2, edge / 2}, {1, 2, 3}), scale);
     ASSERT_EQ(M.size(), 16u);
     for (int s = 0; s < 4; ++s)
         for (int t = 0; t < 4; ++t)
-            EXPECT_NEAR(M[4 * s + t], s != t ? 0.0 : scale * scale * volume * (s == 0 ? 1.0 : 1.0 / 3), 1e-12 * scale * scale * volume);
+            EXPECT_NEAR(M[4 * s + t], s != t ? 0.0 : scale * scale * volume * (s == 0 ? 1.0 : 1.0 / 3),
+                        1e-12 * scale * scale * volume);
 }
 
 // Barycentric coordinates: V / 20 (1 + delta), Zienkiewicz and Taylor, The Finite Element Method.
@@ -38,7 +40,7 @@ TEST(PressureMass, OfATetrahedronIsThatOfBarycentricCoordinates) {
 TEST(PressureMass, OfABodyOfRevolutionTakesTheWholeTurn) {
     const auto cell = make_reference_cell(mesh::CellType::quad9, Form::mixed);
     const auto M = pressure_mass(cell, model::Kinematics::axisymmetric, box(cell.type, {0.5, 0.5, 0}, {0, 3, 0}), 1.0);
-    EXPECT_NEAR(M[0], 2 * std::numbers::pi * 3.0, 1e-12 * M[0]);   // Pappus: unit area at radius 3
+    EXPECT_NEAR(M[0], 2 * std::numbers::pi * 3.0, 1e-12 * M[0]);  // Pappus: unit area at radius 3
 }
 
 TEST(PressureMass, WithoutAPressureThereIsNone) {

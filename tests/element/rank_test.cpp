@@ -8,7 +8,7 @@ namespace {
 
 /// Size minus rank by Gaussian elimination with full pivoting, relative to the largest entry.
 int nullity(std::vector<double> A, int size) {
-    constexpr double zero = 1e-9;   // rounding is 1e-14; the softest true mode of these cells is about 1e-4
+    constexpr double zero = 1e-9;  // rounding is 1e-14; the softest true mode of these cells is about 1e-4
     const auto at = [&](int i, int j) -> double& { return A[static_cast<std::size_t>(i) * size + j]; };
     double largest = 0;
     for (int step = 0; step < size; ++step) {
@@ -79,11 +79,12 @@ TEST(Rank, ACellOnTheAxisOfRevolutionKeepsItsRank) {
         }
         std::vector<double> u(s.unknowns.size(), 0.0);
         auto K = s.integrate(u).stiffness;
-        for (int a = 0; a < n; ++a)   // u_r = 0 on the axis: held, so not counted as free
+        for (int a = 0; a < n; ++a)  // u_r = 0 on the axis: held, so not counted as free
             if (s.X[n + a] == 0.0) K[static_cast<std::size_t>(n + a) * (u.size() + 1)] += 1e3;
         for (std::size_t i = 0; i < u.size(); ++i)
             for (std::size_t j = 0; j < u.size(); ++j)
-                K[i * u.size() + j] /= (i < s.X.size() ? 1.0 : Sample::length) * (j < s.X.size() ? 1.0 : Sample::length);
+                K[i * u.size() + j] /=
+                    (i < s.X.size() ? 1.0 : Sample::length) * (j < s.X.size() ? 1.0 : Sample::length);
         EXPECT_EQ(nullity(K, static_cast<int>(u.size())), 1) << label(c);
     }
 }

@@ -31,9 +31,10 @@ TEST(SolidKernel, LinearDisplacementGivesItsConstantDeformationGradient) {
                     const double expected = (i == J ? 1.0 : 0.0) + (axisymmetric && i != J ? 0.0 : G[3 * i + J]);
                     EXPECT_NEAR(point.F[3 * i + J], expected, 1e-13) << label(c);
                 }
-            const double across = axisymmetric ? 1.0 + G[4] : (dim == 2 ? 1.0 : 1.0 + G[8]);   // r/R = 1 + u_r/R
+            const double across = axisymmetric ? 1.0 + G[4] : (dim == 2 ? 1.0 : 1.0 + G[8]);  // r/R = 1 + u_r/R
             EXPECT_NEAR(point.F[8], across, 1e-13) << label(c);
-            for (int m = 0; m < 9; ++m) EXPECT_NEAR(point.F_law[m], point.F[m], 1e-13) << label(c);   // an even dilatation
+            for (int m = 0; m < 9; ++m)
+                EXPECT_NEAR(point.F_law[m], point.F[m], 1e-13) << label(c);  // an even dilatation
         }
     }
 }
@@ -52,8 +53,9 @@ TEST(SolidKernel, PointVolumesSumToTheVolumeOfTheCell) {
         }
         double V = 0;
         for (const auto& point : s.points(s.unknowns)) V += point.weight_m3;
-        const double expected = c.kinematics == Kinematics::axisymmetric ? 2 * std::numbers::pi * 11.5e-3 * 6e-6
-                                : c.kinematics == Kinematics::plane_strain ? 6e-6 : 24e-9;
+        const double expected = c.kinematics == Kinematics::axisymmetric   ? 2 * std::numbers::pi * 11.5e-3 * 6e-6
+                                : c.kinematics == Kinematics::plane_strain ? 6e-6
+                                                                           : 24e-9;
         EXPECT_NEAR(V, expected, 1e-13 * expected) << label(c);
     }
 }
@@ -72,10 +74,11 @@ TEST(SolidKernel, TheCylindricalFiberFrameFollowsTheHoop) {
             }
             Vector3 X{};
             for (int i = 0; i < s.cell.dimension; ++i)
-                for (int a = 0; a < s.cell.nodes; ++a) X[i] += s.cell.N[q * s.cell.nodes + a] * s.X[i * s.cell.nodes + a];
+                for (int a = 0; a < s.cell.nodes; ++a)
+                    X[i] += s.cell.N[q * s.cell.nodes + a] * s.X[i * s.cell.nodes + a];
             EXPECT_NEAR(axes.e2[1] * X[1] + axes.e2[2] * X[2], 0.0, 1e-15) << label(c);
             EXPECT_NEAR(dot(axes.e2, axes.e2), 1.0, 1e-14) << label(c);
-            EXPECT_GT(axes.e2[2], 0.0) << label(c);   // the sample has y > 0
+            EXPECT_GT(axes.e2[2], 0.0) << label(c);  // the sample has y > 0
         }
     }
 }
@@ -94,7 +97,7 @@ TEST(SolidKernel, NodalPressuresOfALinearFieldAreThatField) {
         const auto cell = make_reference_cell(type, Form::mixed);
         const auto X = distorted_nodes(type);
         std::vector<double> unknowns(cell.pressure_dofs, cell.pressure == PressureSpace::continuous_vertex ? 2.5 : 0.0);
-        unknowns[0] = 2.5;   // a constant field in either space
+        unknowns[0] = 2.5;  // a constant field in either space
         for (const double p : nodal_pressures(cell, X, unknowns, 1e3)) EXPECT_NEAR(p, 2500.0, 1e-9);
     }
 }

@@ -54,8 +54,8 @@ private:
     }
     /// Disc and neck fill what lies outside the wall between its corner and the trough.
     [[nodiscard]] double end() const {
-        return pi * disc_radius * disc_radius * (disc_length - neck_length + neck_corner()) + pi * neck_radius * neck_radius * neck_length -
-               outer_to_neck();
+        return pi * disc_radius * disc_radius * (disc_length - neck_length + neck_corner()) +
+               pi * neck_radius * neck_radius * neck_length - outer_to_neck();
     }
     [[nodiscard]] double half_pitch() const { return 0.5 * (pitch - crest_land - trough_land); }
     [[nodiscard]] double trough() const { return bore + fillet + wall; }
@@ -66,7 +66,9 @@ private:
         return std::atan2(rise(), half_pitch()) + std::asin((2 * fillet + wall) / std::hypot(rise(), half_pitch()));
     }
 
-    static double line(double x0, double r0, double x1, double r1) { return pi * (x1 - x0) * (r0 * r0 + r0 * r1 + r1 * r1) / 3; }
+    static double line(double x0, double r0, double x1, double r1) {
+        return pi * (x1 - x0) * (r0 * r0 + r0 * r1 + r1 * r1) / 3;
+    }
 
     /// Along r = centre - s radius cos t, x = radius sin t, t = 0 .. angle: s = 1 below the centre, -1 above.
     static double arc(double centre, double radius, double s, double angle) {
@@ -93,13 +95,13 @@ private:
 };
 
 TEST(Bellows, ClosedFormGivesThePublishedVolumes) {
-    EXPECT_NEAR(Meridian{}.rubber(), 70285.1, 0.25);    // published with six digits, from an outline of chords
+    EXPECT_NEAR(Meridian{}.rubber(), 70285.1, 0.25);  // published with six digits, from an outline of chords
     EXPECT_NEAR(Meridian{}.cavity(), 14962.7, 0.15);
 }
 
 TEST(Bellows, NeckCornersLieWhereThePaperHasThem) {
     const BellowsShape shape = shape_of(sample::values("bellows", "axisymmetric"));
-    EXPECT_NEAR(9 * 9.25 - 1e3 * shape.neck_corner[0], 82.8605, 5e-5);   // the last trough is at 83.25
+    EXPECT_NEAR(9 * 9.25 - 1e3 * shape.neck_corner[0], 82.8605, 5e-5);  // the last trough is at 83.25
     EXPECT_NEAR(-9.25 + 1e3 * shape.disc_corner[0], -9.8605, 5e-5);
 }
 
@@ -136,7 +138,8 @@ TEST(Bellows, TheWallIsThreeMillimetresThickEverywhere) {
 TEST(Bellows, AStripIsItsShareOfTheRubber) {
     for (const char* model : {"half", "solid"}) {
         const Solid whole = sample::solid("bellows", model, {{"geometry.convolutions", "2"}});
-        Solid body = sample::solid("bellows", model, {{"geometry.convolutions", "2"}, {"geometry.strip.angle", "72 deg"}});
+        Solid body =
+            sample::solid("bellows", model, {{"geometry.convolutions", "2"}, {"geometry.strip.angle", "72 deg"}});
         ASSERT_EQ(body.mesh.region_names, (std::vector<std::string>{"rubber", "strip"}));
         mesh::Mesh strip = body.mesh;
         strip.cell_types.clear();
@@ -150,13 +153,15 @@ TEST(Bellows, AStripIsItsShareOfTheRubber) {
                 for (const mesh::Index node : body.mesh.cell_nodes(cell)) z += body.mesh.point(node)[2];
                 EXPECT_LT(z, 0);
             }
-        EXPECT_NEAR(mesh::measure(strip, mesh::Measure::plain) / mesh::measure(whole.mesh, mesh::Measure::plain), 0.2, 1e-12);
+        EXPECT_NEAR(mesh::measure(strip, mesh::Measure::plain) / mesh::measure(whole.mesh, mesh::Measure::plain), 0.2,
+                    1e-12);
     }
 }
 
 TEST(Bellows, LandsOfHalfThePitchLessWallAndFilletsLeaveUprightWalls) {
     const BellowsShape shape = shape_of(sample::values(
-        "bellows", "axisymmetric", {{"geometry.pitch", "16 mm"}, {"geometry.crest_land", "4.5 mm"}, {"geometry.trough_land", "4.5 mm"}}));
+        "bellows", "axisymmetric",
+        {{"geometry.pitch", "16 mm"}, {"geometry.crest_land", "4.5 mm"}, {"geometry.trough_land", "4.5 mm"}}));
     EXPECT_NEAR(shape.bend_rad, 0.5 * pi, 1e-12);
     EXPECT_NEAR(shape.along[0], 0, 1e-12);
 }
@@ -193,18 +198,27 @@ TEST(Bellows, OtherShapesAreSoundToo) {
     others[3] = {{{"geometry.neck.radius", "5.8 mm"}, {"geometry.neck.length", "0.5 mm"}}, {}};
     others[3].meridian.neck_radius = 5.8;
     others[3].meridian.neck_length = 0.5;
-    others[4] = {{{"geometry.wall", "1 mm"}, {"geometry.bore_radius", "4 mm"}}, {}};   // the wall leans forward
+    others[4] = {{{"geometry.wall", "1 mm"}, {"geometry.bore_radius", "4 mm"}}, {}};  // the wall leans forward
     others[4].meridian.wall = 1;
     others[4].meridian.bore = 4;
-    others[5] = {{{"geometry.pitch", "7 mm"}, {"geometry.crest_radius", "12 mm"}}, {}};   // and over the neck
+    others[5] = {{{"geometry.pitch", "7 mm"}, {"geometry.crest_radius", "12 mm"}}, {}};  // and over the neck
     others[5].meridian.pitch = 7;
     others[5].meridian.crest = 12;
     // Square convolutions (upright walls), rounded ones (all bend but for a little of the wall), a taper, and all at once.
-    others[6] = {{{"geometry.pitch", "16 mm"}, {"geometry.crest_land", "4.5 mm"}, {"geometry.trough_land", "4.5 mm"}, {"geometry.convolutions", "3"}}, {}};
+    others[6] = {{{"geometry.pitch", "16 mm"},
+                  {"geometry.crest_land", "4.5 mm"},
+                  {"geometry.trough_land", "4.5 mm"},
+                  {"geometry.convolutions", "3"}},
+                 {}};
     others[6].meridian.pitch = 16;
     others[6].meridian.crest_land = others[6].meridian.trough_land = 4.5;
     others[6].meridian.convolutions = 3;
-    others[7] = {{{"geometry.pitch", "14 mm"}, {"geometry.fillet", "2.5 mm"}, {"geometry.wall", "2 mm"}, {"geometry.crest_radius", "14 mm"}, {"geometry.neck.radius", "8.5 mm"}}, {}};
+    others[7] = {{{"geometry.pitch", "14 mm"},
+                  {"geometry.fillet", "2.5 mm"},
+                  {"geometry.wall", "2 mm"},
+                  {"geometry.crest_radius", "14 mm"},
+                  {"geometry.neck.radius", "8.5 mm"}},
+                 {}};
     others[7].meridian.pitch = 14;
     others[7].meridian.fillet = 2.5;
     others[7].meridian.wall = 2;
@@ -212,7 +226,11 @@ TEST(Bellows, OtherShapesAreSoundToo) {
     others[7].meridian.neck_radius = 8.5;
     others[8] = {{{"geometry.last_crest_radius", "12 mm"}}, {}};
     others[8].meridian.last_crest = 12;
-    others[9] = {{{"geometry.last_crest_radius", "25 mm"}, {"geometry.crest_land", "1 mm"}, {"geometry.trough_land", "0.5 mm"}, {"geometry.pitch", "11 mm"}}, {}};
+    others[9] = {{{"geometry.last_crest_radius", "25 mm"},
+                  {"geometry.crest_land", "1 mm"},
+                  {"geometry.trough_land", "0.5 mm"},
+                  {"geometry.pitch", "11 mm"}},
+                 {}};
     others[9].meridian.last_crest = 25;
     others[9].meridian.crest_land = 1;
     others[9].meridian.trough_land = 0.5;
@@ -220,8 +238,10 @@ TEST(Bellows, OtherShapesAreSoundToo) {
     for (Other& other : others) {
         if (other.changes.count("geometry.last_crest_radius") == 0) other.meridian.last_crest = other.meridian.crest;
         const std::string what = other.changes.begin()->first + " " + other.changes.begin()->second;
-        EXPECT_GT(mesh::quality(sample::solid("bellows", "axisymmetric", other.changes).mesh).min_scaled_jacobian, 0.05) << what;
-        EXPECT_GT(mesh::quality(sample::solid("bellows", "quarter", other.changes).mesh).min_scaled_jacobian, 0.05) << what;
+        EXPECT_GT(mesh::quality(sample::solid("bellows", "axisymmetric", other.changes).mesh).min_scaled_jacobian, 0.05)
+            << what;
+        EXPECT_GT(mesh::quality(sample::solid("bellows", "quarter", other.changes).mesh).min_scaled_jacobian, 0.05)
+            << what;
         other.changes["mesh.size"] = "0.3 mm";
         const Solid fine = sample::solid("bellows", "axisymmetric", other.changes);
         EXPECT_NEAR(1e9 * sample::rubber_m3(fine) / other.meridian.rubber(), 1, 1e-5) << what;

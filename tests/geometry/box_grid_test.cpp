@@ -14,7 +14,7 @@ namespace soft::geometry {
 namespace {
 
 constexpr Spacing even{1, {1, 1, 1}, 1};
-constexpr double sums = 1e-11;   // rounding, of volumes and areas up to 50
+constexpr double sums = 1e-11;  // rounding, of volumes and areas up to 50
 
 /// Coordinates along an axis, each once, of corners (with mid nodes: every second).
 std::vector<double> coordinates(const mesh::Mesh& mesh, std::size_t axis) {
@@ -57,7 +57,7 @@ TEST(GradedShares, GrowGeometricallyFromTheSharpEnd) {
 
 TEST(BoxGrid, CellsGetShorterTowardReentrantEdgesAlone) {
     const mesh::Mesh mesh = mesh_of_boxes(step(), {1, {2, 2, 2}, 3});
-    EXPECT_EQ(coordinates(mesh, 0), (std::vector<double>{0, 1, 2, 3, 4}));   // the edge runs along x: no grading
+    EXPECT_EQ(coordinates(mesh, 0), (std::vector<double>{0, 1, 2, 3, 4}));  // the edge runs along x: no grading
     const std::vector<double> y = coordinates(mesh, 1), z = coordinates(mesh, 2);
     ASSERT_EQ(y.size(), 5u);
     ASSERT_EQ(z.size(), 5u);
@@ -93,16 +93,18 @@ TEST(BoxGrid, RegionsAndFacesAreThoseOfTheBoxes) {
     }
     const auto boundary = mesh::boundary_facets(mesh);
     EXPECT_EQ(named, std::set<mesh::Facet>(boundary.begin(), boundary.end()));
-    EXPECT_EQ(sides, boundary.size());   // each has one name
+    EXPECT_EQ(sides, boundary.size());  // each has one name
 }
 
 /// Mid nodes are means, whose sums run in another order on the other side.
 using Cell = std::array<long, 3>;
-Cell rounded(const mesh::Point& p) { return {std::lround(1e9 * p[0]), std::lround(1e9 * p[1]), std::lround(1e9 * p[2])}; }
+Cell rounded(const mesh::Point& p) {
+    return {std::lround(1e9 * p[0]), std::lround(1e9 * p[1]), std::lround(1e9 * p[2])};
+}
 
 TEST(BoxGrid, TheMirroredBodyIsTheDrawnOneAndItsImage) {
     BoxBody body = step();
-    body.boxes.push_back({{1, 0, 0.5}, {3, 0.5, 1.5}, Fill::hollow, "room"});   // reaches the plane of symmetry
+    body.boxes.push_back({{1, 0, 0.5}, {3, 0.5, 1.5}, Fill::hollow, "room"});  // reaches the plane of symmetry
     body.borders[1][1] = {"far"};
     const mesh::Mesh half = mesh_of_boxes(body, {1, {2, 2, 2}, 3});
     body.extent = Extent::mirrored_in_y;

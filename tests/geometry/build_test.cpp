@@ -14,7 +14,8 @@ design::Design design_of(const std::string& family, const std::string& model, co
     d.family = family;
     d.name = "a " + family;
     d.values = sample::values(family, model, changes);
-    d.material = {"rubber", "neo-hookean", {{"mu", {0.1644e6}}}, std::nullopt, std::nullopt, model::Volumetric::quadratic};
+    d.material = {"rubber",     "neo-hookean", {{"mu", {0.1644e6}}},
+                  std::nullopt, std::nullopt,  model::Volumetric::quadratic};
     return d;
 }
 
@@ -45,7 +46,7 @@ TEST(BuildCase, CarriesTheDesignsOwnParts) {
     ASSERT_EQ(c.loads.size(), 1u);
     EXPECT_EQ(c.loads[0].targets, std::vector<std::string>{"cavity"});
     ASSERT_EQ(c.outputs.size(), 1u);
-    EXPECT_EQ(c.outputs[0].direction, (std::array<double, 3>{-1, 0, 0}));   // the inlet moves towards -x
+    EXPECT_EQ(c.outputs[0].direction, (std::array<double, 3>{-1, 0, 0}));  // the inlet moves towards -x
     EXPECT_EQ(c.path.stages.at(0).until.size(), 1u);
 }
 
@@ -53,7 +54,7 @@ TEST(BuildCase, TheBellowsCavityOpensThroughTheBore) {
     const model::Case c = build_case(design_of("bellows", "quarter"));
     ASSERT_EQ(c.cavities.size(), 1u);
     ASSERT_EQ(c.cavities[0].openings.size(), 1u);
-    EXPECT_NEAR(c.cavities[0].openings[0].area_m2, std::numbers::pi * 6.25e-6, 1e-18);   // whole actuator
+    EXPECT_NEAR(c.cavities[0].openings[0].area_m2, std::numbers::pi * 6.25e-6, 1e-18);  // whole actuator
     EXPECT_EQ(c.cavities[0].openings[0].direction, (std::array<double, 3>{-1, 0, 0}));
     for (const std::string& face : c.cavities[0].inner_faces) EXPECT_TRUE(c.mesh.facet_sets.contains(face));
     EXPECT_TRUE(c.mesh.facet_sets.contains(c.cavities[0].wall));
@@ -88,7 +89,8 @@ TEST(BuildCase, AnUnsupportedShellCannotMoveAsARigidBody) {
                     for (const mesh::Index n : facet_nodes(c.mesh, facet)) {
                         const mesh::Point& p = c.mesh.point(n);
                         std::array<double, 3> u{};
-                        if (motion < 3) u[motion] = 1;
+                        if (motion < 3)
+                            u[motion] = 1;
                         else {
                             u[(motion + 1) % 3] = -p[(motion + 2) % 3];
                             u[(motion + 2) % 3] = p[(motion + 1) % 3];
@@ -107,19 +109,24 @@ TEST(BuildCase, DirectionsFollowTheRequest) {
     const model::Case c = build_case(d);
     const std::vector<std::array<double, 3>> expected{{1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 1, 0}};
     for (std::size_t k = 0; k < expected.size(); ++k)
-        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
 }
 
 TEST(BuildCase, FacesThatAreCutAwayAreRefused) {
     design::Design d = design_of("rod", "half");
     d.supports = {{"left", {false, true, false}}};
-    EXPECT_EQ(refusal(d), "supports: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+    EXPECT_EQ(refusal(d),
+              "supports: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
     d.supports.clear();
     d.loads = {{.name = "left", .targets = {"left"}, .gas = {}}};
-    EXPECT_EQ(refusal(d), "loads.left: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+    EXPECT_EQ(refusal(d),
+              "loads.left: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
     d.loads.clear();
     d.outputs = {{"shift", "left", "y"}};
-    EXPECT_EQ(refusal(d), "outputs.shift.face: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+    EXPECT_EQ(
+        refusal(d),
+        "outputs.shift.face: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
 }
 
 TEST(BuildCase, DirectionsTheModelDoesNotHaveAreRefused) {
@@ -127,14 +134,15 @@ TEST(BuildCase, DirectionsTheModelDoesNotHaveAreRefused) {
     d.outputs = {{"shift", "inlet", "z"}};
     EXPECT_EQ(refusal(d), "outputs.shift.along: 'z' is no direction of this model; axis, x, r or normal");
     d.outputs = {{"shift", "outer", "normal"}};
-    EXPECT_EQ(refusal(d), "accepted");   // a straight line in the section
+    EXPECT_EQ(refusal(d), "accepted");  // a straight line in the section
     d = design_of("tube", "quarter");
     d.outputs = {{"shift", "outer", "normal"}};
     EXPECT_EQ(refusal(d), "outputs.shift.along: face 'outer' is not flat; axis, x, y or z");
 }
 
 TEST(BuildCase, APlaneModelLiesInXAndY) {
-    design::Design d = design_of("panel", "plane-strain", {{"geometry.rise", "48 mm"}});   // the bottom rises at 45 degrees
+    design::Design d =
+        design_of("panel", "plane-strain", {{"geometry.rise", "48 mm"}});  // the bottom rises at 45 degrees
     d.outputs = {{"a", "end", "axis"}, {"b", "end", "y"}, {"c", "bottom", "normal"}};
     const model::Case c = build_case(d);
     EXPECT_EQ(c.kinematics, model::Kinematics::plane_strain);
@@ -142,7 +150,8 @@ TEST(BuildCase, APlaneModelLiesInXAndY) {
     const double half = std::sqrt(0.5);
     const std::vector<std::array<double, 3>> expected{{1, 0, 0}, {0, 1, 0}, {half, -half, 0}};
     for (std::size_t k = 0; k < expected.size(); ++k)
-        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
     d.outputs = {{"shift", "end", "z"}};
     EXPECT_EQ(refusal(d), "outputs.shift.along: 'z' is no direction of this model; axis, x, y or normal");
 }
@@ -154,7 +163,7 @@ TEST(BuildCase, ARingIsHeldByItsPlanes) {
     EXPECT_EQ(held(plane, symmetry_y_face), (Held{false, true, false}));
     const model::Case slice = build_case(design_of("ring", "solid"));
     EXPECT_EQ(slice.model_fraction, 0.25);
-    EXPECT_EQ(held(slice, "left"), (Held{false, false, true}));   // it cannot lengthen
+    EXPECT_EQ(held(slice, "left"), (Held{false, false, true}));  // it cannot lengthen
     EXPECT_EQ(held(slice, "right"), (Held{false, false, true}));
     ASSERT_EQ(slice.cavities.at(0).openings.size(), 2u);
     for (const model::Opening& opening : slice.cavities[0].openings)
@@ -188,13 +197,15 @@ TEST(BuildCase, FBarIsForMeshesOfFirstOrderQuadrilateralsOrHexahedra) {
     for (const char* model : {"plane-strain", "solid"})
         EXPECT_EQ(build_case(design_of("panel", model, first)).formulation, model::Formulation::f_bar);
     EXPECT_EQ(build_case(design_of("tube", "axisymmetric", first)).formulation, model::Formulation::f_bar);
-    EXPECT_EQ(refusal(design_of("tube", "quarter", first)),
-              "test: mesh.formulation: F-bar is for first-order quadrilaterals and hexahedra, not wedge6; use mesh.order 2 with "
-              "formulation mixed");
+    EXPECT_EQ(
+        refusal(design_of("tube", "quarter", first)),
+        "test: mesh.formulation: F-bar is for first-order quadrilaterals and hexahedra, not wedge6; use mesh.order 2 with "
+        "formulation mixed");
 }
 
 TEST(BuildCase, UnknownWordsAreRefused) {
-    EXPECT_EQ(refusal(design_of("tube", "torus")), "test: model: 'torus' is not a model; axisymmetric, plane-strain, solid, half or quarter");
+    EXPECT_EQ(refusal(design_of("tube", "torus")),
+              "test: model: 'torus' is not a model; axisymmetric, plane-strain, solid, half or quarter");
     design::Design d = design_of("tube", "solid");
     d.family = "torus";
     EXPECT_EQ(refusal(d), "family: no family is called 'torus'");

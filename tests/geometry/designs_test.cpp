@@ -41,7 +41,7 @@ TEST_P(EveryFamily, HasADesignThatBecomesACaseInEveryModel) {
         for (const std::string& model : family.keys.models) {
             std::vector<design::Override> overrides{{"model", model}};
             if (model == "axisymmetric" && GetParam() == "plate") overrides.push_back({"geometry.radius", "50mm"});
-            if (GetParam() == "rod") overrides.push_back({"supports.y", "right"});   // y = 0 is cut away in a half
+            if (GetParam() == "rod") overrides.push_back({"supports.y", "right"});  // y = 0 is cut away in a half
             if (GetParam() == "rod") overrides.push_back({"supports.z", "top"});
             const model::Case c = build_case(read(file_text(path), path.string(), overrides));
             EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << model;
@@ -74,16 +74,17 @@ TEST_P(EveryFamily, IsRunnableWithFamilyMaterialAndAPressureAlone) {
                                               {"plate", {"bottom: {pressure: 5 kPa}", 0}}};
     const auto own = others.find(GetParam());
     const Short expected = own == others.end() ? Short{} : own->second;
-    const model::Case c = build_case(read("family: " + GetParam() + "\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\nloads: {" +
-                                              expected.target + "}\n",
-                                          "short.yaml"));
+    const model::Case c = build_case(read(
+        "family: " + GetParam() + "\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\nloads: {" + expected.target + "}\n",
+        "short.yaml"));
     ASSERT_EQ(c.loads.size(), 1u);
     EXPECT_EQ(c.cavities.size(), expected.cavities);
     EXPECT_EQ(c.outputs.size(), expected.outputs);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily, testing::Values("rod", "panel", "plate", "sphere", "two-spheres", "ring", "tube", "fiber-tube", "dome", "bellows",
-                                                                "pneunet", "segment"),
+INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily,
+                         testing::Values("rod", "panel", "plate", "sphere", "two-spheres", "ring", "tube", "fiber-tube",
+                                         "dome", "bellows", "pneunet", "segment"),
                          [](const auto& test) { return test_name(test.param); });
 
 /// Designs that show a path rather than a family.
@@ -98,8 +99,9 @@ TEST_P(Shown, BecomesACaseWithoutWarning) {
     EXPECT_GT(mesh::quality(build_case(design).mesh).min_scaled_jacobian, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, Shown, testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome", "twisting-tube",
-                                                         "bellows-inflation", "bending-bellows", "pneunet", "segment"),
+INSTANTIATE_TEST_SUITE_P(Designs, Shown,
+                         testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome",
+                                         "twisting-tube", "bellows-inflation", "bending-bellows", "pneunet", "segment"),
                          [](const auto& test) { return test_name(test.param); });
 
 }  // namespace

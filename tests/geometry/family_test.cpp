@@ -79,10 +79,9 @@ TEST_P(EveryVariant, UsesEveryPoint) {
     EXPECT_EQ(used.size(), solid.mesh.points.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Family, EveryVariant, testing::ValuesIn(variants()),
-                         [](const auto& test) {
-                             return test_name(test.param.family + "_" + test.param.model + "_" + test.param.cells);
-                         });
+INSTANTIATE_TEST_SUITE_P(Family, EveryVariant, testing::ValuesIn(variants()), [](const auto& test) {
+    return test_name(test.param.family + "_" + test.param.model + "_" + test.param.cells);
+});
 
 /// Quadratic edges miss a circle by the fourth power of their angle: 22.5 degrees leave 5e-5 of the area.
 constexpr double curved = 1.5e-4;
@@ -101,7 +100,8 @@ TEST_P(ClosedForms, VolumesMatch) {
         const Solid solid = sample::solid(GetParam().family, GetParam().model, {{"mesh.cells", cells}});
         EXPECT_NEAR(sample::rubber_m3(solid) / GetParam().rubber_m3, 1, curved) << cells;
         if (GetParam().cavity_m3 > 0) {
-            EXPECT_NEAR(sample::cavity_m3(solid, GetParam().family == "ring" ? 2 : 0) / GetParam().cavity_m3, 1, curved) << cells;
+            EXPECT_NEAR(sample::cavity_m3(solid, GetParam().family == "ring" ? 2 : 0) / GetParam().cavity_m3, 1, curved)
+                << cells;
         }
     }
 }
@@ -112,7 +112,8 @@ std::vector<Volumes> closed_forms() {
         all.push_back({"sphere", model, 4 * pi / 3 * (8e-6 - 1e-6), 4 * pi / 3 * 1e-6});
         all.push_back({"tube", model, pi * (1e-4 * 0.1 - 0.49e-4 * 0.09), pi * 0.49e-4 * 0.09});
         all.push_back({"fiber-tube", model, pi * (1e-4 * 0.1 - 0.49e-4 * 0.09), pi * 0.49e-4 * 0.09});
-        all.push_back({"dome", model, 2 * pi / 3 * (51e-3 * 51e-3 * 51e-3 - 49e-3 * 49e-3 * 49e-3) * (1 - std::cos(pi / 6)), 0});
+        all.push_back(
+            {"dome", model, 2 * pi / 3 * (51e-3 * 51e-3 * 51e-3 - 49e-3 * 49e-3 * 49e-3) * (1 - std::cos(pi / 6)), 0});
     }
     for (const char* model : {"solid", "half", "quarter"}) {
         all.push_back({"rod", model, 1e-5, 0});
@@ -137,16 +138,19 @@ TEST(Sphere, AreasMatch) {
 }
 
 TEST(TwoSpheres, StandApartAndHaveTheVolumesOfWholeOnes) {
-    const Solid pair = sample::solid("two-spheres", "axisymmetric", {{"geometry.gap", "4 mm"}, {"geometry.right_scale", "2"}});
+    const Solid pair =
+        sample::solid("two-spheres", "axisymmetric", {{"geometry.gap", "4 mm"}, {"geometry.right_scale", "2"}});
     const double cavity_m3 = 4 * pi / 3 * 1e-6;
     EXPECT_NEAR(sample::cavity_m3(pair, 0, "left") / cavity_m3, 1, curved);
     EXPECT_NEAR(sample::cavity_m3(pair, 0, "right") / cavity_m3, 1, curved);
-    EXPECT_NEAR(sample::rubber_m3(pair) / (4 * pi / 3 * (1.331e-6 + 1.728e-6 - 2e-6)), 1, curved);   // radii 11 and 12 mm
+    EXPECT_NEAR(sample::rubber_m3(pair) / (4 * pi / 3 * (1.331e-6 + 1.728e-6 - 2e-6)), 1,
+                curved);  // radii 11 and 12 mm
     EXPECT_NEAR(sample::area_m2(pair, "outer_left") / (4 * pi * 1.21e-4), 1, curved);
     EXPECT_NEAR(sample::area_m2(pair, "outer_right") / (4 * pi * 1.44e-4), 1, curved);
     for (const auto& [face, x_m] : std::map<std::string, double>{{"plane_left", -2e-3}, {"plane_right", 2e-3}})
         for (const mesh::Facet& facet : pair.mesh.facet_sets.at(face))
-            for (const mesh::Index n : mesh::facet_nodes(pair.mesh, facet)) EXPECT_NEAR(pair.mesh.point(n)[0], x_m, 1e-15);
+            for (const mesh::Index n : mesh::facet_nodes(pair.mesh, facet))
+                EXPECT_NEAR(pair.mesh.point(n)[0], x_m, 1e-15);
     for (const mesh::Point& p : pair.mesh.points) EXPECT_GE(std::abs(p[0]), 2e-3 - 1e-15);
 }
 
@@ -158,7 +162,8 @@ TEST(Dome, AreasOfItsFacesMatch) {
         EXPECT_NEAR(sample::area_m2(dome, "inner") / cap(inner_m, angle), 1, curved);
         EXPECT_NEAR(sample::area_m2(dome, "outer") / cap(outer_m, angle), 1, curved);
         EXPECT_NEAR(sample::area_m2(dome, "crown") / cap(inner_m, 0.1 * angle), 1, curved);
-        EXPECT_NEAR(sample::area_m2(dome, "rim") / (pi * std::sin(angle) * (outer_m * outer_m - inner_m * inner_m)), 1, curved);
+        EXPECT_NEAR(sample::area_m2(dome, "rim") / (pi * std::sin(angle) * (outer_m * outer_m - inner_m * inner_m)), 1,
+                    curved);
     }
 }
 
@@ -192,7 +197,8 @@ TEST(Ring, AreasOfItsFacesMatch) {
 
 /// Cook's membrane: a trapezium of 48 x (44 + 16)/2 with sides of 44, 16, |(48, 44)| and |(48, 16)| (mm).
 TEST(Panel, ATaperedOneHasTheAreaAndTheSidesOfItsTrapezium) {
-    const sample::Changes cook{{"geometry.end_height", "16 mm"}, {"geometry.rise", "44 mm"}, {"geometry.loaded_top", "12 mm"}};
+    const sample::Changes cook{
+        {"geometry.end_height", "16 mm"}, {"geometry.rise", "44 mm"}, {"geometry.loaded_top", "12 mm"}};
     for (const char* cells : {"auto", "simplices"})
         for (const char* order : {"1", "2"}) {
             sample::Changes changes = cook;
@@ -228,7 +234,7 @@ TEST(Panel, ThePatchIsThePartOfTheTopFromXZero) {
 TEST(FirstOrder, KeepsTheCornersAndStraightensTheEdges) {
     const Solid plane = sample::solid("ring", "plane-strain", {{"mesh.order", "1"}});
     const double edges = 4.0 * static_cast<double>(plane.mesh.facet_sets.at("outer").size());
-    const double polygon = 0.5 * edges * std::sin(2 * pi / edges);   // over the radius squared
+    const double polygon = 0.5 * edges * std::sin(2 * pi / edges);  // over the radius squared
     EXPECT_NEAR(sample::rubber_m3(plane) / (polygon * 3e-4), 1, 1e-12);
     EXPECT_NEAR(sample::cavity_m3(plane, 2) / (polygon * 1e-4), 1, 1e-12);
 }
@@ -241,7 +247,8 @@ TEST(FirstOrder, EveryFamilyAndModelHasSoundCellsOnTheCornersOfTheSecondOrderMes
         EXPECT_EQ(first.mesh.cell_count(), second.mesh.cell_count());
         EXPECT_GT(mesh::quality(first.mesh).min_scaled_jacobian, 0.1) << testing::PrintToString(variant);
         for (const mesh::CellType type : first.mesh.cell_types) ASSERT_EQ(mesh::topology(type).order, 1);
-        for (const auto& [name, facets] : second.mesh.facet_sets) EXPECT_EQ(first.mesh.facet_sets.at(name), facets) << name;
+        for (const auto& [name, facets] : second.mesh.facet_sets)
+            EXPECT_EQ(first.mesh.facet_sets.at(name), facets) << name;
     }
 }
 
@@ -258,7 +265,9 @@ TEST(Boxes, CutPlanesReplaceTheFacesTheyRemove) {
 }
 
 TEST(Mesh, SectorsAndCellsThroughTheWallAreAsAsked) {
-    const auto cells = [](const sample::Changes& changes) { return sample::solid("sphere", "quarter", changes).mesh.cell_count(); };
+    const auto cells = [](const sample::Changes& changes) {
+        return sample::solid("sphere", "quarter", changes).mesh.cell_count();
+    };
     EXPECT_EQ(cells({{"mesh.sectors", "6"}}), 2 * cells({{"mesh.sectors", "3"}}));
     EXPECT_EQ(cells({{"mesh.through_wall", "6"}}), 6 * cells({{"mesh.through_wall", "1"}}));
 }
@@ -287,41 +296,86 @@ TEST_P(Refused, NamesTheKeyAndTheRange) {
 INSTANTIATE_TEST_SUITE_P(
     Family, Refused,
     testing::Values(
-        Refusal{"tube", "axisymmetric", {{"geometry.inner_radius", "12 mm"}},
+        Refusal{"tube",
+                "axisymmetric",
+                {{"geometry.inner_radius", "12 mm"}},
                 "test: geometry.inner_radius: 12 mm is not smaller than outer_radius 10 mm; smaller than 10 mm"},
-        Refusal{"tube", "quarter", {{"geometry.cap", "50 mm"}},
+        Refusal{"tube",
+                "quarter",
+                {{"geometry.cap", "50 mm"}},
                 "test: geometry.cap: 50 mm is not smaller than half the length 50 mm; smaller than 50 mm"},
-        Refusal{"sphere", "axisymmetric", {{"geometry.inner_radius", "20 mm"}},
+        Refusal{"sphere",
+                "axisymmetric",
+                {{"geometry.inner_radius", "20 mm"}},
                 "test: geometry.inner_radius: 20 mm is not smaller than outer_radius 20 mm; smaller than 20 mm"},
-        Refusal{"two-spheres", "axisymmetric", {{"geometry.inner_radius", "11 mm"}},
+        Refusal{"two-spheres",
+                "axisymmetric",
+                {{"geometry.inner_radius", "11 mm"}},
                 "test: geometry.inner_radius: 11 mm is not smaller than outer_radius 11 mm; smaller than 11 mm"},
-        Refusal{"dome", "axisymmetric", {{"geometry.thickness", "50 mm"}},
+        Refusal{"dome",
+                "axisymmetric",
+                {{"geometry.thickness", "50 mm"}},
                 "test: geometry.thickness: 50 mm is not smaller than radius 50 mm; smaller than 50 mm"},
-        Refusal{"ring", "plane-strain", {{"geometry.inner_radius", "20 mm"}},
+        Refusal{"ring",
+                "plane-strain",
+                {{"geometry.inner_radius", "20 mm"}},
                 "test: geometry.inner_radius: 20 mm is not smaller than outer_radius 20 mm; smaller than 20 mm"},
-        Refusal{"panel", "plane-strain", {{"geometry.loaded_top", "50 mm"}},
+        Refusal{"panel",
+                "plane-strain",
+                {{"geometry.loaded_top", "50 mm"}},
                 "test: geometry.loaded_top: 50 mm is longer than the panel; at most its length, 48 mm"},
-        Refusal{"panel", "plane-strain", {{"mesh.size", "0.001 mm"}}, "test: mesh.size: it would take 2.1e+09 cells; a larger size"},
-        Refusal{"plate", "axisymmetric", {},
-                "test: model: a rectangular plate has no axis of revolution; solid, half or quarter, or a round plate by geometry.radius"},
-        Refusal{"bellows", "axisymmetric", {{"geometry.pitch", "6.5 mm"}},
-                "test: geometry.pitch: 6.5 mm lets neighbouring convolutions overlap; larger than 6.5 mm = 2 (fillet + wall)"},
-        Refusal{"bellows", "axisymmetric", {{"geometry.crest_land", "2 mm"}, {"geometry.trough_land", "1 mm"}},
-                "test: geometry.pitch: 9.25 mm lets neighbouring convolutions overlap; larger than 9.5 mm = 2 (fillet + wall) + crest_land + "
-                "trough_land"},
-        Refusal{"bellows", "axisymmetric", {{"geometry.last_crest_radius", "9 mm"}},
-                "test: geometry.last_crest_radius: 9 mm leaves no straight wall between trough and crest; larger than 9 mm"},
-        Refusal{"bellows", "quarter", {{"geometry.strip.angle", "72 deg"}},
-                "test: geometry.strip.angle: model 'quarter' is the same all round or at z > 0 and z < 0; model: solid or half"},
-        Refusal{"bellows", "half", {{"geometry.strip.angle", "45 deg"}},
-                "test: geometry.strip.angle: the strip's edges do not lie between cells; a multiple of 36 deg, or other mesh.sectors"},
-        Refusal{"bellows", "axisymmetric", {{"geometry.crest_radius", "9 mm"}},
+        Refusal{"panel",
+                "plane-strain",
+                {{"mesh.size", "0.001 mm"}},
+                "test: mesh.size: it would take 2.1e+09 cells; a larger size"},
+        Refusal{
+            "plate",
+            "axisymmetric",
+            {},
+            "test: model: a rectangular plate has no axis of revolution; solid, half or quarter, or a round plate by geometry.radius"},
+        Refusal{
+            "bellows",
+            "axisymmetric",
+            {{"geometry.pitch", "6.5 mm"}},
+            "test: geometry.pitch: 6.5 mm lets neighbouring convolutions overlap; larger than 6.5 mm = 2 (fillet + wall)"},
+        Refusal{
+            "bellows",
+            "axisymmetric",
+            {{"geometry.crest_land", "2 mm"}, {"geometry.trough_land", "1 mm"}},
+            "test: geometry.pitch: 9.25 mm lets neighbouring convolutions overlap; larger than 9.5 mm = 2 (fillet + wall) + crest_land + "
+            "trough_land"},
+        Refusal{
+            "bellows",
+            "axisymmetric",
+            {{"geometry.last_crest_radius", "9 mm"}},
+            "test: geometry.last_crest_radius: 9 mm leaves no straight wall between trough and crest; larger than 9 mm"},
+        Refusal{
+            "bellows",
+            "quarter",
+            {{"geometry.strip.angle", "72 deg"}},
+            "test: geometry.strip.angle: model 'quarter' is the same all round or at z > 0 and z < 0; model: solid or half"},
+        Refusal{
+            "bellows",
+            "half",
+            {{"geometry.strip.angle", "45 deg"}},
+            "test: geometry.strip.angle: the strip's edges do not lie between cells; a multiple of 36 deg, or other mesh.sectors"},
+        Refusal{"bellows",
+                "axisymmetric",
+                {{"geometry.crest_radius", "9 mm"}},
                 "test: geometry.crest_radius: 9 mm leaves no straight wall between trough and crest; larger than 9 mm"},
-        Refusal{"bellows", "axisymmetric", {{"geometry.neck.radius", "5 mm"}},
-                "test: geometry.neck.radius: 5 mm does not meet the straight part of the outer wall; between 5.72257 mm and 16.1066 mm"},
-        Refusal{"bellows", "axisymmetric", {{"geometry.end_disc.radius", "7 mm"}},
+        Refusal{
+            "bellows",
+            "axisymmetric",
+            {{"geometry.neck.radius", "5 mm"}},
+            "test: geometry.neck.radius: 5 mm does not meet the straight part of the outer wall; between 5.72257 mm and 16.1066 mm"},
+        Refusal{"bellows",
+                "axisymmetric",
+                {{"geometry.end_disc.radius", "7 mm"}},
                 "test: geometry.end_disc.radius: 7 mm is not larger than the neck's 7 mm; larger than 7 mm"},
-        Refusal{"bellows", "axisymmetric", {{"mesh.size", "0.001 mm"}}, "test: mesh.size: it would take 1e+09 cells; a larger size"}));
+        Refusal{"bellows",
+                "axisymmetric",
+                {{"mesh.size", "0.001 mm"}},
+                "test: mesh.size: it would take 1e+09 cells; a larger size"}));
 
 }  // namespace
 }  // namespace soft::geometry

@@ -14,7 +14,8 @@ constexpr double pi = std::numbers::pi;
 design::Design read(const std::string& geometry, const std::string& rest = "") {
     const bool own = rest.find("material:") != std::string::npos;
     const std::string text = "family: fiber-tube\ngeometry: {" + geometry + "}\n" +
-                             (own ? "" : "material: {law: neo-hookean, mu: 0.1644 MPa}\n") + rest + "loads: {cavity: {pressure: 30 kPa}}\n";
+                             (own ? "" : "material: {law: neo-hookean, mu: 0.1644 MPa}\n") + rest +
+                             "loads: {cavity: {pressure: 30 kPa}}\n";
     return design::read_design(text, "d.yaml", catalogue_keys(), {});
 }
 
@@ -47,11 +48,14 @@ const model::Material& material_of(const model::Case& c, const std::string& regi
 
 /// Wall from 7 to 10 mm, 100 mm long.
 TEST(FiberTube, TheLayerHasTheVolumeOfItsPartOfTheWall) {
-    constexpr double curved = 1.5e-4;   // quadratic edges miss a circle by the fourth power of their angle
+    constexpr double curved = 1.5e-4;  // quadratic edges miss a circle by the fourth power of their angle
     for (const char* model : {"axisymmetric", "quarter"})
-        for (const auto& [layer, inner_mm, outer_mm] : {std::tuple{"[0, 1]", 7.0, 10.0}, {"[0.25, 0.5]", 7.75, 8.5},
-                                                        {"[0, 0.3]", 7.0, 7.9}, {"[0.9, 1]", 9.7, 10.0}}) {
-            const auto c = build_case(read(std::string{"fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n"));
+        for (const auto& [layer, inner_mm, outer_mm] : {std::tuple{"[0, 1]", 7.0, 10.0},
+                                                        {"[0.25, 0.5]", 7.75, 8.5},
+                                                        {"[0, 0.3]", 7.0, 7.9},
+                                                        {"[0.9, 1]", 9.7, 10.0}}) {
+            const auto c =
+                build_case(read(std::string{"fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n"));
             const double ring_m3 = 1e-6 * pi * (outer_mm * outer_mm - inner_mm * inner_mm) * 0.1;
             EXPECT_NEAR(region_m3(c, "fibers") / ring_m3, 1, curved) << model << layer;
             const double rubber_m3 = pi * (1e-4 * 0.1 - 0.49e-4 * 0.09);
@@ -76,14 +80,16 @@ TEST(FiberTube, LaysItsFibresIntoTheLayerAlone) {
 
 TEST(FiberTube, OneFamilyIsForTheWholeSolid) {
     const std::string one = "fibers: {families: 1}";
-    EXPECT_EQ(refusal_of(one), "d.yaml:2:31: geometry.fibers.families: one family of fibres twists a body of revolution, which "
-                               "its section cannot show; families: 2, or model: solid");
+    EXPECT_EQ(refusal_of(one),
+              "d.yaml:2:31: geometry.fibers.families: one family of fibres twists a body of revolution, which "
+              "its section cannot show; families: 2, or model: solid");
     for (const char* cut : {"half", "quarter"})
-        EXPECT_EQ(refusal_of(one, std::string{"model: "} + cut + "\n"),
-                  "d.yaml:2:31: geometry.fibers.families: one family of fibres is not its own mirror image, and the model is cut "
-                  "at planes of symmetry; families: 2, or model: solid");
+        EXPECT_EQ(
+            refusal_of(one, std::string{"model: "} + cut + "\n"),
+            "d.yaml:2:31: geometry.fibers.families: one family of fibres is not its own mirror image, and the model is cut "
+            "at planes of symmetry; families: 2, or model: solid");
     EXPECT_EQ(refusal_of(one, "model: solid\n"), "accepted");
-    for (const char* straight : {"0 deg", "90 deg"})   // along the axis, or hoops
+    for (const char* straight : {"0 deg", "90 deg"})  // along the axis, or hoops
         EXPECT_EQ(refusal_of(std::string{"fibers: {families: 1, angle: "} + straight + "}"), "accepted");
 }
 
@@ -105,20 +111,28 @@ TEST(FiberTube, RefusesValuesOutsideTheirRange) {
 }
 
 TEST(FiberTube, RefusesLayersThatAreNone) {
-    const std::string place = "d.yaml:2:28: geometry.fibers.layer: ", pair = "; [inner, outer], inner smaller than outer";
-    EXPECT_EQ(refusal_of("fibers: {layer: 0.5}"), place + "1 value where two are needed; [inner, outer], such as [0, 1]");
-    EXPECT_EQ(refusal_of("fibers: {layer: [0.7, 0.3]}"), place + "the layer from 0.7 to 0.3 is empty or runs inwards" + pair);
-    EXPECT_EQ(refusal_of("fibers: {layer: [0.5, 0.5]}"), place + "the layer from 0.5 to 0.5 is empty or runs inwards" + pair);
-    EXPECT_EQ(refusal_of("fibers: {layer: [0.001, 1]}"), place + "a part of the wall is 0.001 of it thick; 0, or at least 0.01");
+    const std::string place = "d.yaml:2:28: geometry.fibers.layer: ",
+                      pair = "; [inner, outer], inner smaller than outer";
+    EXPECT_EQ(refusal_of("fibers: {layer: 0.5}"),
+              place + "1 value where two are needed; [inner, outer], such as [0, 1]");
+    EXPECT_EQ(refusal_of("fibers: {layer: [0.7, 0.3]}"),
+              place + "the layer from 0.7 to 0.3 is empty or runs inwards" + pair);
+    EXPECT_EQ(refusal_of("fibers: {layer: [0.5, 0.5]}"),
+              place + "the layer from 0.5 to 0.5 is empty or runs inwards" + pair);
+    EXPECT_EQ(refusal_of("fibers: {layer: [0.001, 1]}"),
+              place + "a part of the wall is 0.001 of it thick; 0, or at least 0.01");
 }
 
 TEST(FiberTube, RefusesRubberThatCannotHaveThem) {
-    EXPECT_EQ(refusal_of("", "material: {law: kraken, mu: 0.1 MPa, kappa: 10 MPa}\nmesh: {formulation: displacement}\n"),
-              "d.yaml:3:17: material.law: fibers: the law kraken has no finite-strain energy to which theirs could be added; "
-              "neo-hookean, for example");
-    EXPECT_EQ(refusal_of("", "materials: {fibers: {law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 1 MPa, k2: 1, angle: 1 deg}}\n"),
-              "d.yaml:4:27: materials.fibers.law: fibers: the law holzapfel-gasser-ogden has its own; a law without fibres for "
-              "the rubber between them");
+    EXPECT_EQ(
+        refusal_of("", "material: {law: kraken, mu: 0.1 MPa, kappa: 10 MPa}\nmesh: {formulation: displacement}\n"),
+        "d.yaml:3:17: material.law: fibers: the law kraken has no finite-strain energy to which theirs could be added; "
+        "neo-hookean, for example");
+    EXPECT_EQ(
+        refusal_of("",
+                   "materials: {fibers: {law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 1 MPa, k2: 1, angle: 1 deg}}\n"),
+        "d.yaml:4:27: materials.fibers.law: fibers: the law holzapfel-gasser-ogden has its own; a law without fibres for "
+        "the rubber between them");
 }
 
 /// Outer radius 10 mm, inner 7 mm, 100 mm long with caps of 5 mm, the flat wall 4 mm thick.
@@ -126,8 +140,10 @@ constexpr double half_disc_mm2 = 0.5 * pi * 100, hole_mm2 = 0.5 * pi * 49, slab_
 
 TEST(FiberTube, AHalfRoundOneHasTheVolumesAndAreasOfItsSection) {
     for (const char* model : {"half", "solid"})
-        for (const auto& [layer, begin, end] : {std::tuple{"[0, 1]", 0.0, 1.0}, {"[0.25, 0.5]", 0.25, 0.5}, {"[0.5, 1]", 0.5, 1.0}}) {
-            const design::Design d = read(std::string{"flat: 4 mm, fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n");
+        for (const auto& [layer, begin, end] :
+             {std::tuple{"[0, 1]", 0.0, 1.0}, {"[0.25, 0.5]", 0.25, 0.5}, {"[0.5, 1]", 0.5, 1.0}}) {
+            const design::Design d =
+                read(std::string{"flat: 4 mm, fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n");
             const auto c = build_case(d);
             const Solid solid{c.mesh, c.kinematics, c.symmetry_planes, c.model_fraction};
             constexpr double curved = 2e-5;
@@ -136,7 +152,8 @@ TEST(FiberTube, AHalfRoundOneHasTheVolumesAndAreasOfItsSection) {
             EXPECT_NEAR(1e6 * sample::area_m2(solid, "cavity") / ((7 * pi + 14) * 90 + 2 * hole_mm2), 1, curved);
             EXPECT_NEAR(1e6 * sample::area_m2(solid, "outer") / ((10 * pi + 2 * 4) * 100), 1, curved);
             EXPECT_NEAR(1e6 * sample::area_m2(solid, "bottom") / (20 * 100), 1, 1e-12);
-            for (const char* face : {"fixed", "inlet"}) EXPECT_NEAR(1e6 * sample::area_m2(solid, face) / (half_disc_mm2 + slab_mm2), 1, curved);
+            for (const char* face : {"fixed", "inlet"})
+                EXPECT_NEAR(1e6 * sample::area_m2(solid, face) / (half_disc_mm2 + slab_mm2), 1, curved);
             // The layer: half a ring and its two legs down to the flat wall's share of it; there it turns and runs across.
             const double from = 7 + 3 * begin, to = 7 + 3 * end;
             const double ring_mm2 = 0.5 * pi * (to * to - from * from), legs_mm2 = 2 * (to - from) * 4 * begin;
@@ -150,7 +167,8 @@ TEST(FiberTube, AHalfRoundOneHasTheVolumesAndAreasOfItsSection) {
 }
 
 TEST(FiberTube, AStripKeepsTheFibresThatRunThroughIt) {
-    const std::string materials = "materials: {cloth: {law: neo-hookean, mu: 5 MPa}, fibers: {law: yeoh, c1: 30 kPa}}\n";
+    const std::string materials =
+        "materials: {cloth: {law: neo-hookean, mu: 5 MPa}, fibers: {law: yeoh, c1: 30 kPa}}\n";
     const auto strip_m3 = [](const model::Case& c) {
         double sum = 0;
         for (const std::string& region : c.mesh.region_names)
@@ -161,13 +179,18 @@ TEST(FiberTube, AStripKeepsTheFibresThatRunThroughIt) {
             }
         return sum;
     };
-    const auto half = build_case(read("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0.5, 1]}", "model: half\n" + materials));
+    const auto half =
+        build_case(read("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0.5, 1]}",
+                        "model: half\n" + materials));
     EXPECT_NEAR(1e9 * strip_m3(half) / (20 * 1 * 100), 1, 1e-12);
-    const auto inner = build_case(read("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0, 0.9]}", "model: half\n" + materials));
+    const auto inner =
+        build_case(read("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0, 0.9]}",
+                        "model: half\n" + materials));
     EXPECT_NEAR(1e9 * strip_m3(inner) / (20 * 1 * 100), 1, 1e-12);
     EXPECT_EQ(material_of(inner, "fibers_flat").law, "yeoh");
     for (const char* model : {"half", "solid"}) {
-        const auto round = build_case(read("strip: {angle: 72 deg, material: cloth}, fibers: {layer: [0.5, 1]}", std::string{"model: "} + model + "\n" + materials));
+        const auto round = build_case(read("strip: {angle: 72 deg, material: cloth}, fibers: {layer: [0.5, 1]}",
+                                           std::string{"model: "} + model + "\n" + materials));
         double rubber_m3 = 0;
         for (const std::string& region : round.mesh.region_names) rubber_m3 += region_m3(round, region);
         EXPECT_NEAR(strip_m3(round) / rubber_m3, 0.2, 1e-12) << model;
@@ -176,19 +199,24 @@ TEST(FiberTube, AStripKeepsTheFibresThatRunThroughIt) {
 }
 
 TEST(FiberTube, RefusesStripsAndFlatWallsThatDoNotFit) {
-    EXPECT_EQ(refusal_of("flat: 4 mm"),
-              "d.yaml:2:18: geometry.flat: model 'axisymmetric' is the same all round or at z > 0 and z < 0; model: solid or half");
-    EXPECT_EQ(refusal_of("strip: {thickness: 1 mm}", "model: half\n"),
-              "d.yaml:2:31: geometry.strip.thickness: a round tube has no flat wall; geometry.strip.angle, or geometry.flat larger than 0");
+    EXPECT_EQ(
+        refusal_of("flat: 4 mm"),
+        "d.yaml:2:18: geometry.flat: model 'axisymmetric' is the same all round or at z > 0 and z < 0; model: solid or half");
+    EXPECT_EQ(
+        refusal_of("strip: {thickness: 1 mm}", "model: half\n"),
+        "d.yaml:2:31: geometry.strip.thickness: a round tube has no flat wall; geometry.strip.angle, or geometry.flat larger than 0");
     EXPECT_EQ(refusal_of("flat: 4 mm, strip: {thickness: 4 mm}", "model: half\n"),
               "d.yaml:2:43: geometry.strip.thickness: 4 mm is not smaller than flat 4 mm; smaller than 4 mm");
-    EXPECT_EQ(refusal_of("flat: 4 mm, strip: {angle: 72 deg}", "model: half\n"),
-              "d.yaml:2:39: geometry.strip.angle: the strip of a half-round tube lies in its flat wall; geometry.strip.thickness");
-    EXPECT_EQ(refusal_of("strip: {angle: 72 deg}"),
-              "d.yaml:2:27: geometry.strip.angle: model 'axisymmetric' is the same all round or at z > 0 and z < 0; model: solid or half");
-    EXPECT_EQ(refusal_of("flat: 4 mm, fibers: {families: 1}", "model: half\n"),
-              "d.yaml:2:43: geometry.fibers.families: one family of fibres is not its own mirror image, and the model is cut at planes "
-              "of symmetry; families: 2, or model: solid");
+    EXPECT_EQ(
+        refusal_of("flat: 4 mm, strip: {angle: 72 deg}", "model: half\n"),
+        "d.yaml:2:39: geometry.strip.angle: the strip of a half-round tube lies in its flat wall; geometry.strip.thickness");
+    EXPECT_EQ(
+        refusal_of("strip: {angle: 72 deg}"),
+        "d.yaml:2:27: geometry.strip.angle: model 'axisymmetric' is the same all round or at z > 0 and z < 0; model: solid or half");
+    EXPECT_EQ(
+        refusal_of("flat: 4 mm, fibers: {families: 1}", "model: half\n"),
+        "d.yaml:2:43: geometry.fibers.families: one family of fibres is not its own mirror image, and the model is cut at planes "
+        "of symmetry; families: 2, or model: solid");
 }
 
 /// Twenty tubes within the ranges, in all models; the same on every machine.
@@ -208,7 +236,8 @@ TEST(FiberTube, RandomDesignsHaveNoInvertedCell) {
             " deg, k1: " + core::number_text(between(0.01, 5)) + " MPa, layer: [" + core::number_text(begin) + ", " +
             core::number_text(end) + "]}";
         const std::string model = models[static_cast<std::size_t>(k) % 4];
-        const auto c = build_case(read(geometry, "model: " + model + "\nmesh: {size: " + mm(between(0.1, 0.5) * outer) + "}\n"));
+        const auto c =
+            build_case(read(geometry, "model: " + model + "\nmesh: {size: " + mm(between(0.1, 0.5) * outer) + "}\n"));
         EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << model << ": " << geometry;
     }
 }

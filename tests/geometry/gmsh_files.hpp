@@ -16,7 +16,7 @@ struct FileKind {
     double version = 4.1;
     bool binary = false;
     int order = 1;
-    bool incomplete = false;   ///< serendipity elements
+    bool incomplete = false;  ///< serendipity elements
 };
 
 enum class Cells { triangles, quadrilaterals, tetrahedra, hexahedra, wedges };
@@ -94,7 +94,7 @@ inline void draw_part(Cells cells, Sides sides, int divisions) {
         name_group(2, {1}, "part");
         return;
     }
-    gmsh::vectorpair made;   // top, volume, then the walls in the order of the loop
+    gmsh::vectorpair made;  // top, volume, then the walls in the order of the loop
     const std::vector<int> layers = cells == Cells::tetrahedra ? std::vector<int>{} : std::vector<int>{divisions};
     geo::extrude({{2, 1}}, 0, 0, 1, made, layers, {}, cells != Cells::tetrahedra);
     geo::synchronize();

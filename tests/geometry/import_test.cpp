@@ -27,7 +27,8 @@ struct Choice {
 };
 
 std::string name_of(const Choice& choice) {
-    static constexpr std::array<const char*, 5> cells{"triangles", "quadrilaterals", "tetrahedra", "hexahedra", "wedges"};
+    static constexpr std::array<const char*, 5> cells{"triangles", "quadrilaterals", "tetrahedra", "hexahedra",
+                                                      "wedges"};
     return std::string{cells[static_cast<std::size_t>(choice.cells)]} + (choice.kind.version == 4.1 ? "41" : "22") +
            (choice.kind.binary ? "binary" : "ascii") + std::to_string(choice.kind.order) +
            (choice.kind.incomplete ? "incomplete" : "");
@@ -37,15 +38,19 @@ void PrintTo(const Choice& choice, std::ostream* out) { *out << name_of(choice);
 
 std::vector<Choice> choices() {
     std::vector<Choice> all;
-    for (const Cells cells : {Cells::triangles, Cells::quadrilaterals, Cells::tetrahedra, Cells::hexahedra, Cells::wedges})
+    for (const Cells cells :
+         {Cells::triangles, Cells::quadrilaterals, Cells::tetrahedra, Cells::hexahedra, Cells::wedges})
         for (const double version : {2.2, 4.1})
             for (const bool binary : {false, true})
-                for (const FileKind& order : {FileKind{0, false, 1, false}, FileKind{0, false, 2, false}, FileKind{0, false, 2, true}})
+                for (const FileKind& order :
+                     {FileKind{0, false, 1, false}, FileKind{0, false, 2, false}, FileKind{0, false, 2, true}})
                     all.push_back({cells, {version, binary, order.order, order.incomplete}});
     return all;
 }
 
-bool is_plane(const Choice& choice) { return choice.cells == Cells::triangles || choice.cells == Cells::quadrilaterals; }
+bool is_plane(const Choice& choice) {
+    return choice.cells == Cells::triangles || choice.cells == Cells::quadrilaterals;
+}
 
 mesh::Mesh part(const Choice& choice, Sides sides, double unit_m = 1.0) {
     const TemporaryFile file{name_of(choice) + ".msh"};
@@ -88,7 +93,7 @@ TEST_P(Imported, HasItsNodesInOurOrder) {
             for (std::size_t d = 0; d < 3; ++d) {
                 double mean = 0;
                 for (std::size_t v = 0; v < weights.size(); ++v) mean += weights[v] * mesh.point(nodes[v])[d];
-                constexpr double gmsh_rounds = 1e-10;   // its points on curves, of unit length
+                constexpr double gmsh_rounds = 1e-10;  // its points on curves, of unit length
                 ASSERT_NEAR(mesh.point(nodes[n])[d], mean, gmsh_rounds) << "node " << n;
             }
         }
@@ -102,7 +107,7 @@ TEST_P(Imported, FollowsArcsAsFarAsItsOrderCan) {
     // A chord of 30 degrees leaves out 5 % of the ring; a parabola through its middle a thousandth of that.
     const double area = 0.75 * std::numbers::pi, chords = 9 * std::sin(std::numbers::pi / 6) / 2;
     const double found = measure(mesh, mesh::Measure::plain);
-    if (GetParam().cells == Cells::tetrahedra && !second) {   // the upper arcs have chords of their own
+    if (GetParam().cells == Cells::tetrahedra && !second) {  // the upper arcs have chords of their own
         EXPECT_GT(found, chords - 1e-10);
         EXPECT_LT(found, area);
     } else {
@@ -112,7 +117,8 @@ TEST_P(Imported, FollowsArcsAsFarAsItsOrderCan) {
         for (const mesh::Facet& facet : mesh.facet_sets.at(face)) {
             const auto nodes = facet_nodes(mesh, facet);
             const bool whole = !GetParam().kind.incomplete && second;
-            const auto exact = whole ? nodes.size() : static_cast<std::size_t>(mesh::topology(facet_type(mesh, facet)).vertex_count);
+            const auto exact =
+                whole ? nodes.size() : static_cast<std::size_t>(mesh::topology(facet_type(mesh, facet)).vertex_count);
             for (std::size_t n = 0; n < exact; ++n)
                 EXPECT_NEAR(std::hypot(mesh.point(nodes[n])[0], mesh.point(nodes[n])[1]), radius, 1e-6) << face;
         }
@@ -165,7 +171,7 @@ $Elements
 $EndElements
 )"};
     const mesh::Mesh mesh = import_mesh(file.path, 1e-3);
-    EXPECT_EQ(mesh.points.size(), 6u);   // node 7 has no cell
+    EXPECT_EQ(mesh.points.size(), 6u);  // node 7 has no cell
     EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"soft_part", "hard_part"}));
     EXPECT_EQ(mesh.cell_regions, (std::vector<std::int32_t>{0, 1}));
     EXPECT_EQ(mesh.facet_sets.at("left").size(), 1u);

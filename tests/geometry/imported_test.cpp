@@ -21,7 +21,8 @@ std::string design_text(const std::filesystem::path& file, const std::string& mo
            "material: {law: neo-hookean, mu: 0.1644 MPa, kappa: 10 MPa}\n" + more;
 }
 
-design::Design read(const std::string& text, const std::string& source = "part.yaml", std::vector<design::Override> overrides = {}) {
+design::Design read(const std::string& text, const std::string& source = "part.yaml",
+                    std::vector<design::Override> overrides = {}) {
     return design::read_design(text, source, catalogue_keys(), overrides);
 }
 
@@ -39,8 +40,9 @@ std::string refusal(const std::string& text, std::vector<design::Override> overr
     return "accepted";
 }
 
-constexpr const char* usual = "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {inner: {pressure: 5 kPa}}\n"
-                              "outputs: {rise: {face: top, along: z}}\n";
+constexpr const char* usual =
+    "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {inner: {pressure: 5 kPa}}\n"
+    "outputs: {rise: {face: top, along: z}}\n";
 
 class ImportedSolid : public testing::Test {
 protected:
@@ -59,13 +61,15 @@ TEST_F(ImportedSolid, BecomesACaseWithTheFilesFacesInMillimetres) {
     EXPECT_EQ(c.outputs[0].direction, (std::array<double, 3>{0, 0, 1}));
     const double volume_m3 = measure(c.mesh, mesh::Measure::plain);
     EXPECT_LT(volume_m3, 0.75e-9 * std::numbers::pi);
-    EXPECT_GT(volume_m3, 2.249e-9);   // three chords of 30 degrees: 4.5 sin 30 degrees
+    EXPECT_GT(volume_m3, 2.249e-9);  // three chords of 30 degrees: 4.5 sin 30 degrees
     const model::Case inches = built(design_text(file.path, usual, ", unit: in"));
     EXPECT_NEAR(measure(inches.mesh, mesh::Measure::plain) / volume_m3, std::pow(25.4, 3), 1e-8);
 }
 
 TEST_F(ImportedSolid, AFaceTheFileDoesNotHaveIsRefusedWithTheNearest) {
-    EXPECT_EQ(refusal(design_text(file.path, "mesh: {formulation: displacement}\nsupports: {fixed: botom}\nloads: {inner: {pressure: 5 kPa}}\n")),
+    EXPECT_EQ(refusal(design_text(
+                  file.path,
+                  "mesh: {formulation: displacement}\nsupports: {fixed: botom}\nloads: {inner: {pressure: 5 kPa}}\n")),
               "part.yaml:5:19: supports.fixed: no face is called 'botom'; did you mean 'bottom'?");
     EXPECT_EQ(refusal(design_text(file.path, "loads: {iner: {pressure: 5 kPa}}\n")),
               "part.yaml:4:9: loads.iner: unknown key; did you mean 'inner'?");
@@ -77,47 +81,61 @@ TEST_F(ImportedSolid, TheFileIsFoundFromTheDesignsFolderAndFromWhereACommandRuns
     EXPECT_NO_THROW((void)built(design_text("elsewhere.msh", usual), {{"geometry.file", file.path.string()}}));
     const std::string missing = refusal(design_text("elsewhere.msh", usual));
     EXPECT_TRUE(missing.starts_with("part.yaml:2:18: geometry.file: elsewhere.msh: ")) << missing;
-    EXPECT_EQ(refusal("family: imported\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {inner: {pressure: 5 kPa}}\n"),
-              "part.yaml:1:1: geometry.file: missing (the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder); add geometry: {file: meshes/finger.msh}");
+    EXPECT_EQ(
+        refusal("family: imported\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {inner: {pressure: 5 kPa}}\n"),
+        "part.yaml:1:1: geometry.file: missing (the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder); add geometry: {file: meshes/finger.msh}");
 }
 
 TEST_F(ImportedSolid, ListedFacesAreACavity) {
-    const std::string loads = "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {cavity: {pressure: 5 kPa";
+    const std::string loads =
+        "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {cavity: {pressure: 5 kPa";
     const model::Case c = built(design_text(file.path, loads + "}}\n", ", cavity: [inner, ends]"));
     ASSERT_EQ(c.cavities.size(), 1u);
     EXPECT_EQ(c.cavities[0].name, "cavity");
     EXPECT_FALSE(c.loads[0].sealed);
     EXPECT_EQ(c.path.stages.at(0).control, model::Control::automatic);
-    EXPECT_EQ(c.mesh.facet_sets.at("cavity").size(), c.mesh.facet_sets.at("inner").size() + c.mesh.facet_sets.at("ends").size());
-    EXPECT_NO_THROW((void)built(design_text(file.path, loads + ", sealed: true}}\n", ", cavity: [inner, outer, ends, bottom, top]")));
+    EXPECT_EQ(c.mesh.facet_sets.at("cavity").size(),
+              c.mesh.facet_sets.at("inner").size() + c.mesh.facet_sets.at("ends").size());
+    EXPECT_NO_THROW((void)built(
+        design_text(file.path, loads + ", sealed: true}}\n", ", cavity: [inner, outer, ends, bottom, top]")));
     EXPECT_EQ(refusal(design_text(file.path, loads + "}}\n", ", cavity: [inner, end]")),
-              "part.yaml:2:" + std::to_string(18 + file.path.string().size() + 18) + ": geometry.cavity: no face is called 'end'; did you mean 'ends'?");
-    EXPECT_EQ(refusal(design_text(file.path, loads + "}}\n")).substr(0, 63), "part.yaml:6:9: loads.cavity: there is no cavity to load; faces:");
+              "part.yaml:2:" + std::to_string(18 + file.path.string().size() + 18) +
+                  ": geometry.cavity: no face is called 'end'; did you mean 'ends'?");
+    EXPECT_EQ(refusal(design_text(file.path, loads + "}}\n")).substr(0, 63),
+              "part.yaml:6:9: loads.cavity: there is no cavity to load; faces:");
 }
 
 TEST_F(ImportedSolid, CavitiesByNameHaveWallsOfTheirOwn) {
     const std::string physics = "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\n";
-    const std::string loads = physics + "loads: {cavities: {west: {pressure: 5 kPa, sealed: false}, east: {shares: west}}}\n";
+    const std::string loads =
+        physics + "loads: {cavities: {west: {pressure: 5 kPa, sealed: false}, east: {shares: west}}}\n";
     const model::Case c = built(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
     ASSERT_EQ(c.cavities.size(), 2u);
     EXPECT_EQ(c.mesh.facet_sets.at("east"), c.mesh.facet_sets.at("outer"));
-    EXPECT_EQ(c.mesh.facet_sets.at("west").size(), c.mesh.facet_sets.at("inner").size() + c.mesh.facet_sets.at("ends").size());
+    EXPECT_EQ(c.mesh.facet_sets.at("west").size(),
+              c.mesh.facet_sets.at("inner").size() + c.mesh.facet_sets.at("ends").size());
     ASSERT_EQ(c.loads.size(), 1u);
     EXPECT_EQ(c.loads[0].targets, (std::vector<std::string>{"west", "east"}));
-    const auto refused = [&](const std::string& cavities) { return refusal(design_text(file.path, loads, ", cavities: " + cavities)); };
+    const auto refused = [&](const std::string& cavities) {
+        return refusal(design_text(file.path, loads, ", cavities: " + cavities));
+    };
     EXPECT_NE(refused("{west: [inner, ends], east: [outer, inner]}").find(" have sides in common"), std::string::npos);
-    EXPECT_NE(refused("{west: [inner, ends], east: outr}").find("geometry.cavities.east: no face is called 'outr'; did you mean 'outer'?"),
+    EXPECT_NE(refused("{west: [inner, ends], east: outr}")
+                  .find("geometry.cavities.east: no face is called 'outr'; did you mean 'outer'?"),
               std::string::npos);
-    EXPECT_NE(refused("{west: inner, 2nd: outer}").find("geometry.cavities.2nd: not a name of a cavity"), std::string::npos);
+    EXPECT_NE(refused("{west: inner, 2nd: outer}").find("geometry.cavities.2nd: not a name of a cavity"),
+              std::string::npos);
     EXPECT_NE(refused("{west: inner}").find("loads.cavities.east: unknown key"), std::string::npos);
-    EXPECT_NE(refused("{west: inner, east: top, outer: ends}").find("the file has a face called 'outer' already"), std::string::npos);
+    EXPECT_NE(refused("{west: inner, east: top, outer: ends}").find("the file has a face called 'outer' already"),
+              std::string::npos);
     const design::Design design = read(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
     EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
 }
 
 /// The wall of a quarter ring without bottom and top: two openings of the ring's area, up and down.
 TEST_F(ImportedSolid, OpeningsOfACavityAreFoundWithTheFaceAroundThem) {
-    const std::string loads = "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {cavity: {pressure: 5 kPa, sealed: ";
+    const std::string loads =
+        "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {cavity: {pressure: 5 kPa, sealed: ";
     const model::Case c = built(design_text(file.path, loads + "true}}\n", ", cavity: [inner, outer, ends]"));
     ASSERT_EQ(c.cavities[0].openings.size(), 2u);
     for (const model::Opening& opening : c.cavities[0].openings) {
@@ -125,7 +143,8 @@ TEST_F(ImportedSolid, OpeningsOfACavityAreFoundWithTheFaceAroundThem) {
         for (const mesh::Facet& facet : c.mesh.facet_sets.at(opening.face)) {
             const mesh::CellType type = facet_type(c.mesh, facet);
             for (const auto& point : mesh::volume_rule(type))
-                area_m2 += point.weight * std::abs(mesh::facet_normal(c.mesh, facet, mesh::shape_values(type, point.xi))[2]);
+                area_m2 +=
+                    point.weight * std::abs(mesh::facet_normal(c.mesh, facet, mesh::shape_values(type, point.xi))[2]);
         }
         EXPECT_NEAR(opening.area_m2 / area_m2, 1, 1e-12);
         // These are outer sides of a solid: "out of the cavity" is into the body.
@@ -145,14 +164,16 @@ TEST_F(ImportedSolid, AFaceOfSeveralPiecesIsAlsoThereByPiece) {
     EXPECT_FALSE(sets.contains("inner_1") || sets.contains("ends_3"));
     EXPECT_EQ(sets.at("ends_1").size() + sets.at("ends_2").size(), sets.at("ends").size());
     for (const mesh::Facet& facet : sets.at("ends_1"))
-        for (const mesh::Index n : facet_nodes(c.mesh, facet)) EXPECT_NEAR(c.mesh.point(n)[0], 0, 1e-12);   // the lower x
+        for (const mesh::Index n : facet_nodes(c.mesh, facet))
+            EXPECT_NEAR(c.mesh.point(n)[0], 0, 1e-12);  // the lower x
     for (const mesh::Facet& facet : sets.at("ends_2"))
         for (const mesh::Index n : facet_nodes(c.mesh, facet)) EXPECT_NEAR(c.mesh.point(n)[1], 0, 1e-12);
 }
 
 TEST_F(ImportedSolid, OrderIsTheFilesOrTheWishedOne) {
     const auto order = [&](const std::string& mesh) {
-        const model::Case c = built(design_text(file.path, std::string{usual}), {{"mesh", "{formulation: displacement, " + mesh + "}"}});
+        const model::Case c =
+            built(design_text(file.path, std::string{usual}), {{"mesh", "{formulation: displacement, " + mesh + "}"}});
         return mesh::topology(c.mesh.cell_types.front()).order;
     };
     EXPECT_EQ(order("order: file"), 1);
@@ -169,22 +190,30 @@ TEST_F(ImportedSolid, OrderIsTheFilesOrTheWishedOne) {
 }
 
 TEST_F(ImportedSolid, MeshSizeIsForSurfacesAndRefineIsForAll) {
-    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.size", "1 mm"}}).substr(0, 49), "--set mesh.size: a mesh has its cells already; th");
-    const model::Case coarse = built(design_text(file.path, usual)), fine = built(design_text(file.path, usual), {{"mesh.refine", "1"}});
+    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.size", "1 mm"}}).substr(0, 49),
+              "--set mesh.size: a mesh has its cells already; th");
+    const model::Case coarse = built(design_text(file.path, usual)),
+                      fine = built(design_text(file.path, usual), {{"mesh.refine", "1"}});
     EXPECT_EQ(fine.mesh.cell_count(), 8 * coarse.mesh.cell_count());
-    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.refine", "8"}}).substr(0, 32), "--set mesh.refine: it would take");
+    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.refine", "8"}}).substr(0, 32),
+              "--set mesh.refine: it would take");
 }
 
 TEST_F(ImportedSolid, TheModelMustFitTheMesh) {
-    const auto model = [&](const char* name) { return refusal(design_text(file.path, usual), {{"model", name}, {"outputs", "{}"}}); };
-    EXPECT_EQ(model("axisymmetric"), "--set model: 'axisymmetric' needs a plane mesh, the file holds a solid; model: solid");
-    EXPECT_EQ(model("plane-strain"), "--set model: 'plane-strain' needs a plane mesh, the file holds a solid; model: solid");
+    const auto model = [&](const char* name) {
+        return refusal(design_text(file.path, usual), {{"model", name}, {"outputs", "{}"}});
+    };
+    EXPECT_EQ(model("axisymmetric"),
+              "--set model: 'axisymmetric' needs a plane mesh, the file holds a solid; model: solid");
+    EXPECT_EQ(model("plane-strain"),
+              "--set model: 'plane-strain' needs a plane mesh, the file holds a solid; model: solid");
 }
 
 TEST_F(ImportedSolid, ItsEffectiveDesignReadsBackTheSame) {
     const design::Design design = read(design_text(file.path, usual, ", cavity: [inner, ends]"));
     EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
-    const auto changes = design::apply_overrides(design.effective_yaml, std::vector<design::Override>{{"loads.inner.pressure", "7 kPa"}});
+    const auto changes = design::apply_overrides(design.effective_yaml,
+                                                 std::vector<design::Override>{{"loads.inner.pressure", "7 kPa"}});
     EXPECT_NEAR(changes.path.stages.at(0).supplies.at(0).value, 7e3, 1e-9);
     EXPECT_FALSE(design::explain_design(design.effective_yaml, "part.yaml", catalogue_keys(), {}).empty());
 }
@@ -198,13 +227,16 @@ TEST(ImportedSection, TurnsAboutTheAxisItTouches) {
     // The section's side on y = 0 is half of "ends": the axis. Half a spherical shell.
     EXPECT_EQ(c.mesh.facet_sets.at("axis").size() * 2, c.mesh.facet_sets.at("ends").size());
     EXPECT_NEAR(measure(c.mesh, mesh::Measure::revolved) / (2e-9 * std::numbers::pi / 3 * 7), 1, 1e-3);
-    const auto axis = std::find_if(c.supports.begin(), c.supports.end(), [](const model::Support& s) { return s.face == "axis"; });
+    const auto axis =
+        std::find_if(c.supports.begin(), c.supports.end(), [](const model::Support& s) { return s.face == "axis"; });
     ASSERT_NE(axis, c.supports.end());
     EXPECT_EQ(axis->fixed, (std::array<bool, 3>{false, true, false}));
-    ASSERT_EQ(c.cavities[0].openings.size(), 1u);   // the wall ends at r = 1 mm; its sides run towards that end and x = 0
+    ASSERT_EQ(c.cavities[0].openings.size(),
+              1u);  // the wall ends at r = 1 mm; its sides run towards that end and x = 0
     EXPECT_NEAR(c.cavities[0].openings[0].area_m2, 1e-6 * std::numbers::pi, 1e-15);
     EXPECT_EQ(c.cavities[0].openings[0].direction, (std::array<double, 3>{-1, 0, 0}));
-    const model::Case plane = built(design_text(file.path, "supports: {fixed: ends}\nloads: {inner: {pressure: 5 kPa}}\nmodel: plane-strain\n"));
+    const model::Case plane = built(
+        design_text(file.path, "supports: {fixed: ends}\nloads: {inner: {pressure: 5 kPa}}\nmodel: plane-strain\n"));
     EXPECT_EQ(plane.kinematics, model::Kinematics::plane_strain);
     EXPECT_FALSE(plane.mesh.facet_sets.contains("axis"));
     EXPECT_EQ(refusal(design_text(file.path, "supports: {fixed: ends}\nloads: {inner: {pressure: 5 kPa}}\n")),
@@ -220,9 +252,12 @@ TEST(ImportedSection, BelowTheAxisIsRefused) {
         sample::move_nodes(1, -0.5);
         sample::write(file.path, {});
     }
-    const std::string what = refusal(design_text(file.path, "mesh: {formulation: displacement}\nloads: {inner: {pressure: 5 kPa}}\nmodel: axisymmetric\n"));
-    EXPECT_EQ(what, "part.yaml:2:18: geometry.file: a point lies at y = -0.5 mm, below the axis; draw the section at y >= 0; the "
-                    "axis of revolution is x");
+    const std::string what = refusal(design_text(
+        file.path, "mesh: {formulation: displacement}\nloads: {inner: {pressure: 5 kPa}}\nmodel: axisymmetric\n"));
+    EXPECT_EQ(
+        what,
+        "part.yaml:2:18: geometry.file: a point lies at y = -0.5 mm, below the axis; draw the section at y >= 0; the "
+        "axis of revolution is x");
 }
 
 TEST(Imported, EveryRegionGetsTheRubber) {
@@ -242,8 +277,8 @@ TEST(Imported, EveryRegionGetsTheRubber) {
         gmsh::model::mesh::generate(2);
         sample::write(file.path, {});
     }
-    const std::string text =
-        design_text(file.path, "mesh: {formulation: displacement}\nloads: {base: {pressure: 5 kPa}}\nmodel: plane-strain\n");
+    const std::string text = design_text(
+        file.path, "mesh: {formulation: displacement}\nloads: {base: {pressure: 5 kPa}}\nmodel: plane-strain\n");
     const model::Case c = built(text);
     std::set<std::string> names;
     for (const model::Material& material : c.materials) {
@@ -253,7 +288,8 @@ TEST(Imported, EveryRegionGetsTheRubber) {
     EXPECT_EQ(names, (std::set<std::string>{"soft", "stiff"}));
     EXPECT_EQ(std::set<std::string>(c.mesh.region_names.begin(), c.mesh.region_names.end()), names);
 
-    const model::Case two = built(text + "materials: {stiff: {law: yeoh, c1: 1 MPa, c2: 0 kPa, c3: 0 kPa, kappa: 1 GPa}}\n");
+    const model::Case two =
+        built(text + "materials: {stiff: {law: yeoh, c1: 1 MPa, c2: 0 kPa, c3: 0 kPa, kappa: 1 GPa}}\n");
     for (const model::Material& material : two.materials) {
         EXPECT_EQ(material.law, material.name == "stiff" ? "yeoh" : "neo-hookean");
         EXPECT_EQ(material.source, material.name == "stiff" ? "materials.stiff" : "material");
@@ -267,7 +303,8 @@ TEST(Imported, TheTemplateIsADesignOfTheMeshThatComesAlong) {
     const model::Case c = build_case(read(text, std::string{SOFT_SOURCE_DIR} + "/template.yaml"));
     EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1);
     EXPECT_EQ(c.cavities.size(), 1u);
-    for (const std::string& face : sample::family("imported").keys.faces) EXPECT_TRUE(c.mesh.facet_sets.contains(face)) << face;
+    for (const std::string& face : sample::family("imported").keys.faces)
+        EXPECT_TRUE(c.mesh.facet_sets.contains(face)) << face;
 }
 
 TEST(Imported, FirstOrderSimplicesOfAFileAreSaidToLock) {
@@ -276,17 +313,20 @@ TEST(Imported, FirstOrderSimplicesOfAFileAreSaidToLock) {
     const auto locks = [&](const std::vector<design::Override>& sets) {
         const auto design = design::read_design(text, source, catalogue_keys(), sets);
         const auto warnings = warnings_of(design, build_case(design));
-        return std::ranges::any_of(warnings, [](const std::string& w) { return w.starts_with("geometry.file: first-order"); });
+        return std::ranges::any_of(warnings,
+                                   [](const std::string& w) { return w.starts_with("geometry.file: first-order"); });
     };
     EXPECT_TRUE(locks({{"mesh.order", "1"}, {"mesh.formulation", "displacement"}, {"material.kappa", "1 MPa"}}));
     EXPECT_FALSE(locks({{"mesh.order", "2"}}));
 }
 
 TEST(Refine, HalvesTheCellsOfEveryFamilysMesh) {
-    const Solid coarse = sample::solid("tube", "axisymmetric"), fine = sample::solid("tube", "axisymmetric", {{"mesh.refine", "1"}});
+    const Solid coarse = sample::solid("tube", "axisymmetric"),
+                fine = sample::solid("tube", "axisymmetric", {{"mesh.refine", "1"}});
     EXPECT_EQ(fine.mesh.cell_count(), 4 * coarse.mesh.cell_count());
     EXPECT_NEAR(sample::rubber_m3(fine) / sample::rubber_m3(coarse), 1, 1e-13);
-    const Solid quarter = sample::solid("sphere", "quarter"), finer = sample::solid("sphere", "quarter", {{"mesh.refine", "1"}});
+    const Solid quarter = sample::solid("sphere", "quarter"),
+                finer = sample::solid("sphere", "quarter", {{"mesh.refine", "1"}});
     EXPECT_EQ(finer.mesh.cell_count(), 8 * quarter.mesh.cell_count());
     EXPECT_NEAR(sample::rubber_m3(finer) / sample::rubber_m3(quarter), 1, 1e-13);
     EXPECT_GT(mesh::quality(finer.mesh).min_scaled_jacobian, 0.1);

@@ -19,8 +19,9 @@ design::Design design_of(const std::string& family, const std::string& model) {
 
 TEST(Weight, PullsTheWayItIsTold) {
     design::Design d = design_of("bellows", "axisymmetric");
-    for (const auto& [along, x] : std::map<std::string, double>{{"x", 9.81}, {"-x", -9.81}, {"axis", -9.81}, {"-axis", 9.81}}) {
-        d.body_forces = {{"gravity", 9.81, along}};   // the bellows' axis runs from the held disc to the inlet, along -x
+    for (const auto& [along, x] :
+         std::map<std::string, double>{{"x", 9.81}, {"-x", -9.81}, {"axis", -9.81}, {"-axis", 9.81}}) {
+        d.body_forces = {{"gravity", 9.81, along}};  // the bellows' axis runs from the held disc to the inlet, along -x
         EXPECT_EQ(build_case(d).body_forces.at(0).acceleration_m_s2, (std::array<double, 3>{x, 0, 0})) << along;
     }
     d.body_forces = {{"gravity", 9.81, "-y"}};
@@ -33,8 +34,10 @@ TEST(Weight, PullsTheWayItIsTold) {
 TEST(Weight, IsNotMirrored) {
     design::Design d = design_of("rod", "quarter");
     d.body_forces = {{"gravity", 9.81, "-z"}};
-    EXPECT_EQ(refusal(d), "loads.gravity.along: the model is mirrored at z = 0, and with it the weight would be; a model that is not "
-                          "cut there, or another direction");
+    EXPECT_EQ(
+        refusal(d),
+        "loads.gravity.along: the model is mirrored at z = 0, and with it the weight would be; a model that is not "
+        "cut there, or another direction");
     d.body_forces = {{"gravity", 9.81, "x"}};
     EXPECT_EQ(refusal(d), "accepted");
     d = design_of("rod", "half");
@@ -52,36 +55,44 @@ TEST(Motions, MoveOneComponentOfAFace) {
     ASSERT_EQ(c.motions.size(), 2u);
     EXPECT_EQ(c.motions[0].displacement_m[0], 10e-3);
     EXPECT_FALSE(c.motions[0].displacement_m[1] || c.motions[0].displacement_m[2]);
-    EXPECT_EQ(c.motions[1].displacement_m[1], -1e-3);   // left is y = 0
+    EXPECT_EQ(c.motions[1].displacement_m[1], -1e-3);  // left is y = 0
     d = design_of("tube", "axisymmetric");
     d.motions = {{"outer", 2e-3, "r"}};
     EXPECT_EQ(build_case(d).motions.at(0).displacement_m[1], 2e-3);
     d = design_of("panel", "plane-strain");
     d.values.set("geometry.rise", {48e-3, "48 mm", "test", true});
     d.motions = {{"bottom", 1e-3, "normal"}};
-    EXPECT_EQ(refusal(d), "loads.bottom.along: a motion is prescribed by component, and this direction lies between them; turn the "
-                          "part, or move it along x, y or z");
+    EXPECT_EQ(refusal(d),
+              "loads.bottom.along: a motion is prescribed by component, and this direction lies between them; turn the "
+              "part, or move it along x, y or z");
 }
 
 TEST(Motions, OfWhatIsHeldAreRefusedWithBothNames) {
     design::Design d = design_of("rod", "solid");
     d.supports = {{"fixed", {true, true, true}}};
     d.motions = {{"fixed", 1e-3, "x"}};
-    EXPECT_EQ(refusal(d), "loads.fixed.displacement: over-constrained in x: a support holds 'fixed'; keep one of the two");
-    d.motions = {{"top", 1e-3, "z"}};   // meets the held face in an edge
-    EXPECT_EQ(refusal(d), "loads.top.displacement: over-constrained in z: a support holds 'fixed', with which 'top' has nodes in common; "
-                          "keep one of the two");
+    EXPECT_EQ(refusal(d),
+              "loads.fixed.displacement: over-constrained in x: a support holds 'fixed'; keep one of the two");
+    d.motions = {{"top", 1e-3, "z"}};  // meets the held face in an edge
+    EXPECT_EQ(
+        refusal(d),
+        "loads.top.displacement: over-constrained in z: a support holds 'fixed', with which 'top' has nodes in common; "
+        "keep one of the two");
     d.supports = {{"fixed", {true, false, false}}};
     EXPECT_EQ(refusal(d), "accepted");
     d.motions = {{"top", 1e-3, "z"}, {"left", 2e-3, "z"}};
-    EXPECT_EQ(refusal(d), "loads.left.displacement: over-constrained in z: another motion is that of 'top', with which 'left' has nodes "
-                          "in common; keep one of the two");
+    EXPECT_EQ(
+        refusal(d),
+        "loads.left.displacement: over-constrained in z: another motion is that of 'top', with which 'left' has nodes "
+        "in common; keep one of the two");
     d.motions = {{"top", 1e-3, "z"}, {"left", 1e-3, "z"}};
-    EXPECT_EQ(refusal(d), "accepted");   // they agree
+    EXPECT_EQ(refusal(d), "accepted");  // they agree
     d = design_of("tube", "axisymmetric");
     d.motions = {{"inlet", 1e-3, "r"}};
-    EXPECT_EQ(refusal(d), "loads.inlet.displacement: over-constrained in r: a support holds 'axis', with which 'inlet' has nodes in "
-                          "common; keep one of the two");
+    EXPECT_EQ(
+        refusal(d),
+        "loads.inlet.displacement: over-constrained in r: a support holds 'axis', with which 'inlet' has nodes in "
+        "common; keep one of the two");
 }
 
 TEST(Angles, HaveAnAxisAndABendItsReference) {
@@ -97,7 +108,8 @@ TEST(Angles, HaveAnAxisAndABendItsReference) {
     d.outputs = {{"tilt", "end", "z", model::Measure::bend, "fixed"}};
     EXPECT_EQ(build_case(d).outputs.at(0).direction, (std::array<double, 3>{0, 0, 1}));
     d.outputs = {{"tilt", "end", "z", model::Measure::bend, "left"}};
-    EXPECT_EQ(refusal(d), "outputs.tilt.reference: face 'left' is not part of this model; faces it has: fixed, end, bottom, top");
+    EXPECT_EQ(refusal(d),
+              "outputs.tilt.reference: face 'left' is not part of this model; faces it has: fixed, end, bottom, top");
 }
 
 TEST(Forces, AreSpreadOverTheWholeFaceOfTheWholeActuator) {
@@ -113,9 +125,11 @@ TEST(Forces, AreSpreadOverTheWholeFaceOfTheWholeActuator) {
     }
     design::Design d = design_of("rod", "half");
     d.tractions = {{"end", 2.0, "y", {}, design::Design::Spread::whole_face}};
-    EXPECT_EQ(refusal(d), "loads.end.along: the model is mirrored there, and with it the force would be; a model that is not cut there, "
-                          "or another direction");
-    d = design_of("sphere", "axisymmetric");   // half the section: the outer face is a whole sphere's
+    EXPECT_EQ(
+        refusal(d),
+        "loads.end.along: the model is mirrored there, and with it the force would be; a model that is not cut there, "
+        "or another direction");
+    d = design_of("sphere", "axisymmetric");  // half the section: the outer face is a whole sphere's
     d.tractions = {{"outer", 2.0, "x", {}, design::Design::Spread::whole_face}};
     EXPECT_NE(refusal(d), "accepted");
 }
@@ -126,16 +140,22 @@ TEST(Reactions, NeedWhatHoldsTheFaceInTheirDirection) {
     d.outputs = {{"pull", "fixed", "x", model::Measure::force}, {"turn", "fixed", "y", model::Measure::moment}};
     EXPECT_EQ(build_case(d).outputs.at(0).measure, model::Measure::force);
     d.outputs = {{"pull", "end", "x", model::Measure::force}};
-    EXPECT_EQ(refusal(d), "outputs.pull.face: nothing holds 'end' in this direction, so there is no force; hold it under supports, or "
-                          "give it a displacement under loads");
+    EXPECT_EQ(
+        refusal(d),
+        "outputs.pull.face: nothing holds 'end' in this direction, so there is no force; hold it under supports, or "
+        "give it a displacement under loads");
     d.motions = {{"end", 1e-3, "x"}};
     EXPECT_EQ(refusal(d), "accepted");
     d.outputs = {{"pull", "end", "z", model::Measure::force}};
     EXPECT_NE(refusal(d), "accepted");
     d.outputs = {{"pull", "fixed", "y", model::Measure::force}};
-    EXPECT_EQ(refusal(d), "outputs.pull.along: the force is 0: the mirror image of the face has the opposite one; another direction");
+    EXPECT_EQ(
+        refusal(d),
+        "outputs.pull.along: the force is 0: the mirror image of the face has the opposite one; another direction");
     d.outputs = {{"turn", "fixed", "z", model::Measure::moment}};
-    EXPECT_EQ(refusal(d), "outputs.turn.along: the moment is 0: the mirror image of the face has the opposite one; another direction");
+    EXPECT_EQ(
+        refusal(d),
+        "outputs.turn.along: the moment is 0: the mirror image of the face has the opposite one; another direction");
 }
 
 }  // namespace

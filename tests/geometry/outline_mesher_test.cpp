@@ -26,11 +26,13 @@ Outline sized(const std::string& text, Across across, const SizeWishes& wishes) 
 }
 
 /// A ring of radii 10 and 20 mm, two loops of arcs.
-const std::string ring = "x_mm,y_mm,tag,loop,curve,via_x_mm,via_y_mm\n"
-                         "20,0,outer,1,arc,0,20\n-20,0,outer,1,arc,0,-20\n10,0,inner,2,arc,0,-10\n-10,0,inner,2,arc,0,10\n";
+const std::string ring =
+    "x_mm,y_mm,tag,loop,curve,via_x_mm,via_y_mm\n"
+    "20,0,outer,1,arc,0,20\n-20,0,outer,1,arc,0,-20\n10,0,inner,2,arc,0,-10\n-10,0,inner,2,arc,0,10\n";
 
 /// A ball of radius 10 mm with a small ball's hole in it, about the axis; and an L with a re-entrant corner at (4, 4).
-const std::string ball = "x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n5,0,axis,,,\n10,0,outer,arc,0,10\n-10,0,axis,,,\n-5,0,cavity,arc,0,5\n";
+const std::string ball =
+    "x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n5,0,axis,,,\n10,0,outer,arc,0,10\n-10,0,axis,,,\n-5,0,cavity,arc,0,5\n";
 const std::string corner = "x_mm,y_mm,tag\n0,0,base\n10,0,side\n10,4,side\n4,4,side\n4,10,top\n0,10,side\n";
 
 class EitherCells : public testing::TestWithParam<FreeCells> {};
@@ -42,7 +44,8 @@ TEST_P(EitherCells, NodesOfArcsLieOnThemAndTheFacesCoverTheOutline) {
     for (const auto& [face, radius_m] : {std::pair{"outer", 20e-3}, {"inner", 10e-3}})
         for (const mesh::Facet& facet : mesh.facet_sets.at(face)) {
             named.push_back(facet);
-            for (const mesh::Index n : facet_nodes(mesh, facet)) EXPECT_NEAR(std::hypot(mesh.point(n)[0], mesh.point(n)[1]), radius_m, 1e-12);
+            for (const mesh::Index n : facet_nodes(mesh, facet))
+                EXPECT_NEAR(std::hypot(mesh.point(n)[0], mesh.point(n)[1]), radius_m, 1e-12);
         }
     std::sort(named.begin(), named.end());
     EXPECT_EQ(named, mesh::boundary_facets(mesh));
@@ -50,10 +53,12 @@ TEST_P(EitherCells, NodesOfArcsLieOnThemAndTheFacesCoverTheOutline) {
 }
 
 TEST_P(EitherCells, AreOfOneKind) {
-    const mesh::CellType wanted = GetParam() == FreeCells::triangles ? mesh::CellType::triangle6 : mesh::CellType::quad9;
+    const mesh::CellType wanted =
+        GetParam() == FreeCells::triangles ? mesh::CellType::triangle6 : mesh::CellType::quad9;
     for (const std::string& text : {ring, corner})
         for (const double size_m : {5e-3, 1e-3, 0.37e-3})
-            for (const mesh::CellType type : mesh_outline(sized(text, Across::y, {size_m, 1, 4, {}}), GetParam()).cell_types)
+            for (const mesh::CellType type :
+                 mesh_outline(sized(text, Across::y, {size_m, 1, 4, {}}), GetParam()).cell_types)
                 ASSERT_EQ(type, wanted);
 }
 
@@ -82,20 +87,24 @@ TEST_P(EitherCells, AreShortWhereTheSizesSaySo) {
     const mesh::Mesh even = mesh_outline(sized(corner, Across::y, {1e-3, 1, 1, {}}), GetParam());
     const mesh::Mesh graded = mesh_outline(sized(corner, Across::y, {1e-3, 1, 8, {"base"}}), GetParam());
     EXPECT_NEAR(size_at(even, {4e-3, 4e-3, 0}), 1e-3, 0.6e-3);
-    EXPECT_NEAR(size_at(graded, {4e-3, 4e-3, 0}), 0.125e-3, 0.1e-3);    // re-entrant
-    EXPECT_NEAR(size_at(graded, {10e-3, 0, 0}), 0.125e-3, 0.1e-3);      // end of what is held
-    EXPECT_GT(size_at(graded, {0, 10e-3, 0}), 0.4e-3);                   // neither
-    const mesh::Mesh thin = mesh_outline(sized("x_mm,y_mm,tag\n0,0,a\n40,0,a\n40,1,a\n0,1,a\n", Across::y, {10e-3, 3, 1, {}}), GetParam());
+    EXPECT_NEAR(size_at(graded, {4e-3, 4e-3, 0}), 0.125e-3, 0.1e-3);  // re-entrant
+    EXPECT_NEAR(size_at(graded, {10e-3, 0, 0}), 0.125e-3, 0.1e-3);    // end of what is held
+    EXPECT_GT(size_at(graded, {0, 10e-3, 0}), 0.4e-3);                // neither
+    const mesh::Mesh thin =
+        mesh_outline(sized("x_mm,y_mm,tag\n0,0,a\n40,0,a\n40,1,a\n0,1,a\n", Across::y, {10e-3, 3, 1, {}}), GetParam());
     EXPECT_NEAR(size_at(thin, {20e-3, 0, 0}), 1e-3 / 3, 0.2e-3);
     EXPECT_GT(mesh::quality(thin).min_scaled_jacobian, 0.25);
 }
 
 INSTANTIATE_TEST_SUITE_P(OutlineMesher, EitherCells, testing::Values(FreeCells::quadrilaterals, FreeCells::triangles),
-                         [](const auto& test) { return test.param == FreeCells::triangles ? "triangles" : "quadrilaterals"; });
+                         [](const auto& test) {
+                             return test.param == FreeCells::triangles ? "triangles" : "quadrilaterals";
+                         });
 
 TEST(OutlineMesher, ASplineIsMeshedWhereItsFormulaSaysItRuns) {
-    const Outline outline = sized("x_mm,y_mm,tag,curve\n0,0,base,\n30,0,wave,spline\n31,6,wave,spline\n22,9,wave,spline\n12,5,wave,spline\n4,8,wave,spline\n0,4,side,\n",
-                                  Across::y, {1e-3, 1, 1, {}});
+    const Outline outline = sized(
+        "x_mm,y_mm,tag,curve\n0,0,base,\n30,0,wave,spline\n31,6,wave,spline\n22,9,wave,spline\n12,5,wave,spline\n4,8,wave,spline\n0,4,side,\n",
+        Across::y, {1e-3, 1, 1, {}});
     const OutlineEdge& wave = outline.loops[0][1];
     const mesh::Mesh mesh = mesh_outline(outline, FreeCells::quadrilaterals);
     constexpr int steps = 4000;
@@ -106,7 +115,7 @@ TEST(OutlineMesher, ASplineIsMeshedWhereItsFormulaSaysItRuns) {
                 const PlanePoint p = spline_at(wave.points, 5.0 * k / steps);
                 nearest = std::min(nearest, std::hypot(p[0] - mesh.point(n)[0], p[1] - mesh.point(n)[1]));
             }
-            EXPECT_LT(nearest, 1e-5);   // half the distance between the places looked at
+            EXPECT_LT(nearest, 1e-5);  // half the distance between the places looked at
         }
 }
 
@@ -140,7 +149,7 @@ TEST(OutlineMesher, TheExpectedNumberOfCellsIsAboutRight) {
     for (const double size_m : {2e-3, 0.5e-3}) {
         const Outline outline = sized(corner, Across::y, {size_m, 1, 4, {}});
         const double cells = static_cast<double>(mesh_outline(outline, FreeCells::quadrilaterals).cell_count());
-        EXPECT_GT(expected_cells(outline), 0.3 * cells);   // triangles that find no partner become three
+        EXPECT_GT(expected_cells(outline), 0.3 * cells);  // triangles that find no partner become three
         EXPECT_LT(expected_cells(outline), 2.5 * cells);
     }
 }

@@ -13,7 +13,8 @@ using Shape = OutlineEdge::Shape;
 
 Loop polygon(const std::vector<PlanePoint>& points) {
     Loop loop;
-    for (std::size_t i = 0; i < points.size(); ++i) loop.push_back({Shape::line, {points[i], points[(i + 1) % points.size()]}, {"side"}, i + 1});
+    for (std::size_t i = 0; i < points.size(); ++i)
+        loop.push_back({Shape::line, {points[i], points[(i + 1) % points.size()]}, {"side"}, i + 1});
     return loop;
 }
 
@@ -22,7 +23,9 @@ const std::vector<PlanePoint> hole{{1, 1}, {1, 3}, {3, 3}, {3, 1}};
 
 TEST(OutlineArcs, ThreePointsGiveCentreRadiusAndSense) {
     for (const double turn : {0.3, 2.0, 4.5, -0.3, -2.0, -4.5}) {
-        const auto at = [&](double share) { return PlanePoint{3 + 2 * std::cos(0.7 + share * turn), -1 + 2 * std::sin(0.7 + share * turn)}; };
+        const auto at = [&](double share) {
+            return PlanePoint{3 + 2 * std::cos(0.7 + share * turn), -1 + 2 * std::sin(0.7 + share * turn)};
+        };
         const OutlineArc arc = arc_of({Shape::arc, {at(0), at(0.35), at(1)}, {}, 1});
         EXPECT_NEAR(arc.centre[0], 3, 1e-12);
         EXPECT_NEAR(arc.centre[1], -1, 1e-12);
@@ -56,7 +59,7 @@ TEST(Splines, RunThroughTheirPointsAndCloseSmoothly) {
         EXPECT_NEAR(spline_at(points, static_cast<double>(i))[1], points[i][1], 1e-15);
     const double h = 1e-6;
     const PlanePoint first = spline_at(points, h), last = spline_at(points, 12 - h);
-    EXPECT_NEAR(first[0], last[0], 1e-11);   // the circle's tangent stands upright there
+    EXPECT_NEAR(first[0], last[0], 1e-11);  // the circle's tangent stands upright there
     EXPECT_NEAR(first[1], -last[1], 1e-11);
 }
 
@@ -73,17 +76,22 @@ std::string fault_text(const Outline& outline) {
 }
 
 TEST(Outlines, WhatIsWrongIsSaidWithItsRow) {
-    EXPECT_EQ(fault_text({{polygon({{0, 0}, {0, 4}, {4, 4}, {4, 0}})}}), "1: the outline runs clockwise: the solid would lie outside it");
+    EXPECT_EQ(fault_text({{polygon({{0, 0}, {0, 4}, {4, 4}, {4, 0}})}}),
+              "1: the outline runs clockwise: the solid would lie outside it");
     EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}})}}),
               "1: its edge crosses, touches or runs back over the one of line 3 near (4000, 0) mm");
-    EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 0}, {4, 0}, {4, 4}})}}), "2: the point (4000, 0) mm stands there twice in a row");
+    EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 0}, {4, 0}, {4, 4}})}}),
+              "2: the point (4000, 0) mm stands there twice in a row");
     EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 0}, {2, 0}, {2, 4}})}}),
               "1: its edge crosses, touches or runs back over the one of line 2 near (4000, 0) mm");
-    EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 0}})}}), "1: its edge crosses, touches or runs back over the one of line 2 near (4000, 0) mm");
+    EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 0}})}}),
+              "1: its edge crosses, touches or runs back over the one of line 2 near (4000, 0) mm");
     EXPECT_EQ(fault_text({{polygon(square), polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}})}}),
               "1: the hole's loop runs counter-clockwise: the solid would lie inside it");
-    EXPECT_EQ(fault_text({{polygon(square), polygon({{6, 1}, {6, 3}, {8, 3}, {8, 1}})}}), "1: this loop lies outside the largest one");
-    EXPECT_EQ(fault_text({{polygon(square), polygon(hole), polygon({{1.5, 1.5}, {1.5, 2}, {2, 2}, {2, 1.5}})}}), "1: this loop lies within another hole");
+    EXPECT_EQ(fault_text({{polygon(square), polygon({{6, 1}, {6, 3}, {8, 3}, {8, 1}})}}),
+              "1: this loop lies outside the largest one");
+    EXPECT_EQ(fault_text({{polygon(square), polygon(hole), polygon({{1.5, 1.5}, {1.5, 2}, {2, 2}, {2, 1.5}})}}),
+              "1: this loop lies within another hole");
 }
 
 /// A point of one edge that comes to lie on another, and an arc that runs through a line.

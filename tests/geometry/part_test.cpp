@@ -16,7 +16,8 @@ namespace {
 
 using sample::TemporaryFile;
 
-std::string design_text(const std::filesystem::path& file, const std::string& geometry = {}, const std::string& more = {}) {
+std::string design_text(const std::filesystem::path& file, const std::string& geometry = {},
+                        const std::string& more = {}) {
     return "family: imported\ngeometry: {file: " + file.string() + geometry + "}\n" +
            "material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}\n" + more;
 }
@@ -25,7 +26,9 @@ design::Design read(const std::string& text, std::vector<design::Override> sets 
     return design::read_design(text, "part.yaml", catalogue_keys(), sets);
 }
 
-Built built(const std::string& text, std::vector<design::Override> sets = {}) { return build_with_figures(read(text, std::move(sets))); }
+Built built(const std::string& text, std::vector<design::Override> sets = {}) {
+    return build_with_figures(read(text, std::move(sets)));
+}
 
 std::string refusal(const std::string& text, std::vector<design::Override> sets = {}) {
     try {
@@ -55,14 +58,15 @@ void write_can(const std::filesystem::path& path, Can can, double scale = 1) {
         gmsh::option::setNumber("Mesh.MeshSizeMax", 4 * scale);
         gmsh::model::mesh::generate(2);
     }
-    testing::internal::CaptureStdout();   // the CAD library talks
+    testing::internal::CaptureStdout();  // the CAD library talks
     gmsh::write(path.string());
     testing::internal::GetCapturedStdout();
 }
 
 constexpr double can_m3 = std::numbers::pi * (100 * 30 - 49 * 20) * 1e-9;
 constexpr const char* ends = ", faces: {fixed: {plane: {x: 0 mm}}, tip: {normal: [1, 0, 0], plane: {x: 30 mm}}}";
-constexpr const char* usual = "mesh: {size: 5 mm}\nsupports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\noutputs: {rise: {face: tip, along: x}}\n";
+constexpr const char* usual =
+    "mesh: {size: 5 mm}\nsupports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\noutputs: {rise: {face: tip, along: x}}\n";
 
 double area_m2(const mesh::Mesh& mesh, const std::string& face) {
     double area = 0;
@@ -81,7 +85,8 @@ TEST(Part, AClosedCanOfStepIsFilledAroundItsCavity) {
     write_can(file.path, Can::closed);
     const Built can = built(design_text(file.path, ends, usual));
     EXPECT_EQ(can.model.kinematics, model::Kinematics::solid);
-    EXPECT_EQ(std::set(can.model.mesh.cell_types.begin(), can.model.mesh.cell_types.end()), std::set{mesh::CellType::tet10});
+    EXPECT_EQ(std::set(can.model.mesh.cell_types.begin(), can.model.mesh.cell_types.end()),
+              std::set{mesh::CellType::tet10});
     ASSERT_EQ(can.model.cavities.size(), 1u);
     EXPECT_EQ(can.model.cavities[0].name, "cavity");
     EXPECT_TRUE(can.model.cavities[0].openings.empty());
@@ -104,13 +109,17 @@ TEST(Part, StlAndObjInAnyUnitGiveTheBodyAndTheSameBytesEachTime) {
     EXPECT_EQ(once.model.mesh.connectivity, again.model.mesh.connectivity);
     const double volume_m3 = measure(once.model.mesh, mesh::Measure::plain);
     EXPECT_NEAR(volume_m3 / once.part->volume_m3, 1, 2e-3);
-    EXPECT_NEAR(measure(built(design_text(inches.path, std::string{", unit: in"} + ends, usual)).model.mesh, mesh::Measure::plain) / volume_m3, 1, 5e-3);
+    EXPECT_NEAR(measure(built(design_text(inches.path, std::string{", unit: in"} + ends, usual)).model.mesh,
+                        mesh::Measure::plain) /
+                    volume_m3,
+                1, 5e-3);
 }
 
 TEST(Part, AnOpenCavityIsNamedByAFloodUpToItsInlet) {
     const TemporaryFile file{"open.stl"};
     write_can(file.path, Can::open);
-    const std::string faces = ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 mm}}, cavity: {point: [10 mm, 6 mm, 0 mm], up_to: tip}}";
+    const std::string faces =
+        ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 mm}}, cavity: {point: [10 mm, 6 mm, 0 mm], up_to: tip}}";
     const Built can = built(design_text(file.path, faces, usual));
     ASSERT_EQ(can.model.cavities.size(), 1u);
     ASSERT_EQ(can.model.cavities[0].openings.size(), 1u);
@@ -141,13 +150,15 @@ TEST(Part, APartThatIsCutHasMirrorImages) {
         gmsh::write(file.path.string());
         testing::internal::GetCapturedStdout();
     }
-    const std::string faces = ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 mm}}, cavity: {point: [10 mm, 4 mm, 4 mm], up_to: tip}}";
+    const std::string faces =
+        ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 mm}}, cavity: {point: [10 mm, 4 mm, 4 mm], up_to: tip}}";
     const Built can = built(design_text(file.path, ", symmetry: yz" + faces, usual));
     EXPECT_EQ(can.model.model_fraction, 0.25);
     EXPECT_EQ(can.model.symmetry_planes, (std::array{false, true, true}));
-    EXPECT_NEAR(measure(can.model.mesh, mesh::Measure::plain) / (std::numbers::pi / 4 * (100 * 30 - 49 * 25) * 1e-9), 1, 5e-3);
+    EXPECT_NEAR(measure(can.model.mesh, mesh::Measure::plain) / (std::numbers::pi / 4 * (100 * 30 - 49 * 25) * 1e-9), 1,
+                5e-3);
     ASSERT_EQ(can.model.cavities[0].openings.size(), 1u);
-    EXPECT_NEAR(can.model.cavities[0].openings[0].area_m2 / (49e-6 * std::numbers::pi), 1, 5e-3);   // of the whole
+    EXPECT_NEAR(can.model.cavities[0].openings[0].area_m2 / (49e-6 * std::numbers::pi), 1, 5e-3);  // of the whole
     EXPECT_EQ(can.model.cavities[0].openings[0].direction, (std::array{1.0, 0.0, 0.0}));
     for (const mesh::Facet& facet : can.model.mesh.facet_sets.at("symmetry_y"))
         for (const mesh::Index node : facet_nodes(can.model.mesh, facet)) EXPECT_EQ(can.model.mesh.point(node)[1], 0);
@@ -157,12 +168,16 @@ TEST(Part, APartThatIsCutHasMirrorImages) {
 }
 
 TEST(Part, WhatIsWrongWithAFileIsSaidWithThePlaceInTheDesign) {
-    const TemporaryFile two{"two.step"}, pieces{"two.stl"}, nothing{"nothing.stl", "solid a\nendsolid a\n"}, words{"words.step", "these are words\n"};
+    const TemporaryFile two{"two.step"}, pieces{"two.stl"}, nothing{"nothing.stl", "solid a\nendsolid a\n"},
+        words{"words.step", "these are words\n"};
     write_can(two.path, Can::two);
     write_can(pieces.path, Can::two);
     const auto says = [](const std::filesystem::path& file, const std::string& what) {
         const std::string problem = refusal(design_text(file, ends, usual));
-        return problem.starts_with("part.yaml:2:18: geometry.file: " + file.string() + ": ") && problem.find(what) != std::string::npos ? "" : problem;
+        return problem.starts_with("part.yaml:2:18: geometry.file: " + file.string() + ": ") &&
+                       problem.find(what) != std::string::npos
+                   ? ""
+                   : problem;
     };
     EXPECT_EQ(says(two.path, "2 solids in one file; unite them"), "");
     EXPECT_EQ(says(pieces.path, "2 bodies in one file, the second around x = 20.5, y = 20.5, z = 0.5; unite"), "");
@@ -179,18 +194,27 @@ TEST(Part, WhatIsWrongWithAFileIsSaidWithThePlaceInTheDesign) {
 TEST(Part, RulesThatMakeNoSenseAreRefused) {
     const TemporaryFile file{"can.stl"};
     write_can(file.path, Can::closed);
-    const auto says = [&](const std::string& rule) { return refusal(design_text(file.path, ", faces: {fixed: {plane: {x: 0 mm}}, tip: " + rule + "}", usual)); };
-    const auto has = [](const std::string& text, const std::string& what) { return text.find(what) != std::string::npos ? "" : text; };
+    const auto says = [&](const std::string& rule) {
+        return refusal(design_text(file.path, ", faces: {fixed: {plane: {x: 0 mm}}, tip: " + rule + "}", usual));
+    };
+    const auto has = [](const std::string& text, const std::string& what) {
+        return text.find(what) != std::string::npos ? "" : text;
+    };
     EXPECT_EQ(has(says("{plane: {x: 31 mm}}"), "geometry.faces.tip.plane.x: no facet of the surface is there"), "");
     EXPECT_EQ(has(says("{plane: {x: 0 mm, y: 0 mm}}"), "geometry.faces.tip.plane.y: a facet lies in one plane"), "");
     EXPECT_EQ(has(says("{box: {from: [1 mm, 2 mm, 3 mm]}}"), "geometry.faces.tip.box.from: a box has two corners"), "");
     EXPECT_EQ(has(says("{point: [1 mm, 2 mm]}"), "geometry.faces.tip.point: three values are needed"), "");
     EXPECT_EQ(has(says("{within: 5 deg}"), "geometry.faces.tip.within: there is no normal"), "");
     EXPECT_EQ(has(says("{up_to: fixed}"), "geometry.faces.tip.up_to: there is no point"), "");
-    EXPECT_EQ(has(says("{point: [30 mm, 0 mm, 0 mm], up_to: outer}"), "'outer' is no face of geometry.faces without up_to"), "");
+    EXPECT_EQ(
+        has(says("{point: [30 mm, 0 mm, 0 mm], up_to: outer}"), "'outer' is no face of geometry.faces without up_to"),
+        "");
     EXPECT_EQ(has(says("{plain: {x: 0 mm}}"), "geometry.faces.tip.plain: unknown key; known: plane, box"), "");
-    EXPECT_EQ(has(refusal(design_text(file.path, ", faces: {outer: {plane: {x: 0 mm}}}", usual)), "the file has a face of this name already"), "");
-    EXPECT_EQ(has(refusal(design_text(file.path, std::string{", symmetry: y"} + ends, usual)), "and is not cut at 0"), "");
+    EXPECT_EQ(has(refusal(design_text(file.path, ", faces: {outer: {plane: {x: 0 mm}}}", usual)),
+                  "the file has a face of this name already"),
+              "");
+    EXPECT_EQ(has(refusal(design_text(file.path, std::string{", symmetry: y"} + ends, usual)), "and is not cut at 0"),
+              "");
     EXPECT_EQ(has(refusal(design_text(file.path, ends, usual), {{"mesh.size", "1 um"}}), "a larger mesh.size"), "");
 }
 
@@ -199,7 +223,8 @@ TEST(Part, ItsEffectiveDesignReadsBackTheSameAndAnOddUnitIsAsked) {
     write_can(file.path, Can::closed);
     const design::Design design = read(design_text(file.path, ends, usual));
     EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
-    const std::string metres = design_text(file.path, ", unit: m, faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 m}}}", usual);
+    const std::string metres =
+        design_text(file.path, ", unit: m, faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 m}}}", usual);
     const design::Design large = read(metres, {{"mesh.size", "5 m"}});
     const auto warnings = warnings_of(large, build_case(large));
     ASSERT_EQ(warnings.size(), 1u);

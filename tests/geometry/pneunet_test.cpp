@@ -16,9 +16,11 @@ namespace {
 /// Keys without "geometry."; lengths in mm.
 using Finger = std::map<std::string, double>;
 
-const Finger defaults{{"chambers", 4}, {"chamber_length", 8}, {"gap", 1},     {"width", 16},        {"height", 16},
-                      {"wall", 1.5},   {"side", 2},           {"roof", 2},    {"base", 3},          {"bridge", 4},
-                      {"root", 8},     {"tip", 3},            {"channel.width", 4}, {"channel.height", 2}, {"layer.thickness", 0}};
+const Finger defaults{{"chambers", 4},      {"chamber_length", 8}, {"gap", 1},
+                      {"width", 16},        {"height", 16},        {"wall", 1.5},
+                      {"side", 2},          {"roof", 2},           {"base", 3},
+                      {"bridge", 4},        {"root", 8},           {"tip", 3},
+                      {"channel.width", 4}, {"channel.height", 2}, {"layer.thickness", 0}};
 
 sample::Changes changes_of(const Finger& finger) {
     sample::Changes changes;
@@ -28,12 +30,14 @@ sample::Changes changes_of(const Finger& finger) {
 }
 
 double length_mm(const Finger& f) {
-    return f.at("root") + f.at("chambers") * f.at("chamber_length") + (f.at("chambers") - 1) * f.at("gap") + f.at("tip");
+    return f.at("root") + f.at("chambers") * f.at("chamber_length") + (f.at("chambers") - 1) * f.at("gap") +
+           f.at("tip");
 }
 
 /// Boxes of the cavities, and of the channel where it crosses two walls and a slot.
 double cavity_mm3(const Finger& f) {
-    const double room = (f.at("chamber_length") - 2 * f.at("wall")) * (f.at("width") - 2 * f.at("side")) * (f.at("height") - f.at("roof"));
+    const double room = (f.at("chamber_length") - 2 * f.at("wall")) * (f.at("width") - 2 * f.at("side")) *
+                        (f.at("height") - f.at("roof"));
     const double crossing = (f.at("gap") + 2 * f.at("wall")) * f.at("channel.width") * f.at("channel.height");
     return f.at("chambers") * room + (f.at("chambers") - 1) * crossing;
 }
@@ -41,13 +45,16 @@ double cavity_mm3(const Finger& f) {
 /// A slab of the height of base and bridge, and the chambers above it, less the cavity.
 double rubber_mm3(const Finger& f) {
     return length_mm(f) * f.at("width") * (f.at("base") + f.at("bridge")) +
-           f.at("chambers") * f.at("chamber_length") * f.at("width") * (f.at("height") - f.at("bridge")) - cavity_mm3(f);
+           f.at("chambers") * f.at("chamber_length") * f.at("width") * (f.at("height") - f.at("bridge")) -
+           cavity_mm3(f);
 }
 
 double cavity_area_mm2(const Finger& f) {
-    const double a = f.at("chamber_length") - 2 * f.at("wall"), b = f.at("width") - 2 * f.at("side"), c = f.at("height") - f.at("roof");
+    const double a = f.at("chamber_length") - 2 * f.at("wall"), b = f.at("width") - 2 * f.at("side"),
+                 c = f.at("height") - f.at("roof");
     const double w = f.at("channel.width"), h = f.at("channel.height"), crossing = f.at("gap") + 2 * f.at("wall");
-    return f.at("chambers") * 2 * (a * b + b * c + c * a) + (f.at("chambers") - 1) * (crossing * 2 * (w + h) - 2 * w * h);
+    return f.at("chambers") * 2 * (a * b + b * c + c * a) +
+           (f.at("chambers") - 1) * (crossing * 2 * (w + h) - 2 * w * h);
 }
 
 constexpr double rounding = 1e-11;
@@ -118,18 +125,22 @@ TEST(Pneunet, TheLayerIsTheLowestPartOfTheBase) {
     const mesh::Mesh& layer = layered.mesh;
     double volume_m3 = 0;
     for (mesh::Index c = 0; c < layer.cell_count(); ++c) {
-        if (layer.region_names[static_cast<std::size_t>(layer.cell_regions[static_cast<std::size_t>(c)])] != "layer") continue;
+        if (layer.region_names[static_cast<std::size_t>(layer.cell_regions[static_cast<std::size_t>(c)])] != "layer")
+            continue;
         for (const mesh::QuadraturePoint& point : mesh::volume_rule(layer.cell_type(c)))
-            volume_m3 += point.weight * mesh::map_cell(layer, c, mesh::shape_values(layer.cell_type(c), point.xi)).determinant;
+            volume_m3 +=
+                point.weight * mesh::map_cell(layer, c, mesh::shape_values(layer.cell_type(c), point.xi)).determinant;
         for (const mesh::Index n : layer.cell_nodes(c)) EXPECT_LE(layer.point(n)[2], 0.5e-3 * (1 + rounding));
     }
     EXPECT_NEAR(volume_m3 / (0.5 * 46e-3 * 16e-3 * 0.5e-3), 1, rounding);
 }
 
 design::Design design_of(const std::string& geometry, const std::string& more = "") {
-    return design::read_design("family: pneunet\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\n"
-                               "loads: {cavity: {pressure: 5 kPa}}\ngeometry: " + geometry + "\n" + more,
-                               "p.yaml", catalogue_keys(), {});
+    return design::read_design(
+        "family: pneunet\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\n"
+        "loads: {cavity: {pressure: 5 kPa}}\ngeometry: " +
+            geometry + "\n" + more,
+        "p.yaml", catalogue_keys(), {});
 }
 
 TEST(Pneunet, TheLayerIsOfPaperUnlessToldOtherwise) {
@@ -151,17 +162,20 @@ TEST(Pneunet, TheLayerIsOfPaperUnlessToldOtherwise) {
 }
 
 TEST(Pneunet, WeightNeedsNoDensityOfALayerThatIsNotThere) {
-    EXPECT_NO_THROW((void)build_case(design::read_design(
-        "family: pneunet\nmaterial: {law: neo-hookean, mu: 0.1644 MPa, density: 1080 kg/m^3}\n"
-        "loads: {cavity: {pressure: 5 kPa}, gravity: {acceleration: 9.81 m/s^2, along: -z}}\n",
-        "p.yaml", catalogue_keys(), {})));
+    EXPECT_NO_THROW((void)build_case(
+        design::read_design("family: pneunet\nmaterial: {law: neo-hookean, mu: 0.1644 MPa, density: 1080 kg/m^3}\n"
+                            "loads: {cavity: {pressure: 5 kPa}, gravity: {acceleration: 9.81 m/s^2, along: -z}}\n",
+                            "p.yaml", catalogue_keys(), {})));
 }
 
 TEST(Pneunet, TheDefaultMeshIsNotCalledCoarse) { EXPECT_TRUE(design_of("{}").warnings.empty()); }
 
 TEST(Pneunet, EveryWallHasAtLeastAsManyCellsAsAsked) {
-    const auto cells = [](const sample::Changes& changes) { return sample::solid("pneunet", "half", changes).mesh.cell_count(); };
-    EXPECT_EQ(cells({{"mesh.size", "50 mm"}, {"mesh.through_wall", "2"}}), 4 * cells({{"mesh.size", "50 mm"}, {"mesh.through_wall", "1"}}));
+    const auto cells = [](const sample::Changes& changes) {
+        return sample::solid("pneunet", "half", changes).mesh.cell_count();
+    };
+    EXPECT_EQ(cells({{"mesh.size", "50 mm"}, {"mesh.through_wall", "2"}}),
+              4 * cells({{"mesh.size", "50 mm"}, {"mesh.through_wall", "1"}}));
 }
 
 /// Uniform between two numbers, the same on every machine.
@@ -169,7 +183,7 @@ class Draw {
 public:
     explicit Draw(unsigned seed) : engine_(seed) {}
     double operator()(double low, double high) {
-        constexpr int digits = 1000;   // lengths that a person would write
+        constexpr int digits = 1000;  // lengths that a person would write
         const double share = static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max());
         return std::round(digits * (low + share * (high - low))) / digits;
     }
@@ -213,13 +227,15 @@ struct Refusal {
 };
 
 TEST(Pneunet, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
-    for (const Refusal& r : {Refusal{"wall", "4 mm", "4 mm is not smaller than half the chamber_length 4 mm; smaller than 4 mm"},
-                             Refusal{"side", "8 mm", "8 mm is not smaller than half the width 8 mm; smaller than 8 mm"},
-                             Refusal{"roof", "16 mm", "16 mm is not smaller than the height 16 mm; smaller than 16 mm"},
-                             Refusal{"bridge", "16 mm", "16 mm is not smaller than the chambers' height 16 mm; smaller than 16 mm"},
-                             Refusal{"channel.height", "4 mm", "4 mm is not smaller than the bridge, which covers it, 4 mm; smaller than 4 mm"},
-                             Refusal{"channel.width", "13 mm", "13 mm is more than the cavities' width 12 mm; at most 12 mm"},
-                             Refusal{"layer.thickness", "3 mm", "3 mm is not smaller than the base 3 mm; smaller than 3 mm"}}) {
+    for (const Refusal& r :
+         {Refusal{"wall", "4 mm", "4 mm is not smaller than half the chamber_length 4 mm; smaller than 4 mm"},
+          Refusal{"side", "8 mm", "8 mm is not smaller than half the width 8 mm; smaller than 8 mm"},
+          Refusal{"roof", "16 mm", "16 mm is not smaller than the height 16 mm; smaller than 16 mm"},
+          Refusal{"bridge", "16 mm", "16 mm is not smaller than the chambers' height 16 mm; smaller than 16 mm"},
+          Refusal{"channel.height", "4 mm",
+                  "4 mm is not smaller than the bridge, which covers it, 4 mm; smaller than 4 mm"},
+          Refusal{"channel.width", "13 mm", "13 mm is more than the cavities' width 12 mm; at most 12 mm"},
+          Refusal{"layer.thickness", "3 mm", "3 mm is not smaller than the base 3 mm; smaller than 3 mm"}}) {
         const std::string key = std::string{"geometry."} + r.key;
         try {
             (void)sample::solid("pneunet", "half", {{key, r.value}});
@@ -233,7 +249,8 @@ TEST(Pneunet, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
         (void)sample::solid("pneunet", "half", {{"geometry.roof", "15 mm"}});
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
-        EXPECT_EQ(std::string{error.what()}, "test: geometry.channel.height: 2 mm is more than the cavities' height 1 mm; at most 1 mm");
+        EXPECT_EQ(std::string{error.what()},
+                  "test: geometry.channel.height: 2 mm is more than the cavities' height 1 mm; at most 1 mm");
     }
     EXPECT_THROW((void)sample::solid("pneunet", "solid", {{"mesh.size", "0.01 mm"}}), Error);
 }

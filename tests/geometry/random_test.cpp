@@ -20,12 +20,16 @@ constexpr double pi = std::numbers::pi;
 class Dice {
 public:
     explicit Dice(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) { return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0; }
+    double between(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
+    }
     double scaled(double value, double by) { return value * std::exp(between(-std::log(by), std::log(by))); }
     int whole(int low, int high) { return low + static_cast<int>(between(0, high - low + 1)); }
     bool chance(double share) { return between(0, 1) < share; }
     template <class T>
-    const T& one_of(const std::vector<T>& all) { return all[static_cast<std::size_t>(whole(0, static_cast<int>(all.size()) - 1))]; }
+    const T& one_of(const std::vector<T>& all) {
+        return all[static_cast<std::size_t>(whole(0, static_cast<int>(all.size()) - 1))];
+    }
 
 private:
     std::mt19937 engine_;
@@ -35,19 +39,24 @@ std::string millimetres(double m) { return core::number_text(1e3 * m) + " mm"; }
 
 /// About the default; a word where the key has one, sometimes; rarely a value that no range allows.
 std::string drawn(const design::Key& key, Dice& dice) {
-    if (key.most > 1) {   // from and to, as shares of a whole
+    if (key.most > 1) {  // from and to, as shares of a whole
         const double from = dice.between(-0.05, 0.6), to = dice.between(0.4, 1.05);
         return "[" + core::number_text(from) + ", " + core::number_text(to) + "]";
     }
-    const double usual = key.choices.empty() || key.kind != design::Kind::choice ? sample::number_of(key, key.fallback) : 0;
+    const double usual =
+        key.choices.empty() || key.kind != design::Kind::choice ? sample::number_of(key, key.fallback) : 0;
     if (!key.choices.empty() && (key.kind == design::Kind::choice || dice.chance(0.5))) return dice.one_of(key.choices);
     switch (key.kind) {
         case design::Kind::length: {
             const double base = usual > 0 ? usual : 5e-3;
-            return dice.chance(0.02) ? "-1 mm" : usual == 0 && dice.chance(0.5) && !key.min_open ? "0 mm" : millimetres(dice.scaled(base, 1.6));
+            return dice.chance(0.02)                                 ? "-1 mm"
+                   : usual == 0 && dice.chance(0.5) && !key.min_open ? "0 mm"
+                                                                     : millimetres(dice.scaled(base, 1.6));
         }
         case design::Kind::angle: return core::number_text(dice.scaled(usual, 2) * 180 / pi) + " deg";
-        case design::Kind::count: return std::to_string(dice.whole(std::max(1, static_cast<int>(0.5 * usual)), std::max(2, static_cast<int>(1.5 * usual))));
+        case design::Kind::count:
+            return std::to_string(
+                dice.whole(std::max(1, static_cast<int>(0.5 * usual)), std::max(2, static_cast<int>(1.5 * usual))));
         case design::Kind::ratio: return core::number_text(dice.scaled(usual > 0 ? usual : 1, 2));
         default: return key.fallback;
     }
@@ -55,7 +64,8 @@ std::string drawn(const design::Key& key, Dice& dice) {
 
 /// A closed outline about a point, its edges lines, arcs and splines; the first two points may lie on the axis.
 std::string drawn_table(Dice& dice, bool turned) {
-    std::string text = std::string{"x_mm,"} + (turned ? "r" : "y") + "_mm,tag,curve,via_x_mm,via_" + (turned ? "r" : "y") + "_mm\n";
+    std::string text =
+        std::string{"x_mm,"} + (turned ? "r" : "y") + "_mm,tag,curve,via_x_mm,via_" + (turned ? "r" : "y") + "_mm\n";
     const int points = dice.whole(3, 9);
     const double high = turned ? dice.between(0, 25) : 0;
     std::vector<std::array<double, 2>> p;
@@ -63,9 +73,10 @@ std::string drawn_table(Dice& dice, bool turned) {
         const double angle = 2 * pi * (k + dice.between(-0.3, 0.3)) / points, radius = dice.between(4, 20);
         p.push_back({radius * std::cos(angle), high + radius * std::sin(angle)});
     }
-    if (turned && dice.chance(0.4)) {   // closed on the axis
+    if (turned && dice.chance(0.4)) {  // closed on the axis
         for (auto& point : p) point[1] = std::abs(point[1]);
-        std::ranges::sort(p, [](const auto& a, const auto& b) { return std::atan2(a[1], a[0]) < std::atan2(b[1], b[0]); });
+        std::ranges::sort(p,
+                          [](const auto& a, const auto& b) { return std::atan2(a[1], a[0]) < std::atan2(b[1], b[0]); });
         p.front()[1] = p.back()[1] = 0;
         std::ranges::rotate(p, p.end() - 1);
     }
@@ -74,7 +85,8 @@ std::string drawn_table(Dice& dice, bool turned) {
         const bool axis = turned && a[1] == 0 && b[1] == 0;
         const double share = dice.between(-0.2, 0.6);
         const std::string curve = axis ? "line" : dice.one_of(std::vector<std::string>{"line", "arc", "spline"});
-        text += core::number_text(a[0]) + "," + core::number_text(a[1]) + "," + (axis ? "axis" : dice.one_of(std::vector<std::string>{"fixed", "cavity", "outer"})) + "," + curve;
+        text += core::number_text(a[0]) + "," + core::number_text(a[1]) + "," +
+                (axis ? "axis" : dice.one_of(std::vector<std::string>{"fixed", "cavity", "outer"})) + "," + curve;
         text += curve == "arc" ? "," + core::number_text(0.5 * (a[0] + b[0]) + share * (b[1] - a[1])) + "," +
                                      core::number_text(0.5 * (a[1] + b[1]) - share * (b[0] - a[0])) + "\n"
                                : ",,\n";
@@ -93,10 +105,13 @@ Drawn drawn_design(const design::FamilyKeys& keys, Dice& dice) {
     const std::string model = dice.one_of(keys.models);
     design.overrides.push_back({"model", model});
     for (const design::Key& key : keys.geometry)
-        if (key.kind != design::Kind::text && dice.chance(0.8)) design.overrides.push_back({key.path, drawn(key, dice)});
+        if (key.kind != design::Kind::text && dice.chance(0.8))
+            design.overrides.push_back({key.path, drawn(key, dice)});
     const bool plane = model == "axisymmetric" || model == "plane-strain";
     for (const design::Key& key : keys.mesh) {
-        if (key.path == "mesh.size") design.overrides.push_back({key.path, millimetres(dice.scaled(sample::number_of(key, key.fallback), 1.5) * (plane ? 1 : 1.7))});
+        if (key.path == "mesh.size")
+            design.overrides.push_back(
+                {key.path, millimetres(dice.scaled(sample::number_of(key, key.fallback), 1.5) * (plane ? 1 : 1.7))});
         if (key.path == "mesh.through_wall" && !plane) design.overrides.push_back({key.path, "1"});
         if (key.path == "mesh.sectors") design.overrides.push_back({key.path, "3"});
     }
@@ -127,11 +142,14 @@ TEST_P(RandomDesigns, BecomeSoundMeshesOrAreRefusedWithTheReason) {
         std::string what;
         for (const design::Override& change : drawn.overrides) what += " --set " + change.path + "=" + change.value;
         try {
-            const model::Case built = build_case(design::read_design(drawn.text, "random.yaml", catalogue_keys(), drawn.overrides));
+            const model::Case built =
+                build_case(design::read_design(drawn.text, "random.yaml", catalogue_keys(), drawn.overrides));
             try {
                 least = std::min(least, mesh::quality(built.mesh).min_scaled_jacobian);
             } catch (const Error& error) {
-                ADD_FAILURE() << GetParam() << " " << k << ":" << what << "\n" << error.what() << "\n" << (keys.faces_of_file ? table.text() : "");
+                ADD_FAILURE() << GetParam() << " " << k << ":" << what << "\n"
+                              << error.what() << "\n"
+                              << (keys.faces_of_file ? table.text() : "");
             }
             ++meshed;
         } catch (const Error& error) {
@@ -142,7 +160,8 @@ TEST_P(RandomDesigns, BecomeSoundMeshesOrAreRefusedWithTheReason) {
         }
     }
     EXPECT_GT(meshed, count() / 10);
-    std::cout << GetParam() << ": " << meshed << " meshed, " << refused << " refused, smallest scaled Jacobian " << least << "\n";
+    std::cout << GetParam() << ": " << meshed << " meshed, " << refused << " refused, smallest scaled Jacobian "
+              << least << "\n";
     RecordProperty("smallest_scaled_jacobian", core::number_text(least));
 }
 

@@ -17,10 +17,11 @@ namespace {
 
 using sample::TemporaryFile;
 constexpr double pi = std::numbers::pi;
-constexpr double curved = 1.5e-4;   // quadratic edges over at most 45 degrees
+constexpr double curved = 1.5e-4;  // quadratic edges over at most 45 degrees
 
 std::string design_text(const std::string& family, const std::filesystem::path& file, const std::string& more) {
-    return "family: " + family + "\ngeometry: {profile: " + file.string() + "}\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\n" + more;
+    return "family: " + family + "\ngeometry: {profile: " + file.string() +
+           "}\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\n" + more;
 }
 
 design::Design read(const std::string& text, std::vector<design::Override> overrides = {}) {
@@ -43,12 +44,15 @@ std::string refusal(const std::string& text, std::vector<design::Override> overr
 const std::string held = "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\noutputs: {}\n";
 
 /// designs/tube.yaml: 100 mm long, radii 7 and 10 mm, caps of 5 mm.
-const std::string tube = "x_mm,r_mm,tag\n0,0,axis\n5,0,cavity\n5,7,cavity\n95,7,cavity\n95,0,axis\n100,0,inlet\n100,10,outer\n0,10,fixed\n";
+const std::string tube =
+    "x_mm,r_mm,tag\n0,0,axis\n5,0,cavity\n5,7,cavity\n95,7,cavity\n95,0,axis\n100,0,inlet\n100,10,outer\n0,10,fixed\n";
 
 TEST(Revolved, ATubeHasTheVolumesOfTheTube) {
     const TemporaryFile file{"tube.csv", tube};
     for (const char* model : {"axisymmetric", "half", "quarter", "solid"}) {
-        const Solid body = solid(design_text("revolved", file.path, held), {{"model", model}, {"mesh.size", "3 mm"}, {"mesh.sectors", "4"}, {"mesh.through_wall", "1"}});
+        const Solid body =
+            solid(design_text("revolved", file.path, held),
+                  {{"model", model}, {"mesh.size", "3 mm"}, {"mesh.sectors", "4"}, {"mesh.through_wall", "1"}});
         EXPECT_GT(mesh::quality(body.mesh).min_scaled_jacobian, 0.1) << model;
         EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (pi * (100 * 100 - 49 * 90)), 1, curved) << model;
         EXPECT_NEAR(1e9 * sample::cavity_m3(body) / (pi * 49 * 90), 1, curved) << model;
@@ -62,20 +66,25 @@ TEST(Revolved, ATubeHasTheVolumesOfTheTube) {
 
 /// Pappus: a circle of radius 2 about r = 9 mm; its cavity is the hole of radius 1.
 TEST(Revolved, ATorusFollowsPappus) {
-    const TemporaryFile file{"torus.csv", "x_mm,r_mm,tag,loop,curve,via_x_mm,via_r_mm\n2,9,fixed,out,arc,0,11\n-2,9,outer,out,arc,0,7\n"
-                                          "1,9,cavity,in,arc,0,8\n-1,9,cavity,in,arc,0,10\n"};
+    const TemporaryFile file{
+        "torus.csv",
+        "x_mm,r_mm,tag,loop,curve,via_x_mm,via_r_mm\n2,9,fixed,out,arc,0,11\n-2,9,outer,out,arc,0,7\n"
+        "1,9,cavity,in,arc,0,8\n-1,9,cavity,in,arc,0,10\n"};
     for (const char* model : {"axisymmetric", "half"}) {
-        const Solid body = solid(design_text("revolved", file.path, held), {{"model", model}, {"mesh.size", "1 mm"}, {"mesh.sectors", "8"}});
+        const Solid body = solid(design_text("revolved", file.path, held),
+                                 {{"model", model}, {"mesh.size", "1 mm"}, {"mesh.sectors", "8"}});
         EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (2 * pi * 9 * pi * 3), 1, curved) << model;
         EXPECT_NEAR(1e9 * sample::cavity_m3(body) / (2 * pi * 9 * pi), 1, curved) << model;
-        for (const mesh::CellType type : body.mesh.cell_types)   // it does not reach the axis: no simplices are needed
+        for (const mesh::CellType type : body.mesh.cell_types)  // it does not reach the axis: no simplices are needed
             EXPECT_EQ(type, std::string{model} == "half" ? mesh::CellType::hex27 : mesh::CellType::quad9);
     }
 }
 
 TEST(Revolved, AnOpeningCarriesAPlugOnTheFaceAroundIt) {
-    const TemporaryFile file{"cup.csv", "x_mm,r_mm,tag\n0,6,cavity\n20,6,cavity\n20,0,axis\n22,0,tip\n22,8,outer\n0,8,rim\n"};
-    const model::Case c = build_case(read(design_text("revolved", file.path, "supports: {fixed: tip}\nloads: {cavity: {pressure: 5 kPa}}\n")));
+    const TemporaryFile file{"cup.csv",
+                             "x_mm,r_mm,tag\n0,6,cavity\n20,6,cavity\n20,0,axis\n22,0,tip\n22,8,outer\n0,8,rim\n"};
+    const model::Case c = build_case(
+        read(design_text("revolved", file.path, "supports: {fixed: tip}\nloads: {cavity: {pressure: 5 kPa}}\n")));
     ASSERT_EQ(c.cavities.size(), 1u);
     ASSERT_EQ(c.cavities[0].openings.size(), 1u);
     EXPECT_EQ(c.cavities[0].openings[0].face, "rim");
@@ -84,22 +93,30 @@ TEST(Revolved, AnOpeningCarriesAPlugOnTheFaceAroundIt) {
 }
 
 TEST(Revolved, SeveralTagsMakeACavityOfTheirOwn) {
-    const TemporaryFile file{"two.csv", "x_mm,r_mm,tag\n0,0,axis\n2,0,a_low\n2,6,a_side\n8,6,a_high\n8,0,axis\n10,0,b_low\n10,6,b_side\n16,6,b_high\n16,0,axis\n"
-                                        "18,0,tip\n18,8,outer\n0,8,fixed\n"};
-    const std::string text = "family: revolved\ngeometry: {profile: " + file.path.string() +
-                             ", cavities: {left: [a_low, a_side, a_high], right: [b_low, b_side, b_high]}}\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\n"
-                             "supports: {fixed: fixed}\nloads: {cavities: {left: {pressure: 5 kPa}, right: {pressure: 2 kPa}}}\n";
+    const TemporaryFile file{
+        "two.csv",
+        "x_mm,r_mm,tag\n0,0,axis\n2,0,a_low\n2,6,a_side\n8,6,a_high\n8,0,axis\n10,0,b_low\n10,6,b_side\n16,6,b_high\n16,0,axis\n"
+        "18,0,tip\n18,8,outer\n0,8,fixed\n"};
+    const std::string text =
+        "family: revolved\ngeometry: {profile: " + file.path.string() +
+        ", cavities: {left: [a_low, a_side, a_high], right: [b_low, b_side, b_high]}}\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\n"
+        "supports: {fixed: fixed}\nloads: {cavities: {left: {pressure: 5 kPa}, right: {pressure: 2 kPa}}}\n";
     const Solid body = solid(text);
-    for (const char* wall : {"left", "right"}) EXPECT_NEAR(1e9 * sample::cavity_m3(body, 0, wall), pi * 36 * 6, 1e-6) << wall;
+    for (const char* wall : {"left", "right"})
+        EXPECT_NEAR(1e9 * sample::cavity_m3(body, 0, wall), pi * 36 * 6, 1e-6) << wall;
     const TemporaryFile other{"one.csv", tube};
     const std::string loaded = "supports: {fixed: fixed}\nloads: {cavities: {left: {pressure: 5 kPa}}}\noutputs: {}\n";
-    EXPECT_EQ(refusal(design_text("revolved", other.path, loaded), {{"geometry.cavities.left", "[outer]"}, {"geometry.cavities.right", "[outer, inlet]"}}),
-              "--set geometry.cavities.right: its wall and that of 'left' have edges in common; each edge belongs to one cavity");
+    EXPECT_EQ(
+        refusal(design_text("revolved", other.path, loaded),
+                {{"geometry.cavities.left", "[outer]"}, {"geometry.cavities.right", "[outer, inlet]"}}),
+        "--set geometry.cavities.right: its wall and that of 'left' have edges in common; each edge belongs to one cavity");
 }
 
 TEST(Revolved, APlaneOfSymmetryLeavesHalfOfTheBody) {
-    const TemporaryFile file{"half-sphere.csv", "x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n10,0,axis,,,\n20,0,outer,arc,14.142135623730951,14.142135623730951\n"
-                                                "0,20,symmetry_x,,,\n0,10,cavity,arc,7.0710678118654755,7.0710678118654755\n"};
+    const TemporaryFile file{
+        "half-sphere.csv",
+        "x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n10,0,axis,,,\n20,0,outer,arc,14.142135623730951,14.142135623730951\n"
+        "0,20,symmetry_x,,,\n0,10,cavity,arc,7.0710678118654755,7.0710678118654755\n"};
     const std::string text = design_text("revolved", file.path, "supports: {}\nloads: {cavity: {pressure: 5 kPa}}\n");
     const Solid body = solid(text);
     EXPECT_EQ(body.fraction, 0.5);
@@ -112,19 +129,30 @@ TEST(Revolved, APlaneOfSymmetryLeavesHalfOfTheBody) {
 TEST(Revolved, AFaultOfTheFileIsToldWithThePlaceInTheDesign) {
     const TemporaryFile file{"bad.csv", "x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,-10,outer\n"};
     const std::string text = design_text("revolved", file.path, held);
-    EXPECT_EQ(refusal(text).find("part.yaml:2:21: geometry.profile: " + file.path.string() + ":2: the outline runs clockwise"), 0u) << refusal(text);
-    EXPECT_NE(refusal(design_text("revolved", "missing.csv", held)).find("part.yaml:2:21: geometry.profile: missing.csv: "), std::string::npos);
-    EXPECT_EQ(refusal("family: revolved\nmaterial: {law: neo-hookean, mu: 1 MPa}\n").find("part.yaml:1:1: geometry.profile: missing (the half section as a table"), 0u);
+    EXPECT_EQ(refusal(text).find("part.yaml:2:21: geometry.profile: " + file.path.string() +
+                                 ":2: the outline runs clockwise"),
+              0u)
+        << refusal(text);
+    EXPECT_NE(
+        refusal(design_text("revolved", "missing.csv", held)).find("part.yaml:2:21: geometry.profile: missing.csv: "),
+        std::string::npos);
+    EXPECT_EQ(refusal("family: revolved\nmaterial: {law: neo-hookean, mu: 1 MPa}\n")
+                  .find("part.yaml:1:1: geometry.profile: missing (the half section as a table"),
+              0u);
 }
 
 TEST(Revolved, FacesThatTheTableDoesNotHaveAreRefusedWithTheNearest) {
     const TemporaryFile file{"tube.csv", tube};
-    EXPECT_EQ(refusal(design_text("revolved", file.path, "supports: {fixed: fixd}\nloads: {cavity: {pressure: 5 kPa}}\n")),
-              "part.yaml:4:19: supports.fixed: no face is called 'fixd'; did you mean 'fixed'?");
+    EXPECT_EQ(
+        refusal(design_text("revolved", file.path, "supports: {fixed: fixd}\nloads: {cavity: {pressure: 5 kPa}}\n")),
+        "part.yaml:4:19: supports.fixed: no face is called 'fixd'; did you mean 'fixed'?");
     const TemporaryFile full{"full.csv", "x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,10,outer\n0,10,fixed\n"};
-    EXPECT_EQ(refusal(design_text("revolved", full.path, "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\n")),
-              "part.yaml:5:9: loads.cavity: there is no cavity to load; faces: axis, end, outer, fixed");
-    EXPECT_EQ(refusal(design_text("revolved", file.path, held), {{"mesh.size", "0.001 mm"}}).find("--set mesh.size: it would take"), 0u);
+    EXPECT_EQ(
+        refusal(design_text("revolved", full.path, "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\n")),
+        "part.yaml:5:9: loads.cavity: there is no cavity to load; faces: axis, end, outer, fixed");
+    EXPECT_EQ(refusal(design_text("revolved", file.path, held), {{"mesh.size", "0.001 mm"}})
+                  .find("--set mesh.size: it would take"),
+              0u);
 }
 
 /// A stadium's hole in a block, and a slice of it.
@@ -147,9 +175,12 @@ TEST(Extruded, ABlockWithAHoleHasItsVolumes) {
 }
 
 TEST(Extruded, AQuarterRingIsAQuarterOfTheRing) {
-    const TemporaryFile file{"quarter.csv", "x_mm,y_mm,tag,curve,via_x_mm,via_y_mm\n10,0,symmetry_y,,,\n20,0,outer,arc,14.142135623730951,14.142135623730951\n"
-                                            "0,20,symmetry_x,,,\n0,10,cavity,arc,7.0710678118654755,7.0710678118654755\n"};
-    const std::string text = design_text("extruded", file.path, "supports: {z: [end_z0, end_z1]}\nloads: {cavity: {pressure: 5 kPa}}\n");
+    const TemporaryFile file{
+        "quarter.csv",
+        "x_mm,y_mm,tag,curve,via_x_mm,via_y_mm\n10,0,symmetry_y,,,\n20,0,outer,arc,14.142135623730951,14.142135623730951\n"
+        "0,20,symmetry_x,,,\n0,10,cavity,arc,7.0710678118654755,7.0710678118654755\n"};
+    const std::string text =
+        design_text("extruded", file.path, "supports: {z: [end_z0, end_z1]}\nloads: {cavity: {pressure: 5 kPa}}\n");
     const Solid slice = solid(text, {{"model", "solid"}});
     EXPECT_EQ(slice.fraction, 0.25);
     EXPECT_NEAR(1e9 * sample::rubber_m3(slice) / (pi * 300 * 10), 1, curved);
@@ -167,13 +198,15 @@ TEST(Drawn, DesignsAndTemplatesBecomeCases) {
         std::stringstream text;
         text << stream.rdbuf();
         for (const std::string& model : sample::family(name).keys.models) {
-            const design::Design design = design::read_design(text.str(), path, catalogue_keys(), std::vector<design::Override>{{"model", model}});
+            const design::Design design = design::read_design(text.str(), path, catalogue_keys(),
+                                                              std::vector<design::Override>{{"model", model}});
             const model::Case c = build_case(design);
             EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << name << " " << model;
             EXPECT_TRUE(model == sample::family(name).keys.models.front() ? design.warnings.empty() : true);
         }
         const std::string commented = design::template_yaml(sample::family(name).keys);
-        const model::Case c = build_case(design::read_design(commented, std::string{SOFT_SOURCE_DIR} + "/template.yaml", catalogue_keys(), {}));
+        const model::Case c = build_case(
+            design::read_design(commented, std::string{SOFT_SOURCE_DIR} + "/template.yaml", catalogue_keys(), {}));
         for (const std::string& face : sample::family(name).keys.faces)
             EXPECT_TRUE(face.starts_with("end_z") || c.mesh.facet_sets.contains(face)) << face;
     }

@@ -25,11 +25,14 @@ inline const Family& family(const std::string& name) {
 }
 
 inline double number_of(const design::Key& key, const std::string& text) {
-    if (std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end()) return 0;   // a word in its place
+    if (std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end()) return 0;  // a word in its place
     switch (key.kind) {
-        case design::Kind::length: return core::quantity_or_throw(text, core::Dimension::length, ExitCode::bad_input, key.path);
-        case design::Kind::pressure: return core::quantity_or_throw(text, core::Dimension::pressure, ExitCode::bad_input, key.path);
-        case design::Kind::angle: return core::quantity_or_throw(text, core::Dimension::angle, ExitCode::bad_input, key.path);
+        case design::Kind::length:
+            return core::quantity_or_throw(text, core::Dimension::length, ExitCode::bad_input, key.path);
+        case design::Kind::pressure:
+            return core::quantity_or_throw(text, core::Dimension::pressure, ExitCode::bad_input, key.path);
+        case design::Kind::angle:
+            return core::quantity_or_throw(text, core::Dimension::angle, ExitCode::bad_input, key.path);
         case design::Kind::count:
         case design::Kind::ratio: return std::stod(text);
         case design::Kind::text: return 0;
@@ -40,7 +43,8 @@ inline double number_of(const design::Key& key, const std::string& text) {
 /// The values of "[0, 1]"; of a single value that one.
 inline std::vector<double> numbers_of(const design::Key& key, std::string text) {
     if (!text.starts_with('[')) return {number_of(key, text)};
-    std::replace_if(text.begin(), text.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
     std::vector<double> numbers;
     std::istringstream words(text);
     for (double number = 0; words >> number;) numbers.push_back(number);

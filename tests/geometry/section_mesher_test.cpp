@@ -40,7 +40,7 @@ TEST(SectionMesher, NodesOnArcsLieOnTheTrueArc) {
 TEST(SectionMesher, InnerMidNodesFollowTheCurvedGridLines) {
     const mesh::Mesh mesh = mesh_section(quarter_ring(2, 3));
     for (const mesh::Point& p : mesh.points) {
-        const double level = (radius(p) - 1) * 4;   // two cells, so four half steps through the ring
+        const double level = (radius(p) - 1) * 4;  // two cells, so four half steps through the ring
         EXPECT_NEAR(level, std::round(level), 1e-6) << p[0] << " " << p[1];
     }
 }
@@ -58,14 +58,17 @@ TEST(SectionMesher, BlocksOfDifferentRegionsShareTheNodesBetweenThem) {
     Section s;
     const std::array<int, 6> p{add_point(s, {0, 1}), add_point(s, {1, 1}), add_point(s, {1, 2}),
                                add_point(s, {0, 2}), add_point(s, {1, 3}), add_point(s, {0, 3})};
-    for (const auto& [a, b, cells] : std::vector<std::array<int, 3>>{{0, 1, 2}, {1, 2, 1}, {2, 3, 2}, {3, 0, 1}, {2, 4, 3}, {4, 5, 2}, {5, 3, 3}})
+    for (const auto& [a, b, cells] :
+         std::vector<std::array<int, 3>>{{0, 1, 2}, {1, 2, 1}, {2, 3, 2}, {3, 0, 1}, {2, 4, 3}, {4, 5, 2}, {5, 3, 3}})
         add_line(s, {p[a], p[b]}, cells);
     add_block(s, {{{p[0], p[1]}, {p[1], p[2]}, {p[2], p[3]}, {p[3], p[0]}}}, "layer");
     add_block(s, {{{p[3], p[2]}, {p[2], p[4]}, {p[4], p[5]}, {p[5], p[3]}}});
     const mesh::Mesh plane = mesh_section(s);
     EXPECT_EQ(plane.region_names, (std::vector<std::string>{"layer", "rubber"}));
     EXPECT_EQ(plane.points.size(), 5u * 9u);
-    const auto cells_of = [](const mesh::Mesh& mesh, int region) { return std::ranges::count(mesh.cell_regions, region); };
+    const auto cells_of = [](const mesh::Mesh& mesh, int region) {
+        return std::ranges::count(mesh.cell_regions, region);
+    };
     EXPECT_EQ(cells_of(plane, 0), 2);
     EXPECT_EQ(cells_of(plane, 1), 6);
     const mesh::Mesh drawn = extrude(plane, {1.0, 3, {}, {}}), turned = revolve(plane, Turn::quarter, 3);
@@ -115,7 +118,7 @@ TEST(SectionMesher, NeighboursShareTheNodesOfTheirCurve) {
     add_block(s, {{{b, e}, {e, f}, {f, g, c}, {c, b}}});
     const mesh::Mesh mesh = mesh_section(s);
     EXPECT_EQ(mesh.cell_count(), 6 + 12);
-    EXPECT_EQ(mesh.points.size(), std::size_t{13 * 7});   // one grid, no node twice
+    EXPECT_EQ(mesh.points.size(), std::size_t{13 * 7});  // one grid, no node twice
     EXPECT_EQ(mesh.facet_sets.at("short").size(), 1u);
     for (const mesh::Facet& facet : mesh.facet_sets.at("long"))
         for (const mesh::Index n : facet_nodes(mesh, facet)) {
@@ -133,7 +136,7 @@ TEST(SectionMesher, NodesOnTheAxisHaveRadiusZeroExactly) {
 
 TEST(SectionMesher, SmallSectionsKeepTheirPrecision) {
     Section s = quarter_ring(2, 3);
-    for (PlanePoint& p : s.points) p = {p[0] * 1e-6, p[1] * 1e-6};   // a ring of one micrometre
+    for (PlanePoint& p : s.points) p = {p[0] * 1e-6, p[1] * 1e-6};  // a ring of one micrometre
     const mesh::Mesh mesh = mesh_section(s);
     for (const mesh::Facet& facet : mesh.facet_sets.at("outer"))
         for (const mesh::Index n : facet_nodes(mesh, facet)) EXPECT_NEAR(radius(mesh.point(n)) / 2e-6, 1, 1e-13);

@@ -14,11 +14,11 @@ namespace soft::geometry {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double curved = 1.5e-4;   // quadratic edges miss an arc by the fourth power of their angle
+constexpr double curved = 1.5e-4;  // quadratic edges miss an arc by the fourth power of their angle
 
 struct Module {
     int chambers = 3;
-    double length = 40, outer = 12, bore = 3, core = 2, wall = 2, web_deg = 30, cap = 3, jacket = 0;   // mm
+    double length = 40, outer = 12, bore = 3, core = 2, wall = 2, web_deg = 30, cap = 3, jacket = 0;  // mm
 
     [[nodiscard]] double chamber_rad() const { return 2 * pi / chambers - web_deg * pi / 180; }
     [[nodiscard]] double inside() const { return bore + core; }
@@ -26,8 +26,10 @@ struct Module {
     [[nodiscard]] double chamber_mm3() const {
         return 0.5 * chamber_rad() * (outside() * outside() - inside() * inside()) * (length - 2 * cap);
     }
-    [[nodiscard]] double rubber_mm3() const { return pi * (outer * outer - bore * bore) * length - chambers * chamber_mm3(); }
-    [[nodiscard]] double chamber_mm2() const {   // two curved and two plane sides, two ends
+    [[nodiscard]] double rubber_mm3() const {
+        return pi * (outer * outer - bore * bore) * length - chambers * chamber_mm3();
+    }
+    [[nodiscard]] double chamber_mm2() const {  // two curved and two plane sides, two ends
         return (chamber_rad() * (inside() + outside()) + 2 * (outside() - inside())) * (length - 2 * cap) +
                chamber_rad() * (outside() * outside() - inside() * inside());
     }
@@ -35,10 +37,14 @@ struct Module {
 
 sample::Changes changes_of(const Module& m) {
     const auto mm = [](double value) { return core::number_text(value) + " mm"; };
-    return {{"geometry.chambers", std::to_string(m.chambers)}, {"geometry.length", mm(m.length)},
-            {"geometry.outer_radius", mm(m.outer)},            {"geometry.bore_radius", mm(m.bore)},
-            {"geometry.core", mm(m.core)},                     {"geometry.wall", mm(m.wall)},
-            {"geometry.web", core::number_text(m.web_deg) + " deg"}, {"geometry.cap", mm(m.cap)},
+    return {{"geometry.chambers", std::to_string(m.chambers)},
+            {"geometry.length", mm(m.length)},
+            {"geometry.outer_radius", mm(m.outer)},
+            {"geometry.bore_radius", mm(m.bore)},
+            {"geometry.core", mm(m.core)},
+            {"geometry.wall", mm(m.wall)},
+            {"geometry.web", core::number_text(m.web_deg) + " deg"},
+            {"geometry.cap", mm(m.cap)},
             {"geometry.jacket.thickness", mm(m.jacket)}};
 }
 
@@ -94,10 +100,12 @@ TEST(Segment, ChambersLieWhereTheyAreSaidTo) {
 
 TEST(Segment, TheJacketMayBeOfAnotherMaterial) {
     const auto built = [](const std::string& jacket) {
-        return build_case(design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
-                                              "materials: {cloth: {law: neo-hookean, mu: 5 MPa}}\n"
-                                              "loads: {cavities: {chamber_2: {pressure: 5 kPa}}}\ngeometry: {jacket: " + jacket + "}\n",
-                                              "s.yaml", catalogue_keys(), {}));
+        return build_case(
+            design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
+                                "materials: {cloth: {law: neo-hookean, mu: 5 MPa}}\n"
+                                "loads: {cavities: {chamber_2: {pressure: 5 kPa}}}\ngeometry: {jacket: " +
+                                    jacket + "}\n",
+                                "s.yaml", catalogue_keys(), {}));
     };
     const model::Case dressed = built("{thickness: 0.5 mm, material: cloth}");
     ASSERT_EQ(dressed.materials.size(), 2u);
@@ -109,16 +117,19 @@ TEST(Segment, TheJacketMayBeOfAnotherMaterial) {
     for (mesh::Index c = 0; c < mesh.cell_count(); ++c)
         if (mesh.region_names[static_cast<std::size_t>(mesh.cell_regions[static_cast<std::size_t>(c)])] == "jacket")
             for (const mesh::QuadraturePoint& point : mesh::volume_rule(mesh.cell_type(c)))
-                volume_m3 += point.weight * mesh::map_cell(mesh, c, mesh::shape_values(mesh.cell_type(c), point.xi)).determinant;
+                volume_m3 +=
+                    point.weight * mesh::map_cell(mesh, c, mesh::shape_values(mesh.cell_type(c), point.xi)).determinant;
     EXPECT_NEAR(volume_m3 / (pi * (outer_m * outer_m - inner_m * inner_m) * 40e-3), 1, curved);
-    EXPECT_THROW((void)built("{thickness: 0 mm, material: rubber}"), Error);   // cloth is used nowhere
+    EXPECT_THROW((void)built("{thickness: 0 mm, material: rubber}"), Error);  // cloth is used nowhere
 }
 
 TEST(Segment, FibresLieInTheJacketAlone) {
     const auto design = [](const std::string& jacket) {
-        return design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
-                                   "loads: {cavities: {chamber_2: {pressure: 5 kPa}}}\ngeometry: {jacket: " + jacket + "}\n",
-                                   "s.yaml", catalogue_keys(), {});
+        return design::read_design(
+            "family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
+            "loads: {cavities: {chamber_2: {pressure: 5 kPa}}}\ngeometry: {jacket: " +
+                jacket + "}\n",
+            "s.yaml", catalogue_keys(), {});
     };
     const model::Case wound = build_case(design("{thickness: 0.5 mm, fibers: {angle: 80 deg, k1: 2 MPa, k2: 3}}"));
     for (const model::Material& material : wound.materials) {
@@ -127,17 +138,23 @@ TEST(Segment, FibresLieInTheJacketAlone) {
         EXPECT_EQ(*material.fibers, (model::Fibers{pi * 80 / 180, 2e6, 3, 2}));
         EXPECT_EQ(material.fiber_frame, model::FiberFrame::cylindrical);
     }
-    for (const model::Material& material : build_case(design("{thickness: 0.5 mm}")).materials) EXPECT_FALSE(material.fibers);
-    EXPECT_EQ(sample::refusal(design("{fibers: {k1: 2 MPa}}")),
-              "s.yaml:4:34: geometry.jacket.fibers.k1: there is no jacket in which the fibres could lie; jacket.thickness larger than 0");
+    for (const model::Material& material : build_case(design("{thickness: 0.5 mm}")).materials)
+        EXPECT_FALSE(material.fibers);
+    EXPECT_EQ(
+        sample::refusal(design("{fibers: {k1: 2 MPa}}")),
+        "s.yaml:4:34: geometry.jacket.fibers.k1: there is no jacket in which the fibres could lie; jacket.thickness larger than 0");
 }
 
 TEST(Segment, AChamberThatIsNotThereIsRefused) {
     const auto refused = [](const std::string& chambers, const std::string& load) {
-        return sample::refusal(design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
-                                                   "geometry: {chambers: " + chambers + "}\n"
-                                                   "loads: {cavities: {" + load + ": {pressure: 5 kPa}}}\n",
-                                                   "s.yaml", catalogue_keys(), {}));
+        return sample::refusal(
+            design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
+                                "geometry: {chambers: " +
+                                    chambers +
+                                    "}\n"
+                                    "loads: {cavities: {" +
+                                    load + ": {pressure: 5 kPa}}}\n",
+                                "s.yaml", catalogue_keys(), {}));
     };
     EXPECT_EQ(refused("4", "chamber_4"), "accepted");
     EXPECT_NE(refused("3", "chamber_4").find("face 'chamber_4' is not part of this model"), std::string::npos);
@@ -162,7 +179,7 @@ TEST(Segment, TwentyRandomOnesInRangeAreSound) {
         m.length = 2 * m.cap + draw(2, 60);
         m.jacket = seed % 2 == 0 ? 0 : draw(0.1, 0.9) * m.wall;
         const Solid solid = sample::solid("segment", "solid", changes_of(m));
-        expect_closed_forms(m, solid, 1e-3);   // arcs of up to 60 degrees a cell
+        expect_closed_forms(m, solid, 1e-3);  // arcs of up to 60 degrees a cell
         EXPECT_GT(mesh::quality(solid.mesh).min_scaled_jacobian, 0.1) << seed;
     }
 }
@@ -172,7 +189,9 @@ TEST(Segment, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
         const char *key, *value, *words;
     };
     for (const Refusal& r :
-         {Refusal{"wall", "7 mm", "7 mm leaves no chamber between core and wall; smaller than 7 mm = outer_radius - bore_radius - core"},
+         {Refusal{
+              "wall", "7 mm",
+              "7 mm leaves no chamber between core and wall; smaller than 7 mm = outer_radius - bore_radius - core"},
           Refusal{"cap", "20 mm", "20 mm is not smaller than half the length 20 mm; smaller than 20 mm"},
           Refusal{"jacket.thickness", "2 mm", "2 mm is not smaller than wall 2 mm; smaller than 2 mm"},
           Refusal{"web", "120 deg", "it leaves no angle for the chambers; smaller than 120 deg"}}) {
@@ -188,7 +207,8 @@ TEST(Segment, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
 }
 
 TEST(Hollowed, TakesCellsAwayAndNamesWhatIsLaidBare) {
-    const Solid bar = sample::solid("rod", "solid", {{"mesh.size", "10 mm"}, {"geometry.length", "30 mm"}});   // three cells in a row
+    const Solid bar =
+        sample::solid("rod", "solid", {{"mesh.size", "10 mm"}, {"geometry.length", "30 mm"}});  // three cells in a row
     ASSERT_EQ(bar.mesh.cell_count(), 3);
     const auto middle = [&](mesh::Index cell) {
         double x = 0;

@@ -39,7 +39,7 @@ double error_of_ring(int sectors) {
 TEST(Revolve, AFullTurnClosesOnItself) {
     const mesh::Mesh ring = revolve(bar(2), Turn::full, 3);
     EXPECT_EQ(ring.cell_count(), 6 * 12);
-    EXPECT_EQ(ring.points.size(), std::size_t{7 * 5 * 24});   // section nodes by half layers, none twice
+    EXPECT_EQ(ring.points.size(), std::size_t{7 * 5 * 24});  // section nodes by half layers, none twice
     EXPECT_EQ(boundary_count(ring, {"lower", "right", "upper", "left"}), std::size_t{10 * 12});
     EXPECT_GT(mesh::quality(ring).min_scaled_jacobian, 0.5);
 }
@@ -64,7 +64,7 @@ TEST(Revolve, QuadrilateralsOnTheAxisBecomeWedges) {
     EXPECT_GT(mesh::quality(disc).min_scaled_jacobian, 0.4);
     EXPECT_NEAR(mesh::measure(disc, mesh::Measure::plain) / (3 * std::numbers::pi), 1, 1e-4);
     EXPECT_EQ(boundary_count(disc, {"right", "upper", "left"}), std::size_t{(2 + 2 + 3) * 16});
-    EXPECT_FALSE(disc.facet_sets.contains("lower"));   // it lies on the axis
+    EXPECT_FALSE(disc.facet_sets.contains("lower"));  // it lies on the axis
     for (const mesh::Facet& facet : disc.facet_sets.at("right"))
         for (const mesh::Index n : facet_nodes(disc, facet)) EXPECT_EQ(disc.point(n)[0], 3);
 }
@@ -74,7 +74,7 @@ TEST(Revolve, AnyEdgeOfAQuadrilateralMayLieOnTheAxis) {
     mesh::Mesh section = bar(0);
     const auto first = static_cast<std::ptrdiff_t>(section.offsets[1]);
     for (int turn = 1; turn < 4; ++turn) {
-        auto& nodes = section.connectivity;   // of cell 0, turned by one corner more each time
+        auto& nodes = section.connectivity;  // of cell 0, turned by one corner more each time
         std::rotate(nodes.begin(), nodes.begin() + 1, nodes.begin() + 4);
         std::rotate(nodes.begin() + 4, nodes.begin() + 5, nodes.begin() + 8);
         ASSERT_EQ(first, 9);
@@ -91,7 +91,8 @@ TEST(Revolve, AnyEdgeOfAQuadrilateralMayLieOnTheAxis) {
 
 TEST(Revolve, CutPlanesAreExactAndNamed) {
     const mesh::Mesh quarter = revolve(bar(0), Turn::quarter, 3);
-    EXPECT_EQ(boundary_count(quarter, {"right", "upper", "left", symmetry_y_face, symmetry_z_face}), std::size_t{7 * 3 + 12});
+    EXPECT_EQ(boundary_count(quarter, {"right", "upper", "left", symmetry_y_face, symmetry_z_face}),
+              std::size_t{7 * 3 + 12});
     for (const mesh::Point& p : quarter.points) {
         EXPECT_GE(p[1], 0);
         EXPECT_GE(p[2], 0);
@@ -114,10 +115,11 @@ TEST(Revolve, TrianglesOffTheAxisBecomeWedgesAndOnTheAxisTetrahedra) {
     EXPECT_NEAR(4 * mesh::measure(ring, mesh::Measure::plain) / (15 * std::numbers::pi), 1, 1e-4);
     const mesh::Mesh section = mesh::split_into_simplices(bar(0)), solid = revolve(section, Turn::quarter, 4);
     EXPECT_GT(std::count(solid.cell_types.begin(), solid.cell_types.end(), CellType::tet10), 0);
-    const mesh::Mesh split = mesh::split_into_simplices(solid), known = mesh::split_into_simplices(revolve(bar(0), Turn::quarter, 4));
+    const mesh::Mesh split = mesh::split_into_simplices(solid),
+                     known = mesh::split_into_simplices(revolve(bar(0), Turn::quarter, 4));
     EXPECT_GT(mesh::quality(split).min_scaled_jacobian, 0.1);
     EXPECT_NEAR(mesh::measure(split, mesh::Measure::plain) / mesh::measure(known, mesh::Measure::plain), 1, 1e-12);
-    EXPECT_EQ(mesh::boundary_facets(split).size(), mesh::boundary_facets(known).size());   // no gap between cells
+    EXPECT_EQ(mesh::boundary_facets(split).size(), mesh::boundary_facets(known).size());  // no gap between cells
 }
 
 TEST(Revolve, ACornerOnTheAxisIsRefused) {
@@ -166,7 +168,7 @@ TEST(Extrude, AlongZKeepsXAndYAndTheOrientation) {
 TEST(FacetsOnPlane, FindsInnerPlanesOfAWholeTurn) {
     const mesh::Mesh disc = revolve(bar(0), Turn::full, 4);
     const auto plane = facets_on_plane(disc, 1);
-    EXPECT_EQ(plane.size(), std::size_t{2 * 2 * 6});   // both halves of the section, seen from both sides
+    EXPECT_EQ(plane.size(), std::size_t{2 * 2 * 6});  // both halves of the section, seen from both sides
     for (const mesh::Facet& facet : plane)
         for (const mesh::Index n : facet_nodes(disc, facet)) EXPECT_EQ(disc.point(n)[1], 0);
 }

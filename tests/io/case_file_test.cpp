@@ -44,7 +44,7 @@ TEST(CaseFile, EqualInputGivesEqualBytes) { EXPECT_EQ(section_image(), section_i
 TEST(CaseFile, LargeMeshSurvivesChunksAndCompression) {
     model::Case model = solid_case();
     const auto points = model.mesh.points;
-    for (int copy = 0; copy < 3000; ++copy)   // 135,000 points, 3 MB: several chunks
+    for (int copy = 0; copy < 3000; ++copy)  // 135,000 points, 3 MB: several chunks
         for (auto point : points) {
             point[2] += 1e-3 * copy;
             model.mesh.points.push_back(point);
@@ -95,9 +95,8 @@ TEST(CaseFile, EveryDatasetHasUnitsAndDescriptionAndNoTime) {
 }
 
 TEST(CaseFile, FileChangedByAnotherProgramIsReadWithoutItsSeal) {
-    const auto image = tampered(section_image(), [](hid_t file) {
-        overwrite(file, "/control/stages/0/value", 1, std::vector{12345.0});
-    });
+    const auto image = tampered(
+        section_image(), [](hid_t file) { overwrite(file, "/control/stages/0/value", 1, std::vector{12345.0}); });
     EXPECT_EQ(read_case(image, "case.h5").path.stages[0].supplies[1].value, 12345.0);
 }
 

@@ -36,7 +36,7 @@ mesh::Mesh lattice(mesh::CellType type, int dimension) {
 
 model::Case section_case() {
     model::Case model;
-    model.name = "zweizellig \xc3\xa4";   // UTF-8 must survive
+    model.name = "zweizellig \xc3\xa4";  // UTF-8 must survive
     model.kinematics = model::Kinematics::axisymmetric;
     model.formulation = model::Formulation::mixed;
     model.model_fraction = 0.5;
@@ -48,18 +48,32 @@ model::Case section_case() {
     model.mesh.point_sets = {{"tip", {4, 9, 14}}, {"none", {}}};
     model.materials = {
         {"rubber", "neo-hookean", {{"mu", {164400.0}}}, 16.44e6, 1080.0, model::Volumetric::log},
-        {"collar", "ogden", {{"mu", {1e5, 2e3, -1e4}}, {"alpha", {1.3, 5.0, -2.0}}}, std::nullopt,
-         1200.5, model::Volumetric::quadratic, model::Strain::small, model::FiberFrame::cylindrical, "materials.collar",
+        {"collar",
+         "ogden",
+         {{"mu", {1e5, 2e3, -1e4}}, {"alpha", {1.3, 5.0, -2.0}}},
+         std::nullopt,
+         1200.5,
+         model::Volumetric::quadratic,
+         model::Strain::small,
+         model::FiberFrame::cylindrical,
+         "materials.collar",
          model::Fibers{0.6, 5e5, 1.25, 1}},
     };
     model.supports = {{"end_disc", {true, true, false}}, {"inlet", {false, true, false}}};
     model.cavities = {{"main", "cavity", {"end_disc"}, {{"inlet", 1.9634954084936207e-5, {-1, 0, 0}}}},
                       {"annex", "cavity", {}, {}}};
     const model::TimeCourse table{model::Course::table, 0, 0, {0, 0.05, 0.4}, {0, 1.5, -0.25}};
-    model.loads = {{"supply", {"main", "annex"}, true, {0.9e5, 1.1, 5e-6, 1.4}, model::LoadShape::deformed, table,
-                    model::SupplyLine{2.5e8}},
-                   {"outside", {"inlet"}, false, {}, model::LoadShape::undeformed, {model::Course::ramp, 0.125, 0, {}, {}}, {}}};
-    model.tractions = {{"inlet", {-1.5e3, 0, 0}, {model::Course::sine, 0, 12.5, {}, {}}}, {"end_disc", {0, 250.0, 0}, table, 4.5e-4}};
+    model.loads = {
+        {"supply",
+         {"main", "annex"},
+         true,
+         {0.9e5, 1.1, 5e-6, 1.4},
+         model::LoadShape::deformed,
+         table,
+         model::SupplyLine{2.5e8}},
+        {"outside", {"inlet"}, false, {}, model::LoadShape::undeformed, {model::Course::ramp, 0.125, 0, {}, {}}, {}}};
+    model.tractions = {{"inlet", {-1.5e3, 0, 0}, {model::Course::sine, 0, 12.5, {}, {}}},
+                       {"end_disc", {0, 250.0, 0}, table, 4.5e-4}};
     model.body_forces = {{"gravity", {-9.81, 0, 0}, {model::Course::step, 0, 0, {}, {}}}};
     model.motions = {{"inlet", {-2e-3, std::nullopt, std::nullopt}}, {"end_disc", {0.0, 1e-3, std::nullopt}}};
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
@@ -122,8 +136,12 @@ model::Case solid_case() {
     model.mesh.cell_regions = {0, 0};
     model.mesh.region_names = {"rubber"};
     model.mesh.facet_sets = {{"fixed", {{0, 0}}}, {"end", {{1, 1}}}};
-    model.materials = {{"rubber", "yeoh", {{"c1", {1e5}}, {"c2", {0.0}}, {"c3", {-7.25}}}, std::nullopt,
-                        std::nullopt, model::Volumetric::mixed}};
+    model.materials = {{"rubber",
+                        "yeoh",
+                        {{"c1", {1e5}}, {"c2", {0.0}}, {"c3", {-7.25}}},
+                        std::nullopt,
+                        std::nullopt,
+                        model::Volumetric::mixed}};
     model.supports = {{"fixed", {true, true, true}}};
     model.loads = {{"end", {"end"}, true, {}}};
     model.outputs = {{"elongation", "end", {1, 0, 0}}};

@@ -11,16 +11,16 @@
 
 namespace soft::io::test {
 
-[[nodiscard]] model::Case section_case();   ///< two quad9, axisymmetric; every optional part is used
-[[nodiscard]] model::Case solid_case();     ///< two hex27; no cavity, incompressible
-[[nodiscard]] model::Case dynamic_case();   ///< solid_case in motion
-[[nodiscard]] solution::Step moving_step(int number);   ///< a row of it
+[[nodiscard]] model::Case section_case();              ///< two quad9, axisymmetric; every optional part is used
+[[nodiscard]] model::Case solid_case();                ///< two hex27; no cavity, incompressible
+[[nodiscard]] model::Case dynamic_case();              ///< solid_case in motion
+[[nodiscard]] solution::Step moving_step(int number);  ///< a row of it
 [[nodiscard]] DesignText example_design();
 [[nodiscard]] Provenance example_provenance(const std::string& tool);
 [[nodiscard]] std::vector<std::byte> section_image();
 
 [[nodiscard]] solution::Step example_step(int number);
-[[nodiscard]] std::vector<double> example_displacement(int number);   ///< of section_case
+[[nodiscard]] std::vector<double> example_displacement(int number);  ///< of section_case
 [[nodiscard]] std::vector<double> example_pressure(int number);
 [[nodiscard]] solution::PathEnd example_end();
 

@@ -142,7 +142,8 @@ void expect_equal(const model::Case& left, const model::Case& right) {
         EXPECT_EQ(a.shape, b.shape);
         expect_equal(a.course, b.course);
         ASSERT_EQ(a.line.has_value(), b.line.has_value());
-        EXPECT_EQ(a.line.value_or(model::SupplyLine{}).resistance_Pa_s_m3, b.line.value_or(model::SupplyLine{}).resistance_Pa_s_m3);
+        EXPECT_EQ(a.line.value_or(model::SupplyLine{}).resistance_Pa_s_m3,
+                  b.line.value_or(model::SupplyLine{}).resistance_Pa_s_m3);
     });
     expect_all(left.tractions, right.tractions, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.face, b.face);

@@ -96,7 +96,7 @@ TEST_F(Journal, SurvivesKillNineAtAnyTime) {
             ResultWriter running = writer();
             for (int i = 0; i < 200; ++i) {
                 const char done = static_cast<char>(i);
-                if (::write(pipe_ends[1], &done, 1) != 1) ::_exit(1);   // i steps are in the file
+                if (::write(pipe_ends[1], &done, 1) != 1) ::_exit(1);  // i steps are in the file
                 append(running, i);
             }
             static_cast<void>(running.finish(example_end()));
@@ -168,7 +168,7 @@ TEST_F(Journal, RecordThatDoesNotFitTheCaseIsRefused) {
     Image payload = encode_step(example_step(0), example_displacement(0), example_pressure(0));
     payload.pop_back();
     EXPECT_TRUE(refused(payload));
-    payload.resize(40, std::byte{0xff});   // a list of 2^64 - 1 numbers
+    payload.resize(40, std::byte{0xff});  // a list of 2^64 - 1 numbers
     EXPECT_TRUE(refused(payload));
 }
 
@@ -179,9 +179,8 @@ std::vector<double> numbers(int count, double first) {
 }
 
 solution::StatePoint example_state(double first) {
-    return {numbers(9, first), numbers(9, -first), numbers(2, first),  numbers(2, 3 * first), 0.25,
-            -0.5,              -1e-3 * first,      numbers(2, 2 * first), 1e-7 * first,       2e-3 * first,
-            3};
+    return {numbers(9, first), numbers(9, -first),    numbers(2, first), numbers(2, 3 * first), 0.25, -0.5,
+            -1e-3 * first,     numbers(2, 2 * first), 1e-7 * first,      2e-3 * first,          3};
 }
 
 /// Of section_case(); every member has a value of its own.
@@ -255,7 +254,7 @@ TEST(Checkpoint, ReadsBackEqualInEveryField) {
         }
         const auto read = decode_checkpoint(encode_checkpoint(checkpoint), "result.h5");
         expect_equal(read, checkpoint);
-        checkpoint.so_far.reason = {};   // no meaning yet
+        checkpoint.so_far.reason = {};  // no meaning yet
         checkpoint.so_far.detail.clear();
         test::expect_equal(read.so_far, checkpoint.so_far);
     }
@@ -289,10 +288,10 @@ TEST_F(Journal, GoesOnBehindTheLastCheckpointAsIfNothingHadHappened) {
     ResultWriter killed = writer();
     for (int i = 0; i < 4; ++i) {
         append(killed, i);
-        if (i < 3) killed.remember(example_checkpoint(i + 1));   // row 3 has no checkpoint behind it
+        if (i < 3) killed.remember(example_checkpoint(i + 1));  // row 3 has no checkpoint behind it
     }
     Image left = core::read_file(file_);
-    left.resize(left.size() - 5);   // and was cut short
+    left.resize(left.size() - 5);  // and was cut short
     core::AtomicFile cut{file_};
     static_cast<void>(cut.write(left));
     cut.commit();

@@ -72,7 +72,8 @@ TEST(DynamicCase, LiesOfItsRowsAreRefusedWithTheirPlace) {
     const std::vector<Lie> lies{
         {[](hid_t f) { overwrite(f, "/path/time", 2, Numbers{0.05}); }, "/path/time[2]: must ascend"},
         {[](hid_t f) { overwrite(f, "/path/time", 0, Numbers{-1}); }, "/path/time[0]"},
-        {[](hid_t f) { overwrite(f, "/path/kinetic_energy", 1, Numbers{-1e-9}); }, "/path/kinetic_energy[1]: is negative"},
+        {[](hid_t f) { overwrite(f, "/path/kinetic_energy", 1, Numbers{-1e-9}); },
+         "/path/kinetic_energy[1]: is negative"},
         {[](hid_t f) { overwrite(f, "/path/load_work", 1, Numbers{nan}); }, "/path/load_work[1]"},
         {[](hid_t f) { unlink(f, "/path/damping_work"); }, "/path/damping_work"},
     };
@@ -110,9 +111,11 @@ TEST(DynamicCase, LiesOfTheCaseAreRefusedWithTheirPlace) {
          {[](hid_t f) { overwrite(f, "/control/dynamics/rows", 0, Integers{0}); }, "/control/dynamics/rows"},
          {[&](hid_t f) { replace_text(f, dynamics, "integrator", "magic"); }, "/control/dynamics/integrator: 'magic'"},
          {[&](hid_t f) {
-              replace_text(f, dynamics, "integrator", "hht");   // spectral radius 0.25: alpha = 0.6
-          }, "/control/dynamics/spectral_radius"},
-         {[](hid_t f) { unlink(f, "/materials/rubber/density"); }, "/materials/rubber/density: is missing, and the case is dynamic"}});
+              replace_text(f, dynamics, "integrator", "hht");  // spectral radius 0.25: alpha = 0.6
+          },
+          "/control/dynamics/spectral_radius"},
+         {[](hid_t f) { unlink(f, "/materials/rubber/density"); },
+          "/materials/rubber/density: is missing, and the case is dynamic"}});
 }
 
 TEST(DynamicCase, FollowsOneStageOfPressures) {
@@ -121,7 +124,7 @@ TEST(DynamicCase, FollowsOneStageOfPressures) {
     model.path.stages[0].name = "a";
     model.path.stages[1].name = "b";
     EXPECT_THROW(static_cast<void>(write_case(model, example_design(), example_provenance("mesh-gen"))), Error);
-    model = section_case();   // its first supply is a volume
+    model = section_case();  // its first supply is a volume
     model.path.stages.resize(1);
     model.dynamics = dynamic_case().dynamics;
     EXPECT_THROW(static_cast<void>(write_case(model, example_design(), example_provenance("mesh-gen"))), Error);
@@ -130,10 +133,17 @@ TEST(DynamicCase, FollowsOneStageOfPressures) {
 TEST(LoadCourses, LiesAreRefusedWithTheirPlace) {
     expect_refused(
         section_image(),
-        {{[](hid_t f) { replace_texts(f, "/loads/course", "kind", Words{"table", "leap"}); }, "/loads/course/kind[1]: 'leap'"},
-         {[](hid_t f) { replace_texts(f, "/loads/course", "kind", Words{"step", "ramp"}); },
+        {{[](hid_t f) {
+              replace_texts(f, "/loads/course", "kind", Words{"table", "leap"});
+          },
+          "/loads/course/kind[1]: 'leap'"},
+         {[](hid_t f) {
+              replace_texts(f, "/loads/course", "kind", Words{"step", "ramp"});
+          },
           "/loads/course/kind[0]: has points of a table"},
-         {[](hid_t f) { replace_texts(f, "/loads/course", "kind", Words{"table", "table"}); },
+         {[](hid_t f) {
+              replace_texts(f, "/loads/course", "kind", Words{"table", "table"});
+          },
           "/loads/course/kind[1]: is a table without points"},
          {[](hid_t f) { overwrite(f, "/loads/course/rise", 1, Numbers{-1}); }, "/loads/course/rise[1]"},
          {[](hid_t f) { overwrite(f, "/loads/tractions/course/frequency", 0, Numbers{0}); },
@@ -142,24 +152,32 @@ TEST(LoadCourses, LiesAreRefusedWithTheirPlace) {
          {[](hid_t f) { overwrite(f, "/loads/tractions/course/table/time", 1, Numbers{0.5}); },
           "/loads/tractions/course/table/time: must ascend"},
          {[](hid_t f) { overwrite(f, "/loads/course/table/share", 1, Numbers{nan}); }, "/loads/course/table/share[1]"},
-         {[](hid_t f) { replace_texts(f, "/loads", "shape", Words{"deformed", "bent"}); }, "/loads/shape[1]: 'bent'"},
-         {[](hid_t f) { overwrite(f, "/loads/line_resistance", 0, Numbers{-1}); }, "/loads/line_resistance[0]: must be positive"},
+         {[](hid_t f) {
+              replace_texts(f, "/loads", "shape", Words{"deformed", "bent"});
+          },
+          "/loads/shape[1]: 'bent'"},
+         {[](hid_t f) { overwrite(f, "/loads/line_resistance", 0, Numbers{-1}); },
+          "/loads/line_resistance[0]: must be positive"},
          {[](hid_t f) { overwrite(f, "/loads/line_resistance", 1, Numbers{1e8}); },
           "/loads/line_resistance[1]: the load 'outside' is on a face"},
-         {[](hid_t f) { replace_text(f, "/materials/rubber", "strain", "none"); }, "/materials/rubber/strain: 'none'"}});
+         {[](hid_t f) { replace_text(f, "/materials/rubber", "strain", "none"); },
+          "/materials/rubber/strain: 'none'"}});
 }
 
 TEST(SolverSettings, LiesAreRefusedWithTheirPlace) {
     std::vector<Lie> lies{
-        {[](hid_t f) { overwrite(f, "/control/solver/linear_tolerance", 0, Numbers{1}); }, "/control/solver/linear_tolerance"},
+        {[](hid_t f) { overwrite(f, "/control/solver/linear_tolerance", 0, Numbers{1}); },
+         "/control/solver/linear_tolerance"},
         {[](hid_t f) { overwrite(f, "/control/solver/linear_limit", 0, Integers{0}); }, "/control/solver/linear_limit"},
         {[](hid_t f) { overwrite(f, "/control/solver/threads", 0, Integers{257}); }, "/control/solver/threads"},
-        {[](hid_t f) { overwrite(f, "/control/solver/wanted_iterations", 0, Integers{0}); }, "/control/solver/wanted_iterations"},
+        {[](hid_t f) { overwrite(f, "/control/solver/wanted_iterations", 0, Integers{0}); },
+         "/control/solver/wanted_iterations"},
         {[](hid_t f) { replace<std::uint8_t>(f, "/control/solver", "scaling", {2}); }, "/control/solver/scaling"},
         {[](hid_t f) { unlink(f, "/control/solver/threads"); }, "/control/solver/threads: is missing"},
     };
     for (const char* name : {"newton", "line_search", "tangent", "linear", "preconditioner", "steps", "predictor"})
-        lies.push_back({[=](hid_t f) { replace_text(f, "/control/solver", name, "guess"); }, "'guess' is not a known value"});
+        lies.push_back(
+            {[=](hid_t f) { replace_text(f, "/control/solver", name, "guess"); }, "'guess' is not a known value"});
     expect_refused(section_image(), lies);
 }
 

@@ -15,9 +15,9 @@ namespace {
 using namespace test;
 
 struct Lie {
-    const char* what;                            ///< name of the test
+    const char* what;  ///< name of the test
     std::function<void(hid_t file)> change;
-    const char* place;                           ///< what the message must name
+    const char* place;  ///< what the message must name
 };
 
 /// A dataset with creation properties of the test's making; nothing is written into it.

@@ -116,7 +116,7 @@ TEST(ResultFile, HoldsTheCaseAsItWasSolved) {
     expect_equal(result.steps.at(0), changed_step());
     EXPECT_EQ(result.changed_design, options.changed_design);
     EXPECT_EQ(result.design, example_design());
-    expect_equal(read_case(image, "result.h5"), section_case());   // as mesh-gen wrote it
+    expect_equal(read_case(image, "result.h5"), section_case());  // as mesh-gen wrote it
 }
 
 TEST(ResultFile, CaseThatItsReaderWouldRefuseIsABug) {
@@ -196,7 +196,8 @@ TEST(ResultFile, CaseWithoutSolutionSaysWhatToDo) {
 }
 
 TEST(ResultFile, ResultIsNotSolvedTwice) {
-    EXPECT_THROW((ResultWriter{{result_image(2), "result.h5", section_case()}, example_provenance("solve"), {}}), Error);
+    EXPECT_THROW((ResultWriter{{result_image(2), "result.h5", section_case()}, example_provenance("solve"), {}}),
+                 Error);
 }
 
 TEST(ResultFile, StepsThatDoNotFitAreABug) {
@@ -244,7 +245,7 @@ TEST(ResultFile, StepsThatDoNotFitAreABug) {
 
 TEST(ResultFile, LimitPointBeyondThePathIsABug) {
     ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
-    append_steps(writer, 1);   // the limit point of example_end() is at row 1
+    append_steps(writer, 1);  // the limit point of example_end() is at row 1
     EXPECT_THROW(static_cast<void>(writer.finish(example_end())), Error);
 }
 
@@ -294,16 +295,20 @@ TEST(ResultFile, LiesAreRefusedWithTheirPlace) {
         {"stored step", [](hid_t f) { overwrite(f, "/fields/steps", 2, Integers{3}); }, "/fields/steps[2]"},
         {"order", [](hid_t f) { overwrite(f, "/fields/steps", 1, Integers{0}); }, "/fields/steps[1]"},
         {"field", [&](hid_t f) { drop(f, "/fields/displacement"); }, "/fields/displacement"},
-        {"fewer rows", [](hid_t f) {
+        {"fewer rows",
+         [](hid_t f) {
              const DatasetHandle rows{H5Dopen2(f, "/fields/displacement", H5P_DEFAULT)};
              const hsize_t shape[3] = {2, 15, 3};
              H5Dset_extent(rows.get(), shape);
-         }, "/fields/displacement"},
-        {"reason", [](hid_t f) {
+         },
+         "/fields/displacement"},
+        {"reason",
+         [](hid_t f) {
              const GroupHandle path{H5Gopen2(f, "/path", H5P_DEFAULT)};
              H5Adelete(path.get(), "stop_reason");
              write_attribute(path.get(), "stop_reason", "bored");
-         }, "/path/stop_reason"},
+         },
+         "/path/stop_reason"},
     };
     for (const Lie& lie : lies) {
         try {
@@ -317,9 +322,8 @@ TEST(ResultFile, LiesAreRefusedWithTheirPlace) {
 }
 
 TEST(ResultFile, DamagedFieldIsRefusedWhenItIsRead) {
-    const Image image = tampered(result_image(3), [](hid_t file) {
-        overwrite(file, "/fields/displacement", 50, std::vector{nan});
-    });
+    const Image image =
+        tampered(result_image(3), [](hid_t file) { overwrite(file, "/fields/displacement", 50, std::vector{nan}); });
     const Result result = read_result(image, "result.h5");
     EXPECT_TRUE(result.fields.read(0).has_value());
     EXPECT_THROW(static_cast<void>(result.fields.read(1)), Error);

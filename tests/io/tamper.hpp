@@ -26,7 +26,7 @@ inline void replace_text(hid_t file, const std::string& group, const std::string
 }
 
 inline void replace_texts(hid_t file, const std::string& group, const std::string& name,
-                   const std::vector<std::string>& texts) {
+                          const std::vector<std::string>& texts) {
     const GroupHandle parent{H5Gopen2(file, group.c_str(), H5P_DEFAULT)};
     unlink(parent.get(), name.c_str());
     write_texts(parent.get(), {name, "1", "tampered"}, texts);

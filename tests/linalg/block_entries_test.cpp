@@ -15,7 +15,8 @@ const std::vector<std::vector<PetscInt>> chain = {{0, 1, 2}, {4, 2, 3}, {4, -1, 
 
 std::vector<double> block_values(std::size_t block) {
     std::vector<double> values(chain[block].size() * chain[block].size());
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = 0.1 * static_cast<double>(block + 1) + 1.0 / static_cast<double>(k + 3);
+    for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] = 0.1 * static_cast<double>(block + 1) + 1.0 / static_cast<double>(k + 3);
     return values;
 }
 

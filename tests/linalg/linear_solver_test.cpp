@@ -57,7 +57,7 @@ TEST(LinearSolver, GoesOverToLuWhereTheUnsymmetricPartIsLarge) {
     EXPECT_TRUE(solver.factorize().negative_pivots.has_value());
     EXPECT_LT(residual_after_solve(solver, A), 1e-8);
     EXPECT_GE(solver.factorizations(), 2);
-    EXPECT_FALSE(solver.factorize().negative_pivots.has_value());   // LU knows no inertia
+    EXPECT_FALSE(solver.factorize().negative_pivots.has_value());  // LU knows no inertia
 }
 
 TEST(LinearSolver, SolvesAChangedMatrixWithTheOldFactor) {
@@ -76,7 +76,7 @@ TEST(LinearSolver, ReportsASingularMatrixAsAValue) {
     LinearSolver solver(A);
     Vector x, b;
     SOFT_PETSC(MatCreateVecs(A, x.out(), b.out()));
-    SOFT_PETSC(VecSetValue(b, 0, 1.0, INSERT_VALUES));   // not in the range of A
+    SOFT_PETSC(VecSetValue(b, 0, 1.0, INSERT_VALUES));  // not in the range of A
     SOFT_PETSC(VecAssemblyBegin(b));
     SOFT_PETSC(VecAssemblyEnd(b));
     EXPECT_FALSE(solver.factorize().succeeded && solver.solve(b, x).converged);
@@ -156,7 +156,7 @@ TEST(LinearSolver, AnIncompleteFactorWithAZeroPivotFailsAsAValue) {
 }
 
 TEST(LinearSolver, MethodsChosenByNameDoNotGoOverToAnother) {
-    std::vector<double> values(400);   // as above: LDL^T sees one triangle of it
+    std::vector<double> values(400);  // as above: LDL^T sees one triangle of it
     for (int i = 0; i < 20; ++i)
         for (int j = 0; j < 20; ++j) values[20 * i + j] = i == j ? 30.0 : (j > i ? 4.0 : -5.0 + (7 * i + 3 * j) % 11);
     const auto A = dense(20, values);
@@ -182,7 +182,7 @@ TEST(LinearSolver, AKrylovMethodAtItsLimitKeepsItsBestAndCanGoOn) {
         add(r, -1.0, b);
         return norm(r) / norm(b);
     };
-    const auto first = solver.solve(b, x);   // symmetric right-hand side: exact after 50
+    const auto first = solver.solve(b, x);  // symmetric right-hand side: exact after 50
     EXPECT_TRUE(first.converged);
     SOFT_PETSC(VecSetValue(b, 3, 2.0, INSERT_VALUES));
     SOFT_PETSC(VecAssemblyBegin(b));

@@ -18,7 +18,7 @@ struct Bar {
     bool mixed;
     [[nodiscard]] PetscInt stride() const { return mixed ? 4 : 2; }
     [[nodiscard]] PetscInt unknowns() const { return cells * stride(); }
-    [[nodiscard]] PetscInt node(int number) const {   // of 2 cells + 1
+    [[nodiscard]] PetscInt node(int number) const {  // of 2 cells + 1
         return number == 0 ? -1 : (number - 1) / 2 * stride() + (number - 1) % 2;
     }
     [[nodiscard]] PetscInt pressure(int cell) const { return cell * stride() + 2; }
@@ -30,7 +30,8 @@ Matrix stiffness(const Bar& bar) {
     Matrix K;
     SOFT_PETSC(MatCreateSeqAIJ(PETSC_COMM_SELF, bar.unknowns(), bar.unknowns(), 10, nullptr, K.out()));
     // Integrals over [-1, 1] of N' N' and of N' {1, xi} for the nodes at -1, 0, 1; d/dx = 2/h d/dxi.
-    constexpr std::array<double, 9> stretch{7.0 / 6, -4.0 / 3, 1.0 / 6, -4.0 / 3, 8.0 / 3, -4.0 / 3, 1.0 / 6, -4.0 / 3, 7.0 / 6};
+    constexpr std::array<double, 9> stretch{7.0 / 6,  -4.0 / 3, 1.0 / 6,  -4.0 / 3, 8.0 / 3,
+                                            -4.0 / 3, 1.0 / 6,  -4.0 / 3, 7.0 / 6};
     constexpr std::array<double, 6> divergence{-1, 0, 1, 2.0 / 3, -4.0 / 3, 2.0 / 3};
     const double modulus = bar.mixed ? mu : mu + kappa;
     std::array<double, 25> block{};
@@ -42,7 +43,8 @@ Matrix stiffness(const Bar& bar) {
     }
     for (int cell = 0; cell < bar.cells; ++cell) {
         const PetscInt p = bar.mixed ? bar.pressure(cell) : -1;
-        const std::array<PetscInt, 5> rows{bar.node(2 * cell), bar.node(2 * cell + 1), bar.node(2 * cell + 2), p, bar.mixed ? p + 1 : -1};
+        const std::array<PetscInt, 5> rows{bar.node(2 * cell), bar.node(2 * cell + 1), bar.node(2 * cell + 2), p,
+                                           bar.mixed ? p + 1 : -1};
         SOFT_PETSC(MatSetValues(K, 5, rows.data(), 5, rows.data(), block.data(), ADD_VALUES));
     }
     SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
@@ -69,7 +71,8 @@ ElementLevels levels_of(const Bar& bar) {
     SOFT_PETSC(MatAssemblyBegin(P, MAT_FINAL_ASSEMBLY));
     SOFT_PETSC(MatAssemblyEnd(P, MAT_FINAL_ASSEMBLY));
     const auto set = [](const std::vector<PetscInt>& numbers, IndexSet& to) {
-        SOFT_PETSC(ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(numbers.size()), numbers.data(), PETSC_COPY_VALUES, to.out()));
+        SOFT_PETSC(ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(numbers.size()), numbers.data(),
+                                   PETSC_COPY_VALUES, to.out()));
     };
     set(displacements, levels.displacements);
     set(pressures, levels.pressures);
@@ -115,7 +118,8 @@ TEST(Multigrid, ABarIsPulledAsItsModulusSays) {
 }
 
 TEST(Multigrid, IterationsDoNotGrowWithTheCells) {
-    for (const bool mixed : {true, false}) EXPECT_LE(pulled({1000, mixed}).iterations, 1.2 * pulled({50, mixed}).iterations);
+    for (const bool mixed : {true, false})
+        EXPECT_LE(pulled({1000, mixed}).iterations, 1.2 * pulled({50, mixed}).iterations);
 }
 
 /// Iterations after `factorize` for a force on the right end.
@@ -139,7 +143,7 @@ TEST(Multigrid, OfANewTangentIsThatOfANewSolver) {
     LinearSolver kept(K, Symmetry::symmetric, settings);
     kept.set_levels(levels_of(bar));
     (void)iterations(kept, K, bar);
-    Vector scale;   // every cell another modulus
+    Vector scale;  // every cell another modulus
     SOFT_PETSC(MatCreateVecs(K, scale.out(), nullptr));
     for (PetscInt i = 0; i < bar.unknowns(); ++i) SOFT_PETSC(VecSetValue(scale, i, 1.0 + 0.5 * (i % 7), INSERT_VALUES));
     SOFT_PETSC(MatDiagonalScale(K, scale, scale));

@@ -28,7 +28,7 @@ TEST(SmallMatrix, TellsASingularMatrix) {
 }
 
 TEST(SmallMatrix, CountsNegativeEigenvaluesOfTheSymmetricPart) {
-    EXPECT_EQ(negative_eigenvalues(of(2, {1, 5, -5, 2})), 0);   // antisymmetric part has no say
+    EXPECT_EQ(negative_eigenvalues(of(2, {1, 5, -5, 2})), 0);  // antisymmetric part has no say
     EXPECT_EQ(negative_eigenvalues(of(2, {1, 3, 3, 1})), 1);
     EXPECT_EQ(negative_eigenvalues(of(3, {-1, 0, 0, 0, -2, 0, 0, 0, 3})), 2);
     EXPECT_EQ(negative_eigenvalues(SmallMatrix(0)), 0);

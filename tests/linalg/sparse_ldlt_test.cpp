@@ -64,7 +64,7 @@ TEST(SparseLdlt, PressuresWithoutCompliancePerturbTheSolutionByNoMoreThanTheBoun
     const auto A = saddle_point(12, 4, 0.0, 5.0);
     SparseLdlt factor(sparse(A));
     ASSERT_TRUE(factor.factorize(sparse(A)));
-    EXPECT_LT(error_of_solve(factor, A), 1e-5);   // of the order of the bound, 1e-6
+    EXPECT_LT(error_of_solve(factor, A), 1e-5);  // of the order of the bound, 1e-6
     EXPECT_EQ(factor.negative_pivots(), 4);
 }
 
@@ -97,7 +97,7 @@ TEST(SparseLdlt, ReadsTheTriangleAboveTheDiagonal) {
 
 TEST(SparseLdlt, AMatrixWithoutAnyPivotHasNoFactor) {
     SmallMatrix A(2);
-    A.at(0, 1) = A.at(1, 0) = 1.0;   // both diagonals vanish, and no diagonal to measure them by
+    A.at(0, 1) = A.at(1, 0) = 1.0;  // both diagonals vanish, and no diagonal to measure them by
     SparseLdlt factor(sparse(A));
     EXPECT_FALSE(factor.factorize(sparse(A)));
 }
@@ -106,7 +106,7 @@ TEST(SparseLdlt, TellsTheFlopsOfAFactorisation) {
     SmallMatrix A(10);
     for (int i = 0; i < 10; ++i)
         for (int j = 0; j < 10; ++j) A.at(i, j) = i == j ? 10.0 : 1.0;
-    EXPECT_NEAR(SparseLdlt(sparse(A)).flops(), 385.0, 1e-9);   // dense: sum of the squares of the columns' lengths
+    EXPECT_NEAR(SparseLdlt(sparse(A)).flops(), 385.0, 1e-9);  // dense: sum of the squares of the columns' lengths
 }
 
 }  // namespace

@@ -106,8 +106,9 @@ TEST(Fibres, OutsideTheirRangeOrInALawWithoutAnEnergyAreRefused) {
     EXPECT_EQ(refusal({0.5, 2e5, 0.8, 3}), "fibers.families: 3 families; 1 or 2");
     EXPECT_EQ(refusal({1.6, 2e5, 0.8, 2}), "fibers.angle: 1.6 rad is outside its range; 0 to 90 degrees from the axis");
     for (const char* law : {"kraken", "linear-elastic"})
-        EXPECT_EQ(refusal(two_families, law), std::string{"fibers: the law "} + law +
-                                                  " has no finite-strain energy to which theirs could be added; neo-hookean, for example");
+        EXPECT_EQ(refusal(two_families, law),
+                  std::string{"fibers: the law "} + law +
+                      " has no finite-strain energy to which theirs could be added; neo-hookean, for example");
     EXPECT_EQ(refusal(two_families, "holzapfel-gasser-ogden"),
               "fibers: the law holzapfel-gasser-ogden has its own; a law without fibres for the rubber between them");
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "material/response.hpp"
 #include "law_types.hpp"
+#include "material/response.hpp"
 #include "samples.hpp"
 
 namespace soft::material {

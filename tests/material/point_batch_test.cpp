@@ -2,8 +2,8 @@
 // derivative_test holds to differentiation in F.
 #include <gtest/gtest.h>
 
-#include "material/point_batch.hpp"
 #include "law_types.hpp"
+#include "material/point_batch.hpp"
 #include "samples.hpp"
 
 namespace soft::material {

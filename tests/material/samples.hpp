@@ -40,8 +40,7 @@ inline constexpr Fibers two_families{0.5, 2e5, 0.8, 2};
 
 /// With fibres, those of the law or these.
 template <class L>
-    requires MayHaveFibers<L>
-Rubber<L> fibered(VolumetricLaw volumetric = VolumetricLaw::quadratic) {
+requires MayHaveFibers<L> Rubber<L> fibered(VolumetricLaw volumetric = VolumetricLaw::quadratic) {
     const LawInfo law = L::info();
     Description description = description_of(law.name, kappa_Pa, volumetric);
     if (!law.fibers) description.fibers = two_families;

@@ -130,8 +130,8 @@ TEST(Stability, OfAnOgdenRubberIsExactWhereItsPowersSpanFortyDecades) {
 
 TEST(Stability, OgdenRubbersWithTermsOfPositiveStiffnessAreStableAtEveryStretch) {
     for (const double alpha : {-12.0, -2.0, 2.0, 12.0}) {
-        const AnyRubber rubber = make_rubber(
-            {.law = "ogden", .constants = {{"mu", {1e5 / alpha, 1e3, -1e3}}, {"alpha", {alpha, 5, -7}}}});
+        const AnyRubber rubber =
+            make_rubber({.law = "ogden", .constants = {{"mu", {1e5 / alpha, 1e3, -1e3}}, {"alpha", {alpha, 5, -7}}}});
         EXPECT_TRUE(stability_limits(rubber, {0.05, 19.0}).empty()) << alpha;
     }
 }

@@ -6,9 +6,9 @@
 
 namespace soft::mesh::sample {
 
-inline constexpr std::array<CellType, 12> all_types{CellType::line2, CellType::line3, CellType::triangle3, CellType::triangle6,
-                                                    CellType::quad4, CellType::quad9, CellType::tet4, CellType::tet10,
-                                                    CellType::hex8, CellType::hex27, CellType::wedge6, CellType::wedge18};
+inline constexpr std::array<CellType, 12> all_types{
+    CellType::line2, CellType::line3, CellType::triangle3, CellType::triangle6, CellType::quad4,  CellType::quad9,
+    CellType::tet4,  CellType::tet10, CellType::hex8,      CellType::hex27,     CellType::wedge6, CellType::wedge18};
 
 /// The cell where its reference coordinates put it.
 inline Mesh reference_cell(CellType type) {

@@ -52,12 +52,30 @@ TEST_P(EveryMap, QuadratureIntegratesPolynomialsOfDegreeFive) {
         weights += p.weight;
     }
     switch (topology(GetParam()).shape) {
-        case Shape::line: EXPECT_NEAR(weights, 2, 1e-14); EXPECT_NEAR(sum, 0, 1e-14); break;
-        case Shape::quadrilateral: EXPECT_NEAR(weights, 4, 1e-14); EXPECT_NEAR(sum, 0, 1e-14); break;
-        case Shape::hexahedron: EXPECT_NEAR(weights, 8, 1e-14); EXPECT_NEAR(sum, 0, 1e-14); break;
-        case Shape::triangle: EXPECT_NEAR(weights, 0.5, 1e-14); EXPECT_NEAR(sum, 1.0 / 42, 1e-14); break;
-        case Shape::wedge: EXPECT_NEAR(weights, 1, 1e-14); EXPECT_NEAR(sum, 1.0 / 21, 1e-14); break;
-        case Shape::tetrahedron: EXPECT_NEAR(weights, 1.0 / 6, 1e-14); EXPECT_NEAR(sum, 1.0 / 336, 1e-14); break;
+        case Shape::line:
+            EXPECT_NEAR(weights, 2, 1e-14);
+            EXPECT_NEAR(sum, 0, 1e-14);
+            break;
+        case Shape::quadrilateral:
+            EXPECT_NEAR(weights, 4, 1e-14);
+            EXPECT_NEAR(sum, 0, 1e-14);
+            break;
+        case Shape::hexahedron:
+            EXPECT_NEAR(weights, 8, 1e-14);
+            EXPECT_NEAR(sum, 0, 1e-14);
+            break;
+        case Shape::triangle:
+            EXPECT_NEAR(weights, 0.5, 1e-14);
+            EXPECT_NEAR(sum, 1.0 / 42, 1e-14);
+            break;
+        case Shape::wedge:
+            EXPECT_NEAR(weights, 1, 1e-14);
+            EXPECT_NEAR(sum, 1.0 / 21, 1e-14);
+            break;
+        case Shape::tetrahedron:
+            EXPECT_NEAR(weights, 1.0 / 6, 1e-14);
+            EXPECT_NEAR(sum, 1.0 / 336, 1e-14);
+            break;
     }
 }
 
@@ -72,14 +90,15 @@ INSTANTIATE_TEST_SUITE_P(CellMap, EveryMap, testing::ValuesIn(sample::all_types)
                          [](const auto& test) { return std::string{topology(test.param).name}; });
 
 TEST(CellMap, RevolvedMeasureIsPappus) {
-    Mesh mesh = sample::reference_cell(CellType::quad9);   // 2 x 2, moved to mean radius 5
+    Mesh mesh = sample::reference_cell(CellType::quad9);  // 2 x 2, moved to mean radius 5
     for (Point& p : mesh.points) p[1] += 5;
     EXPECT_NEAR(measure(mesh, Measure::plain), 4, 1e-13);
     EXPECT_NEAR(measure(mesh, Measure::revolved), 4 * 2 * std::numbers::pi * 5, 1e-12);
 }
 
 TEST(CellMap, FacetNormalsOfAShearedCellEncloseItsVolume) {
-    for (const CellType type : {CellType::hex27, CellType::wedge18, CellType::tet10, CellType::quad9, CellType::triangle6}) {
+    for (const CellType type :
+         {CellType::hex27, CellType::wedge18, CellType::tet10, CellType::quad9, CellType::triangle6}) {
         Mesh mesh = sample::reference_cell(type);
         for (Point& p : mesh.points) p = {2 * p[0] + 0.3 * p[1], 0.5 * p[1] + 0.1 * p[0] * p[0], p[2] + 0.2 * p[0]};
         double flux = 0;

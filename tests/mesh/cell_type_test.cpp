@@ -59,7 +59,7 @@ TEST_P(EveryCell, FacetsPointOutOfTheCell) {
 
 TEST_P(EveryCell, FacetsCloseTheCell) {
     Vector sum{};
-    double flux = 0;   // of x / dimension: the cell's volume
+    double flux = 0;  // of x / dimension: the cell's volume
     for (const FacetTopology& facet : cell.facets) {
         const Vector a = area(cell, facet);
         for (std::size_t d = 0; d < 3; ++d) sum[d] += a[d];
@@ -87,7 +87,8 @@ TEST_P(EveryCell, FacetNodesFollowTheOrderOfTheFacetsOwnType) {
             std::vector<double> weight;
             if (c.size() == 2) weight = {(1 - u) / 2, (1 + u) / 2};
             if (c.size() == 3) weight = {1 - u - v, u, v};
-            if (c.size() == 4) weight = {(1 - u) * (1 - v) / 4, (1 + u) * (1 - v) / 4, (1 + u) * (1 + v) / 4, (1 - u) * (1 + v) / 4};
+            if (c.size() == 4)
+                weight = {(1 - u) * (1 - v) / 4, (1 + u) * (1 - v) / 4, (1 + u) * (1 + v) / 4, (1 - u) * (1 + v) / 4};
             for (std::size_t d = 0; d < 3; ++d) {
                 double place = 0;
                 for (std::size_t i = 0; i < c.size(); ++i) place += weight[i] * cell.nodes[c[i]][d];
@@ -115,11 +116,39 @@ TEST(CellType, MidNodesFollowTheVtkOrder) {
     expect(CellType::triangle6, 3, {{0, 1}, {1, 2}, {2, 0}});
     expect(CellType::quad9, 4, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}});
     expect(CellType::tet10, 4, {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}});
-    expect(CellType::hex27, 8, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7},
-                                {0, 3, 4, 7}, {1, 2, 5, 6}, {0, 1, 4, 5}, {2, 3, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7},
-                                {0, 1, 2, 3, 4, 5, 6, 7}});
-    expect(CellType::wedge18, 6, {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5},
-                                  {0, 1, 3, 4}, {1, 2, 4, 5}, {2, 0, 5, 3}});
+    expect(CellType::hex27, 8,
+           {{0, 1},
+            {1, 2},
+            {2, 3},
+            {3, 0},
+            {4, 5},
+            {5, 6},
+            {6, 7},
+            {7, 4},
+            {0, 4},
+            {1, 5},
+            {2, 6},
+            {3, 7},
+            {0, 3, 4, 7},
+            {1, 2, 5, 6},
+            {0, 1, 4, 5},
+            {2, 3, 6, 7},
+            {0, 1, 2, 3},
+            {4, 5, 6, 7},
+            {0, 1, 2, 3, 4, 5, 6, 7}});
+    expect(CellType::wedge18, 6,
+           {{0, 1},
+            {1, 2},
+            {2, 0},
+            {3, 4},
+            {4, 5},
+            {5, 3},
+            {0, 3},
+            {1, 4},
+            {2, 5},
+            {0, 1, 3, 4},
+            {1, 2, 4, 5},
+            {2, 0, 5, 3}});
 }
 
 TEST(CellType, CornersRunCounterClockwiseSeenFromInside) {

@@ -7,7 +7,8 @@ namespace soft::mesh {
 namespace {
 
 TEST(Quality, AParallelepipedIsPerfect) {
-    for (const CellType type : {CellType::quad9, CellType::triangle6, CellType::hex27, CellType::wedge18, CellType::tet10}) {
+    for (const CellType type :
+         {CellType::quad9, CellType::triangle6, CellType::hex27, CellType::wedge18, CellType::tet10}) {
         Mesh mesh = sample::reference_cell(type);
         for (Point& p : mesh.points) p = {3 * p[0] + p[1], 0.2 * p[1], p[2] + p[0]};
         EXPECT_NEAR(quality(mesh).min_scaled_jacobian, 1, 1e-13) << topology(type).name;
@@ -16,7 +17,7 @@ TEST(Quality, AParallelepipedIsPerfect) {
 
 TEST(Quality, AFlatCornerIsZeroAndRefused) {
     Mesh mesh = sample::reference_cell(CellType::quad4);
-    mesh.points[2] = {0, 0, 0};   // on the diagonal between its neighbours
+    mesh.points[2] = {0, 0, 0};  // on the diagonal between its neighbours
     EXPECT_THROW((void)quality(mesh), Error);
 }
 
@@ -35,13 +36,14 @@ TEST(Quality, IsTheQuotientOfLeastAndLargestDeterminant) {
 TEST(Quality, AnInvertedCellIsRefusedWithItsPlace) {
     Mesh mesh = sample::row_of(CellType::hex27, 2);
     for (Point& p : mesh.points)
-        if (p[0] > 1.5) p[0] = 1 - 0.25 * (p[0] - 1);   // the second cell folded back into the first
+        if (p[0] > 1.5) p[0] = 1 - 0.25 * (p[0] - 1);  // the second cell folded back into the first
     try {
         (void)quality(mesh);
         FAIL() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::bad_input);
-        EXPECT_NE(std::string{error.what()}.find("cell 1 is turned inside out at ("), std::string::npos) << error.what();
+        EXPECT_NE(std::string{error.what()}.find("cell 1 is turned inside out at ("), std::string::npos)
+            << error.what();
     }
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 TEST(RaiseOrder, CountsEveryEdgeSideAndCentreOnce) {
     const Mesh plane = raise_order(sample::triangles_and_quadrilaterals());
-    EXPECT_EQ(plane.points.size(), 6u + 8u + 1u);   // corners, edges, quadrilaterals
+    EXPECT_EQ(plane.points.size(), 6u + 8u + 1u);  // corners, edges, quadrilaterals
     // Edges: 12 of the cube, 5 more of each wedge beside it, 6 of the one on top; quadrilateral sides: 6, 2, 2 and 3.
     const Mesh first = sample::wedges_and_hexahedra();
     ASSERT_EQ(first.points.size(), 15u);

@@ -67,7 +67,8 @@ TEST_P(Refinement, CarriesItsFacetSetsToAllPiecesOfTheBoundary) {
     std::sort(named.begin(), named.end());
     EXPECT_EQ(named, boundary_facets(fine));
     for (const auto& [name, facets] : coarse.facet_sets) {
-        const auto before = sample::vector_area(coarse, facets), after = sample::vector_area(fine, fine.facet_sets.at(name));
+        const auto before = sample::vector_area(coarse, facets),
+                   after = sample::vector_area(fine, fine.facet_sets.at(name));
         for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(before[d], after[d], 1e-13) << name;
     }
 }
@@ -99,7 +100,8 @@ TEST_P(Refinement, AlongCirclesIsTheSameMeshNearBy) {
     EXPECT_EQ(round.facet_sets, expected.facet_sets);
     EXPECT_GT(quality(round).min_scaled_jacobian, 0.9 * quality(expected).min_scaled_jacobian);
     for (std::size_t p = 0; p < round.points.size(); ++p)
-        for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(round.points[p][d], expected.points[p][d], GetParam().order == 1 ? 0 : 2e-3);
+        for (std::size_t d = 0; d < 3; ++d)
+            EXPECT_NEAR(round.points[p][d], expected.points[p][d], GetParam().order == 1 ? 0 : 2e-3);
 }
 
 TEST_P(Refinement, CarriesAFieldThatTheCellsCanHold) {
@@ -133,8 +135,8 @@ TEST_P(Refinement, CarriesPositionsToWhereTheCellsMapPutsThem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Mesh, Refinement,
-                         testing::Values(Choice{"plane", 1}, Choice{"plane", 2}, Choice{"wedges", 1}, Choice{"wedges", 2},
-                                         Choice{"tetrahedra", 1}, Choice{"tetrahedra", 2}),
+                         testing::Values(Choice{"plane", 1}, Choice{"plane", 2}, Choice{"wedges", 1},
+                                         Choice{"wedges", 2}, Choice{"tetrahedra", 1}, Choice{"tetrahedra", 2}),
                          [](const auto& test) { return test.param.name + std::to_string(test.param.order); });
 
 /// Edge lengths in units of the refinement's size, sorted: equal for similar tetrahedra (mirror images included).
@@ -144,7 +146,8 @@ std::vector<long> shape_of(const Mesh& mesh, Index cell, int times) {
     for (std::size_t a = 0; a < 4; ++a)
         for (std::size_t b = a + 1; b < 4; ++b) {
             double square = 0;
-            for (std::size_t d = 0; d < 3; ++d) square += std::pow(mesh.point(nodes[a])[d] - mesh.point(nodes[b])[d], 2);
+            for (std::size_t d = 0; d < 3; ++d)
+                square += std::pow(mesh.point(nodes[a])[d] - mesh.point(nodes[b])[d], 2);
             lengths.push_back(std::lround(1e9 * square * std::pow(4.0, times)));
         }
     std::sort(lengths.begin(), lengths.end());

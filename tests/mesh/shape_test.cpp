@@ -11,8 +11,8 @@ namespace {
 
 using ReferencePoint = std::array<double, 3>;
 constexpr CellType all_types[] = {CellType::line2, CellType::line3, CellType::triangle3, CellType::triangle6,
-                                  CellType::quad4, CellType::quad9, CellType::tet4, CellType::tet10,
-                                  CellType::hex8, CellType::hex27, CellType::wedge6, CellType::wedge18};
+                                  CellType::quad4, CellType::quad9, CellType::tet4,      CellType::tet10,
+                                  CellType::hex8,  CellType::hex27, CellType::wedge6,    CellType::wedge18};
 constexpr ReferencePoint inside{0.21, 0.17, 0.13};
 
 /// A polynomial that the cell must reproduce: complete of total degree `order`.

@@ -6,10 +6,10 @@
 #include <random>
 #include <set>
 
-#include "pieces.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/split.hpp"
+#include "pieces.hpp"
 
 namespace soft::mesh {
 namespace {
@@ -20,15 +20,16 @@ Mesh renumbered(const Mesh& mesh, unsigned seed) {
     std::iota(numbers.begin(), numbers.end(), 0);
     std::shuffle(numbers.begin(), numbers.end(), std::mt19937{seed});
     Mesh result = mesh;
-    for (std::size_t n = 0; n < numbers.size(); ++n) result.points[static_cast<std::size_t>(numbers[n])] = mesh.points[n];
+    for (std::size_t n = 0; n < numbers.size(); ++n)
+        result.points[static_cast<std::size_t>(numbers[n])] = mesh.points[n];
     for (Index& n : result.connectivity) n = numbers[static_cast<std::size_t>(n)];
     return result;
 }
 
 struct Expected {
     CellType type;
-    Index pieces;                  ///< of one cell
-    std::size_t boundary_of_two;   ///< sides of two cells in a row
+    Index pieces;                 ///< of one cell
+    std::size_t boundary_of_two;  ///< sides of two cells in a row
 };
 
 class EverySplit : public testing::TestWithParam<Expected> {};
@@ -41,7 +42,7 @@ TEST_P(EverySplit, NeighboursMatchUnderEveryNumbering) {
         ASSERT_EQ(split.cell_count(), 2 * GetParam().pieces);
         sample::expect_conforming(split);
         EXPECT_EQ(boundary_facets(split).size(), GetParam().boundary_of_two);
-        EXPECT_NEAR(quality(split).min_scaled_jacobian, 1, 1e-12);   // straight, and mid nodes in the middle
+        EXPECT_NEAR(quality(split).min_scaled_jacobian, 1, 1e-12);  // straight, and mid nodes in the middle
         EXPECT_NEAR(measure(split, Measure::plain), measure(mesh, Measure::plain), 1e-12);
     }
 }
@@ -59,7 +60,8 @@ TEST_P(EverySplit, FacetSetsKeepTheirArea) {
             mesh.facet_sets[std::to_string(facet.cell) + "/" + std::to_string(facet.local)] = {facet};
         const Mesh split = split_into_simplices(mesh);
         for (const auto& [name, facets] : mesh.facet_sets) {
-            const auto before = sample::vector_area(mesh, facets), after = sample::vector_area(split, split.facet_sets.at(name));
+            const auto before = sample::vector_area(mesh, facets),
+                       after = sample::vector_area(split, split.facet_sets.at(name));
             for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(before[d], after[d], 1e-13) << name;
         }
     }

@@ -31,14 +31,19 @@ TEST(Band, TakesTheSampledWidthWhereThereIsOne) {
     EXPECT_FALSE(linear.sampled);
     EXPECT_EQ(linear.half, (std::vector<double>{0.5, 1}));
     EXPECT_EQ(linear.points.find(linear.load)->values, (std::vector<double>{10, 20}));
-    EXPECT_EQ(read("pressure_kPa,growth_mm,band_linear,band_sampled\n10,100,0.5,0.6\n").half, (std::vector<double>{0.6}));
+    EXPECT_EQ(read("pressure_kPa,growth_mm,band_linear,band_sampled\n10,100,0.5,0.6\n").half,
+              (std::vector<double>{0.6}));
 }
 
 TEST(Band, IsDrawnAroundTheLoadWhicheverAxisItIsOn) {
     PlotSeries series{"", sphere(), {}, read("pressure_kPa,growth_mm,band_linear\n10,100,0.5\n20,300,1\n")};
-    const auto script = [&](const PlotRequest& request) { return plot_script({&series, 1}, nullptr, request, PictureFormat::svg); };
+    const auto script = [&](const PlotRequest& request) {
+        return plot_script({&series, 1}, nullptr, request, PictureFormat::svg);
+    };
     EXPECT_NE(script({}).find("\n100 10 100 100 9.5 10.5\n300 20 300 300 19 21\nEND"), std::string::npos);
-    EXPECT_NE(script({.title = "", .x = "pressure", .y = "growth"}).find("\n10 100 9.5 10.5 100 100\n20 300 19 21 300 300\nEND"), std::string::npos);
+    EXPECT_NE(script({.title = "", .x = "pressure", .y = "growth"})
+                  .find("\n10 100 9.5 10.5 100 100\n20 300 19 21 300 300\nEND"),
+              std::string::npos);
     EXPECT_NE(script({}).find("one standard deviation of the constants"), std::string::npos);
     EXPECT_EQ(script({.title = "", .x = "growth", .y = "volume"}).find("one standard deviation"), std::string::npos);
 }

@@ -55,12 +55,14 @@ TEST(Measured, FindsByItsHeaderWhatItIsNotTold) {
     const Measured measured = read("Pressure (psi),Growth (furlong)\n2,20\n", "growth=2:mm");
     EXPECT_EQ(measured.series[0].values[0], 2 * 6.894757293168361);
     EXPECT_EQ(measured.series[1].values[0], 20);
-    EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa"),
-              "m.csv: nothing to set against the pressure is found among column 1 'a', column 2 'b'; say where it is, e.g. "
-              "--columns growth=1:mm; the case has pressure, growth, volume");
+    EXPECT_EQ(
+        refusal("a,b\n1,2\n", "pressure=1:kPa"),
+        "m.csv: nothing to set against the pressure is found among column 1 'a', column 2 'b'; say where it is, e.g. "
+        "--columns growth=1:mm; the case has pressure, growth, volume");
     EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa,growth=1:mm"),
               "--columns growth: column 1 'a' is taken already; name each column once");
-    EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa,pressure=2:kPa"), "--columns: 'pressure' is there twice; name each quantity once");
+    EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa,pressure=2:kPa"),
+              "--columns: 'pressure' is there twice; name each quantity once");
 }
 
 TEST(Measured, RefusesInOneClearLine) {

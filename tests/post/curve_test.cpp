@@ -106,15 +106,16 @@ TEST(Curve, ShowsEnergiesAndPlacesOnDemand) {
         for (const Column* column : shown_columns(curve)) names.push_back(column->name);
         return names;
     };
-    EXPECT_EQ(shown(), (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable"}));
+    EXPECT_EQ(shown(),
+              (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable"}));
     EXPECT_EQ(curve.find("load_work")->values[0], 2.1);
     EXPECT_EQ(curve.find("max_stretch_x")->values[0], 10);
     EXPECT_EQ(curve.find("max_energy_density")->values[0], 5);
     show_also(curve, std::vector<std::string>{"stored_energy", "max_stretch_x_mm"});
-    EXPECT_EQ(shown(), (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable",
-                                                 "stored_energy_mJ", "max_stretch_x_mm"}));
+    EXPECT_EQ(shown(), (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J",
+                                                 "stable", "stored_energy_mJ", "max_stretch_x_mm"}));
     EXPECT_THROW(show_also(curve, std::vector<std::string>{"energy"}), Error);
-    step.energies.reset();   // a file without them
+    step.energies.reset();  // a file without them
     step.extremes.reset();
     curve = make_curve(sample_case(), std::vector{step});
     EXPECT_EQ(curve.find("stored_energy"), nullptr);
@@ -129,10 +130,29 @@ TEST(Columns, AreAllListedOnceWithTheirMeaning) {
         EXPECT_TRUE(names.insert(column.name).second) << column.name;
         EXPECT_FALSE(column.meaning.empty()) << column.name;
     }
-    for (const char* name : {"step", "time_s", "stage", "pressure_kPa", "traction_kPa", "load_N", "load_factor", "<displacement>_mm",
-                             "<bend>_deg", "<curvature>_per_m", "<force>_N", "<moment>_Nmm", "volume_mL", "pressure_<load>_kPa",
-                             "volume_<cavity>_mL", "pressure_error_kPa", "<bend>_error_deg", "kinetic_energy_mJ", "stored_energy_mJ",
-                             "max_stretch_r_mm", "max_stretch_z_mm", "stretch_p99", "stable"})
+    for (const char* name : {"step",
+                             "time_s",
+                             "stage",
+                             "pressure_kPa",
+                             "traction_kPa",
+                             "load_N",
+                             "load_factor",
+                             "<displacement>_mm",
+                             "<bend>_deg",
+                             "<curvature>_per_m",
+                             "<force>_N",
+                             "<moment>_Nmm",
+                             "volume_mL",
+                             "pressure_<load>_kPa",
+                             "volume_<cavity>_mL",
+                             "pressure_error_kPa",
+                             "<bend>_error_deg",
+                             "kinetic_energy_mJ",
+                             "stored_energy_mJ",
+                             "max_stretch_r_mm",
+                             "max_stretch_z_mm",
+                             "stretch_p99",
+                             "stable"})
         EXPECT_TRUE(names.contains(name)) << name;
     EXPECT_NE(column_text(all).find("load_work_mJ"), std::string::npos);
 }
@@ -162,9 +182,10 @@ TEST(Curve, HasEachPressureAndVolumeOfACaseWithSeveral) {
     step.tangent_pressures = {1, 2};
     step.tangent_volumes = {3, 4};
     const Curve curve = make_curve(model, std::vector{step});
-    EXPECT_EQ(names(curve), (std::vector<std::string>{"step", "stage", "pressure_kPa", "elongation_mm", "volume_mL",
-                                                      "pressure_both_kPa", "pressure_outside_kPa", "volume_left_mL",
-                                                      "volume_right_mL", "stretch_p99", "max_stretch", "min_J", "stable"}));
+    EXPECT_EQ(names(curve),
+              (std::vector<std::string>{"step", "stage", "pressure_kPa", "elongation_mm", "volume_mL",
+                                        "pressure_both_kPa", "pressure_outside_kPa", "volume_left_mL",
+                                        "volume_right_mL", "stretch_p99", "max_stretch", "min_J", "stable"}));
     EXPECT_EQ(curve.find("stage")->values[0], 2.0);
     EXPECT_EQ(curve.find("pressure_outside")->values[0], -1.0);
     EXPECT_EQ(curve.find("volume_right")->values[0], 2.0);

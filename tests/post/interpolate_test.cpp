@@ -155,7 +155,7 @@ std::vector<solution::Step> two_stages(int rows_a_stage) {
         const double x = turn * i / rows_a_stage;
         add(0, x, 2 * x - x * x, 1, 2 - 2 * x);
     }
-    constexpr double slope = (2 * turn - turn * turn) / (turn * turn);   // both meet at the turn
+    constexpr double slope = (2 * turn - turn * turn) / (turn * turn);  // both meet at the turn
     for (int i = 1; i <= rows_a_stage; ++i) {
         const double x = turn * (1 - static_cast<double>(i) / rows_a_stage);
         add(1, x, slope * x * x, -1, -2 * slope * x);
@@ -195,7 +195,7 @@ TEST(Path, TurnsAtAStageWithoutTheDirectionOfTheOneBefore) {
 }
 
 TEST(Path, GoesOnBehindATurnWithThirdOrder) {
-    constexpr double step = 0.1, straight = 1.5 * step * step / 4;   // what the chord would err by
+    constexpr double step = 0.1, straight = 1.5 * step * step / 4;  // what the chord would err by
     EXPECT_LT(error_behind_the_turn(8), straight / 10);
     const double order = std::log2(error_behind_the_turn(8) / error_behind_the_turn(16));
     EXPECT_GT(order, 2.7);
@@ -213,7 +213,7 @@ TEST(Path, PutsWhatLiesBehindATurnIntoTheNextStage) {
 
 TEST(Path, IsStraightBehindATurnWhereTheDirectionDoesNotFit) {
     auto steps = two_stages(4);
-    steps[5].tangent_outputs = {1};   // away from the turn
+    steps[5].tangent_outputs = {1};  // away from the turn
     steps[5].tangent_pressure = 0.1;
     model::Case model = growth;
     model.path.stages.resize(2);
@@ -262,7 +262,7 @@ TEST(Path, WhatIsKnownAtTheRowsOnlyFollowsTheProgressAlongThePath) {
     const Path path(curve);
     for (double s = 0; s < path.length(); s += path.length() / 50) {
         const std::vector<double> at = path.at(s);
-        EXPECT_NEAR(at[2], std::atan2(at[1], at[0]), 0.02) << s;   // the wrong direction itself costs as much
+        EXPECT_NEAR(at[2], std::atan2(at[1], at[0]), 0.02) << s;  // the wrong direction itself costs as much
     }
 }
 

@@ -13,7 +13,7 @@
 namespace soft::post {
 namespace {
 
-constexpr double omega_1_s = 2 * std::numbers::pi;   // a period of 1 s
+constexpr double omega_1_s = 2 * std::numbers::pi;  // a period of 1 s
 constexpr double amplitude_m = 0.01;
 
 model::Case oscillator() { return test::sample_case({"lift"}, test::Loaded::face); }
@@ -22,7 +22,8 @@ model::Case oscillator() { return test::sample_case({"lift"}, test::Loaded::face
 std::vector<solution::Step> swing(double duration_s, double step_s) {
     std::vector<solution::Step> steps;
     for (int i = 0; i * step_s <= duration_s * (1 + 1e-12); ++i) {
-        const double t = i * step_s, x = amplitude_m * std::sin(omega_1_s * t), v = amplitude_m * omega_1_s * std::cos(omega_1_s * t);
+        const double t = i * step_s, x = amplitude_m * std::sin(omega_1_s * t),
+                     v = amplitude_m * omega_1_s * std::cos(omega_1_s * t);
         solution::Step step;
         step.load_factor = t / duration_s;
         step.pressure_Pa = t;
@@ -47,10 +48,11 @@ TEST(MotionCurve, HasTimeFirstAndTheEnergiesBeforeTheStretches) {
     const Curve curve = make_curve(oscillator(), swing(1, 0.125));
     std::vector<std::string> names;
     for (const Column& column : curve.columns) names.push_back(column.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"step", "time_s", "pressure_kPa", "lift_mm", "kinetic_energy_mJ", "stored_energy_mJ",
-                                               "load_work_mJ", "damping_work_mJ", "stretch_p99", "max_stretch", "min_J", "stable"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"step", "time_s", "pressure_kPa", "lift_mm", "kinetic_energy_mJ",
+                                               "stored_energy_mJ", "load_work_mJ", "damping_work_mJ", "stretch_p99",
+                                               "max_stretch", "min_J", "stable"}));
     EXPECT_EQ(curve.find("time")->values.at(4), 0.5);
-    EXPECT_DOUBLE_EQ(curve.find("load_work")->values.at(4), 1.0);   // 2 mW for half a second
+    EXPECT_DOUBLE_EQ(curve.find("load_work")->values.at(4), 1.0);  // 2 mW for half a second
     EXPECT_EQ(curve.coordinate_names(), "time, pressure, lift");
 }
 
@@ -72,7 +74,8 @@ TEST(MotionPath, IsTheCubicOfValuesAndVelocitiesInTime) {
             const std::vector<double> row = path.at(t);
             EXPECT_NEAR(row[index_of(curve, "time")], t, 1e-12);
             EXPECT_NEAR(row[index_of(curve, "pressure")], 1e-3 * t, 1e-15);
-            largest = std::max(largest, std::abs(row[index_of(curve, "lift")] - 1e3 * amplitude_m * std::sin(omega_1_s * t)));
+            largest =
+                std::max(largest, std::abs(row[index_of(curve, "lift")] - 1e3 * amplitude_m * std::sin(omega_1_s * t)));
         }
         EXPECT_LE(largest, bound * (1 + 1e-9));
         EXPECT_GE(largest, bound / 2);
@@ -83,8 +86,9 @@ TEST(MotionPath, IsAskedForByTimeAndForEveryPassage) {
     const Curve curve = make_curve(oscillator(), swing(2, 0.05));
     const Curve at = rows_at(curve, parse_requests("time=300ms", curve));
     ASSERT_EQ(at.row_count(), 1u);
-    EXPECT_NEAR(at.find("lift")->values[0], 1e3 * amplitude_m * std::sin(0.3 * omega_1_s), 1e-9);   // 0.3 s is a row
-    const Curve passages = rows_at(curve, parse_requests("lift=5mm", curve));   // sin = 1/2 at 1/12 and 5/12 of each period
+    EXPECT_NEAR(at.find("lift")->values[0], 1e3 * amplitude_m * std::sin(0.3 * omega_1_s), 1e-9);  // 0.3 s is a row
+    const Curve passages =
+        rows_at(curve, parse_requests("lift=5mm", curve));  // sin = 1/2 at 1/12 and 5/12 of each period
     ASSERT_EQ(passages.row_count(), 4u);
     const double expected[] = {1 / 12.0, 5 / 12.0, 13 / 12.0, 17 / 12.0};
     for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(passages.find("time")->values[i], expected[i], 1e-5);

@@ -134,12 +134,14 @@ TEST(PlotScript, DrawsMeasuredPointsAsCrosses) {
 
 TEST(PlotScript, ChoosesAxesThatWereMeasured) {
     const std::vector<PlotSeries> series = {{"", sphere_curve(9, 3), {}}};
-    const std::size_t volume = static_cast<std::size_t>(series[0].curve.find("volume") - series[0].curve.columns.data());
+    const std::size_t volume =
+        static_cast<std::size_t>(series[0].curve.find("volume") - series[0].curve.columns.data());
     const Measured measured{"m.csv", {2, 3}, {{1, {10, 20}, "column 1"}, {volume, {100, 300}, "column 2"}}};
     const std::string script = plot_script(series, &measured, {}, PictureFormat::svg);
     EXPECT_EQ(count(script, "\n100 10\n300 20\nEND\n"), 1u);
     EXPECT_EQ(count(script, "set xlabel 'cavity volume"), 1u);
-    EXPECT_THROW((void)plot_script(series, &measured, {.title = "", .x = "growth", .y = ""}, PictureFormat::svg), Error);
+    EXPECT_THROW((void)plot_script(series, &measured, {.title = "", .x = "growth", .y = ""}, PictureFormat::svg),
+                 Error);
 }
 
 TEST(PlotScript, ShowsTheErrorOfTheMeshAsBandAndBars) {

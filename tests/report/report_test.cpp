@@ -22,7 +22,12 @@ protected:
 std::string page_of(const io::Result& result) {
     const post::Curve curve = post::make_curve(result.model, result.steps);
     const std::vector<post::PlotSeries> series = {{trap, curve, {}}, {"other " + trap, curve, {}}};
-    return make_report({.result = result, .curve = curve, .series = series, .plot = {.title = trap}, .made_by = trap, .material_notes = {"fitted over 4:109 % " + trap}});
+    return make_report({.result = result,
+                        .curve = curve,
+                        .series = series,
+                        .plot = {.title = trap},
+                        .made_by = trap,
+                        .material_notes = {"fitted over 4:109 % " + trap}});
 }
 
 std::size_t count(const std::string& text, const std::string& word) {
@@ -39,8 +44,9 @@ TEST_F(Report, NoTextOfTheDesignCanActInThePage) {
     EXPECT_EQ(count(page, "</script"), 2u);
     EXPECT_EQ(count(page, "alert(1)"), count(page, "&lt;script&gt;alert(1)"));
     EXPECT_EQ(count(page, "\"alert(2)"), 0u);
-    EXPECT_GE(count(page, escaped(trap)),
-              8u);  // title, heading, end of the path, design, override, two commands, this page, the note on the material
+    EXPECT_GE(
+        count(page, escaped(trap)),
+        8u);  // title, heading, end of the path, design, override, two commands, this page, the note on the material
 }
 
 TEST_F(Report, ItsPolicyNamesTheVeryScriptThatItHolds) {
@@ -72,8 +78,9 @@ TEST_F(Report, TellsTheErrorOfTheMeshOrHowToGetIt) {
 
 TEST_F(Report, HoldsTableMaterialDesignProvenanceAndLicence) {
     const std::string page = page_of(test::bar_result(3));
-    for (const char* part : {"<th>elongation_mm</th>", "<td>20</td>", "mu = 100 kPa", "kappa = 10 MPa", "family: tube",
-                             "PETSc 3.18", "Permission is hereby granted, free of charge", "stable (Drucker)", "fitted over 4:109 %"})
+    for (const char* part :
+         {"<th>elongation_mm</th>", "<td>20</td>", "mu = 100 kPa", "kappa = 10 MPa", "family: tube", "PETSc 3.18",
+          "Permission is hereby granted, free of charge", "stable (Drucker)", "fitted over 4:109 %"})
         EXPECT_GE(count(page, part), 1u) << part;
 }
 

@@ -16,7 +16,7 @@ using model::Prescription;
 
 struct Judged {
     Accuracy accuracy;
-    std::vector<RowState> given;   ///< rows of the given mesh
+    std::vector<RowState> given;  ///< rows of the given mesh
     solution::PathEnd end;
 };
 
@@ -46,12 +46,13 @@ AccuracyTarget two_meshes(const model::Case& input, double value) {
 double largest_error(const std::vector<RowState>& rows) {
     double largest = 0;
     for (const auto& row : rows)
-        largest = std::max(largest, std::abs(row.step.pressure_Pa - sample_mu_Pa * sphere_pressure(inner_stretch(row.step))));
+        largest =
+            std::max(largest, std::abs(row.step.pressure_Pa - sample_mu_Pa * sphere_pressure(inner_stretch(row.step))));
     return largest;
 }
 
 TEST(Accuracy, BarsOfTheSphereCoverTheClosedFormAtEveryRow) {
-    for (const double wanted : {0.5, 1e-3, 1e-4}) {   // levels 0, 1, 2
+    for (const double wanted : {0.5, 1e-3, 1e-4}) {  // levels 0, 1, 2
         const auto input = inflated_sphere(1, 2);
         const auto [accuracy, given, end] = judge(input, wanted == 0.5 ? two_meshes(input, wanted) : tolerance(wanted));
         ASSERT_TRUE(accuracy.has_bars);
@@ -104,7 +105,7 @@ TEST(Accuracy, FieldsOfAFinerLevelBeginWithTheGivenPoints) {
     ASSERT_GE(accuracy.level, 1);
     const auto &fine = accuracy.rows.back().displacement_m, &coarse = given.back().displacement_m;
     ASSERT_GT(fine.size(), coarse.size());
-    for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(fine[i], coarse[i], 2e-4);   // of 10 mm
+    for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(fine[i], coarse[i], 2e-4);  // of 10 mm
 }
 
 /// Gas goes in, the valve is shut, the pressure is let out: the ends of the stages are held, the gas stays.
@@ -136,7 +137,8 @@ TEST(Accuracy, SaysWhichBoundStopsIt) {
     const auto one = judge(inflated_sphere(1, 2), bound);
     EXPECT_TRUE(one.accuracy.has_bars);
     EXPECT_EQ(one.accuracy.level, 0);
-    EXPECT_NE(one.accuracy.obstacle.find(std::to_string(bound.largest_unknowns_2d)), std::string::npos) << one.accuracy.obstacle;
+    EXPECT_NE(one.accuracy.obstacle.find(std::to_string(bound.largest_unknowns_2d)), std::string::npos)
+        << one.accuracy.obstacle;
     const auto none = judge(inflated_sphere(1, 2), {.tolerance = 1e-9, .largest_unknowns_2d = 10});
     EXPECT_FALSE(none.accuracy.has_bars);
     EXPECT_EQ(none.accuracy.rows.size(), none.given.size());

@@ -10,7 +10,8 @@ namespace soft::solver {
 
 struct Bench {
     explicit Bench(const model::Case& input, const model::SolverSettings& settings)
-        : system(input, PETSC_COMM_WORLD), loads(input, 0, unloaded(input, undeformed_volumes_m3(system)), undeformed_volumes_m3(system)),
+        : system(input, PETSC_COMM_WORLD),
+          loads(input, 0, unloaded(input, undeformed_volumes_m3(system)), undeformed_volumes_m3(system)),
           newton(system, settings) {
         newton.set_loads(loads);
     }

@@ -31,9 +31,10 @@ model::Case strut_case(int n, double share) {
     for (int j = 0; j + 2 < rows; j += 2)
         for (int i = 0; i + 2 < columns; i += 2) {
             const auto id = [&](int di, int dj) { return static_cast<mesh::Index>(j + dj) * columns + i + di; };
-            mesh::add_cell(mesh, mesh::CellType::quad9,
-                           std::array{id(0, 0), id(2, 0), id(2, 2), id(0, 2), id(1, 0), id(2, 1), id(1, 2), id(0, 1), id(1, 1)},
-                           0);
+            mesh::add_cell(
+                mesh, mesh::CellType::quad9,
+                std::array{id(0, 0), id(2, 0), id(2, 2), id(0, 2), id(1, 0), id(2, 1), id(1, 2), id(0, 1), id(1, 1)},
+                0);
         }
     name_boundary(mesh, [&](const mesh::Point& p) {
         if (p[0] < 1e-9) return "fixed";
@@ -81,13 +82,15 @@ TEST(Bifurcation, AStrutBucklesAtItsExactStrainInItsExactMode) {
     const auto& mode = end.bifurcations[0].mode;
     ASSERT_EQ(mode.size(), 3 * input.mesh.points.size());
     double largest = 0, error = 0;
-    for (std::size_t node = 0; node < input.mesh.points.size(); ++node) largest = std::max(largest, std::abs(mode[3 * node + 1]));
-    EXPECT_NEAR(largest, 1.0, 1e-12);
-    const double sign = mode[3 * 80 + 1] > 0 ? 1.0 : -1.0;   // node 80: the lower end corner
     for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
-        error = std::max(error, std::abs(sign * mode[3 * node + 1] -
-                                         0.5 * (1 - std::cos(std::numbers::pi * input.mesh.points[node][0] / strut_length))));
-    EXPECT_LT(error, 0.02);   // the level facet, a fortieth of the length, does not turn
+        largest = std::max(largest, std::abs(mode[3 * node + 1]));
+    EXPECT_NEAR(largest, 1.0, 1e-12);
+    const double sign = mode[3 * 80 + 1] > 0 ? 1.0 : -1.0;  // node 80: the lower end corner
+    for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
+        error = std::max(error,
+                         std::abs(sign * mode[3 * node + 1] -
+                                  0.5 * (1 - std::cos(std::numbers::pi * input.mesh.points[node][0] / strut_length))));
+    EXPECT_LT(error, 0.02);  // the level facet, a fortieth of the length, does not turn
 }
 
 // Shortening of a cosine of height a beyond buckling: (pi a)^2 / (4 L) to lowest order; the end sways by 2 a.
@@ -148,7 +151,8 @@ TEST(Ladder, NamesEachAttemptAndThePlaceWhereItEnds) {
     input.path.stages = {full_load(input, {60 * sample_mu_Pa})};
     const auto [steps, end, log] = run(input);
     ASSERT_TRUE(end.reason == StopReason::inverted_element || end.reason == StopReason::diverged ||
-                end.reason == StopReason::limit_point) << end.detail;
+                end.reason == StopReason::limit_point)
+        << end.detail;
     EXPECT_GT(steps.size(), 2u);
     const auto named = [&log = log](const char* words) {
         return std::ranges::any_of(log, [&](const std::string& line) { return line.find(words) != std::string::npos; });

@@ -16,9 +16,12 @@ double norm_of(Mat A) {
 
 struct Deformed {
     Deformed(const model::Case& input, double load_factor)
-        : bench(input, input.solver), state(bench.rest()), R(bench.system.make_vector()), K(bench.system.make_matrix()) {
+        : bench(input, input.solver),
+          state(bench.rest()),
+          R(bench.system.make_vector()),
+          K(bench.system.make_matrix()) {
         EXPECT_EQ(bench.newton.correct({ConstraintKind::load_factor}, load_factor, state).end, NewtonEnd::converged);
-        levels = bench.loads.levels(1.5 * load_factor, {});   // out of equilibrium
+        levels = bench.loads.levels(1.5 * load_factor, {});  // out of equilibrium
         (void)bench.system.evaluate(state.x, levels, R, K);
     }
     Bench bench;

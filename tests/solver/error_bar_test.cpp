@@ -130,7 +130,7 @@ TEST(ErrorBar, DoesNotMindWhereOnItsCurveTheFinerMeshStands) {
     }
     const auto at_equal = error_bars(rows), elsewhere = error_bars(moved);
     for (std::size_t i = 1; i < rows.size(); ++i)
-        EXPECT_NEAR(elsewhere[i].load / at_equal[i].load, 1, 0.01) << i;   // the shift's square is left
+        EXPECT_NEAR(elsewhere[i].load / at_equal[i].load, 1, 0.01) << i;  // the shift's square is left
 }
 
 TEST(ErrorBar, OfTheMeasureIsThatOfTheLoadOverTheSlope) {

@@ -21,8 +21,8 @@ model::Case pulled_box(model::Formulation formulation) {
     auto input = box_case(2, false);
     input.formulation = formulation;
     input.materials[0].bulk_modulus_Pa = 5 * sample_mu_Pa;
-    input.supports[0].fixed = {true, true, true};   // glued: no homogeneous state
-    input.path.stages[0].supplies[0].value = -0.4 * sample_mu_Pa;   // well below the maximum of its load
+    input.supports[0].fixed = {true, true, true};                  // glued: no homogeneous state
+    input.path.stages[0].supplies[0].value = -0.4 * sample_mu_Pa;  // well below the maximum of its load
     input.solver.steps = model::StepRule::constant;
     input.solver.first_step = 1.0 / rows;
     input.solver.residual_tolerance = 1e-11;
@@ -48,15 +48,16 @@ void expect_the_curve_of_the_default(const model::Case& input, LinearMethod meth
 
 TEST(LinearMethods, EveryFactorisationGivesTheSameCurve) {
     const auto input = pulled_box(model::Formulation::displacement);
-    for (const auto method : {LinearMethod::mumps_ldlt, LinearMethod::mumps_lu, LinearMethod::superlu_dist, LinearMethod::cholmod})
+    for (const auto method :
+         {LinearMethod::mumps_ldlt, LinearMethod::mumps_lu, LinearMethod::superlu_dist, LinearMethod::cholmod})
         expect_the_curve_of_the_default(input, method, Preconditioner::none);
 }
 
 TEST(LinearMethods, EveryPreconditionerGivesTheSameCurve) {
     const auto input = pulled_box(model::Formulation::displacement);
-    for (const auto preconditioner :
-         {Preconditioner::lu, Preconditioner::asm_lu, Preconditioner::asm_ilu, Preconditioner::asm_boomeramg,
-          Preconditioner::boomeramg, Preconditioner::gamg, Preconditioner::multigrid, Preconditioner::jacobi, Preconditioner::none})
+    for (const auto preconditioner : {Preconditioner::lu, Preconditioner::asm_lu, Preconditioner::asm_ilu,
+                                      Preconditioner::asm_boomeramg, Preconditioner::boomeramg, Preconditioner::gamg,
+                                      Preconditioner::multigrid, Preconditioner::jacobi, Preconditioner::none})
         expect_the_curve_of_the_default(input, LinearMethod::krylov, preconditioner);
 }
 
@@ -70,7 +71,7 @@ TEST(LinearMethods, WithPressureUnknownsThePivotingOnesGiveTheSameCurve) {
 
 TEST(LinearMethods, WithPressureUnknownsMultigridGivesTheSameCurve) {
     auto input = pulled_box(model::Formulation::mixed);
-    auto tetrahedra = input;   // Taylor and Hood: a pressure at each vertex
+    auto tetrahedra = input;  // Taylor and Hood: a pressure at each vertex
     tetrahedra.mesh = mesh::split_into_simplices(input.mesh);
     auto incompressible = input;
     incompressible.materials[0].bulk_modulus_Pa.reset();
@@ -99,7 +100,8 @@ TEST(LinearMethods, IterationsOfMultigridDoNotGrowWithTheMesh) {
 TEST(LinearMethods, WithoutAJacobianTheCurveIsTheSame) {
     for (const auto formulation : {model::Formulation::displacement, model::Formulation::mixed})
         expect_the_curve_of_the_default(pulled_box(formulation), LinearMethod::jacobian_free, Preconditioner::asm_lu);
-    expect_the_curve_of_the_default(pulled_box(model::Formulation::displacement), LinearMethod::jacobian_free, Preconditioner::gamg);
+    expect_the_curve_of_the_default(pulled_box(model::Formulation::displacement), LinearMethod::jacobian_free,
+                                    Preconditioner::gamg);
 }
 
 // K of a mixed body is indefinite from the start: Sylvester, one negative pivot a pressure.

@@ -16,7 +16,7 @@ using model::NewtonMethod;
 model::Case pulled_box(bool incompressible) {
     auto input = box_case(2, incompressible);
     input.supports[0].fixed = {true, true, true};
-    input.path.stages[0].supplies[0].value = -0.4 * sample_mu_Pa;   // well below the maximum of its load
+    input.path.stages[0].supplies[0].value = -0.4 * sample_mu_Pa;  // well below the maximum of its load
     input.solver.steps = model::StepRule::constant;
     input.solver.first_step = 0.25;
     input.solver.newton_limit = 60;
@@ -32,7 +32,7 @@ Cost cost_of(const Run& run) { return {run.end.newton_iterations, run.end.factor
 TEST(NewtonMethods, KeptTangentsReachTheSameStatesWithFewerFactorisationsAndMoreIterations) {
     for (const bool incompressible : {false, true}) {
         auto input = pulled_box(incompressible);
-        input.solver.predictor = model::Predictor::none;   // more to correct
+        input.solver.predictor = model::Predictor::none;  // more to correct
         const auto full = run(input);
         for (const auto method : {NewtonMethod::modified, NewtonMethod::bfgs}) {
             input.solver.newton = method;
@@ -110,13 +110,15 @@ TEST(NewtonMethods, ALineSearchReachesWhatWholeCorrectionsDoNot) {
     auto input = pulled_box(false);
     input.formulation = model::Formulation::displacement;
     input.solver.newton_limit = 30;
-    const auto none = leap(input, model::LineSearch::none, 1.0), halved = leap(input, model::LineSearch::backtracking, 1.0),
+    const auto none = leap(input, model::LineSearch::none, 1.0),
+               halved = leap(input, model::LineSearch::backtracking, 1.0),
                secant = leap(input, model::LineSearch::secant, 1.0);
     EXPECT_EQ(halved.end, NewtonEnd::converged);
     EXPECT_EQ(secant.end, NewtonEnd::converged);
     EXPECT_GT(secant.halvings, 0);
     EXPECT_TRUE(none.end != NewtonEnd::converged || none.iterations > halved.iterations)
-        << none.iterations << " iterations without, " << halved.iterations << " halving, " << secant.iterations << " secant";
+        << none.iterations << " iterations without, " << halved.iterations << " halving, " << secant.iterations
+        << " secant";
 }
 
 TEST(NewtonMethods, EquilibriumIsAsCloseAsTheToleranceAsks) {

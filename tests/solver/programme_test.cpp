@@ -19,7 +19,7 @@ model::Case loaded_block() {
     input.materials[0].density_kg_m3 = 1080;
     input.loads = {{.name = "top", .targets = {"top"}, .gas = {}}};
     input.tractions = {{"end", {2e4, 0, 5e3}}};
-    input.body_forces = {{"gravity", {0, 0, -300}}};   // thirty times the earth's: to be seen at all
+    input.body_forces = {{"gravity", {0, 0, -300}}};  // thirty times the earth's: to be seen at all
     input.outputs = {{"sag", "end", {0, 0, 1}}, {"bend", "end", {0, 1, 0}, model::Measure::bend, "fixed"}};
     input.path.stages = {full_load(input, {1e4})};
     return input;
@@ -63,7 +63,8 @@ TEST(Programme, AnAngleCanBeControlledAndBeTheGoal) {
     EXPECT_EQ(end.reason, StopReason::done);
     EXPECT_NE(end.detail.find("deg"), std::string::npos);
     EXPECT_NEAR(steps.back().outputs[1], 0.4 * bend, 1e-8 * std::abs(bend));
-    for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_GT(steps[i].outputs[1] / bend, steps[i - 1].outputs[1] / bend);
+    for (std::size_t i = 1; i < steps.size(); ++i)
+        EXPECT_GT(steps[i].outputs[1] / bend, steps[i - 1].outputs[1] / bend);
 }
 
 // Uniaxial: pulled by a motion, a block between smooth planes thins by 1/sqrt(l) and its energy is mu/2 (l^2 + 2/l - 3).
@@ -84,7 +85,7 @@ TEST(Programme, APrescribedMotionStretchesTheBlockAsTheClosedFormSays) {
     const double l = 1.5;
     EXPECT_NEAR(steps.back().outputs[0], 0.01 * (1 / std::sqrt(l) - 1), 1e-10);
     EXPECT_NEAR(energy, 0.5 * sample_mu_Pa * (l * l + 2 / l - 3) * 1e-6, 1e-9 * energy);
-    EXPECT_DOUBLE_EQ(steps.back().pressure_Pa, 1.0);   // without pressures and tractions a curve shows the load factor
+    EXPECT_DOUBLE_EQ(steps.back().pressure_Pa, 1.0);  // without pressures and tractions a curve shows the load factor
 }
 
 TEST(Programme, ACaseInWhichNothingGrowsIsRefused) {

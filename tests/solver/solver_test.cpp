@@ -6,10 +6,10 @@
 #include "../assembly/sample_cases.hpp"
 #include "bench.hpp"
 #include "core/error.hpp"
-#include "sphere.hpp"
 #include "solver/goals.hpp"
 #include "solver/history.hpp"
 #include "solver/newton.hpp"
+#include "sphere.hpp"
 
 namespace soft::solver {
 namespace {
@@ -40,7 +40,7 @@ TEST(Newton, ConvergesQuadratically) {
     std::vector<double> residuals;
     for (int limit = 2; limit <= 5; ++limit) {
         settings.newton_limit = limit;
-        settings.residual_tolerance = 1e-30;   // never reached: the residual after `limit` iterations is wanted
+        settings.residual_tolerance = 1e-30;  // never reached: the residual after `limit` iterations is wanted
         Bench bench(input, settings);
         State state = bench.rest();
         state.load_factor = 0.3;
@@ -75,12 +75,12 @@ TEST(Goals, FirstMeetingIsTheEarliestOfAllGoals) {
     PathPoint from, to;
     from.q = 0;
     to.q = 1;
-    from.tangent.load_factor = to.tangent.load_factor = 1;   // load factor = q
+    from.tangent.load_factor = to.tangent.load_factor = 1;  // load factor = q
     to.state.load_factor = 1;
     from.outputs = {0};
     to.outputs = {4};
     from.output_slopes = {0};
-    to.output_slopes = {8};                                  // output = 4 q^2
+    to.output_slopes = {8};  // output = 4 q^2
     Goal by_output{{ConstraintKind::output}, 1.0, "output"};
     const std::vector<Goal> goals{{{ConstraintKind::load_factor}, 0.8, "load"}, by_output};
     const auto crossing = first_between(goals, from, to);
@@ -92,7 +92,7 @@ TEST(Goals, FirstMeetingIsTheEarliestOfAllGoals) {
 TEST(Path, SphereFollowsItsClosedFormThroughTheLimitPointUnderVolumeControl) {
     auto input = sphere_case(4, 8);
     input.path.stages[0].control = model::Control::volume;
-    input.path.stages[0].until = {{"volume_ratio", 27.0}};   // l_a = 3
+    input.path.stages[0].until = {{"volume_ratio", 27.0}};  // l_a = 3
     const auto [steps, end, log] = run(input);
     EXPECT_EQ(end.reason, solution::StopReason::done);
     EXPECT_NEAR(inner_stretch(steps.back()), 3.0, 1e-4);
@@ -101,7 +101,7 @@ TEST(Path, SphereFollowsItsClosedFormThroughTheLimitPointUnderVolumeControl) {
     ASSERT_EQ(end.limit_points.size(), 1u);
     EXPECT_NEAR(end.limit_points[0].pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
     EXPECT_NEAR(inner_stretch(steps[end.limit_points[0].step]), 1.8281, 1e-3 * 1.8281);
-    for (const auto& step : steps) EXPECT_TRUE(step.stable);   // volume control holds the falling branch
+    for (const auto& step : steps) EXPECT_TRUE(step.stable);  // volume control holds the falling branch
 }
 
 TEST(Path, AutomaticControlGoesThroughTheLimitPoint) {
@@ -141,12 +141,10 @@ TEST(Path, WorkOfThePressureIsTheStoredEnergy) {
     assembly::System system(input, PETSC_COMM_WORLD);
     std::vector<solution::Step> steps;
     double energy = 0;
-    (void)follow_path(
-        system,
-        {.step = [&](const solution::Step& step, Vec x) {
-            steps.push_back(step);
-            energy = system.stored_energy(x) / input.model_fraction;
-        }});
+    (void)follow_path(system, {.step = [&](const solution::Step& step, Vec x) {
+                          steps.push_back(step);
+                          energy = system.stored_energy(x) / input.model_fraction;
+                      }});
     double work = 0;
     for (std::size_t i = 1; i < steps.size(); ++i) {
         const auto &a = steps[i - 1], &b = steps[i];
@@ -177,7 +175,7 @@ TEST(Path, EndsAtTheFirstGoalReached) {
     EXPECT_NEAR(steps.back().outputs[0], 0.002, 1e-12);
     EXPECT_NE(end.detail.find("elongation"), std::string::npos);
     input.path.stages[0].until = {{"steps", 3}};
-    EXPECT_EQ(run(input).steps.size(), 4u);   // the undeformed state and three steps
+    EXPECT_EQ(run(input).steps.size(), 4u);  // the undeformed state and three steps
 }
 
 TEST(Path, TellsAStepLimitFromAGoal) {

@@ -15,12 +15,10 @@ inline double sphere_pressure(double la) {
     const auto f = [](double l) { return 2.0 / l + 0.5 / (l * l * l * l); };
     return f(lb) - f(la);
 }
-inline constexpr double sphere_limit = 0.816424;   // at l_a = 1.8281
+inline constexpr double sphere_limit = 0.816424;  // at l_a = 1.8281
 
 inline constexpr double sphere_cavity_m3 = 4.0 / 3.0 * std::numbers::pi * 1e-6;
 
-inline double inner_stretch(const solution::Step& step) {
-    return std::cbrt(*step.volume_m3 / sphere_cavity_m3);
-}
+inline double inner_stretch(const solution::Step& step) { return std::cbrt(*step.volume_m3 / sphere_cavity_m3); }
 
 }  // namespace soft::solver

@@ -10,7 +10,8 @@ namespace {
 
 TEST(Gas, PressureAndMassAreInverseToEachOther) {
     const model::Gas gas{.dead_volume_m3 = 3e-6, .exponent = 1.4};
-    for (const double pressure : {-4e4, 0.0, 5e4}) EXPECT_NEAR(gas_pressure_Pa(gas, 2e-6, gas_mass_kg(gas, 2e-6, pressure)), pressure, 1e-6);
+    for (const double pressure : {-4e4, 0.0, 5e4})
+        EXPECT_NEAR(gas_pressure_Pa(gas, 2e-6, gas_mass_kg(gas, 2e-6, pressure)), pressure, 1e-6);
 }
 
 // Boyle: half the volume, twice the absolute pressure. Poisson: p V^1.4 stays.
@@ -33,8 +34,10 @@ model::Case supplied(model::SupplyTarget target) {
 
 TEST(StageLoads, EquationsOfSuppliesHaveTheRightDerivatives) {
     const std::vector<double> undeformed{4e-6};
-    for (const auto target : {model::SupplyTarget{model::Prescription::volume, 9e-6}, {model::Prescription::volume_ratio, 3.0},
-                              {model::Prescription::mass, 5e-6}, {model::Prescription::closed, 0.0}}) {
+    for (const auto target : {model::SupplyTarget{model::Prescription::volume, 9e-6},
+                              {model::Prescription::volume_ratio, 3.0},
+                              {model::Prescription::mass, 5e-6},
+                              {model::Prescription::closed, 0.0}}) {
         const auto input = supplied(target);
         auto start = unloaded(input, undeformed);
         start.pressures_Pa = {2e4};
@@ -45,7 +48,8 @@ TEST(StageLoads, EquationsOfSuppliesHaveTheRightDerivatives) {
         const double V = 6e-6, p = 1.5e4, l = 0.4, h = 1e-4;
         const auto e = loads.equation(0, V, p, l);
         const auto slope = [&](double dV, double dp, double dl) {
-            return (loads.equation(0, V + dV, p + dp, l + dl).value - loads.equation(0, V - dV, p - dp, l - dl).value) / 2;
+            return (loads.equation(0, V + dV, p + dp, l + dl).value - loads.equation(0, V - dV, p - dp, l - dl).value) /
+                   2;
         };
         EXPECT_NEAR(slope(h * V, 0, 0), h * V * e.by_volume, 1e-6 * h);
         EXPECT_NEAR(slope(0, h * p, 0), h * p * e.by_pressure, 1e-6 * h);
@@ -55,7 +59,8 @@ TEST(StageLoads, EquationsOfSuppliesHaveTheRightDerivatives) {
 
 TEST(StageLoads, AStageStartsWhereItsSuppliesAre) {
     const std::vector<double> undeformed{4e-6};
-    for (const auto target : {model::SupplyTarget{model::Prescription::volume, 9e-6}, {model::Prescription::mass, 5e-6},
+    for (const auto target : {model::SupplyTarget{model::Prescription::volume, 9e-6},
+                              {model::Prescription::mass, 5e-6},
                               {model::Prescription::closed, 0.0}}) {
         const auto input = supplied(target);
         auto start = unloaded(input, undeformed);

@@ -30,11 +30,12 @@ void expect_closed_form(const std::vector<solution::Step>& steps) {
 }
 
 TEST(StepRules, ConstantRowsLieAtTheMultiplesOfTheFirstStep) {
-    for (const int n : {49, 300}) {   // 49 x (1 / 49) < 1 in floating point
+    for (const int n : {49, 300}) {  // 49 x (1 / 49) < 1 in floating point
         const auto [steps, end, log] = run(box(StepRule::constant, 1.0 / n));
         EXPECT_EQ(end.reason, solution::StopReason::done);
         ASSERT_EQ(steps.size(), static_cast<std::size_t>(n) + 1);
-        for (int k = 0; k <= n; ++k) EXPECT_NEAR(steps[static_cast<std::size_t>(k)].load_factor, static_cast<double>(k) / n, 1e-14);
+        for (int k = 0; k <= n; ++k)
+            EXPECT_NEAR(steps[static_cast<std::size_t>(k)].load_factor, static_cast<double>(k) / n, 1e-14);
         expect_closed_form(steps);
     }
 }
@@ -45,20 +46,23 @@ TEST(StepRules, AGoalBetweenTwoConstantRowsIsHit) {
     const auto [steps, end, log] = run(input);
     EXPECT_NE(end.detail.find("elongation"), std::string::npos);
     EXPECT_NEAR(steps.back().outputs[0], 0.002, 1e-12);
-    for (std::size_t k = 0; k + 1 < steps.size(); ++k) EXPECT_NEAR(steps[k].load_factor, 0.05 * static_cast<double>(k), 1e-14);
+    for (std::size_t k = 0; k + 1 < steps.size(); ++k)
+        EXPECT_NEAR(steps[k].load_factor, 0.05 * static_cast<double>(k), 1e-14);
 }
 
 TEST(StepRules, AConstantStepThatHadToBeCutComesBackToItsMultiples) {
     auto input = box(StepRule::constant, 0.25);
     input.path.stages[0].control = model::Control::pressure;
-    input.solver.newton_limit = 2;             // the whole step takes more, a part of it does not
+    input.solver.newton_limit = 2;  // the whole step takes more, a part of it does not
     input.solver.predictor = Predictor::none;
     input.solver.residual_tolerance = 1e-5;
     const auto [steps, end, log] = run(input);
     EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
     EXPECT_GT(steps.size(), 5u);
     for (int k = 0; k <= 4; ++k)
-        EXPECT_TRUE(std::ranges::any_of(steps, [&](const auto& step) { return std::abs(step.load_factor - 0.25 * k) < 1e-12; })) << k;
+        EXPECT_TRUE(std::ranges::any_of(steps, [&](const auto& step) {
+            return std::abs(step.load_factor - 0.25 * k) < 1e-12;
+        })) << k;
 }
 
 TEST(StepRules, StepsGrowByTheRootOfTheIterationsWantedOverThoseTaken) {
@@ -68,9 +72,10 @@ TEST(StepRules, StepsGrowByTheRootOfTheIterationsWantedOverThoseTaken) {
     EXPECT_EQ(end.reason, solution::StopReason::done);
     ASSERT_GT(steps.size(), 5u);
     for (std::size_t i = 2; i + 1 < steps.size(); ++i) {
-        const double grown = (steps[i].load_factor - steps[i - 1].load_factor) / (steps[i - 1].load_factor - steps[i - 2].load_factor);
+        const double grown =
+            (steps[i].load_factor - steps[i - 1].load_factor) / (steps[i - 1].load_factor - steps[i - 2].load_factor);
         const double wanted = std::clamp(std::sqrt(4.0 / steps[i - 1].newton_iterations), 0.5, 2.0);
-        EXPECT_NEAR(grown / wanted, 1.0, 2.0 / 256);   // steps have few digits
+        EXPECT_NEAR(grown / wanted, 1.0, 2.0 / 256);  // steps have few digits
     }
     expect_closed_form(steps);
     input.solver.wanted_iterations = 2;
@@ -98,7 +103,7 @@ TEST(StepRules, ErrorAdaptiveStepsNeedNoPredictedStart) {
     input.solver.predictor = Predictor::none;
     const auto [steps, end, log] = run(input);
     EXPECT_EQ(end.reason, solution::StopReason::done);
-    ASSERT_EQ(steps.size(), cubic.size());   // the predictor still chooses the steps
+    ASSERT_EQ(steps.size(), cubic.size());  // the predictor still chooses the steps
     for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_NEAR(steps[i].load_factor, cubic[i].load_factor, 1e-6);
 }
 

@@ -15,15 +15,15 @@ double relative_pressure(const solution::Step& step) { return step.pressure_Pa /
 
 TEST(Supply, PrescribedVolumeGivesThePressureOfTheClosedForm) {
     auto input = sphere_case(4, 8);
-    input.path.stages[0].supplies = {{Prescription::volume_ratio, 8.0}};   // l_a = 2
+    input.path.stages[0].supplies = {{Prescription::volume_ratio, 8.0}};  // l_a = 2
     const auto [steps, end, log] = run(input);
     EXPECT_EQ(end.reason, solution::StopReason::done);
-    EXPECT_NEAR(inner_stretch(steps.back()), 2.0, 1e-5);   // the mesh's sphere is not quite round
+    EXPECT_NEAR(inner_stretch(steps.back()), 2.0, 1e-5);  // the mesh's sphere is not quite round
     EXPECT_NEAR(relative_pressure(steps.back()), 0.806927, 1e-4);
     ASSERT_EQ(end.limit_points.size(), 1u);
     EXPECT_NEAR(end.limit_points[0].pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
     EXPECT_TRUE(end.bifurcations.empty());
-    for (const auto& step : steps) EXPECT_TRUE(step.stable);   // whoever holds the volume holds the body
+    for (const auto& step : steps) EXPECT_TRUE(step.stable);  // whoever holds the volume holds the body
 }
 
 // Both laws at once: the sphere's closed form and the gas.
@@ -62,7 +62,8 @@ TEST(Supply, ClosedValveKeepsTheGas) {
     EXPECT_NEAR(steps.back().pressures_Pa[1], 3e4, 1e-6);
     EXPECT_GT(steps.back().pressures_Pa[0], 4e4 + 1e3);
     // An incompressible wall feels the difference of the pressures alone.
-    EXPECT_NEAR((steps.back().pressures_Pa[0] - 3e4) / sample_mu_Pa, sphere_pressure(inner_stretch(steps.back())), 2e-4);
+    EXPECT_NEAR((steps.back().pressures_Pa[0] - 3e4) / sample_mu_Pa, sphere_pressure(inner_stretch(steps.back())),
+                2e-4);
 }
 
 TEST(Supply, AStageWithoutChangeIsOneRow) {
@@ -78,7 +79,7 @@ TEST(Supply, AStageWithoutChangeIsOneRow) {
         }
     EXPECT_EQ(held, 1);
     EXPECT_NEAR(steps.back().pressure_Pa, 0.0, 1e-9);
-    EXPECT_NEAR(inner_stretch(steps.back()), 1.0, 1e-4);   // back where it came from
+    EXPECT_NEAR(inner_stretch(steps.back()), 1.0, 1e-4);  // back where it came from
 }
 
 // Inflated past its limit point by volume, then vented: the path goes back over the maximum, not away from it.
@@ -118,7 +119,7 @@ TEST(Supply, TwoSpheresOnOneGasBranchAtTheMaximumOfThePressure) {
     EXPECT_NEAR(std::cbrt(*end.bifurcations[0].at.volume_m3 / (2 * sphere_cavity_m3)), 1.8281, 1e-3 * 1.8281);
     const auto row = static_cast<std::size_t>(end.bifurcations[0].at.step);
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        EXPECT_NEAR(steps[i].volumes_m3[0] / steps[i].volumes_m3[1], 1.0, 1e-6);   // the path itself stays symmetric
+        EXPECT_NEAR(steps[i].volumes_m3[0] / steps[i].volumes_m3[1], 1.0, 1e-6);  // the path itself stays symmetric
         if (i != row) {
             EXPECT_EQ(steps[i].stable, i < row) << i;
         }
@@ -139,7 +140,9 @@ TEST(Supply, TheAsymmetricBranchOfTwoSpheresHasOnePressureAndTheGivenVolume) {
     const auto [steps, end, log] = run(input);
     EXPECT_EQ(end.reason, solution::StopReason::done);
     const auto& last = steps.back();
-    const auto stretch = [&](int which) { return std::cbrt(last.volumes_m3[static_cast<std::size_t>(which)] / sphere_cavity_m3); };
+    const auto stretch = [&](int which) {
+        return std::cbrt(last.volumes_m3[static_cast<std::size_t>(which)] / sphere_cavity_m3);
+    };
     EXPECT_GT(std::abs(stretch(0) - stretch(1)), 0.5);
     for (const int which : {0, 1}) EXPECT_NEAR(relative_pressure(last), sphere_pressure(stretch(which)), 3e-4);
     EXPECT_NEAR((last.volumes_m3[0] + last.volumes_m3[1]) / (24.0 * sphere_cavity_m3), 1.0, 1e-4);

@@ -55,7 +55,7 @@ TEST(BodySurface, FlippedFacetsAreTurnedOver) {
     std::swap(soup.facets[3][0], soup.facets[3][1]);
     EXPECT_EQ(made(soup).repairs, std::vector<std::string>{"1 facet turned over"});
     EXPECT_NEAR(made(soup).volume_m3(), 1e-6, 1e-18);
-    for (auto& facet : soup.facets) std::swap(facet[0], facet[1]);   // now eleven are the wrong way round
+    for (auto& facet : soup.facets) std::swap(facet[0], facet[1]);  // now eleven are the wrong way round
     EXPECT_EQ(made(soup).repairs, std::vector<std::string>{"11 facets turned over"});
     EXPECT_NEAR(made(soup).volume_m3(), 1e-6, 1e-18);
 }
@@ -69,7 +69,8 @@ TEST(BodySurface, FacetsTwiceThereOrWithoutAreaAreTakenOut) {
 }
 
 TEST(BodySurface, AFacetFlatAgainstAnEdgeIsFlattenedOut) {
-    FacetSoup soup = cube;   // the edge 0-1 gets a point in its middle for one of its facets, and a facet of no area beside it
+    FacetSoup soup =
+        cube;  // the edge 0-1 gets a point in its middle for one of its facets, and a facet of no area beside it
     soup.points.push_back({5, 0, 0});
     soup.facets[1] = {0, 3, 8};
     soup.facets.push_back({8, 3, 1});
@@ -81,30 +82,35 @@ TEST(BodySurface, AFacetFlatAgainstAnEdgeIsFlattenedOut) {
 
 TEST(BodySurface, AHoleIsRefusedWithItsPlaceAndRim) {
     FacetSoup soup = cube;
-    soup.facets.erase(soup.facets.begin() + 2, soup.facets.begin() + 4);   // the side z = 10
-    EXPECT_EQ(refusal(soup), "part.stl: 1 hole in the surface, near x = 5 mm, y = 5 mm, z = 10 mm with a rim 40 mm long; close the surface "
-                             "where it was drawn; a body is solid, its openings are walls around a channel");
+    soup.facets.erase(soup.facets.begin() + 2, soup.facets.begin() + 4);  // the side z = 10
+    EXPECT_EQ(
+        refusal(soup),
+        "part.stl: 1 hole in the surface, near x = 5 mm, y = 5 mm, z = 10 mm with a rim 40 mm long; close the surface "
+        "where it was drawn; a body is solid, its openings are walls around a channel");
 }
 
 TEST(BodySurface, AnEdgeWithThreeFacetsIsRefused) {
     FacetSoup soup = cube;
     soup.points.push_back({5, 5, 20});
     soup.facets.push_back({4, 5, 8});
-    EXPECT_EQ(refusal(soup), "part.stl: 1 edge has more than two facets, one with 3 near x = 5 mm, y = 0 mm, z = 10 mm; join the parts to one "
-                             "body, or part them");
+    EXPECT_EQ(
+        refusal(soup),
+        "part.stl: 1 edge has more than two facets, one with 3 near x = 5 mm, y = 0 mm, z = 10 mm; join the parts to one "
+        "body, or part them");
 }
 
 TEST(BodySurface, FacetsThatCutEachOtherAreRefusedWithPlaceAndNumber) {
-    FacetSoup soup = cube;   // the corner (10, 10, 10) pushed through the side z = 0
+    FacetSoup soup = cube;  // the corner (10, 10, 10) pushed through the side z = 0
     soup.points[7] = {10, 10, -2};
     const std::string what = refusal(soup);
-    EXPECT_TRUE(what.starts_with("part.stl: ") && what.find("each other, the first near x = ") != std::string::npos) << what;
+    EXPECT_TRUE(what.starts_with("part.stl: ") && what.find("each other, the first near x = ") != std::string::npos)
+        << what;
     const std::string two = refusal(joined(cube, box_soup({5, 5, 5}, {15, 15, 15})));
     EXPECT_TRUE(two.find("pairs of facets cut each other, the first near x = ") != std::string::npos) << two;
 }
 
 TEST(BodySurface, ACubeInACubeIsACavity) {
-    const FacetSoup inner = box_soup({2, 3, 4}, {4, 6, 8});   // its facets as those of a body: they are turned over
+    const FacetSoup inner = box_soup({2, 3, 4}, {4, 6, 8});  // its facets as those of a body: they are turned over
     const BodySurface surface = made(joined(inner, cube));
     ASSERT_EQ(surface.shells.size(), 2u);
     EXPECT_EQ(surface.shells[0].name, "outer");
@@ -124,7 +130,9 @@ TEST(BodySurface, SeveralCavitiesAreNumberedAlongX) {
 
 TEST(BodySurface, SeveralBodiesAreRefused) {
     const std::string what = refusal(joined(cube, box_soup({20, 0, 0}, {22, 2, 2})));
-    EXPECT_EQ(what, "part.stl: 2 bodies in one file, the second around x = 21 mm, y = 1 mm, z = 1 mm; unite them, or put each into a file of its own");
+    EXPECT_EQ(
+        what,
+        "part.stl: 2 bodies in one file, the second around x = 21 mm, y = 1 mm, z = 1 mm; unite them, or put each into a file of its own");
     const FacetSoup floating = joined(joined(cube, box_soup({2, 2, 2}, {8, 8, 8})), box_soup({4, 4, 4}, {6, 6, 6}));
     EXPECT_TRUE(refusal(floating).starts_with("part.stl: 2 bodies in one file")) << refusal(floating);
 }
@@ -161,7 +169,9 @@ TEST(SurfaceFile, AsciiStlAndQuadrilateralsOfObjAreRead) {
         stream << "solid cube\n";
         for (const auto& facet : cube.facets) {
             stream << "facet normal 0 0 0\n outer loop\n";
-            for (const std::size_t n : facet) stream << "  vertex " << cube.points[n][0] << " " << cube.points[n][1] << " " << cube.points[n][2] << "\n";
+            for (const std::size_t n : facet)
+                stream << "  vertex " << cube.points[n][0] << " " << cube.points[n][1] << " " << cube.points[n][2]
+                       << "\n";
             stream << " endloop\nendfacet\n";
         }
         stream << "endsolid cube\n";

@@ -11,11 +11,12 @@ namespace soft::surface {
 namespace {
 
 TEST(BodyWalls, AShellHasItsThicknessEverywhere) {
-    const BodySurface shell = test::made(test::joined(test::ball_soup({0, 0, 0}, 10, 96), test::ball_soup({0, 0, 0}, 8, 96)));
+    const BodySurface shell =
+        test::made(test::joined(test::ball_soup({0, 0, 0}, 10, 96), test::ball_soup({0, 0, 0}, 8, 96)));
     const auto found = walls(shell.points, shell.triangles);
     EXPECT_NEAR(static_cast<double>(found.size()), 20000, 500);
     const WallFigures figure = figures(found);
-    EXPECT_NEAR(figure.least.thickness_m, 2e-3, 2e-5);   // facets of a ball lie 0.05 % inside
+    EXPECT_NEAR(figure.least.thickness_m, 2e-3, 2e-5);  // facets of a ball lie 0.05 % inside
     EXPECT_NEAR(figure.median_m, 2e-3, 1e-5);
 }
 
@@ -35,7 +36,7 @@ TEST(BodyWalls, SizesAreTheLeastOverTheWallsPlusGrowthWithDistance) {
         double expected = 4e-3;
         for (const Wall& wall : found)
             expected = std::min(expected, wall.thickness_m / 2 + 0.5 * std::hypot(p[0] - wall.place[0], p[1], p[2]));
-        EXPECT_NEAR(sizes(p), expected, 0.05 * expected);   // walls of about a size share a class
+        EXPECT_NEAR(sizes(p), expected, 0.05 * expected);  // walls of about a size share a class
     }
     EXPECT_EQ(WallSizes(found, {}, {0.1e-3, 4e-3, 0})({0, 0, 0}), 4e-3);
     EXPECT_NEAR(WallSizes(found, {}, {0.8e-3, 4e-3, 2})({10e-3, 0, 0}), 0.8e-3, 0.04e-3);
@@ -45,7 +46,7 @@ TEST(BodyWalls, ABallIsBentAsItsRadiusAndABoxNowhere) {
     std::vector<double> radii_m;
     for (const Bend& bend : bends(test::made(test::ball_soup({0, 0, 0}, 10, 96)))) radii_m.push_back(bend.radius_m);
     std::ranges::sort(radii_m);
-    EXPECT_NEAR(radii_m[radii_m.size() / 4], 10e-3, 0.5e-3);   // the diagonals of its fields are bent less
+    EXPECT_NEAR(radii_m[radii_m.size() / 4], 10e-3, 0.5e-3);  // the diagonals of its fields are bent less
     EXPECT_TRUE(bends(test::made(test::box_soup({0, 0, 0}, {1, 2, 3}))).empty());
     const WallSizes sizes({}, {{{0, 0, 0}, 1e-3}}, {0.5e-3, 4e-3, 0});
     EXPECT_NEAR(sizes({2e-3, 0, 0}), 2e-3, 0.1e-3);

@@ -38,7 +38,8 @@ BodySurface drilled_block() {
 }
 
 TEST(NamedFaces, ShellsAreFacesByThemselves) {
-    const BodySurface hollow = test::made(test::joined(test::box_soup({0, 0, 0}, {10, 10, 10}), test::box_soup({2, 2, 2}, {4, 4, 4})));
+    const BodySurface hollow =
+        test::made(test::joined(test::box_soup({0, 0, 0}, {10, 10, 10}), test::box_soup({2, 2, 2}, {4, 4, 4})));
     const auto faces = named_faces(hollow, {});
     ASSERT_EQ(faces.size(), 2u);
     EXPECT_EQ(faces[0].name, "outer");
@@ -57,9 +58,9 @@ TEST(NamedFaces, PlanesBoxesAndDirectionsHaveTheirAreas) {
     rules[3].plane = FaceRule::Plane{2, 30e-3};
     const auto faces = named_faces(block, rules);
     ASSERT_EQ(faces.size(), 5u);
-    EXPECT_NEAR(area_m2(block, faces[1]), (200 - 16) * 1e-6, 1e-15);             // the block's side less the hole
-    EXPECT_NEAR(area_m2(block, faces[2]), (4 * 4 * 20 + 16) * 1e-6, 1e-15);      // the hole's walls and bottom
-    EXPECT_NEAR(area_m2(block, faces[3]), 200e-6, 1e-15);                        // the hole's bottom looks down, out of the rubber
+    EXPECT_NEAR(area_m2(block, faces[1]), (200 - 16) * 1e-6, 1e-15);         // the block's side less the hole
+    EXPECT_NEAR(area_m2(block, faces[2]), (4 * 4 * 20 + 16) * 1e-6, 1e-15);  // the hole's walls and bottom
+    EXPECT_NEAR(area_m2(block, faces[3]), 200e-6, 1e-15);  // the hole's bottom looks down, out of the rubber
     EXPECT_NEAR(area_m2(block, faces[4]), 200e-6, 1e-15);
 }
 
@@ -82,7 +83,7 @@ TEST(NamedFaces, BendsAreNoSharpEdgesAndBordersAreCreases) {
     half.box = FaceRule::Box{{0, -1, -1}, {1, 1, 1}};
     const auto faces = named_faces(ball, {half});
     EXPECT_NEAR(area_m2(ball, faces[1]) / ball.area_m2(), 0.5, 1e-9);
-    EXPECT_EQ(creases_of(ball, faces).size(), 48u);   // the equator
+    EXPECT_EQ(creases_of(ball, faces).size(), 48u);  // the equator
     EXPECT_EQ(sharp_edges(test::made(test::box_soup({0, 0, 0}, {1, 1, 1}))).size(), 12u);
 }
 

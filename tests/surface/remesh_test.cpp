@@ -19,7 +19,9 @@ namespace {
 constexpr std::size_t plenty = 100000;
 
 Remeshed remeshed(const BodySurface& surface, double size_m, std::size_t most = plenty) {
-    return remesh(surface, creases_of(surface, named_faces(surface, {})), [=](const mesh::Point&) { return size_m; }, {"part.stl"}, most);
+    return remesh(
+        surface, creases_of(surface, named_faces(surface, {})), [=](const mesh::Point&) { return size_m; },
+        {"part.stl"}, most);
 }
 
 double volume_m3(const Remeshed& surface) {
@@ -33,7 +35,8 @@ std::vector<double> edge_lengths_m(const Remeshed& surface) {
     std::vector<double> lengths;
     for (const auto& t : surface.triangles)
         for (std::size_t k = 0; k < 3; ++k)
-            lengths.push_back(norm(along(surface.points[static_cast<std::size_t>(t[k])], -1, surface.points[static_cast<std::size_t>(t[(k + 1) % 3])])));
+            lengths.push_back(norm(along(surface.points[static_cast<std::size_t>(t[k])], -1,
+                                         surface.points[static_cast<std::size_t>(t[(k + 1) % 3])])));
     std::ranges::sort(lengths);
     return lengths;
 }
@@ -44,12 +47,14 @@ TEST(Remesh, ACubeKeepsItsVolumeItsEdgesAndItsCorners) {
     EXPECT_NEAR(volume_m3(result), 1e-6, 1e-15);
     double creases_m = 0;
     for (const auto& [a, b] : result.creases)
-        creases_m += norm(along(result.points[static_cast<std::size_t>(a)], -1, result.points[static_cast<std::size_t>(b)]));
-    EXPECT_NEAR(creases_m, 0.12, 1e-12);   // twelve edges
-    for (const mesh::Point& corner : cube.points) EXPECT_NE(std::ranges::find(result.points, corner), result.points.end());
+        creases_m +=
+            norm(along(result.points[static_cast<std::size_t>(a)], -1, result.points[static_cast<std::size_t>(b)]));
+    EXPECT_NEAR(creases_m, 0.12, 1e-12);  // twelve edges
+    for (const mesh::Point& corner : cube.points)
+        EXPECT_NE(std::ranges::find(result.points, corner), result.points.end());
     const std::vector<double> lengths = edge_lengths_m(result);
     EXPECT_GT(lengths.front(), 0.8e-3);
-    EXPECT_LT(lengths.back(), 2.7e-3);   // 4/3 of the size is split
+    EXPECT_LT(lengths.back(), 2.7e-3);  // 4/3 of the size is split
     EXPECT_NEAR(lengths[lengths.size() / 2], 2e-3, 0.3e-3);
 }
 
@@ -58,7 +63,7 @@ TEST(Remesh, ABallStaysAtItsFacetsAndClosed) {
     const Remeshed result = remeshed(ball, 3e-3);
     const NearestOnTriangles file(ball.points, ball.triangles);
     for (const mesh::Point& p : result.points) EXPECT_LT(file(p).distance_m, 1e-12);
-    EXPECT_NEAR(volume_m3(result) / ball.volume_m3(), 1, 0.03);   // chords of h = 0.3 R: h^2 / (8 R) at most inside
+    EXPECT_NEAR(volume_m3(result) / ball.volume_m3(), 1, 0.03);  // chords of h = 0.3 R: h^2 / (8 R) at most inside
     std::map<std::pair<int, int>, int> edges;
     for (const auto& t : result.triangles)
         for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
@@ -71,7 +76,7 @@ TEST(Remesh, ABallStaysAtItsFacetsAndClosed) {
 
 /// Cells of three times the radius are wished: deviation, not size, decides.
 TEST(Remesh, NoTriangleLeavesTheSurfaceByMoreThanATwentiethOfItsSize) {
-    const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 1, 48));   // radius 1 mm, cells of 3 mm wished
+    const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 1, 48));  // radius 1 mm, cells of 3 mm wished
     const Remeshed result = remeshed(ball, 3e-3);
     const NearestOnTriangles file(ball.points, ball.triangles);
     for (const auto& t : result.triangles) {
@@ -84,11 +89,14 @@ TEST(Remesh, NoTriangleLeavesTheSurfaceByMoreThanATwentiethOfItsSize) {
 
 TEST(Remesh, SizesFollowTheirField) {
     const BodySurface bar = test::made(test::box_soup({0, 0, 0}, {40, 5, 5}));
-    const Remeshed result = remesh(bar, creases_of(bar, named_faces(bar, {})), [](const mesh::Point& p) { return 0.5e-3 + 0.05 * p[0]; }, {"bar.stl"}, plenty);
+    const Remeshed result = remesh(
+        bar, creases_of(bar, named_faces(bar, {})), [](const mesh::Point& p) { return 0.5e-3 + 0.05 * p[0]; },
+        {"bar.stl"}, plenty);
     EXPECT_NEAR(volume_m3(result), 1e-6, 1e-15);
     for (const auto& t : result.triangles)
         for (std::size_t k = 0; k < 3; ++k) {
-            const mesh::Point &a = result.points[static_cast<std::size_t>(t[k])], &b = result.points[static_cast<std::size_t>(t[(k + 1) % 3])];
+            const mesh::Point &a = result.points[static_cast<std::size_t>(t[k])],
+                              &b = result.points[static_cast<std::size_t>(t[(k + 1) % 3])];
             EXPECT_LT(norm(along(a, -1, b)), 1.4 * (0.5e-3 + 0.05 * std::max(a[0], b[0])));
         }
 }
@@ -100,7 +108,9 @@ TEST(Remesh, MorePointsThanAllowedAreRefused) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::bad_input);
-        EXPECT_STREQ(error.what(), "part.stl: cells of this size would take more than 1000 points on the surface; a larger mesh.size");
+        EXPECT_STREQ(
+            error.what(),
+            "part.stl: cells of this size would take more than 1000 points on the surface; a larger mesh.size");
     }
 }
 
@@ -113,7 +123,9 @@ TEST(NearestOnTriangles, WithinFindsWhatTheWholeSearchFindsAndNothingFurtherAway
         const auto place = nearest(p);
         const auto within = nearest.within(p, 1e-3);
         EXPECT_EQ(within.has_value(), place.distance_m < 1e-3);
-        if (within) { EXPECT_NEAR(within->distance_m, place.distance_m, 1e-15); }
+        if (within) {
+            EXPECT_NEAR(within->distance_m, place.distance_m, 1e-15);
+        }
     }
 }
 

@@ -11,7 +11,8 @@ namespace soft::surface::test {
 inline FacetSoup box_soup(const mesh::Point& low, const mesh::Point& high) {
     FacetSoup soup;
     for (int n = 0; n < 8; ++n)
-        soup.points.push_back({(n & 1) != 0 ? high[0] : low[0], (n & 2) != 0 ? high[1] : low[1], (n & 4) != 0 ? high[2] : low[2]});
+        soup.points.push_back(
+            {(n & 1) != 0 ? high[0] : low[0], (n & 2) != 0 ? high[1] : low[1], (n & 4) != 0 ? high[2] : low[2]});
     soup.facets = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
     return soup;

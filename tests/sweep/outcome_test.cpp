@@ -12,9 +12,7 @@ using namespace soft;
 using namespace soft::sweep;
 
 /// Rows at inner stretches 1, 1.05 ... 2 of the thick sphere; output "growth" in mm.
-post::Curve sphere() {
-    return post::make_curve(post::test::sample_case({"growth"}), post::test::sphere_path(21, 2.0));
-}
+post::Curve sphere() { return post::make_curve(post::test::sample_case({"growth"}), post::test::sphere_path(21, 2.0)); }
 
 Sweep asking(const std::string& rest) { return read_sweep("design: d\nvary: {a.b: [1]}\n" + rest, "s.yaml"); }
 
@@ -26,7 +24,8 @@ double value(const std::vector<Cell>& cells, const std::string& column) {
 }
 
 TEST(OutputsOf, AreTheCurveWhereItIsAsked) {
-    const auto cells = outputs_of(asking("at: [growth=500mm, end]\noutputs: [pressure_kPa, growth_mm]\n"), sphere(), {});
+    const auto cells =
+        outputs_of(asking("at: [growth=500mm, end]\noutputs: [pressure_kPa, growth_mm]\n"), sphere(), {});
     ASSERT_EQ(cells.size(), 4u);
     // between rows the curve is a cubic: 1e-5 of the closed form
     EXPECT_NEAR(value(cells, "pressure_kPa@growth=500mm") * 1000, post::test::sphere_pressure_Pa(1.5), 1e-5);
@@ -35,7 +34,7 @@ TEST(OutputsOf, AreTheCurveWhereItIsAsked) {
 }
 
 TEST(OutputsOf, OfALimitPointIsItsRow) {
-    const std::vector<solution::LimitPoint> limits{{16, 0, std::nullopt, {}}};   // stretch 1.8
+    const std::vector<solution::LimitPoint> limits{{16, 0, std::nullopt, {}}};  // stretch 1.8
     const auto cells = outputs_of(asking("at: limit\noutputs: growth_mm\n"), sphere(), limits);
     EXPECT_NEAR(value(cells, "growth_mm@limit"), 800, 1e-9);
 }
@@ -50,7 +49,8 @@ TEST(OutputsOf, WhereThePathDoesNotComeThereIsNoValue) {
 TEST(OutputsOf, WithoutNamesAllColumnsButTheStepAndWhatIsAskedFor) {
     const auto cells = outputs_of(asking("at: growth=500mm\n"), sphere(), {});
     EXPECT_EQ(cells.size(), sphere().columns.size() - 2);
-    for (const Cell& cell : cells) EXPECT_TRUE(cell.column != "step@growth=500mm" && cell.column != "growth_mm@growth=500mm");
+    for (const Cell& cell : cells)
+        EXPECT_TRUE(cell.column != "step@growth=500mm" && cell.column != "growth_mm@growth=500mm");
 }
 
 TEST(OutputsOf, RefusesAQuantityThatTheCurveCannotHaveAtItsPlace) {

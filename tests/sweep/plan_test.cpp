@@ -11,7 +11,8 @@ namespace {
 using namespace soft;
 using namespace soft::sweep;
 
-const std::string design_text = "family: pipe\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {cavity: {pressure: 5 kPa}}\n";
+const std::string design_text =
+    "family: pipe\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {cavity: {pressure: 5 kPa}}\n";
 
 Plan plan_of(const std::string& vary, const std::string& rest = "", const std::string& programs = "v1",
              const std::string& design = design_text) {
@@ -50,7 +51,7 @@ TEST(Plan, TheSameDesignHasTheSameAddressHoweverItIsWritten) {
     const auto plain = ids(plan_of("geometry.wall: [2 mm, 3 mm]"));
     EXPECT_EQ(ids(plan_of("geometry.wall: [2mm, 3mm]")), plain);
     EXPECT_EQ(ids(plan_of("geometry.wall: {from: 2 mm, to: 3 mm, steps: 2}")), plain);
-    EXPECT_EQ(ids(plan_of("geometry.wall: [2 mm, 3 mm]", "set: {geometry.length: 100 mm}\n")), plain);   // its default
+    EXPECT_EQ(ids(plan_of("geometry.wall: [2 mm, 3 mm]", "set: {geometry.length: 100 mm}\n")), plain);  // its default
     EXPECT_EQ(ids(plan_of("geometry.wall: [2 mm, 3 mm]", "", "v1", design_text + "# a remark\n")), plain);
 }
 
@@ -77,12 +78,14 @@ TEST(Plan, ASampleIsTheSameEachTimeAndStaysInItsRanges) {
 /// The first n of a random sample are those of a smaller one, so that they are not computed again.
 TEST(Plan, ALargerRandomSampleKeepsTheDesignsOfASmallerOne) {
     const std::string vary = "geometry.wall: {from: 2 mm, to: 4 mm}";
-    const auto few = ids(plan_of(vary, "method: random\nsamples: 5\n")), many = ids(plan_of(vary, "method: random\nsamples: 9\n"));
+    const auto few = ids(plan_of(vary, "method: random\nsamples: 5\n")),
+               many = ids(plan_of(vary, "method: random\nsamples: 9\n"));
     EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
 }
 
 TEST(Plan, ACombinationThatIsRefusedIsARowWithItsReason) {
-    const Plan plan = plan_of("mesh.order: [1, 2], mesh.formulation: [displacement, mixed]", "set: {material.kappa: 100 MPa}\n");   // mixed needs order 2
+    const Plan plan = plan_of("mesh.order: [1, 2], mesh.formulation: [displacement, mixed]",
+                              "set: {material.kappa: 100 MPa}\n");  // mixed needs order 2
     ASSERT_EQ(plan.designs.size(), 4u);
     EXPECT_TRUE(plan.designs[0].refusal.empty()) << plan.designs[0].refusal;
     EXPECT_FALSE(plan.designs[1].refusal.empty());
@@ -94,7 +97,8 @@ TEST(Plan, ACombinationThatIsRefusedIsARowWithItsReason) {
 TEST(Plan, WhatNoDesignCanHaveIsAFaultOfTheFileAtItsPlace) {
     EXPECT_EQ(refusal("geometry.wal: [2 mm, 3 mm]"), "s.yaml:2:23: geometry.wal: unknown key; did you mean 'wall'?");
     EXPECT_EQ(refusal("geometry.wall: [2 mm, 3]").substr(0, 42), "s.yaml:2:30: geometry.wall: '3' has no uni");
-    EXPECT_EQ(refusal("geometry.wall: [2 mm, -3 mm]").substr(0, 53), "s.yaml:2:30: geometry.wall: -3 mm is out of range; it");
+    EXPECT_EQ(refusal("geometry.wall: [2 mm, -3 mm]").substr(0, 53),
+              "s.yaml:2:30: geometry.wall: -3 mm is out of range; it");
     EXPECT_EQ(refusal("geometry.wall: [2 mm, 3 mm]", "set: {mesh.size: 3 kPa}\n").substr(0, 42),
               "s.yaml:2:18: mesh.size: '3 kPa' is a press");
     EXPECT_EQ(refusal("geometry.wall: {from: -1 mm, to: 3 mm}", "method: random\nsamples: 50\n").substr(0, 41),

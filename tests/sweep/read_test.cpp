@@ -8,7 +8,8 @@ using namespace soft;
 using namespace soft::sweep;
 
 const std::string grid = "design: pipe.yaml\nvary:\n  geometry.wall: {from: 2 mm, to: 4 mm, steps: 5}\n";
-const std::string cube = "design: pipe.yaml\nmethod: random\nsamples: 9\nvary:\n  geometry.wall: {from: 2 mm, to: 4 mm}\n";
+const std::string cube =
+    "design: pipe.yaml\nmethod: random\nsamples: 9\nvary:\n  geometry.wall: {from: 2 mm, to: 4 mm}\n";
 
 std::string refusal(const std::string& text) {
     try {
@@ -56,7 +57,8 @@ TEST(ReadSweep, KnowsEveryKey) {
 TEST(ReadSweep, WithoutPlacesTheEndOfThePathIsMeant) { EXPECT_EQ(read_sweep(grid, "s.yaml").at.at(0).text, "end"); }
 
 TEST(Levels, AreEvenAndEndWhereTheFileSays) {
-    EXPECT_EQ(levels_of("{from: 2 mm, to: 4mm, steps: 5}"), (std::vector<std::string>{"2 mm", "2.5 mm", "3 mm", "3.5 mm", "4mm"}));
+    EXPECT_EQ(levels_of("{from: 2 mm, to: 4mm, steps: 5}"),
+              (std::vector<std::string>{"2 mm", "2.5 mm", "3 mm", "3.5 mm", "4mm"}));
     EXPECT_EQ(levels_of("{from: 0, to: 0.3, steps: 4}"), (std::vector<std::string>{"0", "0.1", "0.2", "0.3"}));
     EXPECT_EQ(levels_of("{from: 1 kPa, to: 10000 kPa, steps: 5, scale: log}"),
               (std::vector<std::string>{"1 kPa", "10 kPa", "100 kPa", "1000 kPa", "10000 kPa"}));
@@ -68,7 +70,7 @@ TEST(ValueAt, IsTheShareOfTheRange) {
     const Factor log{"k", "", Range{{"1 Pa", ""}, {"100 Pa", ""}, 1, 100, "Pa", 0, Scale::log}};
     EXPECT_EQ(value_at(log, 0.5), "10 Pa");
     const Factor third{"k", "", Range{{"1 mm", ""}, {"2 mm", ""}, 1, 2, "mm"}};
-    EXPECT_EQ(value_at(third, 1.0 / 3), "1.33333333 mm");   // nine digits
+    EXPECT_EQ(value_at(third, 1.0 / 3), "1.33333333 mm");  // nine digits
     const Factor whole{"k", "", Range{{"5", ""}, {"7", ""}, 5, 7, "", 0, Scale::whole}};
     EXPECT_EQ(value_at(whole, 0.0) + value_at(whole, 0.34) + value_at(whole, 0.67) + value_at(whole, 0.9999), "5677");
     const Factor word{"k", "", Choices{{"a", ""}, {"b", ""}}};
@@ -79,7 +81,8 @@ TEST(ReadSweep, RefusesUnknownKeysWithTheNearest) {
     EXPECT_EQ(refusal(grid + "methd: grid\n"), "s.yaml:4:1: methd: unknown key; did you mean 'method'?");
     EXPECT_EQ(refusal("design: d\nvary: {a.b: {form: 1, to: 2, steps: 3}}\n"),
               "s.yaml:2:14: a.b.form: unknown key; did you mean 'from'?");
-    EXPECT_EQ(refusal(grid + "method: gird\n"), "s.yaml:4:9: method: 'gird' is not a choice here; did you mean 'grid'?");
+    EXPECT_EQ(refusal(grid + "method: gird\n"),
+              "s.yaml:4:9: method: 'gird' is not a choice here; did you mean 'grid'?");
 }
 
 TEST(ReadSweep, RefusesWhatIsMissingOrEmpty) {
@@ -87,14 +90,17 @@ TEST(ReadSweep, RefusesWhatIsMissingOrEmpty) {
     EXPECT_EQ(refusal("vary: {a.b: [1]}\n").substr(0, 28), "s.yaml:1:1: design: missing;");
     EXPECT_EQ(refusal("design: d\n").substr(0, 26), "s.yaml:1:1: vary: missing;");
     EXPECT_EQ(refusal("design: d\nvary: {a.b: []}\n").substr(0, 37), "s.yaml:2:13: a.b: the list is empty; ");
-    EXPECT_EQ(refusal("design: d\nvary: {a.b: 3 mm}\n").substr(0, 49), "s.yaml:2:13: a.b: a range or a list is needed her");
+    EXPECT_EQ(refusal("design: d\nvary: {a.b: 3 mm}\n").substr(0, 49),
+              "s.yaml:2:13: a.b: a range or a list is needed her");
     EXPECT_EQ(refusal("design: d\nvary: {a.b: {from: 1, to: 2}}\n").substr(0, 33), "s.yaml:2:13: a.b.steps: missing; ");
     EXPECT_EQ(refusal("design: d\nvary: {a.b: {from: 1, steps: 2}}\n").substr(0, 30), "s.yaml:2:13: a.b.to: missing; ");
     EXPECT_EQ(refusal("design: d\nmethod: random\nvary: {a.b: [1]}\n").substr(0, 29), "s.yaml:1:1: samples: missing;");
 }
 
 TEST(ReadSweep, RefusesRangesThatAreNone) {
-    const auto range = [](const std::string& text) { return refusal("design: d\nvary: {k: {" + text + ", steps: 3}}\n"); };
+    const auto range = [](const std::string& text) {
+        return refusal("design: d\nvary: {k: {" + text + ", steps: 3}}\n");
+    };
     EXPECT_EQ(range("from: 2 mm, to: 4").substr(0, 53), "s.yaml:2:28: k: '4' has another unit than '2 mm'; wri");
     EXPECT_EQ(range("from: 4 mm, to: 2 mm").substr(0, 46), "s.yaml:2:28: k: 2 mm is not more than 4 mm; wr");
     EXPECT_EQ(range("from: a, to: b").substr(0, 38), "s.yaml:2:18: k: 'a' is not a number; w");
@@ -109,12 +115,14 @@ TEST(ReadSweep, RefusesWhatTheMethodDoesNotHave) {
     EXPECT_EQ(refusal(grid + "seed: 5\n").substr(0, 34), "s.yaml:4:1: seed: a grid has none;");
     EXPECT_EQ(refusal("design: d\nmethod: random\nsamples: 3\nvary: {k: {from: 1, to: 2, steps: 3}}\n").substr(0, 40),
               "s.yaml:4:35: k.steps: only a grid has st");
-    EXPECT_EQ(refusal("design: d\nvary: {a: {from: 1, to: 2, steps: 1000}, b: {from: 1, to: 2, steps: 1000}}\n").substr(0, 46),
+    EXPECT_EQ(refusal("design: d\nvary: {a: {from: 1, to: 2, steps: 1000}, b: {from: 1, to: 2, steps: 1000}}\n")
+                  .substr(0, 46),
               "s.yaml:2:7: vary: the grid has 1e+06 designs; ");
 }
 
 TEST(ReadSweep, RefusesAKeyThatVariesAndIsSet) {
-    EXPECT_EQ(refusal(cube + "set: {geometry.wall: 3 mm}\n"), "s.yaml:6:22: geometry.wall: it varies, so it cannot be set; write it once");
+    EXPECT_EQ(refusal(cube + "set: {geometry.wall: 3 mm}\n"),
+              "s.yaml:6:22: geometry.wall: it varies, so it cannot be set; write it once");
 }
 
 TEST(ReadSweep, RefusesPlacesThatAreNone) {

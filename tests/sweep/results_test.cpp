@@ -7,11 +7,16 @@ namespace {
 using namespace soft;
 using namespace soft::sweep;
 
-const Sweep sweep = read_sweep("design: d\nvary: {geometry.wall: [2 mm, 3 mm], material.law: [yeoh]}\noutputs: [pressure_kPa]\n", "s.yaml");
+const Sweep sweep = read_sweep(
+    "design: d\nvary: {geometry.wall: [2 mm, 3 mm], material.law: [yeoh]}\noutputs: [pressure_kPa]\n", "s.yaml");
 const Plan plan{{{"aa", {"2 mm", "yeoh"}, "x", ""}, {"bb", {"3mm", "yeoh"}, "", "s.yaml:2:3: a, \"b\"; c"}}};
 
 Outcome done(const std::string& column) {
-    return {.exit_code = 0, .stop_reason = "done", .error = "", .columns = {"step", "pressure_kPa"}, .outputs = {{column, 0.1}}};
+    return {.exit_code = 0,
+            .stop_reason = "done",
+            .error = "",
+            .columns = {"step", "pressure_kPa"},
+            .outputs = {{column, 0.1}}};
 }
 
 TEST(PlanCsv, HasARowADesignWithItsStateAndSettings) {
@@ -22,7 +27,8 @@ TEST(PlanCsv, HasARowADesignWithItsStateAndSettings) {
 }
 
 TEST(ResultsCsv, FailedDesignsAreRowsWithTheirReason) {
-    const std::vector<Outcome> outcomes{done("pressure_kPa@end"), {.exit_code = 65, .stop_reason = "refused", .error = "a, b"}};
+    const std::vector<Outcome> outcomes{done("pressure_kPa@end"),
+                                        {.exit_code = 65, .stop_reason = "refused", .error = "a, b"}};
     EXPECT_EQ(results_csv(sweep, plan, outcomes),
               "id,geometry.wall_mm,material.law,pressure_kPa@end,stop_reason,exit_code,error\n"
               "aa,2,yeoh,0.1,done,0,\n"
@@ -42,12 +48,14 @@ TEST(ResultsCsv, ValuesOfDifferentUnitsStayAsTheyAreWritten) {
 }
 
 TEST(ResultsCsv, RefusesAnOutputThatNoCurveHas) {
-    const Sweep slip = read_sweep("design: d\nvary: {geometry.wall: [2 mm, 3 mm], material.law: [yeoh]}\noutputs: [presure_kPa]\n", "s.yaml");
+    const Sweep slip = read_sweep(
+        "design: d\nvary: {geometry.wall: [2 mm, 3 mm], material.law: [yeoh]}\noutputs: [presure_kPa]\n", "s.yaml");
     try {
         static_cast<void>(results_csv(slip, plan, std::vector<Outcome>{done("x"), done("x")}));
         FAIL();
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "s.yaml:3:11: outputs: no curve has a column 'presure_kPa'; did you mean 'pressure_kPa'?");
+        EXPECT_STREQ(error.what(),
+                     "s.yaml:3:11: outputs: no curve has a column 'presure_kPa'; did you mean 'pressure_kPa'?");
     }
 }
 

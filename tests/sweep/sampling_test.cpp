@@ -32,7 +32,7 @@ TEST(RandomPoints, FillTheUnitCubeEvenly) {
         ASSERT_TRUE(point[0] >= 0 && point[0] < 1 && point[1] >= 0 && point[1] < 1);
         sum += point[0] - 0.5, squares += std::pow(point[0] - 0.5, 2), products += (point[0] - 0.5) * (point[1] - 0.5);
     }
-    const double deviation = 1 / std::sqrt(12.0 * samples);   // of the mean of so many
+    const double deviation = 1 / std::sqrt(12.0 * samples);  // of the mean of so many
     EXPECT_LT(std::abs(sum / samples), 4 * deviation);
     EXPECT_NEAR(squares / samples, 1.0 / 12, 0.002);
     EXPECT_LT(std::abs(products / samples), 4 / (12 * std::sqrt(samples)));

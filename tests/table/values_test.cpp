@@ -49,7 +49,8 @@ TEST(Numbers, AreRefusedWhereACommaMayBeOneOfThousands) {
         }
         return std::string{};
     };
-    const std::string words = "m.csv:2: column 1 'p_Pa': '1,400' may have a decimal comma or one for thousands; write it without the comma";
+    const std::string words =
+        "m.csv:2: column 1 'p_Pa': '1,400' may have a decimal comma or one for thousands; write it without the comma";
     EXPECT_EQ(refusal("p_Pa,e_mm\n\"1,400\",20\n"), words);
     EXPECT_EQ(refusal("p_Pa;e_mm\n1,400;20.5\n"), words) << "the other column has decimal points";
     EXPECT_EQ(numbers(read_table("p_Pa;e_mm\n1,400;20,5\n", "m.csv"), 0), (std::vector<double>{1.4}));

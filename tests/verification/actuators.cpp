@@ -107,7 +107,7 @@ Outcome solve_tube_mesh(const TubeMesh& mesh) {
 struct Prism {
     double pressure_Pa, poisson;
     struct Layer {
-        double low_m, high_m, width_m, young_Pa;   ///< negative where the hole takes rubber away
+        double low_m, high_m, width_m, young_Pa;  ///< negative where the hole takes rubber away
     };
     std::vector<Layer> layers;
     Layer hole;
@@ -116,7 +116,7 @@ struct Prism {
         double at_zero, curvature_1_m;
     };
     [[nodiscard]] Strain strain() const {
-        std::array<double, 3> moment{};   // int E z^n dA
+        std::array<double, 3> moment{};  // int E z^n dA
         for (const Layer& l : layers)
             for (std::size_t n = 0; n < 3; ++n) {
                 const double power = static_cast<double>(n) + 1;
@@ -125,7 +125,8 @@ struct Prism {
         const double force = (1 - 2 * poisson) * pressure_Pa * hole.width_m * (hole.high_m - hole.low_m);
         const double torque = force * 0.5 * (hole.low_m + hole.high_m);
         const double determinant = moment[0] * moment[2] - moment[1] * moment[1];
-        return {(force * moment[2] - torque * moment[1]) / determinant, (torque * moment[0] - force * moment[1]) / determinant};
+        return {(force * moment[2] - torque * moment[1]) / determinant,
+                (torque * moment[0] - force * moment[1]) / determinant};
     }
 };
 
@@ -150,10 +151,12 @@ Outcome solve_long_finger() {
                    .seconds = one.seconds + other.seconds,
                    .tolerance = homogeneous};
     };
-    const auto more = [&](std::size_t output) { return other.steps.back().outputs.at(output) - one.steps.back().outputs.at(output); };
+    const auto more = [&](std::size_t output) {
+        return other.steps.back().outputs.at(output) - one.steps.back().outputs.at(output);
+    };
     return {{row("bend by 40 mm more of chamber [urad]", 1e6 * curvature_1_m * (long_m - short_m), 1e6 * more(0)),
-             row("lengthening by 40 mm more of chamber [nm]", 1e9 * (strain + curvature_1_m * tip_middle_m) * (long_m - short_m),
-                 1e9 * more(1))},
+             row("lengthening by 40 mm more of chamber [nm]",
+                 1e9 * (strain + curvature_1_m * tip_middle_m) * (long_m - short_m), 1e9 * more(1))},
             {}};
 }
 
@@ -162,16 +165,20 @@ Outcome solve_long_finger() {
 Outcome solve_long_segment() {
     constexpr double short_m = 120e-3, long_m = 160e-3;
     const auto run = [](double length_m) {
-        return run_design("verification/segment-long.yaml", {"geometry.length=" + core::number_text(1e3 * length_m) + " mm"});
+        return run_design("verification/segment-long.yaml",
+                          {"geometry.length=" + core::number_text(1e3 * length_m) + " mm"});
     };
     const Run one = run(short_m), other = run(long_m);
     constexpr double pi = std::numbers::pi, bore_m = 3e-3, inside_m = 5e-3, outside_m = 10e-3, outer_m = 12e-3;
-    constexpr double angle = pi / 2, load = (1 - 2 * 0.3) * 10 / 1e6;   // (1 - 2 nu) p / E; 120 less 30 degrees
-    const auto difference = [](double high, double low, int power) { return std::pow(high, power) - std::pow(low, power); };
+    constexpr double angle = pi / 2, load = (1 - 2 * 0.3) * 10 / 1e6;  // (1 - 2 nu) p / E; 120 less 30 degrees
+    const auto difference = [](double high, double low, int power) {
+        return std::pow(high, power) - std::pow(low, power);
+    };
     const double hole_m2 = 0.5 * angle * difference(outside_m, inside_m, 2);
-    const double hole_m3 = 2.0 / 3.0 * std::sin(0.5 * angle) * difference(outside_m, inside_m, 3);   // A c
+    const double hole_m3 = 2.0 / 3.0 * std::sin(0.5 * angle) * difference(outside_m, inside_m, 3);  // A c
     const double rubber_m2 = pi * difference(outer_m, bore_m, 2) - 3 * hole_m2;
-    const double second_m4 = 0.25 * pi * difference(outer_m, bore_m, 4) - 3 * 0.125 * angle * difference(outside_m, inside_m, 4);
+    const double second_m4 =
+        0.25 * pi * difference(outer_m, bore_m, 4) - 3 * 0.125 * angle * difference(outside_m, inside_m, 4);
     const auto row = [&](const char* quantity, double reference, std::size_t output) {
         return Row{.quantity = quantity,
                    .reference = reference,

@@ -34,9 +34,9 @@ Run run_with_bars(const std::string& design, const std::vector<std::string>& set
     // No tolerance ends the refinement of the given mesh: the bound on the unknowns does.
     const std::int64_t levels = mesh == Mesh::given ? 1 : 2, growth = run.model.mesh.dimension == 3 ? 8 : 4;
     const std::int64_t bound = 2 * system.dofs().total * (levels == 1 ? growth : growth * growth);
-    const auto accuracy = solver::refine_path(
-        system, std::move(rows), run.end,
-        {.tolerance = 1e-12, .largest_unknowns_2d = bound, .largest_unknowns_3d = bound}, {});
+    const auto accuracy =
+        solver::refine_path(system, std::move(rows), run.end,
+                            {.tolerance = 1e-12, .largest_unknowns_2d = bound, .largest_unknowns_3d = bound}, {});
     if (!accuracy.has_bars) throw std::runtime_error(design + ": no error bars: " + accuracy.obstacle);
     for (const auto& row : accuracy.rows) run.steps.push_back(row.step);
     run.mesh = std::to_string(run.model.mesh.cell_count()) + " cells" + (mesh == Mesh::halved ? ", halved once" : "");
@@ -78,7 +78,7 @@ std::vector<Judged> judge_cylinder(const char* design, double inner_m, double ou
     const auto run = run_with_bars("verification/" + std::string(design) + ".yaml", sets, mesh);
     const Pulls pulls = pulls_of(run.model.materials.front());
     const Cylinder cylinder{inner_m, outer_m, 1};
-    const double volume = std::numbers::pi * inner_m * inner_m;   // of 1 m
+    const double volume = std::numbers::pi * inner_m * inner_m;  // of 1 m
     return at_rows(
         run, [&](double l) { return cylinder_pressure_Pa(pulls, cylinder, l); },
         [&](double v) { return std::sqrt(v / volume); });
@@ -93,7 +93,7 @@ Judged judged_at(const Run& run, const std::string& held, double value, const st
     const post::Path path(curve);
     const auto crossings = path.crossings(index(held), value);
     const double end = run.steps.empty() ? 0.0 : curve.columns[index(held)].values.back();
-    if (crossings.empty() && std::abs(end - value) > 1e-8 * std::abs(value))   // the last row holds the goal to rounding
+    if (crossings.empty() && std::abs(end - value) > 1e-8 * std::abs(value))  // the last row holds the goal to rounding
         throw std::runtime_error("the path never has this " + held + ", it ends at " + core::number_text(end));
     const auto row = path.at(crossings.empty() ? path.length() : crossings.front());
     return {truth, row[index(wanted)], row[index(wanted + "_error")]};
@@ -102,8 +102,8 @@ Judged judged_at(const Run& run, const std::string& held, double value, const st
 std::vector<Judged> judge_tube(const std::vector<std::string>& sets, Mesh mesh) {
     const auto run = run_with_bars("verification/tube.yaml", sets, mesh);
     std::vector<Judged> found;
-    for (const auto& [pressure_kPa, elongation_mm] : std::vector<std::pair<double, double>>{
-             {10, 0.2817}, {20, 0.9168}, {30, 2.2875}, {40, 5.8978}})
+    for (const auto& [pressure_kPa, elongation_mm] :
+         std::vector<std::pair<double, double>>{{10, 0.2817}, {20, 0.9168}, {30, 2.2875}, {40, 5.8978}})
         found.push_back(judged_at(run, "pressure", pressure_kPa, "elongation", elongation_mm));
     const auto& limit = run.end.limit_points.at(0);
     found.push_back({44.3387, 1e-3 * limit.pressure_Pa,
@@ -125,14 +125,16 @@ std::vector<Judged> judge_bellows(const std::vector<std::string>& sets, Mesh mes
 struct JudgedCase {
     std::string name;
     std::function<std::vector<Judged>(Mesh)> judge;
-    std::vector<Mesh> meshes{Mesh::halved};   ///< what is reported where a third mesh is possible
+    std::vector<Mesh> meshes{Mesh::halved};  ///< what is reported where a third mesh is possible
 };
 
 std::vector<JudgedCase> judged_cases() {
     const auto sphere = [](const char* name, Sphere s) {
         return JudgedCase{std::string("bars, ") + name, [s](Mesh mesh) { return judge_sphere(s, mesh); }};
     };
-    const Sphere eighth{"sphere-neo-hookean", 10e-3, 20e-3,
+    const Sphere eighth{"sphere-neo-hookean",
+                        10e-3,
+                        20e-3,
                         {"model=quarter", "mesh.size=8 mm", "mesh.sectors=2", "path.until.volume_ratio=6"}};
     const char* neo = "sphere-neo-hookean";
     return {
@@ -140,25 +142,31 @@ std::vector<JudgedCase> judged_cases() {
         sphere("sphere B/A = 1.1, neo-Hookean", {neo, 10e-3, 11e-3, {"mesh.size=5 mm"}}),
         sphere("sphere B/A = 2, Mooney-Rivlin", {"sphere-mooney-rivlin", 10e-3, 20e-3, {"mesh.size=5 mm"}}),
         sphere("sphere B/A = 2, Yeoh", {"sphere-yeoh", 10e-3, 20e-3, {"mesh.size=5 mm"}}),
-        sphere("sphere B/A = 2, neo-Hookean, triangles", {neo, 10e-3, 20e-3, {"mesh.size=5 mm", "mesh.cells=simplices"}}),
-        {"bars, sphere B/A = 2, neo-Hookean, solid eighth", [eighth](Mesh mesh) { return judge_sphere(eighth, mesh); },
-         {Mesh::given}},   // a third solid mesh takes minutes
+        sphere("sphere B/A = 2, neo-Hookean, triangles",
+               {neo, 10e-3, 20e-3, {"mesh.size=5 mm", "mesh.cells=simplices"}}),
+        {"bars, sphere B/A = 2, neo-Hookean, solid eighth",
+         [eighth](Mesh mesh) { return judge_sphere(eighth, mesh); },
+         {Mesh::given}},  // a third solid mesh takes minutes
         {"bars, plane-strain cylinder B/A = 2, neo-Hookean",
          [](Mesh mesh) { return judge_cylinder("cylinder-neo-hookean", 10e-3, 20e-3, {"mesh.size=8 mm"}, mesh); }},
         {"bars, plane-strain cylinder 7 / 18.625 m, Mooney-Rivlin",
          [](Mesh mesh) { return judge_cylinder("cylinder-mooney-rivlin", 7, 18.625, {"mesh.size=6 m"}, mesh); }},
         {"bars, closed tube",
-         [](Mesh mesh) { return judge_tube({"mesh.size=3 mm", "solver.step_accuracy=5e-4"}, mesh); }},
+         [](Mesh mesh) {
+             return judge_tube({"mesh.size=3 mm", "solver.step_accuracy=5e-4"}, mesh);
+         }},
         {"bars, bellows, open",
-         [](Mesh mesh) { return judge_bellows({"mesh.size=3 mm", "solver.step_accuracy=5e-4"}, mesh); }},
+         [](Mesh mesh) {
+             return judge_bellows({"mesh.size=3 mm", "solver.step_accuracy=5e-4"}, mesh);
+         }},
     };
 }
 
 /// What a list of bars comes to.
 struct Score {
-    double largest_error = 0, largest_bar = 0;   ///< relative to the largest value of the curve
-    double least = 1e300;                        ///< bar over error
-    double width = 0;                            ///< root mean squares
+    double largest_error = 0, largest_bar = 0;  ///< relative to the largest value of the curve
+    double least = 1e300;                       ///< bar over error
+    double width = 0;                           ///< root mean squares
     int covered = 0;
 };
 
@@ -184,10 +192,12 @@ constexpr double widest = 3;
 Outcome solve_case(const JudgedCase& judged) {
     Outcome outcome;
     outcome.tables.push_back(
-        {judged.name, "Bars against true errors, of the load at every row of the path where there is a formula, else at the "
-                      "points of the reference (tube: of the elongation, and the limit pressure). Per cent of the largest "
-                      "value; bar over error at its least; root mean squares of the bars over that of the errors.",
-         {"mesh", "points", "largest error [%]", "bar for an error, largest [%]", "bar / error, least", "bars / errors, rms"},
+        {judged.name,
+         "Bars against true errors, of the load at every row of the path where there is a formula, else at the "
+         "points of the reference (tube: of the elongation, and the limit pressure). Per cent of the largest "
+         "value; bar over error at its least; root mean squares of the bars over that of the errors.",
+         {"mesh", "points", "largest error [%]", "bar for an error, largest [%]", "bar / error, least",
+          "bars / errors, rms"},
          {}});
     for (const Mesh mesh : judged.meshes) {
         const auto begin = std::chrono::steady_clock::now();
@@ -207,10 +217,10 @@ Outcome solve_case(const JudgedCase& judged) {
                                 .ours = std::max(widest, score.width),
                                 .mesh = name,
                                 .seconds = seconds});
-        outcome.tables.back().lines.push_back(
-            {name, std::to_string(found.size()), core::rounded_text(100 * score.largest_error, 3),
-             core::rounded_text(100 * score.largest_bar, 3), core::rounded_text(score.least, 3),
-             core::rounded_text(score.width, 3)});
+        outcome.tables.back().lines.push_back({name, std::to_string(found.size()),
+                                               core::rounded_text(100 * score.largest_error, 3),
+                                               core::rounded_text(100 * score.largest_bar, 3),
+                                               core::rounded_text(score.least, 3), core::rounded_text(score.width, 3)});
     }
     return outcome;
 }

@@ -12,10 +12,10 @@
 namespace soft::verification {
 namespace {
 
-using Three = std::array<double, 3>;   ///< of (hoop, axial, twist x A)
+using Three = std::array<double, 3>;  ///< of (hoop, axial, twist x A)
 
 struct Stress {
-    double radial, hoop, axial, shear;   ///< sigma + q I
+    double radial, hoop, axial, shear;  ///< sigma + q I
 };
 
 Stress stress_at(const FiberTube& tube, const Three& state, double R_m) {
@@ -49,7 +49,7 @@ Three imbalance(const FiberTube& tube, const Three& state, double pressure_Pa) {
         for (std::size_t i = 0; i < 3; ++i)
             if (bounds[i + 1] > bounds[i])
                 sum += integral(
-                    [&](double R) {   // dr = R dR / (r lz)
+                    [&](double R) {  // dr = R dR / (r lz)
                         const double r = std::sqrt(state[0] * state[0] * A * A + (R * R - A * A) / state[1]);
                         return integrand(stress_at(tube, state, R), r) * R / (r * state[1]);
                     },
@@ -71,7 +71,7 @@ void equilibrate(const FiberTube& tube, Three& state, double pressure_Pa) {
     constexpr double difference = 1e-7, enough = 1e-12;
     for (int i = 0; i < most; ++i) {
         const Three miss = imbalance(tube, state, pressure_Pa);
-        std::array<Three, 3> slope;   // [unknown][balance]
+        std::array<Three, 3> slope;  // [unknown][balance]
         for (std::size_t k = 0; k < 3; ++k) {
             Three up = state, down = state;
             up[k] += difference;

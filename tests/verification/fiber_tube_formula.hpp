@@ -15,16 +15,16 @@ namespace soft::verification {
 
 struct FiberTube {
     double inner_m, outer_m;
-    std::function<double(double I1)> slope_Pa;   ///< w
+    std::function<double(double I1)> slope_Pa;  ///< w
     double angle_rad, k1_Pa, k2;
-    int families;                                ///< 2: the twist stays 0
-    double layer_begin = 0, layer_end = 1;       ///< fractions of the wall
+    int families;                           ///< 2: the twist stays 0
+    double layer_begin = 0, layer_end = 1;  ///< fractions of the wall
 };
 
 struct FiberTubeState {
-    double hoop = 1;          ///< a/A
-    double axial = 1;         ///< lz
-    double twist_1_m = 0;     ///< tau, per undeformed length
+    double hoop = 1;       ///< a/A
+    double axial = 1;      ///< lz
+    double twist_1_m = 0;  ///< tau, per undeformed length
 };
 
 /// The state at a pressure on the branch that begins at rest. Throws std::runtime_error where that branch has ended.

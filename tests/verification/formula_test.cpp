@@ -137,8 +137,9 @@ TEST(Formula, FiberTubeWithoutStiffFibresIsTheClosedTube) {
 
 TEST(Formula, FiberTubeOfTwoFamiliesDoesNotTwistAndOfOneTurnsTowardsIt) {
     EXPECT_NEAR(fiber_tube_state(fiber_tube(0.9, 0.5e6, 2), 30e3).twist_1_m, 0, 1e-9);
-    const auto right = fiber_tube_state(fiber_tube(0.9, 0.5e6, 1), 30e3), left = fiber_tube_state(fiber_tube(-0.9, 0.5e6, 1), 30e3);
-    EXPECT_LT(right.twist_1_m, -1);   // the helix straightens: it turns against its own sense
+    const auto right = fiber_tube_state(fiber_tube(0.9, 0.5e6, 1), 30e3),
+               left = fiber_tube_state(fiber_tube(-0.9, 0.5e6, 1), 30e3);
+    EXPECT_LT(right.twist_1_m, -1);  // the helix straightens: it turns against its own sense
     EXPECT_NEAR(left.twist_1_m, -right.twist_1_m, 1e-9);
     EXPECT_NEAR(left.axial, right.axial, 1e-12);
 }
@@ -149,12 +150,12 @@ TEST(Formula, StiffFibresOfAThinTubeHaveTheMagicAngle) {
     const double magic = std::atan(std::numbers::sqrt2);
     EXPECT_NEAR(magic / degree, 54.7356, 5e-5);
     double last = 1;
-    for (const double ratio : {10.0, 100.0, 1000.0}) {   // k1 / mu
+    for (const double ratio : {10.0, 100.0, 1000.0}) {  // k1 / mu
         FiberTube tube = fiber_tube(0, ratio * mu_Pa, 2);
         tube.inner_m = middle_m * (1 - 0.5 * t);
         tube.outer_m = middle_m * (1 + 0.5 * t);
         const double miss = (magic - neutral_angle_rad(tube, 0.2 * t * mu_Pa)) / degree;
-        EXPECT_NEAR(last / miss, last == 1 ? 1 / miss : 10, 0.5) << ratio;   // it falls as the rubber's part does
+        EXPECT_NEAR(last / miss, last == 1 ? 1 / miss : 10, 0.5) << ratio;  // it falls as the rubber's part does
         last = miss;
     }
     EXPECT_LT(std::abs(last), 2e-3);
@@ -238,8 +239,9 @@ TEST(Formula, ABeamThatGetsSlenderLosesShearAndRotaryInertiaAsTheirFirstOrderSay
         const double sign = slope < 2 ? -1.0 : 1.0;  // cos and sin change sign after two slopes
         const auto square = [&](double x) {
             const double z = k * x;
-            const double w = slope % 2 == 0 ? std::cosh(z) + sign * std::cos(z) - c * (std::sinh(z) + sign * std::sin(z))
-                                            : std::sinh(z) - sign * std::sin(z) - c * (std::cosh(z) + sign * std::cos(z));
+            const double w = slope % 2 == 0
+                                 ? std::cosh(z) + sign * std::cos(z) - c * (std::sinh(z) + sign * std::sin(z))
+                                 : std::sinh(z) - sign * std::sin(z) - c * (std::cosh(z) + sign * std::cos(z));
             return std::pow(k, 2 * slope) * w * w;
         };
         return integral(square, 0.0, 1.0);
@@ -254,7 +256,7 @@ TEST(Formula, ABeamThatGetsSlenderLosesShearAndRotaryInertiaAsTheirFirstOrderSay
 
 // Strains of 1e-4 leave first-order differences of the same size; the deflection is already thirty times the strain's root.
 TEST(Formula, AMembraneOfSmallStrainsDeflectsAsHencky) {
-    EXPECT_NEAR(hencky_deflection(1.0, 0.3), 0.6536, 1e-4);   // his constant, after Fichter 0.653
+    EXPECT_NEAR(hencky_deflection(1.0, 0.3), 0.6536, 1e-4);  // his constant, after Fichter 0.653
     for (const double stretch : {1.00005, 1.0002}) {
         const MembraneState state = membrane_at({0.05, 1e-3, 2e5}, stretch);
         const double q = state.pressure_Pa * 0.05 / (3 * 2e5 * 1e-3);

@@ -52,7 +52,8 @@ struct PairState {
 /// `small`, `large`: pressure [Pa] by inner stretch; `small_limit`: stretch of the first one's maximum; `volume_ratio`: of
 /// both volumes together, equal when undeformed. One root of small(a) = large((2 ratio - a^3)^(1/3)) in (1, small_limit).
 [[nodiscard]] PairState sphere_pair(const std::function<double(double)>& small,
-                                    const std::function<double(double)>& large, double small_limit, double volume_ratio);
+                                    const std::function<double(double)>& large, double small_limit,
+                                    double volume_ratio);
 
 /// The first maximum of a function on (low, high), sampled and then by golden section.
 struct Peak {

@@ -23,7 +23,7 @@ double meridian_stretch(double tension1, double l2, double guess) {
 
 struct Integrated {
     double rim_radius, deflection, mean_deflection;
-    bool upright;   ///< the slope has come to a right angle
+    bool upright;  ///< the slope has come to a right angle
 };
 
 /// Unit radius and unit mu h; `pressure` is p a/(mu h).
@@ -61,7 +61,8 @@ Integrated integrate(double apex_stretch, double pressure) {
         // Mean of w over the area: int w 2 R dR = int -w' R^2 dR, as w = 0 at the rim.
         const double middle = R + 0.5 * step, end = R + step;
         moment += step / 6 * (a.fall * R * R + 2 * (b.fall + c.fall) * middle * middle + d.fall * end * end);
-        s = {s.r + step / 6 * (a.r + 2 * b.r + 2 * c.r + d.r), s.tension1 + step / 6 * (a.tension1 + 2 * b.tension1 + 2 * c.tension1 + d.tension1)};
+        s = {s.r + step / 6 * (a.r + 2 * b.r + 2 * c.r + d.r),
+             s.tension1 + step / 6 * (a.tension1 + 2 * b.tension1 + 2 * c.tension1 + d.tension1)};
     }
     return {s.r, fall, moment, upright};
 }
@@ -110,8 +111,9 @@ double hencky_deflection(double q, double poisson) {
     double low = 1.3, high = 4;
     for (int i = 0; i < 60; ++i) (edge(0.5 * (low + high)) > 0 ? high : low) = 0.5 * (low + high);
     const double b = low;
-    return std::cbrt(q) * (1 / b + 1 / (2 * std::pow(b, 4)) + 5 / (9 * std::pow(b, 7)) + 55 / (72 * std::pow(b, 10)) + 7 / (6 * std::pow(b, 13)) +
-                           205 / (108 * std::pow(b, 16)) + 17051 / (5292 * std::pow(b, 19)) + 2864485 / (508032 * std::pow(b, 22)));
+    return std::cbrt(q) * (1 / b + 1 / (2 * std::pow(b, 4)) + 5 / (9 * std::pow(b, 7)) + 55 / (72 * std::pow(b, 10)) +
+                           7 / (6 * std::pow(b, 13)) + 205 / (108 * std::pow(b, 16)) +
+                           17051 / (5292 * std::pow(b, 19)) + 2864485 / (508032 * std::pow(b, 22)));
 }
 
 }  // namespace soft::verification

@@ -13,7 +13,7 @@ struct Membrane {
 };
 
 struct MembraneState {
-    double pressure_Pa, deflection_m, mean_deflection_m;   ///< of the apex; mean over the undeformed area
+    double pressure_Pa, deflection_m, mean_deflection_m;  ///< of the apex; mean over the undeformed area
 };
 
 /// The state in which the apex is stretched so much. While the slope at the rim stays below a right angle.

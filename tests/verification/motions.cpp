@@ -86,7 +86,7 @@ Outcome solve_sphere() {
     const dynamics::BreathingSphere sphere{10e-3, 20e-3, *material.density_kg_m3};
     constexpr int count = 80;  // every row
     const auto exact = dynamics::breathing_stretches(sphere, run.model.path.stages[0].supplies[0].value, elastic_Pa,
-                                                   run.model.dynamics->duration_s, count);
+                                                     run.model.dynamics->duration_s, count);
     if (run.steps.size() != count + 1) throw std::runtime_error("the sphere's rows are not those of its design");
     Outcome outcome;
     const auto inner = [&](int row) {

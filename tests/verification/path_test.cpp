@@ -41,7 +41,8 @@ TEST(Tube, FibresThatBeginToPullDoNotStopThePath) {
 
 // The mesh of the whole is that of the half and its mirror image, so the states are the same but for what Newton leaves.
 TEST(Pneunet, TheWholeBendsLikeTheHalf) {
-    const std::vector<std::string> coarse{"geometry.chambers=2", "mesh.size=8 mm", "mesh.through_wall=1", "loads.cavity.pressure=3 kPa"};
+    const std::vector<std::string> coarse{"geometry.chambers=2", "mesh.size=8 mm", "mesh.through_wall=1",
+                                          "loads.cavity.pressure=3 kPa"};
     auto whole_sets = coarse;
     whole_sets.push_back("model=solid");
     const auto half = run_design("pneunet.yaml", coarse), whole = run_design("pneunet.yaml", whole_sets);
@@ -51,7 +52,7 @@ TEST(Pneunet, TheWholeBendsLikeTheHalf) {
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(whole.steps.back().outputs[i] / half.steps.back().outputs[i], 1.0, 1e-6);
     EXPECT_NEAR(*whole.steps.back().volume_m3 / *half.steps.back().volume_m3, 1.0, 1e-9);
-    EXPECT_GT(half.steps.back().outputs[0], 0.0);   // toward the base
+    EXPECT_GT(half.steps.back().outputs[0], 0.0);  // toward the base
     EXPECT_LT(half.steps.back().outputs[2], 0.0);
 }
 

@@ -79,7 +79,8 @@ Run run_design(const std::string& design, const std::vector<std::string>& sets, 
         if (energy == Energy::recorded) run.energy_J.push_back(system.stored_energy(x) / run.model.model_fraction);
     };
     const solver::Listeners listeners{.step = sink, .contact = contact_check(system)};
-    run.end = run.model.dynamics ? dynamics::integrate_motion(system, listeners) : solver::follow_path(system, listeners);
+    run.end =
+        run.model.dynamics ? dynamics::integrate_motion(system, listeners) : solver::follow_path(system, listeners);
     if (run.end.reason == solution::StopReason::diverged)
         throw std::runtime_error(design + ": the path diverged: " + run.end.detail);
     run.mesh = describe(run.model, system.dofs().total);

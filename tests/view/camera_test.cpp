@@ -47,7 +47,8 @@ TEST(Camera, WhatIsNoViewIsRefusedWithTheNames) {
             ADD_FAILURE() << text;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::usage);
-            EXPECT_NE(std::string(error.what()).find("front, side, top, across, iso, or AZIMUTH,ELEVATION"), std::string::npos);
+            EXPECT_NE(std::string(error.what()).find("front, side, top, across, iso, or AZIMUTH,ELEVATION"),
+                      std::string::npos);
         }
     }
 }
