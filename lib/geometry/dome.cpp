@@ -71,7 +71,7 @@ Family dome() {
         "  outer: {pressure: 5 kPa}                  # on the convex side\n"
         "outputs:\n"
         "  apex: {face: crown, along: axis}          # about the axis, on the concave side\n";
-    keys.mesh = {size_key("1 mm"), through_wall_key(), sectors_key()};
+    keys.mesh = {size_key("0.7 mm"), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }
 
