@@ -11,12 +11,16 @@
 /// that are not at a constant z, mixed orders, and files that are no such mesh.
 /// Held by geometry/import_test.
 #include <filesystem>
+#include <string>
 
+#include "geometry/msh_file.hpp"
 #include "mesh/mesh.hpp"
 
 namespace soft::geometry {
 
 /// `unit_m`: length of the file's unit [m]. Points of a plane mesh get z = 0.
 [[nodiscard]] mesh::Mesh import_mesh(const std::filesystem::path& path, double unit_m);
+/// The same of what stands in a file called `name`.
+[[nodiscard]] mesh::Mesh import_mesh(const MshFile& file, const std::string& name, double unit_m);
 
 }  // namespace soft::geometry
