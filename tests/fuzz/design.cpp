@@ -1,0 +1,20 @@
+/// YAML designs with the keys of all families.
+#include "design/design.hpp"
+
+#include "geometry/family.hpp"
+#include "target.hpp"
+
+void soft::fuzz::read(std::span<const std::byte> bytes) {
+    constexpr std::string_view source = "designs/fuzz.yaml";  // files that it names are meant from there
+    const auto read_again = [](std::string_view text) {
+        return design::read_design(text, source, geometry::catalogue_keys(), {});
+    };
+    const design::Design design = read_again(text_of(bytes));
+    require(read_again(design.effective_yaml).effective_yaml == design.effective_yaml,
+            "the effective design reads back to itself");
+    static_cast<void>(design::explain_design(text_of(bytes), source, geometry::catalogue_keys(), {}));
+    static_cast<void>(design::apply_overrides(design.effective_yaml, {}));
+    for (const geometry::Family& family : geometry::catalogue())
+        if (family.keys.name == design.family && family.keys.name != "imported")  // that one makes a mesh
+            static_cast<void>(family.build(design.values));
+}
