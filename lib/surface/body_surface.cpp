@@ -106,6 +106,22 @@ std::size_t drop_idle_facets(FacetSoup& soup) {
     return dropped;
 }
 
+/// OBJ may list more points than its facets use; CGAL takes each for the corner of one.
+void drop_unused_points(FacetSoup& soup) {
+    std::vector<bool> used(soup.points.size());
+    for (const auto& facet : soup.facets)
+        for (const std::size_t node : facet) used[node] = true;
+    std::vector<std::size_t> numbers(soup.points.size());
+    std::vector<mesh::Point> kept;
+    for (std::size_t n = 0; n < used.size(); ++n) {
+        numbers[n] = kept.size();
+        if (used[n]) kept.push_back(soup.points[n]);
+    }
+    for (auto& facet : soup.facets)
+        for (std::size_t& node : facet) node = numbers[node];
+    soup.points = std::move(kept);
+}
+
 }  // namespace
 
 std::string counted(std::size_t count, const std::string& one, const std::string& several) {
@@ -177,6 +193,7 @@ BodySurface body_surface(FacetSoup soup, const SoupOrigin& origin) {
         repairs.push_back(counted(merged, "point", "points") + " merged with others in the same place");
     if (const std::size_t dropped = drop_idle_facets(soup); dropped > 0)
         repairs.push_back(counted(dropped, "facet", "facets") + " without area or twice there taken out");
+    drop_unused_points(soup);
     BodySurface surface = closed_shells(soup, origin);
     surface.repairs.insert(surface.repairs.begin(), repairs.begin(), repairs.end());
     return surface;
