@@ -72,6 +72,16 @@ Bytes read_file(const fs::path& path, std::size_t limit) {
     return read_descriptor(file.get(), path.string(), limit);
 }
 
+Bytes read_regular_file(const fs::path& path, std::size_t limit) {
+    // Without O_NONBLOCK opening a named pipe would wait for a writer.
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+    if (file.get() < 0) throw Error(ExitCode::cannot_open, path.string(), "cannot be opened: " + reason(errno));
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0 || !(S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)))
+        throw Error(ExitCode::cannot_open, path.string(), "is a device or a pipe", "name a file");
+    return read_descriptor(file.get(), path.string(), limit);
+}
+
 Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string_view name) {
     while (!bytes.empty()) {
         const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());

@@ -23,6 +23,10 @@ inline constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 /// The whole file; Error(cannot_open) with the reason.
 [[nodiscard]] Bytes read_file(const std::filesystem::path& path, std::size_t limit = no_limit);
 
+/// A file that data name rather than the user of the program. Only a regular one is read: a device, a pipe or a terminal may
+/// never end, or take what was meant for others. Error(cannot_open) with the reason, Error(bad_input) beyond the limit.
+[[nodiscard]] Bytes read_regular_file(const std::filesystem::path& path, std::size_t limit);
+
 /// A reader that closes its end of the pipe is no failure of the writer: the caller just stops.
 enum class Delivery { whole, reader_left };
 

@@ -286,7 +286,8 @@ meshing::Outline outline_from(std::string_view text, std::string_view source, Ac
 meshing::Outline outline_of_file(const std::string& file, std::string_view place, Across across) {
     try {
         const std::string path = design::file_from(place, file);
-        const auto bytes = core::read_file(path);
+        constexpr std::size_t longest = std::size_t{1} << 20;  // some ten thousand points
+        const auto bytes = core::read_regular_file(path, longest);
         return outline_from({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path, across);
     } catch (const Error& error) {  // the same, with the line of the design that asked for it
         throw Error(error.code(), std::string{place} + ": " + profile_key, error.what());

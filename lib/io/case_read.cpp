@@ -10,6 +10,7 @@
 #include "io/names.hpp"
 #include "io/provenance_io.hpp"
 #include "io/solve_parts.hpp"
+#include "io/trial.hpp"
 
 namespace soft::io {
 namespace {
@@ -148,12 +149,18 @@ CaseFile read_case_groups(const GroupReader& root) {
     return file;
 }
 
+CaseFile read_bare_case(std::span<const std::byte> hdf5, const Origin& origin) {
+    const FileHandle file = open_image(hdf5, origin);
+    return read_case_groups(GroupReader{file.get(), origin});
+}
+
 CaseFile read_case_file(std::span<const std::byte> image, std::string_view source) {
     const ImageParts parts = split_image(image, source);
     const QuietErrors quiet;
     const Origin origin{std::string{source}, parts.hdf5.size()};
-    const FileHandle file = open_image(parts.hdf5, origin);
-    return read_case_groups(GroupReader{file.get(), origin});
+    if (!parts.sealed)
+        try_apart(origin, [&](const Origin& noted) { static_cast<void>(read_bare_case(parts.hdf5, noted)); });
+    return read_bare_case(parts.hdf5, origin);
 }
 
 model::Case read_case(std::span<const std::byte> image, std::string_view source) {

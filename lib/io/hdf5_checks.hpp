@@ -2,6 +2,7 @@
 /// What is checked of a dataset before a byte of it is read or memory for it is asked. Internal to the room.
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ struct Origin {
     std::string source;  ///< "case.h5"
     std::size_t image_bytes = 0;
     std::string remedy = "rebuild the case with mesh-gen";
+    std::span<char> note = {};  ///< takes the place that is read last; see trial.hpp
 };
 
 /// Expected extents, one a dimension; `any` accepts what is there. {}: a scalar.

@@ -99,7 +99,14 @@ Error GroupReader::unknown_word(const std::string& name, const std::string& word
 
 bool GroupReader::has(const std::string& name) const { return H5Lexists(group_.get(), name.c_str(), H5P_DEFAULT) > 0; }
 
+void GroupReader::note(const std::string& name) const {
+    if (origin_->note.empty()) return;
+    const std::string place = place_of(name).substr(0, origin_->note.size() - 1);
+    *std::ranges::copy(place, origin_->note.begin()).out = '\0';
+}
+
 void GroupReader::require_hard_link(const std::string& name) const {
+    note(name);
     if (!has(name)) throw refuse(name, "is missing");
     H5L_info_t info{};
     if (H5Lget_info(group_.get(), name.c_str(), &info, H5P_DEFAULT) < 0 || info.type != H5L_TYPE_HARD)

@@ -64,6 +64,7 @@ public:
 
 private:
     GroupReader(GroupHandle group, std::string path, const Origin& origin);
+    void note(const std::string& name) const;  ///< for Origin::note
     void require_hard_link(const std::string& name) const;
     struct TextBytes {
         std::vector<char> characters;

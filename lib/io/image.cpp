@@ -123,12 +123,11 @@ std::optional<Record> record_at(std::span<const std::byte> tail, std::string_vie
 ImageParts split_image(std::span<const std::byte> image, std::string_view source) {
     if (image.empty()) throw Error(ExitCode::bad_input, source, "empty input", "did the stage before fail?");
     const std::size_t end = hdf5_size(image, source);
-    ImageParts parts{image.first(end), {}, std::nullopt};
+    ImageParts parts{image.first(end), false, {}, std::nullopt};
     std::span<const std::byte> tail = image.subspan(end);
-    bool sealed = false;
     while (!tail.empty()) {
         const auto record = record_at(tail, source);
-        if (!sealed && (!record || record->kind != RecordKind::seal))
+        if (!parts.sealed && (!record || record->kind != RecordKind::seal))
             throw damaged(source, "the seal after the HDF5 data is missing");
         if (!record) break;
         if (record->kind == RecordKind::step) {
@@ -136,12 +135,12 @@ ImageParts split_image(std::span<const std::byte> image, std::string_view source
         } else if (record->kind == RecordKind::checkpoint) {
             const std::size_t place = image.size() - tail.size() + record->size;
             parts.checkpoint = ImageParts::Checkpoint{record->payload, parts.steps.size(), place};
-        } else if (sealed) {
+        } else if (parts.sealed) {
             throw damaged(source, "two seals after the HDF5 data");
         } else if (core::sha256_hex(parts.hdf5) != text_of(record->payload)) {
             throw damaged(source, "the content does not match its SHA-256 seal");
         }
-        sealed = true;
+        parts.sealed = true;
         tail = tail.subspan(record->size);
     }
     return parts;

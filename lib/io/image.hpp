@@ -3,7 +3,7 @@
 /// HDF5 ignores what follows its own end-of-file address, so every HDF5 tool opens the file as it is.
 ///   seal   SHA-256 of the HDF5 part. The HDF5 library is not safe on damaged metadata (1.10.8 may loop or crash):
 ///          with the seal it never sees any. Files that other programs wrote or changed have none (HDF5 cuts the tail
-///          off when it opens a file for writing) and are read all the same, with every other check.
+///          off when it opens a file for writing) and are read all the same, with every other check, on trial first (trial.hpp).
 ///   step   one step of a running or killed `solve -o` (journal.hpp); a finished file has none.
 ///   checkpoint   what the solver needs to go on from the steps before it (solution/checkpoint.hpp); likewise.
 /// Record: 8 bytes "SOFTREC1", 8 bytes kind, 8 bytes payload length (little endian), payload, 64 bytes SHA-256 (hex)
@@ -19,6 +19,7 @@ namespace soft::io {
 
 struct ImageParts {
     std::span<const std::byte> hdf5;
+    bool sealed = false;
     std::vector<std::span<const std::byte>> steps;  ///< payloads of the whole step records
     /// The last whole checkpoint: its payload, how many step records are before it, and where it ends in the image.
     struct Checkpoint {

@@ -185,11 +185,11 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     step.pressure_error_Pa = unpacker.get_optional();
     step.stable = unpacker.get_flag();
     if (unpacker.get_flag()) {
-        step.motion.emplace();
+        step.motion = solution::Step::Motion{};
         for (const auto member : motion_numbers) (*step.motion).*member = unpacker.get<double>();
     }
     if (unpacker.get_flag()) {
-        step.extremes.emplace();
+        step.extremes = solution::Step::Extremes{};
         for (double& component : step.extremes->stretch_at_m) component = unpacker.get<double>();
         step.extremes->energy_J_m3 = unpacker.get<double>();
     }

@@ -14,6 +14,8 @@ struct Named {
     Enum value;
     std::string_view name;
 };
+template <class Enum>
+Named(Enum, std::string_view) -> Named<Enum>;  // clang 16 does not deduce aggregates
 
 inline constexpr std::array kinematics_names{
     Named{model::Kinematics::axisymmetric, std::string_view{"axisymmetric"}},

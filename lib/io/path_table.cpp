@@ -121,7 +121,7 @@ void write_times(hid_t path, std::span<const Step> steps, const model::Case& mod
 
 void read_times(const GroupReader& path, std::vector<Step>& steps, const model::Case& model) {
     if (!model.dynamics) return;
-    for (Step& step : steps) step.motion.emplace();
+    for (Step& step : steps) step.motion = solution::Step::Motion{};
     for (const MotionColumn& column : motion_columns) {
         const auto values = path.array<double>(column.name, {extent(steps.size())});
         for (std::size_t i = 0; i < steps.size(); ++i) (*steps[i].motion).*column.member = values[i];
@@ -144,8 +144,8 @@ void write_optional(hid_t path, std::span<const Step> steps) {
 
 void read_optional(const GroupReader& path, std::vector<Step>& steps, const model::Case& model) {
     for (Step& step : steps) {
-        if (path.has("max_energy_density")) step.extremes.emplace();
-        if (path.has("stored_energy") && !model.dynamics) step.energies.emplace();
+        if (path.has("max_energy_density")) step.extremes = solution::Step::Extremes{};
+        if (path.has("stored_energy") && !model.dynamics) step.energies = solution::Step::Energies{};
     }
     for (const OptionalColumn& column : optional_columns) {
         if (steps.empty() || column.find(steps.front()) == nullptr) continue;

@@ -9,6 +9,7 @@
 #include "io/result_file.hpp"
 #include "io/result_image.hpp"
 #include "io/solve_parts.hpp"
+#include "io/trial.hpp"
 
 namespace soft::io {
 
@@ -42,11 +43,11 @@ std::vector<std::byte> folded(const ImageParts& parts, std::string_view source, 
     return image.bytes();
 }
 
-bool lacks_rows(std::span<const std::byte> hdf5, std::string_view source) {
-    const Origin origin{std::string{source}, hdf5.size()};
+bool lacks_rows(std::span<const std::byte> hdf5, const Origin& origin) {
     const FileHandle file = open_image(hdf5, origin);
     const GroupReader root{file.get(), origin};
-    if (!root.has("path")) throw Error(ExitCode::bad_input, source, "a case without solution", "run solve on it");
+    if (!root.has("path"))
+        throw Error(ExitCode::bad_input, origin.source, "a case without solution", "run solve on it");
     return !root.group("path").has("step");
 }
 
@@ -84,8 +85,7 @@ Solved read_solved(const GroupReader& root) {
 }
 
 /// The same of a bare HDF5 file.
-Solved read_solved(std::span<const std::byte> hdf5, std::string_view source) {
-    const Origin origin{std::string{source}, hdf5.size(), "run solve again"};
+Solved read_solved(std::span<const std::byte> hdf5, const Origin& origin) {
     const FileHandle file = open_image(hdf5, origin);
     return read_solved(GroupReader{file.get(), origin});
 }
@@ -122,36 +122,23 @@ std::optional<FieldReader::Values> FieldReader::read(std::int64_t step) const {
     return values;
 }
 
-Interrupted read_interrupted(std::span<const std::byte> image, std::string_view source) {
-    const QuietErrors quiet;
-    const ImageParts parts = split_image(image, source);
-    if (!lacks_rows(parts.hdf5, source))
-        throw Error(ExitCode::bad_input, source, "is finished, there is nothing to resume", "postprocess reads it");
-    Solved solved = read_solved(parts.hdf5, source);
-    Interrupted interrupted{std::move(solved.file), std::move(solved.changed_design), {}, std::nullopt};
-    if (!parts.checkpoint) return interrupted;
-    interrupted.checkpoint = decode_checkpoint(parts.checkpoint->payload, source);
-    for (std::size_t i = 0; i < parts.checkpoint->steps; ++i)
-        interrupted.steps.push_back(decode_step(parts.steps[i], source).step);
-    // Whether its states fit the unknowns is the solver's to say.
-    if (interrupted.steps.size() != static_cast<std::size_t>(interrupted.checkpoint->rows) ||
-        interrupted.steps.empty() || interrupted.steps.back().stage > interrupted.checkpoint->stage)
-        throw Error(ExitCode::bad_input, source, "the last checkpoint does not fit the steps before it",
-                    "run solve again");
-    return interrupted;
+namespace {
+
+Origin origin_of(const ImageParts& parts, std::string_view source) {
+    return {std::string{source}, parts.hdf5.size(), "run solve again"};
 }
 
-Result read_result(std::vector<std::byte> image, std::string_view source) {
-    const QuietErrors quiet;
-    const ImageParts parts = split_image(image, source);
+/// `parts` are those of the image, or of another with the same HDF5 part.
+Result read_bare_result(std::vector<std::byte> image, const ImageParts& parts, const Origin& origin) {
     std::size_t hdf5_size = parts.hdf5.size();
-    if (lacks_rows(parts.hdf5, source)) {
-        image = folded(parts, source, read_solved(parts.hdf5, source).file.model);
+    if (lacks_rows(parts.hdf5, origin)) {
+        image = folded(parts, origin.source, read_solved(parts.hdf5, origin).file.model);
         hdf5_size = image.size();
     }
     auto state = std::make_unique<FieldReader::State>();
     state->image = std::move(image);
-    state->origin = {std::string{source}, hdf5_size, "run solve again"};
+    state->origin = origin;
+    state->origin.image_bytes = hdf5_size;
     state->file = open_image(std::span{state->image}.first(hdf5_size), state->origin);
     const GroupReader root{state->file.get(), state->origin};
     Solved solved = read_solved(root);
@@ -174,6 +161,45 @@ Result read_result(std::vector<std::byte> image, std::string_view source) {
             std::move(steps),
             std::move(end),
             FieldReader{std::move(state)}};
+}
+
+/// Everything in the image is read, so that what comes later is no worse. A field with bad values is refused where it is asked for.
+void read_all(const ImageParts& parts, const Origin& origin) {
+    const Result result = read_bare_result({parts.hdf5.begin(), parts.hdf5.end()}, parts, origin);
+    for (const std::int64_t step : result.fields.steps()) try {
+            static_cast<void>(result.fields.read(step));
+        } catch (const Error&) {}
+}
+
+}  // namespace
+
+Interrupted read_interrupted(std::span<const std::byte> image, std::string_view source) {
+    const QuietErrors quiet;
+    const ImageParts parts = split_image(image, source);
+    const Origin origin = origin_of(parts, source);
+    if (!parts.sealed) try_apart(origin, [&](const Origin& noted) { read_all(parts, noted); });
+    if (!lacks_rows(parts.hdf5, origin))
+        throw Error(ExitCode::bad_input, source, "is finished, there is nothing to resume", "postprocess reads it");
+    Solved solved = read_solved(parts.hdf5, origin);
+    Interrupted interrupted{std::move(solved.file), std::move(solved.changed_design), {}, std::nullopt};
+    if (!parts.checkpoint) return interrupted;
+    interrupted.checkpoint = decode_checkpoint(parts.checkpoint->payload, source);
+    for (std::size_t i = 0; i < parts.checkpoint->steps; ++i)
+        interrupted.steps.push_back(decode_step(parts.steps[i], source).step);
+    // Whether its states fit the unknowns is the solver's to say.
+    if (interrupted.steps.size() != static_cast<std::size_t>(interrupted.checkpoint->rows) ||
+        interrupted.steps.empty() || interrupted.steps.back().stage > interrupted.checkpoint->stage)
+        throw Error(ExitCode::bad_input, source, "the last checkpoint does not fit the steps before it",
+                    "run solve again");
+    return interrupted;
+}
+
+Result read_result(std::vector<std::byte> image, std::string_view source) {
+    const QuietErrors quiet;
+    const ImageParts parts = split_image(image, source);
+    const Origin origin = origin_of(parts, source);
+    if (!parts.sealed) try_apart(origin, [&](const Origin& noted) { read_all(parts, noted); });
+    return read_bare_result(std::move(image), parts, origin);
 }
 
 }  // namespace soft::io

@@ -10,6 +10,7 @@
 #include "io/journal.hpp"
 #include "io/result_file.hpp"
 #include "io/result_image.hpp"
+#include "io/trial.hpp"
 
 namespace soft::io {
 namespace {
@@ -85,7 +86,13 @@ struct ResultWriter::State {
 ResultWriter::ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options) {
     const ImageParts parts = split_image(given.image, given.source);
     const QuietErrors quiet;
-    state_ = std::make_unique<State>(ResultImage::begin({parts.hdf5, given.source, given.solved}, provenance, options));
+    const auto begun = [&] {
+        return ResultImage::begin({parts.hdf5, given.source, given.solved}, provenance, options);
+    };
+    // What can be read need not bear being written to.
+    if (!parts.sealed)
+        try_apart({std::string{given.source}, parts.hdf5.size()}, [&](const Origin&) { static_cast<void>(begun()); });
+    state_ = std::make_unique<State>(begun());
 }
 
 ResultWriter::ResultWriter(const fs::path& file, const Given& given, const Provenance& provenance,

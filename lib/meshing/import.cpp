@@ -313,8 +313,11 @@ private:
 }  // namespace
 
 mesh::Mesh import_mesh(const std::filesystem::path& path, double unit_m) {
-    const MshFile file = read_msh(path);
-    return Importer{file, path.string()}.import(unit_m);
+    return import_mesh(read_msh(path), path.string(), unit_m);
+}
+
+mesh::Mesh import_mesh(const MshFile& file, const std::string& name, double unit_m) {
+    return Importer{file, name}.import(unit_m);
 }
 
 }  // namespace soft::meshing

@@ -11,12 +11,16 @@
 /// that are not at a constant z, mixed orders, and files that are no such mesh.
 /// Held by meshing/import_test.
 #include <filesystem>
+#include <string>
 
 #include "mesh/mesh.hpp"
+#include "meshing/msh_file.hpp"
 
 namespace soft::meshing {
 
 /// `unit_m`: length of the file's unit [m]. Points of a plane mesh get z = 0.
 [[nodiscard]] mesh::Mesh import_mesh(const std::filesystem::path& path, double unit_m);
+/// The same of what stands in a file called `name`.
+[[nodiscard]] mesh::Mesh import_mesh(const MshFile& file, const std::string& name, double unit_m);
 
 }  // namespace soft::meshing

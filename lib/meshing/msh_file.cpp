@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <limits>
 #include <tuple>
 
 #include "core/files.hpp"
@@ -104,10 +105,17 @@ private:
                 for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) static_cast<void>(in_.number<double>());
                 std::vector<int>& groups = entity_groups_[{dimension, tag}];
                 groups.resize(in_.count(1));
-                for (int& group : groups) group = std::abs(in_.number<int>());  // the sign is an orientation
+                for (int& group : groups) group = group_tag();
                 if (dimension == 0) continue;
                 for (std::size_t k = in_.count(1); k > 0; --k) static_cast<void>(in_.number<int>());
             }
+    }
+
+    /// Of a physical group or an entity; the sign is an orientation.
+    int group_tag() {
+        const int tag = in_.number<int>();
+        if (tag == std::numeric_limits<int>::min()) in_.fail("a tag is out of range", "export the mesh again");
+        return std::abs(tag);
     }
 
     mesh::Point position() {
@@ -174,8 +182,8 @@ private:
                 if (in_.binary()) tag = in_.number<int>();
                 std::array<int, 2> kept{};  // physical group and entity; partitions follow
                 for (int k = 0; k < tag_count; ++k) {
-                    const int value = in_.number<int>();
-                    if (k < 2) kept[static_cast<std::size_t>(k)] = std::abs(value);
+                    const int value = group_tag();
+                    if (k < 2) kept[static_cast<std::size_t>(k)] = value;
                 }
                 const auto [place, fresh] = known.try_emplace({type.number, kept[1], kept[0]}, file_.blocks.size());
                 if (fresh) file_.blocks.push_back({type.number, kept[1], {}, {}, {}});
@@ -222,9 +230,10 @@ const MshType* msh_type(int number) noexcept {
 
 MshFile read_msh(const std::filesystem::path& path) {
     constexpr std::size_t largest = std::size_t{1} << 32U;  // more than any mesh we could solve
-    const core::Bytes bytes = core::read_file(path, largest);
-    const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-    return Reader{text, path.string()}.read();
+    const core::Bytes bytes = core::read_regular_file(path, largest);
+    return read_msh({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
 }
+
+MshFile read_msh(std::string_view content, const std::string& name) { return Reader{content, name}.read(); }
 
 }  // namespace soft::meshing

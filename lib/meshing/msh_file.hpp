@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,5 +43,7 @@ struct MshType {
 /// Error(cannot_open) if the file cannot be read, Error(bad_input) "file:line: problem; remedy" (binary: the byte) for
 /// what is no such file or ends too early.
 [[nodiscard]] MshFile read_msh(const std::filesystem::path& path);
+/// The same of the content of a file called `name`.
+[[nodiscard]] MshFile read_msh(std::string_view content, const std::string& name);
 
 }  // namespace soft::meshing

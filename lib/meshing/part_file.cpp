@@ -4,17 +4,29 @@
 #include <cctype>
 #include <chrono>
 #include <map>
+#include <span>
 
+#include "core/apart.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
-#include "meshing/apart.hpp"
 #include "meshing/gmsh_session.hpp"
 
 namespace soft::meshing {
 namespace {
 
 constexpr std::size_t most_facets = 2000000;  // some gigabytes and minutes
+
+core::Bytes bytes_of(const std::vector<double>& numbers) {
+    const auto bytes = std::as_bytes(std::span{numbers});
+    return {bytes.begin(), bytes.end()};
+}
+
+std::vector<double> numbers_of(const core::Bytes& bytes) {
+    std::vector<double> numbers(bytes.size() / sizeof(double));
+    std::ranges::copy(bytes, std::as_writable_bytes(std::span{numbers}).begin());
+    return numbers;
+}
 
 /// What gmsh makes of the file, as numbers: of solids; of points, their coordinates; the points of each triangle.
 std::vector<double> cad_numbers(const std::string& file) {
@@ -33,26 +45,27 @@ std::vector<double> cad_numbers(const std::string& file) {
 }
 
 surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
-    constexpr std::chrono::seconds limit{300};  // parts take seconds
+    constexpr core::ApartLimits limits{.wall = std::chrono::minutes{5}};  // parts take seconds
     constexpr std::size_t head = 2;
-    static_cast<void>(core::read_file(path, core::no_limit));  // says why it cannot be opened
-    const auto numbers = done_apart([&] { return cad_numbers(path.string()); }, limit);
+    static_cast<void>(core::read_regular_file(path, surface::largest_file));  // says why it cannot be opened
+    const core::ApartEnd end = core::done_apart([&] { return bytes_of(cad_numbers(path.string())); }, limits);
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         throw Error(ExitCode::bad_input, path.string(), problem, remedy);
     };
-    if (!numbers || numbers->empty())
+    if (!end.result || end.result->empty())
         refuse("it cannot be read as STEP (gmsh fails, or takes more than 5 minutes)",
                "export the body again as STEP, or as STL");
-    const double solids = numbers->front();
+    const std::vector<double> numbers = numbers_of(*end.result);
+    const double solids = numbers.front();
     if (solids == 0) refuse("it holds no solid", "export a solid, not its faces");
     if (solids != 1)
         refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or put each into a file of its own");
-    const auto points = static_cast<std::size_t>(numbers->at(1));
+    const auto points = static_cast<std::size_t>(numbers.at(1));
     surface::FacetSoup soup;
     for (std::size_t n = head; n < head + 3 * points; n += 3)
-        soup.points.push_back({numbers->at(n), numbers->at(n + 1), numbers->at(n + 2)});
-    const auto corner = [&](std::size_t n) { return static_cast<std::size_t>((*numbers)[n]); };
-    for (std::size_t n = head + 3 * points; n + 2 < numbers->size(); n += 3)
+        soup.points.push_back({numbers.at(n), numbers.at(n + 1), numbers.at(n + 2)});
+    const auto corner = [&](std::size_t n) { return static_cast<std::size_t>(numbers[n]); };
+    for (std::size_t n = head + 3 * points; n + 2 < numbers.size(); n += 3)
         soup.facets.push_back({corner(n), corner(n + 1), corner(n + 2)});
     if (soup.facets.empty()) refuse("gmsh finds no triangles on its faces", "export the body again as STEP, or as STL");
     return soup;

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
+#include <string>
 #include <tuple>
 
 #include "core/error.hpp"
@@ -22,6 +23,8 @@ namespace soft::surface {
 namespace {
 
 using CgalPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+
+constexpr double largest_coordinate = 1e30;  // products of several stay finite
 
 std::string ending_of(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -103,6 +106,22 @@ std::size_t drop_idle_facets(FacetSoup& soup) {
     return dropped;
 }
 
+/// OBJ may list more points than its facets use; CGAL takes each for the corner of one.
+void drop_unused_points(FacetSoup& soup) {
+    std::vector<bool> used(soup.points.size());
+    for (const auto& facet : soup.facets)
+        for (const std::size_t node : facet) used[node] = true;
+    std::vector<std::size_t> numbers(soup.points.size());
+    std::vector<mesh::Point> kept;
+    for (std::size_t n = 0; n < used.size(); ++n) {
+        numbers[n] = kept.size();
+        if (used[n]) kept.push_back(soup.points[n]);
+    }
+    for (auto& facet : soup.facets)
+        for (std::size_t& node : facet) node = numbers[node];
+    soup.points = std::move(kept);
+}
+
 }  // namespace
 
 std::string counted(std::size_t count, const std::string& one, const std::string& several) {
@@ -140,8 +159,12 @@ bool is_surface_file(const std::filesystem::path& path) {
 }
 
 FacetSoup read_soup(const std::filesystem::path& path) {
-    static_cast<void>(core::read_file(path, core::no_limit));  // says why it cannot be opened
-    std::ifstream stream(path, std::ios::binary);
+    const core::Bytes bytes = core::read_regular_file(path, largest_file);
+    return read_soup(std::string{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
+}
+
+FacetSoup read_soup(std::string content, const std::filesystem::path& path) {
+    std::istringstream stream(std::move(content));
     std::vector<CgalPoint> points;
     FacetSoup soup;
     const bool whole = read(stream, ending_of(path), points, soup.facets);
@@ -152,8 +175,10 @@ FacetSoup read_soup(const std::filesystem::path& path) {
     for (const CgalPoint& p : points) soup.points.push_back({p.x(), p.y(), p.z()});
     for (const mesh::Point& p : soup.points)
         for (const double component : p)
-            if (!std::isfinite(component))
-                throw Error(ExitCode::bad_input, path.string(), "a coordinate is no number", "export the body again");
+            if (!(std::abs(component) <= largest_coordinate))
+                throw Error(ExitCode::bad_input, path.string(),
+                            std::isfinite(component) ? "a coordinate is out of range" : "a coordinate is no number",
+                            "export the body again");
     for (const auto& facet : soup.facets)
         for (const std::size_t node : facet)
             if (node >= soup.points.size())
@@ -168,6 +193,7 @@ BodySurface body_surface(FacetSoup soup, const SoupOrigin& origin) {
         repairs.push_back(counted(merged, "point", "points") + " merged with others in the same place");
     if (const std::size_t dropped = drop_idle_facets(soup); dropped > 0)
         repairs.push_back(counted(dropped, "facet", "facets") + " without area or twice there taken out");
+    drop_unused_points(soup);
     BodySurface surface = closed_shells(soup, origin);
     surface.repairs.insert(surface.repairs.begin(), repairs.begin(), repairs.end());
     return surface;

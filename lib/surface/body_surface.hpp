@@ -41,9 +41,14 @@ struct FacetSoup {
     std::vector<std::vector<std::size_t>> facets;
 };
 
+/// Longer files are refused unread; more than two million facets as ASCII STL.
+inline constexpr std::size_t largest_file = std::size_t{1} << 29;
+
 /// STL (ASCII or binary) or OBJ by the ending, in upper or lower case. Error(cannot_open); Error(bad_input) for what is no such
 /// file or holds no facets.
 [[nodiscard]] FacetSoup read_soup(const std::filesystem::path& path);
+/// The same of the content of a file called so.
+[[nodiscard]] FacetSoup read_soup(std::string content, const std::filesystem::path& path);
 
 /// Whether a file of this name is read as a surface.
 [[nodiscard]] bool is_surface_file(const std::filesystem::path& path);

@@ -6,6 +6,7 @@
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -172,6 +173,10 @@ std::size_t turned_over(const FacetSoup& soup, const SurfaceMesh& mesh) {
     return turned;
 }
 
+[[noreturn]] void refuse_empty(const SoupOrigin& origin) {
+    refuse(origin, "the surface encloses nothing, all of it is flat", "export a solid body");
+}
+
 /// A sheet's facets, what it encloses (negative: a cavity) and its box.
 struct Sheet {
     std::vector<SurfaceMesh::Face_index> faces;
@@ -201,6 +206,7 @@ std::vector<Sheet> sheets_of(const SurfaceMesh& mesh, const SoupOrigin& origin) 
                std::array{b.box.xmin(), b.box.ymin(), b.box.zmin()};
     });
     const auto bodies = std::ranges::count_if(sheets, [](const Sheet& sheet) { return sheet.volume > 0; });
+    if (bodies == 0) refuse_empty(origin);
     if (bodies != 1) {
         const CGAL::Bbox_3& box = sheets[1].box;
         refuse(origin,
@@ -248,10 +254,12 @@ BodySurface closed_shells(const FacetSoup& soup, const SoupOrigin& origin) {
     std::vector<SurfaceMesh::Face_index> flat;
     PMP::degenerate_faces(mesh, std::back_inserter(flat));
     const bool mended = flat.empty() || PMP::remove_degenerate_faces(mesh);
+    PMP::remove_isolated_vertices(mesh);
     mesh.collect_garbage();
     if (!mended)
         refuse(origin, counted(flat.size(), "facet", "facets") + " without area that cannot be taken out",
                "export the body again, with larger facets");
+    if (mesh.number_of_faces() == 0) refuse_empty(origin);
     refuse_crossings(mesh, origin);
     PMP::orient_to_bound_a_volume(mesh);
     const std::size_t turned =

@@ -12,6 +12,14 @@ if(SOFT_SANITIZE)
                                               -fno-sanitize-recover=undefined)
   target_link_options(soft_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(SOFT_FUZZ)   # tests/fuzz; every room counts its branches, the programs there bring the fuzzer itself
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    message(FATAL_ERROR "SOFT_FUZZ needs clang 16 or later (-DCMAKE_CXX_COMPILER=clang++-16)")
+  endif()
+  target_compile_options(soft_flags INTERFACE -fsanitize=fuzzer-no-link,address,undefined -fno-omit-frame-pointer
+                                              -fno-sanitize-recover=undefined)
+  target_link_options(soft_flags INTERFACE -fsanitize=address,undefined)
+endif()
 
 # soft_room(name SOURCES a.cpp b.cpp USES core mesh LIBRARIES soft_petsc)
 function(soft_room name)

@@ -54,6 +54,19 @@ TEST_F(Files, ACommittedFileHoldsEveryByteAndNothingElseIsLeft) {
     EXPECT_EQ(entries(), 1);
 }
 
+/// A design may name any file, and none that is named may keep the program waiting or reading for ever.
+TEST_F(Files, WhatADesignNamesIsReadOnlyWhenItIsAFile) {
+    constexpr std::size_t limit = 1000;
+    std::ofstream{in("a")} << "text";
+    EXPECT_EQ(text(read_regular_file(in("a"), limit)), "text");
+    ASSERT_EQ(::mkfifo(in("pipe").c_str(), 0600), 0);
+    for (const fs::path& path : {fs::path{"/dev/zero"}, fs::path{"/dev/tty"}, in("pipe"), folder_, in("absent")})
+        EXPECT_EQ(code_of([&] { static_cast<void>(read_regular_file(path, limit)); }), soft::ExitCode::cannot_open)
+            << path;
+    std::ofstream{in("long")} << std::string(limit + 1, 'x');
+    EXPECT_EQ(code_of([&] { static_cast<void>(read_regular_file(in("long"), limit)); }), soft::ExitCode::bad_input);
+}
+
 TEST_F(Files, AnAbandonedFileLeavesTheOldOneAsItWas) {
     std::ofstream{in("a")} << "old";
     {

@@ -80,6 +80,21 @@ TEST(BodySurface, AFacetFlatAgainstAnEdgeIsFlattenedOut) {
     EXPECT_NEAR(surface.volume_m3(), 1e-6, 1e-18);
 }
 
+TEST(BodySurface, PointsOfNoFacetPlayNoPart) {
+    FacetSoup soup = cube;
+    soup.points.insert(soup.points.begin() + 3, {-100, 5, 5});
+    for (auto& facet : soup.facets)
+        for (std::size_t& node : facet) node += node >= 3 ? 1 : 0;
+    const BodySurface surface = made(soup);
+    EXPECT_EQ(surface.points.size(), 8u);
+    EXPECT_NEAR(surface.volume_m3(), 1e-6, 1e-15);
+}
+
+TEST(BodySurface, WhatLiesFlatIsNoBody) {
+    const FacetSoup flat{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {0, 2, 3}}};
+    EXPECT_NE(refusal(flat).find("encloses nothing"), std::string::npos) << refusal(flat);
+}
+
 TEST(BodySurface, AHoleIsRefusedWithItsPlaceAndRim) {
     FacetSoup soup = cube;
     soup.facets.erase(soup.facets.begin() + 2, soup.facets.begin() + 4);  // the side z = 10

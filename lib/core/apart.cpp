@@ -1,0 +1,98 @@
+#include "core/apart.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+
+namespace soft::core {
+namespace {
+
+/// Private memory that the process can write to, as the kernel counts it for RLIMIT_DATA (proc(5), statm: data + stack).
+std::size_t data_bytes() {
+    std::ifstream file("/proc/self/statm");
+    std::array<std::size_t, 6> pages{};
+    for (std::size_t& number : pages) file >> number;
+    return pages.back() * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+void set_limit(int what, std::size_t most) {
+    rlimit limit{};
+    ::getrlimit(static_cast<__rlimit_resource>(what), &limit);
+    limit.rlim_cur = std::min<rlim_t>(most, limit.rlim_max);
+    ::setrlimit(static_cast<__rlimit_resource>(what), &limit);
+}
+
+/// Of the child: never returns, and runs no handler of exit, in which libraries crash.
+[[noreturn]] void work_and_leave(const std::function<Bytes()>& work, const ApartLimits& limits, int out) {
+    constexpr int failed = 1;
+    set_limit(RLIMIT_CORE, 0);
+    if (limits.processor) set_limit(RLIMIT_CPU, static_cast<std::size_t>(limits.processor->count()));
+    if (limits.memory != no_limit) set_limit(RLIMIT_DATA, data_bytes() + limits.memory);
+    for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGXCPU})
+        std::signal(signal, SIG_DFL);  // no report of a library's crash
+    if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) {
+        ::dup2(nowhere, STDOUT_FILENO);
+        ::dup2(nowhere, STDERR_FILENO);
+    }
+    try {
+        const Bytes result = work();
+        if (write_all(out, result, "") != Delivery::whole) ::_exit(failed);
+    } catch (...) {  // libraries also throw strings; the caller says that it has failed
+        ::_exit(failed);
+    }
+    ::_exit(0);
+}
+
+std::string reason_of(int status) {
+    if (!WIFSIGNALED(status)) return "it fails";
+    if (WTERMSIG(status) == SIGXCPU) return "it does not come to an end";
+    return std::string{"it crashes ("} + ::strsignal(WTERMSIG(status)) + ")";
+}
+
+}  // namespace
+
+ApartEnd done_apart(const std::function<Bytes()>& work, const ApartLimits& limits) {
+    std::array<int, 2> pipe{};
+    const bool piped = ::pipe(pipe.data()) == 0;
+    const pid_t child = piped ? ::fork() : -1;
+    if (child < 0)
+        throw Error(ExitCode::internal, "a process of its own", std::string{"cannot be made: "} + std::strerror(errno));
+    if (child == 0) {
+        ::close(pipe[0]);
+        work_and_leave(work, limits, pipe[1]);
+    }
+    ::close(pipe[1]);
+    const auto deadline = std::chrono::steady_clock::now() + limits.wall;
+    Bytes bytes;
+    Bytes chunk(1 << 16);
+    bool ended = false;
+    while (!ended) {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
+        pollfd watched{pipe[0], POLLIN, 0};
+        const int ready = left > 0 ? ::poll(&watched, 1, static_cast<int>(left)) : 0;
+        if (ready == 0) break;  // out of time
+        if (ready < 0 && errno == EINTR) continue;
+        const ssize_t got = ::read(pipe[0], chunk.data(), chunk.size());
+        if (got > 0) bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + got);
+        ended = got == 0 || (got < 0 && errno != EINTR);
+    }
+    ::close(pipe[0]);
+    if (!ended) ::kill(child, SIGKILL);
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
+    if (!ended) return {std::nullopt, "it does not come to an end"};
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {std::nullopt, reason_of(status)};
+    return {std::move(bytes), {}};
+}
+
+}  // namespace soft::core

@@ -1,0 +1,28 @@
+#pragma once
+/// Work of libraries that may crash, loop or ask for all memory on a bad file: in a process of its own. What it prints goes
+/// nowhere. Held by core/apart_test.
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "core/files.hpp"
+
+namespace soft::core {
+
+struct ApartLimits {
+    std::chrono::seconds wall;                                     ///< time on the clock
+    std::optional<std::chrono::seconds> processor = std::nullopt;  ///< time of computing
+    std::size_t memory = no_limit;                                 ///< bytes beyond what the process has already
+};
+
+struct ApartEnd {
+    std::optional<Bytes>
+        result;          ///< what `work` returned; nullopt where it threw, crashed or met a limit (it is ended then)
+    std::string reason;  ///< of the latter: "it crashes (Segmentation fault)"
+};
+
+/// Runs `work` in a copy of this process. Error(internal) where no process can be made.
+[[nodiscard]] ApartEnd done_apart(const std::function<Bytes()>& work, const ApartLimits& limits);
+
+}  // namespace soft::core

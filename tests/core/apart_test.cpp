@@ -1,0 +1,106 @@
+/// Work in a process of its own: its result, and each way it may come to harm.
+#include "core/apart.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace soft::core {
+namespace {
+
+using std::chrono::seconds;
+
+Bytes bytes_of(std::string_view text) {
+    const auto bytes = std::as_bytes(std::span{text});
+    return {bytes.begin(), bytes.end()};
+}
+
+TEST(Apart, TheResultComesBackWhole) {
+    const Bytes large(std::size_t{1} << 20, std::byte{7});  // more than a pipe holds
+    const ApartEnd end = done_apart([&] { return large; }, {.wall = seconds{60}});
+    ASSERT_TRUE(end.result.has_value()) << end.reason;
+    EXPECT_EQ(*end.result, large);
+}
+
+TEST(Apart, WhatItChangesStaysThere) {
+    int here = 1;
+    const ApartEnd end = done_apart(
+        [&] {
+            here = 2;
+            return bytes_of(std::to_string(here));
+        },
+        {.wall = seconds{60}});
+    EXPECT_EQ(end.result, bytes_of("2"));
+    EXPECT_EQ(here, 1);
+}
+
+TEST(Apart, AnExceptionIsAFailure) {
+    const ApartEnd end = done_apart([]() -> Bytes { throw "a text"; }, {.wall = seconds{60}});
+    EXPECT_FALSE(end.result.has_value());
+    EXPECT_EQ(end.reason, "it fails");
+}
+
+TEST(Apart, ACrashIsNamed) {
+    const ApartEnd end = done_apart(
+        []() -> Bytes {
+            ::raise(SIGSEGV);
+            return {};
+        },
+        {.wall = seconds{60}});
+    EXPECT_FALSE(end.result.has_value());
+    EXPECT_EQ(end.reason, "it crashes (Segmentation fault)");
+}
+
+TEST(Apart, WhatSleepsIsEndedByTheClock) {
+    const ApartEnd end = done_apart(
+        []() -> Bytes {
+            for (;;) ::pause();
+        },
+        {.wall = seconds{1}});
+    EXPECT_FALSE(end.result.has_value());
+    EXPECT_EQ(end.reason, "it does not come to an end");
+}
+
+TEST(Apart, WhatLoopsIsEndedByItsTimeOfComputing) {
+    const auto start = std::chrono::steady_clock::now();
+    const ApartEnd end = done_apart(
+        []() -> Bytes {
+            for (std::atomic<int> i = 0;; ++i) {}
+        },
+        {.wall = seconds{600}, .processor = seconds{1}});
+    EXPECT_FALSE(end.result.has_value());
+    EXPECT_EQ(end.reason, "it does not come to an end");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, seconds{300});
+}
+
+/// The sanitizers' allocators do not go by the limit in the same way: they take from what they have reserved.
+TEST(Apart, MemoryBeyondTheLimitIsRefused) {
+    constexpr std::size_t limit = std::size_t{64} << 20;
+    const auto asks_for = [](std::size_t size) {
+        return [size]() -> Bytes {
+            const std::vector<char> taken(size, 'x');
+            return {std::byte{static_cast<unsigned char>(taken[size / 2])}};
+        };
+    };
+    EXPECT_TRUE(done_apart(asks_for(limit / 4), {.wall = seconds{60}, .memory = limit}).result.has_value());
+    EXPECT_FALSE(done_apart(asks_for(4 * limit), {.wall = seconds{60}, .memory = limit}).result.has_value());
+}
+
+TEST(Apart, WhatItPrintsGoesNowhere) {
+    ::testing::internal::CaptureStderr();
+    static_cast<void>(done_apart(
+        [] {
+            std::fputs("noise\n", stderr);
+            return Bytes{};
+        },
+        {.wall = seconds{60}}));
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace soft::core

@@ -1,0 +1,15 @@
+/// Surfaces as STL and OBJ, and their repair.
+#include "surface/body_surface.hpp"
+
+#include <cmath>
+
+#include "target.hpp"
+
+void soft::fuzz::read(std::span<const std::byte> bytes) {
+    for (const char* name : {"fuzz.stl", "fuzz.obj"})
+        even_so([&] {
+            const auto soup = surface::read_soup(std::string{text_of(bytes)}, name);
+            const surface::BodySurface body = surface::body_surface(soup, {.name = name});
+            require(std::isfinite(body.volume_m3()) && std::isfinite(body.area_m2()), "volume and area are finite");
+        });
+}
