@@ -121,6 +121,10 @@ setup --tests
 claim "but to test" called '^apt-get .* chromium$'
 fresh_system; rm "$bin/chromium"; remove chromium; touch "$state/apt-fails"; setup --tests
 claim "where it cannot be, its tests are skipped" says 'warning: chromium could not be installed'
+fresh_system; remove clang-16; rm -f "$bin/clang++-16"; setup --tests
+claim "what only the checks of .ci/run want is not installed to test" not called '^apt-get'
+setup --checks
+claim "but for them" called '^apt-get .*install.* clang-16'
 claim "and the others run" exits 0
 
 fresh_system; rm "$bin/apt-get"; setup
