@@ -74,10 +74,9 @@ Panel panel_of(fit::Mode mode, const std::vector<fit::Ranked>& ranked, const std
                                                    1e3);
         const std::string name = id + std::to_string(law), style = " linewidth 2 linecolor " + std::to_string(law + 1);
         panel.data += block(name, curve) + block(name + "r", residual);
-        panel.lines += ", $" + name + " with lines" + style + " dashtype " + std::to_string(law + 1) + " title '" +
-                       law_name(ranked[law]) + "'";
-        panel.residuals += (law == 0 ? "$" : ", $") + name + "r with lines" + style + " dashtype " +
-                           std::to_string(law + 1) + " notitle";
+        const std::string drawn = " with lines" + style + " dashtype " + std::to_string(law + 1);
+        panel.lines.append(", $" + name + drawn + " title '" + law_name(ranked[law]) + "'");
+        panel.residuals.append((law == 0 ? "$" : ", $") + name + "r" + drawn + " notitle");
     }
     return panel;
 }

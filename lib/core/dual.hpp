@@ -16,7 +16,7 @@ struct Dual {
     std::array<double, hessian_size> h{};  // packed upper triangle, row by row
 
     Dual() = default;
-    Dual(double value) : v(value) {}  // constants mix freely with variables
+    Dual(double value) : v(value) {}  // NOLINT(google-explicit-constructor): constants mix freely with variables
     [[nodiscard]] static Dual variable(double value, int index) {
         Dual x{value};
         x.g[index] = 1.0;

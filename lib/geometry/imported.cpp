@@ -189,7 +189,7 @@ std::vector<design::Key> surface_mesh_keys() {
     size.meaning = "of a surface: longest edge of a cell; auto: a twentieth of the part";
     size.choices = {"auto"};
     through_wall.meaning = "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone";
-    through_wall.fallback = "1";
+    through_wall.fallback = "2";
     grading.meaning =
         "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
     return {size, through_wall, grading};

@@ -12,8 +12,11 @@ struct SmallMatrix {
     std::vector<double> values;  ///< [row x size + column]
 
     explicit SmallMatrix(int n = 0) : size(n), values(static_cast<std::size_t>(n) * static_cast<std::size_t>(n), 0.0) {}
-    [[nodiscard]] double& at(int row, int column) { return values[static_cast<std::size_t>(row * size + column)]; }
-    [[nodiscard]] double at(int row, int column) const { return values[static_cast<std::size_t>(row * size + column)]; }
+    [[nodiscard]] std::size_t place(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(size) + static_cast<std::size_t>(column);
+    }
+    [[nodiscard]] double& at(int row, int column) { return values[place(row, column)]; }
+    [[nodiscard]] double at(int row, int column) const { return values[place(row, column)]; }
 };
 
 /// A^-1 b; nullopt for a singular matrix or a result that is not finite. Rows are scaled first.
