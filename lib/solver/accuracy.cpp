@@ -183,7 +183,8 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
         auto next = std::make_unique<Level>(*coarse, given.comm());
         const auto keep = growth * needed > bound ? RefinedPath::Keep::values : RefinedPath::Keep::fields;
         Solved solved = solve_rows(*next, finer, end, keep, result);
-        if (!(result.obstacle = solved.failure).empty()) break;
+        result.obstacle = solved.failure;
+        if (!result.obstacle.empty()) break;
         if (result.has_bars) {  // one level on
             before = std::move(result.rows);
             ++result.level;
