@@ -1,0 +1,107 @@
+#include "confirm.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "shape_checks.hpp"
+
+namespace soft::campaign {
+namespace {
+
+using solution::Step;
+using solution::StopReason;
+
+/// Loads and goals are met to this part.
+constexpr double met = 1e-6;
+/// At a limit point the slope of the parabola is at most this part of the last secant's; of a path that goes on it is about 1.
+constexpr double flat = 0.35;
+/// det F of a cell that is about to turn inside out.
+constexpr double flattened = 0.2;
+/// How far, in parts of the body, the last step may be drawn out until walls touch.
+constexpr double soon = 0.03;
+
+std::string text(double value) { return core::rounded_text(value, 4); }
+
+/// What the load is seen against: the volume, else the first output, else the stretch.
+double abscissa(const Step& step) {
+    return step.volume_m3 ? *step.volume_m3 : !step.outputs.empty() ? step.outputs.front() : step.stretch_p99;
+}
+
+Verdict confirm_done(const io::Result& result) {
+    const Step& last = result.steps.back();
+    const bool in_last_stage = last.stage + 1 == static_cast<int>(result.model.path.stages.size());
+    return {in_last_stage && std::abs(last.load_factor - 1) <= met, "load factor " + text(last.load_factor)};
+}
+
+/// By the rows of the last stage: the load has an extremum before the last row, or at it.
+Verdict confirm_limit_point(const io::Result& result) {
+    std::vector<const Step*> rows;
+    for (const Step& step : result.steps)
+        if (step.stage == result.steps.back().stage) rows.push_back(&step);
+    const auto load = [&](std::size_t i) { return rows[i]->load_factor; };
+    const std::size_t n = rows.size();
+    if (n < 3) return {false, "too few rows"};
+    std::size_t top = 0;
+    for (std::size_t i = 1; i < n; ++i)
+        if (load(i) > load(top)) top = i;
+    if (top + 1 < n) {
+        const bool falls = load(n - 1) < load(top);
+        return {falls && top > 0 && load(top) < 1,
+                "the load has its maximum, " + text(load(top)) + " of the full one, in row " + std::to_string(top) +
+                    " of " + std::to_string(n - 1)};
+    }
+    const double q0 = abscissa(*rows[n - 3]), q1 = abscissa(*rows[n - 2]), q2 = abscissa(*rows[n - 1]);
+    const double before = (load(n - 2) - load(n - 3)) / (q1 - q0), last = (load(n - 1) - load(n - 2)) / (q2 - q1);
+    const double slope = last + (last - before) / (q2 - q0) * (q2 - q1);  // of the parabola, at the last row
+    return {std::abs(slope) <= flat * std::abs(last),
+            "slope at the last row " + text(slope / last) + " of the last secant's"};
+}
+
+Verdict confirm_self_contact(const io::Result& result) {
+    const auto rows = static_cast<std::int64_t>(result.steps.size());
+    const auto last = result.fields.read(rows - 1), before = result.fields.read(rows - 2);
+    if (!last || !before) return {false, "no fields are stored"};
+    const ShapeChecks checks{result.model};
+    std::vector<double> step = last->displacement_m;
+    double largest = 0;
+    for (std::size_t i = 0; i < step.size(); ++i) {
+        step[i] -= before->displacement_m[i];
+        largest = std::max(largest, std::abs(step[i]));
+    }
+    const double farthest = soon * checks.extent_m();
+    for (double t = 0; t == 0 || t * largest <= farthest; t = t == 0 ? 0.125 : 1.5 * t) {
+        std::vector<double> u = last->displacement_m;
+        for (std::size_t i = 0; i < u.size(); ++i) u[i] += t * step[i];
+        if (const std::string what = checks.contact(u); !what.empty())
+            return {true, what + ", " + text(t * largest * 1e3) + " mm beyond the last row"};
+        if (largest == 0) break;
+    }
+    return {false, "no walls meet within " + text(farthest * 1e3) + " mm of the last row"};
+}
+
+Verdict confirm_inversion(const io::Result& result) {
+    const auto last = result.fields.read(static_cast<std::int64_t>(result.steps.size()) - 1);
+    if (!last) return {false, "no fields are stored"};
+    const double least = ShapeChecks{result.model}.least_det_F(last->displacement_m);
+    return {least <= flattened, "least det F " + text(least)};
+}
+
+}  // namespace
+
+Verdict confirm(const io::Result& result) {
+    if (!result.end || result.steps.size() < 2) return {false, "no path"};
+    switch (result.end->reason) {
+        case StopReason::done: return confirm_done(result);
+        case StopReason::limit_point: return confirm_limit_point(result);
+        case StopReason::self_contact: return confirm_self_contact(result);
+        case StopReason::inverted_element: return confirm_inversion(result);
+        case StopReason::step_limit:
+            return {static_cast<int>(result.steps.size()) > result.model.solver.step_limit,
+                    std::to_string(result.steps.size()) + " rows"};
+        case StopReason::diverged: break;
+    }
+    return {false, result.end->detail};
+}
+
+}  // namespace soft::campaign
