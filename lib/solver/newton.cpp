@@ -18,6 +18,11 @@ constexpr double loosest_linear_tolerance = 1e-2;
 constexpr int many_iterations_for_a_kept_factor = 6;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
+/// Of the state: a correction this small, along which the residual does not fall, is rounding. Rubber stretched twentyfold has
+/// a stiffness so large beside its forces that the digits of its displacements leave a residual above the tolerance.
+constexpr double rounding_of_a_state = 1e-11;
+/// Times the tolerance: what rounding may leave.
+constexpr double residual_of_rounding = 10.0;
 
 }  // namespace
 
@@ -73,6 +78,7 @@ NewtonResult Newton::correct(const Constraint& constraint, double target, State&
         if (!step) return report(NewtonEnd::singular);
         const Search found = move(*step, state, trial, now);
         now.result.halvings += found.halvings;
+        if (found.end == SearchEnd::no_descent && is_rounding(state, now)) return report(NewtonEnd::converged);
         if (found.end != SearchEnd::found)
             return report(found.end == SearchEnd::inverted ? NewtonEnd::inverted : NewtonEnd::no_descent);
         now.residual = found.trial.residual;
@@ -96,6 +102,13 @@ std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
         return NewtonEnd::converged;
     if (now.result.iterations == settings_.newton_limit) return NewtonEnd::iteration_limit;
     return std::nullopt;
+}
+
+/// Whether the last correction says nothing any more: the state is as near to equilibrium as its digits can tell.
+bool Newton::is_rounding(const State& state, const Correction& now) const {
+    return now.residual <= residual_of_rounding * now.aim &&
+           linalg::norm(correction_) <= rounding_of_a_state * linalg::norm(state.x) &&
+           std::abs(now.missing) <= settings_.residual_tolerance * now.constraint_scale;
 }
 
 linalg::LinearSolve Newton::solve_updated(Vec b, Vec x) {
