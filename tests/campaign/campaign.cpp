@@ -37,7 +37,8 @@ void draw(std::uint32_t seed, int first, int last, const fs::path& folder, const
 
 int outcomes(const fs::path& folder, const fs::path& plan) {
     std::vector<campaign::Outcome> all;
-    for (const campaign::Planned& design : campaign::read_plan(plan)) all.push_back(campaign::outcome_of(folder, design));
+    for (const campaign::Planned& design : campaign::read_plan(plan))
+        all.push_back(campaign::outcome_of(folder, design));
     std::ofstream{folder / "outcomes.csv"} << campaign::outcomes_csv(all);
     std::cout << campaign::outcomes_markdown(all);
     return !all.empty() && std::ranges::all_of(all, &campaign::Outcome::confirmed) ? 0 : 1;

@@ -47,9 +47,9 @@ Verdict confirm_limit_point(const io::Result& result) {
         if (load(i) > load(top)) top = i;
     if (top + 1 < n) {
         const bool falls = load(n - 1) < load(top);
-        return {falls && top > 0 && load(top) < 1,
-                "the load has its maximum, " + text(load(top)) + " of the full one, in row " + std::to_string(top) +
-                    " of " + std::to_string(n - 1)};
+        return {falls && top > 0 && load(top) < 1, "the load has its maximum, " + text(load(top)) +
+                                                       " of the full one, in row " + std::to_string(top) + " of " +
+                                                       std::to_string(n - 1)};
     }
     const double q0 = abscissa(*rows[n - 3]), q1 = abscissa(*rows[n - 2]), q2 = abscissa(*rows[n - 1]);
     const double before = (load(n - 2) - load(n - 3)) / (q1 - q0), last = (load(n - 1) - load(n - 2)) / (q2 - q1);

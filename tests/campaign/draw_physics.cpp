@@ -94,8 +94,8 @@ Law draw_law(Dice& dice) {
     return laws.front();
 }
 
-const std::vector<std::string> silicones{"dragon-skin-20", "ecoflex-00-30", "ecoflex-00-50", "mold-star-16-fast",
-                                         "platsil-gel-10", "rtv615"};
+const std::vector<std::string> silicones{"dragon-skin-20",    "ecoflex-00-30",  "ecoflex-00-50",
+                                         "mold-star-16-fast", "platsil-gel-10", "rtv615"};
 
 /// Follower loads of all kinds that a cavity takes. `p`: full pressure.
 Load cavity_load(Dice& dice, const Shape& shape, double p) {
@@ -113,21 +113,21 @@ Load cavity_load(Dice& dice, const Shape& shape, double p) {
     if (kind < 0.56) return {"vacuum", {{"loads", pressed(-p)}}};
     if (kind < 0.66)
         return {"volume", {{"loads", loads("{volume_ratio: " + number(dice.between_logs(1.2, 40)) + "}")}}};
-    if (kind < 0.70) return {"less volume", {{"loads", loads("{volume_ratio: " + number(dice.between(0.02, 0.9)) + "}")}}};
+    if (kind < 0.70)
+        return {"less volume", {{"loads", loads("{volume_ratio: " + number(dice.between(0.02, 0.9)) + "}")}}};
     if (kind < 0.78)
         return {"gas",
                 {{"loads", loads("{mass: " + number(1.204 * shape.gas_mL * dice.between_logs(0.05, 10)) + " mg}")}}};
     if (kind < 0.90) {
         Settings settings{{"loads", pressed(p)},
-                          {"path.stages", "{inflate: {loads: " + pressed(0.3 * p) +
-                                              "}, hold: {}, vent: {loads: " + pressed(0) +
-                                              "}, vacuum: {loads: " + pressed(-0.3 * p) + "}}"}};
+                          {"path.stages", "{inflate: {loads: " + pressed(0.3 * p) + "}, hold: {}, vent: {loads: " +
+                                              pressed(0) + "}, vacuum: {loads: " + pressed(-0.3 * p) + "}}"}};
         return {"stages", std::move(settings)};
     }
     if (shape.pulled.empty()) return {"cavity pressure", {{"loads", pressed(p)}}};
     std::string both = pressed(p);
-    both.insert(both.size() - 1, ", " + shape.pulled.front() + ": {force: " +
-                                     number(p * 1e-3 * dice.between(-20, 20)) + " N, along: axis}");
+    both.insert(both.size() - 1, ", " + shape.pulled.front() + ": {force: " + number(p * 1e-3 * dice.between(-20, 20)) +
+                                     " N, along: axis}");
     return {"pressure and force", {{"loads", both}}};
 }
 
@@ -137,8 +137,10 @@ Load face_load(Dice& dice, const Shape& shape, double p) {
         const std::string direction = shape.model == "axisymmetric" ? "axis" : shape.model == "quarter" ? "x" : along;
         if (dice.chance(0.4))
             return {"motion",
-                    {{"loads", "{" + face + ": {displacement: " + mm(dice.between(-30, 60)) + ", along: " + direction + "}}"}}};
-        return {"traction", {{"loads", "{" + face + ": {traction: " + kPa(dice.between(-p, p)) + ", along: " + direction + "}}"}}};
+                    {{"loads",
+                      "{" + face + ": {displacement: " + mm(dice.between(-30, 60)) + ", along: " + direction + "}}"}}};
+        return {"traction",
+                {{"loads", "{" + face + ": {traction: " + kPa(dice.between(-p, p)) + ", along: " + direction + "}}"}}};
     }
     const double sign = dice.chance(0.5) ? 1 : -1;
     return {"face pressure", {{"loads", "{" + dice.one_of(shape.pressed) + ": {pressure: " + kPa(sign * p) + "}}"}}};
@@ -160,7 +162,8 @@ Stuff draw_material(Dice& dice, const Shape& shape) {
     stuff.law = law.name;
     stuff.mu_kPa = dice.between_logs(softest_kPa, hardest_kPa);
     stuff.settings.emplace_back("material.law", law.name);
-    for (const auto& [key, value] : law.constants(dice, stuff.mu_kPa)) stuff.settings.emplace_back("material." + key, value);
+    for (const auto& [key, value] : law.constants(dice, stuff.mu_kPa))
+        stuff.settings.emplace_back("material." + key, value);
     const double kind = dice.between(0, 1);
     const double ratio = kind < 0.65 ? dice.between_logs(20, 5000) : dice.between(1, 20);
     const bool bounded = law.needs_kappa || kind > 0.35;
@@ -171,7 +174,8 @@ Stuff draw_material(Dice& dice, const Shape& shape) {
                                     dice.one_of(std::vector<std::string>{"quadratic", "log", "mixed"}));
     if (is_kraken || (bounded && ratio < 20 && dice.chance(0.3)))
         stuff.settings.emplace_back("mesh.formulation", "displacement");
-    else if (bounded && !is_linear && shape.table_text.empty() && shape.model != "solid" && shape.family != "pneunet" && dice.chance(0.05))
+    else if (bounded && !is_linear && shape.table_text.empty() && shape.model != "solid" && shape.family != "pneunet" &&
+             dice.chance(0.05))
         stuff.settings.insert(stuff.settings.end(), {{"mesh.formulation", "f-bar"}, {"mesh.order", "1"}});
     if (dice.chance(0.04)) stuff.settings.emplace_back("mesh.cells", "simplices");
     return stuff;
@@ -184,14 +188,16 @@ Load draw_load(Dice& dice, const Shape& shape, const Stuff& stuff) {
                                                                              : face_load(dice, shape, p);
     if (load.kind == "traction" && dice.chance(0.2)) {
         load.kind = "gravity";
-        load.settings = {{"loads", "{gravity: {acceleration: " + number(dice.between_logs(10, 3000)) + " m/s^2, along: -x}}"},
-                         {"material.density", "1080 kg/m^3"}};
+        load.settings = {
+            {"loads", "{gravity: {acceleration: " + number(dice.between_logs(10, 3000)) + " m/s^2, along: -x}}"},
+            {"material.density", "1080 kg/m^3"}};
     }
     const double control = dice.between(0, 1);
     const bool by_pressure = load.kind == "cavity pressure" || load.kind == "vacuum" || load.kind == "face pressure";
     if (by_pressure && control < 0.12) load.settings.emplace_back("path.control", "pressure");
     if (by_pressure && control > 0.94) load.settings.emplace_back("path.control", "arc-length");
-    if (by_pressure && on_cavity && control > 0.88 && control < 0.94) load.settings.emplace_back("path.control", "volume");
+    if (by_pressure && on_cavity && control > 0.88 && control < 0.94)
+        load.settings.emplace_back("path.control", "volume");
     if (dice.chance(0.05)) load.settings.emplace_back("path.branch", "follow");
     if (dice.chance(0.3)) load.settings.emplace_back("path.stretch_limit", number(dice.between(3, 8)));
     return load;

@@ -41,12 +41,11 @@ Shape fiber_tube(Dice& dice) {
     const int families = shape.model == "axisymmetric" ? 2 : dice.whole(1, 2);
     if (families == 1) shape.model = "solid";
     const double inner = dice.chance(0.5) ? 0 : dice.between(0, 0.5);
-    shape.settings.insert(shape.settings.end(),
-                          {{"geometry.fibers.angle", number(dice.between(5, 88)) + " deg"},
-                           {"geometry.fibers.families", std::to_string(families)},
-                           {"geometry.fibers.k1", kPa(dice.between_logs(20, 5000))},
-                           {"geometry.fibers.k2", number(dice.between_logs(0.1, 5))},
-                           {"geometry.fibers.layer", "[" + number(inner) + ", 1]"}});
+    shape.settings.insert(shape.settings.end(), {{"geometry.fibers.angle", number(dice.between(5, 88)) + " deg"},
+                                                 {"geometry.fibers.families", std::to_string(families)},
+                                                 {"geometry.fibers.k1", kPa(dice.between_logs(20, 5000))},
+                                                 {"geometry.fibers.k2", number(dice.between_logs(0.1, 5))},
+                                                 {"geometry.fibers.layer", "[" + number(inner) + ", 1]"}});
     return shape;
 }
 
@@ -119,7 +118,8 @@ Shape rod(Dice& dice) {
                       {"geometry.width", mm(width)},
                       {"geometry.height", mm(height)},
                       {"mesh.size", mm(std::max({length / 6, width / 2, height / 2}))}};
-    if (shape.model == "solid" && dice.chance(0.4)) shape.settings.emplace_back("supports", "{x: fixed, y: left, z: bottom}");
+    if (shape.model == "solid" && dice.chance(0.4))
+        shape.settings.emplace_back("supports", "{x: fixed, y: left, z: bottom}");
     shape.slenderness = 1;
     return shape;
 }
@@ -143,8 +143,8 @@ Shape plate(Dice& dice) {
     Shape shape{"plate", round ? "axisymmetric" : "quarter", {}, {}, {"bottom", "top"}, {}};
     shape.settings = {{"geometry.thickness", mm(thickness)}};
     if (round)
-        shape.settings.insert(shape.settings.end(), {{"geometry.radius", mm(radius)},
-                                                     {"mesh.size", cell_size(dice, thickness, radius, 40)}});
+        shape.settings.insert(shape.settings.end(),
+                              {{"geometry.radius", mm(radius)}, {"mesh.size", cell_size(dice, thickness, radius, 40)}});
     else
         shape.settings.insert(shape.settings.end(), {{"geometry.length", mm(2 * radius)},
                                                      {"geometry.width", mm(2 * radius * dice.between(0.5, 1))},
@@ -259,10 +259,10 @@ struct Family {
     Shape (*draw)(Dice&);
     double weight;  ///< solids cost more: there are fewer of them
 };
-constexpr std::array families{Family{tube, 13},  Family{fiber_tube, 11}, Family{bellows, 13}, Family{sphere, 9},
-                              Family{two_spheres, 7}, Family{ring, 8},   Family{rod, 6},      Family{panel, 8},
-                              Family{plate, 8},  Family{dome, 9},        Family{revolved, 7}, Family{extruded, 6},
-                              Family{pneunet, 2}, Family{segment, 2}};
+constexpr std::array families{Family{tube, 13},       Family{fiber_tube, 11}, Family{bellows, 13}, Family{sphere, 9},
+                              Family{two_spheres, 7}, Family{ring, 8},        Family{rod, 6},      Family{panel, 8},
+                              Family{plate, 8},       Family{dome, 9},        Family{revolved, 7}, Family{extruded, 6},
+                              Family{pneunet, 2},     Family{segment, 2}};
 
 }  // namespace
 

@@ -97,9 +97,9 @@ Outcome outcome_of(const std::filesystem::path& folder, const Planned& design) {
     outcome.said = status->error;
     if (outcome.exit_code != 0 && outcome.exit_code != 2) {
         outcome.reason = outcome.exit_code == killed_for_its_time || outcome.exit_code == stopped_by_the_clock ? "hangs"
-                         : outcome.exit_code == 65                                                          ? "refused"
-                         : outcome.exit_code > 128                                                          ? "killed"
-                                                                                                            : "failed";
+                         : outcome.exit_code == 65 ? "refused"
+                         : outcome.exit_code > 128 ? "killed"
+                                                   : "failed";
         return outcome;
     }
     const io::Result result = io::read_result(core::read_file(own / "result.h5"), (own / "result.h5").string());
@@ -139,7 +139,8 @@ std::string outcomes_markdown(const std::vector<Outcome>& outcomes) {
     text += table_by(outcomes, "family", [](const Outcome& o) { return o.design.family; });
     text += table_by(outcomes, "law", [](const Outcome& o) { return o.design.law; });
     text += table_by(outcomes, "load", [](const Outcome& o) { return o.design.load; });
-    text += "| not confirmed | family | law | load | stop_reason | rows | what the check says |\n|---|---|---|---|---|---|---|\n";
+    text +=
+        "| not confirmed | family | law | load | stop_reason | rows | what the check says |\n|---|---|---|---|---|---|---|\n";
     for (const Outcome& o : outcomes)
         if (!o.confirmed)
             text += "| " + std::to_string(o.design.index) + " | " + o.design.family + " | " + o.design.law + " | " +

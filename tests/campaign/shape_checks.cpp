@@ -65,7 +65,8 @@ Pieces pieces_of_solid(const mesh::Mesh& mesh, const std::vector<Facet>& skin) {
     const surface::Triangles triangles = surface::facet_triangles(mesh, skin);
     std::map<Point, long> names;  // a point may be there once a facet
     std::vector<long> name;
-    for (const Point& p : triangles.points) name.push_back(names.emplace(p, static_cast<long>(names.size())).first->second);
+    for (const Point& p : triangles.points)
+        name.push_back(names.emplace(p, static_cast<long>(names.size())).first->second);
     for (const auto& triangle : triangles.triangles) {
         auto& corners = pieces.corners.emplace_back();
         auto& ends = pieces.ends.emplace_back();
@@ -150,9 +151,10 @@ bool ShapeChecks::crease_closes(const mesh::Mesh& mesh) const {
         }
         return at;
     };
-    const auto angle = [](const std::array<Point, 2>& d) {  // from the edge that leaves to the one that comes, (-pi, pi]
-        return std::atan2(d[0][0] * d[1][1] - d[0][1] * d[1][0], d[0][0] * d[1][0] + d[0][1] * d[1][1]);
-    };
+    const auto angle =
+        [](const std::array<Point, 2>& d) {  // from the edge that leaves to the one that comes, (-pi, pi]
+            return std::atan2(d[0][0] * d[1][1] - d[0][1] * d[1][0], d[0][0] * d[1][0] + d[0][1] * d[1][1]);
+        };
     const auto before = directions(model_.mesh), now = directions(mesh);
     for (const auto& [node, d] : now) {
         const double was = angle(before.at(node)), is = angle(d);
