@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace soft::solver {
 
@@ -18,11 +19,8 @@ constexpr double loosest_linear_tolerance = 1e-2;
 constexpr int many_iterations_for_a_kept_factor = 6;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
-/// Of the state: a correction this small, along which the residual does not fall, is rounding. Rubber stretched twentyfold has
-/// a stiffness so large beside its forces that the digits of its displacements leave a residual above the tolerance.
-constexpr double rounding_of_a_state = 1e-11;
-/// Times the tolerance: what rounding may leave.
-constexpr double residual_of_rounding = 10.0;
+/// Times the estimate: what rounding leaves of a residual (0.3 to 0.5 of it in rubber stretched fivefold to fortyfold).
+constexpr double rounding_margin = 2.0;
 
 }  // namespace
 
@@ -104,11 +102,25 @@ std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
     return std::nullopt;
 }
 
-/// Whether the last correction says nothing any more: the state is as near to equilibrium as its digits can tell.
-bool Newton::is_rounding(const State& state, const Correction& now) const {
-    return now.residual <= residual_of_rounding * now.aim &&
-           linalg::norm(correction_) <= rounding_of_a_state * linalg::norm(state.x) &&
-           std::abs(now.missing) <= settings_.residual_tolerance * now.constraint_scale;
+/// Whether the residual is what the rounding of the unknowns alone leaves, K times changes of their last digits: then the state
+/// is as near to equilibrium as numbers can be. Far stretched rubber is so much stiffer than its forces are large that this
+/// is more than the tolerance.
+bool Newton::is_rounding(const State& state, const Correction& now) {
+    if (!solver_.is_direct() || std::abs(now.missing) > settings_.residual_tolerance * now.constraint_scale)
+        return false;
+    linalg::Vector digits = linalg::duplicate(state.x), forces = linalg::duplicate(R_);
+    PetscInt size = 0;
+    SOFT_PETSC(VecGetLocalSize(digits, &size));
+    const double* x = nullptr;
+    double* d = nullptr;
+    SOFT_PETSC(VecGetArrayRead(state.x, &x));
+    SOFT_PETSC(VecGetArray(digits, &d));
+    for (PetscInt i = 0; i < size; ++i)
+        d[i] = ((system_.dofs().begin + i) % 3 == 0 ? -1 : 1) * std::numeric_limits<double>::epsilon() * x[i];
+    SOFT_PETSC(VecRestoreArray(digits, &d));
+    SOFT_PETSC(VecRestoreArrayRead(state.x, &x));
+    SOFT_PETSC(MatMult(K_, digits, forces));
+    return now.residual <= rounding_margin * linalg::norm(forces);
 }
 
 linalg::LinearSolve Newton::solve_updated(Vec b, Vec x) {
