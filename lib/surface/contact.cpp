@@ -108,7 +108,7 @@ public:
         for (const auto& [i, j] : overlapping(now.boxes)) {
             const FacetPair pair{&facets_, static_cast<std::size_t>(i), static_cast<std::size_t>(j)};
             if (pair.neighbours() && seen_from_one_side(cones[pair.first], cones[pair.second])) continue;
-            if (left_out(i, j) || of_one_cell(pair)) continue;
+            if (left_out(i, j) || rubber_between(pair)) continue;
             const auto xi = crossing(pair, undeformed_, now);
             if (xi && stays(pair, positions))
                 keep({Kind::pair, undeformed_place(pair.first, *xi), {pair.first, pair.second}});
@@ -154,9 +154,20 @@ private:
         return cones;
     }
 
-    /// Between them is rubber, not air: where they cross, the cell is inside out, which det F tells.
-    [[nodiscard]] bool of_one_cell(const FacetPair& pair) const {
-        return facets_.facet(pair.first).cell == facets_.facet(pair.second).cell;
+    /// Sides of one cell, or of two that hang together by a side while the facets have no node in common: between them is rubber,
+    /// not air. Where they cross, a cell is inside out, which det F tells.
+    [[nodiscard]] bool rubber_between(const FacetPair& pair) const {
+        const mesh::Index a = facets_.facet(pair.first).cell, b = facets_.facet(pair.second).cell;
+        if (a == b) return true;
+        if (pair.neighbours()) return false;
+        const auto corners = [&](mesh::Index cell) {
+            return mesh_.cell_nodes(cell).first(
+                static_cast<std::size_t>(mesh::topology(mesh_.cell_type(cell)).vertex_count));
+        };
+        const auto theirs = corners(b);
+        return std::ranges::count_if(corners(a), [&](mesh::Index node) {
+                   return std::ranges::find(theirs, node) != theirs.end();
+               }) >= mesh_.dimension;
     }
 
     /// Whether the facets cross as well where their pieces are so fine that the two sides of a thin wall keep apart.

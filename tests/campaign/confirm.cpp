@@ -16,6 +16,8 @@ using solution::StopReason;
 constexpr double met = 1e-6;
 /// At a limit point the slope of the parabola is at most this part of the last secant's; of a path that goes on it is about 1.
 constexpr double flat = 0.35;
+/// Growth of the load for a growth of the volume by e, of what is left of it: less never gets there.
+constexpr double asymptotic = 1e-3;
 /// det F of a cell that is about to turn inside out.
 constexpr double flattened = 0.2;
 /// How far, in parts of the body, the last step may be drawn out until walls touch.
@@ -45,7 +47,7 @@ Verdict confirm_limit_point(const io::Result& result) {
     std::size_t top = 0;
     for (std::size_t i = 1; i < n; ++i)
         if (load(i) > load(top)) top = i;
-    if (top + 1 < n) {
+    if (top + 1 < n && load(top) - load(n - 1) > met * load(top)) {
         const bool falls = load(n - 1) < load(top);
         return {falls && top > 0 && load(top) < 1, "the load has its maximum, " + text(load(top)) +
                                                        " of the full one, in row " + std::to_string(top) + " of " +
@@ -53,6 +55,9 @@ Verdict confirm_limit_point(const io::Result& result) {
     }
     const double q0 = abscissa(*rows[n - 3]), q1 = abscissa(*rows[n - 2]), q2 = abscissa(*rows[n - 1]);
     const double before = (load(n - 2) - load(n - 3)) / (q1 - q0), last = (load(n - 1) - load(n - 2)) / (q2 - q1);
+    const double left = 1 - load(n - 1), growth = std::log(std::abs(q2 / q1));
+    if (left > 0 && std::abs(load(n - 1) - load(n - 2)) < asymptotic * growth * left)
+        return {true, "the load has an asymptote: " + text(load(n - 1)) + " of the full one at the end"};
     const double slope = last + (last - before) / (q2 - q0) * (q2 - q1);  // of the parabola, at the last row
     return {std::abs(slope) <= flat * std::abs(last),
             "slope at the last row " + text(slope / last) + " of the last secant's"};
