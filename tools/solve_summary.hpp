@@ -36,8 +36,9 @@ private:
 
 struct SolveSummary {
     solution::PathEnd end;
-    std::optional<solution::Step> last;  ///< row of the path
-    double largest_stretch_p99 = 1;      ///< of all rows
+    std::optional<solution::Step> first, last;  ///< rows of the path
+    std::optional<int> first_unstable_row;
+    double largest_stretch_p99 = 1;  ///< of all rows
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;         ///< rows of the path after the undeformed state
