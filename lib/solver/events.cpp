@@ -98,7 +98,10 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
         events.push_back({std::move(*point), slope == leading_slope, 0, std::nullopt});
         return &events.back().point;
     };
-    (void)watch(leading_slope, 0);
+    // Where the load changes by less than a limit point is known to, a change of sign is rounding: of a path that hardly moves.
+    const double change = std::abs(to.leading - from.leading),
+                 size = std::max(std::abs(to.leading), std::abs(from.leading));
+    if (chosen_ || change > limit_point_tolerance * size) (void)watch(leading_slope, 0);
     if (chosen_) {
         const bool loads = chosen_->kind == ConstraintKind::load_factor;
         const auto slope = loads                                     ? load_factor_slope

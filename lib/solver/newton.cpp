@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/cavity_surface.hpp"
+
 namespace soft::solver {
 
 namespace {
@@ -115,11 +117,19 @@ bool Newton::is_rounding(const State& state, const Correction& now) {
     double* d = nullptr;
     SOFT_PETSC(VecGetArrayRead(state.x, &x));
     SOFT_PETSC(VecGetArray(digits, &d));
+    // Without a pressure unknown the change of volume is read from positions, whose digits are those of a cell's size.
+    const model::Case& input = system_.input();
+    const double nodes = static_cast<double>(input.mesh.points.size()),
+                 cell_m = input.formulation == model::Formulation::mixed
+                              ? 0.0
+                              : model::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
     for (PetscInt i = 0; i < size; ++i)
-        d[i] = ((system_.dofs().begin + i) % 3 == 0 ? -1 : 1) * std::numeric_limits<double>::epsilon() * x[i];
+        d[i] = ((system_.dofs().begin + i) % 3 == 0 ? -1 : 1) * std::numeric_limits<double>::epsilon() *
+               (std::abs(x[i]) + cell_m);
     SOFT_PETSC(VecRestoreArray(digits, &d));
     SOFT_PETSC(VecRestoreArrayRead(state.x, &x));
     SOFT_PETSC(MatMult(K_, digits, forces));
+    fprintf(stderr, "DBG aim %g ratio %g\n", now.residual / now.aim, now.residual / linalg::norm(forces));
     return now.residual <= rounding_margin * linalg::norm(forces);
 }
 

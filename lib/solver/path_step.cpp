@@ -29,8 +29,9 @@ constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure 
 constexpr int many_iterations = 7;
 /// Failures in a row before the path is followed by another control.
 constexpr int failures_before_other_control = 3;
-/// Of what is left of the load, for a growth of the volume (or path) by itself: less is an asymptote.
-constexpr double out_of_reach = 1e-4;
+/// Of what is left of the load, for a growth of the unknowns by themselves: less is an asymptote. Looked at over steps in which
+/// they do grow: nothing is said of a path that hardly moves.
+constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
 /// Below this det F a cell is all but inside out: rubber of any law has failed there, or the cells are too large.
 constexpr double crushed = 0.05;
 /// A part of a step that is rounding: far above that of sums, far below any step.
@@ -200,12 +201,13 @@ bool PathFollower::is_hopeless() const {
 
 /// A load that still grows, but so little that the way to its value is beyond all numbers, as that of a long tube of
 /// neo-Hookean rubber, which has an asymptote in place of a maximum.
-bool PathFollower::is_out_of_reach() const {
-    if (stretch_p99_ <= input_.path.stretch_limit || before_ == std::nullopt) return false;
-    const double gain =
-        last_->state.load_factor - before_->state.load_factor;  // for a growth of q by `growth` of itself
-    const double growth = std::abs((last_->q - before_->q) / last_->q), left = 1.0 - last_->state.load_factor;
-    return left > 0.0 && std::abs(gain) < out_of_reach * growth * left;
+bool PathFollower::is_out_of_reach() {
+    if (stretch_p99_ <= input_.path.stretch_limit || !before_) return false;
+    linalg::copy(last_->state.x, scratch_);
+    linalg::add(scratch_, -1.0, before_->state.x);
+    const double growth = linalg::norm(scratch_) / linalg::norm(last_->state.x);
+    const double gain = last_->state.load_factor - before_->state.load_factor, left = 1.0 - last_->state.load_factor;
+    return left > 0.0 && growth > steady_growth && std::abs(gain) < out_of_reach * growth * left;
 }
 
 void PathFollower::accept(PathPoint point) {

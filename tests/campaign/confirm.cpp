@@ -14,9 +14,9 @@ using solution::StopReason;
 
 /// Loads and goals are met to this part.
 constexpr double met = 1e-6;
-/// At a limit point the slope of the parabola is at most this part of the last secant's; of a path that goes on it is about 1.
+/// At a limit point the slope of the parabola is at most this part of the secant's before; of a path that goes on it is about 1.
 constexpr double flat = 0.35;
-/// Growth of the load for a growth of the volume by e, of what is left of it: less never gets there.
+/// Growth of the load for a growth of the displacements by themselves, of what is left of it: less never gets there.
 constexpr double asymptotic = 1e-3;
 /// det F of a cell that is about to turn inside out.
 constexpr double flattened = 0.2;
@@ -25,9 +25,14 @@ constexpr double soon = 0.03;
 
 std::string text(double value) { return core::rounded_text(value, 4); }
 
-/// What the load is seen against: the volume, else the first output, else the stretch.
-double abscissa(const Step& step) {
-    return step.volume_m3 ? *step.volume_m3 : !step.outputs.empty() ? step.outputs.front() : step.stretch_p99;
+/// How far the nodes move from one row to the next [m]: what the load is seen against.
+std::optional<double> way(const io::Result& result, std::int64_t from, std::int64_t to) {
+    const auto a = result.fields.read(from), b = result.fields.read(to);
+    if (!a || !b) return std::nullopt;
+    double sum = 0;
+    for (std::size_t i = 0; i < a->displacement_m.size(); ++i)
+        sum += std::pow(b->displacement_m[i] - a->displacement_m[i], 2);
+    return std::sqrt(sum);
 }
 
 Verdict confirm_done(const io::Result& result) {
@@ -53,14 +58,16 @@ Verdict confirm_limit_point(const io::Result& result) {
                                                        " of the full one, in row " + std::to_string(top) + " of " +
                                                        std::to_string(n - 1)};
     }
-    const double q0 = abscissa(*rows[n - 3]), q1 = abscissa(*rows[n - 2]), q2 = abscissa(*rows[n - 1]);
-    const double before = (load(n - 2) - load(n - 3)) / (q1 - q0), last = (load(n - 1) - load(n - 2)) / (q2 - q1);
-    const double left = 1 - load(n - 1), growth = std::log(std::abs(q2 / q1));
-    if (left > 0 && std::abs(load(n - 1) - load(n - 2)) < asymptotic * growth * left)
+    const auto row = static_cast<std::int64_t>(result.steps.size()) - 1;
+    const auto from = way(result, row - 2, row - 1), to = way(result, row - 1, row), all = way(result, 0, row);
+    if (!from || !to || !all) return {false, "no fields are stored"};
+    const double gain = load(n - 1) - load(n - 2), left = 1 - load(n - 1);
+    if (left > 0 && std::abs(gain) < asymptotic * *to / *all * left)
         return {true, "the load has an asymptote: " + text(load(n - 1)) + " of the full one at the end"};
-    const double slope = last + (last - before) / (q2 - q0) * (q2 - q1);  // of the parabola, at the last row
-    return {std::abs(slope) <= flat * std::abs(last),
-            "slope at the last row " + text(slope / last) + " of the last secant's"};
+    const double before = (load(n - 2) - load(n - 3)) / *from, last = gain / *to;
+    const double slope = last + (last - before) / (*from + *to) * *to;  // of the parabola, at the last row
+    return {std::abs(slope) <= flat * std::abs(before),
+            "slope at the last row " + text(slope / before) + " of that two rows before"};
 }
 
 Verdict confirm_self_contact(const io::Result& result) {

@@ -88,6 +88,26 @@ double determinant(const std::array<Point, 3>& g, int dimension) {
            g[0][2] * (g[1][0] * g[2][1] - g[1][1] * g[2][0]);
 }
 
+Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double times(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// Angle between a triangle and the far corner of its neighbour about their common edge; negative where rubber fills it.
+double air_angle(const std::vector<Point>& triangle, std::size_t opposite, const Point& far) {
+    const Point &own = triangle[opposite], &a = triangle[(opposite + 1) % 3], &b = triangle[(opposite + 2) % 3];
+    const Point along = minus(b, a), u = minus(own, a), v = minus(far, a);
+    const double length2 = times(along, along);
+    Point p{}, q{};
+    for (std::size_t d = 0; d < 3; ++d) {
+        p[d] = u[d] - times(u, along) / length2 * along[d];
+        q[d] = v[d] - times(v, along) / length2 * along[d];
+    }
+    const double angle = std::acos(std::clamp(times(p, q) / std::sqrt(times(p, p) * times(q, q)), -1.0, 1.0));
+    // The corners run round the normal out of the rubber: a, b, own.
+    const Point normal{along[1] * u[2] - along[2] * u[1], along[2] * u[0] - along[0] * u[2],
+                       along[0] * u[1] - along[1] * u[0]};
+    return times(normal, v) > 0 ? angle : -angle;
+}
+
 }  // namespace
 
 ShapeChecks::ShapeChecks(const model::Case& model)
@@ -134,8 +154,7 @@ bool ShapeChecks::passes_a_mirror(const mesh::Mesh& mesh) const {
 }
 
 /// Of a section: where two edges of the skin meet at a node, the way from one to the other through the air has become none.
-bool ShapeChecks::crease_closes(const mesh::Mesh& mesh) const {
-    if (mesh.dimension != 2) return false;
+bool ShapeChecks::crease_of_section_closes(const mesh::Mesh& mesh) const {
     const auto directions = [&](const mesh::Mesh& shape) {  // of the edges that leave and reach each node, outwards
         std::map<mesh::Index, std::array<Point, 2>> at;
         for (const Facet& facet : skin_) {
@@ -162,6 +181,35 @@ bool ShapeChecks::crease_closes(const mesh::Mesh& mesh) const {
         if ((was < -sharp || was > std::numbers::pi - sharp) && is > 0 && is < sharp) return true;
     }
     return false;
+}
+
+/// Of a solid: two triangles at an edge, in the undeformed body level or with air between them, have come next to each other.
+bool ShapeChecks::crease_of_solid_closes(const mesh::Mesh& mesh) const {
+    constexpr double closed = 0.35, level = 2.6;  // [rad]
+    const Pieces before = pieces_of_solid(model_.mesh, skin_), now = pieces_of_solid(mesh, skin_);
+    struct Side {
+        std::size_t piece, opposite;  // the corner that is not on the edge
+    };
+    std::map<std::array<long, 2>, std::vector<Side>> edges;
+    for (std::size_t p = 0; p < before.ends.size(); ++p)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const long a = before.ends[p][(i + 1) % 3], b = before.ends[p][(i + 2) % 3];
+            edges[{std::min(a, b), std::max(a, b)}].push_back({p, i});
+        }
+    for (const auto& [edge, sides] : edges) {
+        if (sides.size() != 2) continue;
+        const double was = air_angle(before.corners[sides[0].piece], sides[0].opposite,
+                                     before.corners[sides[1].piece][sides[1].opposite]);
+        const double is =
+            air_angle(now.corners[sides[0].piece], sides[0].opposite, now.corners[sides[1].piece][sides[1].opposite]);
+        const bool open = was > 0 || std::abs(was) > level;
+        if (open && std::abs(is) < closed) return true;
+    }
+    return false;
+}
+
+bool ShapeChecks::crease_closes(const mesh::Mesh& mesh) const {
+    return mesh.dimension == 2 ? crease_of_section_closes(mesh) : crease_of_solid_closes(mesh);
 }
 
 std::string ShapeChecks::contact(std::span<const double> u) const {

@@ -1,6 +1,7 @@
 #pragma once
 /// What the deformed mesh of a case shows by itself: walls that meet, cells that are flattened. Plain and slow; made for
 /// tests, of other parts than the solver's own search. Held by campaign/confirm_test.
+#include <array>
 #include <set>
 #include <span>
 #include <string>
@@ -27,6 +28,8 @@ private:
     [[nodiscard]] Pairs meeting(const mesh::Mesh& mesh) const;
     [[nodiscard]] bool passes_a_mirror(const mesh::Mesh& mesh) const;
     [[nodiscard]] bool crease_closes(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool crease_of_section_closes(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool crease_of_solid_closes(const mesh::Mesh& mesh) const;
 
     const model::Case& model_;
     std::vector<mesh::Facet> skin_;
