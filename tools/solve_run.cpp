@@ -190,6 +190,7 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
         if (options.profile) summary.profile = linalg::profile_rows();
         summary.wall_s = seconds_since(begin);
         for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
+        if (const std::string line = stability_line(summary); !line.empty()) console.say(line);
         console.say(summary_line(summary, model));
         for (const std::string& line : profile_lines(summary)) console.say(line);
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
@@ -198,8 +199,7 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
             console.warn(*advice);
         if (summary.first && summary.last)
             for (const std::string& line : fields::warnings_at(
-                     model, {*summary.first, *summary.last, summary.largest_stretch_p99, summary.first_unstable_row},
-                     summary.end.reason))
+                     model, {*summary.first, *summary.last, summary.largest_stretch_p99}, summary.end.reason))
                 console.warn(line);
         for (const std::string& option : session.unused_options())
             console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");

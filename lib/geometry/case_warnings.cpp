@@ -93,6 +93,18 @@ void check_outside(const model::Case& built, Warnings& warnings) {
                        " while the cavity is not loaded; loads." + built.cavities.front().name + " inflates it");
 }
 
+/// Of a drawn or imported shape, whose faces a user has named.
+void check_openings(const design::Design& design, const model::Case& built, Warnings& warnings) {
+    for (const char* key : {"geometry.profile", "geometry.file"})
+        for (const model::Cavity& cavity : built.cavities)
+            if (design.values.has(key) && cavity.openings.size() > 1)
+                warnings.push_back(
+                    std::string{key} + ": " + cavity.name + " has " + std::to_string(cavity.openings.size()) +
+                    " openings, all plugged where the load is sealed; one that is no inlet is a face that "
+                    "should be named " +
+                    cavity.wall);
+}
+
 /// Cells that hang together by nodes.
 std::size_t parts_of(const mesh::Mesh& mesh) {
     std::vector<mesh::Index> root(mesh.points.size());
@@ -119,6 +131,7 @@ std::vector<std::string> case_warnings(const design::Design& design, const model
     check_symmetry(built, warnings);
     check_outputs(built, warnings);
     check_outside(built, warnings);
+    check_openings(design, built, warnings);
     if (design.values.has("geometry.file"))
         if (const std::size_t parts = parts_of(built.mesh); parts > 1)
             warnings.push_back(

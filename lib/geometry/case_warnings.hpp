@@ -6,6 +6,7 @@
 ///                 other way, and the actuator is torn apart in place of being bent
 ///     outputs     a displacement of a face that is held in that direction, which stays 0
 ///     outside     a face is pressed and the only cavity is not
+///     openings    a cavity of a drawn or imported shape with more than one: a face of its wall has another name
 ///     parts       a mesh from a file whose cells hang together in several parts that share no node
 /// Held by geometry/case_warnings_test and Pipeline.MisleadingDesignsAreNamed.
 #include <string>
