@@ -1,11 +1,14 @@
 /// campaign: random designs, and what became of them. scripts/campaign runs what it draws.
 ///     campaign draw SEED FIRST LAST FOLDER PROGRAMS    writes FOLDER/designs/ID.yaml; prints index,id,family,law,load,refused
 ///     campaign outcomes FOLDER PLAN                    writes FOLDER/outcomes.csv, prints the tables
-/// Exit code 1 of `outcomes`: a design is not computed, or the reason for which its path ended is not confirmed.
+///     campaign judge RESULT [REASON]                   whether the reason for which the path ended, or this one, is true
+/// Exit code 1 of `judge`: it is not; of `outcomes`: a design is not computed, or the reason for which its path ended is not confirmed.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 
+#include "confirm.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/hash.hpp"
@@ -44,6 +47,21 @@ int outcomes(const fs::path& folder, const fs::path& plan) {
     return !all.empty() && std::ranges::all_of(all, &campaign::Outcome::confirmed) ? 0 : 1;
 }
 
+int judge(const fs::path& file, const std::string& planted) {
+    io::Result result = io::read_result(core::read_file(file), file.string());
+    if (!planted.empty()) {
+        using enum solution::StopReason;
+        const auto reasons = {done, limit_point, diverged, inverted_element, self_contact, step_limit};
+        const auto named =
+            std::ranges::find(reasons, planted, [](solution::StopReason r) { return solution::name(r); });
+        if (named == reasons.end() || !result.end) throw std::runtime_error("no reason is called " + planted);
+        result.end->reason = *named;
+    }
+    const campaign::Verdict verdict = campaign::confirm(result);
+    std::cout << (verdict.confirmed ? "confirmed: " : "not confirmed: ") << verdict.why << "\n";
+    return verdict.confirmed ? 0 : 1;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -54,11 +72,13 @@ int main(int argc, char** argv) {
                  text_of(words[5]));
             return 0;
         }
+        if (words.size() >= 2 && words.size() <= 3 && words[0] == "judge")
+            return judge(words[1], words.size() > 2 ? words[2] : "");
         if (words.size() == 3 && words[0] == "outcomes") return outcomes(words[1], words[2]);
     } catch (const std::exception& error) {
         std::cerr << "campaign: " << error.what() << "\n";
         return 70;
     }
-    std::cerr << "campaign: draw SEED FIRST LAST FOLDER PROGRAMS | outcomes FOLDER PLAN\n";
+    std::cerr << "campaign: draw SEED FIRST LAST FOLDER PROGRAMS | judge RESULT [REASON] | outcomes FOLDER PLAN\n";
     return 64;
 }

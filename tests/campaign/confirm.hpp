@@ -1,6 +1,7 @@
 #pragma once
 /// Is the reason true for which a path says that it has ended? Judged by the rows and the fields of the last ones alone,
-/// without the solver's tangent, events or contact search. Held by campaign/confirm_test, which plants false reasons.
+/// without the solver's tangent, events or contact search. Held by Pipeline.ACampaignConfirmsWhyPathsEnd, which plants
+/// false reasons.
 ///   done              the last stage's loads are in place
 ///   limit_point       the load passes an extremum within the rows, or its parabola through the last three has one at the last;
 ///                     where the path has gone on, its load stays off the one asked for

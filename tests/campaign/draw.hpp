@@ -1,6 +1,6 @@
 #pragma once
 /// Designs drawn at random over all families of the catalogue, all laws and all kinds of load, whose loads go far beyond
-/// what most bodies bear: their paths run to their limit. Held by campaign/draw_test.
+/// what most bodies bear: their paths run to their limit. Held by Pipeline.ACampaignConfirmsWhyPathsEnd.
 #include <cstdint>
 #include <filesystem>
 #include <string>

@@ -1,6 +1,7 @@
 #pragma once
 /// What the deformed mesh of a case shows by itself: walls that meet, cells that are flattened. Plain and slow; made for
-/// tests, of other parts than the solver's own search. Held by campaign/confirm_test.
+/// tests, of other parts than the solver's own search. Held by
+/// Pipeline.ACampaignConfirmsWhyPathsEnd.
 #include <array>
 #include <set>
 #include <span>
