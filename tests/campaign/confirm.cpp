@@ -35,10 +35,25 @@ std::optional<double> way(const io::Result& result, std::int64_t from, std::int6
     return std::sqrt(sum);
 }
 
+/// Of the last row; nullopt for what no row has.
+std::optional<double> value_of(const io::Result& result, const std::string& quantity) {
+    const Step &first = result.steps.front(), &last = result.steps.back();
+    if (quantity == "pressure") return last.pressure_Pa;
+    if (quantity == "steps") return static_cast<double>(result.steps.size() - 1);
+    if (quantity == "volume_ratio" && last.volume_m3) return *last.volume_m3 / *first.volume_m3;
+    for (std::size_t i = 0; i < result.model.outputs.size(); ++i)
+        if (result.model.outputs[i].name == quantity) return last.outputs[i];
+    return std::nullopt;
+}
+
 Verdict confirm_done(const io::Result& result) {
     const Step& last = result.steps.back();
-    const bool in_last_stage = last.stage + 1 == static_cast<int>(result.model.path.stages.size());
-    return {in_last_stage && std::abs(last.load_factor - 1) <= met, "load factor " + text(last.load_factor)};
+    if (last.stage + 1 != static_cast<int>(result.model.path.stages.size())) return {false, "stages are left"};
+    for (const model::Until& until : result.model.path.stages.back().until)
+        if (const auto value = value_of(result, until.quantity);
+            value && std::abs(*value - until.value) <= met * std::abs(until.value))
+            return {true, until.quantity + " is what it was to be"};
+    return {std::abs(last.load_factor - 1) <= met, "load factor " + text(last.load_factor)};
 }
 
 /// By the rows of the last stage: the load has an extremum before the last row, or at it.
@@ -53,10 +68,10 @@ Verdict confirm_limit_point(const io::Result& result) {
     for (std::size_t i = 1; i < n; ++i)
         if (load(i) > load(top)) top = i;
     if (top + 1 < n && load(top) - load(n - 1) > met * load(top)) {
-        const bool falls = load(n - 1) < load(top);
-        return {falls && top > 0 && load(top) < 1, "the load has its maximum, " + text(load(top)) +
-                                                       " of the full one, in row " + std::to_string(top) + " of " +
-                                                       std::to_string(n - 1)};
+        const bool given_up = rows.back()->stretch_p99 > result.model.path.stretch_limit;
+        return {given_up && top > 0 && load(top) < 1, "the load has its maximum, " + text(load(top)) +
+                                                          " of the full one, in row " + std::to_string(top) + " of " +
+                                                          std::to_string(n - 1)};
     }
     const auto row = static_cast<std::int64_t>(result.steps.size()) - 1;
     const auto from = way(result, row - 2, row - 1), to = way(result, row - 1, row), all = way(result, 0, row);

@@ -23,9 +23,9 @@ only limit.h5 limit_point
 run "$tube --set path.control=pressure --set loads.cavity.pressure=60kPa --set solver.step_limit=8 | solve -q -o short.h5"
 claim "well below the limit" within "$(postprocess -q short.h5 | column pressure_kPa /dev/stdin | tail -n 1)" 1 35
 only short.h5 step_limit
-run 'mesh-gen -q designs/sphere.yaml --set geometry.outer_radius=11mm --set mesh.size=1mm --set path={stretch_limit: 4} | solve -q -o behind.h5'
+run "mesh-gen -q designs/sphere.yaml --set geometry.outer_radius=11mm --set mesh.size=1mm --set \"path={stretch_limit: 4}\" | solve -q -o behind.h5"
 only behind.h5 limit_point
-run 'mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set geometry.convolutions=2 --set loads.cavity.pressure=-30kPa --set path={control: auto} | solve -q -o touching.h5'
+run "mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set geometry.convolutions=2 --set loads.cavity.pressure=-30kPa --set \"path={control: auto}\" | solve -q -o touching.h5"
 only touching.h5 self_contact
 
 # Designs of all kinds, to their limit

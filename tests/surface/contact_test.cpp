@@ -283,7 +283,7 @@ TEST(Contact, TheSidesOfAWallStretchedToASkinDoNotTouch) {
         return Point{to * std::cos(angle), to * std::sin(angle), 0};
     };
     for (const int through : {1, 2, 3}) {
-        MeshBuilder builder(2);
+        test::MeshBuilder builder(2);
         builder.add_block(
             [](double u, double v, double) {
                 const double angle = (1.5 - u) * std::numbers::pi, r = 1 + 0.02 * v;
