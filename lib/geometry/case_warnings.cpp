@@ -30,29 +30,19 @@ void check_size(const design::Design& design, const model::Case& built, Warnings
                            " long; soft actuators are 2 mm to 3 m, are its units right?");
 }
 
-/// The first plane of symmetry that a direction is not along; of a motion the components without a value are free.
-template <class Vector>
-const char* plane_across(const model::Case& built, const Vector& direction) {
-    static constexpr std::array planes{"x = 0", "y = 0", "z = 0"};
-    double size = 0;
-    for (const auto& component : direction)
-        size = std::max(size, std::abs(std::optional<double>{component}.value_or(0)));
-    for (std::size_t d = 0; d < 3; ++d)
-        if (built.symmetry_planes[d] && std::abs(std::optional<double>{direction[d]}.value_or(0)) > across * size)
-            return planes[d];
-    return nullptr;
-}
-
+/// Of dead tractions and gravity; forces and motions across a plane are refused where they are read.
 void check_symmetry(const model::Case& built, Warnings& warnings) {
-    const auto check = [&](const std::string& load, const auto& direction) {
-        if (const char* plane = plane_across(built, direction))
-            warnings.push_back(
-                "loads." + load + ": it acts across the plane of symmetry " + plane +
-                ", where the model is cut: the mirror image is loaded the other way; a whole body (model: solid) is not");
+    static constexpr std::array planes{"x = 0", "y = 0", "z = 0"};
+    const auto check = [&](const std::string& load, const std::array<double, 3>& vector) {
+        const double size = std::hypot(vector[0], vector[1], vector[2]);
+        for (std::size_t d = 0; d < 3; ++d)
+            if (built.symmetry_planes[d] && std::abs(vector[d]) > across * size)
+                warnings.push_back("loads." + load + ": it acts across the plane of symmetry " + planes[d] +
+                                   ", where the model is cut: the mirror image is loaded the other way; a whole body "
+                                   "(model: solid) is not");
     };
     for (const model::TractionLoad& load : built.tractions) check(load.face, load.traction_Pa);
     for (const model::BodyForce& force : built.body_forces) check(force.name, force.acceleration_m_s2);
-    for (const model::Motion& motion : built.motions) check(motion.face, motion.displacement_m);
 }
 
 /// Whether all nodes of a face belong to faces that are held in a direction.

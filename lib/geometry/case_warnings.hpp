@@ -2,7 +2,7 @@
 /// What the mesh, the supports and the loads of a case show together and a design's numbers alone do not. Plain warnings, one
 /// line each: "place: what is wrong; what would be right". None of them for any design of designs/.
 ///     size        a body shorter than 2 mm or longer than 3 m: lengths in a wrong unit
-///     symmetry    a traction, force, gravity or motion across a plane at which the model is cut: its mirror image is loaded the
+///     symmetry    a traction or gravity across a plane at which the model is cut: its mirror image is loaded the
 ///                 other way, and the actuator is torn apart in place of being bent
 ///     outputs     a displacement of a face that is held in that direction, which stays 0
 ///     outside     a face is pressed and the only cavity is not

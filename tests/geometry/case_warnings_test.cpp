@@ -40,7 +40,7 @@ TEST(CaseWarnings, LoadsAcrossAPlaneOfSymmetryAreToldAndOthersAreNot) {
     };
     expect_told(loaded("half", "end: {traction: 1 kPa, along: y}"),
                 "loads.end: it acts across the plane of symmetry y = 0");
-    expect_told(loaded("quarter", "end: {force: 1 N, along: z}"), "across the plane of symmetry z = 0");
+    expect_told(loaded("quarter", "end: {traction: 1 kPa, along: z}"), "across the plane of symmetry z = 0");
     EXPECT_TRUE(told(loaded("half", "end: {traction: 1 kPa, along: z}")).empty());
     EXPECT_TRUE(told(loaded("half", "end: {displacement: 1 mm, along: x}")).empty());
     EXPECT_TRUE(told(loaded("solid", "end: {traction: 1 kPa, along: y}")).empty());
