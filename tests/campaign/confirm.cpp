@@ -14,6 +14,8 @@ using solution::StopReason;
 
 /// Loads and goals are met to this part.
 constexpr double met = 1e-6;
+/// Differences of the load below this part of it are none.
+constexpr double rounding = 1e-7;
 /// At a limit point the slope of the parabola is at most this part of the secant's before; of a path that goes on it is about 1.
 constexpr double flat = 0.35;
 /// Growth of the load for a growth of the displacements by themselves, of what is left of it: less never gets there.
@@ -61,13 +63,21 @@ Verdict confirm_limit_point(const io::Result& result) {
     std::vector<const Step*> rows;
     for (const Step& step : result.steps)
         if (step.stage == result.steps.back().stage) rows.push_back(&step);
-    const auto load = [&](std::size_t i) { return rows[i]->load_factor; };
+    // What the user's own control lets grow; the load where the control is automatic.
+    const model::Control control = result.model.path.stages[static_cast<std::size_t>(rows.back()->stage)].control;
+    const bool by_volume = control == model::Control::volume && rows.back()->volume_m3;
+    const bool by_output = control == model::Control::displacement && !rows.back()->outputs.empty();
+    const auto controlled = [&](std::size_t i) {
+        return by_volume ? *rows[i]->volume_m3 : by_output ? rows[i]->outputs[0] : rows[i]->load_factor;
+    };
+    const double sense = controlled(rows.size() - 1) < controlled(0) ? -1 : 1;
+    const auto load = [&](std::size_t i) { return sense * controlled(i); };
     const std::size_t n = rows.size();
     if (n < 3) return {false, "too few rows"};
     std::size_t top = 0;
     for (std::size_t i = 1; i < n; ++i)
         if (load(i) > load(top)) top = i;
-    if (top + 1 < n && load(top) - load(n - 1) > met * load(top)) {
+    if (top + 1 < n && load(top) - load(n - 1) > rounding * std::abs(load(top))) {
         const bool given_up = rows.back()->stretch_p99 > result.model.path.stretch_limit;
         return {given_up && top > 0 && load(top) < 1, "the load has its maximum, " + text(load(top)) +
                                                           " of the full one, in row " + std::to_string(top) + " of " +
@@ -77,7 +87,7 @@ Verdict confirm_limit_point(const io::Result& result) {
     const auto from = way(result, row - 2, row - 1), to = way(result, row - 1, row), all = way(result, 0, row);
     if (!from || !to || !all) return {false, "no fields are stored"};
     const double gain = load(n - 1) - load(n - 2), left = 1 - load(n - 1);
-    if (left > 0 && std::abs(gain) < asymptotic * *to / *all * left)
+    if (!by_volume && !by_output && left > 0 && std::abs(gain) < asymptotic * *to / *all * left)
         return {true, "the load has an asymptote: " + text(load(n - 1)) + " of the full one at the end"};
     const double before = (load(n - 2) - load(n - 3)) / *from, last = gain / *to;
     const double slope = last + (last - before) / (*from + *to) * *to;  // of the parabola, at the last row

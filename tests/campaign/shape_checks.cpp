@@ -142,14 +142,29 @@ ShapeChecks::Pairs ShapeChecks::meeting(const mesh::Mesh& mesh) const {
     return pairs;
 }
 
+/// At nodes and between them: facets bulge.
 bool ShapeChecks::passes_a_mirror(const mesh::Mesh& mesh) const {
+    constexpr int samples = 8;
     const auto mirrors = surface::mirrors(model_);
-    for (const Facet& facet : skin_)
-        for (const mesh::Index node : mesh::facet_nodes(mesh, facet))
-            for (std::size_t d = 0; d < 3; ++d) {
-                const double was = model_.mesh.point(node)[d], is = mesh.point(node)[d];
-                if (mirrors[d] && std::abs(was) > passed * extent_m_ && is * was < 0) return true;
+    for (const Facet& facet : skin_) {
+        const mesh::CellType type = mesh::facet_type(mesh, facet);
+        const auto nodes = mesh::facet_nodes(mesh, facet);
+        const bool flat = mesh::topology(type).shape == mesh::Shape::triangle;
+        for (int i = 0; i <= samples; ++i)
+            for (int j = 0; j <= (mesh.dimension == 2 ? 0 : samples); ++j) {
+                const double a = static_cast<double>(i) / samples, b = static_cast<double>(j) / samples;
+                if (flat && a + b > 1) continue;
+                const auto shapes = mesh::shape_values(type, flat ? Point{a, b, 0} : Point{2 * a - 1, 2 * b - 1, 0});
+                Point was{}, is{};
+                for (std::size_t n = 0; n < nodes.size(); ++n)
+                    for (std::size_t d = 0; d < 3; ++d) {
+                        was[d] += shapes[n].value * model_.mesh.point(nodes[n])[d];
+                        is[d] += shapes[n].value * mesh.point(nodes[n])[d];
+                    }
+                for (std::size_t d = 0; d < 3; ++d)
+                    if (mirrors[d] && std::abs(was[d]) > passed * extent_m_ && is[d] * was[d] < 0) return true;
             }
+    }
     return false;
 }
 
