@@ -9,6 +9,7 @@
 #include "core/text.hpp"
 #include "design/fitted.hpp"
 #include "dynamics/motion.hpp"
+#include "fields/reached.hpp"
 #include "io/result_file.hpp"
 #include "linalg/profile.hpp"
 #include "ranks.hpp"
@@ -93,6 +94,8 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     Progress progress{model};
     const auto count = [&](const solution::Step& step) {
         summary.last = step;
+        if (!summary.first) summary.first = step;
+        if (!step.stable && !summary.first_unstable_row) summary.first_unstable_row = summary.steps;
         summary.largest_stretch_p99 = std::max(summary.largest_stretch_p99, step.stretch_p99);
         ++summary.steps;
         // A stress without an energy has no balance.
@@ -187,12 +190,17 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
         if (options.profile) summary.profile = linalg::profile_rows();
         summary.wall_s = seconds_since(begin);
         for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
+        if (const std::string line = stability_line(summary); !line.empty()) console.say(line);
         console.say(summary_line(summary, model));
         for (const std::string& line : profile_lines(summary)) console.say(line);
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
         const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
         if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99))
             console.warn(*advice);
+        if (summary.first && summary.last)
+            for (const std::string& line : fields::warnings_at(
+                     model, {*summary.first, *summary.last, summary.largest_stretch_p99}, summary.end.reason))
+                console.warn(line);
         for (const std::string& option : session.unused_options())
             console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");
         if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));

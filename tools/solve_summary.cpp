@@ -220,6 +220,13 @@ std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const m
     return lines;
 }
 
+std::string stability_line(const SolveSummary& summary) {
+    const bool at_the_end = summary.end.reason == solution::StopReason::done && summary.last && !summary.last->stable;
+    if (!at_the_end || !summary.first_unstable_row) return "";
+    return "the state at the end is unstable, as states are from row " + std::to_string(*summary.first_unstable_row) +
+           " on: a body that is let go leaves it; path.branch: follow shows where to";
+}
+
 std::string step_text(const solution::Step& step, const model::Case& model) {
     const auto& stages = model.path.stages;
     const std::string stage = stages.size() > 1 ? stages[static_cast<std::size_t>(step.stage)].name + ": " : "";

@@ -36,8 +36,9 @@ private:
 
 struct SolveSummary {
     solution::PathEnd end;
-    std::optional<solution::Step> last;  ///< row of the path
-    double largest_stretch_p99 = 1;      ///< of all rows
+    std::optional<solution::Step> first, last;  ///< rows of the path
+    std::optional<int> first_unstable_row;
+    double largest_stretch_p99 = 1;  ///< of all rows
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;         ///< rows of the path after the undeformed state
@@ -65,6 +66,8 @@ void measure_process(SolveSummary& summary);
 
 /// One line a bifurcation: "bifurcation at 26.1 kPa, elongation 127 mm, volume 80 mL: another branch leaves the path ..."
 [[nodiscard]] std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model);
+/// Of a path that comes to its goal in a state in which no body stays; else empty.
+[[nodiscard]] std::string stability_line(const SolveSummary& summary);
 
 /// "12.3 kPa, elongation 92.5 mm, volume 55.3 mL"; of a case with several stages "vent: 12.3 kPa, ...", of a motion
 /// "50 ms, 12.3 kPa, ...".

@@ -8,6 +8,7 @@
 #include "design/locking.hpp"
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
+#include "design/unit_warnings.hpp"
 #include "material/stability.hpp"
 
 namespace soft::design {
@@ -172,6 +173,7 @@ std::vector<std::string> plausibility(const Design& design) {
     for (const auto& [name, material] : design.materials) look_at(material);
     check_loads(design, mu_Pa, warnings);
     check_locking(design, warnings);
+    check_units(design, warnings);
     if (!design.values.has("mesh.size")) return warnings;
     const double size_m = design.values.number("mesh.size");
     const std::optional<Wall> wall = thinnest_wall(design.values);

@@ -7,6 +7,7 @@
 
 #include "core/text.hpp"
 #include "element/reference_cell.hpp"
+#include "geometry/case_warnings.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/loading.hpp"
 #include "geometry/strip.hpp"
@@ -230,13 +231,7 @@ std::vector<std::string> warnings_of(const design::Design& design, const model::
     if (!told && std::ranges::any_of(built.mesh.cell_types, locks))
         warnings.push_back((design.values.has("geometry.file") ? "geometry.file: " : "mesh.order: ") +
                            design::first_order_simplices_lock());
-    if (design.values.has("geometry.unit")) {  // a file's numbers may be of another unit
-        constexpr double smallest_m = 2e-3, largest_m = 3;
-        const double extent_m = model::extent_m(built.mesh);
-        if (extent_m < smallest_m || extent_m > largest_m)
-            warnings.push_back("geometry.unit: the part is " + length_text(extent_m) +
-                               " long; are the file's lengths in " + design.values.text("geometry.unit") + "?");
-    }
+    for (std::string& warning : case_warnings(design, built)) warnings.push_back(std::move(warning));
     return warnings;
 }
 

@@ -17,7 +17,7 @@ struct Built {
 };
 [[nodiscard]] Built build_with_figures(const design::Design& design);
 
-/// The design's warnings, and what only the mesh of the case shows: first-order simplices that a file has brought.
+/// The design's warnings, and what only the case shows: first-order simplices that a file has brought, case_warnings.
 [[nodiscard]] std::vector<std::string> warnings_of(const design::Design& design, const model::Case& built);
 
 /// The mesh alone, with what the sweep made of it; build_case adds the physics.

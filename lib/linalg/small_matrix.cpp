@@ -1,6 +1,8 @@
 #include "linalg/small_matrix.hpp"
 
 #include <petscsys.h>
+// Not before petscsys.h, on which it relies.
+#include <petscblaslapack.h>
 
 #include <petscblaslapack.h>  // wants what petscsys.h declares
 

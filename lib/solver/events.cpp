@@ -98,7 +98,10 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
         events.push_back({std::move(*point), slope == leading_slope, 0, std::nullopt});
         return &events.back().point;
     };
-    (void)watch(leading_slope, 0);
+    // Where the load changes by less than a limit point is known to, a change of sign is rounding: of a path that hardly moves.
+    const double change = std::abs(to.leading - from.leading),
+                 size = std::max(std::abs(to.leading), std::abs(from.leading));
+    if (chosen_ || change > limit_point_tolerance * size) (void)watch(leading_slope, 0);
     if (chosen_) {
         const bool loads = chosen_->kind == ConstraintKind::load_factor;
         const auto slope = loads                                     ? load_factor_slope
@@ -107,7 +110,8 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
         const bool same = loads && model::leading_load(input_) == model::LeadingLoad::pressure &&
                           loads_->rate().pressures_Pa[0] != 0.0;
         if (same ? !events.empty() : watch(slope, chosen_->index) != nullptr)
-            ends = (loads ? std::string("the load") : "the " + std::string(name(chosen_->kind)));
+            ends = (loads ? std::string("the load") : "the " + std::string(name(chosen_->kind))) + " has a " +
+                   (slope(from, chosen_->index) * (step_ < 0.0 ? -1.0 : 1.0) < 0.0 ? "minimum" : "maximum");
     }
     const auto before = branch_index(from), after = branch_index(to);
     if (before && after && *before != *after)
@@ -133,7 +137,7 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
         if (event.is_limit_point) end_.limit_points.push_back(place_of(event.point));
         append(event.point);
         if (ends.empty()) continue;
-        finish(StopReason::limit_point, ends + " has a maximum at " + describe(event.point) +
+        finish(StopReason::limit_point, ends + " at " + describe(event.point) +
                                             ": no equilibrium beyond under this control; path.control: auto goes on");
         return true;
     }

@@ -115,6 +115,7 @@ private:
 
     // newton.cpp
     [[nodiscard]] std::optional<NewtonEnd> judge(const State& state, Correction& now);
+    [[nodiscard]] bool is_rounding(const State& state, const Correction& now);
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
     /// True where the factor before this iteration has served it.
     [[nodiscard]] bool solve_with_kept_factor(const Correction& now);

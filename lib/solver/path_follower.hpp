@@ -92,6 +92,7 @@ private:
     [[nodiscard]] bool is_refused(const PredictorError& error, const PathPoint& point) const;
     [[nodiscard]] bool arrive(PathPoint point, const Goal* goal);
     [[nodiscard]] bool is_hopeless() const;
+    [[nodiscard]] bool is_out_of_reach();
     /// `order`: of the predictor's relative error in the step, 3 for the cubic and 1 for the tangent.
     void adapt_step(double predictor_error, double order);
 

@@ -29,6 +29,11 @@ constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure 
 constexpr int many_iterations = 7;
 /// Failures in a row before the path is followed by another control.
 constexpr int failures_before_other_control = 3;
+/// Of what is left of the load, for a growth of the unknowns by themselves: less is an asymptote. Looked at over steps in which
+/// they do grow: nothing is said of a path that hardly moves.
+constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
+/// Below this det F a cell is all but inside out: rubber of any law has failed there, or the cells are too large.
+constexpr double crushed = 0.05;
 /// A part of a step that is rounding: far above that of sums, far below any step.
 constexpr double sliver = 1e-6;
 
@@ -174,6 +179,10 @@ bool PathFollower::arrive(PathPoint point, const Goal* goal) {
         end_stage(reached);
     else if (contact)
         finish(StopReason::self_contact, *contact + " at " + describe(*last_));
+    else if (is_out_of_reach())
+        finish(StopReason::limit_point, "the load asked for is never reached: it tends to what it is at " +
+                                            describe(*last_) +
+                                            ", and the rubber is stretched by more than path.stretch_limit");
     else if (is_hopeless())
         finish(StopReason::limit_point,
                "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
@@ -188,6 +197,17 @@ bool PathFollower::is_hopeless() const {
     const bool past_a_maximum =
         !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
     return past_a_maximum && stretch_p99_ > input_.path.stretch_limit;
+}
+
+/// A load that still grows, but so little that the way to its value is beyond all numbers, as that of a long tube of
+/// neo-Hookean rubber, which has an asymptote in place of a maximum.
+bool PathFollower::is_out_of_reach() {
+    if (stretch_p99_ <= input_.path.stretch_limit || !before_) return false;
+    linalg::copy(last_->state.x, scratch_);
+    linalg::add(scratch_, -1.0, before_->state.x);
+    const double growth = linalg::norm(scratch_) / linalg::norm(last_->state.x);
+    const double gain = last_->state.load_factor - before_->state.load_factor, left = 1.0 - last_->state.load_factor;
+    return left > 0.0 && growth > steady_growth && std::abs(gain) < out_of_reach * growth * left;
 }
 
 void PathFollower::accept(PathPoint point) {
@@ -251,6 +271,10 @@ void PathFollower::give_up() {
         return finish(StopReason::inverted_element,
                       "a cell turns inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " + place +
                           "; use smaller cells there (mesh.size)");
+    if (newton_result_.min_jacobian < crushed)
+        return finish(StopReason::inverted_element,
+                      "a cell is all but inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " +
+                          place + " at " + describe(*last_) + "; use smaller cells there (mesh.size)");
     if (newton_result_.end == NewtonEnd::linear_solver)
         return finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + ": " + linear_remedy);
     finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + " (" +

@@ -108,8 +108,10 @@ public:
         for (const auto& [i, j] : overlapping(now.boxes)) {
             const FacetPair pair{&facets_, static_cast<std::size_t>(i), static_cast<std::size_t>(j)};
             if (pair.neighbours() && seen_from_one_side(cones[pair.first], cones[pair.second])) continue;
+            if (left_out(i, j) || rubber_between(pair)) continue;
             const auto xi = crossing(pair, undeformed_, now);
-            if (xi && !left_out(i, j)) keep({Kind::pair, undeformed_place(pair.first, *xi), {pair.first, pair.second}});
+            if (xi && stays(pair, positions))
+                keep({Kind::pair, undeformed_place(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
             if (closed(hinge, cones, positions)) keep(found_at(hinge));
@@ -150,6 +152,29 @@ private:
         std::vector<NormalCone> cones;
         for (std::size_t f = 0; f < facets_.size(); ++f) cones.push_back(facets_.normals(shape, f));
         return cones;
+    }
+
+    /// Sides of one cell, or of two that hang together by a side while the facets have no node in common: between them is rubber,
+    /// not air. Where they cross, a cell is inside out, which det F tells.
+    [[nodiscard]] bool rubber_between(const FacetPair& pair) const {
+        const mesh::Index a = facets_.facet(pair.first).cell, b = facets_.facet(pair.second).cell;
+        if (a == b) return true;
+        if (pair.neighbours()) return false;
+        const auto corners = [&](mesh::Index cell) {
+            return mesh_.cell_nodes(cell).first(
+                static_cast<std::size_t>(mesh::topology(mesh_.cell_type(cell)).vertex_count));
+        };
+        const auto theirs = corners(b);
+        return std::ranges::count_if(corners(a), [&](mesh::Index node) {
+                   return std::ranges::find(theirs, node) != theirs.end();
+               }) >= mesh_.dimension;
+    }
+
+    /// Whether the facets cross as well where their pieces are so fine that the two sides of a thin wall keep apart.
+    [[nodiscard]] bool stays(const FacetPair& pair, const std::vector<Point>& positions) const {
+        const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
+        const DividedFacets fine{mesh_, both, Fineness::fine};
+        return crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
     }
 
     [[nodiscard]] bool left_out(int i, int j) const { return left_out_.contains({i, j}); }

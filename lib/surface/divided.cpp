@@ -12,6 +12,7 @@ namespace {
 using mesh::Point;
 
 constexpr int most_parts = 4;
+constexpr int fine_parts_of_a_line = 64, fine_parts_of_a_side = 16;
 
 void divide_line(int parts, Division& division) {
     for (int i = 0; i <= parts; ++i) division.xi.push_back({-1 + 2.0 * i / parts, 0});
@@ -51,10 +52,11 @@ Vector normal(const std::array<Point, 3>& c, std::size_t corners) {
 
 }  // namespace
 
-Division divide(mesh::CellType facet) {
+Division divide(mesh::CellType facet, Fineness fineness) {
     const mesh::CellTopology& cell = mesh::topology(facet);
     const bool straight = cell.order == 1 && cell.shape != mesh::Shape::quadrilateral;
-    const int parts = straight ? 1 : most_parts;
+    const int fine = cell.dimension == 1 ? fine_parts_of_a_line : fine_parts_of_a_side;
+    const int parts = straight ? 1 : fineness == Fineness::fine ? fine : most_parts;
     Division division;
     division.corners = cell.dimension == 1 ? 2 : 3;
     if (cell.shape == mesh::Shape::line) divide_line(parts, division);
@@ -66,13 +68,13 @@ Division divide(mesh::CellType facet) {
     return division;
 }
 
-DividedFacets::DividedFacets(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets) {
+DividedFacets::DividedFacets(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets, Fineness fineness) {
     std::size_t points = 0;
     for (const mesh::Facet& facet : facets) {
         const mesh::CellType type = mesh::facet_type(mesh, facet);
         const auto found = divisions_.find(type);
         const Division& division =
-            found != divisions_.end() ? found->second : divisions_.emplace(type, divide(type)).first->second;
+            found != divisions_.end() ? found->second : divisions_.emplace(type, divide(type, fineness)).first->second;
         Entry entry{facet, type, {}, &division, points};
         const std::vector<mesh::Index> nodes = mesh::facet_nodes(mesh, facet);
         std::copy(nodes.begin(), nodes.end(), entry.nodes.begin());

@@ -1,7 +1,8 @@
 #pragma once
 /// Curved facets as many small straight pieces, in any configuration: for questions about crossings. A second-order edge is
 /// cut into 4 segments, a side into 4 x 4 quadrilaterals of two triangles (4 x 4 triangles); their chords stray from the
-/// curved facet by 1/16 of its rise. Neighbours match: equal points of the reference edge are points of both.
+/// curved facet by 1/16 of its rise. Where that is more than a wall is thick (one that is stretched tenfold and more), the
+/// fine division tells whether its two sides cross: 64 segments or 16 x 16, 1/4096 or 1/256 of the rise. Neighbours match: equal points of the reference edge are points of both.
 /// Held by surface/contact_test.
 #include <map>
 #include <span>
@@ -21,7 +22,8 @@ struct Division {
     std::size_t corners;                     ///< of a piece: 2 or 3
 };
 
-[[nodiscard]] Division divide(mesh::CellType facet);
+enum class Fineness { coarse, fine };
+[[nodiscard]] Division divide(mesh::CellType facet, Fineness fineness = Fineness::coarse);
 
 /// The directions of a facet's normals: within this angle of the axis. Angle pi where they go all ways.
 struct NormalCone {
@@ -37,7 +39,7 @@ struct DividedShape {
 
 class DividedFacets {
 public:
-    DividedFacets(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets);
+    DividedFacets(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets, Fineness fineness = Fineness::coarse);
     DividedFacets(const DividedFacets&) = delete;  // entries point into the map
     DividedFacets& operator=(const DividedFacets&) = delete;
 
@@ -56,6 +58,7 @@ public:
     [[nodiscard]] std::span<const mesh::Point> points(const DividedShape& shape, std::size_t f) const {
         return std::span{shape.points}.subspan(facets_[f].first_point, facets_[f].division->xi.size());
     }
+    /// Of a coarse division.
     [[nodiscard]] NormalCone normals(const DividedShape& shape, std::size_t f) const;
 
 private:

@@ -41,6 +41,24 @@ TEST(Plausibility, AnAbsolutePressureIsNoticed) {
     EXPECT_TRUE(read(least, {{"loads.cavity.pressure", "100 kPa"}}).warnings.empty());
 }
 
+TEST(Plausibility, GravityDensityAndFibreAnglesInAWrongUnitOrSignAreNoticed) {
+    const auto falling = [](const std::string& acceleration, const std::string& density) {
+        return std::vector<Override>{{"loads.gravity", "{acceleration: " + acceleration + ", along: axis}"},
+                                     {"material.density", density}};
+    };
+    EXPECT_TRUE(read(least, falling("9.81 m/s^2", "1080 kg/m^3")).warnings.empty());
+    expect_warning(falling("9810 m/s^2", "1080 kg/m^3"), "loads.gravity.acceleration:", "1e+03 times gravity");
+    expect_warning(falling("-9.81 m/s^2", "1080 kg/m^3"), "loads.gravity.acceleration:", "points the other way");
+    expect_warning(falling("9.81 m/s^2", "1.08 kg/m^3"), "material.density:", "unusual for a rubber");
+    const auto wound = [](const std::string& angle) {
+        return std::vector<Override>{
+            {"material", "{law: holzapfel-gasser-ogden, mu: 0.1644 MPa, k1: 0.1 MPa, k2: 1, angle: " + angle + "}"}};
+    };
+    expect_warning(wound("1.4 deg"), "material.angle:", "write 1.4 rad (80.2 deg)");
+    EXPECT_TRUE(read(least, wound("0 deg")).warnings.empty());
+    EXPECT_TRUE(read(least, wound("1.4 rad")).warnings.empty());
+}
+
 TEST(Plausibility, ACompressibleRubberIsNoticed) {
     expect_warning({{"material.kappa", "1 MPa"}}, "material.kappa:", "6.08 times");
     EXPECT_TRUE(read(least, {{"material.kappa", "16.44 MPa"}}).warnings.empty());

@@ -5,10 +5,10 @@
 
 #include <cstdlib>
 #include <iostream>
-#include <random>
 
 #include "../meshing/gmsh_files.hpp"
 #include "core/text.hpp"
+#include "dice.hpp"
 #include "mesh/quality.hpp"
 #include "sample.hpp"
 
@@ -16,24 +16,6 @@ namespace soft::geometry {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-class Dice {
-public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
-    }
-    double scaled(double value, double by) { return value * std::exp(between(-std::log(by), std::log(by))); }
-    int whole(int low, int high) { return low + static_cast<int>(between(0, high - low + 1)); }
-    bool chance(double share) { return between(0, 1) < share; }
-    template <class T>
-    const T& one_of(const std::vector<T>& all) {
-        return all[static_cast<std::size_t>(whole(0, static_cast<int>(all.size()) - 1))];
-    }
-
-private:
-    std::mt19937 engine_;
-};
 
 std::string millimetres(double m) { return core::number_text(1e3 * m) + " mm"; }
 

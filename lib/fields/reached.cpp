@@ -1,0 +1,92 @@
+#include "fields/reached.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "material/stability.hpp"
+#include "model/rubber.hpp"
+
+namespace soft::fields {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+/// Hooke's law errs by as much as the strain is large.
+constexpr double largest_small_stretch = 1.1;
+/// Of the goal: nearer is there.
+constexpr double met = 1e-6;
+
+bool is_small_strain(const model::Material& material) {
+    return material.strain == model::Strain::small || material.law == "linear-elastic";
+}
+
+void check_law(const model::Material& material, double stretch, Warnings& warnings) {
+    const std::string rubber = material.source + ": the rubber is stretched to " + core::rounded_text(stretch, 3);
+    if (is_small_strain(material)) {
+        if (stretch > largest_small_stretch)
+            warnings.push_back(rubber + "; small strains (" + material.law +
+                               ") hold to about 1.05, a law of finite strain "
+                               "(neo-hookean) goes on");
+        return;
+    }
+    std::vector<material::StabilityLimit> passed;
+    for (const material::StabilityLimit& limit : material::stability_limits(model::make_rubber(material)))
+        if (limit.sense == material::Sense::tension && limit.stretch < stretch) passed.push_back(limit);
+    if (!passed.empty())
+        warnings.push_back(
+            rubber + "; " + material.law + " with these constants is " + material::stability_text(passed) +
+            ": states past that are not unique, fit the constants over a wider range or with a stable law");
+}
+
+double value_of(const model::Case& solved, const model::Until& until, const solution::Step& step,
+                const solution::Step& first) {
+    if (until.quantity == "pressure") return step.pressure_Pa;
+    if (until.quantity == "volume_ratio") return step.volume_m3.value_or(0) / first.volume_m3.value_or(1);
+    for (std::size_t i = 0; i < solved.outputs.size(); ++i)
+        if (solved.outputs[i].name == until.quantity) return step.outputs.at(i);
+    return until.value;
+}
+
+std::string shown(const model::Case& solved, const model::Until& until, double value) {
+    if (until.quantity == "pressure") return core::quantity_text(value, core::Dimension::pressure);
+    for (const model::Output& output : solved.outputs)
+        if (output.name == until.quantity) {
+            const model::MeasureUnit& unit = model::unit_of(output.measure);
+            return core::rounded_text(value / unit.SI_per_shown, 4) + " " + std::string{unit.shown};
+        }
+    return core::rounded_text(value, 4);
+}
+
+/// Of the last stage, where its full load has ended it and no goal has.
+void check_goals(const model::Case& solved, const Reached& path, Warnings& warnings) {
+    const auto& goals = solved.path.stages.back().until;
+    std::vector<std::string> missed;
+    for (const model::Until& until : goals) {
+        const double value = value_of(solved, until, path.last, path.first);
+        if (until.quantity == "steps" || std::abs(value - until.value) <= met * std::abs(until.value)) return;
+        missed.push_back(until.quantity + " " + shown(solved, until, until.value) + " is not reached, it ends with " +
+                         shown(solved, until, value));
+    }
+    if (!missed.empty())
+        warnings.push_back("path.until: the path ends at its full load: " + core::join(missed) +
+                           "; a larger load goes on");
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_at(const model::Case& solved, const Reached& reached, solution::StopReason end) {
+    Warnings warnings;
+    if (solved.dynamics) return warnings;
+    std::vector<std::string> seen;
+    for (const model::Material& material : solved.materials)
+        if (std::ranges::find(seen, material.source) == seen.end()) {
+            seen.push_back(material.source);
+            check_law(material, reached.largest_stretch_p99, warnings);
+        }
+    if (end == solution::StopReason::done) check_goals(solved, reached, warnings);
+    return warnings;
+}
+
+}  // namespace soft::fields

@@ -1,0 +1,25 @@
+#pragma once
+/// What can be said against a static path only when it has been followed: laws used beyond where they hold, goals
+/// that the loads do not reach. Plain warnings, one line each. Held by fields/reached_test and
+/// Pipeline.MisleadingDesignsAreNamed.
+#include <string>
+#include <vector>
+
+#include "model/case.hpp"
+#include "solution/path.hpp"
+
+namespace soft::fields {
+
+struct Reached {
+    solution::Step first, last;  ///< rows of the path
+    double largest_stretch_p99 = 1;
+};
+
+/// stretch    a principal stretch, exceeded in 1 % of the rubber, beyond the law's first limit in tension (Drucker's stability,
+///            material/stability.hpp: in whichever mode it comes first), or beyond what small strains are
+/// goals      path.until names values that the path, which ends at its full load, does not come to
+/// None for a motion in time.
+[[nodiscard]] std::vector<std::string> warnings_at(const model::Case& solved, const Reached& reached,
+                                                   solution::StopReason end);
+
+}  // namespace soft::fields

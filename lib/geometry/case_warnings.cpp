@@ -1,0 +1,133 @@
+#include "geometry/case_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "model/cavity_surface.hpp"
+
+namespace soft::geometry {
+namespace {
+
+/// From a valve in a chip to an arm; beyond, a unit is wrong more often than not.
+constexpr double smallest_m = 2e-3, largest_m = 3;
+/// Of a direction: less is rounding.
+constexpr double across = 1e-9;
+
+using Warnings = std::vector<std::string>;
+
+void check_size(const design::Design& design, const model::Case& built, Warnings& warnings) {
+    const double extent_m = model::extent_m(built.mesh);
+    if (extent_m >= smallest_m && extent_m <= largest_m) return;
+    const std::string text = core::quantity_text(extent_m, core::Dimension::length);
+    if (design.values.has("geometry.unit"))
+        warnings.push_back("geometry.unit: the part is " + text + " long; are the file's lengths in " +
+                           design.values.text("geometry.unit") + "?");
+    else
+        warnings.push_back("geometry: the body is " + text +
+                           " long; soft actuators are 2 mm to 3 m, are its units right?");
+}
+
+/// Of dead tractions and gravity; forces and motions across a plane are refused where they are read.
+void check_symmetry(const model::Case& built, Warnings& warnings) {
+    static constexpr std::array planes{"x = 0", "y = 0", "z = 0"};
+    const auto check = [&](const std::string& load, const std::array<double, 3>& vector) {
+        const double size = std::hypot(vector[0], vector[1], vector[2]);
+        for (std::size_t d = 0; d < 3; ++d)
+            if (built.symmetry_planes[d] && std::abs(vector[d]) > across * size)
+                warnings.push_back("loads." + load + ": it acts across the plane of symmetry " + planes[d] +
+                                   ", where the model is cut: the mirror image is loaded the other way; a whole body "
+                                   "(model: solid) is not");
+    };
+    for (const model::TractionLoad& load : built.tractions) check(load.face, load.traction_Pa);
+    for (const model::BodyForce& force : built.body_forces) check(force.name, force.acceleration_m_s2);
+}
+
+/// Whether all nodes of a face belong to faces that are held in a direction.
+bool is_held(const model::Case& built, const std::string& face, const std::array<double, 3>& direction) {
+    std::vector<std::array<bool, 3>> held(built.mesh.points.size());
+    const auto nodes_of = [&](const std::string& name, const auto& visit) {
+        const auto set = built.mesh.facet_sets.find(name);
+        if (set == built.mesh.facet_sets.end()) return;
+        for (const mesh::Facet& facet : set->second)
+            for (const mesh::Index node : mesh::facet_nodes(built.mesh, facet)) visit(static_cast<std::size_t>(node));
+    };
+    for (const model::Support& support : built.supports)
+        nodes_of(support.face, [&](std::size_t node) {
+            for (std::size_t d = 0; d < 3; ++d) held[node][d] = held[node][d] || support.fixed[d];
+        });
+    bool all = true, any = false;
+    nodes_of(face, [&](std::size_t node) {
+        any = true;
+        for (std::size_t d = 0; d < 3; ++d) all = all && (std::abs(direction[d]) <= across || held[node][d]);
+    });
+    return any && all;
+}
+
+void check_outputs(const model::Case& built, Warnings& warnings) {
+    for (const model::Output& output : built.outputs)
+        if (output.measure == model::Measure::displacement && is_held(built, output.face, output.direction))
+            warnings.push_back(
+                "outputs." + output.name + ": the face " + output.face +
+                " is held in this direction by supports, so it stays 0; measure a face that is free, or its force (measure: force)");
+}
+
+void check_outside(const model::Case& built, Warnings& warnings) {
+    if (built.cavities.size() != 1 || built.loads.size() != 1 || !built.tractions.empty() || !built.motions.empty())
+        return;
+    const std::string& target = built.loads.front().targets.front();
+    if (target == built.cavities.front().name || target == built.cavities.front().wall) return;
+    warnings.push_back("loads." + built.loads.front().name + ": presses on the face " + target +
+                       " while the cavity is not loaded; loads." + built.cavities.front().name + " inflates it");
+}
+
+/// Of a drawn or imported shape, whose faces a user has named.
+void check_openings(const design::Design& design, const model::Case& built, Warnings& warnings) {
+    for (const char* key : {"geometry.profile", "geometry.file"})
+        for (const model::Cavity& cavity : built.cavities)
+            if (design.values.has(key) && cavity.openings.size() > 1)
+                warnings.push_back(
+                    std::string{key} + ": " + cavity.name + " has " + std::to_string(cavity.openings.size()) +
+                    " openings, all plugged where the load is sealed; one that is no inlet is a face that "
+                    "should be named " +
+                    cavity.wall);
+}
+
+/// Cells that hang together by nodes.
+std::size_t parts_of(const mesh::Mesh& mesh) {
+    std::vector<mesh::Index> root(mesh.points.size());
+    std::iota(root.begin(), root.end(), mesh::Index{0});
+    const auto find = [&](mesh::Index n) {
+        while (root[static_cast<std::size_t>(n)] != n)
+            n = root[static_cast<std::size_t>(n)] = root[static_cast<std::size_t>(root[static_cast<std::size_t>(n)])];
+        return n;
+    };
+    for (mesh::Index c = 0; c < mesh.cell_count(); ++c)
+        for (const mesh::Index node : mesh.cell_nodes(c))
+            root[static_cast<std::size_t>(find(node))] = find(mesh.cell_nodes(c)[0]);
+    std::vector<mesh::Index> found;
+    for (mesh::Index c = 0; c < mesh.cell_count(); ++c) found.push_back(find(mesh.cell_nodes(c)[0]));
+    std::ranges::sort(found);
+    return static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin());
+}
+
+}  // namespace
+
+std::vector<std::string> case_warnings(const design::Design& design, const model::Case& built) {
+    Warnings warnings;
+    check_size(design, built, warnings);
+    check_symmetry(built, warnings);
+    check_outputs(built, warnings);
+    check_outside(built, warnings);
+    check_openings(design, built, warnings);
+    if (design.values.has("geometry.file"))
+        if (const std::size_t parts = parts_of(built.mesh); parts > 1)
+            warnings.push_back(
+                "geometry.file: the mesh has " + std::to_string(parts) +
+                " parts that share no node, nothing bonds them; where they meet, mesh them as one (coherence) or merge their nodes");
+    return warnings;
+}
+
+}  // namespace soft::geometry

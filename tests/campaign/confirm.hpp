@@ -1,0 +1,26 @@
+#pragma once
+/// Is the reason true for which a path says that it has ended? Judged by the rows and the fields of the last ones alone,
+/// without the solver's tangent, events or contact search. Held by Pipeline.ACampaignConfirmsWhyPathsEnd, which plants
+/// false reasons.
+///   done              the last stage's loads are in place, or a value that it was to end at
+///   limit_point       the load passes an extremum within the rows, or its parabola through the last three has one at the last;
+///                     where the path has gone on, it has not come to the load asked for but to path.stretch_limit
+///   self_contact      triangles of the deformed surface that are no neighbours meet (CGAL), or a crease closes, or a facet
+///                     passes a mirror, in the last row or soon after it, the last step drawn out
+///   inverted_element  the least det F, sampled at corners, mid nodes and centres of the cells, is next to nothing
+///   step_limit        so many rows there are
+///   diverged          never: whatever ends so is a find
+#include <string>
+
+#include "io/result_file.hpp"
+
+namespace soft::campaign {
+
+struct Verdict {
+    bool confirmed = false;
+    std::string why;  ///< in a few words, with the numbers
+};
+
+[[nodiscard]] Verdict confirm(const io::Result& result);
+
+}  // namespace soft::campaign

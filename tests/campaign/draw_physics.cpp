@@ -1,0 +1,206 @@
+/// Materials with constants in the ranges that silicones and their fits have, and loads that go far beyond what most
+/// bodies bear.
+#include <algorithm>
+#include <array>
+
+#include "core/text.hpp"
+#include "draw_parts.hpp"
+
+namespace soft::campaign {
+namespace {
+
+constexpr double softest_kPa = 10, hardest_kPa = 1000;  // initial shear modulus: gels to filled grades
+/// Full pressure over modulus / slenderness, about the largest that a thin neo-Hookean shell bears; it mostly is less.
+constexpr double least_load = 0.1, largest_load = 30;
+
+std::string list(const std::vector<double>& values) {
+    std::vector<std::string> texts;
+    for (const double value : values) texts.push_back(number(value));
+    return "[" + core::join(texts) + "]";
+}
+
+std::string pressures(const std::vector<double>& values_kPa) {
+    std::vector<std::string> texts;
+    for (const double value : values_kPa) texts.push_back(kPa(value));
+    return "[" + core::join(texts) + "]";
+}
+
+using Constants = Settings (*)(Dice&, double mu_kPa);
+
+Settings mu_alone(Dice&, double mu) { return {{"mu", kPa(mu)}}; }
+
+Settings mooney_rivlin(Dice& dice, double mu) {
+    const double share = dice.between(0.5, 1), c = mu / 2;
+    Settings settings{{"c10", kPa(c * share)}, {"c01", kPa(c * (1 - share))}};
+    if (dice.chance(0.4))
+        for (const char* key : {"c20", "c11", "c02"}) settings.emplace_back(key, kPa(c * dice.between(-0.01, 0.04)));
+    return settings;
+}
+
+Settings yeoh(Dice& dice, double mu) {
+    const double c = mu / 2;
+    return {{"c1", kPa(c)}, {"c2", kPa(c * dice.between(-0.03, 0.1))}, {"c3", kPa(c * dice.between(-2e-4, 5e-3))}};
+}
+
+Settings ogden(Dice& dice, double mu) {
+    const int terms = dice.whole(1, 3);
+    static constexpr std::array low{1.2, 2.0, -4.0}, high{2.5, 7.0, -1.0};
+    std::vector<double> mus, alphas;
+    for (int i = 0; i < terms; ++i) {
+        alphas.push_back(dice.between(low.at(static_cast<std::size_t>(i)), high.at(static_cast<std::size_t>(i))));
+        mus.push_back(2 * mu / alphas.back() * (i == 0 ? 1 : dice.between(0, 0.1)));
+    }
+    return {{"mu", pressures(mus)}, {"alpha", list(alphas)}};
+}
+
+Settings gent(Dice& dice, double mu) { return {{"mu", kPa(mu)}, {"jm", number(dice.between_logs(3, 200))}}; }
+
+Settings arruda_boyce(Dice& dice, double mu) {
+    return {{"mu", kPa(mu)}, {"locking_stretch", number(dice.between_logs(1.3, 7))}};
+}
+
+Settings holzapfel_gasser_ogden(Dice& dice, double mu) {
+    return {{"mu", kPa(mu)},
+            {"k1", kPa(mu * dice.between_logs(0.1, 10))},
+            {"k2", number(dice.between_logs(0.1, 5))},
+            {"angle", number(dice.between(0, 90)) + " deg"},
+            {"families", "2"}};
+}
+
+struct Law {
+    const char* name;
+    Constants constants;
+    double weight;
+    bool needs_kappa = false;
+};
+constexpr std::array laws{Law{"neo-hookean", mu_alone, 16},
+                          Law{"neo-hookean-compressible", mu_alone, 8},
+                          Law{"mooney-rivlin", mooney_rivlin, 13},
+                          Law{"yeoh", yeoh, 15},
+                          Law{"ogden", ogden, 15},
+                          Law{"gent", gent, 9},
+                          Law{"arruda-boyce", arruda_boyce, 9},
+                          Law{"holzapfel-gasser-ogden", holzapfel_gasser_ogden, 6},
+                          Law{"saint-venant-kirchhoff", mu_alone, 3, true},
+                          Law{"linear-elastic", mu_alone, 2, true},
+                          Law{"kraken", mu_alone, 2, true}};
+
+Law draw_law(Dice& dice) {
+    double all = 0;
+    for (const Law& law : laws) all += law.weight;
+    double left = dice.between(0, all);
+    for (const Law& law : laws)
+        if ((left -= law.weight) < 0) return law;
+    return laws.front();
+}
+
+const std::vector<std::string> silicones{"dragon-skin-20",    "ecoflex-00-30",  "ecoflex-00-50",
+                                         "mold-star-16-fast", "platsil-gel-10", "rtv615"};
+
+/// Follower loads of all kinds that a cavity takes. `p`: full pressure.
+Load cavity_load(Dice& dice, const Shape& shape, double p) {
+    const std::string cavity = shape.cavities.front();
+    const bool one = shape.cavities.size() == 1;
+    std::string group = one ? "{cavity: " : "{cavities: {" + cavity + ": ", end = one ? "}" : "}}";
+    if (shape.family == "two-spheres") end = ", right: {shares: left}" + end;
+    const auto loads = [&](const std::string& what) { return group + what + end; };
+    const auto pressed = [&](double pressure) { return loads("{pressure: " + kPa(pressure) + "}"); };
+    const double kind = dice.between(0, 1);
+    if (kind < 0.42) {
+        const std::string sealed = dice.chance(0.3) && shape.family != "two-spheres" ? ", sealed: false" : "";
+        return {"cavity pressure", {{"loads", loads("{pressure: " + kPa(p) + sealed + "}")}}};
+    }
+    if (kind < 0.56) return {"vacuum", {{"loads", pressed(-p)}}};
+    if (kind < 0.66)
+        return {"volume", {{"loads", loads("{volume_ratio: " + number(dice.between_logs(1.2, 40)) + "}")}}};
+    if (kind < 0.70)
+        return {"less volume", {{"loads", loads("{volume_ratio: " + number(dice.between(0.02, 0.9)) + "}")}}};
+    if (kind < 0.78)
+        return {"gas",
+                {{"loads", loads("{mass: " + number(1.204 * shape.gas_mL * dice.between_logs(0.05, 10)) + " mg}")}}};
+    if (kind < 0.90) {
+        Settings settings{{"loads", pressed(p)},
+                          {"path.stages", "{inflate: {loads: " + pressed(0.3 * p) + "}, hold: {}, vent: {loads: " +
+                                              pressed(0) + "}, vacuum: {loads: " + pressed(-0.3 * p) + "}}"}};
+        return {"stages", std::move(settings)};
+    }
+    if (shape.pulled.empty()) return {"cavity pressure", {{"loads", pressed(p)}}};
+    std::string both = pressed(p);
+    both.insert(both.size() - 1, ", " + shape.pulled.front() + ": {force: " + number(p * 1e-3 * dice.between(-20, 20)) +
+                                     " N, along: axis}");
+    return {"pressure and force", {{"loads", both}}};
+}
+
+Load face_load(Dice& dice, const Shape& shape, double p) {
+    if (!shape.pulled.empty() && (shape.pressed.empty() || dice.chance(0.6))) {
+        const std::string face = shape.pulled.front(), along = dice.one_of(std::vector<std::string>{"x", "y", "axis"});
+        const std::string direction = shape.model == "axisymmetric" ? "axis" : shape.model == "quarter" ? "x" : along;
+        if (dice.chance(0.4))
+            return {"motion",
+                    {{"loads",
+                      "{" + face + ": {displacement: " + mm(dice.between(-30, 60)) + ", along: " + direction + "}}"}}};
+        return {"traction",
+                {{"loads", "{" + face + ": {traction: " + kPa(dice.between(-p, p)) + ", along: " + direction + "}}"}}};
+    }
+    const double sign = dice.chance(0.5) ? 1 : -1;
+    return {"face pressure", {{"loads", "{" + dice.one_of(shape.pressed) + ": {pressure: " + kPa(sign * p) + "}}"}}};
+}
+
+}  // namespace
+
+std::string number(double value) { return core::rounded_text(value, 5); }
+std::string mm(double value) { return number(value) + " mm"; }
+std::string kPa(double value) { return number(value) + " kPa"; }
+
+Stuff draw_material(Dice& dice, const Shape& shape) {
+    Stuff stuff;
+    if (dice.chance(0.06)) {
+        const std::string name = dice.one_of(silicones);
+        return {name, 100, {{"material", name}}};
+    }
+    const Law law = draw_law(dice);
+    stuff.law = law.name;
+    stuff.mu_kPa = dice.between_logs(softest_kPa, hardest_kPa);
+    stuff.settings.emplace_back("material.law", law.name);
+    for (const auto& [key, value] : law.constants(dice, stuff.mu_kPa))
+        stuff.settings.emplace_back("material." + key, value);
+    const double kind = dice.between(0, 1);
+    const double ratio = kind < 0.65 ? dice.between_logs(20, 5000) : dice.between(1, 20);
+    const bool bounded = law.needs_kappa || kind > 0.35;
+    const bool is_kraken = stuff.law == "kraken", is_linear = stuff.law == "linear-elastic";
+    if (bounded) stuff.settings.emplace_back("material.kappa", kPa(stuff.mu_kPa * ratio));
+    if (bounded && !is_linear && !is_kraken && dice.chance(0.4))
+        stuff.settings.emplace_back("material.volumetric",
+                                    dice.one_of(std::vector<std::string>{"quadratic", "log", "mixed"}));
+    if (is_kraken || (bounded && ratio < 20 && dice.chance(0.3)))
+        stuff.settings.emplace_back("mesh.formulation", "displacement");
+    else if (bounded && !is_linear && shape.table_text.empty() && shape.model != "solid" && shape.family != "pneunet" &&
+             dice.chance(0.05))
+        stuff.settings.insert(stuff.settings.end(), {{"mesh.formulation", "f-bar"}, {"mesh.order", "1"}});
+    if (dice.chance(0.04)) stuff.settings.emplace_back("mesh.cells", "simplices");
+    return stuff;
+}
+
+Load draw_load(Dice& dice, const Shape& shape, const Stuff& stuff) {
+    const double p = stuff.mu_kPa / shape.slenderness * dice.between_logs(least_load, largest_load);
+    const bool on_cavity = !shape.cavities.empty() && !dice.chance(0.12);
+    Load load = on_cavity || (shape.pressed.empty() && shape.pulled.empty()) ? cavity_load(dice, shape, p)
+                                                                             : face_load(dice, shape, p);
+    if (load.kind == "traction" && dice.chance(0.2)) {
+        load.kind = "gravity";
+        load.settings = {
+            {"loads", "{gravity: {acceleration: " + number(dice.between_logs(10, 3000)) + " m/s^2, along: -x}}"},
+            {"material.density", "1080 kg/m^3"}};
+    }
+    const double control = dice.between(0, 1);
+    const bool by_pressure = load.kind == "cavity pressure" || load.kind == "vacuum" || load.kind == "face pressure";
+    if (by_pressure && control < 0.12) load.settings.emplace_back("path.control", "pressure");
+    if (by_pressure && control > 0.94) load.settings.emplace_back("path.control", "arc-length");
+    if (by_pressure && on_cavity && control > 0.88 && control < 0.94)
+        load.settings.emplace_back("path.control", "volume");
+    if (dice.chance(0.05)) load.settings.emplace_back("path.branch", "follow");
+    if (dice.chance(0.3)) load.settings.emplace_back("path.stretch_limit", number(dice.between(3, 8)));
+    return load;
+}
+
+}  // namespace soft::campaign

@@ -1,0 +1,41 @@
+#pragma once
+/// What the deformed mesh of a case shows by itself: walls that meet, cells that are flattened. Plain and slow; made for
+/// tests, of other parts than the solver's own search. Held by
+/// Pipeline.ACampaignConfirmsWhyPathsEnd.
+#include <array>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/case.hpp"
+
+namespace soft::campaign {
+
+class ShapeChecks {
+public:
+    explicit ShapeChecks(const model::Case& model);
+
+    /// "walls meet", "a crease closes", "a wall passes a mirror"; empty where nothing does. `u`: [point x 3].
+    [[nodiscard]] std::string contact(std::span<const double> u) const;
+    /// At corners, mid nodes and centres of the cells.
+    [[nodiscard]] double least_det_F(std::span<const double> u) const;
+    /// Longest side of the undeformed body's box.
+    [[nodiscard]] double extent_m() const { return extent_m_; }
+
+private:
+    using Pairs = std::set<std::array<int, 2>>;
+    [[nodiscard]] mesh::Mesh moved(std::span<const double> u) const;
+    [[nodiscard]] Pairs meeting(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool passes_a_mirror(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool crease_closes(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool crease_of_section_closes(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool crease_of_solid_closes(const mesh::Mesh& mesh) const;
+
+    const model::Case& model_;
+    std::vector<mesh::Facet> skin_;
+    Pairs from_the_start_;  ///< that meet in the undeformed body
+    double extent_m_ = 0;
+};
+
+}  // namespace soft::campaign

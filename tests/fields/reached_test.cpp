@@ -1,0 +1,64 @@
+#include "fields/reached.hpp"
+
+#include <gtest/gtest.h>
+
+namespace soft::fields {
+namespace {
+
+model::Case tube_of(const std::string& law, std::map<std::string, std::vector<double>> constants) {
+    model::Case solved;
+    solved.materials = {{.name = "rubber", .law = law, .constants = std::move(constants), .bulk_modulus_Pa = {}}};
+    solved.path.stages.emplace_back();
+    return solved;
+}
+
+Reached stretched_to(double stretch) {
+    Reached reached;
+    reached.largest_stretch_p99 = stretch;
+    return reached;
+}
+
+bool holds(const std::vector<std::string>& warnings, std::string_view words) {
+    return warnings.size() == 1 && warnings[0].find(words) != std::string::npos;
+}
+
+// Mooney-Rivlin with c01 < 0: the equibiaxial limit is where c10 + c01 l^2 = 0 at the latest; its place is that of
+// material/stability_test, here only which side of it the path has come to counts.
+TEST(Reached, ALawIsToldOnlyWherePathsPassItsStability) {
+    const model::Case solved = tube_of("mooney-rivlin", {{"c10", {100e3}}, {"c01", {-18e3}}});
+    EXPECT_TRUE(warnings_at(solved, stretched_to(1.5), solution::StopReason::done).empty());
+    EXPECT_TRUE(
+        holds(warnings_at(solved, stretched_to(2.0), solution::StopReason::self_contact),
+              "stretched to 2; mooney-rivlin with these constants is unstable beyond a stretch of equibiaxial 1.71"));
+    EXPECT_TRUE(
+        warnings_at(tube_of("neo-hookean", {{"mu", {1e5}}}), stretched_to(8), solution::StopReason::done).empty());
+}
+
+TEST(Reached, SmallStrainIsToldWhereItIsNoMore) {
+    model::Case solved = tube_of("linear-elastic", {{"mu", {1e5}}});
+    EXPECT_TRUE(warnings_at(solved, stretched_to(1.05), solution::StopReason::done).empty());
+    EXPECT_TRUE(
+        holds(warnings_at(solved, stretched_to(1.3), solution::StopReason::done), "small strains (linear-elastic)"));
+    solved = tube_of("neo-hookean", {{"mu", {1e5}}});
+    solved.materials[0].strain = model::Strain::small;
+    EXPECT_TRUE(
+        holds(warnings_at(solved, stretched_to(1.3), solution::StopReason::done), "small strains (neo-hookean)"));
+}
+
+TEST(Reached, AGoalThatTheFullLoadDoesNotReachIsTold) {
+    model::Case solved = tube_of("neo-hookean", {{"mu", {1e5}}});
+    solved.outputs = {{.name = "elongation", .face = "end", .direction = {1, 0, 0}}};
+    solved.path.stages[0].until = {{"elongation", 50e-3}};
+    Reached reached;
+    reached.last.outputs = {2e-3};
+    EXPECT_TRUE(holds(warnings_at(solved, reached, solution::StopReason::done),
+                      "elongation 50 mm is not reached, it ends with 2 mm"));
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::limit_point).empty()) << "the end says why itself";
+    reached.last.outputs = {50e-3 * (1 + 1e-9)};
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::done).empty());
+    solved.path.stages[0].until.push_back({"pressure", 1e3});  // the first of several ends the path
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::done).empty());
+}
+
+}  // namespace
+}  // namespace soft::fields

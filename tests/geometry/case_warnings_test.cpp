@@ -1,0 +1,65 @@
+#include "geometry/case_warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "geometry/build.hpp"
+
+namespace soft::geometry {
+namespace {
+
+constexpr const char* rubber = "material: {law: neo-hookean, mu: 0.1644 MPa}\n";
+
+/// What only the case shows.
+std::vector<std::string> told(const std::string& text) {
+    const design::Design design = design::read_design(text + rubber, "test.yaml", catalogue_keys(), {});
+    return case_warnings(design, build_case(design));
+}
+
+void expect_told(const std::string& text, std::string_view words) {
+    const auto warnings = told(text);
+    ASSERT_EQ(warnings.size(), 1u) << text;
+    EXPECT_NE(warnings[0].find(words), std::string::npos) << warnings[0];
+}
+
+const std::string rod = "family: rod\nmesh: {size: 10 mm}\n", tube = "family: tube\nmesh: {size: 4 mm}\n";
+
+TEST(CaseWarnings, BodiesOfUnusualSizeAreTold) {
+    const auto of_length = [](const std::string& length, const std::string& other) {
+        return "family: rod\ngeometry: {length: " + length + ", width: " + other + ", height: " + other +
+               "}\nmesh: {size: " + other + "}\nloads: {end: {traction: 1 kPa, along: x}}\n";
+    };
+    EXPECT_TRUE(told(of_length("2.9 m", "0.5 m")).empty());
+    EXPECT_TRUE(told(of_length("2.1 mm", "0.5 mm")).empty());
+    expect_told(of_length("100 m", "10 m"), "the body is 100 m long");
+    expect_told(of_length("0.1 mm", "0.01 mm"), "the body is 100 um long");
+}
+
+TEST(CaseWarnings, LoadsAcrossAPlaneOfSymmetryAreToldAndOthersAreNot) {
+    const auto loaded = [](const std::string& model, const std::string& load) {
+        return rod + "model: " + model + "\nloads: {" + load + "}\n";
+    };
+    expect_told(loaded("half", "end: {traction: 1 kPa, along: y}"),
+                "loads.end: it acts across the plane of symmetry y = 0");
+    expect_told(loaded("quarter", "end: {traction: 1 kPa, along: z}"), "across the plane of symmetry z = 0");
+    EXPECT_TRUE(told(loaded("half", "end: {traction: 1 kPa, along: z}")).empty());
+    EXPECT_TRUE(told(loaded("half", "end: {displacement: 1 mm, along: x}")).empty());
+    EXPECT_TRUE(told(loaded("solid", "end: {traction: 1 kPa, along: y}")).empty());
+}
+
+TEST(CaseWarnings, AnOutputOfAHeldFaceIsTold) {
+    const std::string load = "loads: {cavity: {pressure: 5 kPa}}\n";
+    expect_told(tube + load + "supports: {fixed: [fixed, inlet]}\n", "outputs.elongation: the face inlet is held");
+    EXPECT_TRUE(told(tube + load).empty());
+    EXPECT_TRUE(told(tube + load +
+                     "supports: {fixed: [fixed, inlet]}\noutputs: {block: {face: inlet, measure: force, along: x}}\n")
+                    .empty());
+}
+
+TEST(CaseWarnings, APressedOutsideIsToldWhereTheCavityIsNotLoaded) {
+    expect_told(tube + "loads: {outer: {pressure: 5 kPa}}\n", "loads.outer: presses on the face outer");
+    EXPECT_TRUE(told(tube + "loads: {outer: {pressure: 5 kPa}, cavity: {pressure: 5 kPa}}\n").empty());
+    EXPECT_TRUE(told("family: dome\nmesh: {size: 2 mm}\nloads: {outer: {pressure: 5 kPa}}\n").empty());
+}
+
+}  // namespace
+}  // namespace soft::geometry

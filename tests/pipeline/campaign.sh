@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# A small campaign runs whole, the same twice, and its confirmations find false reasons.   campaign.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+campaign=$here/../../scripts/campaign
+
+# Reasons that are true, and planted ones that are not
+judged() { campaign judge "$1" "$2" >"$seen/verdict" 2>&1; }
+only() {   # only RESULT REASON...: these are confirmed, no others
+    local reason
+    for reason in "done" limit_point self_contact inverted_element step_limit diverged; do
+        if [[ " ${*:2} " == *" $reason "* ]]; then
+            claim "$1: $reason is true" judged "$1" "$reason"
+        else
+            claim "$1: $reason is false" not judged "$1" "$reason"
+        fi
+    done
+}
+tube='mesh-gen -q designs/tube.yaml --set mesh.size=3mm'
+runs "$tube | solve -q -o whole.h5"
+only whole.h5 "done"
+run "$tube --set path.control=pressure --set loads.cavity.pressure=60kPa | solve -q -o limit.h5"
+only limit.h5 limit_point
+run "$tube --set path.control=pressure --set loads.cavity.pressure=60kPa --set solver.step_limit=8 | solve -q -o short.h5"
+claim "well below the limit" within "$(postprocess -q short.h5 | column pressure_kPa /dev/stdin | tail -n 1)" 1 35
+only short.h5 step_limit
+run "mesh-gen -q designs/sphere.yaml --set geometry.outer_radius=11mm --set mesh.size=1mm --set \"path={stretch_limit: 4}\" | solve -q -o behind.h5"
+only behind.h5 limit_point
+run "mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set geometry.convolutions=2 --set loads.cavity.pressure=-30kPa --set \"path={control: auto}\" | solve -q -o touching.h5"
+only touching.h5 self_contact
+
+# Designs of all kinds, to their limit
+if [ -z "$(type -P parallel)" ]; then
+    echo 'skipped: parallel (package parallel) is not installed'
+    exit 0
+fi
+refuses 64 "campaign: unknown option '--sed'; *" "$campaign 3 --sed 4"
+refuses 64 "campaign: 'many' is no number" "$campaign many"
+LIMIT=240
+runs "$campaign 20 --seed 7 --jobs 1 --folder first"
+claim "twenty rows" [ "$(wc -l <first/outcomes.csv)" -eq 21 ]
+claim "each with a reason that is confirmed" [ "$(cut -d, -f 8 first/outcomes.csv | sed 1d | sort -u)" = 1 ]
+claim "of several families" [ "$(cut -d, -f 3 first/outcomes.csv | sed 1d | sort -u | wc -l)" -ge 5 ]
+claim "the tables tell what they are of" grep -q '^20 designs, .* .diverged. 0 (0 %), reason not confirmed 0 (0 %)' "$seen/out"
+runs "$campaign 2 --seed 7 --jobs 1 --folder again"
+claim "a draw depends on the seed and the number alone" cmp <(cut -d, -f 1-6 again/plan.csv) <(head -n 2 first/plan.csv)
+before=$(stat -c %Y first/*/status | sort | tail -n 1)
+runs "$campaign 20 --seed 7 --jobs 1 --folder first"
+claim "what is computed is not computed again" [ "$(stat -c %Y first/*/status | sort | tail -n 1)" = "$before" ]

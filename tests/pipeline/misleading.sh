@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# The table of tests/catalogue/README.md is what the tools say of each misleading design; sound designs give no alarm.
+#   misleading.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+catalogue=$here/../catalogue
+mkdir tests && cp -R "$catalogue" tests/ && cd tests/catalogue || exit 1
+
+said_by() { grep -F -e "$2" "$seen/err" | grep -q "^$1: "; }   # said_by PROGRAM WORDS
+rows=0
+while IFS='|' read -r _ design _ program code words _; do
+    design=${design##*(}
+    design=${design%%.yaml*}
+    read -r program <<<"$program"
+    read -r code <<<"$code"
+    words=$(sed 's/^ *//; s/ *$//' <<<"$words")
+    rows=$((rows + 1))
+    if [ "$program" = solve ]; then
+        runs "mesh-gen -q $design.yaml -o case.h5"
+        run 'solve case.h5 -o result.h5'
+    else
+        run "mesh-gen $design.yaml -o case.h5"
+    fi
+    claim "$design: exit code $code" exits "$code"
+    claim "$design: $program says '$words'" said_by "$program" "$words"
+done < <(grep '^| \[' README.md)
+claim "there are forty at least" [ "$rows" -ge 40 ]
+claim "a row a design" [ "$rows" -eq "$(find . -name '*.yaml' | wc -l)" ]
+
+# No false alarm: of the designs that users start from only the plate, whose thickness one cell spans, gets a warning
+cd "$work/run" || exit 1
+for design in designs/*.yaml; do
+    run "mesh-gen --check $design"
+    if [ "$design" = designs/plate.yaml ]; then
+        claim "one cell through the plate is told" said_by mesh-gen 'one cell through it is coarse'
+        claim "and nothing else" [ "$(grep -c warning "$seen/err")" -eq 1 ]
+    else
+        claim "$design gives no alarm" not grep -q warning "$seen/err"
+    fi
+done
+for design in rod panel ring sphere dome tube fiber-tube revolved; do
+    run "mesh-gen -q designs/$design.yaml | solve -o result.h5"
+    claim "nor does the path of $design" not grep -q warning "$seen/err"
+done
