@@ -21,7 +21,7 @@ struct Counts {
 Counts counts_of(const BellowsShape& shape, const design::Values& values) {
     const double size_m = values.number("mesh.size");
     constexpr int least_bend = 2;  // a half bend turns by about 84 degrees
-    const auto cells = [&](double length_m, int least = 1) { return divisions(length_m, size_m, least); };
+    const auto cells = [&](double length_m, int least = 1) { return meshing::divisions(length_m, size_m, least); };
     // Between the bends the state changes slowly along the wall: longer cells cost no accuracy there (measured).
     constexpr double straight_stretch = 1.2;
     constexpr int least_through = 3;  // two leave the bends 0.6 % too soft, whatever their grading (measured)
@@ -47,14 +47,16 @@ struct Cut {
 struct Frame {
     double origin_m;
     int sign;
-    [[nodiscard]] PlanePoint place(PlanePoint local) const { return {origin_m + sign * local[0], local[1]}; }
+    [[nodiscard]] meshing::PlanePoint place(meshing::PlanePoint local) const {
+        return {origin_m + sign * local[0], local[1]};
+    }
 };
 
 class Drawing {
 public:
     explicit Drawing(const design::Values& values) : shapes_(shapes_of(values)), values_(values) {}
 
-    Section draw() {
+    meshing::Section draw() {
         Cut trough{};
         const int convolutions = static_cast<int>(shapes_.size());
         for (int i = 0; i < convolutions; ++i) {
@@ -82,11 +84,11 @@ public:
     }
 
 private:
-    int point(const Frame& frame, PlanePoint local) { return add_point(section_, frame.place(local)); }
+    int point(const Frame& frame, meshing::PlanePoint local) { return add_point(section_, frame.place(local)); }
 
     /// Cells through a bend are graded towards its small radius, where the strain changes fastest: on the cavity's side
     /// at a crest (height 1 along the wall), on the outer side at a trough (height 0), evenly half way between.
-    Cut add_cut(const Frame& frame, PlanePoint inside, PlanePoint outside, double height) {
+    Cut add_cut(const Frame& frame, meshing::PlanePoint inside, meshing::PlanePoint outside, double height) {
         const Cut cut{point(frame, inside), point(frame, outside)};
         add_graded_line(section_, {cut.inside, cut.outside}, n_.through,
                         std::pow(shape_.bend_grading(), 2 * height - 1));
@@ -115,7 +117,7 @@ private:
     }
 
     Cut land(Cut from, Cut to, int cells) {
-        strip(from, to, Curve::straight, cells);
+        strip(from, to, meshing::Curve::straight, cells);
         return to;
     }
 
@@ -128,7 +130,7 @@ private:
     /// The straight wall from a cut on, and the half bend at the crest.
     void wall(const Frame& frame, Cut start, int cells, Cut crest) {
         const Cut top = wall_cut(frame, shape_.straight_m);
-        strip(start, top, Curve::straight, cells);
+        strip(start, top, meshing::Curve::straight, cells);
         strip(top, crest, point(frame, {shape_.half_m, shape_.crest_centre_m}), n_.bend);
     }
 
@@ -139,7 +141,7 @@ private:
     const design::Values& values_;
     BellowsShape shape_{};  ///< of the convolution that is drawn
     Counts n_{};
-    Section section_;
+    meshing::Section section_;
     int bore_inner_ = 0, bore_outer_ = 0;  ///< of the end drawn last: the line where disc and bore (or core) meet
 };
 
@@ -158,7 +160,7 @@ Cut Drawing::add_end(const Frame& frame, const std::string& end_face, const Name
     const int rim = point(frame, {shape_.disc_corner[0], shape_.disc_radius_m});
     const int rim_end = point(frame, {end_m, shape_.disc_radius_m});
 
-    Section& s = section_;
+    meshing::Section& s = section_;
     add_arc(s, {bore, foot}, point(frame, {0, shape_.trough_centre_m}), n_.bend, {"cavity"});
     add_line(s, {foot, cut.inside}, n_.below_neck, {"cavity"});
     add_line(s, {cut.outside, fork}, root_cells);
@@ -191,8 +193,8 @@ Cut Drawing::add_end(const Frame& frame, const std::string& end_face, const Name
 /// The held disc has no bore: its core closes the cavity.
 void Drawing::add_core(const Frame& frame) {
     const int inner = point(frame, {0, 0}), outer = point(frame, {-shape_.disc_length_m, 0});
-    Section& s = section_;
-    add_line(s, {inner, outer}, n_.disc + n_.neck, {axis_face});
+    meshing::Section& s = section_;
+    add_line(s, {inner, outer}, n_.disc + n_.neck, {meshing::axis_face});
     add_line(s, {outer, bore_outer_}, n_.core, {"fixed"});
     add_line(s, {bore_inner_, inner}, n_.core, {"cavity_end"});
     add_block(s, {{{inner, outer}, {outer, bore_outer_}, {bore_outer_, bore_inner_}, {bore_inner_, inner}}});

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "design/design.hpp"
-#include "geometry/section.hpp"
+#include "meshing/section.hpp"
 
 namespace soft::geometry {
 
@@ -22,14 +22,14 @@ struct BellowsShape {
     // Derived; see shape_of.
     double half_m;                           ///< from the trough's centre to the crest's along x
     double trough_centre_m, crest_centre_m;  ///< radii of the arcs' centres
-    PlanePoint along;                        ///< unit vector of the straight wall, from trough to crest
-    PlanePoint outward;                      ///< its unit normal, from the cavity to the outside
+    meshing::PlanePoint along;               ///< unit vector of the straight wall, from trough to crest
+    meshing::PlanePoint outward;             ///< its unit normal, from the cavity to the outside
     double straight_m;                       ///< length of the straight wall
     double bend_rad;                         ///< angle of a half bend, trough or crest
     double neck_at_m;                        ///< along the straight wall, where its outer face meets the neck
 
     /// The point at `offset` from the trough's centre along `outward` and `distance` along the wall.
-    [[nodiscard]] PlanePoint on_wall(double offset, double distance) const {
+    [[nodiscard]] meshing::PlanePoint on_wall(double offset, double distance) const {
         return {offset * outward[0] + distance * along[0], trough_centre_m + offset * outward[1] + distance * along[1]};
     }
     [[nodiscard]] double cavity_offset_m() const { return -(fillet_m + wall_m); }
@@ -40,10 +40,10 @@ struct BellowsShape {
     [[nodiscard]] double bend_grading() const { return std::sqrt(std::sqrt((fillet_m + wall_m) / fillet_m)); }
 
     /// Points of an end, in the frame of its half convolution (x < 0 towards the disc).
-    PlanePoint neck_corner;   ///< where the outer wall meets the neck
-    PlanePoint disc_corner;   ///< where the neck meets the disc
-    PlanePoint fork;          ///< inside the rubber: where the wall's cells, the neck's and the disc's meet
-    PlanePoint below_corner;  ///< inside the rubber, beside the fork and below the disc's corner
+    meshing::PlanePoint neck_corner;   ///< where the outer wall meets the neck
+    meshing::PlanePoint disc_corner;   ///< where the neck meets the disc
+    meshing::PlanePoint fork;          ///< inside the rubber: where the wall's cells, the neck's and the disc's meet
+    meshing::PlanePoint below_corner;  ///< inside the rubber, beside the fork and below the disc's corner
 };
 
 /// Of a convolution, from 0. Throws values.refuse(...) with the key and its admissible range where the arcs, walls and ends do

@@ -9,14 +9,14 @@
 #include "element/reference_cell.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/loading.hpp"
-#include "geometry/outline_mesher.hpp"
-#include "geometry/outline_sizes.hpp"
-#include "geometry/regions.hpp"
-#include "geometry/section_mesher.hpp"
 #include "geometry/strip.hpp"
 #include "mesh/raise_order.hpp"
 #include "mesh/refine.hpp"
 #include "mesh/split.hpp"
+#include "meshing/outline_mesher.hpp"
+#include "meshing/outline_sizes.hpp"
+#include "meshing/regions.hpp"
+#include "meshing/section_mesher.hpp"
 #include "model/cavity_surface.hpp"
 #include "model/rubber.hpp"
 
@@ -31,13 +31,13 @@ const Family& family_named(const std::string& name) {
 
 /// Where a triangle of the section meets the axis, a solid has tetrahedra; a quadrilateral that does so in a corner has no
 /// counterpart. So a solid of revolution that closes on its axis is of simplices.
-FreeCells free_cells(const Body& body, const design::Values& values, Model model) {
+meshing::FreeCells free_cells(const Body& body, const design::Values& values, Model model) {
     const bool simplices = values.has("mesh.cells") && values.text("mesh.cells") == "simplices";
     const bool turned = std::holds_alternative<Revolution>(body.sweep) && model != Model::axisymmetric;
-    const auto on_axis = [](const OutlineEdge& edge) { return edge.points.front()[1] == 0; };
-    const bool closes =
-        std::ranges::any_of(body.outline.loops, [&](const Loop& loop) { return std::ranges::any_of(loop, on_axis); });
-    return simplices || (turned && closes) ? FreeCells::triangles : FreeCells::quadrilaterals;
+    const auto on_axis = [](const meshing::OutlineEdge& edge) { return edge.points.front()[1] == 0; };
+    const bool closes = std::ranges::any_of(
+        body.outline.loops, [&](const meshing::Loop& loop) { return std::ranges::any_of(loop, on_axis); });
+    return simplices || (turned && closes) ? meshing::FreeCells::triangles : meshing::FreeCells::quadrilaterals;
 }
 
 void refuse_too_many(const Body& body, const design::Values& values) {
@@ -49,7 +49,7 @@ void refuse_too_many(const Body& body, const design::Values& values) {
         if (model == Model::half) cells *= 2;
         if (model == Model::solid) cells *= 4;
     } else if (model != Model::plane_strain) {
-        cells *= std::get<Extrusion>(body.sweep).layers;
+        cells *= std::get<meshing::Extrusion>(body.sweep).layers;
     }
     refuse_too_many_cells(values, cells);
 }
@@ -64,7 +64,7 @@ void mark_strip(mesh::Mesh& solid, double angle_rad) {
         }
         std::int32_t& region = solid.cell_regions[static_cast<std::size_t>(cell)];
         if (std::atan2(std::abs(y), -z) < 0.5 * angle_rad)
-            region = region_number(solid, strip_region(names[static_cast<std::size_t>(region)]));
+            region = meshing::region_number(solid, strip_region(names[static_cast<std::size_t>(region)]));
     }
 }
 
@@ -76,14 +76,16 @@ Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& re
             solid.kinematics = model::Kinematics::axisymmetric;
             break;
         case Model::plane_strain: throw std::logic_error("a body of revolution has no plane strain");
-        case Model::solid: solid.mesh = revolve(section, Turn::full, revolution.sectors_per_quarter); break;
+        case Model::solid:
+            solid.mesh = meshing::revolve(section, meshing::Turn::full, revolution.sectors_per_quarter);
+            break;
         case Model::half:
-            solid.mesh = revolve(section, Turn::half, revolution.sectors_per_quarter);
+            solid.mesh = meshing::revolve(section, meshing::Turn::half, revolution.sectors_per_quarter);
             solid.symmetry_planes[1] = true;
             solid.fraction *= 0.5;
             break;
         case Model::quarter:
-            solid.mesh = revolve(section, Turn::quarter, revolution.sectors_per_quarter);
+            solid.mesh = meshing::revolve(section, meshing::Turn::quarter, revolution.sectors_per_quarter);
             solid.symmetry_planes[1] = solid.symmetry_planes[2] = true;
             solid.fraction *= 0.25;
             break;
@@ -96,7 +98,7 @@ Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& re
 void add_middle_planes(Solid& solid) {
     constexpr std::array<const char*, 3> names{"", "middle_y", "middle_z"};
     for (int c = 1; c < 3; ++c)
-        if (!solid.symmetry_planes[c]) solid.mesh.facet_sets[names[c]] = facets_on_plane(solid.mesh, c);
+        if (!solid.symmetry_planes[c]) solid.mesh.facet_sets[names[c]] = meshing::facets_on_plane(solid.mesh, c);
 }
 
 /// What follows from the shape: symmetry planes, the axis, and the middle planes of a body nobody holds.
@@ -106,10 +108,10 @@ std::vector<model::Support> own_supports(const Body& body, const Solid& solid) {
         const char* face;
         int component;
     };
-    constexpr std::array<Named, 6> candidates{{{symmetry_x_face, 0},
-                                               {symmetry_y_face, 1},
-                                               {symmetry_z_face, 2},
-                                               {axis_face, 1},
+    constexpr std::array<Named, 6> candidates{{{meshing::symmetry_x_face, 0},
+                                               {meshing::symmetry_y_face, 1},
+                                               {meshing::symmetry_z_face, 2},
+                                               {meshing::axis_face, 1},
                                                {"middle_y", 1},
                                                {"middle_z", 2}}};
     std::vector<model::Support> supports;
@@ -148,8 +150,8 @@ Solid swept(const Body& body, const design::Values& values) {
         return revolved(section, body, *revolution, model);
     if (model == Model::plane_strain)
         return {section, model::Kinematics::plane_strain, body.symmetry_planes, body.fraction};
-    return {extrude(section, std::get<Extrusion>(body.sweep)), model::Kinematics::solid, body.symmetry_planes,
-            body.fraction};
+    return {meshing::extrude(section, std::get<meshing::Extrusion>(body.sweep)), model::Kinematics::solid,
+            body.symmetry_planes, body.fraction};
 }
 
 mesh::Mesh refined(const mesh::Mesh& mesh, const design::Values& values) {

@@ -21,7 +21,7 @@ Body build(const design::Values& values) {
     const int through = cells_through_wall(values, thickness_m);
 
     Body body;
-    Section& s = body.section;
+    meshing::Section& s = body.section;
     const double centre_m = -radius_m * std::cos(angle);
     const int centre = add_point(s, {centre_m, 0});
     struct Cut {
@@ -34,13 +34,14 @@ Body build(const design::Values& values) {
         return cut;
     };
     const auto add_strip = [&](Cut from, Cut to, double turn, std::vector<std::string> inner_faces) {
-        const int along = divisions(turn * radius_m, size_m);
+        const int along = meshing::divisions(turn * radius_m, size_m);
         add_arc(s, {from.inner, to.inner}, centre, along, std::move(inner_faces));
         add_arc(s, {from.outer, to.outer}, centre, along, {"outer"});
         add_block(s,
                   {{{from.inner, from.outer}, {from.outer, to.outer}, {to.outer, to.inner}, {to.inner, from.inner}}});
     };
-    const Cut apex = add_cut(0, {axis_face}), crown = add_cut(crown_share * angle, {}), rim = add_cut(angle, {"rim"});
+    const Cut apex = add_cut(0, {meshing::axis_face}), crown = add_cut(crown_share * angle, {}),
+              rim = add_cut(angle, {"rim"});
     add_strip(apex, crown, crown_share * angle, {"inner", "crown"});
     add_strip(crown, rim, (1 - crown_share) * angle, {"inner"});
     body.sweep = Revolution{values.count("mesh.sectors")};

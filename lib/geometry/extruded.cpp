@@ -15,17 +15,17 @@ constexpr const char *low_end = "end_z0", *high_end = "end_z1";
 /// of symmetry is closed behind it; the plane runs through the origin and adds nothing to the sum over x dy - y dx.
 double hole_m2(const Body& body, const std::string& wall) {
     double area = 0;
-    for (const Loop& loop : body.outline.loops) {
-        Loop own;
+    for (const meshing::Loop& loop : body.outline.loops) {
+        meshing::Loop own;
         for (std::size_t e = 0; e < loop.size(); ++e) {
-            const OutlineEdge &edge = loop[e], &next = loop[(e + 1) % loop.size()];
-            const auto is_wall = [&](const OutlineEdge& one) {
+            const meshing::OutlineEdge &edge = loop[e], &next = loop[(e + 1) % loop.size()];
+            const auto is_wall = [&](const meshing::OutlineEdge& one) {
                 return std::ranges::find(one.faces, wall) != one.faces.end();
             };
             if (is_wall(edge)) own.push_back(edge);
             if (is_wall(edge) == is_wall(next)) continue;
             const std::string& beside = (is_wall(edge) ? next : edge).faces.front();
-            if (beside != symmetry_x_face && beside != symmetry_y_face) return 0;
+            if (beside != meshing::symmetry_x_face && beside != meshing::symmetry_y_face) return 0;
         }
         area -= area_m2(own);
     }
@@ -33,7 +33,7 @@ double hole_m2(const Body& body, const std::string& wall) {
 }
 
 design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
-    const Outline outline = outline_of_file(file, place, across);
+    const meshing::Outline outline = outline_of_file(file, place, across);
     std::vector<std::string> faces = tags_of(outline);
     for (const char* end : {low_end, high_end}) {
         if (std::ranges::find(faces, end) != faces.end())
@@ -48,8 +48,11 @@ design::FileFaces faces_of_file(const std::string& file, std::string_view place)
 Body build(const design::Values& values) {
     Body body = body_of_profile(values, across);
     const double thickness_m = values.number("geometry.thickness");
-    body.sweep = Extrusion{
-        thickness_m, divisions(thickness_m, values.number("mesh.size")), {low_end}, {high_end}, Extrusion::Along::z};
+    body.sweep = meshing::Extrusion{thickness_m,
+                                    meshing::divisions(thickness_m, values.number("mesh.size")),
+                                    {low_end},
+                                    {high_end},
+                                    meshing::Extrusion::Along::z};
     if (model_of(values) != Model::solid) return body;
     for (model::Cavity& cavity : body.cavities)
         if (const double area = hole_m2(body, cavity.wall); area > 0)

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "design/design.hpp"
-#include "geometry/outline.hpp"
 #include "geometry/part.hpp"
-#include "geometry/section.hpp"
-#include "geometry/sweep.hpp"
+#include "meshing/outline.hpp"
+#include "meshing/section.hpp"
+#include "meshing/sweep.hpp"
 #include "model/case.hpp"
 
 namespace soft::geometry {
@@ -43,9 +43,9 @@ enum class Anchoring {
 
 /// A family's answer to a set of values. SI, whole actuator unless `section` is said to be cut.
 struct Body {
-    Section section;  ///< empty beside an outline or a ReadyMesh
-    Outline outline;  ///< in place of the section: any shape, meshed without a grid
-    std::variant<Revolution, Extrusion, ReadyMesh> sweep;  ///< an Extrusion is not used in plane strain
+    meshing::Section section;  ///< empty beside an outline or a ReadyMesh
+    meshing::Outline outline;  ///< in place of the section: any shape, meshed without a grid
+    std::variant<Revolution, meshing::Extrusion, ReadyMesh> sweep;  ///< an Extrusion is not used in plane strain
     std::vector<model::Cavity> cavities;
     std::array<double, 3> axis{1, 0, 0};  ///< `along: axis`, from the held to the moving face: positive is longer
     std::array<bool, 3>

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "core/text.hpp"
-#include "geometry/capped.hpp"
 #include "geometry/family.hpp"
 #include "geometry/fiber_keys.hpp"
 #include "geometry/half_round.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/strip.hpp"
 #include "geometry/tube_section.hpp"
+#include "meshing/capped.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -93,18 +93,19 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
     const double size_m = values.number("mesh.size");
     const int eighth = (values.count("mesh.sectors") + 1) / 2, cap = cells_through_wall(values, shape.cap_m);
     const HalfRoundCells cells{eighth, cells_through_wall(values, flat_m), size_m};
-    const Capped along{shape.length_m, shape.cap_m, cap, divisions(shape.length_m - 2 * shape.cap_m, size_m),
-                       "fixed",        "inlet"};
-    const Section section = half_round_section({shape.inner_m, shape.outer_m, flat_m, strip_m}, layers, cells,
-                                               model == Model::half ? Cut::half : Cut::whole);
+    const meshing::Capped along{
+        shape.length_m, shape.cap_m, cap, meshing::divisions(shape.length_m - 2 * shape.cap_m, size_m),
+        "fixed",        "inlet"};
+    const meshing::Section section = half_round_section({shape.inner_m, shape.outer_m, flat_m, strip_m}, layers, cells,
+                                                        model == Model::half ? Cut::half : Cut::whole);
     refuse_too_many_cells(values, cell_count(section) * (2.0 * along.cap_cells + along.along_cells));
     Body body;
-    body.sweep = ReadyMesh{capped(section, along, "cavity"), model::Kinematics::solid};
+    body.sweep = ReadyMesh{meshing::capped(section, along, "cavity"), model::Kinematics::solid};
     body.cavities = {{"cavity", "cavity", {}, {}}};
     if (model == Model::half) {
         body.symmetry_planes = {false, true, false};
         body.fraction = 0.5;
-        body.supports = {{symmetry_y_face, {false, true, false}}};
+        body.supports = {{meshing::symmetry_y_face, {false, true, false}}};
     }
     lay_fibers(body, values);
     body.region_fibers[flat_fiber_region] = {body.region_fibers.at(fiber_region).fibers, model::FiberFrame::cartesian};

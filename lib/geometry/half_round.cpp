@@ -5,8 +5,8 @@
 #include <map>
 #include <numbers>
 
-#include "geometry/section_mesher.hpp"
 #include "geometry/strip.hpp"
+#include "meshing/section_mesher.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -28,7 +28,7 @@ public:
         : shape_(shape), layers_(layers.begin(), layers.end()), cells_(cells), cut_(cut) {
         const double core_m = core_share * shape.inner_m;
         columns_ = {{0, core_m, cells.eighth},
-                    {core_m, shape.inner_m, divisions(shape.inner_m - core_m, cells.size_m)}};
+                    {core_m, shape.inner_m, meshing::divisions(shape.inner_m - core_m, cells.size_m)}};
         double from_m = shape.inner_m;
         for (const WallLayer& layer : layers_) {
             columns_.push_back({from_m, layer.outer_m, layer.cells});
@@ -37,7 +37,7 @@ public:
         add_rows();
     }
 
-    Section draw() {
+    meshing::Section draw() {
         side(1);
         if (cut_ == Cut::whole) side(-1);
         return std::move(section_);
@@ -91,7 +91,7 @@ private:
     }
 
     /// On the plane of symmetry, if the section is cut there.
-    [[nodiscard]] Names middle() const { return cut_ == Cut::half ? Names{symmetry_y_face} : Names{}; }
+    [[nodiscard]] Names middle() const { return cut_ == Cut::half ? Names{meshing::symmetry_y_face} : Names{}; }
 
     void side(int sign) {
         sign_ = sign;
@@ -147,7 +147,7 @@ private:
         const std::size_t layer = row_layers_[row];
         const bool down = column >= own_columns && column - own_columns > layer;
         const std::string& name = layers_[down ? column - own_columns : layer].region;
-        const std::string region = down || name == rubber_region ? name : name + "_flat";
+        const std::string region = down || name == meshing::rubber_region ? name : name + "_flat";
         return rows_[row].from_m >= (shape_.flat_m - shape_.strip_m) * (1 - 1e-9) && shape_.strip_m > 0
                    ? strip_region(region)
                    : region;
@@ -172,15 +172,15 @@ private:
     int sign_ = 1;
     std::vector<Band> columns_, rows_;
     std::vector<std::size_t> row_layers_;
-    Section section_;
-    std::map<PlanePoint, int> points_;
+    meshing::Section section_;
+    std::map<meshing::PlanePoint, int> points_;
     std::map<std::pair<int, int>, bool> lines_;
 };
 
 }  // namespace
 
-Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers, const HalfRoundCells& cells,
-                           Cut cut) {
+meshing::Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers,
+                                    const HalfRoundCells& cells, Cut cut) {
     return Drawing{shape, layers, cells, cut}.draw();
 }
 

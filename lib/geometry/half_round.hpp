@@ -24,7 +24,7 @@ enum class Cut { whole, half };
 
 /// Regions: "cavity"; those of the layers, with "_flat" after a name other than rubber where they run across the flat wall; the
 /// strip's by strip_region. Faces "bottom", "outer", and "symmetry_y" of the half y >= 0.
-[[nodiscard]] Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers,
-                                         const HalfRoundCells& cells, Cut cut);
+[[nodiscard]] meshing::Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers,
+                                                  const HalfRoundCells& cells, Cut cut);
 
 }  // namespace soft::geometry

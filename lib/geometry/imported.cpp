@@ -6,12 +6,12 @@
 
 #include "core/text.hpp"
 #include "geometry/family.hpp"
-#include "geometry/import.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/openings.hpp"
 #include "geometry/part.hpp"
-#include "geometry/pieces.hpp"
 #include "mesh/raise_order.hpp"
+#include "meshing/import.hpp"
+#include "meshing/pieces.hpp"
 #include "model/cavity_surface.hpp"
 
 namespace soft::geometry {
@@ -31,14 +31,14 @@ double unit_m(const std::string& unit) {
 
 /// The mesh of the file; faces in several pieces also piece by piece.
 mesh::Mesh read(const std::string& file, std::string_view place, double file_unit_m) {
-    mesh::Mesh mesh = import_mesh(design::file_from(place, file), file_unit_m);
-    name_pieces(mesh);
+    mesh::Mesh mesh = meshing::import_mesh(design::file_from(place, file), file_unit_m);
+    meshing::name_pieces(mesh);
     return mesh;
 }
 
 design::FileFaces faces_of_part(const std::filesystem::path& path) {
     design::FileFaces names;
-    for (const surface::Shell& shell : read_part(path, "", 1.0).surface.shells) {
+    for (const surface::Shell& shell : meshing::read_part(path, "", 1.0).surface.shells) {
         names.faces.push_back(shell.name);
         if (shell.name != cavity_face && names.faces.size() > 1) names.cavities.push_back(shell.name);
     }
@@ -47,7 +47,8 @@ design::FileFaces faces_of_part(const std::filesystem::path& path) {
 
 design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
     try {
-        if (const std::string path = design::file_from(place, file); is_part_file(path)) return faces_of_part(path);
+        if (const std::string path = design::file_from(place, file); meshing::is_part_file(path))
+            return faces_of_part(path);
         const mesh::Mesh mesh = read(file, place, 1.0);
         std::vector<std::string> faces;
         for (const auto& [name, facets] : mesh.facet_sets) faces.push_back(name);
@@ -85,11 +86,11 @@ void add_axis(mesh::Mesh& mesh, const design::Values& values) {
         if (std::all_of(nodes.begin(), nodes.end(), [&](Index node) { return mesh.point(node)[1] == 0; }))
             on_axis.push_back(facet);
     }
-    const auto own = mesh.facet_sets.find(axis_face);
+    const auto own = mesh.facet_sets.find(meshing::axis_face);
     if (own != mesh.facet_sets.end() && own->second != on_axis)
         throw values.refuse(file_key, "its face 'axis' is not what lies on the axis of revolution y = 0",
                             "rename the face");
-    if (!on_axis.empty()) mesh.facet_sets[axis_face] = std::move(on_axis);
+    if (!on_axis.empty()) mesh.facet_sets[meshing::axis_face] = std::move(on_axis);
 }
 
 /// The key that says whether a cavity's load is sealed; one that shares its gas goes by the other's.
@@ -198,16 +199,17 @@ std::vector<design::Key> surface_mesh_keys() {
 Body build_part(const design::Values& values) {
     const std::string path = design::file_from(values.place(file_key), values.text(file_key)),
                       &unit = values.text("geometry.unit");
-    if (is_cad_file(path) && unit != "mm")
+    if (meshing::is_cad_file(path) && unit != "mm")
         throw values.refuse("geometry.unit", "a STEP file says its own unit", "leave it out");
-    MeshedPart part = mesh_part(read_part(path, unit, unit_m(unit)), values);
+    MeshedPart part = mesh_part(meshing::read_part(path, unit, unit_m(unit)), values);
     ReadyMesh ready{std::move(part.mesh), Kinematics::solid};
     ready.kinematics = kinematics_of(values, ready.mesh);
-    name_pieces(ready.mesh);
+    meshing::name_pieces(ready.mesh);
     Body body;
     body.symmetry_planes = cuts(values);
     std::vector<std::string> not_outer;
-    constexpr std::array<const char*, 3> cut_faces{symmetry_x_face, symmetry_y_face, symmetry_z_face};
+    constexpr std::array<const char*, 3> cut_faces{meshing::symmetry_x_face, meshing::symmetry_y_face,
+                                                   meshing::symmetry_z_face};
     for (std::size_t c = 0; c < 3; ++c) {
         if (!body.symmetry_planes[c]) continue;
         body.fraction /= 2;
@@ -246,15 +248,15 @@ void refuse_part_keys(const design::Values& values) {
 }
 
 Body build(const design::Values& values) {
-    if (is_part_file(values.text(file_key))) return build_part(values);
+    if (meshing::is_part_file(values.text(file_key))) return build_part(values);
     refuse_part_keys(values);
     ReadyMesh ready{read(values.text(file_key), values.place(file_key), unit_m(values.text("geometry.unit"))),
                     Kinematics::solid};
     ready.kinematics = kinematics_of(values, ready.mesh);
     if (ready.kinematics == Kinematics::axisymmetric) add_axis(ready.mesh, values);
     Body body;
-    if (ready.kinematics == Kinematics::axisymmetric && ready.mesh.facet_sets.contains(axis_face))
-        body.supports = {{axis_face, {false, true, false}}};
+    if (ready.kinematics == Kinematics::axisymmetric && ready.mesh.facet_sets.contains(meshing::axis_face))
+        body.supports = {{meshing::axis_face, {false, true, false}}};
     body.cavities = add_cavities(ready.mesh, values, ready.kinematics);
     ready.mesh = of_wished_order(std::move(ready.mesh), values);
     body.sweep = std::move(ready);

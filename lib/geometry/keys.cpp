@@ -4,7 +4,7 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "geometry/section.hpp"
+#include "meshing/section.hpp"
 
 namespace soft::geometry {
 
@@ -64,7 +64,7 @@ void refuse_too_many_cells(const design::Values& values, double cells) {
 
 int cells_through_wall(const design::Values& values, double wall_m, int least) {
     const int wished = values.count("mesh.through_wall");
-    return wished > 0 ? wished : divisions(wall_m, values.number("mesh.size"), least);
+    return wished > 0 ? wished : meshing::divisions(wall_m, values.number("mesh.size"), least);
 }
 
 std::vector<std::string> listed(const std::string& text) {

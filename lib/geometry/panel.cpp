@@ -10,8 +10,8 @@ namespace {
 struct Shape {
     double length_m, height_m, end_height_m, rise_m, patch_m;
 
-    [[nodiscard]] PlanePoint bottom(double x) const { return {x, rise_m * x / length_m}; }
-    [[nodiscard]] PlanePoint top(double x) const {
+    [[nodiscard]] meshing::PlanePoint bottom(double x) const { return {x, rise_m * x / length_m}; }
+    [[nodiscard]] meshing::PlanePoint top(double x) const {
         return {x, height_m + (rise_m + end_height_m - height_m) * x / length_m};
     }
 };
@@ -29,17 +29,17 @@ Shape checked_shape(const design::Values& values) {
 }
 
 /// Columns side by side, from x = 0 to the end; the first carries the patch where there is one.
-Section section_of(const Shape& shape, int across, double size_m) {
+meshing::Section section_of(const Shape& shape, int across, double size_m) {
     std::vector<double> cuts{0};
     if (shape.patch_m > 0 && shape.patch_m < shape.length_m) cuts.push_back(shape.patch_m);
     cuts.push_back(shape.length_m);
     using Names = std::vector<std::string>;
-    Section s;
+    meshing::Section s;
     int low = add_point(s, shape.bottom(0)), high = add_point(s, shape.top(0));
     add_line(s, {high, low}, across, {"fixed"});
     for (std::size_t i = 1; i < cuts.size(); ++i) {
         const bool last = i + 1 == cuts.size(), patch = i == 1 && shape.patch_m > 0;
-        const int along = divisions(cuts[i] - cuts[i - 1], size_m);
+        const int along = meshing::divisions(cuts[i] - cuts[i - 1], size_m);
         const int next_low = add_point(s, shape.bottom(cuts[i])), next_high = add_point(s, shape.top(cuts[i]));
         add_line(s, {low, next_low}, along, {"bottom"});
         add_line(s, {next_low, next_high}, across, last ? Names{"end"} : Names{});
@@ -56,7 +56,8 @@ Body build(const design::Values& values) {
     const double size_m = values.number("mesh.size"), thickness_m = values.number("geometry.thickness");
     Body body;
     body.section = section_of(shape, cells_through_wall(values, std::max(shape.height_m, shape.end_height_m)), size_m);
-    body.sweep = Extrusion{thickness_m, divisions(thickness_m, size_m), {"left"}, {"right"}, Extrusion::Along::z};
+    body.sweep = meshing::Extrusion{
+        thickness_m, meshing::divisions(thickness_m, size_m), {"left"}, {"right"}, meshing::Extrusion::Along::z};
     return body;
 }
 

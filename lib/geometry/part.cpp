@@ -1,81 +1,20 @@
 #include "geometry/part.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <chrono>
-#include <map>
 #include <numbers>
-#include <span>
 
-#include "core/apart.hpp"
-#include "core/files.hpp"
 #include "core/text.hpp"
-#include "geometry/body_mesher.hpp"
-#include "geometry/gmsh_session.hpp"
 #include "geometry/keys.hpp"
-#include "geometry/section.hpp"
+#include "meshing/body_mesher.hpp"
+#include "meshing/section.hpp"
 
 namespace soft::geometry {
 namespace {
 
-constexpr std::size_t most_facets = 2000000;  // some gigabytes and minutes
 constexpr const char* rules_group = "geometry.faces";
 constexpr const char* symmetry_key = "geometry.symmetry";
-constexpr std::array<const char*, 3> symmetry_faces{symmetry_x_face, symmetry_y_face, symmetry_z_face};
-
-core::Bytes bytes_of(const std::vector<double>& numbers) {
-    const auto bytes = std::as_bytes(std::span{numbers});
-    return {bytes.begin(), bytes.end()};
-}
-
-std::vector<double> numbers_of(const core::Bytes& bytes) {
-    std::vector<double> numbers(bytes.size() / sizeof(double));
-    std::ranges::copy(bytes, std::as_writable_bytes(std::span{numbers}).begin());
-    return numbers;
-}
-
-/// What gmsh makes of the file, as numbers: of solids; of points, their coordinates; the points of each triangle.
-std::vector<double> cad_numbers(const std::string& file) {
-    GmshSession gmsh;
-    const int solids = gmsh.import_cad(file);
-    std::vector<double> result{static_cast<double>(solids)};
-    if (solids != 1) return result;
-    gmsh.triangulate(GmshSession::Chords{.per_turn = 64, .longest = 1.0 / 20, .shortest = 1.0 / 500});
-    const auto [tags, xyz] = gmsh.nodes();
-    std::map<std::size_t, std::size_t> numbers;
-    for (std::size_t n = 0; n < tags.size(); ++n) numbers[tags[n]] = n;
-    result.push_back(static_cast<double>(tags.size()));
-    result.insert(result.end(), xyz.begin(), xyz.end());
-    for (const std::size_t tag : gmsh.cells(2, -1)) result.push_back(static_cast<double>(numbers.at(tag)));
-    return result;
-}
-
-surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
-    constexpr core::ApartLimits limits{.wall = std::chrono::minutes{5}};  // parts take seconds
-    constexpr std::size_t head = 2;
-    static_cast<void>(core::read_regular_file(path, surface::largest_file));  // says why it cannot be opened
-    const core::ApartEnd end = core::done_apart([&] { return bytes_of(cad_numbers(path.string())); }, limits);
-    const auto refuse = [&](const std::string& problem, const std::string& remedy) {
-        throw Error(ExitCode::bad_input, path.string(), problem, remedy);
-    };
-    if (!end.result || end.result->empty())
-        refuse("it cannot be read as STEP (gmsh fails, or takes more than 5 minutes)",
-               "export the body again as STEP, or as STL");
-    const std::vector<double> numbers = numbers_of(*end.result);
-    const double solids = numbers.front();
-    if (solids == 0) refuse("it holds no solid", "export a solid, not its faces");
-    if (solids != 1)
-        refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or put each into a file of its own");
-    const auto points = static_cast<std::size_t>(numbers.at(1));
-    surface::FacetSoup soup;
-    for (std::size_t n = head; n < head + 3 * points; n += 3)
-        soup.points.push_back({numbers.at(n), numbers.at(n + 1), numbers.at(n + 2)});
-    const auto corner = [&](std::size_t n) { return static_cast<std::size_t>(numbers[n]); };
-    for (std::size_t n = head + 3 * points; n + 2 < numbers.size(); n += 3)
-        soup.facets.push_back({corner(n), corner(n + 1), corner(n + 2)});
-    if (soup.facets.empty()) refuse("gmsh finds no triangles on its faces", "export the body again as STEP, or as STL");
-    return soup;
-}
+constexpr std::array<const char*, 3> symmetry_faces{meshing::symmetry_x_face, meshing::symmetry_y_face,
+                                                    meshing::symmetry_z_face};
 
 mesh::Point point_of(const design::Values& values, const std::string& path) {
     const std::vector<double>& numbers = values.numbers(path);
@@ -158,26 +97,6 @@ double usual_size_m(const surface::BodySurface& surface) { return surface.extent
 
 }  // namespace
 
-bool is_cad_file(const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".step" || ending == ".stp";
-}
-
-bool is_part_file(const std::filesystem::path& path) { return is_cad_file(path) || surface::is_surface_file(path); }
-
-Part read_part(const std::filesystem::path& path, const std::string& unit, double unit_m) {
-    const bool cad = is_cad_file(path);
-    const surface::SoupOrigin origin =
-        cad ? surface::SoupOrigin{path.string()} : surface::SoupOrigin{path.string(), unit, unit_m};
-    surface::FacetSoup soup = cad ? triangles_of_cad(path) : surface::read_soup(path);
-    if (soup.facets.size() > most_facets)
-        throw Error(ExitCode::bad_input, origin.name,
-                    std::to_string(soup.facets.size()) + " facets are more than " + std::to_string(most_facets),
-                    "export the body with a coarser tolerance");
-    return {origin, surface::body_surface(std::move(soup), origin)};
-}
-
 std::vector<surface::FaceRule> face_rules(const design::Values& values) {
     std::vector<surface::FaceRule> rules, floods;  // the latter name faces among the former
     for (const std::string& name : values.names_below(rules_group)) {
@@ -202,7 +121,7 @@ std::array<bool, 3> cuts(const design::Values& values) {
     return cut;
 }
 
-MeshedPart mesh_part(const Part& part, const design::Values& values) {
+MeshedPart mesh_part(const meshing::Part& part, const design::Values& values) {
     MeshedPart result;
     const std::array<bool, 3> cut = cuts(values);
     refuse_crossing(part.surface, cut, values);
@@ -225,7 +144,7 @@ MeshedPart mesh_part(const Part& part, const design::Values& values) {
     const double given_m = values.number("mesh.size"), most_m = given_m > 0 ? given_m : usual_size_m(part.surface);
     const surface::WallSizes sizes(walls, bends(part.surface),
                                    {most_m / values.number("mesh.grading"), most_m, values.count("mesh.through_wall")});
-    result.mesh = mesh_inside({part.surface, faces, part.origin}, sizes);
+    result.mesh = meshing::mesh_inside({part.surface, faces, part.origin}, sizes);
     put_on_planes(result.mesh, cut);
     return result;
 }

@@ -10,14 +10,14 @@ namespace {
 Body round_plate(const design::Values& values) {
     const double radius_m = values.number("geometry.radius"), thickness_m = values.number("geometry.thickness");
     Body body;
-    body.section = rectangle({thickness_m,
-                              radius_m,
-                              cells_through_wall(values, thickness_m),
-                              divisions(radius_m, values.number("mesh.size")),
-                              {axis_face},
-                              {"top"},
-                              {"rim", "edges"},
-                              {"bottom"}});
+    body.section = meshing::rectangle({thickness_m,
+                                       radius_m,
+                                       cells_through_wall(values, thickness_m),
+                                       meshing::divisions(radius_m, values.number("mesh.size")),
+                                       {meshing::axis_face},
+                                       {"top"},
+                                       {"rim", "edges"},
+                                       {"bottom"}});
     body.sweep = Revolution{values.count("mesh.sectors")};
     return body;
 }
@@ -34,18 +34,18 @@ Body rectangular_plate(const design::Values& values) {
     using Names = std::vector<std::string>;
 
     Body body;
-    body.section = rectangle({length_m,
-                              thickness_m,
-                              divisions(length_m, size_m),
-                              cells_through_wall(values, thickness_m),
-                              {"bottom"},
-                              {"edge_x1", "edges"},
-                              {"top"},
-                              cut_x ? Names{symmetry_x_face} : Names{"edge_x0", "edges"}});
-    body.sweep = Extrusion{width_m,
-                           divisions(width_m, size_m),
-                           cut_y ? Names{symmetry_y_face} : Names{"edge_y0", "edges"},
-                           {"edge_y1", "edges"}};
+    body.section = meshing::rectangle({length_m,
+                                       thickness_m,
+                                       meshing::divisions(length_m, size_m),
+                                       cells_through_wall(values, thickness_m),
+                                       {"bottom"},
+                                       {"edge_x1", "edges"},
+                                       {"top"},
+                                       cut_x ? Names{meshing::symmetry_x_face} : Names{"edge_x0", "edges"}});
+    body.sweep = meshing::Extrusion{width_m,
+                                    meshing::divisions(width_m, size_m),
+                                    cut_y ? Names{meshing::symmetry_y_face} : Names{"edge_y0", "edges"},
+                                    {"edge_y1", "edges"}};
     body.symmetry_planes = {cut_x, cut_y, false};
     body.fraction = (cut_x ? 0.5 : 1.0) * (cut_y ? 0.5 : 1.0);
     return body;

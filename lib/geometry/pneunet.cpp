@@ -2,10 +2,10 @@
 /// corners sharp. x from the held end, z up from the lower face, y = 0 in the middle; the half model is y >= 0.
 #include <algorithm>
 
-#include "geometry/box_grid.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
-#include "geometry/section_mesher.hpp"
+#include "meshing/box_grid.hpp"
+#include "meshing/section_mesher.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -73,37 +73,40 @@ Shape checked_shape(const design::Values& values) {
     return shape;
 }
 
-std::vector<Box> boxes_of(const Shape& s) {
+std::vector<meshing::Box> boxes_of(const Shape& s) {
     const double w = s.half_width_m;
-    std::vector<Box> boxes{{{0, 0, 0}, {s.length(), w, s.base_m + s.bridge_m}, Fill::solid, rubber_region}};
+    std::vector<meshing::Box> boxes{
+        {{0, 0, 0}, {s.length(), w, s.base_m + s.bridge_m}, meshing::Fill::solid, meshing::rubber_region}};
     for (int i = 0; i < s.chambers; ++i) {
         const double x = s.chamber_at(i), end = x + s.chamber_m;
-        boxes.push_back({{x, 0, s.base_m}, {end, w, s.base_m + s.height_m}, Fill::solid, rubber_region});
+        boxes.push_back(
+            {{x, 0, s.base_m}, {end, w, s.base_m + s.height_m}, meshing::Fill::solid, meshing::rubber_region});
         boxes.push_back({{x + s.wall_m, 0, s.base_m},
                          {end - s.wall_m, w - s.side_m, s.base_m + s.height_m - s.roof_m},
-                         Fill::hollow,
+                         meshing::Fill::hollow,
                          cavity_face});
     }
     if (s.chambers > 1)  // from the first chamber's cavity to the last one's
         boxes.push_back({{s.chamber_at(0) + s.wall_m, 0, s.base_m},
                          {s.chambers_end() - s.wall_m, s.channel_half_width_m, s.base_m + s.channel_height_m},
-                         Fill::hollow,
+                         meshing::Fill::hollow,
                          cavity_face});
-    if (s.layer_m > 0) boxes.push_back({{0, 0, 0}, {s.length(), w, s.layer_m}, Fill::solid, layer_region});
+    if (s.layer_m > 0) boxes.push_back({{0, 0, 0}, {s.length(), w, s.layer_m}, meshing::Fill::solid, layer_region});
     return boxes;
 }
 
 Body build(const design::Values& values) {
     const Shape shape = checked_shape(values);
     const bool half = model_of(values) == Model::half;
-    BoxBody boxes{.boxes = boxes_of(shape), .extent = half ? Extent::as_drawn : Extent::mirrored_in_y};
+    meshing::BoxBody boxes{.boxes = boxes_of(shape),
+                           .extent = half ? meshing::Extent::as_drawn : meshing::Extent::mirrored_in_y};
     boxes.borders[0] = {{{"fixed", true}, {"tip"}}};
-    if (half) boxes.borders[1][0] = {symmetry_y_face};
+    if (half) boxes.borders[1][0] = {meshing::symmetry_y_face};
     boxes.borders[2][0] = {"bottom"};
     // Of two chambers on 2, 2, 2 cells a third one along x moves the bend by 0.65 %, along y by 0.62 %, along z by 0.01 %;
     // on 3, 3, 2 a grading of 8 in place of 4 by 0.58 % (measured).
     const int through = values.count("mesh.through_wall");
-    const Spacing spacing{
+    const meshing::Spacing spacing{
         values.number("mesh.size"), {through, through, std::max(1, through - 1)}, values.number("mesh.grading")};
     refuse_too_many_cells(values, cells_of_boxes(boxes, spacing));
 
@@ -112,7 +115,7 @@ Body build(const design::Values& values) {
     body.cavities = {{cavity_face, cavity_face, {}, {}}};  // closed: the supply line is not modelled
     body.symmetry_planes = {false, half, false};
     body.fraction = half ? 0.5 : 1.0;
-    if (half) body.supports = {{symmetry_y_face, {false, true, false}}};
+    if (half) body.supports = {{meshing::symmetry_y_face, {false, true, false}}};
     body.region_materials = {{layer_region, values.text(layer_material)}};
     return body;
 }

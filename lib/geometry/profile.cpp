@@ -8,7 +8,7 @@
 #include "core/files.hpp"
 #include "core/text.hpp"
 #include "geometry/keys.hpp"
-#include "geometry/outline_sizes.hpp"
+#include "meshing/outline_sizes.hpp"
 #include "table/table.hpp"
 
 namespace soft::geometry {
@@ -19,10 +19,10 @@ constexpr const char* cavity_face = "cavity";
 /// A row of the table.
 struct Row {
     std::size_t line;
-    PlanePoint point;
+    meshing::PlanePoint point;
     std::string tag, loop;
-    OutlineEdge::Shape shape;
-    std::optional<PlanePoint> via;
+    meshing::OutlineEdge::Shape shape;
+    std::optional<meshing::PlanePoint> via;
 };
 
 Error fault(std::string_view source, std::size_t line, std::string_view problem, std::string_view remedy = {}) {
@@ -81,11 +81,11 @@ private:
         return found ? std::string{core::trimmed(table_.rows[row][*found])} : std::string{};
     }
 
-    [[nodiscard]] OutlineEdge::Shape shape_in(std::size_t row) const {
+    [[nodiscard]] meshing::OutlineEdge::Shape shape_in(std::size_t row) const {
         const std::string name = word("curve", row);
-        if (name.empty() || name == "line") return OutlineEdge::Shape::line;
-        if (name == "arc") return OutlineEdge::Shape::arc;
-        if (name == "spline") return OutlineEdge::Shape::spline;
+        if (name.empty() || name == "line") return meshing::OutlineEdge::Shape::line;
+        if (name == "arc") return meshing::OutlineEdge::Shape::arc;
+        if (name == "spline") return meshing::OutlineEdge::Shape::spline;
         throw fault(table_.source, table_.lines[row], core::quoted(name) + " is no curve", "line, arc or spline");
     }
 
@@ -95,14 +95,14 @@ private:
         arcs.lines.clear();
         std::vector<Row*> owners;
         for (std::size_t i = 0; i < rows.size(); ++i) {
-            if (rows[i].shape != OutlineEdge::Shape::arc) continue;
+            if (rows[i].shape != meshing::OutlineEdge::Shape::arc) continue;
             arcs.rows.push_back(table_.rows[i]);
             arcs.lines.push_back(table_.lines[i]);
             owners.push_back(&rows[i]);
         }
         if (owners.empty()) return;
         const std::vector<double> x = lengths("via_x", arcs), y = lengths("via_" + second_, arcs);
-        for (std::size_t i = 0; i < owners.size(); ++i) owners[i]->via = PlanePoint{x[i], y[i]};
+        for (std::size_t i = 0; i < owners.size(); ++i) owners[i]->via = meshing::PlanePoint{x[i], y[i]};
     }
 
     table::Table table_;
@@ -117,31 +117,31 @@ bool is_tag(const std::string& word) {
 }
 
 /// The points of one loop as edges.
-Loop loop_of(std::vector<Row> rows, std::string_view source) {
+meshing::Loop loop_of(std::vector<Row> rows, std::string_view source) {
     if (rows.size() > 1 && rows.back().tag.empty() && rows.back().point == rows.front().point) rows.pop_back();
-    Loop loop;
+    meshing::Loop loop;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Row& row = rows[i];
-        const PlanePoint next = rows[(i + 1) % rows.size()].point;
+        const meshing::PlanePoint next = rows[(i + 1) % rows.size()].point;
         if (row.tag.empty())
             throw fault(source, row.line, "it has no tag",
                         "name the face of the edge that starts here, for example free");
         if (!is_tag(row.tag))
             throw fault(source, row.line, core::quoted(row.tag) + " is not a name of a face",
                         "letters, digits, _ and -, a letter first");
-        const bool goes_on = i > 0 && row.shape == OutlineEdge::Shape::spline && rows[i - 1].shape == row.shape &&
-                             rows[i - 1].tag == row.tag;
+        const bool goes_on = i > 0 && row.shape == meshing::OutlineEdge::Shape::spline &&
+                             rows[i - 1].shape == row.shape && rows[i - 1].tag == row.tag;
         if (goes_on) {
             loop.back().points.push_back(next);
             continue;
         }
-        OutlineEdge edge{row.shape, {row.point, next}, {row.tag}, row.line};
+        meshing::OutlineEdge edge{row.shape, {row.point, next}, {row.tag}, row.line};
         if (row.via) {
             edge.points.insert(edge.points.begin() + 1, *row.via);
-            const PlanePoint a{row.via->at(0) - row.point[0], row.via->at(1) - row.point[1]},
+            const meshing::PlanePoint a{row.via->at(0) - row.point[0], row.via->at(1) - row.point[1]},
                 b{next[0] - row.point[0], next[1] - row.point[1]};
             if (std::abs(a[0] * b[1] - a[1] * b[0]) <=
-                outline_tolerance * std::hypot(a[0], a[1]) * std::hypot(b[0], b[1]))
+                meshing::outline_tolerance * std::hypot(a[0], a[1]) * std::hypot(b[0], b[1]))
                 throw fault(source, row.line, "the three points of its arc lie on a line", "write line");
         }
         loop.push_back(std::move(edge));
@@ -149,8 +149,8 @@ Loop loop_of(std::vector<Row> rows, std::string_view source) {
     return loop;
 }
 
-Outline loops_of(const std::vector<Row>& rows, std::string_view source) {
-    Outline outline;
+meshing::Outline loops_of(const std::vector<Row>& rows, std::string_view source) {
+    meshing::Outline outline;
     std::vector<std::string> names;
     for (std::size_t begin = 0; begin < rows.size();) {
         std::size_t end = begin;
@@ -169,12 +169,12 @@ Outline loops_of(const std::vector<Row>& rows, std::string_view source) {
 }
 
 /// Edges that lie on a plane or on the axis carry its name, and no other edge does.
-void check_named_line(const Outline& outline, std::string_view source, std::size_t component, const std::string& name,
-                      bool demanded) {
+void check_named_line(const meshing::Outline& outline, std::string_view source, std::size_t component,
+                      const std::string& name, bool demanded) {
     const char* const zero = component == 0 ? "x = 0" : "r = 0";
-    for (const Loop& loop : outline.loops)
-        for (const OutlineEdge& edge : loop) {
-            const bool lies = edge.shape == OutlineEdge::Shape::line && edge.points[0][component] == 0 &&
+    for (const meshing::Loop& loop : outline.loops)
+        for (const meshing::OutlineEdge& edge : loop) {
+            const bool lies = edge.shape == meshing::OutlineEdge::Shape::line && edge.points[0][component] == 0 &&
                               edge.points[1][component] == 0;
             const bool named = edge.faces.front() == name;
             if (named && !lies)
@@ -186,11 +186,12 @@ void check_named_line(const Outline& outline, std::string_view source, std::size
         }
 }
 
-void check_not_below(const Outline& outline, std::string_view source, std::size_t component, const char* what) {
-    const double rounding_m = outline_tolerance * extent_m(outline);
-    for (const OutlinePiece& piece : pieces_of(outline))
+void check_not_below(const meshing::Outline& outline, std::string_view source, std::size_t component,
+                     const char* what) {
+    const double rounding_m = meshing::outline_tolerance * extent_m(outline);
+    for (const meshing::OutlinePiece& piece : pieces_of(outline))
         if (piece.start[component] < -rounding_m) {
-            const OutlineEdge& edge = outline.loops[piece.loop][piece.edge];
+            const meshing::OutlineEdge& edge = outline.loops[piece.loop][piece.edge];
             throw fault(source, edge.row,
                         std::string{component == 0 ? "x" : "r"} + " gets down to " +
                             core::rounded_text(1e3 * piece.start[component], 6) + " mm",
@@ -198,62 +199,62 @@ void check_not_below(const Outline& outline, std::string_view source, std::size_
         }
 }
 
-bool has_tag(const Outline& outline, std::string_view tag) {
+bool has_tag(const meshing::Outline& outline, std::string_view tag) {
     const auto tags = tags_of(outline);
     return std::ranges::find(tags, tag) != tags.end();
 }
 
 /// Faces that the programs give a meaning of their own.
-void check_reserved(const Outline& outline, std::string_view source, Across across) {
-    check_named_line(outline, source, 0, symmetry_x_face, false);
-    if (has_tag(outline, symmetry_x_face))
+void check_reserved(const meshing::Outline& outline, std::string_view source, Across across) {
+    check_named_line(outline, source, 0, meshing::symmetry_x_face, false);
+    if (has_tag(outline, meshing::symmetry_x_face))
         check_not_below(outline, source, 0, "the body is mirrored at x = 0, where an edge is tagged symmetry_x");
     if (across == Across::r) {
-        check_named_line(outline, source, 1, axis_face, true);
+        check_named_line(outline, source, 1, meshing::axis_face, true);
         check_not_below(outline, source, 1, "draw the half section at r >= 0; the axis of revolution is x");
     } else {
-        check_named_line(outline, source, 1, symmetry_y_face, false);
-        if (has_tag(outline, symmetry_y_face))
+        check_named_line(outline, source, 1, meshing::symmetry_y_face, false);
+        if (has_tag(outline, meshing::symmetry_y_face))
             check_not_below(outline, source, 1, "the body is mirrored at y = 0, where an edge is tagged symmetry_y");
     }
-    const std::string foreign = across == Across::r ? symmetry_y_face : axis_face;
-    for (const Loop& loop : outline.loops)
-        for (const OutlineEdge& edge : loop)
+    const std::string foreign = across == Across::r ? meshing::symmetry_y_face : meshing::axis_face;
+    for (const meshing::Loop& loop : outline.loops)
+        for (const meshing::OutlineEdge& edge : loop)
             for (const std::string& taken :
-                 {foreign, std::string{symmetry_z_face}, std::string{"middle_y"}, std::string{"middle_z"}})
+                 {foreign, std::string{meshing::symmetry_z_face}, std::string{"middle_y"}, std::string{"middle_z"}})
                 if (edge.faces.front() == taken)
                     throw fault(source, edge.row, core::quoted(taken) + " is a name of the program's own",
                                 "call the face otherwise");
 }
 
 /// Nothing is gained by a point that misses the axis or a plane of symmetry by rounding.
-void snap(Outline& outline) {
-    const double rounding_m = outline_tolerance * extent_m(outline);
-    for (Loop& loop : outline.loops)
-        for (OutlineEdge& edge : loop)
-            for (PlanePoint& p : edge.points)
+void snap(meshing::Outline& outline) {
+    const double rounding_m = meshing::outline_tolerance * extent_m(outline);
+    for (meshing::Loop& loop : outline.loops)
+        for (meshing::OutlineEdge& edge : loop)
+            for (meshing::PlanePoint& p : edge.points)
                 for (double& coordinate : p)
                     if (std::abs(coordinate) <= rounding_m) coordinate = 0;
 }
 
 /// The edges of the listed tags get the cavity's name too.
-void add_cavity(Outline& outline, const design::Values& values, const std::string& name) {
+void add_cavity(meshing::Outline& outline, const design::Values& values, const std::string& name) {
     const std::string key = "geometry.cavities." + name;
     const auto tags = tags_of(outline);
     for (const std::string& tag : listed(values.text(key))) {
         if (std::ranges::find(tags, tag) == tags.end())
             throw values.refuse(key, "no edge is tagged " + core::quoted(tag), core::did_you_mean(tag, tags));
-        for (Loop& loop : outline.loops)
-            for (OutlineEdge& edge : loop)
+        for (meshing::Loop& loop : outline.loops)
+            for (meshing::OutlineEdge& edge : loop)
                 if (edge.faces.front() == tag && tag != name) edge.faces.push_back(name);
     }
 }
 
 /// Pressure on an edge that two cavities claim would act twice.
-void refuse_common_walls(const Outline& outline, const design::Values& values,
+void refuse_common_walls(const meshing::Outline& outline, const design::Values& values,
                          const std::vector<std::string>& cavities) {
-    for (const Loop& loop : outline.loops)
-        for (const OutlineEdge& edge : loop) {
+    for (const meshing::Loop& loop : outline.loops)
+        for (const meshing::OutlineEdge& edge : loop) {
             std::vector<std::string> owners;
             std::ranges::copy_if(cavities, std::back_inserter(owners), [&](const std::string& name) {
                 return std::ranges::find(edge.faces, name) != edge.faces.end();
@@ -274,15 +275,15 @@ std::vector<std::string> held_faces(const design::Values& values) {
 
 }  // namespace
 
-Outline outline_from(std::string_view text, std::string_view source, Across across) {
-    Outline outline = loops_of(Reader{text, source, across}.rows(), source);
+meshing::Outline outline_from(std::string_view text, std::string_view source, Across across) {
+    meshing::Outline outline = loops_of(Reader{text, source, across}.rows(), source);
     snap(outline);
     if (const auto wrong = fault_of(outline)) throw fault(source, wrong->row, wrong->problem, wrong->remedy);
     check_reserved(outline, source, across);
     return outline;
 }
 
-Outline outline_of_file(const std::string& file, std::string_view place, Across across) {
+meshing::Outline outline_of_file(const std::string& file, std::string_view place, Across across) {
     try {
         const std::string path = design::file_from(place, file);
         constexpr std::size_t longest = std::size_t{1} << 20;  // some ten thousand points
@@ -293,17 +294,17 @@ Outline outline_of_file(const std::string& file, std::string_view place, Across 
     }
 }
 
-std::vector<std::string> tags_of(const Outline& outline) {
+std::vector<std::string> tags_of(const meshing::Outline& outline) {
     std::vector<std::string> tags;
-    for (const Loop& loop : outline.loops)
-        for (const OutlineEdge& edge : loop)
+    for (const meshing::Loop& loop : outline.loops)
+        for (const meshing::OutlineEdge& edge : loop)
             if (std::ranges::find(tags, edge.faces.front()) == tags.end()) tags.push_back(edge.faces.front());
     return tags;
 }
 
 Body body_of_profile(const design::Values& values, Across across) {
     Body body;
-    Outline& outline = body.outline;
+    meshing::Outline& outline = body.outline;
     outline = outline_of_file(values.text(profile_key), values.place(profile_key), across);
     std::vector<std::string> names = values.names_below("geometry.cavities");
     for (const std::string& name : names) add_cavity(outline, values, name);
@@ -313,7 +314,8 @@ Body body_of_profile(const design::Values& values, Across across) {
     for (const std::string& name : names) body.cavities.push_back({name, name, {}, {}});
     outline.size_m = cell_sizes(outline, {values.number("mesh.size"), values.count("mesh.through_wall"),
                                           values.number("mesh.grading"), held_faces(values)});
-    body.symmetry_planes = {has_tag(outline, symmetry_x_face), has_tag(outline, symmetry_y_face), false};
+    body.symmetry_planes = {has_tag(outline, meshing::symmetry_x_face), has_tag(outline, meshing::symmetry_y_face),
+                            false};
     for (const bool cut : body.symmetry_planes) body.fraction *= cut ? 0.5 : 1.0;
     return body;
 }

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "geometry/family.hpp"
-#include "geometry/outline.hpp"
+#include "meshing/outline.hpp"
 
 namespace soft::geometry {
 
@@ -24,13 +24,13 @@ enum class Across { r, y };
 inline constexpr const char* profile_key = "geometry.profile";
 
 /// Table -> sound outline. `source` names it in errors (bad_input, "source:line: ...").
-[[nodiscard]] Outline outline_from(std::string_view text, std::string_view source, Across across);
+[[nodiscard]] meshing::Outline outline_from(std::string_view text, std::string_view source, Across across);
 
 /// The outline in the file that `geometry.profile` names; errors start with the place of the key.
-[[nodiscard]] Outline outline_of_file(const std::string& file, std::string_view place, Across across);
+[[nodiscard]] meshing::Outline outline_of_file(const std::string& file, std::string_view place, Across across);
 
 /// Their tags, each once, in the order of the rows.
-[[nodiscard]] std::vector<std::string> tags_of(const Outline& outline);
+[[nodiscard]] std::vector<std::string> tags_of(const meshing::Outline& outline);
 
 /// What the two families have in common: outline with its sizes, cavities (that of the tag `cavity`, and those that
 /// geometry.cavities makes of several tags) without openings, planes of symmetry.

@@ -13,17 +13,18 @@ constexpr Across across = Across::r;
 
 /// Where the wall ends away from the axis, a plug would sit on the edge that goes on there. The solid lies to the left of the
 /// wall, so a wall that comes to its end looks along x out of the cavity: closed integral of n dA = 0.
-std::vector<model::Opening> plugs(const Outline& outline, const std::string& wall) {
-    const auto is_wall = [&](const OutlineEdge& edge) {
+std::vector<model::Opening> plugs(const meshing::Outline& outline, const std::string& wall) {
+    const auto is_wall = [&](const meshing::OutlineEdge& edge) {
         return std::ranges::find(edge.faces, wall) != edge.faces.end();
     };
     std::vector<model::Opening> openings;
-    for (const Loop& loop : outline.loops)
+    for (const meshing::Loop& loop : outline.loops)
         for (std::size_t e = 0; e < loop.size(); ++e) {
-            const OutlineEdge &before = loop[e], &after = loop[(e + 1) % loop.size()];
-            const OutlineEdge& rim = is_wall(before) ? after : before;
+            const meshing::OutlineEdge &before = loop[e], &after = loop[(e + 1) % loop.size()];
+            const meshing::OutlineEdge& rim = is_wall(before) ? after : before;
             const double radius_m = after.points.front()[1];
-            if (is_wall(before) == is_wall(after) || radius_m == 0 || rim.faces.front() == symmetry_x_face) continue;
+            if (is_wall(before) == is_wall(after) || radius_m == 0 || rim.faces.front() == meshing::symmetry_x_face)
+                continue;
             openings.push_back(
                 {rim.faces.front(), std::numbers::pi * radius_m * radius_m, {is_wall(before) ? 1.0 : -1.0, 0, 0}});
         }

@@ -8,14 +8,14 @@
 namespace soft::geometry {
 namespace {
 
-Section section_of(double inner_m, double outer_m, int through, int around) {
-    Section s;
+meshing::Section section_of(double inner_m, double outer_m, int through, int around) {
+    meshing::Section s;
     const int centre = add_point(s, {0, 0});
     const int a = add_point(s, {inner_m, 0}), b = add_point(s, {outer_m, 0});
     const int c = add_point(s, {0, outer_m}), d = add_point(s, {0, inner_m});
-    add_line(s, {a, b}, through, {symmetry_y_face});
+    add_line(s, {a, b}, through, {meshing::symmetry_y_face});
     add_arc(s, {b, c}, centre, around, {"outer"});
-    add_line(s, {c, d}, through, {symmetry_x_face});
+    add_line(s, {c, d}, through, {meshing::symmetry_x_face});
     add_arc(s, {d, a}, centre, around, {"cavity"});
     add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
     return s;
@@ -32,19 +32,20 @@ Body build(const design::Values& values) {
 
     Body body;
     body.section = section_of(inner_m, outer_m, cells_through_wall(values, outer_m - inner_m),
-                              divisions(0.25 * std::numbers::pi * (inner_m + outer_m), size_m, least_around));
+                              meshing::divisions(0.25 * std::numbers::pi * (inner_m + outer_m), size_m, least_around));
     body.symmetry_planes = {true, true, false};
     body.fraction = 0.25;
     body.cavities = {{"cavity", "cavity", {}, {}}};
     if (solid) {
         const double length_m = values.number("geometry.length");
-        body.sweep = Extrusion{length_m, divisions(length_m, size_m), {"left"}, {"right"}, Extrusion::Along::z};
+        body.sweep = meshing::Extrusion{
+            length_m, meshing::divisions(length_m, size_m), {"left"}, {"right"}, meshing::Extrusion::Along::z};
         body.supports = {{"left", {false, false, true}}, {"right", {false, false, true}}};
         // The cavity goes on beyond both ends; the plugs that stand for it push on faces held against them.
         const double hole_m2 = std::numbers::pi * inner_m * inner_m;
         body.cavities.front().openings = {{"left", hole_m2, {0, 0, -1}}, {"right", hole_m2, {0, 0, 1}}};
     } else {
-        body.sweep = Extrusion{};
+        body.sweep = meshing::Extrusion{};
     }
     return body;
 }

@@ -14,15 +14,16 @@ Body build(const design::Values& values) {
     const double height_m = values.number("geometry.height") / (cut_z ? 2 : 1);
 
     Body body;
-    body.section = rectangle({length_m,
-                              height_m,
-                              divisions(length_m, size_m),
-                              cells_through_wall(values, height_m),
-                              {cut_z ? symmetry_z_face : "bottom"},
-                              {"end"},
-                              {"top"},
-                              {"fixed"}});
-    body.sweep = Extrusion{width_m, divisions(width_m, size_m), {cut_y ? symmetry_y_face : "left"}, {"right"}};
+    body.section = meshing::rectangle({length_m,
+                                       height_m,
+                                       meshing::divisions(length_m, size_m),
+                                       cells_through_wall(values, height_m),
+                                       {cut_z ? meshing::symmetry_z_face : "bottom"},
+                                       {"end"},
+                                       {"top"},
+                                       {"fixed"}});
+    body.sweep = meshing::Extrusion{
+        width_m, meshing::divisions(width_m, size_m), {cut_y ? meshing::symmetry_y_face : "left"}, {"right"}};
     body.symmetry_planes = {false, cut_y, cut_z};
     body.fraction = (cut_y ? 0.5 : 1.0) * (cut_z ? 0.5 : 1.0);
     return body;

@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "core/units.hpp"
-#include "geometry/capped.hpp"
 #include "geometry/family.hpp"
 #include "geometry/fiber_keys.hpp"
 #include "geometry/keys.hpp"
-#include "geometry/section_mesher.hpp"
+#include "meshing/capped.hpp"
+#include "meshing/section_mesher.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -73,16 +73,16 @@ Counts counts_of(const Shape& shape, const design::Values& values) {
     constexpr int least_around = 3;  // a chamber's arc, as a curved beam
     const double size_m = values.number("mesh.size"), middle_m = 0.5 * (shape.radii_m[1] + shape.radii_m[2]);
     Counts n{{},
-             divisions(middle_m * shape.chamber_rad(), size_m, least_around),
+             meshing::divisions(middle_m * shape.chamber_rad(), size_m, least_around),
              cells_through_wall(values, middle_m * shape.web_rad),
              cells_through_wall(values, shape.cap_m),
-             divisions(shape.length_m - 2 * shape.cap_m, size_m)};
+             meshing::divisions(shape.length_m - 2 * shape.cap_m, size_m)};
     const double outer_m = shape.radii_m.back(), wall_m = outer_m - shape.radii_m[chamber_ring + 1];
     const int through = cells_through_wall(values, wall_m);
     for (std::size_t ring = 0; ring + 1 < shape.radii_m.size(); ++ring) {
         const double width_m = shape.radii_m[ring + 1] - shape.radii_m[ring];
         n.rings.push_back(
-            ring == chamber_ring ? divisions(width_m, size_m)
+            ring == chamber_ring ? meshing::divisions(width_m, size_m)
             : ring < chamber_ring
                 ? cells_through_wall(values, width_m)
                 : std::max(1, static_cast<int>(std::lround(through * width_m / wall_m))));  // jacket included
@@ -92,12 +92,12 @@ Counts counts_of(const Shape& shape, const design::Values& values) {
 
 std::string region_of(const Shape& shape, std::size_t ring, int piece) {
     if (ring == chamber_ring && piece % 2 == 0) return chamber_name(piece / 2);
-    return shape.jacket && ring + 2 == shape.radii_m.size() ? jacket_region : rubber_region;
+    return shape.jacket && ring + 2 == shape.radii_m.size() ? jacket_region : meshing::rubber_region;
 }
 
 /// In (y, z): rings cut into chambers and webs in turn, chambers meshed like the rest.
-Section section_of(const Shape& shape, const Counts& n) {
-    Section s;
+meshing::Section section_of(const Shape& shape, const Counts& n) {
+    meshing::Section s;
     const int centre = add_point(s, {0, 0}), pieces = 2 * shape.chambers;
     const std::size_t rings = n.rings.size();
     std::vector<std::vector<int>> points(rings + 1);
@@ -138,9 +138,10 @@ Body build(const design::Values& values) {
     const Counts n = counts_of(shape, values);
     refuse_too_many_cells(values, cells_of(shape, n));
     Body body;
-    body.sweep = ReadyMesh{
-        capped(section_of(shape, n), {shape.length_m, shape.cap_m, n.cap, n.along, "fixed", "end"}, chamber_prefix),
-        model::Kinematics::solid};
+    body.sweep =
+        ReadyMesh{meshing::capped(section_of(shape, n), {shape.length_m, shape.cap_m, n.cap, n.along, "fixed", "end"},
+                                  chamber_prefix),
+                  model::Kinematics::solid};
     for (int k = 0; k < shape.chambers; ++k) body.cavities.push_back({chamber_name(k), chamber_name(k), {}, {}});
     body.region_materials = {{jacket_region, values.text(jacket_material)}};
     if (const model::Fibers fibers = fibers_of(values, jacket_fibers); fibers.k1_Pa > 0) {
@@ -173,7 +174,7 @@ std::vector<design::Key> geometry_keys() {
     jacket.min_open = false;
     design::Key material{.path = jacket_material,
                          .kind = design::Kind::text,
-                         .fallback = rubber_region,
+                         .fallback = meshing::rubber_region,
                          .meaning = "of the jacket: a name below `materials`, or rubber"};
     std::vector<design::Key> keys{std::move(chambers),
                                   length_key("length", "40 mm", "along x, from the held face x = 0; caps included"),

@@ -16,16 +16,16 @@ Body build(const design::Values& values) {
     constexpr int least_around = 4;  // per quarter turn, as for mesh.sectors
     const int through = cells_through_wall(values, outer_m - inner_m);
     const int around =
-        divisions(0.25 * std::numbers::pi * (inner_m + outer_m), values.number("mesh.size"), least_around);
+        meshing::divisions(0.25 * std::numbers::pi * (inner_m + outer_m), values.number("mesh.size"), least_around);
 
     Body body;
-    Section& s = body.section;
+    meshing::Section& s = body.section;
     const int centre = add_point(s, {0, 0});
     const int a = add_point(s, {inner_m, 0}), b = add_point(s, {outer_m, 0});
     const int c = add_point(s, {0, outer_m}), d = add_point(s, {0, inner_m});
-    add_line(s, {a, b}, through, {axis_face});
+    add_line(s, {a, b}, through, {meshing::axis_face});
     add_arc(s, {b, c}, centre, around, {"outer"});
-    add_line(s, {c, d}, through, {symmetry_x_face});
+    add_line(s, {c, d}, through, {meshing::symmetry_x_face});
     add_arc(s, {d, a}, centre, around, {"cavity"});
     add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
     body.sweep = Revolution{values.count("mesh.sectors")};

@@ -35,8 +35,8 @@ TubeShape tube_shape(const design::Values& values) {
 }
 
 /// Rectangles: of the two caps those below the inner radius, and of every layer three, within the caps and between them.
-Section tube_section(const TubeShape& shape, double size_m, std::span<const WallLayer> layers) {
-    Section s;
+meshing::Section tube_section(const TubeShape& shape, double size_m, std::span<const WallLayer> layers) {
+    meshing::Section s;
     const std::array<double, 4> x{0, shape.cap_m, shape.length_m - shape.cap_m, shape.length_m};
     std::vector<double> r{0, shape.inner_m};
     for (const WallLayer& layer : layers) r.push_back(layer.outer_m);
@@ -48,16 +48,16 @@ Section tube_section(const TubeShape& shape, double size_m, std::span<const Wall
     const std::array<Names, 4> ends{Names{"fixed"}, Names{"cavity"}, Names{"cavity"}, Names{"inlet"}};
     for (std::size_t i = 0; i < 4; ++i) {
         const bool inner = i == 1 || i == 2;
-        add_line(s, {p[i][0], p[i][1]}, divisions(shape.inner_m, size_m), ends[i]);
+        add_line(s, {p[i][0], p[i][1]}, meshing::divisions(shape.inner_m, size_m), ends[i]);
         for (std::size_t j = 1; j < last; ++j)
             add_line(s, {p[i][j], p[i][j + 1]}, layers[j - 1].cells, inner ? Names{} : ends[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) {
         const bool cap = i != 1;
-        const int cells = divisions(cap ? shape.cap_m : shape.length_m - 2 * shape.cap_m, size_m);
+        const int cells = meshing::divisions(cap ? shape.cap_m : shape.length_m - 2 * shape.cap_m, size_m);
         for (std::size_t j = cap ? 0 : 1; j <= last; ++j)
             add_line(s, {p[i][j], p[i + 1][j]}, cells,
-                     j == 0             ? Names{axis_face}
+                     j == 0             ? Names{meshing::axis_face}
                      : j == last        ? Names{"outer"}
                      : j == 1 && i == 1 ? Names{"cavity"}
                                         : Names{});

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "design/design.hpp"
-#include "geometry/section.hpp"
+#include "meshing/section.hpp"
 
 namespace soft::geometry {
 
@@ -27,6 +27,6 @@ struct WallLayer {
 };
 
 /// From inside to outside; the last layer ends at shape.outer_m. Faces "fixed", "inlet", "cavity", "outer" and the axis.
-[[nodiscard]] Section tube_section(const TubeShape& shape, double size_m, std::span<const WallLayer> layers);
+[[nodiscard]] meshing::Section tube_section(const TubeShape& shape, double size_m, std::span<const WallLayer> layers);
 
 }  // namespace soft::geometry

@@ -21,11 +21,11 @@ struct Counts {
     int through, around;
 };
 
-void add_half(Section& s, const Half& half, Counts n) {
+void add_half(meshing::Section& s, const Half& half, Counts n) {
     const auto at = [&](double x, double r) { return add_point(s, {half.plane_m + half.sign * x, r}); };
     const int centre = at(0, 0);
     const int a = at(half.inner_m, 0), b = at(half.outer_m, 0), c = at(0, half.outer_m), d = at(0, half.inner_m);
-    add_line(s, {a, b}, n.through, {axis_face});
+    add_line(s, {a, b}, n.through, {meshing::axis_face});
     add_arc(s, {b, c}, centre, n.around, {half.outside});
     add_line(s, {c, d}, n.through, {half.plane});
     add_arc(s, {d, a}, centre, n.around, {half.wall});
@@ -41,8 +41,8 @@ Body build(const design::Values& values) {
     const double wall_m = outer_m - inner_m, right_wall_m = wall_m * values.number("geometry.right_scale");
     const double half_gap_m = 0.5 * values.number("geometry.gap");
     // The same cells on both: a difference of their meshes would be an imperfection of its own.
-    const Counts n{cells_through_wall(values, wall_m),
-                   divisions(0.25 * std::numbers::pi * (inner_m + outer_m), values.number("mesh.size"), least_around)};
+    const Counts n{cells_through_wall(values, wall_m), meshing::divisions(0.25 * std::numbers::pi * (inner_m + outer_m),
+                                                                          values.number("mesh.size"), least_around)};
 
     Body body;
     add_half(body.section, {-half_gap_m, -1, inner_m, outer_m, "left", "outer_left", plane_faces[0]}, n);

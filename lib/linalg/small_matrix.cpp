@@ -1,7 +1,8 @@
 #include "linalg/small_matrix.hpp"
 
-#include <petscblaslapack.h>
 #include <petscsys.h>
+
+#include <petscblaslapack.h>  // wants what petscsys.h declares
 
 #include <algorithm>
 #include <cmath>

@@ -19,8 +19,8 @@ struct PathPoint {
     std::vector<double> load_volumes_m3 = {},
                         load_volume_slopes = {};  ///< of the cavities of each pressure load together
     std::vector<double> outputs = {}, output_slopes = {};
-    LoadLevels levels, level_slopes;        ///< of all loads
-    double load_work_J = 0;                 ///< done by the loads since the path began, of the modelled part
+    LoadLevels levels = {}, level_slopes = {};  ///< of all loads
+    double load_work_J = 0;                     ///< done by the loads since the path began, of the modelled part
     double leading = 0, leading_slope = 0;  ///< the load a curve shows (model::leading_load): [Pa], or the load factor
 };
 

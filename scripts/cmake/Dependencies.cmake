@@ -31,7 +31,7 @@ target_compile_definitions(soft_hdf5 INTERFACE H5_USE_110_API OMPI_SKIP_MPICXX)
 
 find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)
-add_library(soft_gmsh_header INTERFACE)   # the programs load the library when they need it: lib/geometry/CMakeLists.txt
+add_library(soft_gmsh_header INTERFACE)   # the programs load the library when they need it: lib/meshing/CMakeLists.txt
 target_include_directories(soft_gmsh_header SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
 target_link_libraries(soft_gmsh_header INTERFACE ${CMAKE_DL_LIBS})
 add_library(soft_gmsh INTERFACE)

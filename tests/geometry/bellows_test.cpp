@@ -127,11 +127,11 @@ TEST(Bellows, VolumesConvergeToTheClosedForm) {
 
 TEST(Bellows, TheWallIsThreeMillimetresThickEverywhere) {
     const BellowsShape shape = shape_of(sample::values("bellows", "axisymmetric"));
-    const PlanePoint inner = shape.on_wall(shape.cavity_offset_m(), 0.5 * shape.straight_m);
-    const PlanePoint outer = shape.on_wall(shape.outer_offset_m(), 0.5 * shape.straight_m);
+    const meshing::PlanePoint inner = shape.on_wall(shape.cavity_offset_m(), 0.5 * shape.straight_m);
+    const meshing::PlanePoint outer = shape.on_wall(shape.outer_offset_m(), 0.5 * shape.straight_m);
     EXPECT_NEAR(std::hypot(outer[0] - inner[0], outer[1] - inner[1]), 3e-3, 1e-15);
     // The straight ends where the crest's arc begins: at its radius from the centre.
-    const PlanePoint top = shape.on_wall(shape.cavity_offset_m(), shape.straight_m);
+    const meshing::PlanePoint top = shape.on_wall(shape.cavity_offset_m(), shape.straight_m);
     EXPECT_NEAR(std::hypot(top[0] - 0.5 * shape.pitch_m, top[1] - shape.crest_centre_m), 0.25e-3, 1e-15);
 }
 

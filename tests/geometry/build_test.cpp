@@ -65,16 +65,16 @@ TEST(BuildCase, SymmetryPlanesAreHeldInTheirNormal) {
     const model::Case quarter = build_case(design_of("tube", "quarter"));
     EXPECT_EQ(quarter.model_fraction, 0.25);
     EXPECT_EQ(quarter.symmetry_planes, (Held{false, true, true}));
-    EXPECT_EQ(held(quarter, symmetry_y_face), (Held{false, true, false}));
-    EXPECT_EQ(held(quarter, symmetry_z_face), (Held{false, false, true}));
+    EXPECT_EQ(held(quarter, meshing::symmetry_y_face), (Held{false, true, false}));
+    EXPECT_EQ(held(quarter, meshing::symmetry_z_face), (Held{false, false, true}));
     const model::Case half = build_case(design_of("tube", "half"));
     EXPECT_EQ(half.model_fraction, 0.5);
     EXPECT_EQ(half.symmetry_planes, (Held{false, true, false}));
-    EXPECT_EQ(held(half, symmetry_y_face), (Held{false, true, false}));
+    EXPECT_EQ(held(half, meshing::symmetry_y_face), (Held{false, true, false}));
     const model::Case plate = build_case(design_of("plate", "quarter"));
     EXPECT_EQ(plate.model_fraction, 0.25);
-    EXPECT_EQ(held(plate, symmetry_x_face), (Held{true, false, false}));
-    EXPECT_EQ(held(plate, symmetry_y_face), (Held{false, true, false}));
+    EXPECT_EQ(held(plate, meshing::symmetry_x_face), (Held{true, false, false}));
+    EXPECT_EQ(held(plate, meshing::symmetry_y_face), (Held{false, true, false}));
     EXPECT_TRUE(build_case(design_of("tube", "solid")).supports.empty());
 }
 
@@ -159,8 +159,8 @@ TEST(BuildCase, APlaneModelLiesInXAndY) {
 TEST(BuildCase, ARingIsHeldByItsPlanes) {
     const model::Case plane = build_case(design_of("ring", "plane-strain"));
     EXPECT_EQ(plane.model_fraction, 0.25);
-    EXPECT_EQ(held(plane, symmetry_x_face), (Held{true, false, false}));
-    EXPECT_EQ(held(plane, symmetry_y_face), (Held{false, true, false}));
+    EXPECT_EQ(held(plane, meshing::symmetry_x_face), (Held{true, false, false}));
+    EXPECT_EQ(held(plane, meshing::symmetry_y_face), (Held{false, true, false}));
     const model::Case slice = build_case(design_of("ring", "solid"));
     EXPECT_EQ(slice.model_fraction, 0.25);
     EXPECT_EQ(held(slice, "left"), (Held{false, false, true}));  // it cannot lengthen

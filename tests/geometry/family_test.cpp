@@ -70,7 +70,8 @@ TEST_P(EveryVariant, NamesEveryPieceOfItsBoundary) {
 TEST_P(EveryVariant, UsesOnlyNamesThatTheFamilyDeclares) {
     const auto& faces = sample::family(GetParam().family).keys.faces;
     std::set<std::string> known(faces.begin(), faces.end());
-    known.insert({axis_face, symmetry_x_face, symmetry_y_face, symmetry_z_face, "middle_y", "middle_z"});
+    known.insert({meshing::axis_face, meshing::symmetry_x_face, meshing::symmetry_y_face, meshing::symmetry_z_face,
+                  "middle_y", "middle_z"});
     for (const auto& [name, facets] : solid.mesh.facet_sets) EXPECT_TRUE(known.contains(name)) << name;
 }
 

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <set>
 
-#include "gmsh_files.hpp"
+#include "../meshing/gmsh_files.hpp"
 #include "mesh/quality.hpp"
 #include "sample.hpp"
 
 namespace soft::geometry {
 namespace {
 
-using sample::Cells;
-using sample::Sides;
-using sample::TemporaryFile;
+using meshing::sample::Cells;
+using meshing::sample::Sides;
+using meshing::sample::TemporaryFile;
 
 /// A design of a quarter ring; keys on top of what every test needs.
 std::string design_text(const std::filesystem::path& file, const std::string& more, const std::string& geometry = {}) {
@@ -46,7 +46,7 @@ constexpr const char* usual =
 
 class ImportedSolid : public testing::Test {
 protected:
-    ImportedSolid() { sample::write_part(file.path, Cells::tetrahedra, Sides::round, {}); }
+    ImportedSolid() { meshing::sample::write_part(file.path, Cells::tetrahedra, Sides::round, {}); }
     const TemporaryFile file{"solid.msh"};
 };
 
@@ -183,7 +183,7 @@ TEST_F(ImportedSolid, OrderIsTheFilesOrTheWishedOne) {
     EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh", "{order: 2, raise_order: false}"}}),
               "--set mesh: mesh.raise_order: the file holds first-order cells; true, or order: 1");
     const TemporaryFile second{"second.msh"};
-    sample::write_part(second.path, Cells::tetrahedra, Sides::round, {4.1, true, 2, false});
+    meshing::sample::write_part(second.path, Cells::tetrahedra, Sides::round, {4.1, true, 2, false});
     const model::Case lowered = built(design_text(second.path, usual), {{"mesh.order", "1"}});
     EXPECT_EQ(lowered.mesh.cell_type(0), mesh::CellType::tet4);
     EXPECT_EQ(built(design_text(second.path, usual)).mesh.cell_type(0), mesh::CellType::tet10);
@@ -220,7 +220,7 @@ TEST_F(ImportedSolid, ItsEffectiveDesignReadsBackTheSame) {
 
 TEST(ImportedSection, TurnsAboutTheAxisItTouches) {
     const TemporaryFile file{"section.msh"};
-    sample::write_part(file.path, Cells::quadrilaterals, Sides::round, {4.1, false, 2, false});
+    meshing::sample::write_part(file.path, Cells::quadrilaterals, Sides::round, {4.1, false, 2, false});
     const std::string more = "supports: {x: ends}\nloads: {cavity: {pressure: 5 kPa}}\n";
     const model::Case c = built(design_text(file.path, more + "model: axisymmetric\n", ", cavity: inner"));
     EXPECT_EQ(c.kinematics, model::Kinematics::axisymmetric);
@@ -246,11 +246,11 @@ TEST(ImportedSection, TurnsAboutTheAxisItTouches) {
 TEST(ImportedSection, BelowTheAxisIsRefused) {
     const TemporaryFile file{"below.msh"};
     {
-        const sample::Gmsh session;
-        sample::draw_part(Cells::triangles, Sides::straight, 2);
+        const meshing::sample::Gmsh session;
+        meshing::sample::draw_part(Cells::triangles, Sides::straight, 2);
         gmsh::model::mesh::generate(2);
-        sample::move_nodes(1, -0.5);
-        sample::write(file.path, {});
+        meshing::sample::move_nodes(1, -0.5);
+        meshing::sample::write(file.path, {});
     }
     const std::string what = refusal(design_text(
         file.path, "mesh: {formulation: displacement}\nloads: {inner: {pressure: 5 kPa}}\nmodel: axisymmetric\n"));
@@ -263,7 +263,7 @@ TEST(ImportedSection, BelowTheAxisIsRefused) {
 TEST(Imported, EveryRegionGetsTheRubber) {
     const TemporaryFile file{"regions.msh"};
     {
-        const sample::Gmsh session;
+        const meshing::sample::Gmsh session;
         namespace geo = gmsh::model::geo;
         gmsh::vectorpair made;
         for (int p = 0; p < 3; ++p) geo::addPoint(p, 0, 0, 0, p + 1);
@@ -271,11 +271,11 @@ TEST(Imported, EveryRegionGetsTheRubber) {
         geo::addLine(2, 3, 2);
         geo::extrude({{1, 1}, {1, 2}}, 0, 1, 0, made, {2}, {}, true);
         geo::synchronize();
-        sample::name_group(2, {made[1].second}, "soft");
-        sample::name_group(2, {made[5].second}, "stiff");
-        sample::name_group(1, {1, 2}, "base");
+        meshing::sample::name_group(2, {made[1].second}, "soft");
+        meshing::sample::name_group(2, {made[5].second}, "stiff");
+        meshing::sample::name_group(1, {1, 2}, "base");
         gmsh::model::mesh::generate(2);
-        sample::write(file.path, {});
+        meshing::sample::write(file.path, {});
     }
     const std::string text = design_text(
         file.path, "mesh: {formulation: displacement}\nloads: {base: {pressure: 5 kPa}}\nmodel: plane-strain\n");

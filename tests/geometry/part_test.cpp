@@ -6,7 +6,7 @@
 #include <numbers>
 #include <set>
 
-#include "gmsh_files.hpp"
+#include "../meshing/gmsh_files.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/quality.hpp"
 #include "sample.hpp"
@@ -14,7 +14,7 @@
 namespace soft::geometry {
 namespace {
 
-using sample::TemporaryFile;
+using meshing::sample::TemporaryFile;
 
 std::string design_text(const std::filesystem::path& file, const std::string& geometry = {},
                         const std::string& more = {}) {
@@ -43,7 +43,7 @@ std::string refusal(const std::string& text, std::vector<design::Override> sets 
 /// A can along x: 30 mm long, radii 10 and 7 mm, caps of 5 mm around a closed cavity. Its facets turn by 10 degrees.
 enum class Can { closed, open, two };
 void write_can(const std::filesystem::path& path, Can can, double scale = 1) {
-    const sample::Gmsh session;
+    const meshing::sample::Gmsh session;
     namespace occ = gmsh::model::occ;
     gmsh::option::setNumber("General.Verbosity", 0);
     const int body = occ::addCylinder(0, 0, 0, 30 * scale, 0, 0, 10 * scale);
@@ -134,7 +134,7 @@ TEST(Part, AnOpenCavityIsNamedByAFloodUpToItsInlet) {
 TEST(Part, APartThatIsCutHasMirrorImages) {
     const TemporaryFile file{"quarter.step"};
     {
-        const sample::Gmsh session;
+        const meshing::sample::Gmsh session;
         namespace occ = gmsh::model::occ;
         gmsh::option::setNumber("General.Verbosity", 0);
         gmsh::vectorpair made;

@@ -100,8 +100,8 @@ TEST(Pneunet, TheWholeIsTheHalfAndItsMirrorImage) {
     EXPECT_EQ(half.symmetry_planes, (std::array<bool, 3>{false, true, false}));
     EXPECT_EQ(whole.fraction, 1.0);
     EXPECT_EQ(whole.mesh.cell_count(), 2 * half.mesh.cell_count());
-    EXPECT_FALSE(whole.mesh.facet_sets.contains(symmetry_y_face));
-    for (const mesh::Facet& facet : half.mesh.facet_sets.at(symmetry_y_face))
+    EXPECT_FALSE(whole.mesh.facet_sets.contains(meshing::symmetry_y_face));
+    for (const mesh::Facet& facet : half.mesh.facet_sets.at(meshing::symmetry_y_face))
         for (const mesh::Index n : mesh::facet_nodes(half.mesh, facet)) EXPECT_EQ(half.mesh.point(n)[1], 0);
     // Of corners; mid nodes are means, whose sums run in another order on the other side.
     const auto corners = [](const mesh::Mesh& mesh) {

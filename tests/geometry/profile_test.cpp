@@ -9,7 +9,7 @@
 namespace soft::geometry {
 namespace {
 
-using Shape = OutlineEdge::Shape;
+using Shape = meshing::OutlineEdge::Shape;
 
 std::string refusal(const std::string& text, Across across = Across::r) {
     try {
@@ -24,22 +24,22 @@ std::string refusal(const std::string& text, Across across = Across::r) {
 const std::string disc = "x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,10,outer\n0,10,fixed\n";
 
 TEST(Profile, RowsBecomeEdgesThatStartThere) {
-    const Outline outline = outline_from(disc, "part.csv", Across::r);
+    const meshing::Outline outline = outline_from(disc, "part.csv", Across::r);
     ASSERT_EQ(outline.loops.size(), 1u);
     ASSERT_EQ(outline.loops[0].size(), 4u);
-    const OutlineEdge& end = outline.loops[0][1];
+    const meshing::OutlineEdge& end = outline.loops[0][1];
     EXPECT_EQ(end.faces, std::vector<std::string>{"end"});
     EXPECT_EQ(end.row, 3u);
-    EXPECT_EQ(end.points, (std::vector<PlanePoint>{{5e-3, 0}, {5e-3, 10e-3}}));
+    EXPECT_EQ(end.points, (std::vector<meshing::PlanePoint>{{5e-3, 0}, {5e-3, 10e-3}}));
     EXPECT_EQ(tags_of(outline), (std::vector<std::string>{"axis", "end", "outer", "fixed"}));
 }
 
 TEST(Profile, UnitsDelimitersCommentsAndAClosingRowAreUnderstood) {
-    const Outline same = outline_from(disc, "part.csv", Across::r);
+    const meshing::Outline same = outline_from(disc, "part.csv", Across::r);
     for (const char* text : {"# a disc\nx_m;r_m;tag\n0;0;axis\n0.005;0;end\n0.005;0.01;outer\n0;0.01;fixed\n",
                              "x (cm),r (cm),tag\n0,0,axis\n0.5,0,end\n0.5,1,outer\n0,1,fixed\n",
                              "tag,r_mm,x_mm\naxis,0,0\nend,0,5\nouter,10,5\nfixed,10,0\n,0,0\n"}) {
-        const Outline other = outline_from(text, "part.csv", Across::r);
+        const meshing::Outline other = outline_from(text, "part.csv", Across::r);
         ASSERT_EQ(other.loops.size(), 1u) << text;
         ASSERT_EQ(other.loops[0].size(), 4u) << text;
         for (std::size_t e = 0; e < 4; ++e) EXPECT_EQ(other.loops[0][e].points, same.loops[0][e].points) << text;
@@ -47,17 +47,17 @@ TEST(Profile, UnitsDelimitersCommentsAndAClosingRowAreUnderstood) {
 }
 
 TEST(Profile, ArcsAndSplinesGoOnFromTheirRow) {
-    const Outline outline = outline_from(
+    const meshing::Outline outline = outline_from(
         "x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n0,0,axis,,,\n10,0,dome,arc,7.0710678,7.0710678\n0,10,back,spline,,\n"
         "-1,8,back,spline,,\n-2,5,back,spline,,\n-1,2,back,spline,,\n",
         "part.csv", Across::r);
     ASSERT_EQ(outline.loops[0].size(), 3u);
     EXPECT_EQ(outline.loops[0][1].shape, Shape::arc);
     EXPECT_NEAR(arc_of(outline.loops[0][1]).radius_m, 10e-3, 1e-10);
-    const OutlineEdge& back = outline.loops[0][2];
+    const meshing::OutlineEdge& back = outline.loops[0][2];
     EXPECT_EQ(back.shape, Shape::spline);
     EXPECT_EQ(back.points.size(), 5u);
-    EXPECT_EQ(back.points.back(), (PlanePoint{0, 0}));
+    EXPECT_EQ(back.points.back(), (meshing::PlanePoint{0, 0}));
 }
 
 TEST(Profile, FaultsAreNamedWithTheirRow) {
@@ -110,9 +110,9 @@ TEST(Profile, FaultsAreNamedWithTheirRow) {
 
 /// Rounding of an export: a point that misses the axis by less than any length matters.
 TEST(Profile, PointsThatMissTheAxisByRoundingLieOnIt) {
-    const Outline outline =
+    const meshing::Outline outline =
         outline_from("x_mm,r_mm,tag\n0,1e-9,axis\n5,-1e-9,end\n5,10,outer\n0,10,fixed\n", "part.csv", Across::r);
-    EXPECT_EQ(outline.loops[0][0].points[1], (PlanePoint{5e-3, 0}));
+    EXPECT_EQ(outline.loops[0][0].points[1], (meshing::PlanePoint{5e-3, 0}));
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <iostream>
 #include <random>
 
+#include "../meshing/gmsh_files.hpp"
 #include "core/text.hpp"
-#include "gmsh_files.hpp"
 #include "mesh/quality.hpp"
 #include "sample.hpp"
 
@@ -134,7 +134,7 @@ TEST_P(RandomDesigns, BecomeSoundMeshesOrAreRefusedWithTheReason) {
     for (int k = 0; k < count(); ++k) {
         Drawn drawn = drawn_design(keys, dice);
         const bool turned = GetParam() == "revolved";
-        const sample::TemporaryFile table{"random-" + GetParam() + ".csv", drawn_table(dice, turned)};
+        const meshing::sample::TemporaryFile table{"random-" + GetParam() + ".csv", drawn_table(dice, turned)};
         if (keys.faces_of_file) {
             drawn.text = "family: " + GetParam() + "\ngeometry: {profile: " + table.path.string() +
                          "}\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\nloads: {outer: {pressure: 5 kPa}}\n";

@@ -8,14 +8,14 @@
 #include <set>
 #include <sstream>
 
-#include "gmsh_files.hpp"
+#include "../meshing/gmsh_files.hpp"
 #include "mesh/quality.hpp"
 #include "sample.hpp"
 
 namespace soft::geometry {
 namespace {
 
-using sample::TemporaryFile;
+using meshing::sample::TemporaryFile;
 constexpr double pi = std::numbers::pi;
 constexpr double curved = 1.5e-4;  // quadratic edges over at most 45 degrees
 

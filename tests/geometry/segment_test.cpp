@@ -6,8 +6,8 @@
 #include <set>
 
 #include "core/text.hpp"
-#include "geometry/hollow.hpp"
 #include "mesh/quality.hpp"
+#include "meshing/hollow.hpp"
 #include "sample.hpp"
 
 namespace soft::geometry {
@@ -215,7 +215,7 @@ TEST(Hollowed, TakesCellsAwayAndNamesWhatIsLaidBare) {
         for (const mesh::Index n : bar.mesh.cell_nodes(cell)) x += bar.mesh.point(n)[0] / 27;
         return std::abs(x - 15e-3) < 1e-9 ? std::string{"room"} : std::string{};
     };
-    const mesh::Mesh rest = hollowed(bar.mesh, middle);
+    const mesh::Mesh rest = meshing::hollowed(bar.mesh, middle);
     EXPECT_EQ(rest.cell_count(), 2);
     EXPECT_EQ(rest.points.size(), std::size_t{2 * 27});
     EXPECT_NEAR(mesh::measure(rest, mesh::Measure::plain), 2e-6, 1e-18);

@@ -1,0 +1,274 @@
+#include "meshing/gmsh_session.hpp"
+
+#include <dlfcn.h>
+#include <gmshc.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+#include "core/error.hpp"
+
+namespace soft::meshing {
+namespace {
+
+constexpr const char* library_file = SOFT_GMSH_LIBRARY;
+constexpr const char* needed_first = SOFT_GMSH_NEEDS;  // "libA.so.1 libB.so.2 ", from the bottom up
+
+Error not_loaded(const char* reason) {
+    const std::string why = reason != nullptr ? reason : "it is not said why";
+    return {ExitCode::cannot_open, library_file, "cannot be loaded: " + why,
+            "install gmsh, or build anew with the one that is installed"};
+}
+
+/// A symbol is looked for in the program and what it is linked with, then in all that was loaded in the same call. With
+/// RTLD_DEEPBIND the libraries come first (the address sanitizer does not allow it); loaded one by one from the bottom up, each
+/// sees only itself and what it needs. Together that halves the time.
+#if defined(__SANITIZE_ADDRESS__) || !defined(RTLD_DEEPBIND)
+constexpr int how_loaded = RTLD_LAZY | RTLD_LOCAL;
+#else
+constexpr int how_loaded = RTLD_LAZY | RTLD_LOCAL | RTLD_DEEPBIND;
+#endif
+
+/// One of the libraries needed that is not there, or needed no more, does no harm.
+void* load_gmsh() {
+    const std::string names{needed_first};
+    for (std::size_t begin = 0, end; (end = names.find(' ', begin)) != std::string::npos; begin = end + 1)
+        static_cast<void>(::dlopen(names.substr(begin, end - begin).c_str(), how_loaded));
+    void* library = ::dlopen(library_file, how_loaded);
+    if (library == nullptr) throw not_loaded(::dlerror());
+    return library;  // never closed: some of them do not stand being unloaded
+}
+
+template <class Function>
+Function* function(void* library, const char* name) {
+    auto* address = reinterpret_cast<Function*>(::dlsym(library, name));
+    if (address == nullptr) throw not_loaded(::dlerror());
+    return address;
+}
+
+/// What gmsh hands over, copied and given back.
+template <class T>
+std::vector<T> taken(T* values, std::size_t count, decltype(gmshFree)* give_back) {
+    std::vector<T> copy(values, values + count);
+    give_back(values);
+    return copy;
+}
+
+}  // namespace
+
+struct GmshSession::Functions {
+    void* library = load_gmsh();
+    decltype(gmshInitialize)* initialize = function<decltype(gmshInitialize)>(library, "gmshInitialize");
+    decltype(gmshFinalize)* finalize = function<decltype(gmshFinalize)>(library, "gmshFinalize");
+    decltype(gmshFree)* free = function<decltype(gmshFree)>(library, "gmshFree");
+    decltype(gmshLoggerGetLastError)* last_error =
+        function<decltype(gmshLoggerGetLastError)>(library, "gmshLoggerGetLastError");
+    decltype(gmshOptionSetNumber)* set_option = function<decltype(gmshOptionSetNumber)>(library, "gmshOptionSetNumber");
+    decltype(gmshModelGeoAddPoint)* add_point =
+        function<decltype(gmshModelGeoAddPoint)>(library, "gmshModelGeoAddPoint");
+    decltype(gmshModelGeoAddLine)* add_line = function<decltype(gmshModelGeoAddLine)>(library, "gmshModelGeoAddLine");
+    decltype(gmshModelGeoAddCircleArc)* add_arc =
+        function<decltype(gmshModelGeoAddCircleArc)>(library, "gmshModelGeoAddCircleArc");
+    decltype(gmshModelGeoAddCurveLoop)* add_loop =
+        function<decltype(gmshModelGeoAddCurveLoop)>(library, "gmshModelGeoAddCurveLoop");
+    decltype(gmshModelGeoAddPlaneSurface)* add_surface =
+        function<decltype(gmshModelGeoAddPlaneSurface)>(library, "gmshModelGeoAddPlaneSurface");
+    decltype(gmshModelGeoAddSpline)* add_spline =
+        function<decltype(gmshModelGeoAddSpline)>(library, "gmshModelGeoAddSpline");
+    decltype(gmshModelMeshSetSizeCallback)* set_size =
+        function<decltype(gmshModelMeshSetSizeCallback)>(library, "gmshModelMeshSetSizeCallback");
+    decltype(gmshModelGeoMeshSetTransfiniteCurve)* divide =
+        function<decltype(gmshModelGeoMeshSetTransfiniteCurve)>(library, "gmshModelGeoMeshSetTransfiniteCurve");
+    decltype(gmshModelGeoMeshSetTransfiniteSurface)* make_grid =
+        function<decltype(gmshModelGeoMeshSetTransfiniteSurface)>(library, "gmshModelGeoMeshSetTransfiniteSurface");
+    decltype(gmshModelGeoMeshSetRecombine)* recombine =
+        function<decltype(gmshModelGeoMeshSetRecombine)>(library, "gmshModelGeoMeshSetRecombine");
+    decltype(gmshModelGeoSynchronize)* synchronize =
+        function<decltype(gmshModelGeoSynchronize)>(library, "gmshModelGeoSynchronize");
+    decltype(gmshModelMeshGenerate)* generate =
+        function<decltype(gmshModelMeshGenerate)>(library, "gmshModelMeshGenerate");
+    decltype(gmshModelMeshGetNodes)* get_nodes =
+        function<decltype(gmshModelMeshGetNodes)>(library, "gmshModelMeshGetNodes");
+    decltype(gmshModelMeshGetElements)* get_elements =
+        function<decltype(gmshModelMeshGetElements)>(library, "gmshModelMeshGetElements");
+    decltype(gmshModelAddDiscreteEntity)* add_discrete =
+        function<decltype(gmshModelAddDiscreteEntity)>(library, "gmshModelAddDiscreteEntity");
+    decltype(gmshModelMeshAddNodes)* add_nodes =
+        function<decltype(gmshModelMeshAddNodes)>(library, "gmshModelMeshAddNodes");
+    decltype(gmshModelMeshAddElementsByType)* add_elements =
+        function<decltype(gmshModelMeshAddElementsByType)>(library, "gmshModelMeshAddElementsByType");
+    decltype(gmshModelGeoAddSurfaceLoop)* add_shell =
+        function<decltype(gmshModelGeoAddSurfaceLoop)>(library, "gmshModelGeoAddSurfaceLoop");
+    decltype(gmshModelGeoAddVolume)* add_volume =
+        function<decltype(gmshModelGeoAddVolume)>(library, "gmshModelGeoAddVolume");
+    decltype(gmshModelOccImportShapes)* import_shapes =
+        function<decltype(gmshModelOccImportShapes)>(library, "gmshModelOccImportShapes");
+    decltype(gmshModelOccSynchronize)* synchronize_cad =
+        function<decltype(gmshModelOccSynchronize)>(library, "gmshModelOccSynchronize");
+    decltype(gmshModelGetBoundingBox)* bounding_box =
+        function<decltype(gmshModelGetBoundingBox)>(library, "gmshModelGetBoundingBox");
+
+    /// Calls with an `int* failed` behind the arguments, as all of gmsh's functions have it.
+    template <class Function, class... Arguments>
+    void call(Function* called, Arguments... arguments) const {
+        int failed = 0;
+        static_cast<void>(called(arguments..., &failed));
+        if (failed == 0) return;
+        char* words = nullptr;
+        last_error(&words, &failed);
+        const std::string message = words != nullptr ? words : "it does not say why";
+        free(words);
+        throw Error(ExitCode::internal, "mesh", "gmsh failed: " + message);
+    }
+};
+
+GmshSession::GmshSession() : gmsh_(std::make_unique<const Functions>()) {
+    gmsh_->call(gmsh_->initialize, 0, nullptr, 0);
+    gmsh_->call(gmsh_->set_option, "General.Terminal", 0.0);
+}
+
+GmshSession::~GmshSession() {
+    int ignored = 0;  // a destructor has nobody to tell
+    gmsh_->finalize(&ignored);
+}
+
+void GmshSession::add_point(int tag, std::array<double, 2> place) {
+    gmsh_->call(gmsh_->add_point, place[0], place[1], 0.0, 0.0, tag);
+}
+
+void GmshSession::add_line(int tag, Line line) { gmsh_->call(gmsh_->add_line, line.start, line.end, tag); }
+
+void GmshSession::add_arc(int tag, Arc arc) {
+    gmsh_->call(gmsh_->add_arc, arc.start, arc.centre, arc.end, tag, 0.0, 0.0, 0.0);
+}
+
+void GmshSession::divide_curve(int tag, Division division) {
+    gmsh_->call(gmsh_->divide, tag, division.points, "Progression", division.ratio);
+}
+
+void GmshSession::add_grid(int tag, Surface surface) {
+    constexpr double widest_angle = 45;  // gmsh's own default
+    gmsh_->call(gmsh_->add_loop, surface.loop.data(), surface.loop.size(), tag, 0);
+    gmsh_->call(gmsh_->add_surface, &tag, std::size_t{1}, tag);
+    gmsh_->call(gmsh_->make_grid, tag, "Left", surface.corners.data(), surface.corners.size());
+    gmsh_->call(gmsh_->recombine, 2, tag, widest_angle);
+}
+
+void GmshSession::mesh() {
+    gmsh_->call(gmsh_->synchronize);
+    gmsh_->call(gmsh_->generate, 2);
+}
+
+void GmshSession::add_spline(int tag, std::vector<int> points) {
+    gmsh_->call(gmsh_->add_spline, points.data(), points.size(), tag);
+}
+
+void GmshSession::add_loop(int tag, std::vector<int> curves) {
+    gmsh_->call(gmsh_->add_loop, curves.data(), curves.size(), tag, 0);
+}
+
+void GmshSession::add_plane(int tag, std::vector<int> loops) {
+    gmsh_->call(gmsh_->add_surface, loops.data(), loops.size(), tag);
+}
+
+void GmshSession::mesh_freely(Free cells, const Size& size) {
+    gmsh_->call(gmsh_->synchronize);
+    struct Option {
+        const char* name;
+        double value;
+    };
+    constexpr double frontal_delaunay = 6, blossom = 1,
+                     into_quadrilaterals = 1;  // 8, made for them, crashes in gmsh 4.8
+    // Thrown from one of its threads, gmsh's errors would end the program: what it could not mesh is seen in what it made.
+    for (const Option& option : {Option{"General.AbortOnError", 0}, Option{"Mesh.MeshSizeExtendFromBoundary", 0},
+                                 Option{"Mesh.MeshSizeFromPoints", 0}, Option{"Mesh.Algorithm", frontal_delaunay},
+                                 Option{"Mesh.ElementOrder", 2}})
+        gmsh_->call(gmsh_->set_option, option.name, option.value);
+    if (cells == Free::quadrilaterals)
+        for (const Option& option : {Option{"Mesh.RecombineAll", 1}, Option{"Mesh.RecombinationAlgorithm", blossom},
+                                     Option{"Mesh.SubdivisionAlgorithm", into_quadrilaterals}})
+            gmsh_->call(gmsh_->set_option, option.name, option.value);
+    const auto ask = [](int, int, double x, double y, double, void* wished) {
+        return (*static_cast<const Size*>(wished))({x, y});
+    };
+    gmsh_->call(gmsh_->set_size, static_cast<double (*)(int, int, double, double, double, void*)>(ask),
+                const_cast<void*>(static_cast<const void*>(&size)));
+    gmsh_->call(gmsh_->generate, 2);
+}
+
+void GmshSession::add_triangles(int tag, Nodes nodes, std::vector<std::size_t> triangles) {
+    constexpr int dimension = 2, triangle = 2;
+    gmsh_->call(gmsh_->add_discrete, dimension, tag, static_cast<int*>(nullptr), std::size_t{0});
+    gmsh_->call(gmsh_->add_nodes, dimension, tag, nodes.tags.data(), nodes.tags.size(), nodes.xyz.data(),
+                nodes.xyz.size(), static_cast<double*>(nullptr), std::size_t{0});
+    gmsh_->call(gmsh_->add_elements, tag, triangle, static_cast<std::size_t*>(nullptr), std::size_t{0},
+                triangles.data(), triangles.size());
+}
+
+void GmshSession::fill(int volume, std::vector<int> surfaces, Filling filling) {
+    constexpr double delaunay = 1, hxt = 10;
+    for (int& surface : surfaces) {
+        gmsh_->call(gmsh_->add_shell, &surface, std::size_t{1}, surface);
+    }
+    gmsh_->call(gmsh_->add_volume, surfaces.data(), surfaces.size(), volume);
+    gmsh_->call(gmsh_->synchronize);
+    for (const auto& [name, value] :
+         {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeExtendFromBoundary", 1.0},
+          std::pair{"Mesh.MeshSizeFromPoints", 0.0}, std::pair{"Mesh.OptimizeThreshold", 0.4},
+          std::pair{"Mesh.Renumber", 0.0}, std::pair{"Mesh.Algorithm3D", filling == Filling::hxt ? hxt : delaunay}})
+        gmsh_->call(gmsh_->set_option, name, value);
+    gmsh_->call(gmsh_->generate, 3);
+}
+
+int GmshSession::import_cad(const std::string& path) {
+    int* shapes = nullptr;  // dimension, tag, dimension, tag, ...
+    std::size_t count = 0;
+    constexpr int only_of_highest_dimension = 1;
+    gmsh_->call(gmsh_->import_shapes, path.c_str(), &shapes, &count, only_of_highest_dimension, "step");
+    int solids = 0;
+    for (std::size_t s = 0; s < count; s += 2) solids += shapes[s] == 3 ? 1 : 0;
+    gmsh_->free(shapes);
+    gmsh_->call(gmsh_->synchronize_cad);
+    return solids;
+}
+
+void GmshSession::triangulate(const Chords& chords) {
+    std::array<double, 6> box{};
+    gmsh_->call(gmsh_->bounding_box, -1, -1, &box[0], &box[1], &box[2], &box[3], &box[4], &box[5]);
+    const double extent = std::max({box[3] - box[0], box[4] - box[1], box[5] - box[2]});
+    constexpr double frontal_delaunay = 6;
+    for (const auto& [name, value] :
+         {std::pair{"General.AbortOnError", 0.0}, std::pair{"Mesh.MeshSizeFromCurvature", chords.per_turn},
+          std::pair{"Mesh.MeshSizeMax", chords.longest * extent},
+          std::pair{"Mesh.MeshSizeMin", chords.shortest * extent}, std::pair{"Mesh.Algorithm", frontal_delaunay}})
+        gmsh_->call(gmsh_->set_option, name, value);
+    gmsh_->call(gmsh_->generate, 2);
+}
+
+GmshSession::Nodes GmshSession::nodes() const {
+    std::size_t *tags = nullptr, tag_count = 0, coordinate_count = 0, parameter_count = 0;
+    double *coordinates = nullptr, *parameters = nullptr;
+    gmsh_->call(gmsh_->get_nodes, &tags, &tag_count, &coordinates, &coordinate_count, &parameters, &parameter_count, -1,
+                -1, 0, 0);
+    gmsh_->free(parameters);
+    return {taken(tags, tag_count, gmsh_->free), taken(coordinates, coordinate_count, gmsh_->free)};
+}
+
+std::vector<std::size_t> GmshSession::cells(int dimension, int tag) const {
+    int* types = nullptr;
+    std::size_t type_count = 0, **elements = nullptr, *element_counts = nullptr, element_lists = 0;
+    std::size_t **nodes = nullptr, *node_counts = nullptr, node_lists = 0;
+    gmsh_->call(gmsh_->get_elements, &types, &type_count, &elements, &element_counts, &element_lists, &nodes,
+                &node_counts, &node_lists, dimension, tag);
+    std::vector<std::size_t> result;
+    if (type_count == 1) result.assign(nodes[0], nodes[0] + node_counts[0]);
+    for (std::size_t* list : std::span(elements, element_lists)) gmsh_->free(list);
+    for (std::size_t* list : std::span(nodes, node_lists)) gmsh_->free(list);
+    for (void* array : {static_cast<void*>(types), static_cast<void*>(elements), static_cast<void*>(element_counts),
+                        static_cast<void*>(nodes), static_cast<void*>(node_counts)})
+        gmsh_->free(array);
+    return result;
+}
+
+}  // namespace soft::meshing

@@ -1,0 +1,323 @@
+#include "meshing/import.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <unordered_map>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "mesh/cell_map.hpp"
+#include "meshing/msh_cells.hpp"
+#include "meshing/section_mesher.hpp"
+#include "model/cavity_surface.hpp"
+
+namespace soft::meshing {
+namespace {
+
+using mesh::Index;
+
+/// Corner nodes in ascending order, the same for all who share a side.
+using Key = std::array<Index, 4>;
+
+Key key_of(std::span<const Index> corners) {
+    Key key;
+    key.fill(std::numeric_limits<Index>::max());
+    std::copy(corners.begin(), corners.end(), key.begin());
+    std::sort(key.begin(), key.end());
+    return key;
+}
+
+/// The mesh under construction, and where its parts stood in the file.
+class Importer {
+public:
+    Importer(const MshFile& file, std::string name) : file_(file), name_(std::move(name)) {}
+
+    mesh::Mesh import(double unit_m) {
+        find_dimension();
+        for (std::size_t n = 0; n < file_.node_tags.size(); ++n)
+            if (!numbers_.try_emplace(file_.node_tags[n], static_cast<Index>(n)).second)
+                refuse("node " + std::to_string(file_.node_tags[n]) + " stands there twice");
+        result_.points = file_.positions;
+        add_cells();
+        drop_orphans();
+        if (result_.dimension == 2) flatten();
+        turn_mirrored();
+        refuse_inside_out();
+        find_sides();
+        add_facet_sets();
+        for (mesh::Point& p : result_.points)
+            for (double& component : p) component *= unit_m;
+        return std::move(result_);
+    }
+
+private:
+    [[noreturn]] void refuse(const std::string& problem,
+                             const std::string& remedy = "repair the mesh and export it again") const {
+        throw Error(ExitCode::bad_input, name_, problem, remedy);
+    }
+    static const MshType& type_of(const MshBlock& block) { return *msh_type(block.type); }
+    [[nodiscard]] std::string element(Index cell) const {
+        return "element " + std::to_string(cell_tags_[static_cast<std::size_t>(cell)]);
+    }
+
+    void find_dimension() {
+        int dimension = 0;
+        for (const MshBlock& block : file_.blocks)
+            if (!block.tags.empty()) dimension = std::max(dimension, type_of(block).dimension);
+        if (dimension < 2)
+            refuse("there are no cells", "mesh the surface (2D) or the volume (3D) and save all elements of it");
+        result_.dimension = dimension;
+    }
+
+    /// What faces and regions may be called: letters, digits, '_' and '-'.
+    static std::string as_name(std::string_view text) {
+        constexpr std::size_t longest = 100;
+        std::string name{text.substr(0, longest)};
+        for (char& c : name) {
+            const bool allowed = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+            if (!allowed) c = '_';
+        }
+        return name;
+    }
+
+    [[nodiscard]] std::string group_name(int dimension, int tag, const std::string& otherwise) const {
+        const auto found = file_.group_names.find({dimension, tag});
+        if (found == file_.group_names.end() || found->second.empty()) return otherwise;
+        const std::string name = as_name(found->second);
+        for (const auto& [group, other] : file_.group_names)
+            if (group.first == dimension && group.second != tag && as_name(other) == name)
+                refuse("two physical groups are both called " + core::quoted(name), "rename one of them");
+        return name;
+    }
+
+    std::int32_t region(const std::string& name) {
+        auto& names = result_.region_names;
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found != names.end()) return static_cast<std::int32_t>(found - names.begin());
+        names.push_back(name);
+        return static_cast<std::int32_t>(names.size()) - 1;
+    }
+
+    [[nodiscard]] Index node_of(const MshBlock& block, std::size_t element_number, std::size_t tag) const {
+        const auto found = numbers_.find(tag);
+        if (found == numbers_.end())
+            refuse("element " + std::to_string(block.tags[element_number]) + " has a node " + std::to_string(tag) +
+                   " that the file does not hold");
+        return found->second;
+    }
+
+    void add_cells() {
+        for (const MshBlock& block : file_.blocks) {
+            const MshType& type = type_of(block);
+            if (type.dimension != result_.dimension || block.tags.empty()) continue;
+            if (block.groups.size() > 1)
+                refuse("element " + std::to_string(block.tags.front()) + " belongs to several physical groups of cells",
+                       "put each part in one group only");
+            const std::int32_t own =
+                region(block.groups.empty() ? rubber_region
+                                            : group_name(result_.dimension, block.groups.front(), rubber_region));
+            add_cells(block, type, own);
+        }
+        const auto order_of = [](mesh::CellType type) { return mesh::topology(type).order; };
+        for (Index c = 1; c < result_.cell_count(); ++c)
+            if (order_of(result_.cell_type(c)) != order_of(result_.cell_type(0)))
+                refuse(element(c) + " is not of the same order as " + element(0), "mesh all parts with one order");
+    }
+
+    void add_cells(const MshBlock& block, const MshType& type, std::int32_t own_region) {
+        const std::vector<int> places = gmsh_places(type);
+        const std::vector<Completion> lacking_nodes = completions(type);
+        const auto per_element = static_cast<std::size_t>(type.nodes);
+        std::vector<Index> nodes(places.size());
+        for (std::size_t e = 0; e < block.tags.size(); ++e) {
+            for (std::size_t n = 0; n < places.size(); ++n)
+                if (places[n] != lacking)
+                    nodes[n] = node_of(block, e, block.nodes[e * per_element + static_cast<std::size_t>(places[n])]);
+            for (const Completion& completion : lacking_nodes)
+                nodes[static_cast<std::size_t>(completion.node)] = completed(completion, nodes);
+            add_cell(result_, *type.cell, nodes, own_region);
+            cell_tags_.push_back(block.tags[e]);
+            cell_entities_.push_back(block.entity);
+        }
+    }
+
+    /// The node that a serendipity element lacks; neighbours share those of their sides.
+    Index completed(const Completion& completion, const std::vector<Index>& nodes) {
+        const auto next = static_cast<Index>(result_.points.size());
+        const bool on_side = completion.corners.size() == 4 && result_.dimension == 3;
+        if (on_side) {
+            std::vector<Index> corners;
+            for (const int corner : completion.corners) corners.push_back(nodes[static_cast<std::size_t>(corner)]);
+            const auto [entry, fresh] = side_nodes_.try_emplace(key_of(corners), next);
+            if (!fresh) return entry->second;
+        }
+        mesh::Point position{};
+        for (const auto& [part, weight] : completion.parts)
+            for (std::size_t d = 0; d < 3; ++d)
+                position[d] += weight * result_.point(nodes[static_cast<std::size_t>(part)])[d];
+        result_.points.push_back(position);
+        return next;
+    }
+
+    void drop_orphans() {
+        constexpr Index unused = -1;
+        std::vector<Index> numbers(result_.points.size(), unused);
+        for (const Index node : result_.connectivity) numbers[static_cast<std::size_t>(node)] = node;
+        std::vector<mesh::Point> kept;
+        for (std::size_t p = 0; p < numbers.size(); ++p) {
+            if (numbers[p] == unused) continue;
+            numbers[p] = static_cast<Index>(kept.size());
+            kept.push_back(result_.points[p]);
+        }
+        for (Index& node : result_.connectivity) node = numbers[static_cast<std::size_t>(node)];
+        for (auto& [tag, number] : numbers_) number = numbers[static_cast<std::size_t>(number)];
+        result_.points = std::move(kept);
+    }
+
+    void flatten() {
+        const double tolerance = model::plane_tolerance * model::extent_m(result_);
+        const double z = result_.points.front()[2];
+        for (mesh::Point& p : result_.points) {
+            if (std::abs(p[2] - z) > tolerance)
+                refuse(
+                    "the mesh has no cells of dimension 3, and those of dimension 2 do not lie in one plane z = constant",
+                    "mesh the volume, or draw the section in the x-y plane");
+            p[2] = 0;
+        }
+    }
+
+    [[nodiscard]] double determinant_at(Index cell, const std::array<double, 3>& xi) const {
+        return map_cell(result_, cell, mesh::shape_values(result_.cell_type(cell), xi)).determinant;
+    }
+
+    /// A surface drawn clockwise, or a mirrored copy of a part, gives cells that are all numbered the other way round.
+    void turn_mirrored() {
+        std::map<int, bool> mirrored;
+        for (Index c = 0; c < result_.cell_count(); ++c) {
+            const mesh::CellTopology& cell = mesh::topology(result_.cell_type(c));
+            std::array<double, 3> centre{};
+            for (int v = 0; v < cell.vertex_count; ++v)
+                for (std::size_t d = 0; d < 3; ++d)
+                    centre[d] += cell.nodes[static_cast<std::size_t>(v)][d] / cell.vertex_count;
+            const bool negative = determinant_at(c, centre) < 0;
+            const auto entry = mirrored.try_emplace(cell_entities_[static_cast<std::size_t>(c)], negative).first;
+            entry->second = entry->second && negative;
+        }
+        for (Index c = 0; c < result_.cell_count(); ++c) {
+            if (!mirrored.at(cell_entities_[static_cast<std::size_t>(c)])) continue;
+            const auto nodes = result_.cell_nodes(c);
+            const std::vector<Index> old(nodes.begin(), nodes.end());
+            const std::vector<int> order = mirrored_order(result_.cell_type(c));
+            const auto first = static_cast<std::size_t>(result_.offsets[static_cast<std::size_t>(c)]);
+            for (std::size_t n = 0; n < old.size(); ++n)
+                result_.connectivity[first + n] = old[static_cast<std::size_t>(order[n])];
+        }
+    }
+
+    void refuse_inside_out() const {
+        for (Index c = 0; c < result_.cell_count(); ++c)
+            for (const auto& xi : mesh::topology(result_.cell_type(c)).nodes)
+                if (!(determinant_at(c, xi) > 0))
+                    refuse(
+                        element(c) + " is turned inside out or flat",
+                        "mesh again with other sizes, or optimise the mesh (Gmsh: Tools, or Mesh.Optimize, Mesh.HighOrderOptimize)");
+    }
+
+    [[nodiscard]] std::vector<Index> corners_of(const mesh::Facet& facet) const {
+        std::vector<Index> nodes = facet_nodes(result_, facet);
+        nodes.resize(static_cast<std::size_t>(mesh::topology(facet_type(result_, facet)).vertex_count));
+        return nodes;
+    }
+
+    void find_sides() {
+        for (Index c = 0; c < result_.cell_count(); ++c) {
+            const auto count = static_cast<int>(mesh::topology(result_.cell_type(c)).facets.size());
+            for (int local = 0; local < count; ++local) {
+                std::vector<mesh::Facet>& cells = sides_[key_of(corners_of({c, local}))];
+                cells.push_back({c, local});
+                if (cells.size() > 2)
+                    refuse(
+                        element(c) + " shares a side with " + element(cells[0].cell) + " and " + element(cells[1].cell),
+                        "the mesh overlaps itself: remove cells that stand there twice");
+                if (cells.size() == 2) refuse_twins(cells[0].cell, c);
+            }
+        }
+    }
+
+    void refuse_twins(Index a, Index b) const {
+        const auto sorted = [&](Index cell) {
+            const auto nodes = result_.cell_nodes(cell);
+            std::vector<Index> copy(nodes.begin(), nodes.end());
+            std::sort(copy.begin(), copy.end());
+            return copy;
+        };
+        if (sorted(a) == sorted(b))
+            refuse(element(a) + " and " + element(b) + " are the same cell",
+                   "put each part in one physical group only");
+    }
+
+    void add_facet_sets() {
+        for (const MshBlock& block : file_.blocks) {
+            const MshType& type = type_of(block);
+            if (type.dimension != result_.dimension - 1) continue;
+            for (const int group : block.groups) {
+                const std::string face = group_name(type.dimension, group, "face_" + std::to_string(group));
+                std::vector<mesh::Facet>& facets = result_.facet_sets[face];
+                for (std::size_t e = 0; e < block.tags.size(); ++e) facets.push_back(side(block, e, face));
+            }
+        }
+        for (auto& [name, facets] : result_.facet_sets) {
+            std::sort(facets.begin(), facets.end());
+            facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
+        }
+    }
+
+    [[nodiscard]] mesh::Facet side(const MshBlock& block, std::size_t number, const std::string& face) const {
+        const MshType& type = type_of(block);
+        const auto first = number * static_cast<std::size_t>(type.nodes);
+        std::vector<Index> corners;
+        for (int k = 0; k < mesh::topology(*type.cell).vertex_count; ++k)
+            corners.push_back(node_of(block, number, block.nodes[first + static_cast<std::size_t>(k)]));
+        const auto found = sides_.find(key_of(corners));
+        const std::string what = "element " + std::to_string(block.tags[number]) + " of the face " + core::quoted(face);
+        if (found == sides_.end())
+            refuse(what + " is no side of a cell", "mesh surface and body together, so that they share their nodes");
+        if (found->second.size() > 1)
+            refuse(what + " lies inside the body, between two cells", "take inner surfaces out of the physical groups");
+        return found->second.front();
+    }
+
+    struct Hash {
+        std::size_t operator()(const Key& key) const noexcept {
+            std::uint64_t hash = 0;
+            for (const Index node : key) {
+                hash = (hash ^ static_cast<std::uint64_t>(node)) * 0x9E3779B97F4A7C15ULL;
+                hash ^= hash >> 29U;
+            }
+            return static_cast<std::size_t>(hash);
+        }
+    };
+
+    const MshFile& file_;
+    std::string name_;
+    mesh::Mesh result_;
+    std::unordered_map<std::size_t, Index> numbers_;   ///< node tag -> point
+    std::unordered_map<Key, Index, Hash> side_nodes_;  ///< added to serendipity elements
+    std::unordered_map<Key, std::vector<mesh::Facet>, Hash> sides_;
+    std::vector<std::size_t> cell_tags_;
+    std::vector<int> cell_entities_;
+};
+
+}  // namespace
+
+mesh::Mesh import_mesh(const std::filesystem::path& path, double unit_m) {
+    return import_mesh(read_msh(path), path.string(), unit_m);
+}
+
+mesh::Mesh import_mesh(const MshFile& file, const std::string& name, double unit_m) {
+    return Importer{file, name}.import(unit_m);
+}
+
+}  // namespace soft::meshing

@@ -1,0 +1,110 @@
+#include "meshing/msh_cells.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+
+#include "mesh/shape.hpp"
+
+namespace soft::meshing {
+namespace {
+
+using Corners = std::vector<int>;
+
+/// Gmsh's mid nodes in its own order, by the corners they are the mean of (reference manual, 'Node ordering').
+std::vector<Corners> gmsh_mid_nodes(mesh::Shape shape) {
+    switch (shape) {
+        case mesh::Shape::line: return {{0, 1}};
+        case mesh::Shape::triangle: return {{0, 1}, {1, 2}, {2, 0}};
+        case mesh::Shape::quadrilateral: return {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 1, 2, 3}};
+        case mesh::Shape::tetrahedron: return {{0, 1}, {1, 2}, {2, 0}, {3, 0}, {2, 3}, {1, 3}};
+        case mesh::Shape::hexahedron:
+            return {{0, 1},
+                    {0, 3},
+                    {0, 4},
+                    {1, 2},
+                    {1, 5},
+                    {2, 3},
+                    {2, 6},
+                    {3, 7},
+                    {4, 5},
+                    {4, 7},
+                    {5, 6},
+                    {6, 7},
+                    {0, 3, 2, 1},
+                    {0, 1, 5, 4},
+                    {0, 4, 7, 3},
+                    {1, 2, 6, 5},
+                    {2, 3, 7, 6},
+                    {4, 5, 6, 7},
+                    {0, 1, 2, 3, 4, 5, 6, 7}};
+        case mesh::Shape::wedge:
+            return {{0, 1}, {0, 2}, {0, 3}, {1, 2},       {1, 4},       {2, 5},
+                    {3, 4}, {3, 5}, {4, 5}, {0, 1, 4, 3}, {0, 3, 5, 2}, {1, 2, 5, 4}};
+    }
+    return {};
+}
+
+/// The corners whose mean a node of the reference cell is, ascending.
+Corners corners_of(const mesh::CellTopology& cell, std::size_t node) {
+    const std::vector<double> values = mesh::vertex_values(cell.type, cell.nodes[node]);
+    Corners corners;
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (values[v] != 0) corners.push_back(static_cast<int>(v));
+    return corners;
+}
+
+bool within(const Corners& part, const Corners& whole) {
+    return std::includes(whole.begin(), whole.end(), part.begin(), part.end());
+}
+
+}  // namespace
+
+std::vector<int> gmsh_places(const MshType& type) {
+    const mesh::CellTopology& cell = mesh::topology(type.cell.value());
+    std::vector<Corners> order;
+    for (int v = 0; v < cell.vertex_count; ++v) order.push_back({v});
+    for (Corners& corners : gmsh_mid_nodes(cell.shape)) order.push_back(std::move(corners));
+    order.resize(static_cast<std::size_t>(type.nodes));
+    for (Corners& corners : order) std::sort(corners.begin(), corners.end());
+    std::vector<int> places;
+    for (std::size_t n = 0; n < cell.nodes.size(); ++n) {
+        const auto found = std::find(order.begin(), order.end(), corners_of(cell, n));
+        places.push_back(found == order.end() ? lacking : static_cast<int>(found - order.begin()));
+    }
+    return places;
+}
+
+std::vector<Completion> completions(const MshType& type) {
+    const mesh::CellTopology& cell = mesh::topology(type.cell.value());
+    const std::vector<int> places = gmsh_places(type);
+    std::vector<Completion> result;
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        if (places[n] != lacking) continue;
+        Completion completion{static_cast<int>(n), {}, corners_of(cell, n)};
+        std::vector<int> edges;
+        for (std::size_t m = 0; m < places.size(); ++m) {
+            const Corners corners = corners_of(cell, m);
+            if (corners.size() == 2 && within(corners, completion.corners)) edges.push_back(static_cast<int>(m));
+        }
+        constexpr double corner_weight = -0.25;
+        const double rest = 1 - corner_weight * static_cast<double>(completion.corners.size());
+        for (const int corner : completion.corners) completion.parts.emplace_back(corner, corner_weight);
+        for (const int edge : edges) completion.parts.emplace_back(edge, rest / static_cast<double>(edges.size()));
+        result.push_back(std::move(completion));
+    }
+    return result;
+}
+
+std::vector<int> mirrored_order(mesh::CellType type) {
+    const mesh::CellTopology& cell = mesh::topology(type);
+    std::vector<int> order;
+    for (const auto& xi : cell.nodes) {
+        const auto found = std::find(cell.nodes.begin(), cell.nodes.end(), std::array<double, 3>{xi[1], xi[0], xi[2]});
+        if (found == cell.nodes.end()) throw std::logic_error("mirrored_order: the reference cell is not symmetric");
+        order.push_back(static_cast<int>(found - cell.nodes.begin()));
+    }
+    return order;
+}
+
+}  // namespace soft::meshing

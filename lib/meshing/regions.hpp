@@ -1,0 +1,15 @@
+#pragma once
+/// Regions of a mesh by name. Held by meshing/box_grid_test and geometry/segment_test.
+#include <cstdint>
+#include <string>
+
+#include "mesh/mesh.hpp"
+
+namespace soft::meshing {
+
+/// The number of the region of this name, which is added where there is none.
+[[nodiscard]] std::int32_t region_number(mesh::Mesh& mesh, const std::string& name);
+
+[[nodiscard]] const std::string& region_of(const mesh::Mesh& mesh, mesh::Index cell);
+
+}  // namespace soft::meshing
