@@ -12,9 +12,12 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <new>
 
 namespace soft::core {
 namespace {
+
+constexpr int failed = 1, out_of_memory = 2;  // how the child exits
 
 /// Private memory that the process can write to, as the kernel counts it for RLIMIT_DATA (proc(5), statm: data + stack).
 std::size_t data_bytes() {
@@ -33,7 +36,6 @@ void set_limit(int what, std::size_t most) {
 
 /// Of the child: never returns, and runs no handler of exit, in which libraries crash.
 [[noreturn]] void work_and_leave(const std::function<Bytes()>& work, const ApartLimits& limits, int out) {
-    constexpr int failed = 1;
     set_limit(RLIMIT_CORE, 0);
     if (limits.processor) set_limit(RLIMIT_CPU, static_cast<std::size_t>(limits.processor->count()));
     if (limits.memory != no_limit) set_limit(RLIMIT_DATA, data_bytes() + limits.memory);
@@ -46,6 +48,8 @@ void set_limit(int what, std::size_t most) {
     try {
         const Bytes result = work();
         if (write_all(out, result, "") != Delivery::whole) ::_exit(failed);
+    } catch (const std::bad_alloc&) {
+        ::_exit(out_of_memory);
     } catch (...) {  // libraries also throw strings; the caller says that it has failed
         ::_exit(failed);
     }
@@ -53,7 +57,7 @@ void set_limit(int what, std::size_t most) {
 }
 
 std::string reason_of(int status) {
-    if (!WIFSIGNALED(status)) return "it fails";
+    if (WIFEXITED(status)) return WEXITSTATUS(status) == out_of_memory ? "it takes too much memory" : "it fails";
     if (WTERMSIG(status) == SIGXCPU) return "it does not come to an end";
     return std::string{"it crashes ("} + ::strsignal(WTERMSIG(status)) + ")";
 }

@@ -9,12 +9,20 @@
 #include <system_error>
 #include <utility>
 
+#include "core/text.hpp"
+
 namespace soft::core {
 namespace {
 
 namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
+
+/// A name may hold any character; in a message it keeps to one line.
+std::string shown(const fs::path& path) {
+    constexpr std::size_t longest = 4096;  // PATH_MAX
+    return one_line(path.string(), longest);
+}
 
 /// Closes on the way out; a failed close of something only read tells nothing.
 class Descriptor {
@@ -68,18 +76,18 @@ Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit) 
 
 Bytes read_file(const fs::path& path, std::size_t limit) {
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-    if (file.get() < 0) throw Error(ExitCode::cannot_open, path.string(), "cannot be opened: " + reason(errno));
-    return read_descriptor(file.get(), path.string(), limit);
+    if (file.get() < 0) throw Error(ExitCode::cannot_open, shown(path), "cannot be opened: " + reason(errno));
+    return read_descriptor(file.get(), shown(path), limit);
 }
 
 Bytes read_regular_file(const fs::path& path, std::size_t limit) {
     // Without O_NONBLOCK opening a named pipe would wait for a writer.
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
-    if (file.get() < 0) throw Error(ExitCode::cannot_open, path.string(), "cannot be opened: " + reason(errno));
+    if (file.get() < 0) throw Error(ExitCode::cannot_open, shown(path), "cannot be opened: " + reason(errno));
     struct stat status {};
     if (::fstat(file.get(), &status) != 0 || !(S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)))
-        throw Error(ExitCode::cannot_open, path.string(), "is a device or a pipe", "name a file");
-    return read_descriptor(file.get(), path.string(), limit);
+        throw Error(ExitCode::cannot_open, shown(path), "is a device or a pipe", "name a file");
+    return read_descriptor(file.get(), shown(path), limit);
 }
 
 Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string_view name) {
@@ -93,7 +101,7 @@ Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string
     return Delivery::whole;
 }
 
-AtomicFile::AtomicFile(const fs::path& path) : name_(path.string()), target_(path) {
+AtomicFile::AtomicFile(const fs::path& path) : name_(shown(path)), target_(path) {
     struct stat status {};
     const bool exists = ::stat(target_.c_str(), &status) == 0;
     if (exists && S_ISDIR(status.st_mode)) throw Error(ExitCode::cannot_create, name_, "is a folder", "name a file");

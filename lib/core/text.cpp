@@ -71,14 +71,21 @@ std::string join(std::span<const std::string> words, std::string_view separator)
 }
 
 std::string one_line(std::string_view text, std::size_t longest) {
-    std::string line;
-    for (const char c : text.substr(0, longest)) {
-        const auto byte = static_cast<unsigned char>(c);
-        line += byte < 0x20 || byte == 0x7F ? '?' : c;
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+    std::size_t size = std::min(text.size(), longest);
+    constexpr int most_of_a_letter = 3;  // bytes before its last
+    for (int k = 0; k < most_of_a_letter && size > 0 && (byte(size) & 0xC0U) == 0x80U; ++k)
+        --size;  // do not cut a letter in two
+    std::string line{text.substr(0, size)};
+    for (std::size_t i = 0; i < size; ++i) {
+        const bool is_c1 = byte(i) == 0xC2U && byte(i + 1) < 0xA0U;  // terminals obey these as well
+        if (byte(i) < 0x20U || byte(i) == 0x7FU || is_c1) line[i] = '?';
     }
-    if (text.size() <= longest) return line;
-    if (const auto broken = first_invalid_utf8(line)) line.resize(*broken);  // do not cut a letter in two
-    return line + "...";
+    for (std::size_t from = 0; const auto bad = first_invalid_utf8(std::string_view{line}.substr(from));) {
+        line[from + *bad] = '?';
+        from += *bad + 1;
+    }
+    return size < text.size() ? line + "..." : line;
 }
 
 std::string quoted(std::string_view text) {
@@ -106,7 +113,8 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
     if (candidates.empty()) return {};
     if (const auto near = nearest(word, candidates)) return "did you mean " + quoted(*near) + "?";
-    return "known: " + join(candidates);
+    constexpr std::size_t longest = 1000;  // names may come from a file, any number of them
+    return "known: " + one_line(join(candidates), longest);
 }
 
 std::string_view trimmed(std::string_view text) noexcept {

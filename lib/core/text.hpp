@@ -17,7 +17,7 @@ namespace soft::core {
 /// "a, b, c"
 [[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator = ", ");
 
-/// `text` fit for one line of a terminal: control characters become '?', more than `longest` bytes are cut with "...".
+/// `text` fit for one line of a terminal: control characters and what is not UTF-8 become '?', more than `longest` bytes are cut with "...".
 [[nodiscard]] std::string one_line(std::string_view text, std::size_t longest = 120);
 
 /// one_line within single quotes.

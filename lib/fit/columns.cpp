@@ -45,6 +45,11 @@ std::vector<std::string> quoted_titles(const Table& table) {
     return titles;
 }
 
+std::string titles_text(const Table& table) {
+    constexpr std::size_t longest = 400;  // a file may have any number of columns
+    return core::one_line(core::join(quoted_titles(table)), longest);
+}
+
 struct Wanted {
     std::string_view what;     // "strain"
     std::string_view option;   // "--strain-column"
@@ -69,7 +74,7 @@ std::size_t named_column(const Table& table, const Wanted& wanted) {
         if (holds(table.headings[i].name, lower(text))) hits.push_back(i);
     }
     if (hits.size() == 1) return hits.front();
-    const std::string titles = core::join(quoted_titles(table));
+    const std::string titles = titles_text(table);
     throw refusal(
         table, (hits.empty() ? "no column is called " : "more than one column is called ") + core::quoted(text),
         table.headings.empty() ? "the table has no header: name the column by its number" : "columns: " + titles);
@@ -89,7 +94,7 @@ std::size_t column_by_title(const Table& table, const Wanted& wanted) {
         throw refusal(table, "the table has no header that says which column is the " + what, remedy);
     throw refusal(table,
                   hits.empty() ? "no title says which column is the " + what : "several columns may be the " + what,
-                  remedy + "; columns: " + core::join(quoted_titles(table)));
+                  remedy + "; columns: " + titles_text(table));
 }
 
 std::size_t find_column(const Table& table, const Wanted& wanted) {

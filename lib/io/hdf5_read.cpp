@@ -97,7 +97,11 @@ Error GroupReader::unknown_word(const std::string& name, const std::string& word
     return refuse(name, core::quoted(word) + " is not a known value");
 }
 
-bool GroupReader::has(const std::string& name) const { return H5Lexists(group_.get(), name.c_str(), H5P_DEFAULT) > 0; }
+bool GroupReader::has(const std::string& name) const {
+    const htri_t found = H5Lexists(group_.get(), name.c_str(), H5P_DEFAULT);
+    if (found < 0) throw refuse(name, "cannot be looked up: " + hdf5_reason());
+    return found > 0;
+}
 
 void GroupReader::note(const std::string& name) const {
     if (origin_->note.empty()) return;

@@ -35,7 +35,7 @@ private:
 core::ApartLimits limits_for(std::size_t image_bytes) {
     constexpr std::size_t bytes_a_second = 10'000'000;
     const std::chrono::seconds processor{10 + static_cast<long>(image_bytes / bytes_a_second)};
-    return {.wall = 10 * processor, .processor = processor, .memory = (std::size_t{1} << 30) + 64 * image_bytes};
+    return {.wall = 10 * processor, .processor = processor, .memory = (std::size_t{1} << 28) + 64 * image_bytes};
 }
 
 /// Exit code and message; empty where nothing was thrown.

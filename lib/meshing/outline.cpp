@@ -77,6 +77,16 @@ std::optional<OutlineFault> point_twice(const Outline& outline, double near_m) {
     return std::nullopt;
 }
 
+/// Every piece is compared with every other: a second or two for the most.
+std::optional<OutlineFault> too_many(const Outline& outline) {
+    constexpr std::size_t most_pieces = 20000;
+    const std::vector<OutlinePiece> pieces = pieces_of(outline);
+    if (pieces.size() <= most_pieces) return std::nullopt;
+    return OutlineFault{edge_of(outline, pieces[most_pieces]).row,
+                        "more than " + std::to_string(most_pieces) + " straight pieces, ten to a span of a spline",
+                        "draw the outline with fewer points"};
+}
+
 std::optional<OutlineFault> meeting(const Outline& outline, double near_m) {
     const std::vector<OutlinePiece> pieces = pieces_of(outline);
     for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -236,6 +246,7 @@ double extent_m(const Outline& outline) {
 std::optional<OutlineFault> fault_of(const Outline& outline) {
     const double near_m = outline_tolerance * extent_m(outline);
     if (auto fault = point_twice(outline, near_m)) return fault;
+    if (auto fault = too_many(outline)) return fault;
     if (auto fault = meeting(outline, near_m)) return fault;
     return wrong_sense(outline);
 }

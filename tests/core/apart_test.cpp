@@ -88,7 +88,9 @@ TEST(Apart, MemoryBeyondTheLimitIsRefused) {
         };
     };
     EXPECT_TRUE(done_apart(asks_for(limit / 4), {.wall = seconds{60}, .memory = limit}).result.has_value());
-    EXPECT_FALSE(done_apart(asks_for(4 * limit), {.wall = seconds{60}, .memory = limit}).result.has_value());
+    const ApartEnd end = done_apart(asks_for(4 * limit), {.wall = seconds{60}, .memory = limit});
+    EXPECT_FALSE(end.result.has_value());
+    EXPECT_NE(end.reason, "");
 }
 
 TEST(Apart, WhatItPrintsGoesNowhere) {

@@ -54,6 +54,16 @@ TEST_F(Files, ACommittedFileHoldsEveryByteAndNothingElseIsLeft) {
     EXPECT_EQ(entries(), 1);
 }
 
+TEST_F(Files, AStrangeNameStaysOnOneLineOfTheMessage) {
+    try {
+        static_cast<void>(read_file(in("a\nb\t\x1b[31m")));
+        FAIL() << "there is no such file";
+    } catch (const soft::Error& error) {
+        EXPECT_NE(std::string_view{error.what()}.find("a?b??[31m: cannot be opened"), std::string_view::npos)
+            << error.what();
+    }
+}
+
 /// A design may name any file, and none that is named may keep the program waiting or reading for ever.
 TEST_F(Files, WhatADesignNamesIsReadOnlyWhenItIsAFile) {
     constexpr std::size_t limit = 1000;

@@ -43,6 +43,13 @@ TEST(OneLine, HoldsNoControlCharacterAndNoHalfLetter) {
     EXPECT_EQ(one_line("a\nb\x1b[31m"), "a?b?[31m");
     const std::string cut = one_line("aaaµ", 4);  // the limit falls into the letter
     EXPECT_EQ(cut, "aaa...");
+    EXPECT_EQ(one_line("aaaµ", 5), "aaaµ");
+}
+
+TEST(OneLine, IsUtf8WhateverItIsGiven) {
+    EXPECT_EQ(one_line("a\xff\x81 \xc3"), "a?? ?");
+    EXPECT_EQ(one_line("\xc2\x9b 31m µ"), "?? 31m µ");  // a control character of ISO 8859
+    EXPECT_EQ(one_line("\x80\x80\x80\x80\x80\x80", 5), "??...");
 }
 
 TEST(Utf8, AcceptsLettersOfEveryLengthAndRefusesWhatTheStandardForbids) {

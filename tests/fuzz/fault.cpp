@@ -13,6 +13,7 @@ std::optional<std::string> fault_of(const Error& error) {
     if (error.code() == ExitCode::internal || error.code() == ExitCode::ok)
         return "the Error blames the program: " + std::string{text};
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\x7f'; };
+    if (core::first_invalid_utf8(text)) return "the Error is not UTF-8: " + core::one_line(text);
     if (std::ranges::any_of(text, is_control)) return "the Error is not one line: " + core::one_line(text);
     constexpr std::size_t longest = 2000;
     if (text.size() > longest) return "the Error is " + std::to_string(text.size()) + " bytes long";

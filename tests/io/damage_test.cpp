@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <string>
 
 #include "example_case.hpp"
@@ -98,6 +100,43 @@ TEST(Damage, FlippedByteWithoutSealGivesAResultOrAnError) {
         }
     }
     EXPECT_GT(refused, 50);
+}
+
+/// HDF5 1.10.8 walks the free list of a local heap without counting ("Disk Format: Level 1D - Local Heaps" of the file format
+/// specification: signature, version, size of data, head of the free list, address of data): a block that follows itself
+/// takes all memory. The trial ends it, and says where.
+TEST(Damage, AFreeListInACircleIsEndedAndNamed) {
+    const Image whole = section_image();
+    const auto hdf5 = split_image(whole, "").hdf5;
+    Image damaged{hdf5.begin(), hdf5.end()};
+    const auto signature = std::as_bytes(std::span{std::string_view{"HEAP"}});
+    const auto number = [&](std::size_t place) {
+        std::uint64_t value = 0;
+        std::memcpy(&value, damaged.data() + place, sizeof value);
+        return value;
+    };
+    int circles = 0;
+    for (auto heap = damaged.begin();; ++heap) {
+        heap = std::search(heap, damaged.end(), signature.begin(), signature.end());
+        if (heap == damaged.end()) break;
+        const auto at = static_cast<std::size_t>(heap - damaged.begin());
+        const std::uint64_t size = number(at + 8), free_head = number(at + 16), address = number(at + 24);
+        if (free_head + sizeof free_head > size) continue;  // no free block
+        std::memcpy(damaged.data() + address + free_head, &free_head, sizeof free_head);
+        ++circles;
+    }
+    ASSERT_GT(circles, 0);
+    const std::string message = refusal(damaged);
+    EXPECT_TRUE(message.starts_with("case.h5")) << message;
+}
+
+/// The sealed way costs no process: what a seal covers is read at once. Without one the verdict is the same.
+TEST(Damage, WithoutSealAGoodFileReadsTheSame) {
+    const Image whole = section_image();
+    const auto hdf5 = split_image(whole, "").hdf5;
+    expect_equal(read_case(Image{hdf5.begin(), hdf5.end()}, "case.h5"), section_case());
+    EXPECT_TRUE(split_image(whole, "").sealed);
+    EXPECT_FALSE(split_image(hdf5, "").sealed);
 }
 
 }  // namespace
