@@ -59,7 +59,6 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> inflation_problems();
 [[nodiscard]] std::vector<Problem> long_tube_problems();
 [[nodiscard]] std::vector<Problem> fiber_tube_problems();
-[[nodiscard]] std::vector<Problem> cable_problems();
 [[nodiscard]] std::vector<Problem> limit_point_problems();
 [[nodiscard]] std::vector<Problem> branch_problems();
 [[nodiscard]] std::vector<Problem> snap_problems();

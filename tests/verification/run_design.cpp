@@ -6,7 +6,6 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
-#include <utility>
 
 #include "assembly/system.hpp"
 #include "design/design.hpp"
@@ -71,15 +70,8 @@ model::Case read_case(const std::string& design, const std::vector<std::string>&
 
 Run run_design(const std::string& design, const std::vector<std::string>& sets, Energy energy) {
     const auto begin = std::chrono::steady_clock::now();
-    Run run = run_case(read_case(design, sets), design, energy);
-    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return run;
-}
-
-Run run_case(model::Case input, const std::string& name, Energy energy) {
-    const auto begin = std::chrono::steady_clock::now();
     Run run;
-    run.model = std::move(input);
+    run.model = read_case(design, sets);
     assembly::System system(run.model, PETSC_COMM_WORLD);
     const auto sink = [&](const solution::Step& step, Vec x) {
         run.steps.push_back(step);
@@ -90,7 +82,7 @@ Run run_case(model::Case input, const std::string& name, Energy energy) {
     run.end =
         run.model.dynamics ? dynamics::integrate_motion(system, listeners) : solver::follow_path(system, listeners);
     if (run.end.reason == solution::StopReason::diverged)
-        throw std::runtime_error(name + ": the path diverged: " + run.end.detail);
+        throw std::runtime_error(design + ": the path diverged: " + run.end.detail);
     run.mesh = describe(run.model, system.dofs().total);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return run;

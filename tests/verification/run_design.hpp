@@ -42,9 +42,6 @@ enum class Energy { ignored, recorded };
 [[nodiscard]] Run run_design(const std::string& design, const std::vector<std::string>& sets,
                              Energy energy = Energy::ignored);
 
-/// The same of a case that is made already; `name` is for messages.
-[[nodiscard]] Run run_case(model::Case input, const std::string& name, Energy energy = Energy::ignored);
-
 /// The case alone, not solved.
 [[nodiscard]] model::Case read_case(const std::string& design, const std::vector<std::string>& sets);
 
