@@ -82,9 +82,9 @@ std::optional<OutlineFault> too_many(const Outline& outline) {
     constexpr std::size_t most_pieces = 20000;
     const std::vector<OutlinePiece> pieces = pieces_of(outline);
     if (pieces.size() <= most_pieces) return std::nullopt;
-    return OutlineFault{edge_of(outline, pieces[most_pieces]).row,
-                        "more than " + std::to_string(most_pieces) + " straight pieces, ten to a span of a spline",
-                        "draw the outline with fewer points"};
+    std::string problem{"more than "};  // with operator+ g++ 12 warns of an overlap that is none
+    problem.append(std::to_string(most_pieces)).append(" straight pieces, ten to a span of a spline");
+    return OutlineFault{edge_of(outline, pieces[most_pieces]).row, problem, "draw the outline with fewer points"};
 }
 
 std::optional<OutlineFault> meeting(const Outline& outline, double near_m) {
