@@ -1,7 +1,8 @@
 #include "linalg/small_matrix.hpp"
 
-#include <petscblaslapack.h>
 #include <petscsys.h>
+// Not before petscsys.h, on which it relies.
+#include <petscblaslapack.h>
 
 #include <algorithm>
 #include <cmath>
