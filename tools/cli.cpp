@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli_text.hpp"
+#include "core/memory.hpp"
 #include "core/text.hpp"
 
 namespace soft::cli {
@@ -246,7 +247,8 @@ ExitCode telling_errors(std::string_view tool, std::string_view command_line, co
         print_error(std::string{tool} + ": " + error.what());
         return error.code();
     } catch (const std::bad_alloc&) {
-        return report_bug(tool, command_line, "out of memory");
+        print_error(std::string{tool} + ": " + core::out_of_memory().what());
+        return ExitCode::io_error;
     } catch (const std::exception& error) {
         return report_bug(tool, command_line, error.what());
     } catch (...) {

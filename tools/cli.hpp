@@ -12,6 +12,7 @@
 ///   int main(int argc, char** argv) { return cli::run_guarded(argc, argv, parse, solve); }
 ///
 /// stdout carries data only; messages go to stderr. Held by tests/cli.
+#include <cstdlib>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -85,7 +86,7 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 [[nodiscard]] std::vector<std::string> library_lines(const About& about);
 
 /// Calls `body`; SIGPIPE is ignored and closed standard streams cannot be taken by files. An Error becomes one line
-/// "tool: place: problem; remedy" and its exit code, anything else exit code 70 with a request to report it.
+/// "tool: place: problem; remedy" and its exit code, std::bad_alloc is 74, anything else 70 with a request to report it.
 [[nodiscard]] int guarded(int argc, char** argv, const std::function<ExitCode()>& body);
 
 /// The part of it that tells errors; for one piece of work of several. `command_line` stands in requests to report.
@@ -98,10 +99,13 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 /// parse: (int, char**) -> std::optional<Options>, run: (const Options&) -> ExitCode.
 template <class Parse, class Run>
 [[nodiscard]] int run_guarded(int argc, char** argv, Parse parse_options, Run run) {
-    return guarded(argc, argv, [&] {
+    const int code = guarded(argc, argv, [&] {
         const auto options = parse_options(argc, argv);
         return options ? run(*options) : ExitCode::ok;
     });
+    // Libraries that ran out of memory half way crash in what they do at exit.
+    if (code == static_cast<int>(ExitCode::io_error)) std::_Exit(code);
+    return code;
 }
 
 struct Input {

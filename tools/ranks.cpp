@@ -6,7 +6,10 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <new>
 #include <thread>
+
+#include "core/memory.hpp"
 
 namespace soft::cli {
 
@@ -41,6 +44,8 @@ ExitCode on_all_ranks(int rank, int size, const std::function<ExitCode()>& body)
         return body();
     } catch (const Error& error) {
         fail(error.what(), error.code());
+    } catch (const std::bad_alloc&) {
+        fail(core::out_of_memory().what(), ExitCode::io_error);
     } catch (const std::exception& error) {
         fail(error.what(), ExitCode::internal);
     }

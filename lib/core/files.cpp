@@ -38,6 +38,9 @@ std::size_t expected_size(int descriptor) noexcept {
     return static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
 }
 
+/// The only way to an open file without a name.
+std::string own_link(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
+
 mode_t mode_for_new_file() noexcept {
     const mode_t mask = ::umask(0);  // reading the mask means setting it
     ::umask(mask);
@@ -95,9 +98,7 @@ AtomicFile::AtomicFile(const fs::path& path) : name_(path.string()), target_(pat
         written_ = target_;
         descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
     } else {
-        std::string pattern = target_.string() + ".XXXXXX";
-        descriptor_ = ::mkostemp(pattern.data(), O_CLOEXEC);
-        written_ = pattern;
+        descriptor_ = open_beside_target();
     }
     if (descriptor_ < 0) throw Error(ExitCode::cannot_create, name_, "cannot be created: " + reason(errno));
     // A temporary is private to its owner; the file that replaces another takes over who may read it.
@@ -106,21 +107,48 @@ AtomicFile::AtomicFile(const fs::path& path) : name_(path.string()), target_(pat
 
 AtomicFile::~AtomicFile() { discard(); }
 
+int AtomicFile::open_beside_target() {
+#ifdef O_TMPFILE
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path{"."};
+    const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (nameless >= 0 && ::access(own_link(nameless).c_str(), F_OK) == 0) return nameless;
+    if (nameless >= 0) ::close(nameless);  // no /proc, through which it would get its name
+#endif
+    std::string pattern = target_.string() + ".XXXXXX";
+    const int named = ::mkostemp(pattern.data(), O_CLOEXEC);
+    written_ = pattern;
+    return named;
+}
+
+/// A temporary one: a link cannot replace a file. Returns errno, or 0.
+int AtomicFile::give_name() {
+    for (int attempt = 0;; ++attempt) {
+        const fs::path name =
+            target_.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+        if (::linkat(AT_FDCWD, own_link(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+            written_ = name;
+            return 0;
+        }
+        if (errno != EEXIST) return errno;
+    }
+}
+
 Delivery AtomicFile::write(std::span<const std::byte> bytes) { return write_all(descriptor_, bytes, name_); }
 
 void AtomicFile::commit() {
+    int error = written_.empty() ? give_name() : 0;
     const int descriptor = std::exchange(descriptor_, -1);
-    int error = ::close(descriptor) == 0 ? 0 : errno;
+    if (::close(descriptor) != 0 && error == 0) error = errno;
     if (error == 0 && renames_ && ::rename(written_.c_str(), target_.c_str()) != 0) error = errno;
     if (error == 0) return;
-    if (renames_) ::unlink(written_.c_str());
+    if (renames_ && !written_.empty()) ::unlink(written_.c_str());
     throw Error(ExitCode::io_error, name_, "cannot be written: " + reason(error));
 }
 
 void AtomicFile::discard() noexcept {
     if (descriptor_ < 0) return;
     ::close(std::exchange(descriptor_, -1));
-    if (renames_) ::unlink(written_.c_str());
+    if (renames_ && !written_.empty()) ::unlink(written_.c_str());
 }
 
 }  // namespace soft::core

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -17,6 +18,7 @@ constexpr const char* needed_first = SOFT_GMSH_NEEDS;  // "libA.so.1 libB.so.2 "
 
 Error not_loaded(const char* reason) {
     const std::string why = reason != nullptr ? reason : "it is not said why";
+    if (why.find("failed to map segment") != std::string::npos) return core::out_of_memory();
     return {ExitCode::cannot_open, library_file, "cannot be loaded: " + why,
             "install gmsh, or build anew with the one that is installed"};
 }

@@ -9,7 +9,8 @@ class Session {
 public:
     /// Starts MPI and PETSc; `options` are PETSc's own, as after `--` on the command line. A single process started
     /// without mpirun skips the launcher's daemons, which cost 0.3 s. PETSc's signal handler stays off: with a closed
-    /// pipe it can hang. What PETSc prints (-log_view, -help) goes to stderr.
+    /// pipe it can hang. What PETSc prints (-log_view, -help) goes to stderr. Throws out_of_memory() where the address space
+    /// that is left is too little for MPI and BLAS to start. Held by tests/faults/memory.sh.
     explicit Session(const std::vector<std::string>& options);
     ~Session();
     Session(const Session&) = delete;
