@@ -62,12 +62,11 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings
 }
 
 void LinearSolver::take_small_factors() {
-    PetscBool sequential = PETSC_FALSE, chosen = PETSC_FALSE;
+    PetscBool chosen = PETSC_FALSE;
     PetscInt size = 0;
     SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // by the user, of what set_type gives
-    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(K_), MATSEQAIJ, &sequential));
     SOFT_PETSC(MatGetSize(K_, &size, nullptr));
-    if (chosen == PETSC_TRUE || sequential == PETSC_FALSE || size > most_small_unknowns) return;
+    if (chosen == PETSC_TRUE || size > most_small_unknowns) return;
     {
         const Timed timed(Phase::ordering);
         small_.emplace(K_);
