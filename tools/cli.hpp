@@ -115,7 +115,16 @@ struct Input {
 };
 
 /// The file, or all of stdin for "-" and for nothing; Error(usage) for nothing when stdin is a terminal.
-[[nodiscard]] Input read_input(const std::string& name, std::size_t limit = core::no_limit);
+/// Limit and signature as in core::read_descriptor.
+[[nodiscard]] Input read_input(const std::string& name, std::size_t limit = core::no_limit,
+                               std::string_view signature = {});
+/// A file of HDF5; what is none is cut short.
+[[nodiscard]] inline Input read_hdf5_input(const std::string& name) {
+    return read_input(name, core::no_limit, "\x89HDF\r\n\x1a\n");
+}
+
+/// Bytes: a table is text that somebody has looked at. The reader of designs takes one less and says so.
+inline constexpr std::size_t longest_table = std::size_t{1} << 26, longest_design = (std::size_t{1} << 20) + 1;
 
 enum class Content { text, binary };
 

@@ -15,7 +15,7 @@ namespace soft::cli {
 
 Input read_input_on_first_rank(const std::string& name, int rank) {
     Input input;
-    if (rank == 0) input = read_input(name);
+    if (rank == 0) input = read_hdf5_input(name);
     auto size = static_cast<std::int64_t>(input.bytes.size());
     MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
     input.bytes.resize(static_cast<std::size_t>(size));

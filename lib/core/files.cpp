@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -49,7 +50,7 @@ mode_t mode_for_new_file() noexcept {
 
 }  // namespace
 
-Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit) {
+Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit, std::string_view signature) {
     constexpr std::size_t chunk = std::size_t{1} << 16;
     Bytes bytes;
     // One byte more than expected, so that a file of known size is read without growing the buffer at its end.
@@ -63,16 +64,17 @@ Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit) 
         if (got < 0) throw Error(ExitCode::io_error, name, "cannot be read: " + reason(errno));
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
+        if (filled >= signature.size() && std::memcmp(bytes.data(), signature.data(), signature.size()) != 0) break;
         if (filled > limit) throw Error(ExitCode::bad_input, name, "longer than " + std::to_string(limit) + " bytes");
     }
     bytes.resize(filled);
     return bytes;
 }
 
-Bytes read_file(const fs::path& path, std::size_t limit) {
+Bytes read_file(const fs::path& path, std::size_t limit, std::string_view signature) {
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
     if (file.get() < 0) throw Error(ExitCode::cannot_open, path.string(), "cannot be opened: " + reason(errno));
-    return read_descriptor(file.get(), path.string(), limit);
+    return read_descriptor(file.get(), path.string(), limit, signature);
 }
 
 Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string_view name) {

@@ -17,11 +17,14 @@ using Bytes = std::vector<std::byte>;
 inline constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 /// Everything up to the end of the stream. `name` stands in errors: io_error for a failed read, cannot_open for a
-/// folder, bad_input beyond `limit` bytes.
-[[nodiscard]] Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit = no_limit);
+/// folder, bad_input beyond `limit` bytes. Bytes that do not begin with `signature` are read no further: what there is, is
+/// returned, to be refused, and an endless stream does not fill the memory.
+[[nodiscard]] Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit = no_limit,
+                                    std::string_view signature = {});
 
 /// The whole file; Error(cannot_open) with the reason.
-[[nodiscard]] Bytes read_file(const std::filesystem::path& path, std::size_t limit = no_limit);
+[[nodiscard]] Bytes read_file(const std::filesystem::path& path, std::size_t limit = no_limit,
+                              std::string_view signature = {});
 
 /// A reader that closes its end of the pipe is no failure of the writer: the caller just stops.
 enum class Delivery { whole, reader_left };
