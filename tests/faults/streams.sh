@@ -13,8 +13,13 @@ declare -A options=([fit-material]='--law yeoh')
 
 for tool in mesh-gen solve postprocess fit-material; do
     do_it=${command[$tool]} from="$tool -q ${options[$tool]:-}"
-    row 'empty stdin' $tool 65 '*empty*' nothing "$from -o place/out"
-    row 'stdin cut off' $tool 65 '<stdin>*' nothing "head -c 700 ${input[$tool]} | $from -o place/out"
+    row 'empty stdin' $tool 65 '<stdin>: *' nothing "$from -o place/out"
+    if [ $tool = fit-material ]; then   # a table cannot know
+        row 'stdin cut off' $tool 0 'warning: <stdin>: the last line has no end: is the file whole[?]' - \
+            "head -c 700 test.csv | fit-material --law yeoh -o place/out 2>&1 | grep warning >&2"
+    else
+        row 'stdin cut off' $tool 65 '<stdin>*' nothing "head -c 700 ${input[$tool]} | $from -o place/out"
+    fi
     row 'closed stdin' $tool 74 '<stdin>: cannot be read: *' nothing "$from - -o place/out <&-"
     row 'closed stdout' $tool 74 '<stdout>: cannot be written: *' nothing "$do_it >&-"
     row 'closed stderr' $tool 0 - - "$do_it -o place/out 2>&-"
@@ -37,11 +42,11 @@ done
 mkdir disk
 if mount -t tmpfs -o size=40k tmpfs disk 2>"$seen/err"; then
     for tool in mesh-gen postprocess fit-material; do
-        head -c 38000 /dev/zero >disk/kept
+        head -c 34000 /dev/zero >disk/kept
         listed 'a disk that fills' $tool 74 'disk/out: cannot be written: No space left on device' 'the old file'
         head -c 100 whole.csv >disk/out
         cp disk/out old
-        run "yes | head -c 4000 >disk/more; ${command[$tool]} -o disk/out"
+        run "yes | head -c 4000 >disk/more 2>more; ${command[$tool]} -o disk/out"
         claim "$tool: exit code 74" exits 74
         claim "$tool: it says so" says "$tool: disk/out: cannot be written: No space left on device"
         claim "$tool: the old file is as it was, and alone" cmp -s disk/out old
