@@ -48,7 +48,7 @@ Session::Session(const std::vector<std::string>& options) {
     }
     core::require_memory(memory_to_start);
     take_blas_buffer();
-    std::vector<std::string> words{"solve", "-no_signal_handler"};
+    std::vector<std::string> words{"solve", "-no_signal_handler", "-skip_petscrc"};
     words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> pointers;
     for (auto& word : words) pointers.push_back(word.data());
@@ -75,7 +75,8 @@ std::vector<std::string> Session::unused_options() const {
     SOFT_PETSC(PetscOptionsLeftGet(nullptr, &count, &names, &values));
     std::vector<std::string> left;
     for (PetscInt i = 0; i < count; ++i)
-        if (std::string_view(names[i]) != "no_signal_handler") left.emplace_back(names[i]);
+        if (const std::string_view name(names[i]); name != "no_signal_handler" && name != "skip_petscrc")
+            left.emplace_back(names[i]);
     SOFT_PETSC(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
     return left;
 }

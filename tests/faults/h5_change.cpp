@@ -20,16 +20,19 @@ void put_version(hid_t file, std::int64_t version) {
 
 void add_unknown(hid_t file) {
     const double value = 1;
-    const hid_t space = H5Screate(H5S_SCALAR), group = H5Gcreate2(file, "future", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Screate(H5S_SCALAR),
+                group = H5Gcreate2(file, "future", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     const hid_t known = H5Gopen2(file, "control", H5P_DEFAULT);
     for (const hid_t parent : {group, known}) {
-        const hid_t dataset = H5Dcreate2(parent, "future_key", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+        const hid_t dataset =
+            H5Dcreate2(parent, "future_key", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
         H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value);
         H5Dclose(dataset);
     }
     const hid_t attribute = H5Acreate2(file, "future_attribute", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT);
     H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
-    for (const auto close : {H5Aclose(attribute), H5Gclose(known), H5Gclose(group), H5Sclose(space)}) static_cast<void>(close);
+    for (const auto close : {H5Aclose(attribute), H5Gclose(known), H5Gclose(group), H5Sclose(space)})
+        static_cast<void>(close);
 }
 
 bool turn_bytes(hid_t file, const char* name) {
@@ -37,12 +40,14 @@ bool turn_bytes(hid_t file, const char* name) {
     if (old < 0) return false;
     const hid_t space = H5Dget_space(old);
     std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+    const hid_t layout = H5Dget_create_plist(old);
     H5Dread(old, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
     H5Dclose(old);
     H5Ldelete(file, name, H5P_DEFAULT);
-    const hid_t turned = H5Dcreate2(file, name, H5T_IEEE_F64BE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t turned = H5Dcreate2(file, name, H5T_IEEE_F64BE, space, H5P_DEFAULT, layout, H5P_DEFAULT);
     const bool written = H5Dwrite(turned, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0;
     H5Dclose(turned);
+    H5Pclose(layout);
     H5Sclose(space);
     return written;
 }

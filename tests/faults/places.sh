@@ -10,7 +10,7 @@ cp "$here/../fit/data/treloar-uniaxial.csv" test.csv
 cat >all.sh <<'A'   # all that the programs write, here
 mesh-gen -q designs/tube.yaml --set path.until.steps=4 -o 'c 1.h5' && solve -q 'c 1.h5' -o 'r 1.h5' &&
 postprocess -q 'r 1.h5' -o curve.csv --compare measured.csv --json compare.json --plot plot.svg >x.csv &&
-postprocess -q 'r 1.h5' --at elongation=1.5mm -o at.csv &&
+postprocess -q 'r 1.h5' --at elongation=0.05mm -o at.csv &&
 fit-material -q test.csv --law yeoh -o fit.yaml --plot fit.svg && fit-material -q test.csv --rank -o rank.csv && mesh-gen --explain designs/tube.yaml -o explain.yaml
 A
 written='curve.csv compare.json plot.svg at.csv fit.yaml rank.csv explain.yaml'
@@ -47,7 +47,7 @@ both() {   # both NAME COMMAND
 }
 coarse="--set loads.end.pressure=-0.6MPa --set mesh.size=20mm --set path.until.elongation=50mm"
 both workspace "'$scripts/workspace' designs/segment.yaml --pressures chamber_1=4kPa,chamber_2=6kPa --steps 1 --set geometry.chambers=2 --set 'mesh={size: 12 mm, through_wall: 1}' --set geometry.length=24mm"
-both mesh-study "'$scripts/mesh-study' \"\$PWD/designs/tube.yaml\" '6mm 5mm' 1.5mm"
+both mesh-study "'$scripts/mesh-study' \"\$PWD/designs/tube.yaml\" '8mm 6mm' 1.5mm"
 runs 'fit-material -q test.csv --law yeoh --json plain/fit.json -o x'
 cp plain/fit.json "$far/fit.json"
 both uncertainty "'$scripts/uncertainty' designs/rod.yaml fit.json --at elongation=20mm,50mm $coarse"

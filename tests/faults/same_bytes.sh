@@ -23,6 +23,9 @@ for case in section solid motion; do
     same 'with the environment asking for three threads' $case "OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 $solve"
     same 'with another locale, time zone, and an empty environment beside' $case "env -i PATH=\"\$PATH\" TZ=Pacific/Chatham LC_ALL=de_DE.UTF-8 $solve"
 done
+echo '-ksp_rtol 1e-1' >.petscrc
+same 'beside options of PETSc in a file' solid 'solve -q solid.h5 -o out.h5'
+rm .petscrc
 for case in section solid; do
     same 'interrupted and resumed' $case "(trap '' XFSZ; ulimit -f $(($(stat -c %s $case.h5) / 1024 + 300)); exec solve -q $case.h5 -o out.h5) 2>stopped; grep -q 'make room' stopped && solve -q --resume out.h5"
 done

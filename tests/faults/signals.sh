@@ -42,7 +42,7 @@ struck() {
     claim "$line: no other exit code than 0 and $((128 + number[$2])), but:$others" [ -z "$others" ]
     claim "$line: each time what should be left is, and no word is said" [ $bad -eq 0 ]
 }
-kept_old() { [ "$(ls -A place)" = out ] && { [ "$(cat place/out)" = precious ] || [ "$(stat -c %s place/out)" -gt 1000 ]; }; }
+kept_old() { [ "$(ls -A place)" = out ] && { grep -qx precious place/out || [ "$(stat -c %s place/out)" -gt 1000 ]; }; }
 kept_rows() { [ "$(ls -A place)" = '' ] || { [ "$(ls -A place)" = out ] && first_rows place/out; }; }
 
 for signal in INT TERM HUP KILL; do
@@ -61,7 +61,7 @@ listed 'one of two ranks is killed' solve 137 '- (mpirun tells)' 'the rows reach
 mpirun -n 2 solve -q ../case.h5 --set solver.step_accuracy=1e-6 -o out 2>../said &
 victim=$!
 for ((i = 0; i < 400; ++i)); do
-    if [ "$(stat -c %s out 2>"$seen/err" || echo 0)" -gt $(($(stat -c %s ../case.h5) + 20000)) ]; then break; fi
+    if [ "$(postprocess -q out 2>"$seen/err" | wc -l)" -ge 6 ]; then break; fi
     sleep 0.05
 done
 kill -9 "$(pgrep -P "$victim" -x solve | tail -n 1)"

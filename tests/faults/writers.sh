@@ -11,11 +11,11 @@ row 'solve --resume of a file in work' solve 73 'place/out: another solve is wri
     "$beside solve -q --resume place/out; code=\$?; wait; exit \$code"
 row 'a reader meanwhile' solve 0 - 'the whole curve' "$beside postprocess -q place/out >part.csv; cmp part.csv <(head -n \$(wc -l <part.csv) whole.csv); wait"
 row 'two mesh-gen -o' mesh-gen 0 - 'a whole case' \
-    'for i in 1 2; do mesh-gen -q designs/tube.yaml -o place/out & done; wait -n && wait -n'
-row 'two postprocess -o' postprocess 0 - 'the curve' 'for i in 1 2; do postprocess -q whole -o place/out & done; wait -n && wait -n'
+    'for i in 1 2; do mesh-gen -q designs/tube.yaml -o place/out & pids+=" $!"; done; for p in $pids; do wait $p || exit; done'
+row 'two postprocess -o' postprocess 0 - 'the curve' 'for i in 1 2; do postprocess -q whole -o place/out & pids+=" $!"; done; for p in $pids; do wait $p || exit; done'
 # Started at the same instant: one may be refused, the file is whole.
 for i in 1 2 3 4 5; do
-    run 'for i in 1 2; do solve -q case.h5 -o both.h5 --set path.until.steps=4 2>>said & done; wait -n; a=$?; wait -n; echo "$a $?"'
+    run 'for i in 1 2; do solve -q case.h5 -o both.h5 --set path.until.steps=4 2>>said & pids+=" $!"; done; set -- $pids; wait $1; a=$?; wait $2; echo "$a $?"'
     claim "$i: two at once: both done, or one refused" like "$(cat "$seen/out")" '@(0 0|73 0|0 73)'
     runs 'postprocess -q both.h5 -o both.csv && [ "$(wc -l <both.csv)" -eq 6 ]'
 done
