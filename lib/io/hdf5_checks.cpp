@@ -22,6 +22,7 @@ std::string shape_text(const Shape& shape) {
 }
 
 constexpr std::size_t memory_to_start = std::size_t{16} << 20;
+constexpr std::size_t most_for_a_dataset = std::size_t{128} << 20;  // a largest chunk, packed and unpacked
 
 void check_filters(const Place& place, hid_t properties) {
     const int filters = H5Pget_nfilters(properties);
@@ -61,9 +62,9 @@ std::string hdf5_reason() {
             return 0;
         },
         &found);
-    // Without memory there is none for a reason either.
-    if (found.no_memory || found.text.empty()) throw core::out_of_memory();
-    return core::one_line(found.text);
+    // Without memory there is none for a reason either. A damaged file asks for more than any machine has.
+    if (found.no_memory || found.text.empty()) core::require_memory(most_for_a_dataset);
+    return found.text.empty() ? "no reason given" : core::one_line(found.text);
 }
 
 std::vector<hsize_t> checked_shape(const Place& place, const Shape& expected) {
