@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli_text.hpp"
+#include "core/memory.hpp"
 #include "core/text.hpp"
 
 namespace soft::cli {
@@ -155,9 +156,12 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
         std::error_code failed;  // of a file that is not there yet: then the names decide
         if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;  // /dev/null takes anything
         if (fs::equivalent(a, b, failed) && !failed) return true;
-        const fs::path whole_a = fs::weakly_canonical(fs::absolute(a), failed),
-                       whole_b = fs::weakly_canonical(fs::absolute(b), failed);
-        return !failed && whole_a == whole_b;
+        const auto whole = [](const std::string& name) {  // empty where the working folder is gone
+            std::error_code gone;
+            const fs::path absolute = fs::absolute(name, gone);
+            return gone ? fs::path{} : fs::weakly_canonical(absolute, gone);
+        };
+        return whole(a) == whole(b) && !whole(a).empty();
     };
     const auto is_file = [](const NamedFile& named) { return !named.file.empty() && named.file != "-"; };
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -246,7 +250,8 @@ ExitCode telling_errors(std::string_view tool, std::string_view command_line, co
         print_error(std::string{tool} + ": " + error.what());
         return error.code();
     } catch (const std::bad_alloc&) {
-        return report_bug(tool, command_line, "out of memory");
+        print_error(std::string{tool} + ": " + core::out_of_memory().what());
+        return ExitCode::io_error;
     } catch (const std::exception& error) {
         return report_bug(tool, command_line, error.what());
     } catch (...) {

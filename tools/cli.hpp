@@ -12,6 +12,7 @@
 ///   int main(int argc, char** argv) { return cli::run_guarded(argc, argv, parse, solve); }
 ///
 /// stdout carries data only; messages go to stderr. Held by tests/cli.
+#include <cstdlib>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -85,7 +86,7 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 [[nodiscard]] std::vector<std::string> library_lines(const About& about);
 
 /// Calls `body`; SIGPIPE is ignored and closed standard streams cannot be taken by files. An Error becomes one line
-/// "tool: place: problem; remedy" and its exit code, anything else exit code 70 with a request to report it.
+/// "tool: place: problem; remedy" and its exit code, std::bad_alloc is 74, anything else 70 with a request to report it.
 [[nodiscard]] int guarded(int argc, char** argv, const std::function<ExitCode()>& body);
 
 /// The part of it that tells errors; for one piece of work of several. `command_line` stands in requests to report.
@@ -98,10 +99,13 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 /// parse: (int, char**) -> std::optional<Options>, run: (const Options&) -> ExitCode.
 template <class Parse, class Run>
 [[nodiscard]] int run_guarded(int argc, char** argv, Parse parse_options, Run run) {
-    return guarded(argc, argv, [&] {
+    const int code = guarded(argc, argv, [&] {
         const auto options = parse_options(argc, argv);
         return options ? run(*options) : ExitCode::ok;
     });
+    // Libraries that ran out of memory half way crash in what they do at exit.
+    if (code == static_cast<int>(ExitCode::io_error)) std::_Exit(code);
+    return code;
 }
 
 struct Input {
@@ -111,7 +115,16 @@ struct Input {
 };
 
 /// The file, or all of stdin for "-" and for nothing; Error(usage) for nothing when stdin is a terminal.
-[[nodiscard]] Input read_input(const std::string& name, std::size_t limit = core::no_limit);
+/// Limit and signature as in core::read_descriptor.
+[[nodiscard]] Input read_input(const std::string& name, std::size_t limit = core::no_limit,
+                               std::string_view signature = {});
+/// A file of HDF5; what is none is cut short.
+[[nodiscard]] inline Input read_hdf5_input(const std::string& name) {
+    return read_input(name, core::no_limit, "\x89HDF\r\n\x1a\n");
+}
+
+/// Bytes: a table is text that somebody has looked at. The reader of designs takes one less and says so.
+inline constexpr std::size_t longest_table = std::size_t{1} << 26, longest_design = (std::size_t{1} << 20) + 1;
 
 enum class Content { text, binary };
 

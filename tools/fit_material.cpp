@@ -23,7 +23,7 @@ constexpr double poor_r2 = 0.9;
 std::vector<fit::TestCurve> read_tests(const FitOptions& options, cli::Console& console) {
     std::vector<fit::TestCurve> tests;
     for (const cli::TestFile& file : options.files) {
-        const cli::Input input = cli::read_input(file.name);
+        const cli::Input input = cli::read_input(file.name, cli::longest_table);
         tests.push_back(fit::read_test(input.text(), input.source, file.mode, options.reading));
         tests.back().weight = file.weight;
         if (!input.text().ends_with('\n') && !input.text().ends_with('\r'))

@@ -80,7 +80,6 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
 }
 
 ExitCode run_task(const cli::MeshGenOptions& options) {
-    constexpr std::size_t longest_design = (std::size_t{1} << 20) + 1;  // one more than the reader takes: it says so
     const std::string& output = options.common.output;
     cli::check_distinct({{"DESIGN", options.inputs.front()}},
                         {{"--output", output}, {"--json", options.common.json}, {"--surface", options.surface}});
@@ -100,7 +99,7 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
             break;
         case cli::Task::build: cli::check_output(output, cli::Content::binary); break;
     }
-    const cli::Input input = cli::read_input(options.inputs.front(), longest_design);
+    const cli::Input input = cli::read_input(options.inputs.front(), cli::longest_design);
     std::vector<design::Override> overrides;
     for (const std::string& set : options.sets) overrides.push_back(design::parse_override(set));
     if (options.task != cli::Task::explain) return build(options, input, overrides);

@@ -42,7 +42,7 @@ ExitCode postprocess(const PostprocessOptions& options) {
         cli::write_output(options.common.output, post::column_text(post::all_columns()));
         return ExitCode::ok;
     }
-    cli::Input input = cli::read_input(options.input);
+    cli::Input input = cli::read_hdf5_input(options.input);
     const core::Bytes image = copies_result(options.pictures) ? input.bytes : core::Bytes{};
     const io::Result result = io::read_result(std::move(input.bytes), input.source);
     post::Curve curve = post::make_curve(result.model, result.steps);

@@ -13,8 +13,6 @@
 namespace soft {
 namespace {
 
-constexpr std::size_t longest_table = 64u << 20;  // bytes: a table is text that somebody has looked at
-
 nlohmann::ordered_json comparison_json(const post::Curve& curve, const Comparison& comparison) {
     auto list = nlohmann::ordered_json::array();
     for (const post::ErrorSummary& error : comparison.errors) {
@@ -73,7 +71,7 @@ void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgeme
 }  // namespace
 
 table::Table read_csv(const std::string& file) {
-    const cli::Input input = cli::read_input(file, longest_table);
+    const cli::Input input = cli::read_input(file, cli::longest_table);
     return table::read_table(input.text(), input.source);
 }
 

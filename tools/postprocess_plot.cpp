@@ -19,7 +19,7 @@ post::PlotSeries read_other(const std::string& text) {
         file = text.substr(0, colon);
         label = text.substr(colon + 1);
     }
-    cli::Input input = cli::read_input(file);
+    cli::Input input = cli::read_hdf5_input(file);
     const io::Result other = io::read_result(std::move(input.bytes), input.source);
     if (label.empty()) label = other.model.name;
     return {label, post::make_curve(other.model, other.steps), other.end.value_or(solution::PathEnd{})};

@@ -6,13 +6,16 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <new>
 #include <thread>
+
+#include "core/memory.hpp"
 
 namespace soft::cli {
 
 Input read_input_on_first_rank(const std::string& name, int rank) {
     Input input;
-    if (rank == 0) input = read_input(name);
+    if (rank == 0) input = read_hdf5_input(name);
     auto size = static_cast<std::int64_t>(input.bytes.size());
     MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
     input.bytes.resize(static_cast<std::size_t>(size));
@@ -41,6 +44,8 @@ ExitCode on_all_ranks(int rank, int size, const std::function<ExitCode()>& body)
         return body();
     } catch (const Error& error) {
         fail(error.what(), error.code());
+    } catch (const std::bad_alloc&) {
+        fail(core::out_of_memory().what(), ExitCode::io_error);
     } catch (const std::exception& error) {
         fail(error.what(), ExitCode::internal);
     }

@@ -37,11 +37,11 @@ bool wants_colour(bool terminal) {
 
 }  // namespace
 
-Input read_input(const std::string& name, std::size_t limit) {
-    if (!name.empty() && name != "-") return {core::read_file(name, limit), name};
+Input read_input(const std::string& name, std::size_t limit, std::string_view signature) {
+    if (!name.empty() && name != "-") return {core::read_file(name, limit, signature), name};
     if (name.empty() && ::isatty(STDIN_FILENO) == 1)
         throw Error(ExitCode::usage, "", "no input is named and stdin is a terminal", "name a file, or pipe one in");
-    return {core::read_descriptor(STDIN_FILENO, "<stdin>", limit), "<stdin>"};
+    return {core::read_descriptor(STDIN_FILENO, "<stdin>", limit, signature), "<stdin>"};
 }
 
 void check_output(const std::string& name, Content content) {

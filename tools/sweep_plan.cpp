@@ -112,7 +112,7 @@ std::string text_of(const fs::path& file) {
 }
 
 ExitCode sweep_plan(const SweepPlanOptions& options) {
-    const cli::Input input = cli::read_input(options.input);
+    const cli::Input input = cli::read_input(options.input, cli::longest_design);
     const sweep::Sweep sweep = sweep::read_sweep(input.text(), input.source);
     const fs::path file = design::file_from(sweep.design.place, sweep.design.text);
     std::error_code unknown;

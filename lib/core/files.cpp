@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -46,6 +47,9 @@ std::size_t expected_size(int descriptor) noexcept {
     return static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
 }
 
+/// The only way to an open file without a name.
+std::string own_link(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
+
 mode_t mode_for_new_file() noexcept {
     const mode_t mask = ::umask(0);  // reading the mask means setting it
     ::umask(mask);
@@ -54,7 +58,7 @@ mode_t mode_for_new_file() noexcept {
 
 }  // namespace
 
-Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit) {
+Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit, std::string_view signature) {
     constexpr std::size_t chunk = std::size_t{1} << 16;
     Bytes bytes;
     // One byte more than expected, so that a file of known size is read without growing the buffer at its end.
@@ -68,16 +72,17 @@ Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit) 
         if (got < 0) throw Error(ExitCode::io_error, name, "cannot be read: " + reason(errno));
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
+        if (filled >= signature.size() && std::memcmp(bytes.data(), signature.data(), signature.size()) != 0) break;
         if (filled > limit) throw Error(ExitCode::bad_input, name, "longer than " + std::to_string(limit) + " bytes");
     }
     bytes.resize(filled);
     return bytes;
 }
 
-Bytes read_file(const fs::path& path, std::size_t limit) {
+Bytes read_file(const fs::path& path, std::size_t limit, std::string_view signature) {
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
     if (file.get() < 0) throw Error(ExitCode::cannot_open, shown(path), "cannot be opened: " + reason(errno));
-    return read_descriptor(file.get(), shown(path), limit);
+    return read_descriptor(file.get(), shown(path), limit, signature);
 }
 
 Bytes read_regular_file(const fs::path& path, std::size_t limit) {
@@ -113,9 +118,7 @@ AtomicFile::AtomicFile(const fs::path& path) : name_(shown(path)), target_(path)
         written_ = target_;
         descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
     } else {
-        std::string pattern = target_.string() + ".XXXXXX";
-        descriptor_ = ::mkostemp(pattern.data(), O_CLOEXEC);
-        written_ = pattern;
+        descriptor_ = open_beside_target();
     }
     if (descriptor_ < 0) throw Error(ExitCode::cannot_create, name_, "cannot be created: " + reason(errno));
     // A temporary is private to its owner; the file that replaces another takes over who may read it.
@@ -124,21 +127,48 @@ AtomicFile::AtomicFile(const fs::path& path) : name_(shown(path)), target_(path)
 
 AtomicFile::~AtomicFile() { discard(); }
 
+int AtomicFile::open_beside_target() {
+#ifdef O_TMPFILE
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path{"."};
+    const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (nameless >= 0 && ::access(own_link(nameless).c_str(), F_OK) == 0) return nameless;
+    if (nameless >= 0) ::close(nameless);  // no /proc, through which it would get its name
+#endif
+    std::string pattern = target_.string() + ".XXXXXX";
+    const int named = ::mkostemp(pattern.data(), O_CLOEXEC);
+    written_ = pattern;
+    return named;
+}
+
+/// A temporary one: a link cannot replace a file. Returns errno, or 0.
+int AtomicFile::give_name() {
+    for (int attempt = 0;; ++attempt) {
+        const fs::path name =
+            target_.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+        if (::linkat(AT_FDCWD, own_link(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+            written_ = name;
+            return 0;
+        }
+        if (errno != EEXIST) return errno;
+    }
+}
+
 Delivery AtomicFile::write(std::span<const std::byte> bytes) { return write_all(descriptor_, bytes, name_); }
 
 void AtomicFile::commit() {
+    int error = written_.empty() ? give_name() : 0;
     const int descriptor = std::exchange(descriptor_, -1);
-    int error = ::close(descriptor) == 0 ? 0 : errno;
+    if (::close(descriptor) != 0 && error == 0) error = errno;
     if (error == 0 && renames_ && ::rename(written_.c_str(), target_.c_str()) != 0) error = errno;
     if (error == 0) return;
-    if (renames_) ::unlink(written_.c_str());
+    if (renames_ && !written_.empty()) ::unlink(written_.c_str());
     throw Error(ExitCode::io_error, name_, "cannot be written: " + reason(error));
 }
 
 void AtomicFile::discard() noexcept {
     if (descriptor_ < 0) return;
     ::close(std::exchange(descriptor_, -1));
-    if (renames_) ::unlink(written_.c_str());
+    if (renames_ && !written_.empty()) ::unlink(written_.c_str());
 }
 
 }  // namespace soft::core

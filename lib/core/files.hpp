@@ -17,11 +17,14 @@ using Bytes = std::vector<std::byte>;
 inline constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
 /// Everything up to the end of the stream. `name` stands in errors: io_error for a failed read, cannot_open for a
-/// folder, bad_input beyond `limit` bytes.
-[[nodiscard]] Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit = no_limit);
+/// folder, bad_input beyond `limit` bytes. Bytes that do not begin with `signature` are read no further: what there is, is
+/// returned, to be refused, and an endless stream does not fill the memory.
+[[nodiscard]] Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit = no_limit,
+                                    std::string_view signature = {});
 
 /// The whole file; Error(cannot_open) with the reason.
-[[nodiscard]] Bytes read_file(const std::filesystem::path& path, std::size_t limit = no_limit);
+[[nodiscard]] Bytes read_file(const std::filesystem::path& path, std::size_t limit = no_limit,
+                              std::string_view signature = {});
 
 /// A file that data name rather than the user of the program. Only a regular one is read: a device, a pipe or a terminal may
 /// never end, or take what was meant for others. Error(cannot_open) with the reason, Error(bad_input) beyond the limit.
@@ -34,8 +37,9 @@ enum class Delivery { whole, reader_left };
 /// SIGPIPE must be ignored by the process (cli::run_guarded does).
 [[nodiscard]] Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string_view name);
 
-/// A file that is written beside its place and renamed by commit(): a reader sees the old file or the whole new one,
-/// and without commit() nothing is left behind. Symbolic links are followed and stay; a target that is no regular file
+/// A file that is written without a name, where the file system allows that, and renamed to its place by commit(): a reader
+/// sees the old file or the whole new one, and without commit() nothing is left behind, not after a kill either (elsewhere it
+/// has a temporary name beside its place, which a kill leaves). Symbolic links are followed and stay; a target that is no regular file
 /// (/dev/null, a named pipe) is written directly.
 class AtomicFile {
 public:
@@ -45,18 +49,18 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
 
     [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
-    /// Where the bytes go until commit(); for libraries that open a file by its name.
-    [[nodiscard]] const std::filesystem::path& written_path() const noexcept { return written_; }
     [[nodiscard]] Delivery write(std::span<const std::byte> bytes);
     /// Closes and renames; Error(io_error) if either fails, and then nothing is left behind.
     void commit();
 
 private:
+    [[nodiscard]] int open_beside_target();
+    [[nodiscard]] int give_name();
     void discard() noexcept;
 
     std::string name_;  ///< as the user wrote it, for errors
     std::filesystem::path target_;
-    std::filesystem::path written_;
+    std::filesystem::path written_;  ///< empty: without a name until commit()
     int descriptor_ = -1;
     bool renames_ = true;
 };

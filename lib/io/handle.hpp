@@ -42,11 +42,15 @@ using TypeHandle = Handle<H5Tclose>;
 using SpaceHandle = Handle<H5Sclose>;
 using PropertiesHandle = Handle<H5Pclose>;
 
+/// Before the first call to HDF5, which crashes where memory ends while it starts: throws core::out_of_memory() then.
+void start_hdf5();
+
 /// HDF5 prints its error stack to stderr by default; here its failures become Errors instead. What was set before
 /// is put back at the end of the scope, so a program that uses HDF5 itself sees no change.
 class QuietErrors {
 public:
-    QuietErrors() noexcept {
+    QuietErrors() {
+        start_hdf5();
         H5Eget_auto2(H5E_DEFAULT, &report_, &client_data_);
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/memory.hpp"
 #include "core/text.hpp"
 
 namespace soft::io {
@@ -20,6 +21,9 @@ std::string shape_text(const Shape& shape) {
     return std::string{"["}.append(core::join(words)).append("]");
 }
 
+constexpr std::size_t memory_to_start = std::size_t{16} << 20;
+constexpr std::size_t most_for_a_dataset = std::size_t{128} << 20;  // a largest chunk, packed and unpacked
+
 void check_filters(const Place& place, hid_t properties) {
     const int filters = H5Pget_nfilters(properties);
     if (filters < 0 || filters > 3) throw place.refuse("has too many filters");
@@ -36,16 +40,31 @@ void check_filters(const Place& place, hid_t properties) {
 
 }  // namespace
 
+void start_hdf5() {
+    static const herr_t started = [] {
+        core::require_memory(memory_to_start);
+        return H5open();
+    }();
+    if (started < 0) throw core::out_of_memory();
+}
+
 std::string hdf5_reason() {
-    std::string reason;
+    struct Found {
+        std::string text;
+        bool no_memory = false;
+    } found;
     H5Ewalk2(
         H5E_DEFAULT, H5E_WALK_UPWARD,
-        [](unsigned level, const H5E_error2_t* error, void* text) -> herr_t {
-            if (level == 0 && error->desc != nullptr) *static_cast<std::string*>(text) = error->desc;
+        [](unsigned level, const H5E_error2_t* error, void* data) -> herr_t {
+            auto& stack = *static_cast<Found*>(data);
+            if (level == 0 && error->desc != nullptr) stack.text = error->desc;
+            stack.no_memory = stack.no_memory || (error->maj_num == H5E_RESOURCE && error->min_num == H5E_NOSPACE);
             return 0;
         },
-        &reason);
-    return reason.empty() ? "no reason given" : core::one_line(reason);
+        &found);
+    // Without memory there is none for a reason either. A damaged file asks for more than any machine has.
+    if (found.no_memory || found.text.empty()) core::require_memory(most_for_a_dataset);
+    return found.text.empty() ? "no reason given" : core::one_line(found.text);
 }
 
 std::vector<hsize_t> checked_shape(const Place& place, const Shape& expected) {

@@ -44,7 +44,7 @@ struct Place {
 /// when compressed.
 void check_storage(const Place& place, std::uint64_t bytes, std::size_t element_size);
 
-/// The innermost message of HDF5's error stack: what failed first.
+/// The innermost message of HDF5's error stack: what failed first. Throws core::out_of_memory() where that was it.
 [[nodiscard]] std::string hdf5_reason();
 
 }  // namespace soft::io

@@ -34,7 +34,7 @@ std::vector<T> allocate(const Place& place, std::uint64_t count) {
     try {
         return std::vector<T>(static_cast<std::size_t>(count));
     } catch (const std::bad_alloc&) {
-        throw place.refuse("needs more memory than there is");
+        throw Error(ExitCode::io_error, place.where, "needs more memory than there is");
     }
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
+#include "io/hdf5_checks.hpp"
 
 namespace soft::io {
 namespace {
@@ -18,7 +19,8 @@ constexpr std::size_t memory_growth = std::size_t{1} << 22;
 
 template <class Status>
 Status check(Status status, std::string_view what) {
-    if (status < 0) throw Error(ExitCode::internal, "HDF5", std::string{what} + " failed while writing");
+    if (status < 0)
+        throw Error(ExitCode::internal, "HDF5", std::string{what} + " failed while writing: " + hdf5_reason());
     return status;
 }
 

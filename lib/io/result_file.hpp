@@ -58,12 +58,12 @@ class ResultWriter {
 public:
     /// `given`: a case. Throws Error (bad_input) as read_case does, or if it already has a path.
     ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options);
-    /// The same on disk. Throws Error (cannot_create) as well.
+    /// The same on disk. Throws Error (cannot_create) as well, also while another process writes the file.
     ResultWriter(const std::filesystem::path& file, const Given& given, const Provenance& provenance,
                  const ResultOptions& options);
     /// Goes on with the file of an interrupted solve, `given` as read_interrupted gave it: what is behind its last
     /// checkpoint is cut off, the steps before it count as appended. Throws Error (bad_input) for a file that is no such,
-    /// Error (cannot_create) where it cannot be written.
+    /// Error (cannot_create) where it cannot be written, is being written by another process, or has changed since.
     static ResultWriter resume(const std::filesystem::path& file, const Given& given);
 
     ResultWriter(ResultWriter&&) noexcept;

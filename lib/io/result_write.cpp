@@ -36,20 +36,54 @@ bool is_replaceable(const fs::path& file) {
     return !fs::exists(status) || fs::is_regular_file(status);
 }
 
-/// A file opened for appending.
+/// One solve at a time writes to a file. The lock is on the open file, goes with its last descriptor, and leaves readers alone
+/// (HDF5's own locks are of another kind); where the file system has no locks, nothing is locked.
+enum class Lock { take, look };
+bool is_free([[maybe_unused]] int descriptor, [[maybe_unused]] Lock lock) {
+#ifdef F_OFD_SETLK
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    if (lock == Lock::take)
+        return ::fcntl(descriptor, F_OFD_SETLK, &whole) == 0 || (errno != EAGAIN && errno != EACCES);
+    return ::fcntl(descriptor, F_OFD_GETLK, &whole) != 0 || whole.l_type == F_UNLCK;
+#else
+    return true;
+#endif
+}
+
+Error taken(const std::string& name) {
+    return {ExitCode::cannot_create, name, "another solve is writing it", "wait for its end, or name another file"};
+}
+
+/// Where there is no file yet, nobody writes it.
+void require_no_writer(const fs::path& file) {
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return;
+    const bool free = is_free(descriptor, Lock::look);
+    ::close(descriptor);
+    if (!free) throw taken(file.string());
+}
+
+/// A file opened for appending, by one process.
 class Tail {
 public:
-    explicit Tail(const fs::path& file)
-        : name_(file.string()), descriptor_(::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {
+    explicit Tail(const fs::path& file) : Tail(file, ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {}
+    Tail(const fs::path& file, int descriptor) : name_(file.string()), descriptor_(descriptor) {
         if (descriptor_ < 0)
             throw Error(ExitCode::cannot_create, name_,
                         "cannot be opened for writing: " + std::generic_category().message(errno));
+        if (is_free(descriptor_, Lock::take)) return;
+        ::close(descriptor_);
+        throw taken(name_);
     }
     Tail(const Tail&) = delete;
     Tail& operator=(const Tail&) = delete;
     ~Tail() { ::close(descriptor_); }
-    /// Cuts the file off, so that the next bytes follow the first `size`.
-    void cut(std::size_t size) const {
+    /// Cuts the file off, so that the next bytes follow the first `size`. It still must have the `known` bytes that were read.
+    void cut(std::size_t size, std::size_t known) const {
+        struct stat status {};
+        if (::fstat(descriptor_, &status) != 0 || static_cast<std::size_t>(status.st_size) != known) throw taken(name_);
         if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0)
             throw Error(ExitCode::cannot_create, name_, "cannot be cut: " + std::generic_category().message(errno));
     }
@@ -101,8 +135,12 @@ ResultWriter::ResultWriter(const fs::path& file, const Given& given, const Prove
     state_->file = file;
     if (!is_replaceable(file)) return;
     const QuietErrors quiet;
-    write_whole(file, sealed_bytes(state_->image));
-    state_->journal.emplace(file);
+    require_no_writer(file);
+    core::AtomicFile whole{file};
+    static_cast<void>(whole.write(sealed_bytes(state_->image)));
+    // The same open file, locked before it has its name.
+    state_->journal.emplace(file, ::fcntl(whole.descriptor(), F_DUPFD_CLOEXEC, 0));
+    whole.commit();
 }
 
 ResultWriter::ResultWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -112,13 +150,14 @@ ResultWriter ResultWriter::resume(const fs::path& file, const Given& given) {
     const ImageParts parts = split_image(given.image, given.source);
     auto state = std::make_unique<State>(ResultImage::resume({parts.hdf5, given.source, given.solved}));
     state->file = file;
+    state->journal.emplace(file);
     const std::size_t steps = parts.checkpoint ? parts.checkpoint->steps : 0;
     for (std::size_t i = 0; i < steps; ++i) {
         const JournalStep record = decode_step(parts.steps[i], given.source);
         state->image.append(record.step, record.displacement_m, record.pressure_Pa);
     }
-    state->journal.emplace(file);
-    state->journal->cut(parts.checkpoint ? parts.checkpoint->end : seal_end(given.image, given.source));
+    state->journal->cut(parts.checkpoint ? parts.checkpoint->end : seal_end(given.image, given.source),
+                        given.image.size());
     return ResultWriter{std::move(state)};
 }
 

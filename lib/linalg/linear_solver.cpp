@@ -1,8 +1,10 @@
 #include "linalg/linear_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/memory.hpp"
 #include "linalg/preconditioner.hpp"
 #include "linalg/profile.hpp"
 
@@ -29,6 +31,12 @@ constexpr double small_flops = 1e8;
 /// Ordering alone would take long.
 constexpr PetscInt most_small_unknowns = 200'000;
 
+/// INFOG(1) of MUMPS where an allocation failed: shorter steps do not help.
+void require_memory(PetscInt mumps_status) {
+    constexpr std::array no_memory{-5, -7, -13, -19};  // of reals or integers in the analysis, later, beyond ICNTL(23)
+    if (std::find(no_memory.begin(), no_memory.end(), mumps_status) != no_memory.end()) throw core::out_of_memory();
+}
+
 PetscErrorCode solve_by_small_factors(PC pc, Vec b, Vec x) {
     void* context = nullptr;
     SOFT_PETSC(PCShellGetContext(pc, &context));
@@ -54,12 +62,11 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings
 }
 
 void LinearSolver::take_small_factors() {
-    PetscBool sequential = PETSC_FALSE, chosen = PETSC_FALSE;
+    PetscBool chosen = PETSC_FALSE;
     PetscInt size = 0;
     SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // by the user, of what set_type gives
-    SOFT_PETSC(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(K_), MATSEQAIJ, &sequential));
     SOFT_PETSC(MatGetSize(K_, &size, nullptr));
-    if (chosen == PETSC_TRUE || sequential == PETSC_FALSE || size > most_small_unknowns) return;
+    if (chosen == PETSC_TRUE || size > most_small_unknowns) return;
     {
         const Timed timed(Phase::ordering);
         small_.emplace(K_);
@@ -135,6 +142,7 @@ Factorization LinearSolver::factorize() {
     SOFT_PETSC(PCFactorGetMatrix(pc, &factor));
     PetscInt status = 0;
     SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));  // a failed MUMPS factorisation returns no PETSc error
+    require_memory(status);
     if (status < 0) return {false, std::nullopt, std::nullopt};
     if (is_type(pc, PCCHOLESKY)) {
         PetscInt negative = 0;
@@ -163,6 +171,7 @@ std::optional<bool> LinearSolver::determinant_is_negative() {
     PetscInt status = 0;
     PetscReal mantissa = 0;
     SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));
+    require_memory(status);
     if (status < 0) return std::nullopt;
     SOFT_PETSC(MatMumpsGetRinfog(factor, 12, &mantissa));
     return mantissa < 0.0;

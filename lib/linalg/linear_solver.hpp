@@ -1,7 +1,7 @@
 #pragma once
 /// Solves K x = b for a sequence of slowly changing tangents K by flexible GMRES (Saad 1993) with a preconditioner made from
 /// one of them: a direct factorisation or one of the cheaper kinds (model::LinearSettings).
-///   automatic: LDL^T, on one rank and where it takes few flops without pivoting (sparse_ldlt.hpp), else by MUMPS, which also
+///   automatic: LDL^T, where it takes few flops without pivoting (sparse_ldlt.hpp), else by MUMPS, which also
 ///       takes over for good where the first vanishes or takes many iterations. With a fresh factor of a symmetric K this is one application; the same loop corrects the part of K
 ///       that is not symmetric (a pressure whose surface has a free rim), which LDL^T does not see. Where that part is large
 ///       the loop takes many iterations: then the solver goes over to LU for good; where it is known beforehand, LU is taken

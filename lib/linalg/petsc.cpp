@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 
 namespace soft::linalg {
 
@@ -12,8 +13,7 @@ void check(PetscErrorCode code, const char* call) {
         return;
     const char* text = nullptr;
     PetscErrorMessage(code, &text, nullptr);
-    if (code == PETSC_ERR_MEM)
-        throw Error(ExitCode::io_error, "solve", "out of memory", "use a coarser mesh or more memory");
+    if (code == PETSC_ERR_MEM) throw core::out_of_memory();
     if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_MISSING_FACTOR)  // types come from PETSc's options only
         throw Error(ExitCode::usage, "PETSc", "has no solver or preconditioner of the type asked for behind --",
                     "see `solve CASE -- -help`");

@@ -7,9 +7,12 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
+#include "core/memory.hpp"
 #include "linalg/petsc.hpp"
+#include "linalg/small_matrix.hpp"
 
 namespace soft::linalg {
 
@@ -23,6 +26,16 @@ PetscErrorCode print_beside_data(FILE* file, const char* format, va_list argumen
     return petsc_print(file == stdout ? stderr : file, format, arguments);
 }
 
+/// MPI crashes and OpenBLAS waits for ever where memory ends while they start. Measured: 260 MB of address space for both.
+constexpr std::size_t memory_to_start = std::size_t{288} << 20;
+
+/// OpenBLAS takes its buffer at the first call that wants one, and keeps it.
+void take_blas_buffer() {
+    SmallMatrix one(1);
+    one.at(0, 0) = 1.0;
+    static_cast<void>(solve(one, {1.0}));
+}
+
 }  // namespace
 
 Session::Session(const std::vector<std::string>& options) {
@@ -33,7 +46,9 @@ Session::Session(const std::vector<std::string>& options) {
         setenv("OMPI_MCA_pml", "ob1", 0);
         setenv("OMPI_MCA_btl", "self,vader", 0);
     }
-    std::vector<std::string> words{"solve", "-no_signal_handler"};
+    core::require_memory(memory_to_start);
+    take_blas_buffer();
+    std::vector<std::string> words{"solve", "-no_signal_handler", "-skip_petscrc"};
     words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> pointers;
     for (auto& word : words) pointers.push_back(word.data());
@@ -60,7 +75,8 @@ std::vector<std::string> Session::unused_options() const {
     SOFT_PETSC(PetscOptionsLeftGet(nullptr, &count, &names, &values));
     std::vector<std::string> left;
     for (PetscInt i = 0; i < count; ++i)
-        if (std::string_view(names[i]) != "no_signal_handler") left.emplace_back(names[i]);
+        if (const std::string_view name(names[i]); name != "no_signal_handler" && name != "skip_petscrc")
+            left.emplace_back(names[i]);
     SOFT_PETSC(PetscOptionsLeftRestore(nullptr, &count, &names, &values));
     return left;
 }
@@ -118,7 +134,10 @@ void choose_blas_kernel(char** argv) {
     std::string better;
     if (std::getenv("OPENBLAS_CORETYPE") != nullptr || !blas_kernel_is_poor(better)) return;
     setenv("OPENBLAS_CORETYPE", better.c_str(), 0);
-    execv("/proc/self/exe", argv);
+    std::error_code unknown;
+    const auto program =
+        std::filesystem::read_symlink("/proc/self/exe", unknown);  // by its name, which ps and top show
+    if (!unknown) execv(program.c_str(), argv);
 }
 
 }  // namespace soft::linalg

@@ -4,8 +4,6 @@
 // Not before petscsys.h, on which it relies.
 #include <petscblaslapack.h>
 
-#include <petscblaslapack.h>  // wants what petscsys.h declares
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -26,6 +26,12 @@ struct SparseLdlt::Parts {
     cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;  // of cholmod_solve2, kept from solve to solve
     std::vector<double> diagonal;
     double flops = 0;
+    MPI_Comm ranks = MPI_COMM_SELF;
+    Matrix whole;  // K of several ranks, on each
+    Scatter to_all;
+    Vector all;  // the right-hand side, on each
+
+    [[nodiscard]] bool is_shared() const { return to_all.get() != nullptr; }
 
     Parts() {
         cholmod_start(&common);
@@ -93,7 +99,16 @@ double SparseLdlt::Parts::bounded_diagonal(const MatrixRows& rows, PetscInt row)
 }
 
 SparseLdlt::SparseLdlt(Mat K) : parts_(std::make_unique<Parts>()) {
-    parts_->read_pattern(rows_of(K));
+    PetscObjectGetComm(reinterpret_cast<PetscObject>(K), &parts_->ranks);
+    int size = 1;
+    MPI_Comm_size(parts_->ranks, &size);
+    if (size > 1) {
+        SOFT_PETSC(MatCreateRedundantMatrix(K, size, MPI_COMM_NULL, MAT_INITIAL_MATRIX, parts_->whole.out()));
+        Vector like;
+        SOFT_PETSC(MatCreateVecs(K, nullptr, like.out()));
+        SOFT_PETSC(VecScatterCreateToAll(like, parts_->to_all.out(), parts_->all.out()));
+    }
+    parts_->read_pattern(rows_of(size > 1 ? parts_->whole.get() : K));
     parts_->factor = cholmod_analyze(parts_->upper, &parts_->common);
     parts_->check();
     parts_->flops = parts_->common.fl;
@@ -105,10 +120,24 @@ SparseLdlt& SparseLdlt::operator=(SparseLdlt&&) noexcept = default;
 
 double SparseLdlt::flops() const { return parts_->flops; }
 
+void SparseLdlt::read_values(Mat K) {
+    if (!parts_->is_shared()) return parts_->read_values(rows_of(K));
+    int size = 1;
+    MPI_Comm_size(parts_->ranks, &size);
+    SOFT_PETSC(MatCreateRedundantMatrix(K, size, MPI_COMM_NULL, MAT_REUSE_MATRIX, parts_->whole.out()));
+    parts_->read_values(rows_of(parts_->whole));
+}
+
 bool SparseLdlt::factorize(Mat K) {
-    parts_->read_values(rows_of(K));
+    read_values(K);
     cholmod_factorize(parts_->upper, parts_->factor, &parts_->common);
     parts_->check();
+    int good = has_good_pivots() ? 1 : 0;  // on unlike processors last digits differ: all go the way of the first
+    MPI_Bcast(&good, 1, MPI_INT, 0, parts_->ranks);
+    return good != 0;
+}
+
+bool SparseLdlt::has_good_pivots() const {
     const auto& factor = *parts_->factor;
     if (parts_->common.status != CHOLMOD_OK || factor.minor < factor.n) return false;
     const auto* start = static_cast<const int*>(factor.p);
@@ -121,10 +150,20 @@ PetscInt SparseLdlt::negative_pivots() const {
     const auto& factor = *parts_->factor;
     const auto* start = static_cast<const int*>(factor.p);
     const auto* value = static_cast<const double*>(factor.x);
-    return static_cast<PetscInt>(std::count_if(start, start + factor.n, [&](int first) { return value[first] < 0.0; }));
+    auto negative =
+        static_cast<PetscInt>(std::count_if(start, start + factor.n, [&](int first) { return value[first] < 0.0; }));
+    MPI_Bcast(&negative, 1, MPIU_INT, 0, parts_->ranks);
+    return negative;
 }
 
 void SparseLdlt::solve(Vec b, Vec x) {
+    PetscInt begin = 0, end = 0;
+    SOFT_PETSC(VecGetOwnershipRange(x, &begin, &end));
+    if (parts_->is_shared()) {
+        SOFT_PETSC(VecScatterBegin(parts_->to_all, b, parts_->all, INSERT_VALUES, SCATTER_FORWARD));
+        SOFT_PETSC(VecScatterEnd(parts_->to_all, b, parts_->all, INSERT_VALUES, SCATTER_FORWARD));
+        b = parts_->all;
+    }
     const PetscScalar* from = nullptr;
     SOFT_PETSC(VecGetArrayRead(b, &from));
     cholmod_dense right{};
@@ -139,7 +178,7 @@ void SparseLdlt::solve(Vec b, Vec x) {
     parts_->check();
     PetscScalar* to = nullptr;
     SOFT_PETSC(VecGetArray(x, &to));
-    std::copy_n(static_cast<const double*>(parts_->x->x), parts_->factor->n, to);
+    std::copy_n(static_cast<const double*>(parts_->x->x) + begin, end - begin, to);
     SOFT_PETSC(VecRestoreArray(x, &to));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// L D L^T of a symmetric AIJ matrix on one rank, without pivoting, by CHOLMOD's simplicial code: for matrices of few flops, where
+/// L D L^T of a symmetric AIJ matrix, without pivoting, by CHOLMOD's simplicial code: for matrices of few flops, where
 /// the bookkeeping of a multifrontal code costs most (8.6k unknowns of a section: a fourth of MUMPS's time for a factor, a tenth
 /// for a solve).
 /// Saddle points [A B^T; B -C] with positive definite A and C have such factors in any order (quasi-definite: Vanderbei, SIAM J.
@@ -7,7 +7,10 @@
 /// Anal. Appl. 17 (1996) 35). That growth is bounded here: a diagonal of a pressure that is smaller than 1e-6 of
 /// s_i = sum_j K_ij^2 / K_jj is taken as -1e-6 s_i. What the factor then misses, and what a far from definite A costs, the
 /// iterations of LinearSolver have to correct, which tells a factor that is not good enough.
-/// Only the triangle above the diagonal is read, as by MUMPS. Held by linalg/sparse_ldlt_test.
+/// Only the triangle above the diagonal is read, as by MUMPS.
+/// Of a matrix on several ranks each rank factorises the whole: the same sums in the same order whenever a message comes, as a
+/// code that shares the work does not promise, and for these matrices sooner done. Held by linalg/sparse_ldlt_test and, on two
+/// ranks, tests/faults/same_bytes.sh.
 #include <memory>
 
 #include "linalg/petsc.hpp"
@@ -23,13 +26,15 @@ public:
     SparseLdlt& operator=(SparseLdlt&&) noexcept;
 
     [[nodiscard]] double flops() const;  ///< of one factorisation
-    /// False where a pivot vanishes or is not finite: there is no factor then.
+    /// False where a pivot vanishes or is not finite: there is no factor then. Collective, as all that follows.
     [[nodiscard]] bool factorize(Mat K);
     /// The number of negative eigenvalues of the matrix that was factorised (Sylvester).
     [[nodiscard]] PetscInt negative_pivots() const;
     void solve(Vec b, Vec x);
 
 private:
+    void read_values(Mat K);
+    [[nodiscard]] bool has_good_pivots() const;
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/memory.hpp"
 
 namespace soft::meshing {
 namespace {
@@ -17,6 +18,7 @@ constexpr const char* needed_first = SOFT_GMSH_NEEDS;  // "libA.so.1 libB.so.2 "
 
 Error not_loaded(const char* reason) {
     const std::string why = reason != nullptr ? reason : "it is not said why";
+    if (why.find("failed to map segment") != std::string::npos) return core::out_of_memory();
     return {ExitCode::cannot_open, library_file, "cannot be loaded: " + why,
             "install gmsh, or build anew with the one that is installed"};
 }
@@ -30,8 +32,12 @@ constexpr int how_loaded = RTLD_LAZY | RTLD_LOCAL;
 constexpr int how_loaded = RTLD_LAZY | RTLD_LOCAL | RTLD_DEEPBIND;
 #endif
 
+/// With less the loader or one of the libraries may end the program. Measured: 120 MB of address space with the smallest mesh.
+constexpr std::size_t memory_to_load = std::size_t{112} << 20;
+
 /// One of the libraries needed that is not there, or needed no more, does no harm.
 void* load_gmsh() {
+    core::require_memory(memory_to_load);
     const std::string names{needed_first};
     for (std::size_t begin = 0, end; (end = names.find(' ', begin)) != std::string::npos; begin = end + 1)
         static_cast<void>(::dlopen(names.substr(begin, end - begin).c_str(), how_loaded));

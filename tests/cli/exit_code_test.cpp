@@ -109,7 +109,7 @@ TEST(Guarded, TurnsEveryExceptionIntoItsCode) {
     EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw Error(ExitCode::bad_input, "f:1:2", "wrong", "right"); }),
               65);
     EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw Error(ExitCode::internal, "", "odd"); }), 70);
-    EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw std::bad_alloc{}; }), 70);
+    EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw std::bad_alloc{}; }), 74);
     EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw std::logic_error{"a\nb"}; }), 70);
     EXPECT_EQ(cli::guarded(1, argv, []() -> ExitCode { throw 5; }), 70);
     const std::string text = testing::internal::GetCapturedStderr();

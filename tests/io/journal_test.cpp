@@ -310,8 +310,10 @@ TEST_F(Journal, GoesOnBehindTheLastCheckpointAsIfNothingHadHappened) {
 }
 
 TEST_F(Journal, WithoutACheckpointItStartsFromTheBeginning) {
-    ResultWriter killed = writer();
-    append(killed, 0);
+    {
+        ResultWriter killed = writer();
+        append(killed, 0);
+    }
     const Image left = core::read_file(file_);
     const Interrupted from = read_interrupted(left, "result.h5");
     EXPECT_TRUE(from.steps.empty());
@@ -319,6 +321,29 @@ TEST_F(Journal, WithoutACheckpointItStartsFromTheBeginning) {
     ResultWriter resumed = ResultWriter::resume(file_, {left, "result.h5", from.file.model});
     for (int i = 0; i < 2; ++i) append(resumed, i);
     expect_steps(read_result(core::read_file(file_), "result.h5"), 2);
+}
+
+TEST_F(Journal, FileThatIsBeingWrittenIsRefusedAsIsOneThatHasChangedSince) {
+    const auto code_of_resume = [&](const Image& read) {
+        const Interrupted from = read_interrupted(read, "result.h5");
+        try {
+            static_cast<void>(ResultWriter::resume(file_, {read, "result.h5", from.file.model}));
+        } catch (const Error& error) {
+            return error.code();
+        }
+        return ExitCode::ok;
+    };
+    Image early;
+    {
+        ResultWriter running = writer();
+        append(running, 0);
+        early = core::read_file(file_);
+        EXPECT_EQ(code_of_resume(early), ExitCode::cannot_create);
+        EXPECT_THROW(static_cast<void>(writer()), Error);
+        append(running, 1);
+    }
+    EXPECT_EQ(code_of_resume(early), ExitCode::cannot_create);
+    EXPECT_EQ(code_of_resume(core::read_file(file_)), ExitCode::ok);
 }
 
 TEST_F(Journal, FileThatIsRemovedOrReplacedIsMadeAnewAtTheEnd) {

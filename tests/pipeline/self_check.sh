@@ -90,7 +90,7 @@ expect fails 'echo "{\"a\": 2}" > j; claim "json" has "*" j b'
 expect fails 'claim "json" has "*" absent a'
 
 # None is content with tools that do nothing, or always fail; one that skips itself for want of a program says nothing.
-for script in "$here"/*.sh; do
+for script in "$here"/*.sh "$here"/../faults/*.sh; do
     name=$(basename "$script")
     case $name in check.sh | self_check.sh) continue ;; esac
     for kind in idle broken; do

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# shellcheck disable=SC2016  # the commands expand their own variables
+# A locale with a decimal comma, and folders with spaces and letters beyond ASCII: the same bytes come out, of scripts too.
+#   places.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+LIMIT=300
+scripts=$(realpath "$here/../../scripts")
+printf '%s\n' 'Elongation (mm);Pressure (kPa)' '0,1;1,5' '0,3;3,5' >measured.csv
+cp "$here/../fit/data/treloar-uniaxial.csv" test.csv
+cat >all.sh <<'A'   # all that the programs write, here
+mesh-gen -q designs/tube.yaml --set path.until.steps=4 -o 'c 1.h5' && solve -q 'c 1.h5' -o 'r 1.h5' &&
+postprocess -q 'r 1.h5' -o curve.csv --compare measured.csv --json compare.json --plot plot.svg >x.csv &&
+postprocess -q 'r 1.h5' --at elongation=0.05mm -o at.csv &&
+fit-material -q test.csv --law yeoh -o fit.yaml --plot fit.svg && fit-material -q test.csv --rank -o rank.csv && mesh-gen --explain designs/tube.yaml -o explain.yaml
+A
+written='curve.csv compare.json plot.svg at.csv fit.yaml rank.csv explain.yaml'
+mkdir plain && cp -R designs meshes measured.csv test.csv plain
+runs 'cd plain && bash ../all.sh'
+same() { local name; for name in $written; do claim "$1: $name is the same" cmp "plain/$name" "$2/$name"; done; }
+
+if localedef -i de_DE -f UTF-8 "$PWD/locales/de_DE.UTF-8" 2>"$seen/err" || { mkdir -p locales && localedef -i de_DE -f UTF-8 "$PWD/locales/de_DE.UTF-8" >"$seen/out" 2>"$seen/err"; }; then
+    export LOCPATH=$PWD/locales
+    claim "the locale has a comma" [ "$(LC_ALL=de_DE.UTF-8 bash -c 'printf %.1f 0,5')" = 0,5 ]
+    mkdir comma && cp -R designs meshes measured.csv test.csv comma
+    runs 'export LC_ALL=de_DE.UTF-8; cd comma && bash ../all.sh'
+    same 'a decimal comma' comma
+    comma=LC_ALL=de_DE.UTF-8
+else
+    echo "no locale can be made here (localedef): the decimal comma is left out"
+    comma=LC_ALL=C
+fi
+far='Ordner für Höhlen/目 录'
+mkdir -p "$far" && cp -R designs meshes measured.csv test.csv "$far"
+runs "cd '$far' && bash \"\$OLDPWD/all.sh\""
+same 'a path with spaces and UTF-8' "$far"
+
+# The scripts, there and under that locale, against themselves without either.
+study() {   # study FOLDER ENVIRONMENT COMMAND: its stdout and what it writes to out.csv
+    runs "cd '$1' && rm -f out.csv && env $2 $3"
+    cat "$seen/out" "$1/out.csv" >"$1/said" 2>"$seen/cat"
+}
+both() {   # both NAME COMMAND
+    study plain LC_ALL=C "$2"
+    study "$far" "$comma" "$2"
+    claim "$1 says the same in both places" cmp plain/said "$far/said"
+    claim "$1 says something" [ "$(wc -c <plain/said)" -gt 20 ]
+}
+coarse="--set loads.end.pressure=-0.6MPa --set mesh.size=20mm --set path.until.elongation=50mm"
+both workspace "'$scripts/workspace' designs/segment.yaml --pressures chamber_1=4kPa,chamber_2=6kPa --steps 1 --set geometry.chambers=2 --set 'mesh={size: 12 mm, through_wall: 1}' --set geometry.length=24mm"
+both mesh-study "'$scripts/mesh-study' \"\$PWD/designs/tube.yaml\" '8mm 6mm' 1.5mm"
+runs 'fit-material -q test.csv --law yeoh --json plain/fit.json -o x'
+cp plain/fit.json "$far/fit.json"
+both uncertainty "'$scripts/uncertainty' designs/rod.yaml fit.json --at elongation=20mm,50mm $coarse"
+if [ -n "$(type -P parallel)" ]; then
+    for folder in plain "$far"; do
+        printf '%s\n' 'design: designs/rod.yaml' 'vary:' '  geometry.width: [8.5 mm, 12 mm]' \
+            'set: {mesh.size: 20 mm, material.kappa: incompressible, loads.end.pressure: -100 kPa}' 'outputs: [pressure_kPa, elongation_mm]' >"$folder/rods 1.yaml"
+    done
+    both sweep "bash -c \"'$scripts/sweep' 'rods 1.yaml' --folder here >out.txt && cut -d, -f2- here/results.csv >out.csv\""
+fi
