@@ -47,7 +47,7 @@ both() {   # both NAME COMMAND
 }
 coarse="--set loads.end.pressure=-0.6MPa --set mesh.size=20mm --set path.until.elongation=50mm"
 both workspace "'$scripts/workspace' designs/segment.yaml --pressures chamber_1=4kPa,chamber_2=6kPa --steps 1 --set geometry.chambers=2 --set 'mesh={size: 12 mm, through_wall: 1}' --set geometry.length=24mm"
-both mesh-study "'$scripts/mesh-study' \"\$PWD/designs/tube.yaml\" '8mm 6mm' 1.5mm"
+both mesh-study "'$scripts/mesh-study' \"\$PWD/designs/tube.yaml\" --along elongation --set path.until.elongation=2mm mesh.size=8mm mesh.size=6mm"
 runs 'fit-material -q test.csv --law yeoh --json plain/fit.json -o x'
 cp plain/fit.json "$far/fit.json"
 both uncertainty "'$scripts/uncertainty' designs/rod.yaml fit.json --at elongation=20mm,50mm $coarse"
