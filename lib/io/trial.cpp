@@ -6,6 +6,7 @@
 #include <new>
 
 #include "core/apart.hpp"
+#include "core/memory.hpp"
 #include "core/text.hpp"
 
 namespace soft::io {
@@ -44,6 +45,7 @@ core::Bytes verdict_of(const std::function<void(const Origin&)>& read, const Ori
         read(origin);
         return {};
     } catch (const Error& error) {
+        if (error.code() == ExitCode::io_error) throw std::bad_alloc{};  // the limit of the trial, not the machine's
         core::Bytes verdict{static_cast<std::byte>(error.code())};
         const auto message = std::as_bytes(std::span{std::string_view{error.what()}});
         verdict.insert(verdict.end(), message.begin(), message.end());
@@ -57,9 +59,10 @@ void try_apart(const Origin& origin, const std::function<void(const Origin& note
     const SharedNote note;
     Origin noted = origin;
     noted.note = note.characters();
-    const core::ApartEnd end =
-        core::done_apart([&] { return verdict_of(read, noted); }, limits_for(origin.image_bytes));
+    const core::ApartLimits limits = limits_for(origin.image_bytes);
+    const core::ApartEnd end = core::done_apart([&] { return verdict_of(read, noted); }, limits);
     if (!end.result) {
+        core::require_memory(limits.memory);  // where the machine has less, the file is not to blame
         const std::string place = note.text();
         throw Error(ExitCode::bad_input, place.empty() ? origin.source : core::one_line(place),
                     "HDF5 cannot read on from here: " + end.reason + "; the file is damaged and has no seal",
