@@ -86,7 +86,8 @@ std::vector<Planned> read_plan(const std::filesystem::path& file) {
 }
 
 Outcome outcome_of(const std::filesystem::path& folder, const Planned& design) {
-    Outcome outcome{.design = design};
+    Outcome outcome;
+    outcome.design = design;
     const std::filesystem::path own = folder / design.id;
     if (!std::filesystem::exists(own / "status")) return outcome;
     const std::string text = text_of(own / "status");
