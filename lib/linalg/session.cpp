@@ -46,6 +46,7 @@ Session::Session(const std::vector<std::string>& options) {
         setenv("OMPI_MCA_pml", "ob1", 0);
         setenv("OMPI_MCA_btl", "self,vader", 0);
     }
+    setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);  // its threads cut the same mesh now so, now so: last digits would differ
     core::require_memory(memory_to_start);
     take_blas_buffer();
     std::vector<std::string> words{"solve", "-no_signal_handler", "-skip_petscrc"};

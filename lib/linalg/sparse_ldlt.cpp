@@ -99,10 +99,12 @@ double SparseLdlt::Parts::bounded_diagonal(const MatrixRows& rows, PetscInt row)
 }
 
 SparseLdlt::SparseLdlt(Mat K) : parts_(std::make_unique<Parts>()) {
-    PetscObjectGetComm(reinterpret_cast<PetscObject>(K), &parts_->ranks);
+    MPI_Comm comm = MPI_COMM_SELF;
+    SOFT_PETSC(PetscObjectGetComm(reinterpret_cast<PetscObject>(K), &comm));
     int size = 1;
-    MPI_Comm_size(parts_->ranks, &size);
+    MPI_Comm_size(comm, &size);
     if (size > 1) {
+        parts_->ranks = comm;  // PETSc's own, which ends with its last object: to_all keeps it
         SOFT_PETSC(MatCreateRedundantMatrix(K, size, MPI_COMM_NULL, MAT_INITIAL_MATRIX, parts_->whole.out()));
         Vector like;
         SOFT_PETSC(MatCreateVecs(K, nullptr, like.out()));
