@@ -72,7 +72,9 @@ Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit, 
         if (got < 0) throw Error(ExitCode::io_error, name, "cannot be read: " + reason(errno));
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
-        if (filled >= signature.size() && std::memcmp(bytes.data(), signature.data(), signature.size()) != 0) break;
+        if (!signature.empty() && filled >= signature.size() &&
+            std::memcmp(bytes.data(), signature.data(), signature.size()) != 0)
+            break;
         if (filled > limit) throw Error(ExitCode::bad_input, name, "longer than " + std::to_string(limit) + " bytes");
     }
     bytes.resize(filled);
