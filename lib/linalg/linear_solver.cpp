@@ -22,8 +22,9 @@ int restart_of(const model::LinearSettings& settings) {
     return std::min(settings.iteration_limit, large ? longest_multigrid_restart : longest_restart);
 }
 
-/// An LDL^T factor that needs more than this misses too much of K: LU costs twice the factorisation, once a matrix.
-constexpr int many_iterations_for_ldlt = 6;
+/// A factor that needs more than this misses too much of K. CHOLMOD's costs little more than an iteration; LU by MUMPS costs a
+/// quarter more than LDL^T, as much as three to five.
+constexpr int many_iterations_for_small_factors = 6, many_iterations_for_ldlt = 3;
 
 /// Beyond this MUMPS's dense blocks win over CHOLMOD's columns (a section of 70,000 unknowns; a solid of 4,000).
 constexpr double small_flops = 1e8;
@@ -181,7 +182,8 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
     LinearSolve result = solve_once(b, x);
     if (settings_.method != LinearMethod::automatic || factor == Factor::stale) return result;
     const auto is_poor = [&] {
-        return result.iterations > many_iterations_for_ldlt || (has_small_factors() && !result.converged);
+        return has_small_factors() ? result.iterations > many_iterations_for_small_factors || !result.converged
+                                   : result.iterations > many_iterations_for_ldlt;
     };
     while (is_poor() && take_next_factorization()) {
         if (!factorize().succeeded) return {};

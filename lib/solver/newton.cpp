@@ -67,6 +67,7 @@ NewtonResult Newton::correct(const Constraint& constraint, double target, State&
     for (;;) {
         evaluate_rows(constraint, state);
         now.missing = remaining(constraint, system_.input(), target, constraint_.value);
+        now.loads_stay = constraint.kind == ConstraintKind::load_factor && supply_.empty() && now.missing == 0.0;
         if (const auto end = judge(state, now)) {
             // The inertia of a kept factor is that of the state where the correction began.
             if (settings_.newton != model::NewtonMethod::full && now.result.iterations > 1) factor_is_recent_ = false;
@@ -153,11 +154,13 @@ std::optional<NewtonEnd> Newton::solve_blocks(const State& state, const Correcti
         residual_at_factor_ = now.residual;
     }
     SOFT_PETSC(VecScale(R_, -1.0));
-    if (!solve_all([this](Vec b, Vec x) { return solve_updated(b, x); })) return solve_failure();
+    if (!solve_all(now, [this](Vec b, Vec x) { return solve_updated(b, x); })) return solve_failure();
     return std::nullopt;
 }
 
-bool Newton::solve_all(const SolveOne& solve) { return solve(R_, correction_).usable() && solve_columns(solve); }
+bool Newton::solve_all(const Correction& now, const SolveOne& solve) {
+    return solve(R_, correction_).usable() && (now.loads_stay || solve_columns(solve));
+}
 
 /// K_ is that of this iteration, its factor that of one before.
 bool Newton::solve_with_kept_factor(const Correction& now) {
@@ -167,7 +170,7 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
         now.residual > 0.0 ? share_of_linear_solves * now.aim / now.residual : loosest_linear_tolerance;
     const double tolerance = std::min(enough, loosest_linear_tolerance);
     SOFT_PETSC(VecScale(R_, -1.0));
-    const bool served = solve_all([&](Vec b, Vec x) {
+    const bool served = solve_all(now, [&](Vec b, Vec x) {
         const auto solve = solver_.solve_roughly(b, x, tolerance);
         return solve.iterations <= many_iterations_for_a_kept_factor ? solve : linalg::LinearSolve{};
     });
@@ -177,6 +180,7 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
 
 /// Eliminates the border; nullopt where it is singular.
 std::optional<Newton::Increment> Newton::increment(const Correction& now) {
+    if (now.loads_stay) return Increment{{0.0}, now.residual};
     fill_border();
     std::vector<double> wanted;  // what the rows still lack, then what `a` leaves of it
     for (const auto& equation : supply_) wanted.push_back(-equation.value);

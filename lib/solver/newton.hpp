@@ -101,8 +101,9 @@ private:
         assembly::Evaluation evaluation;  // the last
         double residual = 0;              // |R| at the state
         double first_force_scale = 0, constraint_scale = 0;
-        double missing = 0;  // of the constraint
-        double aim = 0;      // of the residual: equilibrium
+        double missing = 0;       // of the constraint
+        bool loads_stay = false;  // they are those of the target: the increment is K^-1 (-R) alone, without columns
+        double aim = 0;           // of the residual: equilibrium
         NewtonResult result;
     };
     /// dx is in correction_; and what the bordered system adds to it.
@@ -119,7 +120,7 @@ private:
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
     /// True where the factor before this iteration has served it.
     [[nodiscard]] bool solve_with_kept_factor(const Correction& now);
-    [[nodiscard]] bool solve_all(const SolveOne& solve);
+    [[nodiscard]] bool solve_all(const Correction& now, const SolveOne& solve);
     [[nodiscard]] std::optional<Increment> increment(const Correction& now);
     [[nodiscard]] Search move(const Increment& step, const State& state, State& trial, Correction& now);
     void learn(double length);

@@ -97,6 +97,7 @@ PathFollower::Aim PathFollower::aim() {
     aim.target = aim.crossing ? aim.crossing->goal->target : end;
     if (!aim.crossing)
         aim.constraint.scale = std::abs(settings_.steps == model::StepRule::constant ? end - last_->q : step_);
+    if (aim.constraint.kind == ConstraintKind::load_factor) aim.forecast.load_factor = aim.target;  // to the last digit
     if (aim.constraint.kind == ConstraintKind::arc)
         aim.target = evaluate(aim.constraint, system_, *loads_, aim.forecast, scratch_).value;
     return aim;
@@ -155,7 +156,14 @@ void PathFollower::advance() {
         " (load " + short_text(error.load) + "), " + std::to_string(newton_result_.iterations) + " iterations" +
         (point->tangent.unstable_modes ? ", unstable modes " + std::to_string(*point->tangent.unstable_modes) : ""));
     if (!arrive(std::move(*point), aimed.crossing ? aimed.crossing->goal : nullptr)) return;
-    adapt_step(std::max(error.state, load_share * error.load), aimed.straight ? 1.0 : 3.0);
+    const double missed = std::max(error.state, load_share * error.load);
+    if (!aimed.straight)
+        adapt_step(missed, 3.0);
+    else if (settings_.predictor == model::Predictor::tangent)
+        adapt_step(missed, 1.0);
+    else
+        adapt_step(missed * missed,
+                   3.0);  // the cubic comes next: of a series whose terms go on falling so it errs by 4 missed^3
     soften();
 }
 
