@@ -43,11 +43,11 @@ constexpr std::array predictor_words{Word<Predictor>{"cubic", Predictor::cubic},
 constexpr const char *linear_path = "solver.linear", *preconditioner_path = "solver.preconditioner";
 
 template <class Enum, std::size_t count>
-Key choice(std::string path, const std::array<Word<Enum>, count>& table, Enum fallback, std::string meaning) {
-    return {.path = std::move(path),
+Key choice(std::string_view path, const std::array<Word<Enum>, count>& table, Enum fallback, std::string_view meaning) {
+    return {.path = std::string{path},
             .kind = Kind::choice,
             .fallback = word_for(table, fallback),
-            .meaning = std::move(meaning),
+            .meaning = std::string{meaning},
             .choices = words_of(table)};
 }
 

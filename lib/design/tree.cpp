@@ -215,7 +215,10 @@ const Node* find_path(const Node& root, std::string_view path) {
     return nullptr;
 }
 
-Node* find_path(Node& root, std::string_view path) { return const_cast<Node*>(find_path(std::as_const(root), path)); }
+Node* find_path(Node& root, std::string_view path) {
+    return const_cast<Node*>(
+        find_path(std::as_const(root), path));  // NOLINT(*-const-cast): of a root that is not const
+}
 
 void put(Node& root, std::string_view path, Node value) {
     Node* node = &root;

@@ -66,7 +66,7 @@ void add_covariance(const Solution& solution, const Rows& rows, Fit& fit) {
     if (count == 0) return;
     const Eigen::MatrixXd R = J.columns.householderQr().matrixQR().topRows(count).triangularView<Eigen::Upper>();
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(R, Eigen::ComputeThinU | Eigen::ComputeThinV);
-    const Eigen::VectorXd values = svd.singularValues();
+    const Eigen::VectorXd& values = svd.singularValues();
     fit.condition = values[count - 1] > 0.0 ? values[0] / values[count - 1] : std::numeric_limits<double>::infinity();
     const Eigen::VectorXd inverse = values.unaryExpr([](double v) { return v > 0.0 ? 1.0 / v : 0.0; });
     const double freedom = std::max(1.0, static_cast<double>(rows.target.size() - count));

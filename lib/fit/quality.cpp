@@ -117,7 +117,7 @@ bool signs_suffice(const Fit& fit) {
 void add_stability(Fit& fit) {
     const auto rubber = rubber_of(fit.candidate, fit.constants);
     if (!rubber) {
-        fit.flags.push_back("mu0<=0");
+        fit.flags.emplace_back("mu0<=0");
         return;
     }
     fit.stable = true;
@@ -146,13 +146,13 @@ double stress_at_offset_strain(const TestCurve& test) {
 void add_flags(const Solution& solution, const std::vector<TestCurve>& tests, Fit& fit) {
     const auto& free = solution.projection.linear.free;
     if (solution.at_search_bound || std::find(free.begin(), free.end(), false) != free.end())
-        fit.flags.push_back("at-bound");
-    if (solution.signs == Signs::stable) fit.flags.push_back("signs-constrained");
-    if (!(fit.condition <= largest_condition)) fit.flags.push_back("ill-conditioned");
+        fit.flags.emplace_back("at-bound");
+    if (solution.signs == Signs::stable) fit.flags.emplace_back("signs-constrained");
+    if (!(fit.condition <= largest_condition)) fit.flags.emplace_back("ill-conditioned");
     for (std::size_t t = 0; t < tests.size(); ++t)
         if (fit.tests[t].offset_Pa &&
             std::abs(*fit.tests[t].offset_Pa) > largest_offset_share * std::abs(stress_at_offset_strain(tests[t])))
-            fit.flags.push_back("offset>10%");
+            fit.flags.emplace_back("offset>10%");
 }
 
 }  // namespace

@@ -78,7 +78,7 @@ std::vector<surface::FaceRule> with_cuts(std::vector<surface::FaceRule> rules, c
     for (surface::FaceRule& rule : rules)
         if (rule.flood && !rule.flood->up_to.empty())
             for (std::size_t c = 0; c < 3; ++c)
-                if (cut[c]) rule.flood->up_to.push_back(symmetry_faces[c]);
+                if (cut[c]) rule.flood->up_to.emplace_back(symmetry_faces[c]);
     all.insert(all.end(), rules.begin(), rules.end());
     return all;
 }

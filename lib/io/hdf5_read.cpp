@@ -57,7 +57,7 @@ std::string unpadded(std::string_view text) { return std::string{text.substr(0, 
 
 FileHandle open_image(std::span<const std::byte> hdf5, const Origin& origin) {
     // The library takes a void* but neither writes to nor frees the bytes with these flags.
-    void* bytes = const_cast<std::byte*>(hdf5.data());
+    void* bytes = const_cast<std::byte*>(hdf5.data());  // NOLINT(*-const-cast)
     FileHandle file{H5LTopen_file_image(bytes, hdf5.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE)};
     if (!file) throw Error(ExitCode::bad_input, origin.source, "HDF5 cannot open it: " + hdf5_reason(), origin.remedy);
     return file;

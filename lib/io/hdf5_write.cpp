@@ -87,7 +87,8 @@ FileHandle memory_file(std::span<const std::byte> hdf5) {
     // Never a path, as there is no backing store; but HDF5 takes two open memory files of one name for the same file.
     const std::string name = "soft-actuator-" + std::to_string(access.get());
     if (hdf5.empty()) return FileHandle{H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get())};
-    void* bytes = const_cast<std::byte*>(hdf5.data());  // HDF5 takes a void* and copies from it
+    // HDF5 takes a void* and copies from it.
+    void* bytes = const_cast<std::byte*>(hdf5.data());  // NOLINT(*-const-cast)
     check(H5Pset_file_image(access.get(), bytes, hdf5.size()), "H5Pset_file_image");
     return FileHandle{H5Fopen(name.c_str(), H5F_ACC_RDWR, access.get())};
 }
