@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/memory.hpp"
+#include "linalg/mumps.hpp"
 #include "linalg/preconditioner.hpp"
 #include "linalg/profile.hpp"
+#include "linalg/sparse_ldlt.hpp"
+#include "linalg/substructures.hpp"
 
 namespace soft::linalg {
 
@@ -23,26 +25,17 @@ int restart_of(const model::LinearSettings& settings) {
 }
 
 /// A factor that needs more than this misses too much of K. CHOLMOD's costs little more than an iteration; LU by MUMPS costs a
-/// quarter more than LDL^T, as much as three to five.
-constexpr int many_iterations_for_small_factors = 6, many_iterations_for_ldlt = 3;
+/// quarter more than LDL^T, as much as four or five, and knows no inertia.
+constexpr int many_iterations_for_small_factors = 6, many_iterations_for_ldlt = 4;
 
 /// Beyond this MUMPS's dense blocks win over CHOLMOD's columns (a section of 70,000 unknowns; a solid of 4,000).
 constexpr double small_flops = 1e8;
 
-/// Ordering alone would take long.
-constexpr PetscInt most_small_unknowns = 200'000;
-
-/// INFOG(1) of MUMPS where an allocation failed: shorter steps do not help.
-void require_memory(PetscInt mumps_status) {
-    constexpr std::array no_memory{-5, -7, -13, -19};  // of reals or integers in the analysis, later, beyond ICNTL(23)
-    if (std::find(no_memory.begin(), no_memory.end(), mumps_status) != no_memory.end()) throw core::out_of_memory();
-}
-
-PetscErrorCode solve_by_small_factors(PC pc, Vec b, Vec x) {
+PetscErrorCode solve_by_own_factors(PC pc, Vec b, Vec x) {
     void* context = nullptr;
     SOFT_PETSC(PCShellGetContext(pc, &context));
     const Timed timed(Phase::factor_solve);
-    static_cast<SparseLdlt*>(context)->solve(b, x);
+    static_cast<Factors*>(context)->solve(b, x);
     return 0;
 }
 
@@ -56,35 +49,58 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings
     SOFT_PETSC(KSPSetTolerances(ksp_, settings.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, settings.iteration_limit));
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    if (settings.method == LinearMethod::automatic && symmetry == Symmetry::symmetric) take_small_factors();
-    if (!small_) set_type(pc, settings, symmetry);
+    if (settings.method != LinearMethod::automatic)
+        set_type(pc, settings, symmetry);
+    else
+        take(symmetry == Symmetry::symmetric ? Choice::small_ldlt : Choice::lu);
     SOFT_PETSC(KSPSetFromOptions(ksp_));
     set_operators();
 }
 
-void LinearSolver::take_small_factors() {
+void LinearSolver::take(Choice choice) {
     PetscBool chosen = PETSC_FALSE;
-    PetscInt size = 0;
     SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // by the user, of what set_type gives
-    SOFT_PETSC(MatGetSize(K_, &size, nullptr));
-    if (chosen == PETSC_TRUE || size > most_small_unknowns) return;
-    {
-        const Timed timed(Phase::ordering);
-        small_.emplace(K_);
-    }
-    if (small_->flops() > small_flops) return small_.reset();
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    own_.reset();
+    choice_ = choice;
+    const char* name = "LDL^T without pivoting, CHOLMOD";
+    if (choice == Choice::small_ldlt) {
+        if (chosen == PETSC_FALSE) take_small_factors();
+        if (!own_) return take(Choice::ldlt);
+    } else if (chosen == PETSC_FALSE) {
+        const Timed timed(Phase::ordering);
+        own_ = Substructures::of(K_, choice == Choice::ldlt ? Symmetry::symmetric : Symmetry::general);
+        name = choice == Choice::ldlt ? "LDL^T by substructures, MUMPS" : "LU by substructures, MUMPS";
+    }
+    if (!own_) {
+        model::LinearSettings mumps = settings_;
+        mumps.method = choice == Choice::ldlt ? LinearMethod::mumps_ldlt : LinearMethod::mumps_lu;
+        return set_type(pc, mumps, Symmetry::symmetric);
+    }
     SOFT_PETSC(PCSetType(pc, PCSHELL));
-    SOFT_PETSC(PCShellSetContext(pc, &*small_));
-    SOFT_PETSC(PCShellSetApply(pc, solve_by_small_factors));
-    SOFT_PETSC(PCShellSetName(pc, "LDL^T without pivoting, CHOLMOD"));
+    SOFT_PETSC(PCShellSetContext(pc, own_.get()));
+    SOFT_PETSC(PCShellSetApply(pc, solve_by_own_factors));
+    SOFT_PETSC(PCShellSetName(pc, name));
 }
 
-bool LinearSolver::has_small_factors() const {
+void LinearSolver::take_small_factors() {
+    // A factor has at least the entries of the triangle; n columns of so many in all take at least their square over n.
+    PetscInt unknowns = 0;
+    MatInfo entries;
+    SOFT_PETSC(MatGetSize(K_, &unknowns, nullptr));
+    SOFT_PETSC(MatGetInfo(K_, MAT_GLOBAL_SUM, &entries));
+    const double n = unknowns, triangle = (entries.nz_used + n) / 2.0;
+    if (triangle * triangle / n > small_flops) return;
+    const Timed timed(Phase::ordering);
+    auto small = std::make_unique<SparseLdlt>(K_);
+    if (small->flops() <= small_flops) own_ = std::move(small);
+}
+
+bool LinearSolver::has_own_factors() const {
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    return small_ && is_type(pc, PCSHELL);
+    return own_ && is_type(pc, PCSHELL);
 }
 
 void LinearSolver::set_levels(ElementLevels levels) {
@@ -121,16 +137,21 @@ bool LinearSolver::is_numerical_failure(PetscErrorCode code, const char* call) c
 Factorization LinearSolver::factorize() {
     ++factorizations_;
     set_operators();
-    if (has_small_factors()) {
+    PC pc = nullptr;
+    SOFT_PETSC(KSPGetPC(ksp_, &pc));
+    if (has_own_factors()) {
         const Timed timed(Phase::factorization);
-        if (small_->factorize(K_)) return {true, small_->negative_pivots(), std::nullopt};
+        if (own_->factorize(K_)) return {true, own_->negative_pivots(), own_->determinant_is_negative()};
     }
-    if (has_small_factors()) (void)take_next_factorization();
+    if (has_own_factors()) {
+        if (choice_ != Choice::small_ldlt) return {};
+        take(Choice::ldlt);
+        SOFT_PETSC(PCSetFromOptions(pc));
+        return factorize();
+    }
     SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_FALSE));
     const bool raised = is_numerical_failure(set_up(), "KSPSetUp");
     SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_TRUE));
-    PC pc = nullptr;
-    SOFT_PETSC(KSPGetPC(ksp_, &pc));
     if (raised) {
         SOFT_PETSC(KSPReset(ksp_));  // half made, with its vectors
         return {};
@@ -143,7 +164,7 @@ Factorization LinearSolver::factorize() {
     SOFT_PETSC(PCFactorGetMatrix(pc, &factor));
     PetscInt status = 0;
     SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));  // a failed MUMPS factorisation returns no PETSc error
-    require_memory(status);
+    require_mumps_memory(status);
     if (status < 0) return {false, std::nullopt, std::nullopt};
     if (is_type(pc, PCCHOLESKY)) {
         PetscInt negative = 0;
@@ -172,7 +193,7 @@ std::optional<bool> LinearSolver::determinant_is_negative() {
     PetscInt status = 0;
     PetscReal mantissa = 0;
     SOFT_PETSC(MatMumpsGetInfog(factor, 1, &status));
-    require_memory(status);
+    require_mumps_memory(status);
     if (status < 0) return std::nullopt;
     SOFT_PETSC(MatMumpsGetRinfog(factor, 12, &mantissa));
     return mantissa < 0.0;
@@ -182,8 +203,9 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
     LinearSolve result = solve_once(b, x);
     if (settings_.method != LinearMethod::automatic || factor == Factor::stale) return result;
     const auto is_poor = [&] {
-        return has_small_factors() ? result.iterations > many_iterations_for_small_factors || !result.converged
-                                   : result.iterations > many_iterations_for_ldlt;
+        return choice_ == Choice::small_ldlt
+                   ? result.iterations > many_iterations_for_small_factors || !result.converged
+                   : result.iterations > many_iterations_for_ldlt;
     };
     while (is_poor() && take_next_factorization()) {
         if (!factorize().succeeded) return {};
@@ -195,13 +217,10 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
 bool LinearSolver::take_next_factorization() {
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    const bool small = has_small_factors();
-    if (!small && !is_type(pc, PCCHOLESKY)) return false;
-    model::LinearSettings next = settings_;
-    next.method = small ? LinearMethod::mumps_ldlt : LinearMethod::mumps_lu;
-    set_type(pc, next, Symmetry::symmetric);
+    const bool of_the_user = !own_ && !is_type(pc, PCCHOLESKY);  // by -pc_type
+    if (choice_ == Choice::lu || of_the_user) return false;
+    take(choice_ == Choice::small_ldlt ? Choice::ldlt : Choice::lu);
     SOFT_PETSC(PCSetFromOptions(pc));
-    small_.reset();
     return true;
 }
 

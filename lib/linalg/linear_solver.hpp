@@ -1,8 +1,9 @@
 #pragma once
 /// Solves K x = b for a sequence of slowly changing tangents K by flexible GMRES (Saad 1993) with a preconditioner made from
 /// one of them: a direct factorisation or one of the cheaper kinds (model::LinearSettings).
-///   automatic: LDL^T, where it takes few flops without pivoting (sparse_ldlt.hpp), else by MUMPS, which also
-///       takes over for good where the first vanishes or takes many iterations. With a fresh factor of a symmetric K this is one application; the same loop corrects the part of K
+///   automatic: LDL^T, where it takes few flops without pivoting (sparse_ldlt.hpp), else by MUMPS, which also takes over for good
+///       where the first vanishes or takes many iterations: one for all on one rank or very many, else one a rank
+///       (substructures.hpp). With a fresh factor of a symmetric K this is one application; the same loop corrects the part of K
 ///       that is not symmetric (a pressure whose surface has a free rim), which LDL^T does not see. Where that part is large
 ///       the loop takes many iterations: then the solver goes over to LU for good; where it is known beforehand, LU is taken
 ///       from the start.
@@ -10,11 +11,12 @@
 ///       where K is not positive definite: beyond a limit point, and for any K with pressure unknowns.
 ///   krylov: the preconditioner of the settings; jacobian_free: the same, for an operator that the caller gives.
 /// Held by linalg/linear_solver_test, solver/linear_methods_test.
+#include <memory>
 #include <optional>
 
+#include "linalg/factors.hpp"
 #include "linalg/multigrid.hpp"
 #include "linalg/petsc.hpp"
-#include "linalg/sparse_ldlt.hpp"
 #include "model/settings.hpp"
 
 namespace soft::linalg {
@@ -34,8 +36,6 @@ struct LinearSolve {
 
 /// Whether the last factor is that of K as it stands, or of a K shortly before.
 enum class Factor { fresh, stale };
-
-enum class Symmetry { symmetric, general };
 
 class LinearSolver {
 public:
@@ -82,17 +82,21 @@ public:
 private:
     void set_operators();
     [[nodiscard]] PetscErrorCode set_up();
+    /// What `automatic` takes, one after the other.
+    enum class Choice { small_ldlt, ldlt, lu };
+    void take(Choice choice);
     void take_small_factors();
-    [[nodiscard]] bool has_small_factors() const;
-    /// From small factors to MUMPS, from LDL^T to LU. False where there is nothing left.
+    /// False where there is nothing left.
     [[nodiscard]] bool take_next_factorization();
+    [[nodiscard]] bool has_own_factors() const;
     [[nodiscard]] LinearSolve solve_once(Vec b, Vec x);
     /// True where the failure is a property of the numbers; throws where it is not.
     [[nodiscard]] bool is_numerical_failure(PetscErrorCode code, const char* call) const;
 
     Mat K_, operator_ = nullptr;
     model::LinearSettings settings_;
-    std::optional<SparseLdlt> small_;  // behind the preconditioner of ksp_, which goes first
+    Choice choice_ = Choice::lu;    // of method automatic
+    std::unique_ptr<Factors> own_;  // behind the preconditioner of ksp_, which goes first
     std::unique_ptr<Multigrid> multigrid_;
     KrylovSolver ksp_;
     int factorizations_ = 0;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "linalg/mumps.hpp"
 
 namespace soft::linalg {
 
@@ -11,9 +12,6 @@ namespace {
 
 using model::LinearMethod;
 using model::Preconditioner;
-
-/// Work space of MUMPS beyond its estimate [%]: small by default, and the pivoting of a saddle point needs more.
-constexpr int mumps_work_space = 80;
 
 [[noreturn]] void refuse_library(const std::string& place, const std::string& library) {
     throw Error(ExitCode::bad_input, place, "this PETSc was built without " + library, "choose another, or automatic");

@@ -117,8 +117,6 @@ SparseLdlt::SparseLdlt(Mat K) : parts_(std::make_unique<Parts>()) {
 }
 
 SparseLdlt::~SparseLdlt() = default;
-SparseLdlt::SparseLdlt(SparseLdlt&&) noexcept = default;
-SparseLdlt& SparseLdlt::operator=(SparseLdlt&&) noexcept = default;
 
 double SparseLdlt::flops() const { return parts_->flops; }
 
@@ -148,7 +146,7 @@ bool SparseLdlt::has_good_pivots() const {
                        [&](int first) { return std::isfinite(value[first]) && value[first] != 0.0; });
 }
 
-PetscInt SparseLdlt::negative_pivots() const {
+std::optional<PetscInt> SparseLdlt::negative_pivots() const {
     const auto& factor = *parts_->factor;
     const auto* start = static_cast<const int*>(factor.p);
     const auto* value = static_cast<const double*>(factor.x);

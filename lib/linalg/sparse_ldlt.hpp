@@ -13,24 +13,21 @@
 /// ranks, tests/faults/same_bytes.sh.
 #include <memory>
 
-#include "linalg/petsc.hpp"
+#include "linalg/factors.hpp"
 
 namespace soft::linalg {
 
-class SparseLdlt {
+class SparseLdlt final : public Factors {
 public:
     /// Orders the unknowns by the pattern of K (AMD), which all later matrices have.
     explicit SparseLdlt(Mat K);
-    ~SparseLdlt();
-    SparseLdlt(SparseLdlt&&) noexcept;
-    SparseLdlt& operator=(SparseLdlt&&) noexcept;
+    ~SparseLdlt() override;
 
     [[nodiscard]] double flops() const;  ///< of one factorisation
-    /// False where a pivot vanishes or is not finite: there is no factor then. Collective, as all that follows.
-    [[nodiscard]] bool factorize(Mat K);
-    /// The number of negative eigenvalues of the matrix that was factorised (Sylvester).
-    [[nodiscard]] PetscInt negative_pivots() const;
-    void solve(Vec b, Vec x);
+    [[nodiscard]] bool factorize(Mat K) override;
+    [[nodiscard]] std::optional<PetscInt> negative_pivots() const override;
+    [[nodiscard]] std::optional<bool> determinant_is_negative() const override { return std::nullopt; }
+    void solve(Vec b, Vec x) override;
 
 private:
     void read_values(Mat K);

@@ -19,6 +19,12 @@ add_library(soft_cholmod INTERFACE)
 target_include_directories(soft_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(soft_cholmod INTERFACE ${CHOLMOD_LIBRARY})
 
+find_path(MUMPS_INCLUDE_DIR dmumps_c.h PATH_SUFFIXES MUMPS openmpi-${CMAKE_SYSTEM_PROCESSOR} REQUIRED)   # comes with PETSc
+find_library(MUMPS_LIBRARY dmumps REQUIRED)
+add_library(soft_mumps INTERFACE)
+target_include_directories(soft_mumps SYSTEM INTERFACE ${MUMPS_INCLUDE_DIR})
+target_link_libraries(soft_mumps INTERFACE ${MUMPS_LIBRARY})
+
 find_library(LAPACK_LIBRARY NAMES lapack flexiblas openblas REQUIRED)   # comes with PETSc
 
 # HDF5: the flavour PETSc was built with; two flavours in one process do not share identifiers.
