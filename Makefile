@@ -39,13 +39,13 @@ verify: setup
 bench: build
 	@scripts/benchmark $(BENCH)
 
+# Debian gives each release of clang's tools a name of its own; other releases find and want other things.
 format:
-	@command -v clang-format >/dev/null || { echo 'format: needs clang-format (apt-get install clang-format)' >&2; exit 1; }
-	@clang-format -i $(CXX_FILES)
+	@command -v clang-format-14 >/dev/null || { echo 'format: needs clang-format-14 (apt-get install clang-format-14)' >&2; exit 1; }
+	@clang-format-14 -i $(CXX_FILES)
 
 tidy: build
-	@command -v clang-tidy >/dev/null || { echo 'tidy: needs clang-tidy (apt-get install clang-tidy)' >&2; exit 1; }
-	@find lib tools -name '*.cpp' -print0 | xargs -0 -n 1 -P 2 clang-tidy -p build --quiet
+	@scripts/tidy
 
 clean:
 	@rm -rf build build-asan results

@@ -106,7 +106,8 @@ TEST(Substructures, SolveAGeneralMatrixAndKnowTheSignOfItsDeterminant) {
 TEST(Substructures, TakeLaterMatricesOfTheSamePattern) {
     const Matrix first = on_all_ranks(chain(0.02));
     const auto factors = Substructures::of(first, Symmetry::symmetric);
-    if (!factors) GTEST_SKIP() << "one rank";
+    ASSERT_EQ(factors != nullptr, ranks() > 1);
+    if (!factors) return;
     ASSERT_TRUE(factors->factorize(first));
     const SmallMatrix A = chain(0.5, 2);
     ASSERT_TRUE(factors->factorize(on_all_ranks(A)));
@@ -118,7 +119,8 @@ TEST(Substructures, FailOnAllRanksWhereOneMeetsASingularPart) {
     for (int j = 0; j < unknowns; ++j) A.at(3, j) = A.at(j, 3) = j == 3 ? 2.0 : 0.0;  // a spring for itself
     const Matrix K = on_all_ranks(A);
     const auto factors = Substructures::of(K, Symmetry::symmetric);
-    if (!factors) GTEST_SKIP() << "one rank";
+    ASSERT_EQ(factors != nullptr, ranks() > 1);
+    if (!factors) return;
     EXPECT_TRUE(factors->factorize(K));
     A.at(3, 3) = 0.0;
     EXPECT_FALSE(factors->factorize(on_all_ranks(A)));
