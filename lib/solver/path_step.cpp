@@ -34,6 +34,8 @@ constexpr int failures_before_other_control = 3;
 constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
 /// Below this det F a cell is all but inside out: rubber of any law has failed there, or the cells are too large.
 constexpr double crushed = 0.05;
+/// The arc is that of the whole body: a fold in which but one cell snaps turns within so small a part of any other step.
+constexpr double arc_of_one_cell = 1e-3;
 /// A part of a step that is rounding: far above that of sums, far below any step.
 constexpr double sliver = 1e-6;
 
@@ -251,7 +253,8 @@ void PathFollower::handle_failure() {
         short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian) +
         "): cut to " + short_text(next));
     step_ = next;
-    const bool too_short = std::abs(step_) < settings_.smallest_step * std::abs(first_step_);
+    const double share = std::abs(step_ / first_step_) / settings_.smallest_step;
+    const bool too_short = share < 1.0;
     const bool automatic = stage().control == model::Control::automatic;
     if (control_.kind != ConstraintKind::arc && (too_short || failures_ >= failures_before_other_control ||
                                                  (automatic && control_.kind == ConstraintKind::load_factor))) {
@@ -261,7 +264,10 @@ void PathFollower::handle_failure() {
         return change_control({ConstraintKind::arc}, "steps under the " + std::string(name(control_.kind)) + " fail");
     }
     if (failures_ > 1) before_.reset();  // a bad extrapolation: go back to the tangent
-    if (too_short) give_up();
+    // A step of no more than a state is known to has no direction: it may as well lead back.
+    const double known = equilibrium_margin * settings_.residual_tolerance * linalg::norm(last_->state.x);
+    const bool lost = share < arc_of_one_cell || std::abs(step_) < known || newton_result_.min_jacobian < crushed;
+    if (too_short && lost) give_up();
 }
 
 void PathFollower::give_up() {
