@@ -179,6 +179,21 @@ TEST(Plate, FoldsInWhichOneCellSnapsAreFollowed) {
     }
 }
 
+// A thin sphere of Yeoh rubber that swells, energy c3 (I1 - 3)^3 + kappa/2 (J - 1)^2: far stretched I1 = 2 l^2 J^(-2/3), the least
+// energy over J is 4 sqrt(c3 kappa) l^3, and p = t/R W'/l^2 tends to 12 t/R sqrt(c3 kappa), from below as l^(-3/2) (derived here).
+TEST(Sphere, ALoadBeyondTheAsymptoteOfASwellingLawIsNeverReached) {
+    const auto run = run_design(
+        "sphere.yaml", {"geometry={inner_radius: 50 mm, outer_radius: 51 mm}", "mesh.size=2 mm", "path.until={}",
+                        "material={law: yeoh, c1: 10 kPa, c2: 1 kPa, c3: 1 kPa, kappa: 4 MPa}",
+                        "loads.cavity.pressure=60 kPa", "path.stretch_limit=3"});
+    EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);
+    EXPECT_NE(run.end.detail.find("it tends to little more than at "), std::string::npos) << run.end.detail;
+    const double asymptote_kPa = 12 * (1 / 50.5) * std::sqrt(1.0 * 4e3);
+    EXPECT_LT(run.pressure_kPa(), asymptote_kPa);
+    EXPECT_GT(run.pressure_kPa(), 0.95 * asymptote_kPa);
+    EXPECT_LT(run.steps.size(), 100u);
+}
+
 // A problem whose path diverges fails: run_design refuses to give it.
 TEST(Problems, APathThatDivergesIsRefused) {
     try {
