@@ -125,7 +125,7 @@ std::vector<Key> step_keys(const model::SolverSettings& defaults) {
         number("solver.largest_step", defaults.largest_step,
                "longest step as a share of the path so far; 0 leaves it to the solver", 0, 1),
         share("solver.smallest_step", defaults.smallest_step,
-              "a step cut below this share of the first step ends the path"),
+              "a step cut below this share of the first step ends the path (of an arc length: a thousandth of it)"),
         count("solver.wanted_iterations", defaults.wanted_iterations,
               "Newton iterations a step aims at, iteration-adaptive", 100),
         count("solver.step_limit", defaults.step_limit, "steps after which the path ends with stop reason step_limit",

@@ -63,7 +63,10 @@ NewtonResult Newton::correct(const Constraint& constraint, double target, State&
     State trial{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
     now.residual = linalg::norm(R_);
     now.first_force_scale = now.evaluation.force_scale;
-    now.constraint_scale = std::max(std::abs(target), constraint.scale);
+    now.constraint_tolerance = settings_.residual_tolerance * std::max(std::abs(target), constraint.scale);
+    if (constraint.kind == ConstraintKind::arc)  // a short one is the small difference of large numbers
+        now.constraint_tolerance =
+            std::max(now.constraint_tolerance, std::numeric_limits<double>::epsilon() * linalg::norm(state.x));
     for (;;) {
         evaluate_rows(constraint, state);
         now.missing = remaining(constraint, system_.input(), target, constraint_.value);
@@ -98,8 +101,7 @@ std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
         return std::abs(equation.value) <= settings_.residual_tolerance;
     });
     if (!std::isfinite(now.residual) || !std::isfinite(now.missing)) return NewtonEnd::not_finite;
-    if (now.residual <= now.aim && supplied &&
-        std::abs(now.missing) <= settings_.residual_tolerance * now.constraint_scale)
+    if (now.residual <= now.aim && supplied && std::abs(now.missing) <= now.constraint_tolerance)
         return NewtonEnd::converged;
     if (now.result.iterations == settings_.newton_limit) return NewtonEnd::iteration_limit;
     return std::nullopt;
@@ -109,13 +111,11 @@ std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
 /// near to equilibrium as numbers can be. Far stretched rubber is so much stiffer than its forces are large that this is more
 /// than the tolerance.
 bool Newton::is_rounding(const State& state, const Correction& now) {
-    if (std::abs(now.missing) > settings_.residual_tolerance * now.constraint_scale) return false;
-    // Without a pressure unknown the change of volume is read from positions, whose digits are those of a cell's size.
+    if (std::abs(now.missing) > now.constraint_tolerance) return false;
+    // The gradient that is added to one has the digits of positions: of a displacement of the cell's size.
     const model::Case& input = system_.input();
     const double nodes = static_cast<double>(input.mesh.points.size());
-    const double cell_m = input.formulation == model::Formulation::mixed
-                              ? 0.0
-                              : model::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
+    const double cell_m = model::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
     State nearby{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
     linalg::copy(state.x, nearby.x);
     for (PetscInt i = system_.dofs().begin; i < system_.dofs().end; ++i) {

@@ -100,7 +100,7 @@ private:
     struct Correction {
         assembly::Evaluation evaluation;  // the last
         double residual = 0;              // |R| at the state
-        double first_force_scale = 0, constraint_scale = 0;
+        double first_force_scale = 0, constraint_tolerance = 0;
         double missing = 0;       // of the constraint
         bool loads_stay = false;  // they are those of the target: the increment is K^-1 (-R) alone, without columns
         double aim = 0;           // of the residual: equilibrium

@@ -32,8 +32,14 @@ constexpr int failures_before_other_control = 3;
 /// Of what is left of the load, for a growth of the unknowns by themselves: less is an asymptote. Looked at over steps in which
 /// they do grow: nothing is said of a path that hardly moves.
 constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
+/// Times path.stretch_limit: no rubber is stretched so far. There a load whose rise falls with this power of the unknowns, or a
+/// higher one, is taken to go on so; what is still to come must be less than this part of what is left. Looked at over steps long
+/// enough for a power to be seen.
+constexpr double far_beyond = 10.0, least_power = 0.5, reachable = 0.5, growth_for_a_power = 0.02;
 /// Below this det F a cell is all but inside out: rubber of any law has failed there, or the cells are too large.
 constexpr double crushed = 0.05;
+/// The arc is that of the whole body: a fold in which but one cell snaps turns within so small a part of any other step.
+constexpr double arc_of_one_cell = 1e-3;
 /// A part of a step that is rounding: far above that of sums, far below any step.
 constexpr double sliver = 1e-6;
 
@@ -188,7 +194,7 @@ bool PathFollower::arrive(PathPoint point, const Goal* goal) {
     else if (contact)
         finish(StopReason::self_contact, *contact + " at " + describe(*last_));
     else if (is_out_of_reach())
-        finish(StopReason::limit_point, "the load asked for is never reached: it tends to what it is at " +
+        finish(StopReason::limit_point, "the load asked for is never reached: it tends to little more than at " +
                                             describe(*last_) +
                                             ", and the rubber is stretched by more than path.stretch_limit");
     else if (is_hopeless())
@@ -208,14 +214,25 @@ bool PathFollower::is_hopeless() const {
 }
 
 /// A load that still grows, but so little that the way to its value is beyond all numbers, as that of a long tube of
-/// neo-Hookean rubber, which has an asymptote in place of a maximum.
+/// neo-Hookean rubber, which has an asymptote in place of a maximum; or that, by the power of the unknowns with which its rise falls,
+/// ends far below.
 bool PathFollower::is_out_of_reach() {
     if (stretch_p99_ <= input_.path.stretch_limit || !before_) return false;
     linalg::copy(last_->state.x, scratch_);
     linalg::add(scratch_, -1.0, before_->state.x);
     const double growth = linalg::norm(scratch_) / linalg::norm(last_->state.x);
     const double gain = last_->state.load_factor - before_->state.load_factor, left = 1.0 - last_->state.load_factor;
-    return left > 0.0 && growth > steady_growth && std::abs(gain) < out_of_reach * growth * left;
+    if (left <= 0.0 || growth <= steady_growth) return false;
+    if (std::abs(gain) < out_of_reach * growth * left) return true;
+    if (stretch_p99_ <= far_beyond * input_.path.stretch_limit || growth < growth_for_a_power) return false;
+    const auto rise_of = [](const PathPoint& point) {  // d load factor / d log of the unknowns
+        const double size = linalg::norm(point.state.x);
+        return point.tangent.load_factor * size * size / linalg::dot(point.tangent.x, point.state.x);
+    };
+    const double rise = rise_of(*last_), before = rise_of(*before_);
+    const double log_growth = std::log(linalg::norm(last_->state.x) / linalg::norm(before_->state.x));
+    const double power = std::log(before / rise) / log_growth, mean = gain / log_growth;
+    return rise > 0.0 && rise < mean && mean < before && power > least_power && rise / power < reachable * left;
 }
 
 void PathFollower::accept(PathPoint point) {
@@ -259,7 +276,8 @@ void PathFollower::handle_failure() {
         short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian) +
         "): cut to " + short_text(next));
     step_ = next;
-    const bool too_short = std::abs(step_) < settings_.smallest_step * std::abs(first_step_);
+    const double share = std::abs(step_ / first_step_) / settings_.smallest_step;
+    const bool too_short = share < 1.0;
     const bool automatic = stage().control == model::Control::automatic;
     if (control_.kind != ConstraintKind::arc && (too_short || failures_ >= failures_before_other_control ||
                                                  (automatic && control_.kind == ConstraintKind::load_factor))) {
@@ -269,7 +287,10 @@ void PathFollower::handle_failure() {
         return change_control({ConstraintKind::arc}, "steps under the " + std::string(name(control_.kind)) + " fail");
     }
     if (failures_ > 1) before_.reset();  // a bad extrapolation: go back to the tangent
-    if (too_short) give_up();
+    // A step of no more than a state is known to has no direction: it may as well lead back.
+    const double known = equilibrium_margin * settings_.residual_tolerance * linalg::norm(last_->state.x);
+    const bool lost = share < arc_of_one_cell || std::abs(step_) < known || newton_result_.min_jacobian < crushed;
+    if (too_short && lost) give_up();
 }
 
 void PathFollower::give_up() {

@@ -20,6 +20,8 @@ constexpr double rounding = 1e-7;
 constexpr double flat = 0.35;
 /// Growth of the load for a growth of the displacements by themselves, of what is left of it: less never gets there.
 constexpr double asymptotic = 1e-3;
+/// Far beyond the stretch limit: of what is left, what a load may still rise by whose rise falls with this power or a higher one.
+constexpr double far_beyond = 10, least_power = 0.4, reachable = 0.6;
 /// det F of a cell that is about to turn inside out.
 constexpr double flattened = 0.2;
 /// How far, in parts of the body, the last step may be drawn out until walls touch.
@@ -90,6 +92,12 @@ Verdict confirm_limit_point(const io::Result& result) {
     if (!by_volume && !by_output && left > 0 && std::abs(gain) < asymptotic * *to / *all * left)
         return {true, "the load has an asymptote: " + text(load(n - 1)) + " of the full one at the end"};
     const double before = (load(n - 2) - load(n - 3)) / *from, last = gain / *to;
+    // Or its rise falls with a power of the displacements: what is still to come is the integral of that.
+    const double power = std::log(before / last) / std::log((*all - *to / 2) / (*all - *to - *from / 2)) - 1,
+                 to_come = last * *all / power;
+    const bool far = rows.back()->stretch_p99 > far_beyond * result.model.path.stretch_limit;
+    if (!by_volume && !by_output && far && left > 0 && last > 0 && power > least_power && to_come < reachable * left)
+        return {true, "the load tends to " + text(load(n - 1) + to_come) + " of the full one"};
     const double slope = last + (last - before) / (*from + *to) * *to;  // of the parabola, at the last row
     return {std::abs(slope) <= flat * std::abs(before),
             "slope at the last row " + text(slope / before) + " of that two rows before"};

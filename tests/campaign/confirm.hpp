@@ -4,6 +4,7 @@
 /// false reasons.
 ///   done              the last stage's loads are in place, or a value that it was to end at
 ///   limit_point       the load passes an extremum within the rows, or its parabola through the last three has one at the last;
+///                     or, at ten times the stretch limit, the power with which its rise falls ends below the load asked for;
 ///                     where the path has gone on, it has not come to the load asked for but to path.stretch_limit
 ///   self_contact      triangles of the deformed surface that are no neighbours meet (CGAL), or a crease closes, or a facet
 ///                     passes a mirror, in the last row or soon after it, the last step drawn out

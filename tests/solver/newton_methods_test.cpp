@@ -57,6 +57,17 @@ TEST(NewtonMethods, BfgsNeedsFewerIterationsThanTheKeptTangentAlone) {
     EXPECT_LT(cost_of(run(input)).iterations, cost_of(modified).iterations);
 }
 
+// Of a load of 1e-8 mu all but the last digits of det F = 1 + strain are the one's: what they leave of the residual is beyond the
+// tolerance. Strain p / (3 mu).
+TEST(NewtonMethods, ALoadNearRoundingHasTheElongationOfLinearElasticity) {
+    auto input = box_case(3, true);
+    const double pressure_Pa = 1e-8 * sample_mu_Pa;
+    input.path.stages[0].supplies[0].value = -pressure_Pa;
+    const auto [steps, end, log] = run(input);
+    ASSERT_EQ(end.reason, solution::StopReason::done) << end.detail;
+    EXPECT_NEAR(steps.back().outputs[0] / (0.01 * pressure_Pa / (3 * sample_mu_Pa)), 1.0, 1e-5);
+}
+
 // Under volume control the pressure is an unknown of the border.
 TEST(NewtonMethods, KeptTangentsFollowTheSphereThroughItsLimitPoint) {
     for (const auto method : {NewtonMethod::modified, NewtonMethod::bfgs}) {

@@ -154,6 +154,46 @@ TEST(BellowsUnderVacuum, EndsWhereTheFoldsOfTheCavityMeetOnAnyMesh) {
     EXPECT_NEAR(finer.output_mm() / run.output_mm(), 1, 2e-3);
 }
 
+// Cells at the rim snap one after another. At each the whole plate turns back, in an arc of 1e-6 of a step, as the path of steps a fifth
+// as long does.
+TEST(Plate, FoldsInWhichOneCellSnapsAreFollowed) {
+    const std::vector<std::string> soft{
+        "model=axisymmetric",
+        "geometry.radius=34.122 mm",
+        "geometry.thickness=2.3397 mm",
+        "material={law: mooney-rivlin, c10: 5.0108 kPa, c01: 0.71213 kPa, kappa: 227.81 kPa}",
+        "mesh={size: 1.8157 mm, formulation: displacement, grading: 16}",
+        "loads={bottom: {pressure: 6.2042 kPa}}",
+        "path.stretch_limit=7.6889"};
+    auto densely = soft;
+    densely.push_back("solver.step_accuracy=1e-5");
+    const auto run = run_design("plate.yaml", soft), dense = run_design("plate.yaml", densely);
+    EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);  // its maximum, with stretches beyond the limit
+    EXPECT_GT(dense.steps.size(), 3 * run.steps.size());
+    ASSERT_GE(run.end.bifurcations.size(), 2u);
+    ASSERT_GE(dense.end.bifurcations.size(), 2u);
+    for (std::size_t i = 1; i <= 2; ++i) {  // the folds are the last ones
+        const auto &fold = run.end.bifurcations.rbegin()[i - 1].at, &same = dense.end.bifurcations.rbegin()[i - 1].at;
+        EXPECT_NEAR(fold.pressure_Pa / same.pressure_Pa, 1.0, 1e-5);
+        EXPECT_NEAR(fold.outputs[0] / same.outputs[0], 1.0, 1e-5);
+    }
+}
+
+// A thin sphere of Yeoh rubber that swells, energy c3 (I1 - 3)^3 + kappa/2 (J - 1)^2: far stretched I1 = 2 l^2 J^(-2/3), the least
+// energy over J is 4 sqrt(c3 kappa) l^3, and p = t/R W'/l^2 tends to 12 t/R sqrt(c3 kappa), from below as l^(-3/2) (derived here).
+TEST(Sphere, ALoadBeyondTheAsymptoteOfASwellingLawIsNeverReached) {
+    const auto run = run_design(
+        "sphere.yaml", {"geometry={inner_radius: 50 mm, outer_radius: 51 mm}", "mesh.size=2 mm", "path.until={}",
+                        "material={law: yeoh, c1: 10 kPa, c2: 1 kPa, c3: 1 kPa, kappa: 4 MPa}",
+                        "loads.cavity.pressure=60 kPa", "path.stretch_limit=3"});
+    EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);
+    EXPECT_NE(run.end.detail.find("it tends to little more than at "), std::string::npos) << run.end.detail;
+    const double asymptote_kPa = 12 * (1 / 50.5) * std::sqrt(1.0 * 4e3);
+    EXPECT_LT(run.pressure_kPa(), asymptote_kPa);
+    EXPECT_GT(run.pressure_kPa(), 0.95 * asymptote_kPa);
+    EXPECT_LT(run.steps.size(), 100u);
+}
+
 // A problem whose path diverges fails: run_design refuses to give it.
 TEST(Problems, APathThatDivergesIsRefused) {
     try {
