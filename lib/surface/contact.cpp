@@ -13,6 +13,7 @@
 #include "surface/crossing.hpp"
 #include "surface/free_facets.hpp"
 #include "surface/hinges.hpp"
+#include "surface/inside_out.hpp"
 #include "surface/report.hpp"
 
 namespace soft::surface {
@@ -110,7 +111,7 @@ public:
             if (pair.neighbours() && seen_from_one_side(cones[pair.first], cones[pair.second])) continue;
             if (left_out(i, j) || rubber_between(pair)) continue;
             const auto xi = crossing(pair, undeformed_, now);
-            if (xi && stays(pair, positions))
+            if (xi && stays(pair, positions) && !rubber_passed_itself(pair, positions))
                 keep({Kind::pair, undeformed_place(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
@@ -118,7 +119,8 @@ public:
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && !passes_[d].contains(f))
-                    if (const Depth at = depth(f, d, positions); at.depth_m > tolerance_m_)
+                    if (const Depth at = depth(f, d, positions);
+                        at.depth_m > tolerance_m_ && faces_plane(f, d, at.xi, positions))
                         keep({kind_of(d), undeformed_place(f, at.xi), {f, f}});
         return best ? std::optional(contact(*best)) : std::nullopt;
     }
@@ -175,6 +177,23 @@ private:
         const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
         const DividedFacets fine{mesh_, both, Fineness::fine};
         return crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
+    }
+
+    [[nodiscard]] bool rubber_passed_itself(const FacetPair& pair, const std::vector<Point>& positions) const {
+        return wall_is_inside_out(mesh_, {facets_.facet(pair.first), facets_.facet(pair.second)}, positions);
+    }
+
+    /// Whether the air is between a facet and the plane that it passes. Where it is the rubber, a cell is inside out. A facet that
+    /// begins at the plane is looked at there: further on it may have turned round.
+    [[nodiscard]] bool faces_plane(std::size_t f, std::size_t d, const FacetPoint& deepest,
+                                   const std::vector<Point>& positions) const {
+        const auto distance = [&](const FacetPoint& xi) { return std::hypot(xi[0] - deepest[0], xi[1] - deepest[1]); };
+        const FacetMap before = facet_map(mesh_, facets_.facet(f), mesh_.points);
+        std::optional<FacetPoint> begin;
+        for (const FacetPoint& xi : facets_.division(f).xi)
+            if (std::abs(before(xi).x[d]) <= tolerance_m_ && (!begin || distance(xi) < distance(*begin))) begin = xi;
+        const FacetMap::Value at = facet_map(mesh_, facets_.facet(f), positions)(begin.value_or(deepest));
+        return sides_[d] * cross(at.t1, at.t2)[d] < 0;
     }
 
     [[nodiscard]] bool left_out(int i, int j) const { return left_out_.contains({i, j}); }

@@ -7,6 +7,7 @@
 /// The surface is what surface/free_facets.hpp says; facets are taken as their pieces (surface/divided.hpp), the planes and
 /// creases on the curved facets. What crosses or touches in the undeformed body already is left out, pair by pair. Of
 /// neighbouring facets, the pieces that have a point in common are not compared. A body wholly inside another is not found.
+/// Where the surface crosses itself or a plane with rubber between, not air, cells are inside out: that is no contact.
 /// A section of 300 facets takes 0.2 ms, a solid of 5000 some 30 ms, three times that where much overlaps.
 /// Held by surface/contact_test.
 #include <array>

@@ -66,14 +66,12 @@ std::size_t maximum(const std::vector<double>& values, double tolerance) {
 }
 
 /// Slope of a value over the way at the last row, as part of the secant's before the last step. The slope where the last step
-/// begins is drawn out from the steps before it: just before a maximum the last step is much shorter than they are.
+/// begins is drawn out from the steps before it: just before a maximum the last step is much shorter than they are. Last first.
 double slope_at_the_end(std::span<const double> values, std::span<const double> ways) {
-    const std::size_t n = values.size();
-    const auto secant = [&](std::size_t i) { return (values[i] - values[i - 1]) / ways[i]; };
-    const double last = secant(n - 1), before = secant(n - 2);
-    double start = before;  // of the last step
-    if (n > 3) start += (before - secant(n - 3)) / (ways[n - 2] + ways[n - 3]) * ways[n - 2];
-    return (2 * last - start) / before;
+    const auto secant = [&](std::size_t i) { return (values[i] - values[i + 1]) / ways[i]; };
+    double start = secant(1);  // of the last step
+    if (ways.size() > 2) start += (secant(1) - secant(2)) / (ways[1] + ways[2]) * ways[1];
+    return (2 * secant(0) - start) / secant(1);
 }
 
 /// By the rows of the last stage: the load has an extremum before the last row, or what the control lets grow has one at it.
@@ -102,18 +100,20 @@ Verdict confirm_limit_point(const io::Result& result) {
     if (maximum(controlled, tolerance) + 1 < n) return {false, "the path has gone on behind a maximum"};
     const auto rows = static_cast<std::int64_t>(result.steps.size());
     const auto all = way(result, 0, rows - 1);
-    std::vector<double> ways(n);
-    const std::size_t seen = std::min<std::size_t>(n, 4);
-    for (std::size_t i = n - seen + 1; i < n; ++i) {
+    std::vector<double> values{controlled.back()}, ways;  // backwards
+    for (std::size_t i = n - 1; i > 0 && ways.size() < 3; --i) {
         const std::int64_t row = rows - static_cast<std::int64_t>(n - i);
         const auto length = way(result, row - 1, row);
         if (!length || !all) return {false, "no fields are stored"};
-        ways[i] = *length;
+        if (*length <= tolerance * *all) continue;  // the same state twice
+        values.push_back(controlled[i - 1]);
+        ways.push_back(*length);
     }
-    const double gain = factors[n - 1] - factors[n - 2], left = 1 - factors[n - 1];
-    if (controlled == factors && left > 0 && std::abs(gain) < asymptotic * ways[n - 1] / *all * left)
+    if (ways.size() < 2) return {false, "too few rows"};
+    const double gain = values[0] - values[1], left = 1 - factors.back();
+    if (controlled == factors && left > 0 && std::abs(gain) < asymptotic * ways[0] / *all * left)
         return {true, "the load has an asymptote: " + text(factors[n - 1]) + " of the full one at the end"};
-    const double slope = slope_at_the_end(std::span{controlled}.last(seen), std::span{ways}.last(seen));
+    const double slope = slope_at_the_end(values, ways);
     return {slope <= flat, "slope at the last row " + text(slope) + " of that two rows before"};
 }
 
