@@ -22,7 +22,7 @@ namespace {
 using mesh::Facet;
 using mesh::Point;
 
-enum class Kind { pair, plane, axis };
+enum class Kind { pair, plane, axis, wall };
 
 struct Found {
     Kind kind;
@@ -111,8 +111,8 @@ public:
             if (pair.neighbours() && seen_from_one_side(cones[pair.first], cones[pair.second])) continue;
             if (left_out(i, j) || rubber_between(pair)) continue;
             const auto xi = crossing(pair, undeformed_, now);
-            if (xi && stays(pair, positions) && !rubber_passed_itself(pair, positions))
-                keep({Kind::pair, undeformed_place(pair.first, *xi), {pair.first, pair.second}});
+            if (xi && stays(pair, positions))
+                keep({kind_of(pair, positions), undeformed_place(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
             if (closed(hinge, cones, positions)) keep(found_at(hinge));
@@ -179,8 +179,9 @@ private:
         return crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
     }
 
-    [[nodiscard]] bool rubber_passed_itself(const FacetPair& pair, const std::vector<Point>& positions) const {
-        return wall_is_inside_out(mesh_, {facets_.facet(pair.first), facets_.facet(pair.second)}, positions);
+    [[nodiscard]] Kind kind_of(const FacetPair& pair, const std::vector<Point>& positions) const {
+        const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
+        return wall_is_inside_out(mesh_, both, positions) ? Kind::wall : Kind::pair;
     }
 
     /// Whether the air is between a facet and the plane that it passes. Where it is the rubber, a cell is inside out. A facet that
@@ -246,7 +247,10 @@ private:
     }
 
     [[nodiscard]] Contact contact(const Found& found) const {
-        Contact result{found.place, {facets_.facet(found.facets[0]), facets_.facet(found.facets[1])}, {}};
+        Contact result{found.place,
+                       {facets_.facet(found.facets[0]), facets_.facet(found.facets[1])},
+                       found.kind == Kind::wall,
+                       {}};
         const auto name = [&](int which) {
             const auto at = names_.find(result.facets[static_cast<std::size_t>(which)]);
             return at == names_.end() ? std::string{} : at->second;
@@ -258,6 +262,8 @@ private:
             result.text = face + " touches the axis";
         else if (found.kind == Kind::plane)
             result.text = face + " touches its mirror image";
+        else if (found.kind == Kind::wall)
+            result.text = "the wall between " + face + " and " + other + " is inside out";
         else if (first == second)
             result.text = face + " touches itself";
         else if (first.empty() || second.empty())
