@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <memory>
 
 #include "linalg/profile.hpp"
@@ -11,14 +12,15 @@ namespace soft::cli {
 namespace {
 
 /// nullopt: none. The length -1 stands for that on the way.
-std::optional<std::string> from_first_rank(const std::optional<std::string>& found, MPI_Comm comm) {
-    int length = found ? static_cast<int>(found->size()) : -1;
-    MPI_Bcast(&length, 1, MPI_INT, 0, comm);
-    if (length < 0) return std::nullopt;
-    std::string text = found.value_or("");
-    text.resize(static_cast<std::size_t>(length));
-    MPI_Bcast(text.data(), length, MPI_CHAR, 0, comm);
-    return text;
+std::optional<solver::Touch> from_first_rank(const std::optional<solver::Touch>& found, MPI_Comm comm) {
+    std::array<int, 2> head{-1, 0};
+    if (found) head = {static_cast<int>(found->text.size()), static_cast<int>(found->reason)};
+    MPI_Bcast(head.data(), 2, MPI_INT, 0, comm);
+    if (head[0] < 0) return std::nullopt;
+    solver::Touch touch{found ? found->text : "", static_cast<solution::StopReason>(head[1])};
+    touch.text.resize(static_cast<std::size_t>(head[0]));
+    MPI_Bcast(touch.text.data(), head[0], MPI_CHAR, 0, comm);
+    return touch;
 }
 
 }  // namespace
@@ -31,10 +33,12 @@ solver::ContactCheck contact_check(assembly::System& system) {
     const auto finder = rank == 0 ? std::make_shared<const surface::ContactFinder>(system.input()) : nullptr;
     return [&system, finder](Vec x) {
         const auto fields = system.gather_fields(x);
-        std::optional<std::string> found;
+        std::optional<solver::Touch> found;
         const linalg::Timed timed(linalg::Phase::contact);
         if (finder)
-            if (auto contact = finder->find(fields.displacement_m)) found = std::move(contact->text);
+            if (auto contact = finder->find(fields.displacement_m))
+                found = {std::move(contact->text), contact->inside_out ? solution::StopReason::inverted_element
+                                                                       : solution::StopReason::self_contact};
         return from_first_rank(found, system.comm());
     };
 }

@@ -60,8 +60,8 @@ void MotionFollower::append() {
     listeners_.step(step, last_.x);
     if (listeners_.contact && input_.path.contact == model::Contact::stop)
         if (const auto touching = listeners_.contact(last_.x))
-            finish(solution::StopReason::self_contact,
-                   *touching + " at " + short_text(last_.time_s) + " s, " + solver::state_text(point, input_));
+            finish(touching->reason,
+                   touching->end_at(short_text(last_.time_s) + " s, " + solver::state_text(point, input_)));
     last_row_ = std::move(point);
     next_row_s_ += row_interval_s_;
     while (next_row_s_ <= last_.time_s) next_row_s_ += row_interval_s_;

@@ -55,7 +55,7 @@ double next_between(const Sample& a, const Sample& b, std::optional<double>& las
 }  // namespace
 
 /// Halves the step between the last row and `point` down to where the walls just do not touch yet.
-std::optional<std::string> PathFollower::find_contact(PathPoint& point) {
+std::optional<Touch> PathFollower::find_contact(PathPoint& point) {
     if (!listeners_.contact || input_.path.contact == model::Contact::ignore) return std::nullopt;
     const auto look = [&](const PathPoint& at) {
         system_.prescribe(loads_->levels(at.state.load_factor, at.state.pressures_Pa));
@@ -70,8 +70,8 @@ std::optional<std::string> PathFollower::find_contact(PathPoint& point) {
         const double q = 0.5 * (free_q + touching_q);
         auto middle = solve_between(*last_, point, q);
         if (!middle) break;
-        if (auto text = look(*middle)) {
-            touching = std::move(text);
+        if (auto touch = look(*middle)) {
+            touching = std::move(touch);
             touching_q = q;
         } else {
             free = std::move(middle);

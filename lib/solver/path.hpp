@@ -46,9 +46,19 @@ using Log = std::function<void(const std::string&)>;
 /// What it would take to go on from the row just passed to the sink. Collective; only rank 0 gets the vectors.
 using CheckpointSink = std::function<void(const solution::Checkpoint&)>;
 
-/// Where walls of the body touch in a state, in words ("the faces ... near x = ..."); empty where none do. Collective,
-/// the same answer on every rank.
-using ContactCheck = std::function<std::optional<std::string>(Vec x)>;
+/// Walls that touch in a state, or one that has passed through itself: inverted_element. In words, "the faces ... at x = ...".
+struct Touch {
+    std::string text;
+    solution::StopReason reason = solution::StopReason::self_contact;
+    /// Why the path ends in this state, whose values are given.
+    [[nodiscard]] std::string end_at(const std::string& state) const {
+        const bool inverted = reason == solution::StopReason::inverted_element;
+        return text + " at " + state + (inverted ? "; use smaller cells there (mesh.size)" : "");
+    }
+};
+
+/// Empty where nothing touches. Collective, the same answer on every rank.
+using ContactCheck = std::function<std::optional<Touch>(Vec x)>;
 
 /// A row with what it takes to solve it again on another mesh (refined_path.hpp).
 using RowSink = std::function<void(const RowState&)>;

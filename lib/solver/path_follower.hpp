@@ -112,7 +112,7 @@ private:
     }
 
     // events.cpp
-    [[nodiscard]] std::optional<std::string> find_contact(PathPoint& point);
+    [[nodiscard]] std::optional<Touch> find_contact(PathPoint& point);
     /// Appends what happens between two points in the order of the path; true where the path ends or turns there.
     [[nodiscard]] bool pass_events(const PathPoint& from, const PathPoint& to);
     [[nodiscard]] std::optional<PathPoint> locate_extremum(const PathPoint& from, const PathPoint& to,

@@ -192,7 +192,7 @@ bool PathFollower::arrive(PathPoint point, const Goal* goal) {
     if (!reached.empty())
         end_stage(reached);
     else if (contact)
-        finish(StopReason::self_contact, *contact + " at " + describe(*last_));
+        finish(contact->reason, contact->end_at(describe(*last_)));
     else if (is_out_of_reach())
         finish(StopReason::limit_point, "the load asked for is never reached: it tends to little more than at " +
                                             describe(*last_) +

@@ -13,6 +13,7 @@
 #include "surface/crossing.hpp"
 #include "surface/free_facets.hpp"
 #include "surface/hinges.hpp"
+#include "surface/inside_out.hpp"
 #include "surface/report.hpp"
 
 namespace soft::surface {
@@ -21,7 +22,7 @@ namespace {
 using mesh::Facet;
 using mesh::Point;
 
-enum class Kind { pair, plane, axis };
+enum class Kind { pair, plane, axis, wall };
 
 struct Found {
     Kind kind;
@@ -111,14 +112,15 @@ public:
             if (left_out(i, j) || rubber_between(pair)) continue;
             const auto xi = crossing(pair, undeformed_, now);
             if (xi && stays(pair, positions))
-                keep({Kind::pair, undeformed_place(pair.first, *xi), {pair.first, pair.second}});
+                keep({kind_of(pair, positions), undeformed_place(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
             if (closed(hinge, cones, positions)) keep(found_at(hinge));
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
                 if (mirrors_[d] && !passes_[d].contains(f))
-                    if (const Depth at = depth(f, d, positions); at.depth_m > tolerance_m_)
+                    if (const Depth at = depth(f, d, positions);
+                        at.depth_m > tolerance_m_ && faces_plane(f, d, at.xi, positions))
                         keep({kind_of(d), undeformed_place(f, at.xi), {f, f}});
         return best ? std::optional(contact(*best)) : std::nullopt;
     }
@@ -177,6 +179,24 @@ private:
         return crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
     }
 
+    [[nodiscard]] Kind kind_of(const FacetPair& pair, const std::vector<Point>& positions) const {
+        const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
+        return wall_is_inside_out(mesh_, both, positions) ? Kind::wall : Kind::pair;
+    }
+
+    /// Whether the air is between a facet and the plane that it passes. Where it is the rubber, a cell is inside out. A facet that
+    /// begins at the plane is looked at there: further on it may have turned round.
+    [[nodiscard]] bool faces_plane(std::size_t f, std::size_t d, const FacetPoint& deepest,
+                                   const std::vector<Point>& positions) const {
+        const auto distance = [&](const FacetPoint& xi) { return std::hypot(xi[0] - deepest[0], xi[1] - deepest[1]); };
+        const FacetMap before = facet_map(mesh_, facets_.facet(f), mesh_.points);
+        std::optional<FacetPoint> begin;
+        for (const FacetPoint& xi : facets_.division(f).xi)
+            if (std::abs(before(xi).x[d]) <= tolerance_m_ && (!begin || distance(xi) < distance(*begin))) begin = xi;
+        const FacetMap::Value at = facet_map(mesh_, facets_.facet(f), positions)(begin.value_or(deepest));
+        return sides_[d] * cross(at.t1, at.t2)[d] < 0;
+    }
+
     [[nodiscard]] bool left_out(int i, int j) const { return left_out_.contains({i, j}); }
 
     /// Just past a full turn the walls face each other; all other hinges are spared the look at their cells.
@@ -227,7 +247,10 @@ private:
     }
 
     [[nodiscard]] Contact contact(const Found& found) const {
-        Contact result{found.place, {facets_.facet(found.facets[0]), facets_.facet(found.facets[1])}, {}};
+        Contact result{found.place,
+                       {facets_.facet(found.facets[0]), facets_.facet(found.facets[1])},
+                       found.kind == Kind::wall,
+                       {}};
         const auto name = [&](int which) {
             const auto at = names_.find(result.facets[static_cast<std::size_t>(which)]);
             return at == names_.end() ? std::string{} : at->second;
@@ -239,6 +262,8 @@ private:
             result.text = face + " touches the axis";
         else if (found.kind == Kind::plane)
             result.text = face + " touches its mirror image";
+        else if (found.kind == Kind::wall)
+            result.text = "the wall between " + face + " and " + other + " is inside out";
         else if (first == second)
             result.text = face + " touches itself";
         else if (first.empty() || second.empty())

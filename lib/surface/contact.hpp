@@ -7,6 +7,8 @@
 /// The surface is what surface/free_facets.hpp says; facets are taken as their pieces (surface/divided.hpp), the planes and
 /// creases on the curved facets. What crosses or touches in the undeformed body already is left out, pair by pair. Of
 /// neighbouring facets, the pieces that have a point in common are not compared. A body wholly inside another is not found.
+/// Where the two sides of one wall cross, its cells are inside out: nothing touches, and no state beyond is one of the body. Where
+/// a cell is inside out at a plane, so that rubber and not air is between, nothing is said; det F tells.
 /// A section of 300 facets takes 0.2 ms, a solid of 5000 some 30 ms, three times that where much overlaps.
 /// Held by surface/contact_test.
 #include <array>
@@ -23,6 +25,7 @@ namespace soft::surface {
 struct Contact {
     mesh::Point place;                  ///< undeformed, model coordinates, on the first facet
     std::array<mesh::Facet, 2> facets;  ///< ascending; twice the same one where it meets a plane or the axis
+    bool inside_out = false;            ///< no walls touch: the one between the facets has passed through itself
     std::string text;  ///< "the faces cavity and outer touch at x = 12.3 mm, r = 4.5 mm of the undeformed part"
 };
 

@@ -14,9 +14,7 @@ using solution::StopReason;
 
 /// Loads and goals are met to this part.
 constexpr double met = 1e-6;
-/// Differences of the load below this part of it are none.
-constexpr double rounding = 1e-7;
-/// At a limit point the slope of the parabola is at most this part of the secant's before; of a path that goes on it is about 1.
+/// At a limit point the slope is at most this part of that before; of a path that goes on it is about 1.
 constexpr double flat = 0.35;
 /// Growth of the load for a growth of the displacements by themselves, of what is left of it: less never gets there.
 constexpr double asymptotic = 1e-3;
@@ -26,6 +24,8 @@ constexpr double far_beyond = 10, least_power = 0.4, reachable = 0.6;
 constexpr double flattened = 0.2;
 /// How far, in parts of the body, the last step may be drawn out until walls touch.
 constexpr double soon = 0.03;
+/// Parts of the last step: the first is that to which contact is located, each further one so many times longer.
+constexpr double first_part = 1.0 / 256, longer = 1.5;
 
 std::string text(double value) { return core::rounded_text(value, 4); }
 
@@ -60,47 +60,70 @@ Verdict confirm_done(const io::Result& result) {
     return {std::abs(last.load_factor - 1) <= met, "load factor " + text(last.load_factor)};
 }
 
-/// By the rows of the last stage: the load has an extremum before the last row, or at it.
+/// The maximum of a value by rows: in one that has a fall behind it which is more than equilibrium leaves open; else the last.
+std::size_t maximum(const std::vector<double>& values, double tolerance) {
+    const auto top = std::ranges::max_element(values);
+    const bool falls = *top - values.back() > tolerance * std::abs(*top);
+    return falls ? static_cast<std::size_t>(top - values.begin()) : values.size() - 1;
+}
+
+/// Slope of a value over the way at the last row, as part of the secant's before the last step. The slope where the last step
+/// begins is drawn out from the steps before it: just before a maximum the last step is much shorter than they are. Last first.
+double slope_at_the_end(std::span<const double> values, std::span<const double> ways) {
+    const auto secant = [&](std::size_t i) { return (values[i] - values[i + 1]) / ways[i]; };
+    double start = secant(1);  // of the last step
+    if (ways.size() > 2) start += (secant(1) - secant(2)) / (ways[1] + ways[2]) * ways[1];
+    return (2 * secant(0) - start) / secant(1);
+}
+
+/// By the rows of the last stage: the load has an extremum before the last row, or what the control lets grow has one at it.
 Verdict confirm_limit_point(const io::Result& result) {
-    std::vector<const Step*> rows;
-    for (const Step& step : result.steps)
-        if (step.stage == result.steps.back().stage) rows.push_back(&step);
-    // What the user's own control lets grow; the load where the control is automatic.
-    const model::Control control = result.model.path.stages[static_cast<std::size_t>(rows.back()->stage)].control;
-    const bool by_volume = control == model::Control::volume && rows.back()->volume_m3;
-    const bool by_output = control == model::Control::displacement && !rows.back()->outputs.empty();
-    const auto controlled = [&](std::size_t i) {
-        return by_volume ? *rows[i]->volume_m3 : by_output ? rows[i]->outputs[0] : rows[i]->load_factor;
-    };
-    const double sense = controlled(rows.size() - 1) < controlled(0) ? -1 : 1;
-    const auto load = [&](std::size_t i) { return sense * controlled(i); };
-    const std::size_t n = rows.size();
-    if (n < 3) return {false, "too few rows"};
-    std::size_t top = 0;
-    for (std::size_t i = 1; i < n; ++i)
-        if (load(i) > load(top)) top = i;
-    if (top + 1 < n && load(top) - load(n - 1) > rounding * std::abs(load(top))) {
-        const bool given_up = rows.back()->stretch_p99 > result.model.path.stretch_limit;
-        return {given_up && top > 0 && load(top) < 1, "the load has its maximum, " + text(load(top)) +
-                                                          " of the full one, in row " + std::to_string(top) + " of " +
-                                                          std::to_string(n - 1)};
+    std::vector<double> factors, controlled;
+    const model::Control control =
+        result.model.path.stages[static_cast<std::size_t>(result.steps.back().stage)].control;
+    for (const Step& step : result.steps) {
+        if (step.stage != result.steps.back().stage) continue;
+        factors.push_back(step.load_factor);
+        controlled.push_back(control == model::Control::volume && step.volume_m3                ? *step.volume_m3
+                             : control == model::Control::displacement && !step.outputs.empty() ? step.outputs[0]
+                                                                                                : step.load_factor);
     }
-    const auto row = static_cast<std::int64_t>(result.steps.size()) - 1;
-    const auto from = way(result, row - 2, row - 1), to = way(result, row - 1, row), all = way(result, 0, row);
-    if (!from || !to || !all) return {false, "no fields are stored"};
-    const double gain = load(n - 1) - load(n - 2), left = 1 - load(n - 1);
-    if (!by_volume && !by_output && left > 0 && std::abs(gain) < asymptotic * *to / *all * left)
-        return {true, "the load has an asymptote: " + text(load(n - 1)) + " of the full one at the end"};
-    const double before = (load(n - 2) - load(n - 3)) / *from, last = gain / *to;
+    const std::size_t n = factors.size();
+    if (n < 3) return {false, "too few rows"};
+    if (controlled.back() < controlled.front() && controlled != factors)
+        for (double& value : controlled) value = -value;
+    const double tolerance = result.model.solver.residual_tolerance;
+    const std::size_t top = maximum(factors, tolerance);
+    if (top + 1 < n && result.steps.back().stretch_p99 > result.model.path.stretch_limit)
+        return {top > 0 && factors[top] < 1, "the load has its maximum, " + text(factors[top]) +
+                                                 " of the full one, in row " + std::to_string(top) + " of " +
+                                                 std::to_string(n - 1)};
+    if (factors.back() >= 1 - met) return {false, "the load asked for is reached"};
+    if (maximum(controlled, tolerance) + 1 < n) return {false, "the path has gone on behind a maximum"};
+    const auto rows = static_cast<std::int64_t>(result.steps.size());
+    const auto all = way(result, 0, rows - 1);
+    std::vector<double> values{controlled.back()}, ways;  // backwards
+    for (std::size_t i = n - 1; i > 0 && ways.size() < 3; --i) {
+        const std::int64_t row = rows - static_cast<std::int64_t>(n - i);
+        const auto length = way(result, row - 1, row);
+        if (!length || !all) return {false, "no fields are stored"};
+        if (*length <= tolerance * *all) continue;  // the same state twice
+        values.push_back(controlled[i - 1]);
+        ways.push_back(*length);
+    }
+    if (ways.size() < 2) return {false, "too few rows"};
+    const double gain = values[0] - values[1], left = 1 - factors.back();
+    if (controlled == factors && left > 0 && std::abs(gain) < asymptotic * ways[0] / *all * left)
+        return {true, "the load has an asymptote: " + text(factors[n - 1]) + " of the full one at the end"};
     // Or its rise falls with a power of the displacements: what is still to come is the integral of that.
-    const double power = std::log(before / last) / std::log((*all - *to / 2) / (*all - *to - *from / 2)) - 1,
+    const double before = (values[1] - values[2]) / ways[1], last = gain / ways[0];
+    const double power = std::log(before / last) / std::log((*all - ways[0] / 2) / (*all - ways[0] - ways[1] / 2)) - 1,
                  to_come = last * *all / power;
-    const bool far = rows.back()->stretch_p99 > far_beyond * result.model.path.stretch_limit;
-    if (!by_volume && !by_output && far && left > 0 && last > 0 && power > least_power && to_come < reachable * left)
-        return {true, "the load tends to " + text(load(n - 1) + to_come) + " of the full one"};
-    const double slope = last + (last - before) / (*from + *to) * *to;  // of the parabola, at the last row
-    return {std::abs(slope) <= flat * std::abs(before),
-            "slope at the last row " + text(slope / before) + " of that two rows before"};
+    const bool far = result.steps.back().stretch_p99 > far_beyond * result.model.path.stretch_limit;
+    if (controlled == factors && far && left > 0 && last > 0 && power > least_power && to_come < reachable * left)
+        return {true, "the load tends to " + text(factors[n - 1] + to_come) + " of the full one"};
+    const double slope = slope_at_the_end(values, ways);
+    return {slope <= flat, "slope at the last row " + text(slope) + " of that two rows before"};
 }
 
 Verdict confirm_self_contact(const io::Result& result) {
@@ -115,10 +138,10 @@ Verdict confirm_self_contact(const io::Result& result) {
         largest = std::max(largest, std::abs(step[i]));
     }
     const double farthest = soon * checks.extent_m();
-    for (double t = 0; t == 0 || t * largest <= farthest; t = t == 0 ? 0.125 : 1.5 * t) {
+    for (double t = 0; t == 0 || t * largest <= farthest; t = t == 0 ? first_part : longer * t) {
         std::vector<double> u = last->displacement_m;
         for (std::size_t i = 0; i < u.size(); ++i) u[i] += t * step[i];
-        if (const std::string what = checks.contact(u); !what.empty())
+        if (const std::string what = checks.contact(u, before->displacement_m); !what.empty())
             return {true, what + ", " + text(t * largest * 1e3) + " mm beyond the last row"};
         if (largest == 0) break;
     }

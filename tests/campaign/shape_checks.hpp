@@ -1,6 +1,6 @@
 #pragma once
 /// What the deformed mesh of a case shows by itself: walls that meet, cells that are flattened. Plain and slow; made for
-/// tests, of other parts than the solver's own search. Held by
+/// tests, of other parts than the solver's own search. Held by campaign/shape_checks_test,
 /// Pipeline.ACampaignConfirmsWhyPathsEnd.
 #include <array>
 #include <set>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "creases.hpp"
 #include "model/case.hpp"
 
 namespace soft::campaign {
@@ -16,8 +17,9 @@ class ShapeChecks {
 public:
     explicit ShapeChecks(const model::Case& model);
 
-    /// "walls meet", "a crease closes", "a wall passes a mirror"; empty where nothing does. `u`: [point x 3].
-    [[nodiscard]] std::string contact(std::span<const double> u) const;
+    /// "walls meet", "a crease closes", "a wall passes a mirror"; empty where nothing does. `u`: [point x 3]; `before`: of the
+    /// row before.
+    [[nodiscard]] std::string contact(std::span<const double> u, std::span<const double> before) const;
     /// At corners, mid nodes and centres of the cells.
     [[nodiscard]] double least_det_F(std::span<const double> u) const;
     /// Longest side of the undeformed body's box.
@@ -28,12 +30,10 @@ private:
     [[nodiscard]] mesh::Mesh moved(std::span<const double> u) const;
     [[nodiscard]] Pairs meeting(const mesh::Mesh& mesh) const;
     [[nodiscard]] bool passes_a_mirror(const mesh::Mesh& mesh) const;
-    [[nodiscard]] bool crease_closes(const mesh::Mesh& mesh) const;
-    [[nodiscard]] bool crease_of_section_closes(const mesh::Mesh& mesh) const;
-    [[nodiscard]] bool crease_of_solid_closes(const mesh::Mesh& mesh) const;
 
     const model::Case& model_;
     std::vector<mesh::Facet> skin_;
+    Creases creases_;
     Pairs from_the_start_;  ///< that meet in the undeformed body
     double extent_m_ = 0;
 };

@@ -131,15 +131,20 @@ TEST(Contact, EndsThePathJustBeforeWallsTouch) {
     input.path.stages = {full_load(input, {-3 * sample_mu_Pa})};
     assembly::System measuring(input, PETSC_COMM_WORLD);
     const double undeformed = measuring.load_volume(0, measuring.make_vector(), nullptr);
-    const auto touches = [&](Vec x) -> std::optional<std::string> {
+    StopReason seen = StopReason::self_contact;
+    const auto touches = [&](Vec x) -> std::optional<Touch> {
         if (measuring.load_volume(0, x, nullptr) > 0.8 * undeformed) return std::nullopt;
-        return "the walls touch";
+        return Touch{"the walls touch", seen};
     };
     const auto [steps, end, log] = run(input, touches);
     EXPECT_EQ(end.reason, StopReason::self_contact);
     EXPECT_NE(end.detail.find("the walls touch"), std::string::npos);
     EXPECT_GT(*steps.back().volume_m3, 0.8 * undeformed);
     EXPECT_LT(*steps.back().volume_m3, 0.802 * undeformed);
+    seen = StopReason::inverted_element;  // a wall that has passed through itself
+    const auto inverted = run(input, touches).end;
+    EXPECT_EQ(inverted.reason, StopReason::inverted_element);
+    EXPECT_EQ(inverted.detail, end.detail + "; use smaller cells there (mesh.size)");
     input.path.contact = model::Contact::ignore;
     EXPECT_NE(run(input, touches).end.reason, StopReason::self_contact);
 }

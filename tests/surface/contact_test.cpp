@@ -297,6 +297,47 @@ TEST(Contact, TheSidesOfAWallStretchedToASkinDoNotTouch) {
     }
 }
 
+/// The upper side of a cell at the axis (x, r) is drawn through r(s) with 0, 0.24 and 1: near the axis r < 0. Below a crater the air
+/// meets its mirror image there, above a spike the rubber.
+TEST(Contact, ACraterThatClosesTouchesTheAxisAndASpikeThatIsInsideOutDoesNot) {
+    const auto drawn = [](double tip) {
+        return [tip](const Point& X) {
+            const double s = X[1], middle = 4 * s * (1 - s), end = s * (2 * s - 1);
+            return X[0] < 1 ? X : Point{tip * (1 - s) * (1 - 2 * s) + middle + end, 0.24 * middle + end, 0};
+        };
+    };
+    model::Case model =
+        test::make_case(test::block(2, test::box({0, 1}, {0, 1}), {1, 1, 1}, "top"), model::Kinematics::axisymmetric);
+    EXPECT_TRUE(contact(model, drawn(0.5)));
+    EXPECT_FALSE(contact(model, drawn(2)));
+    model.kinematics = model::Kinematics::plane_strain;
+    model.symmetry_planes[1] = true;
+    EXPECT_TRUE(contact(model, drawn(0.5)));
+    EXPECT_FALSE(contact(model, drawn(2)));
+}
+
+/// The wall's middle is pressed through itself: its cells are inside out where its sides cross, and no air is between them.
+TEST(Contact, AWallThatIsInsideOutDoesNotTouchItself) {
+    const Motion crushed = [](const Point& X) {
+        return Point{X[0], X[1] * (1 - 1.5 * std::exp(-X[0] * X[0] - X[2] * X[2])), X[2]};
+    };
+    for (const int dimension : {2, 3})
+        for (const int through : {1, 2, 3, 4})
+            for (const Cells cells : test::all_cells) {
+                const auto wall = test::block(dimension, test::box({-4, 4}, {0, 1}, {0, 4}), {16, through, 8}, "wall");
+                model::Case model = test::make_case(
+                    test::as(cells, wall), dimension == 2 ? model::Kinematics::plane_strain : model::Kinematics::solid);
+                model.symmetry_planes[2] = dimension == 3;
+                const auto found = contact(model, crushed);
+                ASSERT_TRUE(found || through < 3) << dimension << " D, " << through << " through the wall";
+                if (!found) continue;  // the sides of one cell, or of two
+                EXPECT_TRUE(found->inside_out) << dimension << " D, " << through << " through the wall";
+                EXPECT_NE(found->text.find("the wall between the face wall and the face wall is inside out at x = "),
+                          std::string::npos)
+                    << found->text;
+            }
+}
+
 TEST(Contact, LargeSmoothDeformationsThatAreOneToOneGiveNoFalseAlarm) {
     for (const auto& [name, model] : bodies())
         for (const Cells cells : test::all_cells) {

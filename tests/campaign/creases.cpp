@@ -1,0 +1,106 @@
+#include "creases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "model/cavity_surface.hpp"
+#include "surface/free_facets.hpp"
+
+namespace soft::campaign {
+namespace {
+
+using mesh::Index;
+using mesh::Point;
+using surface::FacetPoint;
+using surface::Vector;
+
+/// [rad] A crease has closed where rubber fills a full turn and up to this more, and was open where it filled less than that.
+constexpr double sharp = 0.5;
+/// [rad] Nearer to a full turn it is a slit of the undeformed body.
+constexpr double slit = 1e-3;
+/// Where on an edge; its ends belong to other edges as well.
+constexpr std::array places{0.01, 0.25, 0.5, 0.75, 0.99};
+
+/// Of a facet at a point of its border: out of the rubber, and into the facet across the border.
+struct Side {
+    Vector out, inward;
+};
+
+Side side_of(const surface::FacetMap& map, const FacetPoint& from, const FacetPoint& to, const FacetPoint& in,
+             double s) {
+    const auto at = map({from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])});
+    const auto direction = [&](const FacetPoint& xi) {
+        return surface::along({xi[0] * at.t1[0], xi[0] * at.t1[1], xi[0] * at.t1[2]}, xi[1], at.t2);
+    };
+    const bool line = mesh::topology(map.type).shape == mesh::Shape::line;
+    const Vector edge = line ? at.t2 : direction({to[0] - from[0], to[1] - from[1]});
+    const Vector inward = direction(in);
+    return {surface::cross(at.t1, at.t2),
+            surface::along(inward, -surface::dot(inward, edge) / surface::dot(edge, edge), edge)};
+}
+
+/// From a facet through the rubber to the direction of another one, in (-pi, pi]: past half a turn it is negative, as the air
+/// that is left, and past a full one positive again.
+double angle(const Side& side, const Vector& other) {
+    return std::atan2(-surface::dot(side.out, other) / surface::norm(side.out),
+                      surface::dot(side.inward, other) / surface::norm(side.inward));
+}
+
+}  // namespace
+
+Creases::Creases(const model::Case& model, const std::vector<mesh::Facet>& skin) : model_(model), skin_(skin) {
+    const auto mirrors = surface::mirrors(model);
+    const double near_m = model::plane_tolerance * model::extent_m(model.mesh);
+    std::map<std::array<Index, 2>, std::vector<Border>> meeting;
+    for (std::size_t f = 0; f < skin.size(); ++f) {
+        const mesh::CellTopology& type = mesh::topology(mesh::facet_type(model.mesh, skin[f]));
+        const auto nodes = mesh::facet_nodes(model.mesh, skin[f]);
+        const auto count = static_cast<std::size_t>(type.vertex_count);
+        const bool line = type.shape == mesh::Shape::line;
+        FacetPoint middle{};
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t d = 0; d < 2; ++d) middle[d] += type.nodes[i][d] / static_cast<double>(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            std::size_t a = i, b = line ? i : (i + 1) % count;
+            if (nodes[b] < nodes[a]) std::swap(a, b);  // the same way along the edge in both facets
+            Border border{f, {type.nodes[a][0], type.nodes[a][1]}, {type.nodes[b][0], type.nodes[b][1]}, {}};
+            for (std::size_t d = 0; d < 2; ++d) border.inward[d] = middle[d] - (border.from[d] + border.to[d]) / 2;
+            meeting[{nodes[a], nodes[b]}].push_back(border);
+        }
+    }
+    for (const auto& [ends, borders] : meeting) {
+        if (borders.size() == 2) creases_.push_back({borders[0], borders[1], -1});
+        for (int d = 0; d < 3; ++d)
+            if (const auto k = static_cast<std::size_t>(d);
+                mirrors[k] && borders.size() == 1 &&
+                std::ranges::all_of(ends, [&](Index node) { return std::abs(model.mesh.point(node)[k]) <= near_m; }))
+                creases_.push_back({borders[0], borders[0], d});
+    }
+}
+
+double Creases::rubber(const Crease& crease, double along, std::span<const Point> positions) const {
+    const auto side = [&](const Border& b) {
+        return side_of(surface::facet_map(model_.mesh, skin_[b.facet], positions), b.from, b.to, b.inward, along);
+    };
+    const Side one = side(crease.one);
+    Vector other = crease.mirror < 0 ? side(crease.other).inward : one.inward;
+    if (crease.mirror >= 0) other[static_cast<std::size_t>(crease.mirror)] *= -1;
+    const double length = surface::norm(other);
+    for (double& component : other) component /= length;
+    return angle(one, other);
+}
+
+bool Creases::close(std::span<const Point> before, std::span<const Point> now) const {
+    return std::ranges::any_of(creases_, [&](const Crease& crease) {
+        return std::ranges::any_of(places, [&](double along) {
+            const double is = rubber(crease, along, now);
+            if (!(is > 0 && is < sharp)) return false;
+            const double was = rubber(crease, along, before), first = rubber(crease, along, model_.mesh.points);
+            return (was < 0 || was > std::numbers::pi - sharp) && (first < -slit || first > sharp);
+        });
+    });
+}
+
+}  // namespace soft::campaign
