@@ -48,7 +48,23 @@ void scale(PathTangent& tangent, double factor) {
 }
 
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
+    const bool may_kink = settings_.line_search == model::LineSearch::backtracking && system_.has_fibers();
+    if (!may_kink) return correct_by(settings_.line_search, constraint, target, state);
+    State start = copy_of(state);
+    const NewtonResult result = correct_by(settings_.line_search, constraint, target, state);
+    if (result.end != NewtonEnd::no_descent) return result;
+    State again = std::move(start);
+    NewtonResult second = correct_by(model::LineSearch::none, constraint, target, again);
+    second.iterations += result.iterations;
+    second.halvings += result.halvings;
+    if (second.end == NewtonEnd::converged) std::swap(state, again);
+    return second;
+}
+
+NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint& constraint, double target,
+                                State& state) {
     Correction now;
+    now.line_search = line_search;
     factor_is_recent_ = linear_limit_met_ = false;
     updates_.clear();
     now.evaluation = evaluate_at(state);
@@ -202,7 +218,7 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
             work += step.loads[j] * linalg::dot(wanted_[j].out, correction_);
         return work;
     };
-    const bool slopes = settings_.line_search == model::LineSearch::secant;
+    const bool slopes = now.line_search == model::LineSearch::secant;
     SearchStart start{step.pending, now.result.iterations == 1 ? first_iteration_rise : 1.0, 0.0};
     if (slopes) start.slope = -linalg::dot(R_, correction_) - work_of_loads();
     if (settings_.newton == model::NewtonMethod::bfgs) {
@@ -211,7 +227,7 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
         for (std::size_t j = 0; j < step.loads.size(); ++j) linalg::add(load_change_, step.loads[j], wanted_[j].out);
     }
     const Assemble what = settings_.newton == model::NewtonMethod::full ? Assemble::tangent : Assemble::forces;
-    return search(settings_.line_search, start, [&](double length) {
+    return search(now.line_search, start, [&](double length) {
         linalg::copy(state.x, trial.x);
         linalg::add(trial.x, length, correction_);
         trial.load_factor = state.load_factor + length * step.loads.back();

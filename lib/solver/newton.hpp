@@ -103,6 +103,7 @@ private:
         double first_force_scale = 0, constraint_scale = 0;
         double missing = 0;  // of the constraint
         double aim = 0;      // of the residual: equilibrium
+        model::LineSearch line_search = model::LineSearch::backtracking;
         NewtonResult result;
     };
     /// dx is in correction_; and what the bordered system adds to it.
@@ -114,6 +115,8 @@ private:
     using SolveOne = std::function<linalg::LinearSolve(Vec, Vec)>;
 
     // newton.cpp
+    [[nodiscard]] NewtonResult correct_by(model::LineSearch line_search, const Constraint& constraint, double target,
+                                          State& state);
     [[nodiscard]] std::optional<NewtonEnd> judge(const State& state, Correction& now);
     [[nodiscard]] bool is_rounding(const State& state, const Correction& now);
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);

@@ -96,6 +96,14 @@ private:
     /// `order`: of the predictor's relative error in the step, 3 for the cubic and 1 for the tangent.
     void adapt_step(double predictor_error, double order);
 
+    // path_corner.cpp
+    [[nodiscard]] bool turn_corner(double failed_step);
+    [[nodiscard]] std::optional<PathTangent> oriented_direction(const State& state);
+    [[nodiscard]] bool settle(const State& base, double length, PathTangent& direction);
+    [[nodiscard]] std::optional<PathTangent> piece_between(double step, const PathTangent& far);
+    [[nodiscard]] bool turns_within(double step, const PathTangent& turned, Vec x);
+    [[nodiscard]] std::optional<PathPoint> point_along(double step, const PathTangent& turned);
+
     // path_points.cpp
     [[nodiscard]] PathPoint measure(State state, PathTangent tangent);
     void read_values(PathPoint& point);

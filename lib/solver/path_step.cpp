@@ -131,6 +131,10 @@ bool PathFollower::is_refused(const PredictorError& error, const PathPoint& poin
                         point.tangent.unstable_modes && last_->tangent.unstable_modes &&
                         *point.tangent.unstable_modes != *last_->tangent.unstable_modes;
     if (jumped) return true;
+    if (system_.has_fibers() && control_.kind == ConstraintKind::arc && failures_ < 2) {
+        const auto before = branch_index(*last_), here = branch_index(point);
+        if (before && here && (*before - *here) % 2 != 0) return true;
+    }
     if (settings_.steps != model::StepRule::error_adaptive) return false;
     // At a kink of the law (fibres that start to pull) the tangent is one-sided: the error does not fall with the step.
     const bool kink = rejected_error_ && error.state > error_at_a_kink * *rejected_error_;
@@ -250,8 +254,10 @@ void PathFollower::handle_failure() {
         std::to_string(newton_result_.halvings) + " halvings of the line search, residual " +
         short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian) +
         "): cut to " + short_text(next));
+    const double failed = step_;
     step_ = next;
     const bool too_short = std::abs(step_) < settings_.smallest_step * std::abs(first_step_);
+    if (system_.has_fibers() && (failures_ >= 2 || too_short) && turn_corner(failed)) return;
     const bool automatic = stage().control == model::Control::automatic;
     if (control_.kind != ConstraintKind::arc && (too_short || failures_ >= failures_before_other_control ||
                                                  (automatic && control_.kind == ConstraintKind::load_factor))) {
