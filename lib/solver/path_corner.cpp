@@ -1,8 +1,8 @@
-/// Corners of the path: where a fibre goes slack or begins to pull, the tangent K jumps, and so does the direction of the path. It may
-/// turn by more than a right angle, and the load may fall from there: then no step along the direction before the corner goes on.
-/// The direction beyond is that of the piece of the body's law on the far side, K^-1 f, in the sense in which sign(det K) times the
-/// sign of the load's rate stays what it was (of a piecewise linear path: Allgower and Georg, Introduction to Numerical
-/// Continuation Methods (2003) 12.2; for one fibre it follows from det(K + c n n^T) = det K (1 + c n . K^-1 n)).
+/// Corners of the path. Where a fibre goes slack or begins to pull, the tangent K jumps, and with it the direction of the path: it
+/// may turn by more than a right angle, and the load may turn round; then no step along the direction before the corner goes on.
+/// Beyond it the path is that of another piece of the law, along +-K^-1 f with the K of the far side, in the sense that leads away
+/// from the corner and stays in that piece (paths of piecewise linear maps: Allgower and Georg, Introduction to Numerical
+/// Continuation Methods (2003) 12). Held by solver/corner_test.
 #include <cmath>
 
 #include "solver/path_follower.hpp"
@@ -21,6 +21,9 @@ constexpr double same_piece = 0.9999, same_direction = 0.5;
 /// Fibres of neighbouring points may change one right after the other: directions tried until one leads to where it is the
 /// path's, and halvings of the failed step to find the first piece where none does.
 constexpr int pieces = 8, halvings = 30;
+/// Ways along a direction, each longer than the one before, to see which one leads out of a piece.
+constexpr int lengths = 4;
+constexpr double longer = 4.0;
 /// Of the plane through both directions, in parts of the ways along them, and of the failed step: a state that is farther off lies
 /// on another path.
 constexpr double off_the_plane = 0.1;
@@ -44,14 +47,29 @@ std::optional<PathTangent> PathFollower::oriented_direction(const State& state) 
     return direction;
 }
 
+/// Gives `direction`, that of the piece at `base`, the sense in which it does not lead out of this piece again: the count of pivots
+/// knows it only where K is symmetric. False where it leads out both ways.
+bool PathFollower::stays_in_piece(const State& base, double length, PathTangent& direction) {
+    const auto stays = [&](double way) {
+        const auto there = oriented_direction(moved(base, way, direction));
+        return there && std::abs(linalg::dot(there->x, direction.x)) > same_piece;
+    };
+    for (int i = 0; i < lengths; ++i, length *= longer) {
+        const bool forward = stays(length), backward = stays(-length);
+        if (forward && backward) continue;
+        if (backward) scale(direction, -1.0);
+        return forward || backward;
+    }
+    return true;
+}
+
 /// Follows directions from piece to piece until one leads into its own; false where they go round in circles.
 bool PathFollower::settle(const State& base, double length, PathTangent& direction) {
     for (int piece = 0; piece < pieces; ++piece) {
+        if (stays_in_piece(base, length, direction)) return true;
         auto next = oriented_direction(moved(base, length, direction));
         if (!next) return false;
-        const bool settled = linalg::dot(next->x, direction.x) > same_piece;
         direction = std::move(*next);
-        if (settled) return true;
     }
     return false;
 }
@@ -102,8 +120,10 @@ std::optional<PathPoint> PathFollower::point_along(double step, const PathTangen
     end_.newton_iterations += result.iterations;
     if (result.end != NewtonEnd::converged) return std::nullopt;
     auto tangent = oriented_direction(guess);
-    if (!tangent || linalg::dot(tangent->x, turned.x) < same_direction || !turns_within(step, turned, guess.x))
-        return std::nullopt;
+    if (!tangent) return std::nullopt;
+    const double cosine = linalg::dot(tangent->x, turned.x);
+    if (std::abs(cosine) < same_direction || !turns_within(step, turned, guess.x)) return std::nullopt;
+    if (cosine < 0.0) scale(*tangent, -1.0);
     return measure(std::move(guess), std::move(*tangent));
 }
 

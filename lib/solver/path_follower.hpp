@@ -99,6 +99,7 @@ private:
     // path_corner.cpp
     [[nodiscard]] bool turn_corner(double failed_step);
     [[nodiscard]] std::optional<PathTangent> oriented_direction(const State& state);
+    [[nodiscard]] bool stays_in_piece(const State& base, double length, PathTangent& direction);
     [[nodiscard]] bool settle(const State& base, double length, PathTangent& direction);
     [[nodiscard]] std::optional<PathTangent> piece_between(double step, const PathTangent& far);
     [[nodiscard]] bool turns_within(double step, const PathTangent& turned, Vec x);
