@@ -47,18 +47,25 @@ void scale(PathTangent& tangent, double factor) {
     for (double& pressure : tangent.pressures) pressure *= factor;
 }
 
+/// Where fibres go slack or begin to pull, K jumps and |R| may rise on the way along which whole steps settle in the end (Newton's
+/// method of semismooth equations: Qi and Sun, Math. Programming 58 (1993) 353): they are tried before the correction fails.
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
-    const bool may_kink = settings_.line_search == model::LineSearch::backtracking && system_.has_fibers();
-    if (!may_kink) return correct_by(settings_.line_search, constraint, target, state);
-    State start = copy_of(state);
-    const NewtonResult result = correct_by(settings_.line_search, constraint, target, state);
+    const bool may_jump = settings_.line_search == model::LineSearch::backtracking && system_.has_fibers();
+    if (!may_jump) return correct_by(settings_.line_search, constraint, target, state);
+    State again = copy_of(state);
+    NewtonResult result = correct_by(settings_.line_search, constraint, target, state);
     if (result.end != NewtonEnd::no_descent) return result;
-    State again = std::move(start);
-    NewtonResult second = correct_by(model::LineSearch::none, constraint, target, again);
-    second.iterations += result.iterations;
-    second.halvings += result.halvings;
-    if (second.end == NewtonEnd::converged) std::swap(state, again);
-    return second;
+    const NewtonResult second = correct_by(model::LineSearch::none, constraint, target, again);
+    if (second.end == NewtonEnd::converged) {
+        std::swap(state, again);
+        result.end = second.end;
+        result.residual = second.residual;
+        result.worst_cell = second.worst_cell;
+        result.min_jacobian = second.min_jacobian;
+    }
+    result.iterations += second.iterations;
+    result.halvings += second.halvings;
+    return result;
 }
 
 NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint& constraint, double target,

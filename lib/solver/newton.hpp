@@ -9,10 +9,11 @@
 /// correction's first iteration, and its factor, for all of it; right-hand sides and columns are new in each. bfgs learns from
 /// the pairs dx, R_new - R_old + sum dp_k f_k - dlambda dR/dlambda, which leaves the loads out (quasi_newton.hpp). Where
 /// TangentSource::finite_difference or LinearMethod::jacobian_free is chosen, K or K v are differences of R (differences.hpp).
+/// Where backtracking finds no descent in a body with fibres, the correction begins again without a line search.
 /// A Krylov solve that reaches its limit gives an inexact correction; the direction of the path may take ten times the limit.
 /// Source: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991) 9.3; Allgower and Georg,
 /// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/solver_test, solver/supply_test,
-/// solver/newton_methods_test, solver/linear_methods_test.
+/// solver/newton_methods_test, solver/linear_methods_test, solver/corner_test.
 #include <functional>
 #include <optional>
 

@@ -47,6 +47,9 @@ std::optional<PathTangent> PathFollower::oriented_direction(const State& state) 
     return direction;
 }
 
+/// At rest all fibres are at their corner: there is no way to it, and the sense of the first direction is known.
+bool PathFollower::begins_at_rest() const { return rows_ <= stage_first_row_ + 1; }
+
 /// Gives `direction`, that of the piece at `base`, the sense in which it does not lead out of this piece again: the count of pivots
 /// knows it only where K is symmetric. False where it leads out both ways.
 bool PathFollower::stays_in_piece(const State& base, double length, PathTangent& direction) {
@@ -55,7 +58,9 @@ bool PathFollower::stays_in_piece(const State& base, double length, PathTangent&
         return there && std::abs(linalg::dot(there->x, direction.x)) > same_piece;
     };
     for (int i = 0; i < lengths; ++i, length *= longer) {
-        const bool forward = stays(length), backward = stays(-length);
+        const bool forward = stays(length);
+        if (begins_at_rest()) return forward;
+        const bool backward = stays(-length);
         if (forward && backward) continue;
         if (backward) scale(direction, -1.0);
         return forward || backward;
@@ -102,9 +107,8 @@ bool PathFollower::turns_within(double step, const PathTangent& turned, Vec x) {
     linalg::add(scratch_, -old_way / length, last_->tangent.x);
     linalg::add(scratch_, -new_way, turned.x);
     const double reach = std::abs(step) * std::abs(length);
-    const bool begins = rows_ <= stage_first_row_ + 1;  // at rest all fibres are at their corner: there is no old way
     return new_way > 0.0 && linalg::norm(scratch_) <= off_the_plane * std::max(new_way, std::abs(old_way)) &&
-           (begins || (old_way > -off_the_plane * reach && old_way < (1.0 + off_the_plane) * reach));
+           (begins_at_rest() || (old_way > -off_the_plane * reach && old_way < (1.0 + off_the_plane) * reach));
 }
 
 std::optional<PathPoint> PathFollower::point_along(double step, const PathTangent& turned) {
@@ -123,6 +127,7 @@ std::optional<PathPoint> PathFollower::point_along(double step, const PathTangen
     if (!tangent) return std::nullopt;
     const double cosine = linalg::dot(tangent->x, turned.x);
     if (std::abs(cosine) < same_direction || !turns_within(step, turned, guess.x)) return std::nullopt;
+    if (cosine < 0.0 && begins_at_rest()) return std::nullopt;
     if (cosine < 0.0) scale(*tangent, -1.0);
     return measure(std::move(guess), std::move(*tangent));
 }
