@@ -41,15 +41,6 @@ TEST(Corner, AtRestNewtonFindsTheFibresThatPull) {
     EXPECT_LT(linalg::norm(difference), 1e-2 * linalg::norm(twice.x));
 }
 
-/// Least load after its first maximum.
-double valley(const std::vector<solution::Step>& steps) {
-    std::size_t top = 0;
-    while (top + 1 < steps.size() && steps[top + 1].load_factor > steps[top].load_factor) ++top;
-    double least = steps[top].load_factor;
-    for (std::size_t i = top; i < steps.size(); ++i) least = std::min(least, steps[i].load_factor);
-    return least;
-}
-
 // Hoops about the axis under a vacuum: the sphere, of one cell through the wall, folds, and its load turns from falling to rising
 // where hoops begin to pull, at a corner of more than a right angle. Steps of two lengths turn it from other distances: the states
 // beyond it are the same, and the load there is the one to which steps without an end come, 0.5536 of the whole.
