@@ -233,6 +233,9 @@ bool System::starts_under_stress() const {
                                [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
 }
 
+bool System::has_fibers() const {
+    return std::ranges::any_of(rubbers_, [](const auto& rubber) { return material::fibers_of(rubber).has_value(); });
+}
 bool System::has_symmetric_tangent() const { return std::ranges::all_of(rubbers_, material::has_symmetric_tangent); }
 
 System::Fields System::gather_fields(Vec x) {

@@ -75,6 +75,8 @@ public:
 
     /// False where a law is a stress without an energy; a pressure on a surface with a free rim does not count.
     [[nodiscard]] bool has_symmetric_tangent() const;
+    /// Whether there are fibres: where one goes slack or begins to pull, the tangent jumps.
+    [[nodiscard]] bool has_fibers() const;
 
     /// True where a law puts the undeformed body under stress: it is then no state of equilibrium without load.
     [[nodiscard]] bool starts_under_stress() const;

@@ -7,6 +7,12 @@
 
 namespace soft::solver {
 
+State copy_of(const State& state) {
+    State copy{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
+    linalg::copy(state.x, copy.x);
+    return copy;
+}
+
 std::string_view name(ConstraintKind kind) {
     switch (kind) {
         case ConstraintKind::load_factor: return "load factor";

@@ -21,6 +21,8 @@ struct State {
     std::vector<double> pressures_Pa;  ///< of the free supplies (StageLoads)
 };
 
+[[nodiscard]] State copy_of(const State& state);
+
 enum class ConstraintKind { load_factor, volume, output, arc, pressure };
 
 /// For messages: "load factor", "arc length".

@@ -47,8 +47,31 @@ void scale(PathTangent& tangent, double factor) {
     for (double& pressure : tangent.pressures) pressure *= factor;
 }
 
+/// Where fibres go slack or begin to pull, K jumps and |R| may rise on the way along which whole steps settle in the end (Newton's
+/// method of semismooth equations: Qi and Sun, Math. Programming 58 (1993) 353): they are tried before the correction fails.
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
+    const bool may_jump = settings_.line_search == model::LineSearch::backtracking && system_.has_fibers();
+    if (!may_jump) return correct_by(settings_.line_search, constraint, target, state);
+    State again = copy_of(state);
+    NewtonResult result = correct_by(settings_.line_search, constraint, target, state);
+    if (result.end != NewtonEnd::no_descent) return result;
+    const NewtonResult second = correct_by(model::LineSearch::none, constraint, target, again);
+    if (second.end == NewtonEnd::converged) {
+        std::swap(state, again);
+        result.end = second.end;
+        result.residual = second.residual;
+        result.worst_cell = second.worst_cell;
+        result.min_jacobian = second.min_jacobian;
+    }
+    result.iterations += second.iterations;
+    result.halvings += second.halvings;
+    return result;
+}
+
+NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint& constraint, double target,
+                                State& state) {
     Correction now;
+    now.line_search = line_search;
     factor_is_recent_ = linear_limit_met_ = false;
     updates_.clear();
     now.evaluation = evaluate_at(state);
@@ -206,7 +229,7 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
             work += step.loads[j] * linalg::dot(wanted_[j].out, correction_);
         return work;
     };
-    const bool slopes = settings_.line_search == model::LineSearch::secant;
+    const bool slopes = now.line_search == model::LineSearch::secant;
     SearchStart start{step.pending, now.result.iterations == 1 ? first_iteration_rise : 1.0, 0.0};
     if (slopes) start.slope = -linalg::dot(R_, correction_) - work_of_loads();
     if (settings_.newton == model::NewtonMethod::bfgs) {
@@ -215,7 +238,7 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
         for (std::size_t j = 0; j < step.loads.size(); ++j) linalg::add(load_change_, step.loads[j], wanted_[j].out);
     }
     const Assemble what = settings_.newton == model::NewtonMethod::full ? Assemble::tangent : Assemble::forces;
-    return search(settings_.line_search, start, [&](double length) {
+    return search(now.line_search, start, [&](double length) {
         linalg::copy(state.x, trial.x);
         linalg::add(trial.x, length, correction_);
         trial.load_factor = state.load_factor + length * step.loads.back();

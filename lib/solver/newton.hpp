@@ -9,10 +9,11 @@
 /// correction's first iteration, and its factor, for all of it; right-hand sides and columns are new in each. bfgs learns from
 /// the pairs dx, R_new - R_old + sum dp_k f_k - dlambda dR/dlambda, which leaves the loads out (quasi_newton.hpp). Where
 /// TangentSource::finite_difference or LinearMethod::jacobian_free is chosen, K or K v are differences of R (differences.hpp).
+/// Where backtracking finds no descent in a body with fibres, the correction begins again without a line search.
 /// A Krylov solve that reaches its limit gives an inexact correction; the direction of the path may take ten times the limit.
 /// Source: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991) 9.3; Allgower and Georg,
 /// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/solver_test, solver/supply_test,
-/// solver/newton_methods_test, solver/linear_methods_test.
+/// solver/newton_methods_test, solver/linear_methods_test, solver/corner_test.
 #include <functional>
 #include <optional>
 
@@ -104,6 +105,7 @@ private:
         double missing = 0;       // of the constraint
         bool loads_stay = false;  // they are those of the target: the increment is K^-1 (-R) alone, without columns
         double aim = 0;           // of the residual: equilibrium
+        model::LineSearch line_search = model::LineSearch::backtracking;
         NewtonResult result;
     };
     /// dx is in correction_; and what the bordered system adds to it.
@@ -115,6 +117,8 @@ private:
     using SolveOne = std::function<linalg::LinearSolve(Vec, Vec)>;
 
     // newton.cpp
+    [[nodiscard]] NewtonResult correct_by(model::LineSearch line_search, const Constraint& constraint, double target,
+                                          State& state);
     [[nodiscard]] std::optional<NewtonEnd> judge(const State& state, Correction& now);
     [[nodiscard]] bool is_rounding(const State& state, const Correction& now);
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);

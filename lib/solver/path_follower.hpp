@@ -2,7 +2,7 @@
 /// The state machine behind follow_path (path.hpp), internal to the room. One concern a file: path.cpp begins and ends,
 /// stages.cpp begins and ends stages and changes the control, path_step.cpp takes steps and mends failed ones,
 /// path_points.cpp measures states and writes rows, events.cpp locates limit points, bifurcations and contact,
-/// path_resume.cpp keeps and restores checkpoints.
+/// path_corner.cpp goes round corners of bodies with fibres, path_resume.cpp keeps and restores checkpoints.
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,6 +95,16 @@ private:
     [[nodiscard]] bool is_out_of_reach();
     /// `order`: of the predictor's relative error in the step, 3 for the cubic and 1 for the tangent.
     void adapt_step(double predictor_error, double order);
+
+    // path_corner.cpp
+    [[nodiscard]] bool turn_corner(double failed_step);
+    [[nodiscard]] std::optional<PathTangent> oriented_direction(const State& state);
+    [[nodiscard]] bool begins_at_rest() const;
+    [[nodiscard]] bool stays_in_piece(const State& base, double length, PathTangent& direction);
+    [[nodiscard]] bool settle(const State& base, double length, PathTangent& direction);
+    [[nodiscard]] std::optional<PathTangent> piece_between(double step, const PathTangent& far);
+    [[nodiscard]] bool turns_within(double step, const PathTangent& turned, Vec x);
+    [[nodiscard]] std::optional<PathPoint> point_along(double step, const PathTangent& turned);
 
     // path_points.cpp
     [[nodiscard]] PathPoint measure(State state, PathTangent tangent);

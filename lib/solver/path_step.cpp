@@ -29,6 +29,8 @@ constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure 
 constexpr int many_iterations = 7;
 /// Failures in a row before the path is followed by another control.
 constexpr int failures_before_other_control = 3;
+/// ... and before a body with fibres is taken to be at a corner of its path.
+constexpr int failures_before_corner = 3;
 /// Of what is left of the load, for a growth of the unknowns by themselves: less is an asymptote. Looked at over steps in which
 /// they do grow: nothing is said of a path that hardly moves.
 constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
@@ -138,6 +140,10 @@ bool PathFollower::is_refused(const PredictorError& error, const PathPoint& poin
                         point.tangent.unstable_modes && last_->tangent.unstable_modes &&
                         *point.tangent.unstable_modes != *last_->tangent.unstable_modes;
     if (jumped) return true;
+    if (system_.has_fibers() && control_.kind == ConstraintKind::arc && failures_ < failures_before_corner) {
+        const auto before = branch_index(*last_), here = branch_index(point);
+        if (before && here && (*before - *here) % 2 != 0) return true;
+    }
     if (settings_.steps != model::StepRule::error_adaptive) return false;
     // At a kink of the law (fibres that start to pull) the tangent is one-sided: the error does not fall with the step.
     const bool kink = rejected_error_ && error.state > error_at_a_kink * *rejected_error_;
@@ -275,9 +281,13 @@ void PathFollower::handle_failure() {
         std::to_string(newton_result_.halvings) + " halvings of the line search, residual " +
         short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian) +
         "): cut to " + short_text(next));
+    const double failed = step_;
     step_ = next;
     const double share = std::abs(step_ / first_step_) / settings_.smallest_step;
     const bool too_short = share < 1.0;
+    const bool may_be_corner = system_.has_fibers() && newton_result_.end != NewtonEnd::not_finite &&
+                               (failures_ >= failures_before_corner || too_short);
+    if (may_be_corner && turn_corner(failed)) return;
     const bool automatic = stage().control == model::Control::automatic;
     if (control_.kind != ConstraintKind::arc && (too_short || failures_ >= failures_before_other_control ||
                                                  (automatic && control_.kind == ConstraintKind::load_factor))) {

@@ -1,0 +1,74 @@
+/// Fibres that go slack or begin to pull: the tangent jumps, and the path may have corners.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench.hpp"
+#include "sphere.hpp"
+
+namespace soft::solver {
+namespace {
+
+/// The thick sphere, `stiffness` times as stiff along two families of fibres at this angle from the axis, under a pressure of
+/// `load` times its shear modulus.
+model::Case fiber_sphere(int layers, int sectors, double stiffness, double angle_rad, double load) {
+    model::Case input = sphere_case(layers, sectors);
+    input.materials[0].fiber_frame = model::FiberFrame::cylindrical;
+    input.materials[0].fibers = model::Fibers{angle_rad, stiffness * sample_mu_Pa, 1, 2};
+    input.path.stages[0].supplies[0].value = load * sample_mu_Pa;
+    return input;
+}
+
+// At rest every fibre is at its corner: which ones pull is the answer, and an answer to the load l is, times 2, one to 2 l (the
+// response is homogeneous of degree one, though not linear). |R| does not fall on the way there.
+TEST(Corner, AtRestNewtonFindsTheFibresThatPull) {
+    const auto input = fiber_sphere(2, 4, 300, 0.4, 1);
+    const auto at = [&](double load_factor) {
+        Bench bench(input, input.solver);
+        State state = bench.rest();
+        EXPECT_EQ(bench.newton.correct({ConstraintKind::load_factor}, load_factor, state).end, NewtonEnd::converged);
+        return std::pair{bench.system.load_volume(0, state.x, nullptr), std::move(state)};
+    };
+    const auto [rest_m3, rest] = at(0.0);
+    const auto [once_m3, once] = at(1e-3);
+    const auto [twice_m3, twice] = at(2e-3);
+    EXPECT_GT(once_m3, rest_m3);
+    EXPECT_NEAR((twice_m3 - rest_m3) / (once_m3 - rest_m3), 2.0, 1e-2);
+    auto difference = linalg::duplicate(twice.x);
+    linalg::copy(twice.x, difference);
+    linalg::add(difference, -2.0, once.x);
+    EXPECT_LT(linalg::norm(difference), 1e-2 * linalg::norm(twice.x));
+}
+
+// Hoops about the axis under a vacuum: the sphere, of one cell through the wall, folds, and its load turns from falling to rising
+// where hoops begin to pull, at a corner of more than a right angle. Steps of two lengths turn it from other distances: the states
+// beyond it are the same, and the load there is the one to which steps without an end come, 0.5536 of the whole.
+TEST(Corner, APathGoesOnRoundACornerAtWhichTheLoadTurns) {
+    struct Seen {
+        double corner, end_m3, beyond_m3;
+    };
+    const auto seen = [](double accuracy) {
+        constexpr double beyond = 0.75;
+        auto input = fiber_sphere(1, 2, 10, 1.5, -2);
+        input.solver.step_accuracy *= accuracy;
+        const auto [steps, end, log] = run(input);
+        EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
+        EXPECT_EQ(std::ranges::count_if(log, [](const auto& line) { return line.find("corner") != line.npos; }), 1);
+        const auto top = std::ranges::adjacent_find(
+            steps, [](const auto& a, const auto& b) { return b.load_factor < a.load_factor; });
+        const auto least = std::min_element(top, steps.end(),
+                                            [](const auto& a, const auto& b) { return a.load_factor < b.load_factor; });
+        const auto next = std::find_if(least, steps.end(), [](const auto& step) { return step.load_factor > beyond; });
+        const double share = (beyond - next[-1].load_factor) / (next->load_factor - next[-1].load_factor);
+        return Seen{least->load_factor, *steps.back().volume_m3,
+                    *next[-1].volume_m3 + share * (*next->volume_m3 - *next[-1].volume_m3)};
+    };
+    const Seen by_one = seen(1), by_other = seen(2);
+    for (const Seen& one : {by_one, by_other}) EXPECT_NEAR(one.corner, 0.5536, 2e-3);
+    EXPECT_NEAR(by_one.beyond_m3 / by_other.beyond_m3, 1.0, 1e-3);  // by straight lines between rows
+    EXPECT_NEAR(by_one.end_m3 / by_other.end_m3, 1.0, 1e-6);
+}
+
+}  // namespace
+}  // namespace soft::solver
