@@ -2,7 +2,8 @@
 /// The state machine behind follow_path (path.hpp), internal to the room. One concern a file: path.cpp begins and ends,
 /// stages.cpp begins and ends stages and changes the control, path_step.cpp takes steps and mends failed ones,
 /// path_points.cpp measures states and writes rows, events.cpp locates limit points, bifurcations and contact,
-/// path_corner.cpp goes round corners of bodies with fibres, path_resume.cpp keeps and restores checkpoints.
+/// path_corner.cpp goes round corners of bodies with fibres, path_end.cpp ends paths that do not reach their load, path_resume.cpp
+/// keeps and restores checkpoints.
 #include <optional>
 #include <string>
 #include <vector>
@@ -72,7 +73,6 @@ private:
     [[nodiscard]] Constraint bind(const Constraint& constraint, const PathPoint& origin) const;
     void accept(PathPoint point);
     void handle_failure();
-    void give_up();
     /// Of the next step. The forecast is the predictor's state there, where Newton's method starts from or not.
     struct Aim {
         std::optional<Crossing> crossing = {};
@@ -91,10 +91,15 @@ private:
     [[nodiscard]] PredictorError error_of(const Aim& aim, const PathPoint& point) const;
     [[nodiscard]] bool is_refused(const PredictorError& error, const PathPoint& point) const;
     [[nodiscard]] bool arrive(PathPoint point, const Goal* goal);
-    [[nodiscard]] bool is_hopeless() const;
-    [[nodiscard]] bool is_out_of_reach();
     /// `order`: of the predictor's relative error in the step, 3 for the cubic and 1 for the tangent.
     void adapt_step(double predictor_error, double order);
+
+    // path_end.cpp
+    [[nodiscard]] bool is_hopeless() const;
+    [[nodiscard]] bool is_out_of_reach();
+    /// Whether a cell of the last attempt is all but inside out: rubber of any law has failed there, or the cells are too large.
+    [[nodiscard]] bool is_crushed() const;
+    void give_up();
 
     // path_corner.cpp
     [[nodiscard]] bool turn_corner(double failed_step);
