@@ -169,7 +169,7 @@ void SparseLdlt::solve(Vec b, Vec x) {
     cholmod_dense right{};
     right.nrow = right.d = right.nzmax = parts_->factor->n;
     right.ncol = 1;
-    right.x = const_cast<PetscScalar*>(from);  // CHOLMOD only reads it
+    right.x = const_cast<PetscScalar*>(from);  // NOLINT(*-const-cast): CHOLMOD only reads it
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
     cholmod_solve2(CHOLMOD_A, parts_->factor, &right, nullptr, &parts_->x, nullptr, &parts_->y, &parts_->e,

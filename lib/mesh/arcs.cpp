@@ -85,9 +85,11 @@ ArcMap::ArcMap(CellType type) : cell_(&topology(type)) {
         case Shape::line:
         case Shape::quadrilateral:
         case Shape::hexahedron:
-            for (int n = 0; n < 27; ++n)
+            for (int n = 0; n < 27; ++n) {
+                const int i = n % 3 - 1, j = n / 3 % 3 - 1, k = cell_->dimension < 3 ? 0 : n / 9 - 1;
                 grid_[static_cast<std::size_t>(n)] =
-                    node_number(*cell_, {n % 3 - 1.0, n / 3 % 3 - 1.0, cell_->dimension < 3 ? 0 : n / 9 - 1.0});
+                    node_number(*cell_, {static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
+            }
             break;
     }
 }

@@ -39,7 +39,7 @@ constexpr std::size_t memory_to_load = std::size_t{112} << 20;
 void* load_gmsh() {
     core::require_memory(memory_to_load);
     const std::string names{needed_first};
-    for (std::size_t begin = 0, end; (end = names.find(' ', begin)) != std::string::npos; begin = end + 1)
+    for (std::size_t begin = 0, end = 0; (end = names.find(' ', begin)) != std::string::npos; begin = end + 1)
         static_cast<void>(::dlopen(names.substr(begin, end - begin).c_str(), how_loaded));
     void* library = ::dlopen(library_file, how_loaded);
     if (library == nullptr) throw not_loaded(::dlerror());
@@ -199,7 +199,7 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
         return (*static_cast<const Size*>(wished))({x, y});
     };
     gmsh_->call(gmsh_->set_size, static_cast<double (*)(int, int, double, double, double, void*)>(ask),
-                const_cast<void*>(static_cast<const void*>(&size)));
+                const_cast<void*>(static_cast<const void*>(&size)));  // NOLINT(*-const-cast): `ask` only reads it
     gmsh_->call(gmsh_->generate, 2);
 }
 

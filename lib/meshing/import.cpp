@@ -85,7 +85,7 @@ private:
     [[nodiscard]] std::string group_name(int dimension, int tag, const std::string& otherwise) const {
         const auto found = file_.group_names.find({dimension, tag});
         if (found == file_.group_names.end() || found->second.empty()) return otherwise;
-        const std::string name = as_name(found->second);
+        std::string name = as_name(found->second);
         for (const auto& [group, other] : file_.group_names)
             if (group.first == dimension && group.second != tag && as_name(other) == name)
                 refuse("two physical groups are both called " + core::quoted(name), "rename one of them");

@@ -201,7 +201,7 @@ Spoilt spoilt_cells(const mesh::Mesh& mesh) {
 }
 
 /// Half as long at those places, and growing from there as elsewhere.
-Size shorter_at(Size size_m, const std::vector<PlanePoint>& places) {
+Size shorter_at(const Size& size_m, const std::vector<PlanePoint>& places) {
     std::vector<double> sizes_m;
     for (const PlanePoint& place : places) sizes_m.push_back(0.5 * size_m(place));
     return [=](PlanePoint p) {

@@ -25,8 +25,8 @@ std::vector<Column> all_columns() {
     }
     model.path.stages.resize(2);
     step.volume_m3 = step.pressure_error_Pa = 0.0;
-    step.extremes.emplace();
-    step.energies.emplace();
+    step.extremes = solution::Step::Extremes{};
+    step.energies = solution::Step::Energies{};
     model.cavities = {{"<cavity>", "", {}, {}}, {"<other>", "", {}, {}}};
     model.loads = {{.name = "<load>", .targets = {"<cavity>", "<other>"}, .gas = {}},
                    {.name = "<more>", .targets = {}, .gas = {}}};
@@ -43,7 +43,7 @@ std::vector<Column> all_columns() {
     take(model, step);
     model.tractions[0].area_m2 = 1;
     model.kinematics = model::Kinematics::axisymmetric;
-    step.motion.emplace();
+    step.motion = solution::Step::Motion{};
     step.energies.reset();
     take(model, step);
     return all;
