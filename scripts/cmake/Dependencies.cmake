@@ -19,8 +19,9 @@ add_library(soft_cholmod INTERFACE)
 target_include_directories(soft_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(soft_cholmod INTERFACE ${CHOLMOD_LIBRARY})
 
-find_path(MUMPS_INCLUDE_DIR dmumps_c.h PATH_SUFFIXES MUMPS openmpi-${CMAKE_SYSTEM_PROCESSOR} REQUIRED)   # comes with PETSc
-find_library(MUMPS_LIBRARY dmumps REQUIRED)
+# The MUMPS that PETSc uses, or that came with it.
+find_path(MUMPS_INCLUDE_DIR dmumps_c.h HINTS ${PETSC_PC_INCLUDE_DIRS} PATH_SUFFIXES MUMPS openmpi-${CMAKE_SYSTEM_PROCESSOR} REQUIRED)
+find_library(MUMPS_LIBRARY dmumps HINTS ${PETSC_PC_LIBRARY_DIRS} REQUIRED)
 add_library(soft_mumps INTERFACE)
 target_include_directories(soft_mumps SYSTEM INTERFACE ${MUMPS_INCLUDE_DIR})
 target_link_libraries(soft_mumps INTERFACE ${MUMPS_LIBRARY})
