@@ -7,6 +7,8 @@ LIMIT=600
 runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=2 -o section.h5 && solve -q section.h5 -o result.h5'
 runs 'mesh-gen -q designs/tube.yaml --set model=quarter --set mesh.size=5mm --set mesh.through_wall=2 --set path.until.steps=1 -o solid.h5'
 
+{ echo 'stretch,nominal stress (MPa)'; awk 'BEGIN { for (i = 1; i <= 100000; ++i) { l = 1 + i / 50000; print l "," 0.4 * (l - 1 / l / l) } }'; } >test.csv
+
 # ladder STEP COMMAND: from the least at which the program can show its version (below, the loader or a library's own start ends
 # it) upward by STEP KB until three runs are done. Codes, and lines that are none of ours, are on stdout.
 cat >ladder.sh <<'L'
@@ -37,4 +39,5 @@ ladder mesh-gen "a section" 1500 -q ../designs/tube.yaml -o x
 ladder solve "a section (CHOLMOD)" 8000 -q ../section.h5 -o x
 ladder solve "a solid (MUMPS)" 12000 -q ../solid.h5 -o x
 ladder postprocess "a curve" 800 -q ../result.h5 -o x
+ladder fit-material "a long test" 800 -q ../test.csv --law yeoh -o x
 table_is_whole

@@ -53,6 +53,16 @@ if mount -t tmpfs -o size=40k tmpfs disk 2>"$seen/err"; then
         claim "$tool: nothing else is left" [ "$(echo disk/* disk/.[!.]*)" = 'disk/kept disk/more disk/out disk/.[!.]*' ]
         rm disk/*
     done
+    for option in '--plot disk/a.svg' '--plot disk/a.png' '--report disk/a.html' '--json disk/a.json'; do
+        file=${option#* }
+        listed "a disk that fills: ${option%/*}/${file#*/}" postprocess 74 "$file: cannot be written: No space left on device" 'the old file'
+        echo old >"$file"
+        run "yes | head -c 40000 >disk/more 2>more; postprocess -q result.h5 -o copy.csv $option"
+        claim "postprocess $option: exit code 74" exits 74
+        claim "postprocess $option: it says so" says "postprocess: $file: cannot be written: No space left on device"
+        claim "postprocess $option: the old file is as it was, and alone" [ "$(cat "$file") $(echo disk/*)" = "old $file disk/more" ]
+        rm disk/*
+    done
     mount -o remount,ro disk
     for tool in mesh-gen solve postprocess fit-material; do
         row 'a folder of reading only' $tool 73 'disk/out: cannot be created: Read-only file system' nothing "${command[$tool]} -o disk/out"
