@@ -77,8 +77,9 @@ template <class T>
     double norm2 = 0;
     for (const double d : D) norm2 += d * d;
     const double radius = std::sqrt(norm2 / 6.0);
-    if (radius <= 1e-300) return {mean, mean, mean};
-    double half_det = determinant(D) / (2.0 * radius * radius * radius);
+    if (radius == 0.0) return {mean, mean, mean};
+    for (double& d : D) d /= radius;  // first: the cube of a small radius is zero
+    double half_det = determinant(D) / 2.0;
     half_det = half_det < -1.0 ? -1.0 : (half_det > 1.0 ? 1.0 : half_det);
     const double angle = std::acos(half_det) / 3.0;
     constexpr double third_turn = 2.0943951023931954923;  // 2 pi / 3

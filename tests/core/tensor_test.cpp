@@ -37,5 +37,14 @@ TEST(Tensor, EigenvaluesOfADiagonalTensorAreItsEntriesAlsoWhenTwoAreEqual) {
     EXPECT_DOUBLE_EQ(same[2], 2.0);
 }
 
+// A body that is all but at rest.
+TEST(Tensor, EigenvaluesOfWhatDiffersFromUnityByNextToNothingAreOne) {
+    for (const double s : {1e-20, 1e-120, 1e-200, 5e-324})
+        for (const double e : symmetric_eigenvalues({1.0, s, 0, s, 1.0, -s, 0, -s, 1.0})) EXPECT_DOUBLE_EQ(e, 1.0) << s;
+    const auto small = symmetric_eigenvalues({3e-120, 0, 0, 0, 1e-120, 0, 0, 0, 2e-120});
+    EXPECT_NEAR(small[0] * 1e120, 3.0, 1e-14);
+    EXPECT_NEAR(small[2] * 1e120, 1.0, 1e-14);
+}
+
 }  // namespace
 }  // namespace soft
