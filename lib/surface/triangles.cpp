@@ -77,7 +77,7 @@ void revolve(const model::Case& model, const std::vector<mesh::Facet>& facets, T
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const std::vector<Index> nodes = run_through(facet_nodes(model.mesh, facets[f]));
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-            const std::vector<int> a = circle(nodes[i]), b = circle(nodes[i + 1]);
+            const std::vector<int>&a = circle(nodes[i]), &b = circle(nodes[i + 1]);
             for (std::size_t s = 0; s < a.size(); ++s) {
                 const std::size_t next = (s + 1) % a.size();
                 add_triangle(surface, a[s], a[next], b[next], static_cast<int>(f));
