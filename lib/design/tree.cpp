@@ -216,8 +216,8 @@ const Node* find_path(const Node& root, std::string_view path) {
 }
 
 Node* find_path(Node& root, std::string_view path) {
-    return const_cast<Node*>(
-        find_path(std::as_const(root), path));  // NOLINT(*-const-cast): of a root that is not const
+    // NOLINTNEXTLINE(*-const-cast): of a root that is not const
+    return const_cast<Node*>(find_path(std::as_const(root), path));
 }
 
 void put(Node& root, std::string_view path, Node value) {
