@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "linalg/elimination_order.hpp"
 #include "linalg/mumps.hpp"
 
 namespace soft::linalg {
@@ -60,15 +61,15 @@ struct InteriorFactor::Mumps {
     }
 };
 
-InteriorFactor::InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::vector<PetscInt> shared)
+InteriorFactor::InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::size_t shared)
     : symmetry_(symmetry),
-      shared_(std::move(shared)),
-      is_shared_(static_cast<std::size_t>(rows.count), false),
-      schur_(shared_.size() * shared_.size(), 0.0),
-      reduced_(shared_.size(), 0.0),
+      schur_(shared * shared, 0.0),
+      reduced_(shared, 0.0),
       mumps_(std::make_unique<Mumps>(symmetry)) {
-    for (const PetscInt i : shared_) is_shared_[static_cast<std::size_t>(i)] = true;
-    for (const PetscInt i : shared_) mumps_->shared.push_back(i + 1);
+    const PetscInt interior = rows.count - static_cast<PetscInt>(shared);
+    for (PetscInt i = interior; i < rows.count; ++i) mumps_->shared.push_back(i + 1);
+    const auto most = static_cast<std::size_t>(rows.begin[rows.count]);
+    for (auto* indices : {&mumps_->rows, &mumps_->columns}) indices->reserve(most);
     for (PetscInt row = 0; row < rows.count; ++row)
         for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k) {
             if (!is_taken(row, rows.columns[k])) continue;
@@ -82,22 +83,22 @@ InteriorFactor::InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::v
     id.irn = mumps_->rows.data();
     id.jcn = mumps_->columns.data();
     id.a = mumps_->values.data();
-    id.size_schur = static_cast<MUMPS_INT>(shared_.size());
+    id.size_schur = static_cast<MUMPS_INT>(shared);
     id.listvar_schur = mumps_->shared.data();
     id.nprow = id.npcol = 1;
     id.mblock = id.nblock = 100;
     id.schur = schur_.data();
     id.schur_lld = id.size_schur;
+    std::vector<MUMPS_INT> places = elimination_order(rows, interior);  // beside a Schur complement MUMPS has AMD alone
+    for (MUMPS_INT& place : places) ++place;
+    mumps_->control(7) = 1;
+    id.perm_in = places.data();
     mumps_->call(analysis);
+    id.perm_in = nullptr;
     mumps_->require_success("ordering of a rank's part");
 }
 
 InteriorFactor::~InteriorFactor() = default;
-
-bool InteriorFactor::is_taken(PetscInt row, PetscInt column) const {
-    if (is_shared_[static_cast<std::size_t>(row)] && is_shared_[static_cast<std::size_t>(column)]) return false;
-    return symmetry_ == Symmetry::general || column >= row;
-}
 
 void InteriorFactor::read_values(const MatrixRows& rows) {
     double* value = mumps_->values.data();

@@ -13,8 +13,9 @@ namespace soft::linalg {
 /// [K_II K_IG; K_GI 0]: what stands in the block of the shared unknowns G is left out.
 class InteriorFactor {
 public:
-    /// Orders the interior by the pattern of the rows. `shared`: G, ascending rows.
-    InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::vector<PetscInt> shared);
+    /// Orders the interior by the pattern of the rows. G are the last rows, `shared` of them; of a symmetric matrix the triangle
+    /// above the diagonal is read.
+    InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::size_t shared);
     ~InteriorFactor();
 
     /// False where K_II is singular to working precision.
@@ -31,11 +32,11 @@ public:
 private:
     struct Mumps;
     void read_values(const MatrixRows& rows);
-    [[nodiscard]] bool is_taken(PetscInt row, PetscInt column) const;
+    [[nodiscard]] bool is_taken(PetscInt row, PetscInt column) const {
+        return symmetry_ == Symmetry::general || column >= row;
+    }
 
     Symmetry symmetry_;
-    std::vector<PetscInt> shared_;
-    std::vector<bool> is_shared_;
     std::vector<double> schur_, reduced_;
     std::unique_ptr<Mumps> mumps_;
 };

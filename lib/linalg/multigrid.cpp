@@ -9,7 +9,7 @@ namespace soft::linalg {
 
 namespace {
 
-using Preconditioner = Owned<PC, PCDestroy>;
+using OwnedPC = Owned<PC, PCDestroy>;
 using Kind = PressureBlock::Kind;
 
 /// gamma: bulk over shear modulus of the solid that stands in for the nearly incompressible one. Measured on bellows of 115k
@@ -98,7 +98,7 @@ private:
     Matrix A_, B_;
     std::vector<double> inverse_;  // of the blocks of C + M_g, one after the other
     BlockPlaces places_;           // of the cells' displacements in A_
-    Preconditioner cycle_;
+    OwnedPC cycle_;
     Vector from_u_, to_u_, from_p_, to_p_;
     Scatter displacements_, pressures_;
 };

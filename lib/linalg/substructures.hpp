@@ -3,8 +3,9 @@
 /// interior I_r) by a MUMPS of its own, which also gives the Schur complement on the unknowns that the interior shares,
 ///   S = K_GG - sum_r K_GI_r K_I_rI_r^-1 K_I_rG,
 /// and every rank factorises the dense S (LAPACK). A solve is one of each interior and one of S. The shared unknowns G are those
-/// that couple with unknowns of a higher rank. LDL^T of a symmetric matrix, of which the triangle above the diagonal is read;
-/// LU of a general one. Interiors of a saddle point have factors as the whole has: their pressures are held by their own cells.
+/// that couple with unknowns of a higher rank. LDL^T of a symmetric matrix, of which each rank's own rows are read, and of the
+/// interiors and of S the triangle above the diagonal; LU of a general one. Interiors of a saddle point have factors as the whole
+/// has: their pressures are held by their own cells. They are ordered by nested dissection (linalg/elimination_order).
 /// Beside a MUMPS that all ranks share: no message while a rank factorises, a halved ordering, and the same sums in the same order
 /// however messages come, so that two runs have the same digits. S grows with the ranks: for few of them, as many as keep
 /// G below `most_shared_unknowns`. Source: Przemieniecki, AIAA J. 1 (1963) 138; Smith, Bjorstad and Gropp, Domain
