@@ -57,9 +57,10 @@ void check_motion(const SolveOptions& options, const model::Case& model) {
                     "leave it out and compare with a finer mesh (mesh.refine) and shorter steps (dynamics.accuracy)");
 }
 
-io::ResultWriter make_writer(const SolveOptions& options, const About& about, const Task& task) {
+io::ResultWriter make_writer(const SolveOptions& options, const Task& task) {
     const io::Given given{task.input.bytes, task.input.source, task.from.file.model};
     if (task.resumes) return io::ResultWriter::resume(task.output, given);
+    const About& about = solve_about();
     const io::Provenance provenance{std::string{about.tool}, std::string{version()}, std::string{revision()},
                                     library_lines(about), options.common.command_line};
     const io::ResultOptions result{io::parse_fields_policy(options.fields), task.changed};
@@ -139,11 +140,11 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
 }
 
 /// Follows the path of the task; what stood in the output before is gone.
-SolveSummary solve_once(const Task& task, const SolveOptions& options, const About& about,
-                        std::optional<io::ResultWriter>* writer, Console& console) {
+SolveSummary solve_once(const Task& task, const SolveOptions& options, std::optional<io::ResultWriter>* writer,
+                        Console& console) {
     const auto begin = std::chrono::steady_clock::now();
     assembly::System system{task.from.file.model, PETSC_COMM_WORLD};
-    if (writer != nullptr) writer->emplace(make_writer(options, about, task));
+    if (writer != nullptr) writer->emplace(make_writer(options, task));
     const double start_s = seconds_since(begin);
     SolveSummary summary = follow(system, task, options.tolerance, writer != nullptr ? &**writer : nullptr, console);
     summary.start_s = start_s;
@@ -152,10 +153,10 @@ SolveSummary solve_once(const Task& task, const SolveOptions& options, const Abo
 
 /// Which set of a silicone's constants fits is known only when the path has been followed: where it is another and the design
 /// leaves the choice, the path is followed again. To a narrower set only at first, so that this comes to an end.
-SolveSummary solve_with_fitting_set(Task& task, const SolveOptions& options, const About& about,
-                                    std::optional<io::ResultWriter>* writer, Console& console) {
+SolveSummary solve_with_fitting_set(Task& task, const SolveOptions& options, std::optional<io::ResultWriter>* writer,
+                                    Console& console) {
     for (bool first = true;; first = false) {
-        SolveSummary summary = solve_once(task, options, about, writer, console);
+        SolveSummary summary = solve_once(task, options, writer, console);
         const double stretch = of_first_rank(summary.largest_stretch_p99);
         const io::DesignText& design = task.changed ? *task.changed : task.from.file.design;
         const auto set = task.resumes ? std::nullopt : design::fitting_set(design.effective_yaml, stretch);
@@ -169,16 +170,16 @@ SolveSummary solve_with_fitting_set(Task& task, const SolveOptions& options, con
 
 }  // namespace
 
-ExitCode run_solve(const SolveOptions& options, const About& about, const linalg::Session& session) {
+ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) {
     const auto begin = std::chrono::steady_clock::now();
     const bool first = session.rank() == 0;
-    Console console{about.tool, first ? options.common.verbosity : Verbosity::quiet};
+    Console console{solve_about().tool, first ? options.common.verbosity : Verbosity::quiet};
     Task task = read_task(options, session.rank());
     const model::Case& model = task.from.file.model;
     check_motion(options, model);
     const double read_s = seconds_since(begin);
     std::optional<io::ResultWriter> writer;
-    SolveSummary summary = solve_with_fitting_set(task, options, about, first ? &writer : nullptr, console);
+    SolveSummary summary = solve_with_fitting_set(task, options, first ? &writer : nullptr, console);
     summary.ranks = session.size();
     summary.start_s += read_s;
     if (first) {
@@ -186,7 +187,9 @@ ExitCode run_solve(const SolveOptions& options, const About& about, const linalg
             console.warn(task.output + " was removed or replaced meanwhile; it is written anew");
         const auto bytes = writer->finish(summary.end);
         if (task.output == "-") write_output("-", bytes, Content::binary);
-        measure_process(summary);
+        const ProcessTimes times = process_times();
+        summary.cpu_s = times.user_s + times.system_s - options.cpu_before_s;
+        summary.peak_memory_MB = peak_memory_MB();
         if (options.profile) summary.profile = linalg::profile_rows();
         summary.wall_s = seconds_since(begin);
         for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);

@@ -117,11 +117,16 @@ std::optional<double> EnergyBalance::error() const {
     return largest_J_ > 0 ? std::optional{gap_J_ / largest_J_} : std::nullopt;
 }
 
-void measure_process(SolveSummary& summary) {
+ProcessTimes process_times() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
-    summary.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    summary.peak_memory_MB = static_cast<double>(usage.ru_maxrss) / 1024.0;
+    return {seconds(usage.ru_utime), seconds(usage.ru_stime)};
+}
+
+double peak_memory_MB() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 std::string summary_line(const SolveSummary& summary, const model::Case& model) {

@@ -44,14 +44,18 @@ struct SolveSummary {
     int steps = 0;         ///< rows of the path after the undeformed state
     EnergyBalance energy;  ///< of a motion
     int ranks = 1;
-    double wall_s = 0, cpu_s = 0;  ///< of this process
-    double peak_memory_MB = 0;
-    double start_s = 0;  ///< before the path: the case read, tables made
+    double wall_s = 0, cpu_s = 0;  ///< cpu_s: of this process; in a batch since its line before
+    double peak_memory_MB = 0;     ///< of this process
+    double start_s = 0;            ///< before the path: the case read, tables made
     std::vector<linalg::ProfileRow> profile;
 };
 
-/// Seconds and megabytes so far, from the operating system.
-void measure_process(SolveSummary& summary);
+/// CPU seconds of this process so far, from the operating system.
+struct ProcessTimes {
+    double user_s = 0, system_s = 0;
+};
+[[nodiscard]] ProcessTimes process_times();
+[[nodiscard]] double peak_memory_MB();  ///< of this process so far
 
 /// "done: elongation of 130 mm reached; 9 steps, 25 iterations, 36 factorizations; 6858 unknowns, 0.9 s"
 /// Of a motion besides "generalized-alpha over 2 s, energy balance within 0.01 %".

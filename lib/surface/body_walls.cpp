@@ -60,7 +60,7 @@ mesh::Point place_in(const Facet& facet, std::size_t number) {
 std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vector<std::array<int, 3>>& triangles) {
     constexpr double places = 20000;  // a few seconds; a bellows of 100 mm gets one every 2 mm
     constexpr double least_cosine = 0.5;
-    Triangles surface{points, triangles, {}, points};
+    Triangles surface{points, triangles, {}, points, {}};
     std::vector<Facet> facets;
     double area = 0;
     for (const auto& t : triangles) {

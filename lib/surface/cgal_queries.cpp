@@ -76,6 +76,42 @@ std::optional<std::array<int, 2>> first_intersection(const SurfaceMesh& mesh) {
     return *std::min_element(numbers.begin(), numbers.end());
 }
 
+/// Segments with a common end p, to a and b, lie on each other.
+bool fold_back(const mesh::Point& p, const mesh::Point& a, const mesh::Point& b) {
+    const auto o = cgal_point_in_plane(p), s = cgal_point_in_plane(a), t = cgal_point_in_plane(b);
+    return CGAL::collinear(o, s, t) && CGAL::angle(s, o, t) == CGAL::ACUTE;
+}
+
+bool edges_cross(const Triangles& surface, const Triangles::Edge& a, const Triangles::Edge& b) {
+    const auto at = [&](int point) -> const mesh::Point& { return surface.points[static_cast<std::size_t>(point)]; };
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j)
+            if (a.points[i] == b.points[j]) return fold_back(at(a.points[i]), at(a.points[1 - i]), at(b.points[1 - j]));
+    const std::array ends_a{at(a.points[0]), at(a.points[1])}, ends_b{at(b.points[0]), at(b.points[1])};
+    return meet(ends_a, ends_b);
+}
+
+/// As first_intersection, of a revolved section: CGAL's search over its triangles, many of them in one plane, needs exact numbers
+/// and took a quarter of the time of a small mesh.
+std::optional<std::array<int, 2>> first_crossing(const Triangles& surface) {
+    std::vector<Box> boxes;
+    for (const Triangles::Edge& edge : surface.outline) {
+        const mesh::Point& a = surface.points[static_cast<std::size_t>(edge.points[0])];
+        const mesh::Point& b = surface.points[static_cast<std::size_t>(edge.points[1])];
+        boxes.push_back(
+            {{std::min(a[0], b[0]), std::min(a[1], b[1]), 0}, {std::max(a[0], b[0]), std::max(a[1], b[1]), 0}});
+    }
+    std::optional<std::array<int, 2>> first;
+    for (const auto& [i, j] : overlapping(boxes)) {
+        const Triangles::Edge &a = surface.outline[static_cast<std::size_t>(i)],
+                              &b = surface.outline[static_cast<std::size_t>(j)];
+        if (!edges_cross(surface, a, b)) continue;
+        const std::array pair{std::min(a.triangle, b.triangle), std::max(a.triangle, b.triangle)};
+        first = first ? std::min(*first, pair) : pair;
+    }
+    return first;
+}
+
 }  // namespace
 
 SurfaceChecks check_surface(const Triangles& surface) {
@@ -89,7 +125,7 @@ SurfaceChecks check_surface(const Triangles& surface) {
         return checks;
     }
     checks.closed = !checks.open_place && CGAL::is_closed(*mesh);
-    checks.intersecting = first_intersection(*mesh);
+    checks.intersecting = surface.outline.empty() ? first_intersection(*mesh) : first_crossing(surface);
     if (!checks.closed) return checks;
     checks.volume_m3 = CGAL::to_double(PMP::volume(*mesh));
     // is_outward_oriented shoots a ray and is meaningless where the surface crosses itself

@@ -180,6 +180,21 @@ void add_fan(Triangles& surface, const std::vector<DirectedEdge>& rim) {
     for (const auto& [a, b] : rim) add_triangle(surface, b, a, apex, -1);
 }
 
+std::vector<Triangles::Edge> edges_in_plane(const Triangles& surface, double tolerance_m) {
+    const auto in_plane = [&](int point) {
+        return std::abs(surface.points[static_cast<std::size_t>(point)][2]) <= tolerance_m;
+    };
+    std::map<std::array<int, 2>, int> edges;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int a = surface.triangles[t][i], b = surface.triangles[t][(i + 1) % 3];
+            if (in_plane(a) && in_plane(b)) edges.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(t));
+        }
+    std::vector<Triangles::Edge> found;
+    for (const auto& [points, triangle] : edges) found.push_back({points, triangle});
+    return found;
+}
+
 }  // namespace
 
 Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) {
@@ -205,6 +220,7 @@ Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) 
         openings.erase(match);
         add_fan(surface, rim);
     }
+    if (is_section) surface.outline = edges_in_plane(surface, tolerance_m);
     return surface;
 }
 

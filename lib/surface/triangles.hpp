@@ -15,6 +15,13 @@ struct Triangles {
     std::vector<int> facets;          ///< of each triangle: which facet of the list it was made from; -1 none
     std::vector<mesh::Point> places;  ///< where each point is in the model's own coordinates: (x, r, 0) of a
                                       ///< section, (x, y, z) of a solid
+    /// Of a revolved section: the edges in the plane z = 0, both halves of it, with a triangle of each. The surface crosses itself
+    /// exactly where they do, for all its planes through the axis look alike. Empty of others.
+    struct Edge {
+        std::array<int, 2> points;
+        int triangle;
+    };
+    std::vector<Edge> outline;
 };
 
 /// The whole actuator's cavity, normals out of the cavity: a section is revolved about x, the part of a solid mirrored at

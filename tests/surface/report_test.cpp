@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 #include "core/error.hpp"
 #include "sample_meshes.hpp"
+#include "surface/cgal_queries.hpp"
+#include "surface/triangles.hpp"
 
 namespace soft::surface {
 namespace {
@@ -96,6 +99,33 @@ TEST(CheckCavities, RefusesASectionThatCrossesItselfWithItsPlace) {
               2);
     EXPECT_NEAR(r_mm, 5000, 250);  // the spike runs along r = 5 through the left side, x = -1
     EXPECT_LT(x_mm, 0);
+}
+
+// The oracle is CGAL's search over the triangles of the whole surface.
+TEST(CheckSurface, FindsInTheOutlineOfASectionWhatTheWholeSurfaceHas) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> shift(-1.2, 1.2);
+    for (const double centre_r : {0.0, 1.5, 5.0}) {
+        int crossing = 0;
+        for (int draw = 0; draw < 60; ++draw) {
+            test::Annulus annulus;
+            annulus.centre_r = centre_r;
+            model::Case model = test::annulus_section(annulus, 12);
+            const auto& facets = model.mesh.facet_sets.at("cavity");
+            const std::vector<mesh::Index> nodes = facet_nodes(model.mesh, facets[random() % facets.size()]);
+            mesh::Point& p = model.mesh.points[static_cast<std::size_t>(nodes[random() % nodes.size()])];
+            p = {p[0] + shift(random), p[1] + shift(random), 0};
+            Triangles surface = cavity_surface(model, model.cavities[0]);
+            ASSERT_FALSE(surface.outline.empty());
+            const bool crosses = check_surface(surface).intersecting.has_value();
+            surface.outline.clear();
+            EXPECT_EQ(crosses, check_surface(surface).intersecting.has_value())
+                << "centre " << centre_r << ", " << p[0] << ", " << p[1];
+            crossing += crosses ? 1 : 0;
+        }
+        EXPECT_GT(crossing, 5);
+        EXPECT_LT(crossing, 55);
+    }
 }
 
 TEST(CheckCavities, RefusesASolidThatCrossesItselfWithItsPlace) {
