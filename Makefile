@@ -12,7 +12,7 @@ help:
 	@echo 'make build   everything, into build/ (binaries in build/bin)'
 	@echo 'make bench   timings of the standard cases: to the terminal and results/benchmarks; BENCH="rod solid" or all for others'
 	@echo 'make format  clang-format over lib, tools and tests'
-	@echo 'make tidy    clang-tidy over lib and tools (needs a build)'
+	@echo 'make tidy    clang-tidy over lib and tools'
 	@echo 'make clean   remove build/ and results/'
 
 setup:
@@ -44,7 +44,7 @@ format:
 	@command -v clang-format-14 >/dev/null || { echo 'format: needs clang-format-14 (apt-get install clang-format-14)' >&2; exit 1; }
 	@clang-format-14 -i $(CXX_FILES)
 
-tidy: build
+tidy: setup
 	@scripts/tidy
 
 clean:

@@ -10,17 +10,19 @@ namespace soft::assembly {
 namespace {
 
 using linalg::SmallMatrix;
-using Four = std::array<double, 4>;
+using Vector4 = std::array<double, 4>;
 
-double dot(const Four& a, const Four& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
+double inner_product(const Vector4& a, const Vector4& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
 
 /// N of the constraint v^T N v = 1 on v = (A, B, C, D).
-Four times_N(const Four& v) { return {-2 * v[3], v[1], v[2], -2 * v[0]}; }
+Vector4 times_N(const Vector4& v) { return {-2 * v[3], v[1], v[2], -2 * v[0]}; }
 
 /// The points as z = (u^2 + v^2, u, v, 1) about their middle and in units of their size: the fit does not depend on where the
 /// origin is and its curvature goes with 1 / size, so that both are constants to its derivatives.
 struct Features {
-    std::vector<Four> z;
+    std::vector<Vector4> z;
     std::vector<double> weights;  // their sum is 1
     double size = 0;
 };
@@ -55,7 +57,7 @@ SmallMatrix moments_of(const Features& features) {
 }
 
 struct Fit {
-    Four v;
+    Vector4 v;
     double eta;  // (M - eta N) v = 0
 };
 
@@ -71,15 +73,15 @@ Fit least(const SmallMatrix& M) {
     const auto eigen = linalg::real_eigen(pencil);
     Fit fit{{}, eigen.values[1]};
     for (int i = 0; i < 4; ++i) fit.v[static_cast<std::size_t>(i)] = eigen.vectors.at(1, i);
-    const double norm = std::sqrt(dot(fit.v, times_N(fit.v)));
+    const double norm = std::sqrt(inner_product(fit.v, times_N(fit.v)));
     for (double& component : fit.v) component /= norm;
     return fit;
 }
 
 /// l with d v[0] = -l . dM v for every change dM of M: from (M - eta N) dv = -(dM - d eta N) v and N v . dv = 0.
-Four adjoint_of(const SmallMatrix& M, const Fit& fit) {
+Vector4 adjoint_of(const SmallMatrix& M, const Fit& fit) {
     SmallMatrix bordered(5);
-    const Four Nv = times_N(fit.v);
+    const Vector4 Nv = times_N(fit.v);
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 4; ++j) bordered.at(i, j) = M.at(i, j);
         bordered.at(i, 4) = bordered.at(4, i) = Nv[static_cast<std::size_t>(i)];
@@ -89,7 +91,7 @@ Four adjoint_of(const SmallMatrix& M, const Fit& fit) {
     bordered.at(1, 1) -= fit.eta;
     bordered.at(2, 2) -= fit.eta;
     const auto solution = linalg::solve(bordered, {1, 0, 0, 0, 0});
-    Four l{std::nan(""), std::nan(""), std::nan(""), std::nan("")};
+    Vector4 l{std::nan(""), std::nan(""), std::nan(""), std::nan("")};
     for (std::size_t i = 0; i < 4 && solution; ++i) l[i] = (*solution)[i];
     return l;
 }
@@ -107,10 +109,10 @@ double fitted_curvature(std::span<const PlanePoint> points, std::span<const doub
         for (double& component : fit.v) component = -component;
     const double value = 2 * fit.v[0] / features.size + 0.0;  // -0 becomes 0
     if (gradient == nullptr) return value;
-    const Four l = adjoint_of(M, fit);
+    const Vector4 l = adjoint_of(M, fit);
     for (std::size_t a = 0; a < points.size(); ++a) {
-        const Four& z = features.z[a];
-        const double lz = dot(l, z), zv = dot(z, fit.v);
+        const Vector4& z = features.z[a];
+        const double lz = inner_product(l, z), zv = inner_product(z, fit.v);
         for (std::size_t i = 1; i < 3; ++i) {  // dz = (2 u, 1, 0, 0) du, (2 v, 0, 1, 0) dv
             const double ldz = 2 * z[i] * l[0] + l[i], dzv = 2 * z[i] * fit.v[0] + fit.v[i];
             (*gradient)[a][i - 1] = -2 / (features.size * features.size) * features.weights[a] * (ldz * zv + lz * dzv);

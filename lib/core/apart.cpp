@@ -17,7 +17,7 @@
 namespace soft::core {
 namespace {
 
-constexpr int failed = 1, out_of_memory = 2;  // how the child exits
+constexpr int exit_failed = 1, exit_out_of_memory = 2;  // how the child exits
 
 /// Private memory that the process can write to, as the kernel counts it for RLIMIT_DATA (proc(5), statm: data + stack).
 std::size_t data_bytes() {
@@ -47,17 +47,17 @@ void set_limit(int what, std::size_t most) {
     }
     try {
         const Bytes result = work();
-        if (write_all(out, result, "") != Delivery::whole) ::_exit(failed);
+        if (write_all(out, result, "") != Delivery::whole) ::_exit(exit_failed);
     } catch (const std::bad_alloc&) {
-        ::_exit(out_of_memory);
+        ::_exit(exit_out_of_memory);
     } catch (...) {  // libraries also throw strings; the caller says that it has failed
-        ::_exit(failed);
+        ::_exit(exit_failed);
     }
     ::_exit(0);
 }
 
 std::string reason_of(int status) {
-    if (WIFEXITED(status)) return WEXITSTATUS(status) == out_of_memory ? "it takes too much memory" : "it fails";
+    if (WIFEXITED(status)) return WEXITSTATUS(status) == exit_out_of_memory ? "it takes too much memory" : "it fails";
     if (WTERMSIG(status) == SIGXCPU) return "it does not come to an end";
     return std::string{"it crashes ("} + ::strsignal(WTERMSIG(status)) + ")";
 }

@@ -112,7 +112,7 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
     if (candidates.empty()) return {};
-    if (const auto near = nearest(word, candidates)) return "did you mean " + quoted(*near) + "?";
+    if (const auto near = nearest(word, candidates)) return "did you mean " + core::quoted(*near) + "?";
     constexpr std::size_t longest = 1000;  // names may come from a file, any number of them
     return "known: " + one_line(join(candidates), longest);
 }

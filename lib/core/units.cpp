@@ -304,6 +304,12 @@ std::string tidy_quantity(std::string_view text) {
     return tidy;
 }
 
+QuantityParts quantity_parts(std::string_view text) {
+    const std::string tidy = tidy_quantity(text);
+    const std::size_t blank = std::min(tidy.find(' '), tidy.size());
+    return {tidy.substr(0, blank), tidy.substr(std::min(blank + 1, tidy.size()))};
+}
+
 std::string quantity_text(double si, Dimension dimension) {
     constexpr int digits = 6;
     if (dimension == Dimension::ratio) return rounded_text(si, digits);

@@ -52,6 +52,12 @@ using Parsed = std::variant<T, Refusal>;
 /// trimmed.
 [[nodiscard]] std::string tidy_quantity(std::string_view text);
 
+/// The two parts of a quantity as written: "40kPa" -> "40", "kPa"; no unit where there is no blank after tidying.
+struct QuantityParts {
+    std::string number, unit;
+};
+[[nodiscard]] QuantityParts quantity_parts(std::string_view text);
+
 /// An SI value in a unit that reads well ("3 mm", "164.4 kPa"), six digits: for messages, not for files.
 [[nodiscard]] std::string quantity_text(double si, Dimension dimension);
 

@@ -8,7 +8,7 @@
 namespace soft::design {
 namespace {
 
-using Checked = std::map<std::string, Item>;
+using CheckedItems = std::map<std::string, Item>;
 
 std::string child(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
 
@@ -38,7 +38,7 @@ bool is_group(const Schema& schema, const std::string& path) {
     return inside || schema.names.contains(path);
 }
 
-void check_group(const Schema& schema, const Node& node, const std::string& path, Checked& checked) {
+void check_group(const Schema& schema, const Node& node, const std::string& path, CheckedItems& checked) {
     const std::vector<std::string> known = known_below(schema, path);
     if (node.kind == Node::Kind::empty) return;  // "solver:" with nothing below it
     if (node.kind != Node::Kind::map)
@@ -79,7 +79,7 @@ std::string place_for_missing(const Node& root, std::string path, std::string_vi
 
 std::vector<Item> collect(const Node& root, const Schema& schema, std::string_view source,
                           const std::map<std::string, std::string>& examples) {
-    Checked checked;
+    CheckedItems checked;
     check_group(schema, root, "", checked);
     std::vector<Item> items;
     for (const Key& key : schema.keys) {

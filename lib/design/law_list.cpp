@@ -9,16 +9,16 @@
 namespace soft::design {
 namespace {
 
-constexpr std::size_t widest = 120;
+constexpr std::size_t widest_line = 120;
 
-/// Words of `text` in lines of at most `widest`, the first after `head`, the others under it.
+/// Words of `text` in lines of at most `widest_line`, the first after `head`, the others under it.
 std::string wrapped(std::string head, const std::string& text) {
     const std::size_t indent = head.size();
     std::string lines, line = std::move(head);
     std::istringstream words{text};
     bool first = true;
     for (std::string word; words >> word; first = false) {
-        if (!first && line.size() + 1 + word.size() > widest) {
+        if (!first && line.size() + 1 + word.size() > widest_line) {
             lines.append(line).append("\n");
             line.assign(indent, ' ');
             first = true;

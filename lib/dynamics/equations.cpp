@@ -13,14 +13,14 @@ namespace {
     throw Error(ExitCode::bad_input, place, problem, remedy);
 }
 
+}  // namespace
+
 const model::Dynamics& dynamics_of(const model::Case& input) {
     if (!input.dynamics) refuse("dynamics", "the case does not run in time", "give dynamics.duration");
     if (!(input.dynamics->duration_s > 0.0))
         refuse("dynamics.duration", "the motion has no duration", "give a time, 0.1 s");
     return *input.dynamics;
 }
-
-}  // namespace
 
 MotionState copy_of(const MotionState& state) {
     MotionState copy;

@@ -23,6 +23,9 @@ struct MotionState {
     std::vector<double> masses_kg;  ///< of the gas of each line, dead volume included
 };
 
+/// The motion a case asks for. Throws Error (bad_input): it asks for none, or for one without a duration.
+[[nodiscard]] const model::Dynamics& dynamics_of(const model::Case& input);
+
 [[nodiscard]] MotionState copy_of(const MotionState& state);
 
 /// Entries between -1 and 1 of no pattern, with a part along every mode.

@@ -42,12 +42,6 @@ void with_method(Method& method, Use&& use) {
         method);
 }
 
-const model::Dynamics& dynamics_of(const model::Case& input) {
-    if (!input.dynamics)
-        throw Error(ExitCode::bad_input, "dynamics", "the case does not run in time", "give dynamics.duration");
-    return *input.dynamics;
-}
-
 }  // namespace
 
 MotionFollower::MotionFollower(assembly::System& system, const solver::Listeners& listeners)

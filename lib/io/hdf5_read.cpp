@@ -111,10 +111,10 @@ void GroupReader::note(const std::string& name) const {
 
 void GroupReader::require_hard_link(const std::string& name) const {
     note(name);
-    if (!has(name)) throw refuse(name, "is missing");
     H5L_info_t info{};
-    if (H5Lget_info(group_.get(), name.c_str(), &info, H5P_DEFAULT) < 0 || info.type != H5L_TYPE_HARD)
-        throw refuse(name, "is a soft or external link, which is never followed");
+    const bool found = H5Lget_info(group_.get(), name.c_str(), &info, H5P_DEFAULT) >= 0;
+    if (!found && !has(name)) throw refuse(name, "is missing");  // asked last, as each look costs
+    if (!found || info.type != H5L_TYPE_HARD) throw refuse(name, "is a soft or external link, which is never followed");
 }
 
 GroupReader GroupReader::group(const std::string& name) const {

@@ -17,7 +17,7 @@ using Matrix = std::array<std::array<double, 3>, 3>;
 
 /// Steps of the search over a factor of e in stretch: one finds limits that come and go within half a per cent.
 constexpr double steps_per_unit = 200.0;
-constexpr int most_halvings = 60;
+constexpr int most_bisections = 60;
 
 enum class Increments { isochoric, all };
 
@@ -131,7 +131,7 @@ std::optional<double> first_unstable(const Rubber<L>& rubber, Mode mode, double 
             stable = unstable;
             continue;
         }
-        for (int k = 0; k < most_halvings; ++k) {
+        for (int k = 0; k < most_bisections; ++k) {
             const double middle = 0.5 * (stable + unstable);
             (verdict_at(rubber, mode, std::exp(middle)) == Verdict::stable ? stable : unstable) = middle;
         }

@@ -10,7 +10,7 @@ namespace {
 using Node = std::array<double, 3>;
 using Edge = std::array<int, 2>;
 using Quad = std::array<int, 4>;
-using Corners = std::array<int, 4>;  ///< of a facet; unused places hold -1
+using FacetCorners = std::array<int, 4>;  ///< of a facet; unused places hold -1
 
 constexpr int unused = -1;
 
@@ -18,9 +18,9 @@ constexpr int unused = -1;
 template <std::size_t C, std::size_t E, std::size_t Q, std::size_t F>
 struct Skeleton {
     std::array<Node, C> corners;
-    std::array<Edge, E> edges;      ///< in the order of the mid-edge nodes
-    std::array<Quad, Q> quads;      ///< in the order of the mid-face nodes
-    std::array<Corners, F> facets;  ///< corners, outward
+    std::array<Edge, E> edges;           ///< in the order of the mid-edge nodes
+    std::array<Quad, Q> quads;           ///< in the order of the mid-face nodes
+    std::array<FacetCorners, F> facets;  ///< corners, outward
 };
 
 template <std::size_t N, std::size_t F>
@@ -37,7 +37,7 @@ constexpr Node mean(const std::array<Node, C>& corners, const std::array<int, K>
     return sum;
 }
 
-constexpr int corner_count(const Corners& facet) {
+constexpr int corner_count(const FacetCorners& facet) {
     int n = 0;
     for (const int corner : facet) n += corner == unused ? 0 : 1;
     return n;
@@ -59,7 +59,7 @@ constexpr int edge_node(const Skeleton<C, E, Q, F>& s, int a, int b) {
 
 /// Two quadrilateral faces of one cell share at most two corners, so three common ones name the face.
 template <std::size_t C, std::size_t E, std::size_t Q, std::size_t F>
-constexpr int quad_node(const Skeleton<C, E, Q, F>& s, const Corners& facet) {
+constexpr int quad_node(const Skeleton<C, E, Q, F>& s, const FacetCorners& facet) {
     for (std::size_t q = 0; q < Q; ++q) {
         int common = 0;
         for (const int a : s.quads[q])
@@ -70,7 +70,7 @@ constexpr int quad_node(const Skeleton<C, E, Q, F>& s, const Corners& facet) {
 }
 
 template <int order, std::size_t C, std::size_t E, std::size_t Q, std::size_t F>
-constexpr FacetTopology make_facet(const Skeleton<C, E, Q, F>& s, const Corners& corners) {
+constexpr FacetTopology make_facet(const Skeleton<C, E, Q, F>& s, const FacetCorners& corners) {
     const int n = corner_count(corners);
     FacetTopology facet{facet_cell(n, order), {}};
     facet.nodes.fill(unused);
@@ -123,10 +123,11 @@ constexpr Skeleton<8, 12, 6, 6> hex{
     {{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}},
     hex_faces,
     hex_faces};
-constexpr Skeleton<6, 9, 3, 5> wedge{{{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
-                                     {{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}},
-                                     {{{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
-                                     {{{0, 2, 1, _}, {3, 4, 5, _}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}}};
+constexpr Skeleton<6, 9, 3, 5> wedge_skeleton{
+    {{{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
+    {{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}},
+    {{{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}},
+    {{{0, 2, 1, _}, {3, 4, 5, _}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}}};
 
 constexpr auto line2 = make_tables<1, 2>(line);
 constexpr auto line3 = make_tables<2, 3>(line);
@@ -138,8 +139,8 @@ constexpr auto tet4 = make_tables<1, 4>(tet);
 constexpr auto tet10 = make_tables<2, 10>(tet);
 constexpr auto hex8 = make_tables<1, 8>(hex);
 constexpr auto hex27 = make_tables<2, 27>(hex);
-constexpr auto wedge6 = make_tables<1, 6>(wedge);
-constexpr auto wedge18 = make_tables<2, 18>(wedge);
+constexpr auto wedge6 = make_tables<1, 6>(wedge_skeleton);
+constexpr auto wedge18 = make_tables<2, 18>(wedge_skeleton);
 
 template <std::size_t N, std::size_t F>
 constexpr CellTopology make_topology(CellType type, Shape shape, std::string_view name, int dimension, int order,

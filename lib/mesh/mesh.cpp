@@ -7,10 +7,10 @@ namespace soft::mesh {
 namespace {
 
 /// The corners of a facet in ascending order: equal for the two cells that share it, however they are turned.
-using Key = std::array<Index, 4>;
+using CornerKey = std::array<Index, 4>;
 
-Key corner_key(std::span<const Index> cell, const FacetTopology& facet) {
-    Key key;
+CornerKey corner_key(std::span<const Index> cell, const FacetTopology& facet) {
+    CornerKey key;
     key.fill(std::numeric_limits<Index>::max());
     const int corners = topology(facet.type).vertex_count;
     for (int i = 0; i < corners; ++i) key[i] = cell[facet.nodes[i]];
@@ -36,7 +36,7 @@ CellType facet_type(const Mesh& mesh, const Facet& facet) { return facet_topolog
 
 std::vector<Facet> boundary_facets(const Mesh& mesh) {
     struct Side {
-        Key key;
+        CornerKey key;
         Facet facet;
     };
     std::vector<Side> sides;

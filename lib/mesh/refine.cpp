@@ -13,23 +13,23 @@ namespace soft::mesh {
 namespace {
 
 using Xi = std::array<double, 3>;
-using Corners = std::vector<Xi>;  ///< of a child, in the parent's reference cell
+using ChildCorners = std::vector<Xi>;  ///< of a child, in the parent's reference cell
 
 Xi middle(const Xi& a, const Xi& b) { return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])}; }
 
 /// Middles of edges of the parent, by the numbers of their ends; equal ends are the corner itself.
-Corners between(const CellTopology& cell, std::initializer_list<std::array<int, 2>> ends) {
-    Corners corners;
+ChildCorners between(const CellTopology& cell, std::initializer_list<std::array<int, 2>> ends) {
+    ChildCorners corners;
     for (const auto& [a, b] : ends)
         corners.push_back(middle(cell.nodes[static_cast<std::size_t>(a)], cell.nodes[static_cast<std::size_t>(b)]));
     return corners;
 }
 
 /// One child at each corner, half the parent's size; what simplices leave in the middle is filled below.
-std::vector<Corners> children_of(const CellTopology& cell) {
-    std::vector<Corners> children;
+std::vector<ChildCorners> children_of(const CellTopology& cell) {
+    std::vector<ChildCorners> children;
     for (int k = 0; k < cell.vertex_count; ++k) {
-        Corners corners;
+        ChildCorners corners;
         for (int v = 0; v < cell.vertex_count; ++v)
             corners.push_back(middle(cell.nodes[static_cast<std::size_t>(v)], cell.nodes[static_cast<std::size_t>(k)]));
         children.push_back(std::move(corners));
@@ -44,7 +44,7 @@ std::vector<Corners> children_of(const CellTopology& cell) {
             break;
         case Shape::wedge:  // the triangle in the middle, below and above half height
             for (const int layer : {0, 3}) {
-                Corners corners = between(cell, {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}});
+                ChildCorners corners = between(cell, {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}});
                 for (Xi& corner : corners)
                     corner[2] = 0.5 * (corner[2] + cell.nodes[static_cast<std::size_t>(layer)][2]);
                 children.push_back(std::move(corners));
@@ -110,7 +110,7 @@ std::vector<Facet> pieces_of(const Pattern& pattern, const CellTopology& cell, c
 Pattern pattern_of(CellType type) {
     const CellTopology& cell = topology(type);
     Pattern pattern;
-    for (const Corners& corners : children_of(cell)) {
+    for (const ChildCorners& corners : children_of(cell)) {
         std::vector<int> child;
         for (const Xi& node : cell.nodes) {
             const std::vector<double> weights = vertex_values(type, node);

@@ -149,9 +149,9 @@ std::array<Line, 3> lines_of(const Blocks& blocks, const Spacing& spacing) {
 }
 
 /// Numbers the corners and names the sides of the solid cells.
-class Builder {
+class GridBuilder {
 public:
-    Builder(const Blocks& blocks, const Spacing& spacing) : blocks_(blocks), lines_(lines_of(blocks, spacing)) {
+    GridBuilder(const Blocks& blocks, const Spacing& spacing) : blocks_(blocks), lines_(lines_of(blocks, spacing)) {
         std::size_t corners = 1;
         for (const Line& line : lines_) corners *= line.at.size();
         numbers_.assign(corners, unset);
@@ -266,7 +266,7 @@ double cells_of_boxes(const BoxBody& body, const Spacing& spacing) {
 
 mesh::Mesh mesh_of_boxes(const BoxBody& body, const Spacing& spacing) {
     const Blocks blocks = blocks_of(body);
-    return mesh::raise_order(Builder{blocks, spacing}.build());
+    return mesh::raise_order(GridBuilder{blocks, spacing}.build());
 }
 
 }  // namespace soft::meshing

@@ -10,11 +10,6 @@
 namespace soft::meshing {
 namespace {
 
-PlanePoint minus(PlanePoint a, PlanePoint b) { return {a[0] - b[0], a[1] - b[1]}; }
-double cross(PlanePoint a, PlanePoint b) { return a[0] * b[1] - a[1] * b[0]; }
-double dot(PlanePoint a, PlanePoint b) { return a[0] * b[0] + a[1] * b[1]; }
-double length(PlanePoint a) { return std::hypot(a[0], a[1]); }
-
 double distance_to(const OutlinePiece& piece, PlanePoint p) {
     const PlanePoint along = minus(piece.end, piece.start), to = minus(p, piece.start);
     const double square = dot(along, along);

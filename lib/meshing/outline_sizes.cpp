@@ -17,10 +17,6 @@ struct Seed {
     double size_m;
 };
 
-PlanePoint minus(PlanePoint a, PlanePoint b) { return {a[0] - b[0], a[1] - b[1]}; }
-double length(PlanePoint a) { return std::hypot(a[0], a[1]); }
-double cross(PlanePoint a, PlanePoint b) { return a[0] * b[1] - a[1] * b[0]; }
-
 class Seeds {
 public:
     Seeds(const Outline& outline, const SizeWishes& wishes)

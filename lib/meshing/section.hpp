@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-namespace soft::meshing {
+#include "meshing/plane_point.hpp"
 
-using PlanePoint = std::array<double, 2>;
+namespace soft::meshing {
 
 /// A straight line, or the circular arc (less than half a turn) about a centre point.
 struct Curve {

@@ -148,9 +148,9 @@ Grid grid_of(const Section& section, const FineMesh& fine, std::size_t block) {
 }
 
 /// Mesh under construction and the numbers it has given to gmsh's nodes.
-class Builder {
+class SectionBuilder {
 public:
-    Builder(const Section& section, const FineMesh& fine) : section_(section), fine_(fine) {
+    SectionBuilder(const Section& section, const FineMesh& fine) : section_(section), fine_(fine) {
         result_.dimension = 2;
         for (const PlanePoint& p : section.points) snap_m_ = std::max({snap_m_, std::abs(p[0]), std::abs(p[1])});
         snap_m_ *= 1e-13;  // rounding of the interpolation; a node on the axis must have r = 0
@@ -230,7 +230,7 @@ FineMesh run_gmsh(const Section& section) {
 mesh::Mesh mesh_section(const Section& section) {
     check(section);
     const FineMesh fine = run_gmsh(section);
-    Builder builder{section, fine};
+    SectionBuilder builder{section, fine};
     for (std::size_t b = 0; b < section.blocks.size(); ++b) builder.add(b);
     return builder.take();
 }

@@ -77,12 +77,12 @@ struct Quantity {
     std::string unit;
 };
 Quantity quantity_of(const Written& written, const std::string& path) {
-    const std::string tidy = core::tidy_quantity(written.text);
-    const std::size_t blank = std::min(tidy.find(' '), tidy.size());
-    const char* first = tidy.data() + (tidy.starts_with('+') ? 1 : 0);
-    Quantity quantity{0, tidy.substr(std::min(blank + 1, tidy.size()))};
-    const auto end = std::from_chars(first, tidy.data() + blank, quantity.number);
-    if (end.ec != std::errc{} || end.ptr != tidy.data() + blank || !std::isfinite(quantity.number))
+    const core::QuantityParts parts = core::quantity_parts(written.text);
+    const char* const last = parts.number.data() + parts.number.size();
+    Quantity quantity{0, parts.unit};
+    const auto end =
+        std::from_chars(parts.number.data() + (parts.number.starts_with('+') ? 1 : 0), last, quantity.number);
+    if (end.ec != std::errc{} || end.ptr != last || !std::isfinite(quantity.number))
         refuse(written.place, path, core::quoted(written.text) + " is not a number",
                "words stand in a list: [one, two]");
     return quantity;

@@ -16,15 +16,6 @@ std::string cell(const std::string& text) {
     return quoted + "\"";
 }
 
-struct Quantity {
-    std::string number, unit;
-};
-Quantity taken_apart(const std::string& value) {
-    const std::string tidy = core::tidy_quantity(value);
-    const std::size_t blank = std::min(tidy.find(' '), tidy.size());
-    return {tidy.substr(0, blank), tidy.substr(std::min(blank + 1, tidy.size()))};
-}
-
 bool is_number(const std::string& text) {
     return std::holds_alternative<double>(core::parse_quantity(text, core::Dimension::ratio));
 }
@@ -33,7 +24,7 @@ bool is_number(const std::string& text) {
 std::string common_unit(const Plan& plan, std::size_t factor) {
     std::string unit;
     for (const Planned& design : plan.designs) {
-        const Quantity quantity = taken_apart(design.values[factor]);
+        const core::QuantityParts quantity = core::quantity_parts(design.values[factor]);
         if (!is_number(quantity.number) || quantity.unit.empty() || (!unit.empty() && quantity.unit != unit)) return "";
         unit = quantity.unit;
     }
@@ -55,7 +46,8 @@ public:
     [[nodiscard]] std::string of(const Planned& design) const {
         std::string text;
         for (std::size_t f = 0; f < units_.size(); ++f)
-            text.append(",").append(cell(units_[f].empty() ? design.values[f] : taken_apart(design.values[f]).number));
+            text.append(",").append(
+                cell(units_[f].empty() ? design.values[f] : core::quantity_parts(design.values[f]).number));
         return text;
     }
 

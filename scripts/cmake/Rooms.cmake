@@ -4,6 +4,10 @@ target_compile_options(soft_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -W
                                             -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
 # Vectors as arguments of functions that are always inlined (core/lanes.hpp): how they would be passed does not matter.
 target_compile_options(soft_flags INTERFACE -Wno-psabi)
+# Helpers of one source are not what another of the same room means (CMAKE_UNITY_BUILD); scripts/tidy has both, a source at a time.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(soft_flags INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 if(SOFT_WERROR)
   target_compile_options(soft_flags INTERFACE -Werror)
 endif()
@@ -21,6 +25,9 @@ if(SOFT_FUZZ)   # tests/fuzz; every room counts its branches, the programs there
   target_link_options(soft_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
+# What computes at length: optimised a little where the rest is not (-O0), as .ci/run builds with the sanitizers.
+set(soft_computing_rooms core mesh surface material element linalg assembly solver dynamics meshing geometry fit)
+
 # soft_room(name SOURCES a.cpp b.cpp USES core mesh LIBRARIES soft_petsc)
 function(soft_room name)
   cmake_parse_arguments(ROOM "" "" "SOURCES;USES;LIBRARIES" ${ARGN})
@@ -29,6 +36,9 @@ function(soft_room name)
     add_library(soft_${name} STATIC ${ROOM_SOURCES})
     target_include_directories(soft_${name} PUBLIC ${CMAKE_SOURCE_DIR}/lib)
     target_link_libraries(soft_${name} PUBLIC ${ROOM_USES} PRIVATE soft_flags ${ROOM_LIBRARIES})
+    if(SOFT_SANITIZE AND name IN_LIST soft_computing_rooms)
+      target_compile_options(soft_${name} PRIVATE -O1)
+    endif()
   else()
     add_library(soft_${name} INTERFACE)
     target_include_directories(soft_${name} INTERFACE ${CMAKE_SOURCE_DIR}/lib)

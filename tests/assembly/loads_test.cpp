@@ -23,7 +23,7 @@ model::Case moved_box() {
     return input;
 }
 
-LoadLevels levels(double pressure_Pa, double motion) { return {{pressure_Pa}, {}, {}, {motion}}; }
+LoadLevels levels_of(double pressure_Pa, double motion) { return {{pressure_Pa}, {}, {}, {motion}}; }
 
 TEST(Motion, ColumnIsTheDerivativeOfTheResidualByTheLevel) {
     const auto input = moved_box();
@@ -32,13 +32,13 @@ TEST(Motion, ColumnIsTheDerivativeOfTheResidualByTheLevel) {
     const auto matrix = system.make_matrix();
     auto column = system.make_vector(), R = system.make_vector(), ahead = system.make_vector(),
          behind = system.make_vector();
-    const LoadColumn wanted{levels(0.0, 1.0), column};
+    const LoadColumn wanted{levels_of(0.0, 1.0), column};
     const double p = 0.3 * sample_mu_Pa;
-    system.evaluate(x, levels(p, 0.4), R, matrix, {&wanted, 1});
+    system.evaluate(x, levels_of(p, 0.4), R, matrix, {&wanted, 1});
     // Central difference of R: its error falls by 4 when h is halved.
     const auto error = [&](double h) {
-        system.evaluate(x, levels(p, 0.4 + h), ahead, nullptr);
-        system.evaluate(x, levels(p, 0.4 - h), behind, nullptr);
+        system.evaluate(x, levels_of(p, 0.4 + h), ahead, nullptr);
+        system.evaluate(x, levels_of(p, 0.4 - h), behind, nullptr);
         linalg::add(ahead, -1.0, behind);
         linalg::add(ahead, 2.0 * h, column);  // the column is -dR
         return linalg::norm(ahead) / (2.0 * h);
@@ -51,7 +51,7 @@ TEST(Motion, MovedNodesAreInTheFieldsAndInTheOutputs) {
     const auto input = moved_box();
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
-    system.prescribe(levels(0.0, 0.5));
+    system.prescribe(levels_of(0.0, 0.5));
     EXPECT_NEAR(system.output(0, x, nullptr), 1e-3, 1e-15);  // all of the end, half way
     LoadLevels by_levels;
     (void)system.output(0, x, nullptr, &by_levels);

@@ -121,6 +121,10 @@ TEST(Units, TidyTextIsTheSameQuantityAndStaysAsItIs) {
     EXPECT_EQ(tidy_quantity(" +4.0e1   kPa"), "4.0e1 kPa");
     EXPECT_EQ(tidy_quantity(tidy_quantity("40kPa")), "40 kPa");
     EXPECT_EQ(tidy_quantity("1.5"), "1.5");
+    EXPECT_EQ(quantity_parts("40kPa").number, "40");
+    EXPECT_EQ(quantity_parts("40kPa").unit, "kPa");
+    EXPECT_EQ(quantity_parts("1.5").number, "1.5");
+    EXPECT_EQ(quantity_parts("1.5").unit, "");
 }
 
 TEST(Units, MessagesUseUnitsThatReadWell) {

@@ -14,7 +14,7 @@ const std::string rubber = "family: pipe\nmaterial: {law: neo-hookean, mu: 0.164
 const std::string cavity = "loads: {cavity: {pressure: 30 kPa}}\n";
 const std::string moving = "dynamics: {duration: 0.5 s}\n";
 
-std::string loaded(const std::string& more) {
+std::string loaded_design(const std::string& more) {
     return rubber + "loads: {cavity: {pressure: 30 kPa, " + more + "}}\n" + moving;
 }
 
@@ -66,7 +66,7 @@ TEST(DynamicDesign, EveryIntegratorHasAWord) {
 
 TEST(DynamicDesign, ReadsBackFromItsEffectiveDesign) {
     const std::string text =
-        loaded("course: {kind: table, times: [0 s, 50 ms], shares: [0, 1]}, line: {resistance: 0.1 kPa.s/mL}");
+        loaded_design("course: {kind: table, times: [0 s, 50 ms], shares: [0, 1]}, line: {resistance: 0.1 kPa.s/mL}");
     const std::string effective = read(text).effective_yaml;
     const Design again = read(effective);
     EXPECT_EQ(again.effective_yaml, effective);
@@ -86,7 +86,7 @@ TEST(DynamicDesign, IsInTheTemplateAsAStaticOne) {
 }
 
 TEST(Course, OfEachKindHasItsOwnKeys) {
-    const auto course = [](const std::string& text) { return read(loaded(text)).loads.at(0).course; };
+    const auto course = [](const std::string& text) { return read(loaded_design(text)).loads.at(0).course; };
     EXPECT_EQ(read(rubber + cavity + moving).loads.at(0).course.kind, Course::ramp);
     EXPECT_EQ(course("course: {kind: ramp}").time_s, 0.0);  // the duration
     EXPECT_EQ(course("course: {rise: 20 ms}").time_s, 0.02);
@@ -119,27 +119,28 @@ void expect_refused(const std::string& text, std::string_view place, std::string
 }
 
 TEST(Course, ThatMakesNoSenseIsRefused) {
-    expect_refused(loaded("course: {kind: table, times: [0 s, 1 s], shares: [1]}"),
+    expect_refused(loaded_design("course: {kind: table, times: [0 s, 1 s], shares: [1]}"),
                    "course.shares: 1 shares for 2 times", "as many shares as times");
-    expect_refused(loaded("course: {kind: table, times: [1 s, 1 s], shares: [1, 2]}"),
+    expect_refused(loaded_design("course: {kind: table, times: [1 s, 1 s], shares: [1, 2]}"),
                    "course.times: the times do not ascend", "after");
-    expect_refused(loaded("course: {kind: table, times: [-1 s, 1 s], shares: [1, 2]}"),
+    expect_refused(loaded_design("course: {kind: table, times: [-1 s, 1 s], shares: [1, 2]}"),
                    "course.times: -1 s is out of range", "at least 0");
-    expect_refused(loaded("course: {kind: table, shares: [1, 2]}"), "course.times: missing", "add times: [0 s, 50 ms]");
-    expect_refused(loaded("course: {kind: sine, frequency: 0 Hz}"), "course.frequency: 0 Hz is out of range",
+    expect_refused(loaded_design("course: {kind: table, shares: [1, 2]}"), "course.times: missing",
+                   "add times: [0 s, 50 ms]");
+    expect_refused(loaded_design("course: {kind: sine, frequency: 0 Hz}"), "course.frequency: 0 Hz is out of range",
                    "more than 0");
-    expect_refused(loaded("course: {kind: sine}"), "course.frequency: missing", "add frequency: 5 Hz");
-    expect_refused(loaded("course: {kind: sine, frequency: 5 s}"), "'5 s' is a time where a rate is needed", "");
-    expect_refused(loaded("course: {kind: step, rise: 1 s}"), "course.rise: a course of kind step has none",
+    expect_refused(loaded_design("course: {kind: sine}"), "course.frequency: missing", "add frequency: 5 Hz");
+    expect_refused(loaded_design("course: {kind: sine, frequency: 5 s}"), "'5 s' is a time where a rate is needed", "");
+    expect_refused(loaded_design("course: {kind: step, rise: 1 s}"), "course.rise: a course of kind step has none",
                    "kind: ramp");
-    expect_refused(loaded("course: {frequency: 5 Hz}"), "course.frequency: a course of kind ramp has none",
+    expect_refused(loaded_design("course: {frequency: 5 Hz}"), "course.frequency: a course of kind ramp has none",
                    "kind: sine");
-    expect_refused(loaded("course: {kind: jump}"), "course.kind: 'jump' is not a choice", "");
-    expect_refused(loaded("course: step"), "loads.cavity.course: a group of keys is needed here", "kind");
-    expect_refused(loaded("line: {resistance: 0 Pa.s/mL}"), "line.resistance: 0 Pa.s/mL is out of range",
+    expect_refused(loaded_design("course: {kind: jump}"), "course.kind: 'jump' is not a choice", "");
+    expect_refused(loaded_design("course: step"), "loads.cavity.course: a group of keys is needed here", "kind");
+    expect_refused(loaded_design("line: {resistance: 0 Pa.s/mL}"), "line.resistance: 0 Pa.s/mL is out of range",
                    "more than 0");
-    expect_refused(loaded("line: {resistance: 5 kPa}"), "'5 kPa' is a pressure where a flow resistance is needed",
-                   "Pa.s/m^3");
+    expect_refused(loaded_design("line: {resistance: 5 kPa}"),
+                   "'5 kPa' is a pressure where a flow resistance is needed", "Pa.s/m^3");
     expect_refused("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
                        "loads: {end: {pressure: 1 kPa, line: {resistance: 1 Pa.s/mL}}}\n",
                    "loads.end.line: a face encloses no gas", "only a cavity");

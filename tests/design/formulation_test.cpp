@@ -7,7 +7,6 @@ namespace {
 using namespace soft::design;
 using namespace soft::design::sample;
 
-const std::string base{least};
 const std::string compressible =
     "family: pipe\nmaterial: {law: neo-hookean, mu: 0.1644 MPa, kappa: 5 MPa}\nloads: {cavity: {pressure: 30 kPa}}\n";
 

@@ -13,7 +13,6 @@ namespace {
 
 using namespace soft::design;
 using namespace soft::design::sample;
-namespace material = soft::material;
 
 std::string pipe_of(const std::string& text) {
     return "family: pipe\nmaterial: " + text + "\nloads: {cavity: {pressure: 1 kPa}}\n";
@@ -38,15 +37,17 @@ TEST(MaterialLibrary, EverySetIsADesignAndStableInEveryModeWhereItsDataAre) {
         for (const MaterialSet& set : material_sets(file)) {
             const Design design = read(pipe_of("{name: " + std::string{file.name} + ", law: " + set.law +
                                                ", range: " + set.strain_text + "}"));
-            const auto rubber = material::make_rubber(
-                {.law = design.material.law,
-                 .constants = material::Constants{design.material.constants.begin(), design.material.constants.end()}});
+            const auto rubber =
+                soft::material::make_rubber({.law = design.material.law,
+                                             .constants = soft::material::Constants{design.material.constants.begin(),
+                                                                                    design.material.constants.end()}});
             const double end = 1.0 + set.strain, I1 = end * end + 2.0 / end;
-            for (const auto& limit : material::stability_limits(rubber)) {
+            for (const auto& limit : soft::material::stability_limits(rubber)) {
                 const double l = limit.stretch;
-                const double there = limit.mode == material::Mode::uniaxial      ? l * l + 2.0 / l
-                                     : limit.mode == material::Mode::equibiaxial ? 2.0 * l * l + 1.0 / (l * l * l * l)
-                                                                                 : l * l + 1.0 + 1.0 / (l * l);
+                const double there = limit.mode == soft::material::Mode::uniaxial ? l * l + 2.0 / l
+                                     : limit.mode == soft::material::Mode::equibiaxial
+                                         ? 2.0 * l * l + 1.0 / (l * l * l * l)
+                                         : l * l + 1.0 + 1.0 / (l * l);
                 EXPECT_GT(there, 0.99 * I1)
                     << file.name << " " << set.strain_text;  // the last row is before the range's end
             }

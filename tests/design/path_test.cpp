@@ -11,8 +11,6 @@ using namespace soft::design::sample;
 using model::Control;
 using model::Prescription;
 
-const std::string base{least};
-
 model::PathSettings path(const std::string& rest) { return read(base + rest).path; }
 
 TEST(Path, TakesItsDefaultsFromTheModel) {

@@ -7,8 +7,6 @@ namespace {
 using namespace soft::design;
 using namespace soft::design::sample;
 
-const std::string base{least};
-
 /// "place: key path" and a part of the rest.
 void expect(const std::string& text, std::string_view start, std::string_view part) {
     const std::string line = refusal(text);

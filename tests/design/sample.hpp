@@ -119,4 +119,6 @@ inline std::string refusal(std::string_view text, const std::vector<Override>& o
 
 inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
+inline const std::string base{least};
+
 }  // namespace soft::design::sample

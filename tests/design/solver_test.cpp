@@ -10,8 +10,6 @@ using namespace soft::design;
 using namespace soft::design::sample;
 using namespace soft::model;
 
-const std::string base{least};
-
 model::SolverSettings solver(const std::string& keys) { return read(base + "solver: {" + keys + "}\n").solver; }
 
 TEST(Solver, TakesItsDefaultsFromTheModel) {

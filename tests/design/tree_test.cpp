@@ -8,7 +8,7 @@ namespace {
 
 using namespace soft::design;
 
-std::string refusal(const std::string& text) {
+std::string tree_refusal(const std::string& text) {
     try {
         static_cast<void>(parse_yaml(text, "f"));
     } catch (const soft::Error& error) {
@@ -27,37 +27,37 @@ TEST(Tree, RemembersLineAndColumnFromOne) {
 }
 
 TEST(Tree, RefusesWhatADesignDoesNotNeedAtItsPlace) {
-    EXPECT_EQ(refusal("a: 1\nb: 2\na: 3\n").find("f:3:1: key 'a' is written twice"), 0u);
-    EXPECT_EQ(refusal("a: &x 1\nb: *x\n").find("f:1:4: anchors and aliases"), 0u);
-    EXPECT_EQ(refusal("a: !thing 1\n").find("f:1:4: tags"), 0u);
-    EXPECT_EQ(refusal("a: 1\n---\nb: 1\n").find("f:2:1: a second document"), 0u);
-    EXPECT_NE(refusal("? [a, b]\n: 1\n").find("a group cannot be a key"), std::string::npos);
-    EXPECT_NE(refusal("a: [1, 2\nb: 3\n").find("not YAML"), std::string::npos);
-    EXPECT_NE(refusal("a:\n\t- b\n").find("not YAML"), std::string::npos);
-    EXPECT_NE(refusal("a: \"b\n").find("not YAML"), std::string::npos);  // a quote that is never closed
-    EXPECT_NE(refusal("a: 'b\nc: 1\n").find("not YAML"), std::string::npos);
-    EXPECT_EQ(refusal("a: 1\n...\n"), "accepted");
-    EXPECT_EQ(refusal("---\na: 1"), "accepted");
+    EXPECT_EQ(tree_refusal("a: 1\nb: 2\na: 3\n").find("f:3:1: key 'a' is written twice"), 0u);
+    EXPECT_EQ(tree_refusal("a: &x 1\nb: *x\n").find("f:1:4: anchors and aliases"), 0u);
+    EXPECT_EQ(tree_refusal("a: !thing 1\n").find("f:1:4: tags"), 0u);
+    EXPECT_EQ(tree_refusal("a: 1\n---\nb: 1\n").find("f:2:1: a second document"), 0u);
+    EXPECT_NE(tree_refusal("? [a, b]\n: 1\n").find("a group cannot be a key"), std::string::npos);
+    EXPECT_NE(tree_refusal("a: [1, 2\nb: 3\n").find("not YAML"), std::string::npos);
+    EXPECT_NE(tree_refusal("a:\n\t- b\n").find("not YAML"), std::string::npos);
+    EXPECT_NE(tree_refusal("a: \"b\n").find("not YAML"), std::string::npos);  // a quote that is never closed
+    EXPECT_NE(tree_refusal("a: 'b\nc: 1\n").find("not YAML"), std::string::npos);
+    EXPECT_EQ(tree_refusal("a: 1\n...\n"), "accepted");
+    EXPECT_EQ(tree_refusal("---\na: 1"), "accepted");
 }
 
 TEST(Tree, RefusesBytesThatAreNoText) {
-    EXPECT_EQ(refusal(std::string("a: 1\nb: \0x", 10)).find("f:2:4: a control character"), 0u);
-    EXPECT_EQ(refusal("a: \xff\n").find("f:1:4: not UTF-8"), 0u);
-    EXPECT_NE(refusal("\x89HDF\r\n\x1a\n").find("not UTF-8"), std::string::npos);
+    EXPECT_EQ(tree_refusal(std::string("a: 1\nb: \0x", 10)).find("f:2:4: a control character"), 0u);
+    EXPECT_EQ(tree_refusal("a: \xff\n").find("f:1:4: not UTF-8"), 0u);
+    EXPECT_NE(tree_refusal("\x89HDF\r\n\x1a\n").find("not UTF-8"), std::string::npos);
 }
 
 TEST(Tree, BoundsSizeDepthAndCount) {
-    EXPECT_NE(refusal(std::string((1u << 20) + 1, ' ')).find("longer than 1 MiB"), std::string::npos);
-    EXPECT_NE(refusal("a: " + std::string(40, '[') + std::string(40, ']')).find("levels deep"), std::string::npos);
-    EXPECT_NE(refusal(std::string(100000, '[')), "accepted");
-    EXPECT_NE(refusal(std::string(100000, '{')), "accepted");
+    EXPECT_NE(tree_refusal(std::string((1u << 20) + 1, ' ')).find("longer than 1 MiB"), std::string::npos);
+    EXPECT_NE(tree_refusal("a: " + std::string(40, '[') + std::string(40, ']')).find("levels deep"), std::string::npos);
+    EXPECT_NE(tree_refusal(std::string(100000, '[')), "accepted");
+    EXPECT_NE(tree_refusal(std::string(100000, '{')), "accepted");
     std::string many = "a: [";
     for (int i = 0; i < 30000; ++i) many += "1,";
-    EXPECT_NE(refusal(many + "]").find("more than 20000 values"), std::string::npos);
+    EXPECT_NE(tree_refusal(many + "]").find("more than 20000 values"), std::string::npos);
     // Ten lines that would expand to 10^9 scalars.
     std::string bomb = "a: &a [x,x,x,x,x,x,x,x,x,x]\n";
     for (char c = 'b'; c < 'k'; ++c) bomb += std::string{c} + ": &" + c + " [*" + static_cast<char>(c - 1) + "]\n";
-    EXPECT_NE(refusal(bomb).find("anchors and aliases"), std::string::npos);
+    EXPECT_NE(tree_refusal(bomb).find("anchors and aliases"), std::string::npos);
 }
 
 TEST(Tree, WritesTextThatReadsBackToTheSameText) {

@@ -9,8 +9,6 @@
 namespace soft::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// Closed form of the volume swept by a meridian of lines and arcs: V = pi (integral of r^2 dx). All in mm.
 /// Written from the drawing, not from the code: the tangent is found by angles here, by projections there.
 class Meridian {

@@ -13,7 +13,8 @@
 namespace soft::geometry {
 namespace {
 
-design::Design read(const std::string& text, const std::string& source, std::vector<design::Override> overrides = {}) {
+design::Design read_from(const std::string& text, const std::string& source,
+                         std::vector<design::Override> overrides = {}) {
     return design::read_design(text, source, catalogue_keys(), overrides);
 }
 
@@ -25,11 +26,6 @@ std::string file_text(const std::filesystem::path& path) {
 }
 
 /// GoogleTest takes letters, digits and _ only.
-std::string test_name(std::string words) {
-    std::replace(words.begin(), words.end(), '-', '_');
-    return words;
-}
-
 class EveryFamily : public testing::TestWithParam<std::string> {
 protected:
     const std::filesystem::path path = std::filesystem::path{SOFT_SOURCE_DIR} / "designs" / (GetParam() + ".yaml");
@@ -43,7 +39,7 @@ TEST_P(EveryFamily, HasADesignThatBecomesACaseInEveryModel) {
             if (model == "axisymmetric" && GetParam() == "plate") overrides.push_back({"geometry.radius", "50mm"});
             if (GetParam() == "rod") overrides.push_back({"supports.y", "right"});  // y = 0 is cut away in a half
             if (GetParam() == "rod") overrides.push_back({"supports.z", "top"});
-            const model::Case c = build_case(read(file_text(path), path.string(), overrides));
+            const model::Case c = build_case(read_from(file_text(path), path.string(), overrides));
             EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << model;
             EXPECT_FALSE(c.loads.empty() && c.tractions.empty());
             EXPECT_FALSE(c.supports.empty());
@@ -54,7 +50,7 @@ TEST_P(EveryFamily, HasADesignThatBecomesACaseInEveryModel) {
 TEST_P(EveryFamily, HasATemplateThatBecomesACase) {
     for (const design::FamilyKeys& keys : catalogue_keys()) {
         if (keys.name != GetParam()) continue;
-        EXPECT_NO_THROW((void)build_case(read(design::template_yaml(keys), "template")));
+        EXPECT_NO_THROW((void)build_case(read_from(design::template_yaml(keys), "template")));
     }
 }
 
@@ -74,7 +70,7 @@ TEST_P(EveryFamily, IsRunnableWithFamilyMaterialAndAPressureAlone) {
                                               {"plate", {"bottom: {pressure: 5 kPa}", 0}}};
     const auto own = others.find(GetParam());
     const Short expected = own == others.end() ? Short{} : own->second;
-    const model::Case c = build_case(read(
+    const model::Case c = build_case(read_from(
         "family: " + GetParam() + "\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\nloads: {" + expected.target + "}\n",
         "short.yaml"));
     ASSERT_EQ(c.loads.size(), 1u);
@@ -94,7 +90,7 @@ protected:
 };
 
 TEST_P(Shown, BecomesACaseWithoutWarning) {
-    const design::Design design = read(file_text(path), path.string());
+    const design::Design design = read_from(file_text(path), path.string());
     EXPECT_TRUE(design.warnings.empty()) << design.warnings.front();
     EXPECT_GT(mesh::quality(build_case(design).mesh).min_scaled_jacobian, 0.1);
 }

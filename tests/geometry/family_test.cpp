@@ -11,14 +11,7 @@
 namespace soft::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// GoogleTest takes letters, digits and _ only.
-std::string test_name(std::string words) {
-    std::replace(words.begin(), words.end(), '-', '_');
-    return words;
-}
-
 struct Variant {
     std::string family, model, cells;
     sample::Changes changes;
@@ -85,7 +78,6 @@ INSTANTIATE_TEST_SUITE_P(Family, EveryVariant, testing::ValuesIn(variants()), []
 });
 
 /// Quadratic edges miss a circle by the fourth power of their angle: 22.5 degrees leave 5e-5 of the area.
-constexpr double curved = 1.5e-4;
 
 struct Volumes {
     std::string family, model;

@@ -9,9 +9,7 @@
 namespace soft::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-design::Design read(const std::string& geometry, const std::string& rest = "") {
+design::Design fiber_design(const std::string& geometry, const std::string& rest = "") {
     const bool own = rest.find("material:") != std::string::npos;
     const std::string text = "family: fiber-tube\ngeometry: {" + geometry + "}\n" +
                              (own ? "" : "material: {law: neo-hookean, mu: 0.1644 MPa}\n") + rest +
@@ -22,7 +20,7 @@ design::Design read(const std::string& geometry, const std::string& rest = "") {
 /// What is wrong with a design, in its text or its values; or "accepted".
 std::string refusal_of(const std::string& geometry, const std::string& rest = "") {
     try {
-        return sample::refusal(read(geometry, rest));
+        return sample::refusal(fiber_design(geometry, rest));
     } catch (const Error& error) {
         return error.what();
     }
@@ -54,8 +52,8 @@ TEST(FiberTube, TheLayerHasTheVolumeOfItsPartOfTheWall) {
                                                         {"[0.25, 0.5]", 7.75, 8.5},
                                                         {"[0, 0.3]", 7.0, 7.9},
                                                         {"[0.9, 1]", 9.7, 10.0}}) {
-            const auto c =
-                build_case(read(std::string{"fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n"));
+            const auto c = build_case(
+                fiber_design(std::string{"fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n"));
             const double ring_m3 = 1e-6 * pi * (outer_mm * outer_mm - inner_mm * inner_mm) * 0.1;
             EXPECT_NEAR(region_m3(c, "fibers") / ring_m3, 1, curved) << model << layer;
             const double rubber_m3 = pi * (1e-4 * 0.1 - 0.49e-4 * 0.09);
@@ -64,8 +62,9 @@ TEST(FiberTube, TheLayerHasTheVolumeOfItsPartOfTheWall) {
 }
 
 TEST(FiberTube, LaysItsFibresIntoTheLayerAlone) {
-    const auto c = build_case(read("fibers: {angle: 60 deg, families: 2, k1: 0.2 MPa, k2: 1.5, layer: [0.2, 0.8]}",
-                                   "materials: {fibers: {law: yeoh, c1: 30 kPa}}\n"));
+    const auto c =
+        build_case(fiber_design("fibers: {angle: 60 deg, families: 2, k1: 0.2 MPa, k2: 1.5, layer: [0.2, 0.8]}",
+                                "materials: {fibers: {law: yeoh, c1: 30 kPa}}\n"));
     const model::Material& layer = material_of(c, "fibers");
     ASSERT_TRUE(layer.fibers.has_value());
     EXPECT_NEAR(layer.fibers->angle_rad, pi / 3, 1e-15);
@@ -142,8 +141,8 @@ TEST(FiberTube, AHalfRoundOneHasTheVolumesAndAreasOfItsSection) {
     for (const char* model : {"half", "solid"})
         for (const auto& [layer, begin, end] :
              {std::tuple{"[0, 1]", 0.0, 1.0}, {"[0.25, 0.5]", 0.25, 0.5}, {"[0.5, 1]", 0.5, 1.0}}) {
-            const design::Design d =
-                read(std::string{"flat: 4 mm, fibers: {layer: "} + layer + "}", std::string{"model: "} + model + "\n");
+            const design::Design d = fiber_design(std::string{"flat: 4 mm, fibers: {layer: "} + layer + "}",
+                                                  std::string{"model: "} + model + "\n");
             const auto c = build_case(d);
             const Solid solid{c.mesh, c.kinematics, c.symmetry_planes, c.model_fraction};
             constexpr double curved = 2e-5;
@@ -180,17 +179,17 @@ TEST(FiberTube, AStripKeepsTheFibresThatRunThroughIt) {
         return sum;
     };
     const auto half =
-        build_case(read("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0.5, 1]}",
-                        "model: half\n" + materials));
+        build_case(fiber_design("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0.5, 1]}",
+                                "model: half\n" + materials));
     EXPECT_NEAR(1e9 * strip_m3(half) / (20 * 1 * 100), 1, 1e-12);
     const auto inner =
-        build_case(read("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0, 0.9]}",
-                        "model: half\n" + materials));
+        build_case(fiber_design("flat: 4 mm, strip: {thickness: 1 mm, material: cloth}, fibers: {layer: [0, 0.9]}",
+                                "model: half\n" + materials));
     EXPECT_NEAR(1e9 * strip_m3(inner) / (20 * 1 * 100), 1, 1e-12);
     EXPECT_EQ(material_of(inner, "fibers_flat").law, "yeoh");
     for (const char* model : {"half", "solid"}) {
-        const auto round = build_case(read("strip: {angle: 72 deg, material: cloth}, fibers: {layer: [0.5, 1]}",
-                                           std::string{"model: "} + model + "\n" + materials));
+        const auto round = build_case(fiber_design("strip: {angle: 72 deg, material: cloth}, fibers: {layer: [0.5, 1]}",
+                                                   std::string{"model: "} + model + "\n" + materials));
         double rubber_m3 = 0;
         for (const std::string& region : round.mesh.region_names) rubber_m3 += region_m3(round, region);
         EXPECT_NEAR(strip_m3(round) / rubber_m3, 0.2, 1e-12) << model;
@@ -236,8 +235,8 @@ TEST(FiberTube, RandomDesignsHaveNoInvertedCell) {
             " deg, k1: " + core::number_text(between(0.01, 5)) + " MPa, layer: [" + core::number_text(begin) + ", " +
             core::number_text(end) + "]}";
         const std::string model = models[static_cast<std::size_t>(k) % 4];
-        const auto c =
-            build_case(read(geometry, "model: " + model + "\nmesh: {size: " + mm(between(0.1, 0.5) * outer) + "}\n"));
+        const auto c = build_case(
+            fiber_design(geometry, "model: " + model + "\nmesh: {size: " + mm(between(0.1, 0.5) * outer) + "}\n"));
         EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << model << ": " << geometry;
     }
 }

@@ -21,18 +21,18 @@ std::string design_text(const std::filesystem::path& file, const std::string& mo
            "material: {law: neo-hookean, mu: 0.1644 MPa, kappa: 10 MPa}\n" + more;
 }
 
-design::Design read(const std::string& text, const std::string& source = "part.yaml",
-                    std::vector<design::Override> overrides = {}) {
+design::Design import_design(const std::string& text, const std::string& source = "part.yaml",
+                             std::vector<design::Override> overrides = {}) {
     return design::read_design(text, source, catalogue_keys(), overrides);
 }
 
-model::Case built(const std::string& text, std::vector<design::Override> overrides = {}) {
-    return build_case(read(text, "part.yaml", std::move(overrides)));
+model::Case built_import(const std::string& text, std::vector<design::Override> overrides = {}) {
+    return build_case(import_design(text, "part.yaml", std::move(overrides)));
 }
 
-std::string refusal(const std::string& text, std::vector<design::Override> overrides = {}) {
+std::string import_refusal(const std::string& text, std::vector<design::Override> overrides = {}) {
     try {
-        static_cast<void>(built(text, std::move(overrides)));
+        static_cast<void>(built_import(text, std::move(overrides)));
     } catch (const Error& error) {
         EXPECT_TRUE(error.code() == ExitCode::bad_input || error.code() == ExitCode::cannot_open);
         return error.what();
@@ -51,7 +51,7 @@ protected:
 };
 
 TEST_F(ImportedSolid, BecomesACaseWithTheFilesFacesInMillimetres) {
-    const model::Case c = built(design_text(file.path, usual));
+    const model::Case c = built_import(design_text(file.path, usual));
     EXPECT_EQ(c.kinematics, model::Kinematics::solid);
     EXPECT_EQ(c.model_fraction, 1);
     ASSERT_EQ(c.materials.size(), 1u);
@@ -62,46 +62,47 @@ TEST_F(ImportedSolid, BecomesACaseWithTheFilesFacesInMillimetres) {
     const double volume_m3 = measure(c.mesh, mesh::Measure::plain);
     EXPECT_LT(volume_m3, 0.75e-9 * std::numbers::pi);
     EXPECT_GT(volume_m3, 2.249e-9);  // three chords of 30 degrees: 4.5 sin 30 degrees
-    const model::Case inches = built(design_text(file.path, usual, ", unit: in"));
+    const model::Case inches = built_import(design_text(file.path, usual, ", unit: in"));
     EXPECT_NEAR(measure(inches.mesh, mesh::Measure::plain) / volume_m3, std::pow(25.4, 3), 1e-8);
 }
 
 TEST_F(ImportedSolid, AFaceTheFileDoesNotHaveIsRefusedWithTheNearest) {
-    EXPECT_EQ(refusal(design_text(
+    EXPECT_EQ(import_refusal(design_text(
                   file.path,
                   "mesh: {formulation: displacement}\nsupports: {fixed: botom}\nloads: {inner: {pressure: 5 kPa}}\n")),
               "part.yaml:5:19: supports.fixed: no face is called 'botom'; did you mean 'bottom'?");
-    EXPECT_EQ(refusal(design_text(file.path, "loads: {iner: {pressure: 5 kPa}}\n")),
+    EXPECT_EQ(import_refusal(design_text(file.path, "loads: {iner: {pressure: 5 kPa}}\n")),
               "part.yaml:4:9: loads.iner: unknown key; did you mean 'inner'?");
 }
 
 TEST_F(ImportedSolid, TheFileIsFoundFromTheDesignsFolderAndFromWhereACommandRuns) {
     const std::string name = file.path.filename().string(), folder = file.path.parent_path().string();
-    EXPECT_NO_THROW((void)build_case(read(design_text(name, usual), folder + "/part.yaml")));
-    EXPECT_NO_THROW((void)built(design_text("elsewhere.msh", usual), {{"geometry.file", file.path.string()}}));
-    const std::string missing = refusal(design_text("elsewhere.msh", usual));
+    EXPECT_NO_THROW((void)build_case(import_design(design_text(name, usual), folder + "/part.yaml")));
+    EXPECT_NO_THROW((void)built_import(design_text("elsewhere.msh", usual), {{"geometry.file", file.path.string()}}));
+    const std::string missing = import_refusal(design_text("elsewhere.msh", usual));
     EXPECT_TRUE(missing.starts_with("part.yaml:2:18: geometry.file: elsewhere.msh: ")) << missing;
     EXPECT_EQ(
-        refusal("family: imported\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {inner: {pressure: 5 kPa}}\n"),
+        import_refusal(
+            "family: imported\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {inner: {pressure: 5 kPa}}\n"),
         "part.yaml:1:1: geometry.file: missing (the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder); add geometry: {file: meshes/finger.msh}");
 }
 
 TEST_F(ImportedSolid, ListedFacesAreACavity) {
     const std::string loads =
         "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {cavity: {pressure: 5 kPa";
-    const model::Case c = built(design_text(file.path, loads + "}}\n", ", cavity: [inner, ends]"));
+    const model::Case c = built_import(design_text(file.path, loads + "}}\n", ", cavity: [inner, ends]"));
     ASSERT_EQ(c.cavities.size(), 1u);
     EXPECT_EQ(c.cavities[0].name, "cavity");
     EXPECT_FALSE(c.loads[0].sealed);
     EXPECT_EQ(c.path.stages.at(0).control, model::Control::automatic);
     EXPECT_EQ(c.mesh.facet_sets.at("cavity").size(),
               c.mesh.facet_sets.at("inner").size() + c.mesh.facet_sets.at("ends").size());
-    EXPECT_NO_THROW((void)built(
+    EXPECT_NO_THROW((void)built_import(
         design_text(file.path, loads + ", sealed: true}}\n", ", cavity: [inner, outer, ends, bottom, top]")));
-    EXPECT_EQ(refusal(design_text(file.path, loads + "}}\n", ", cavity: [inner, end]")),
+    EXPECT_EQ(import_refusal(design_text(file.path, loads + "}}\n", ", cavity: [inner, end]")),
               "part.yaml:2:" + std::to_string(18 + file.path.string().size() + 18) +
                   ": geometry.cavity: no face is called 'end'; did you mean 'ends'?");
-    EXPECT_EQ(refusal(design_text(file.path, loads + "}}\n")).substr(0, 63),
+    EXPECT_EQ(import_refusal(design_text(file.path, loads + "}}\n")).substr(0, 63),
               "part.yaml:6:9: loads.cavity: there is no cavity to load; faces:");
 }
 
@@ -109,7 +110,7 @@ TEST_F(ImportedSolid, CavitiesByNameHaveWallsOfTheirOwn) {
     const std::string physics = "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\n";
     const std::string loads =
         physics + "loads: {cavities: {west: {pressure: 5 kPa, sealed: false}, east: {shares: west}}}\n";
-    const model::Case c = built(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
+    const model::Case c = built_import(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
     ASSERT_EQ(c.cavities.size(), 2u);
     EXPECT_EQ(c.mesh.facet_sets.at("east"), c.mesh.facet_sets.at("outer"));
     EXPECT_EQ(c.mesh.facet_sets.at("west").size(),
@@ -117,7 +118,7 @@ TEST_F(ImportedSolid, CavitiesByNameHaveWallsOfTheirOwn) {
     ASSERT_EQ(c.loads.size(), 1u);
     EXPECT_EQ(c.loads[0].targets, (std::vector<std::string>{"west", "east"}));
     const auto refused = [&](const std::string& cavities) {
-        return refusal(design_text(file.path, loads, ", cavities: " + cavities));
+        return import_refusal(design_text(file.path, loads, ", cavities: " + cavities));
     };
     EXPECT_NE(refused("{west: [inner, ends], east: [outer, inner]}").find(" have sides in common"), std::string::npos);
     EXPECT_NE(refused("{west: [inner, ends], east: outr}")
@@ -128,15 +129,16 @@ TEST_F(ImportedSolid, CavitiesByNameHaveWallsOfTheirOwn) {
     EXPECT_NE(refused("{west: inner}").find("loads.cavities.east: unknown key"), std::string::npos);
     EXPECT_NE(refused("{west: inner, east: top, outer: ends}").find("the file has a face called 'outer' already"),
               std::string::npos);
-    const design::Design design = read(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
-    EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
+    const design::Design design =
+        import_design(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
+    EXPECT_EQ(import_design(design.effective_yaml).effective_yaml, design.effective_yaml);
 }
 
 /// The wall of a quarter ring without bottom and top: two openings of the ring's area, up and down.
 TEST_F(ImportedSolid, OpeningsOfACavityAreFoundWithTheFaceAroundThem) {
     const std::string loads =
         "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {cavity: {pressure: 5 kPa, sealed: ";
-    const model::Case c = built(design_text(file.path, loads + "true}}\n", ", cavity: [inner, outer, ends]"));
+    const model::Case c = built_import(design_text(file.path, loads + "true}}\n", ", cavity: [inner, outer, ends]"));
     ASSERT_EQ(c.cavities[0].openings.size(), 2u);
     for (const model::Opening& opening : c.cavities[0].openings) {
         double area_m2 = 0;
@@ -150,15 +152,15 @@ TEST_F(ImportedSolid, OpeningsOfACavityAreFoundWithTheFaceAroundThem) {
         // These are outer sides of a solid: "out of the cavity" is into the body.
         EXPECT_NEAR(opening.direction[2], opening.face == "top" ? -1 : 1, 1e-12);
     }
-    EXPECT_EQ(refusal(design_text(file.path, loads + "true}}\n", ", cavity: [inner, bottom]")).substr(0, 93),
+    EXPECT_EQ(import_refusal(design_text(file.path, loads + "true}}\n", ", cavity: [inner, bottom]")).substr(0, 93),
               "part.yaml:6:43: loads.cavity.sealed: no single named face surrounds an opening of the cavity,");
-    const model::Case open = built(design_text(file.path, loads + "false}}\n", ", cavity: [inner, bottom]"));
+    const model::Case open = built_import(design_text(file.path, loads + "false}}\n", ", cavity: [inner, bottom]"));
     ASSERT_EQ(open.cavities[0].openings.size(), 1u);
     EXPECT_TRUE(open.mesh.facet_sets.contains(open.cavities[0].openings[0].face));
 }
 
 TEST_F(ImportedSolid, AFaceOfSeveralPiecesIsAlsoThereByPiece) {
-    const model::Case c = built(design_text(file.path, usual));
+    const model::Case c = built_import(design_text(file.path, usual));
     const auto& sets = c.mesh.facet_sets;
     ASSERT_TRUE(sets.contains("ends_1") && sets.contains("ends_2"));
     EXPECT_FALSE(sets.contains("inner_1") || sets.contains("ends_3"));
@@ -172,36 +174,36 @@ TEST_F(ImportedSolid, AFaceOfSeveralPiecesIsAlsoThereByPiece) {
 
 TEST_F(ImportedSolid, OrderIsTheFilesOrTheWishedOne) {
     const auto order = [&](const std::string& mesh) {
-        const model::Case c =
-            built(design_text(file.path, std::string{usual}), {{"mesh", "{formulation: displacement, " + mesh + "}"}});
+        const model::Case c = built_import(design_text(file.path, std::string{usual}),
+                                           {{"mesh", "{formulation: displacement, " + mesh + "}"}});
         return mesh::topology(c.mesh.cell_types.front()).order;
     };
     EXPECT_EQ(order("order: file"), 1);
     EXPECT_EQ(order("order: 1"), 1);
     EXPECT_EQ(order("order: 2"), 2);
     EXPECT_EQ(order("raise_order: false"), 1);
-    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh", "{order: 2, raise_order: false}"}}),
+    EXPECT_EQ(import_refusal(design_text(file.path, usual), {{"mesh", "{order: 2, raise_order: false}"}}),
               "--set mesh: mesh.raise_order: the file holds first-order cells; true, or order: 1");
     const TemporaryFile second{"second.msh"};
     meshing::sample::write_part(second.path, Cells::tetrahedra, Sides::round, {4.1, true, 2, false});
-    const model::Case lowered = built(design_text(second.path, usual), {{"mesh.order", "1"}});
+    const model::Case lowered = built_import(design_text(second.path, usual), {{"mesh.order", "1"}});
     EXPECT_EQ(lowered.mesh.cell_type(0), mesh::CellType::tet4);
-    EXPECT_EQ(built(design_text(second.path, usual)).mesh.cell_type(0), mesh::CellType::tet10);
+    EXPECT_EQ(built_import(design_text(second.path, usual)).mesh.cell_type(0), mesh::CellType::tet10);
 }
 
 TEST_F(ImportedSolid, MeshSizeIsForSurfacesAndRefineIsForAll) {
-    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.size", "1 mm"}}).substr(0, 49),
+    EXPECT_EQ(import_refusal(design_text(file.path, usual), {{"mesh.size", "1 mm"}}).substr(0, 49),
               "--set mesh.size: a mesh has its cells already; th");
-    const model::Case coarse = built(design_text(file.path, usual)),
-                      fine = built(design_text(file.path, usual), {{"mesh.refine", "1"}});
+    const model::Case coarse = built_import(design_text(file.path, usual)),
+                      fine = built_import(design_text(file.path, usual), {{"mesh.refine", "1"}});
     EXPECT_EQ(fine.mesh.cell_count(), 8 * coarse.mesh.cell_count());
-    EXPECT_EQ(refusal(design_text(file.path, usual), {{"mesh.refine", "8"}}).substr(0, 32),
+    EXPECT_EQ(import_refusal(design_text(file.path, usual), {{"mesh.refine", "8"}}).substr(0, 32),
               "--set mesh.refine: it would take");
 }
 
 TEST_F(ImportedSolid, TheModelMustFitTheMesh) {
     const auto model = [&](const char* name) {
-        return refusal(design_text(file.path, usual), {{"model", name}, {"outputs", "{}"}});
+        return import_refusal(design_text(file.path, usual), {{"model", name}, {"outputs", "{}"}});
     };
     EXPECT_EQ(model("axisymmetric"),
               "--set model: 'axisymmetric' needs a plane mesh, the file holds a solid; model: solid");
@@ -210,8 +212,8 @@ TEST_F(ImportedSolid, TheModelMustFitTheMesh) {
 }
 
 TEST_F(ImportedSolid, ItsEffectiveDesignReadsBackTheSame) {
-    const design::Design design = read(design_text(file.path, usual, ", cavity: [inner, ends]"));
-    EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
+    const design::Design design = import_design(design_text(file.path, usual, ", cavity: [inner, ends]"));
+    EXPECT_EQ(import_design(design.effective_yaml).effective_yaml, design.effective_yaml);
     const auto changes = design::apply_overrides(design.effective_yaml,
                                                  std::vector<design::Override>{{"loads.inner.pressure", "7 kPa"}});
     EXPECT_NEAR(changes.path.stages.at(0).supplies.at(0).value, 7e3, 1e-9);
@@ -222,7 +224,7 @@ TEST(ImportedSection, TurnsAboutTheAxisItTouches) {
     const TemporaryFile file{"section.msh"};
     meshing::sample::write_part(file.path, Cells::quadrilaterals, Sides::round, {4.1, false, 2, false});
     const std::string more = "supports: {x: ends}\nloads: {cavity: {pressure: 5 kPa}}\n";
-    const model::Case c = built(design_text(file.path, more + "model: axisymmetric\n", ", cavity: inner"));
+    const model::Case c = built_import(design_text(file.path, more + "model: axisymmetric\n", ", cavity: inner"));
     EXPECT_EQ(c.kinematics, model::Kinematics::axisymmetric);
     // The section's side on y = 0 is half of "ends": the axis. Half a spherical shell.
     EXPECT_EQ(c.mesh.facet_sets.at("axis").size() * 2, c.mesh.facet_sets.at("ends").size());
@@ -235,11 +237,11 @@ TEST(ImportedSection, TurnsAboutTheAxisItTouches) {
               1u);  // the wall ends at r = 1 mm; its sides run towards that end and x = 0
     EXPECT_NEAR(c.cavities[0].openings[0].area_m2, 1e-6 * std::numbers::pi, 1e-15);
     EXPECT_EQ(c.cavities[0].openings[0].direction, (std::array<double, 3>{-1, 0, 0}));
-    const model::Case plane = built(
+    const model::Case plane = built_import(
         design_text(file.path, "supports: {fixed: ends}\nloads: {inner: {pressure: 5 kPa}}\nmodel: plane-strain\n"));
     EXPECT_EQ(plane.kinematics, model::Kinematics::plane_strain);
     EXPECT_FALSE(plane.mesh.facet_sets.contains("axis"));
-    EXPECT_EQ(refusal(design_text(file.path, "supports: {fixed: ends}\nloads: {inner: {pressure: 5 kPa}}\n")),
+    EXPECT_EQ(import_refusal(design_text(file.path, "supports: {fixed: ends}\nloads: {inner: {pressure: 5 kPa}}\n")),
               "default: model: the file holds a plane mesh; axisymmetric or plane-strain");
 }
 
@@ -252,7 +254,7 @@ TEST(ImportedSection, BelowTheAxisIsRefused) {
         meshing::sample::move_nodes(1, -0.5);
         meshing::sample::write(file.path, {});
     }
-    const std::string what = refusal(design_text(
+    const std::string what = import_refusal(design_text(
         file.path, "mesh: {formulation: displacement}\nloads: {inner: {pressure: 5 kPa}}\nmodel: axisymmetric\n"));
     EXPECT_EQ(
         what,
@@ -279,7 +281,7 @@ TEST(Imported, EveryRegionGetsTheRubber) {
     }
     const std::string text = design_text(
         file.path, "mesh: {formulation: displacement}\nloads: {base: {pressure: 5 kPa}}\nmodel: plane-strain\n");
-    const model::Case c = built(text);
+    const model::Case c = built_import(text);
     std::set<std::string> names;
     for (const model::Material& material : c.materials) {
         names.insert(material.name);
@@ -289,18 +291,18 @@ TEST(Imported, EveryRegionGetsTheRubber) {
     EXPECT_EQ(std::set<std::string>(c.mesh.region_names.begin(), c.mesh.region_names.end()), names);
 
     const model::Case two =
-        built(text + "materials: {stiff: {law: yeoh, c1: 1 MPa, c2: 0 kPa, c3: 0 kPa, kappa: 1 GPa}}\n");
+        built_import(text + "materials: {stiff: {law: yeoh, c1: 1 MPa, c2: 0 kPa, c3: 0 kPa, kappa: 1 GPa}}\n");
     for (const model::Material& material : two.materials) {
         EXPECT_EQ(material.law, material.name == "stiff" ? "yeoh" : "neo-hookean");
         EXPECT_EQ(material.source, material.name == "stiff" ? "materials.stiff" : "material");
     }
-    EXPECT_EQ(refusal(text + "materials: {stif: {law: neo-hookean, mu: 1 MPa, kappa: 1 GPa}}\n"),
+    EXPECT_EQ(import_refusal(text + "materials: {stif: {law: neo-hookean, mu: 1 MPa, kappa: 1 GPa}}\n"),
               "part.yaml:7:25: materials.stif.law: no region is of this material; the regions: soft, stiff");
 }
 
 TEST(Imported, TheTemplateIsADesignOfTheMeshThatComesAlong) {
     const std::string text = design::template_yaml(sample::family("imported").keys);
-    const model::Case c = build_case(read(text, std::string{SOFT_SOURCE_DIR} + "/template.yaml"));
+    const model::Case c = build_case(import_design(text, std::string{SOFT_SOURCE_DIR} + "/template.yaml"));
     EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1);
     EXPECT_EQ(c.cavities.size(), 1u);
     for (const std::string& face : sample::family("imported").keys.faces)

@@ -9,7 +9,7 @@ namespace {
 
 using sample::refusal;
 
-design::Design design_of(const std::string& family, const std::string& model) {
+design::Design loaded_design(const std::string& family, const std::string& model) {
     design::Design d;
     d.family = family;
     d.values = sample::values(family, model);
@@ -18,7 +18,7 @@ design::Design design_of(const std::string& family, const std::string& model) {
 }
 
 TEST(Weight, PullsTheWayItIsTold) {
-    design::Design d = design_of("bellows", "axisymmetric");
+    design::Design d = loaded_design("bellows", "axisymmetric");
     for (const auto& [along, x] :
          std::map<std::string, double>{{"x", 9.81}, {"-x", -9.81}, {"axis", -9.81}, {"-axis", 9.81}}) {
         d.body_forces = {{"gravity", 9.81, along}};  // the bellows' axis runs from the held disc to the inlet, along -x
@@ -26,13 +26,13 @@ TEST(Weight, PullsTheWayItIsTold) {
     }
     d.body_forces = {{"gravity", 9.81, "-y"}};
     EXPECT_EQ(refusal(d), "loads.gravity.along: 'y' is no direction of this model; axis, x, r or normal");
-    d = design_of("rod", "solid");
+    d = loaded_design("rod", "solid");
     d.body_forces = {{"gravity", 9.81, "-z"}};
     EXPECT_EQ(build_case(d).body_forces.at(0).acceleration_m_s2, (std::array<double, 3>{0, 0, -9.81}));
 }
 
 TEST(Weight, IsNotMirrored) {
-    design::Design d = design_of("rod", "quarter");
+    design::Design d = loaded_design("rod", "quarter");
     d.body_forces = {{"gravity", 9.81, "-z"}};
     EXPECT_EQ(
         refusal(d),
@@ -40,26 +40,26 @@ TEST(Weight, IsNotMirrored) {
         "cut there, or another direction");
     d.body_forces = {{"gravity", 9.81, "x"}};
     EXPECT_EQ(refusal(d), "accepted");
-    d = design_of("rod", "half");
+    d = loaded_design("rod", "half");
     d.body_forces = {{"gravity", 9.81, "-z"}};
     EXPECT_EQ(refusal(d), "accepted");
-    d = design_of("sphere", "solid");
+    d = loaded_design("sphere", "solid");
     d.body_forces = {{"gravity", 9.81, "-z"}};
     EXPECT_EQ(refusal(d), "loads.gravity.along: nothing holds the body against its weight; leave gravity out");
 }
 
 TEST(Motions, MoveOneComponentOfAFace) {
-    design::Design d = design_of("rod", "solid");
+    design::Design d = loaded_design("rod", "solid");
     d.motions = {{"end", 10e-3, "axis"}, {"left", 1e-3, "normal"}};
     const model::Case c = build_case(d);
     ASSERT_EQ(c.motions.size(), 2u);
     EXPECT_EQ(c.motions[0].displacement_m[0], 10e-3);
     EXPECT_FALSE(c.motions[0].displacement_m[1] || c.motions[0].displacement_m[2]);
     EXPECT_EQ(c.motions[1].displacement_m[1], -1e-3);  // left is y = 0
-    d = design_of("tube", "axisymmetric");
+    d = loaded_design("tube", "axisymmetric");
     d.motions = {{"outer", 2e-3, "r"}};
     EXPECT_EQ(build_case(d).motions.at(0).displacement_m[1], 2e-3);
-    d = design_of("panel", "plane-strain");
+    d = loaded_design("panel", "plane-strain");
     d.values.set("geometry.rise", {48e-3, "48 mm", "test", true});
     d.motions = {{"bottom", 1e-3, "normal"}};
     EXPECT_EQ(refusal(d),
@@ -68,7 +68,7 @@ TEST(Motions, MoveOneComponentOfAFace) {
 }
 
 TEST(Motions, OfWhatIsHeldAreRefusedWithBothNames) {
-    design::Design d = design_of("rod", "solid");
+    design::Design d = loaded_design("rod", "solid");
     d.supports = {{"fixed", {true, true, true}}};
     d.motions = {{"fixed", 1e-3, "x"}};
     EXPECT_EQ(refusal(d),
@@ -87,7 +87,7 @@ TEST(Motions, OfWhatIsHeldAreRefusedWithBothNames) {
         "in common; keep one of the two");
     d.motions = {{"top", 1e-3, "z"}, {"left", 1e-3, "z"}};
     EXPECT_EQ(refusal(d), "accepted");  // they agree
-    d = design_of("tube", "axisymmetric");
+    d = loaded_design("tube", "axisymmetric");
     d.motions = {{"inlet", 1e-3, "r"}};
     EXPECT_EQ(
         refusal(d),
@@ -96,7 +96,7 @@ TEST(Motions, OfWhatIsHeldAreRefusedWithBothNames) {
 }
 
 TEST(Angles, HaveAnAxisAndABendItsReference) {
-    design::Design d = design_of("rod", "solid");
+    design::Design d = loaded_design("rod", "solid");
     d.outputs = {{"tilt", "end", "y", model::Measure::bend, "fixed"}, {"turn", "end", "axis", model::Measure::twist}};
     const model::Case c = build_case(d);
     EXPECT_EQ(c.outputs.at(0).measure, model::Measure::bend);
@@ -104,7 +104,7 @@ TEST(Angles, HaveAnAxisAndABendItsReference) {
     EXPECT_EQ(c.outputs[0].direction, (std::array<double, 3>{0, 1, 0}));
     EXPECT_EQ(c.outputs.at(1).measure, model::Measure::twist);
     EXPECT_EQ(c.outputs[1].reference, "");
-    d = design_of("panel", "plane-strain");
+    d = loaded_design("panel", "plane-strain");
     d.outputs = {{"tilt", "end", "z", model::Measure::bend, "fixed"}};
     EXPECT_EQ(build_case(d).outputs.at(0).direction, (std::array<double, 3>{0, 0, 1}));
     d.outputs = {{"tilt", "end", "z", model::Measure::bend, "left"}};
@@ -114,7 +114,7 @@ TEST(Angles, HaveAnAxisAndABendItsReference) {
 
 TEST(Forces, AreSpreadOverTheWholeFaceOfTheWholeActuator) {
     for (const char* model : {"solid", "half", "quarter"}) {
-        design::Design d = design_of("rod", model);
+        design::Design d = loaded_design("rod", model);
         d.tractions = {{"end", 2.0, "x", {}, design::Design::Spread::whole_face}};
         const model::Case c = build_case(d);
         ASSERT_EQ(c.tractions.size(), 1u);
@@ -123,19 +123,19 @@ TEST(Forces, AreSpreadOverTheWholeFaceOfTheWholeActuator) {
         EXPECT_NEAR(c.tractions[0].traction_Pa[0], 2.0 / area, 1e-9 / area) << model;
         EXPECT_EQ(model::leading_load(c), model::LeadingLoad::force);
     }
-    design::Design d = design_of("rod", "half");
+    design::Design d = loaded_design("rod", "half");
     d.tractions = {{"end", 2.0, "y", {}, design::Design::Spread::whole_face}};
     EXPECT_EQ(
         refusal(d),
         "loads.end.along: the model is mirrored there, and with it the force would be; a model that is not cut there, "
         "or another direction");
-    d = design_of("sphere", "axisymmetric");  // half the section: the outer face is a whole sphere's
+    d = loaded_design("sphere", "axisymmetric");  // half the section: the outer face is a whole sphere's
     d.tractions = {{"outer", 2.0, "x", {}, design::Design::Spread::whole_face}};
     EXPECT_NE(refusal(d), "accepted");
 }
 
 TEST(Reactions, NeedWhatHoldsTheFaceInTheirDirection) {
-    design::Design d = design_of("rod", "half");
+    design::Design d = loaded_design("rod", "half");
     d.supports = {{"fixed", {true, true, true}}};
     d.outputs = {{"pull", "fixed", "x", model::Measure::force}, {"turn", "fixed", "y", model::Measure::moment}};
     EXPECT_EQ(build_case(d).outputs.at(0).measure, model::Measure::force);

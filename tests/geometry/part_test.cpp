@@ -16,23 +16,23 @@ namespace {
 
 using meshing::sample::TemporaryFile;
 
-std::string design_text(const std::filesystem::path& file, const std::string& geometry = {},
-                        const std::string& more = {}) {
+std::string part_text(const std::filesystem::path& file, const std::string& geometry = {},
+                      const std::string& more = {}) {
     return "family: imported\ngeometry: {file: " + file.string() + geometry + "}\n" +
            "material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}\n" + more;
 }
 
-design::Design read(const std::string& text, std::vector<design::Override> sets = {}) {
+design::Design read_part(const std::string& text, std::vector<design::Override> sets = {}) {
     return design::read_design(text, "part.yaml", catalogue_keys(), sets);
 }
 
-Built built(const std::string& text, std::vector<design::Override> sets = {}) {
-    return build_with_figures(read(text, std::move(sets)));
+Built built_part(const std::string& text, std::vector<design::Override> sets = {}) {
+    return build_with_figures(read_part(text, std::move(sets)));
 }
 
-std::string refusal(const std::string& text, std::vector<design::Override> sets = {}) {
+std::string part_refusal(const std::string& text, std::vector<design::Override> sets = {}) {
     try {
-        static_cast<void>(built(text, std::move(sets)));
+        static_cast<void>(built_part(text, std::move(sets)));
     } catch (const Error& error) {
         EXPECT_TRUE(error.code() == ExitCode::bad_input || error.code() == ExitCode::cannot_open);
         return error.what();
@@ -83,7 +83,7 @@ double area_m2(const mesh::Mesh& mesh, const std::string& face) {
 TEST(Part, AClosedCanOfStepIsFilledAroundItsCavity) {
     const TemporaryFile file{"can.step"};
     write_can(file.path, Can::closed);
-    const Built can = built(design_text(file.path, ends, usual));
+    const Built can = built_part(part_text(file.path, ends, usual));
     EXPECT_EQ(can.model.kinematics, model::Kinematics::solid);
     EXPECT_EQ(std::set(can.model.mesh.cell_types.begin(), can.model.mesh.cell_types.end()),
               std::set{mesh::CellType::tet10});
@@ -104,12 +104,13 @@ TEST(Part, StlAndObjInAnyUnitGiveTheBodyAndTheSameBytesEachTime) {
     const TemporaryFile file{"can.stl"}, inches{"inches.stl"};
     write_can(file.path, Can::closed);
     write_can(inches.path, Can::closed, 1 / 25.4);
-    const Built once = built(design_text(file.path, ends, usual)), again = built(design_text(file.path, ends, usual));
+    const Built once = built_part(part_text(file.path, ends, usual)),
+                again = built_part(part_text(file.path, ends, usual));
     EXPECT_EQ(once.model.mesh.points, again.model.mesh.points);
     EXPECT_EQ(once.model.mesh.connectivity, again.model.mesh.connectivity);
     const double volume_m3 = measure(once.model.mesh, mesh::Measure::plain);
     EXPECT_NEAR(volume_m3 / once.part->volume_m3, 1, 2e-3);
-    EXPECT_NEAR(measure(built(design_text(inches.path, std::string{", unit: in"} + ends, usual)).model.mesh,
+    EXPECT_NEAR(measure(built_part(part_text(inches.path, std::string{", unit: in"} + ends, usual)).model.mesh,
                         mesh::Measure::plain) /
                     volume_m3,
                 1, 5e-3);
@@ -120,7 +121,7 @@ TEST(Part, AnOpenCavityIsNamedByAFloodUpToItsInlet) {
     write_can(file.path, Can::open);
     const std::string faces =
         ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 mm}}, cavity: {point: [10 mm, 6 mm, 0 mm], up_to: tip}}";
-    const Built can = built(design_text(file.path, faces, usual));
+    const Built can = built_part(part_text(file.path, faces, usual));
     ASSERT_EQ(can.model.cavities.size(), 1u);
     ASSERT_EQ(can.model.cavities[0].openings.size(), 1u);
     const model::Opening& opening = can.model.cavities[0].openings[0];
@@ -128,7 +129,7 @@ TEST(Part, AnOpenCavityIsNamedByAFloodUpToItsInlet) {
     EXPECT_NEAR(opening.area_m2 / (49e-6 * std::numbers::pi), 1, 0.01);
     EXPECT_NEAR(opening.direction[0], 1, 1e-9);
     EXPECT_NEAR(area_m2(can.model.mesh, "cavity") / (std::numbers::pi * 7 * (7 + 2 * 25) * 1e-6), 1, 0.01);
-    EXPECT_NE(refusal(design_text(file.path, ends, usual)).find("there is no cavity to load"), std::string::npos);
+    EXPECT_NE(part_refusal(part_text(file.path, ends, usual)).find("there is no cavity to load"), std::string::npos);
 }
 
 TEST(Part, APartThatIsCutHasMirrorImages) {
@@ -152,7 +153,7 @@ TEST(Part, APartThatIsCutHasMirrorImages) {
     }
     const std::string faces =
         ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 mm}}, cavity: {point: [10 mm, 4 mm, 4 mm], up_to: tip}}";
-    const Built can = built(design_text(file.path, ", symmetry: yz" + faces, usual));
+    const Built can = built_part(part_text(file.path, ", symmetry: yz" + faces, usual));
     EXPECT_EQ(can.model.model_fraction, 0.25);
     EXPECT_EQ(can.model.symmetry_planes, (std::array{false, true, true}));
     EXPECT_NEAR(measure(can.model.mesh, mesh::Measure::plain) / (std::numbers::pi / 4 * (100 * 30 - 49 * 25) * 1e-9), 1,
@@ -173,7 +174,7 @@ TEST(Part, WhatIsWrongWithAFileIsSaidWithThePlaceInTheDesign) {
     write_can(two.path, Can::two);
     write_can(pieces.path, Can::two);
     const auto says = [](const std::filesystem::path& file, const std::string& what) {
-        const std::string problem = refusal(design_text(file, ends, usual));
+        const std::string problem = part_refusal(part_text(file, ends, usual));
         return problem.starts_with("part.yaml:2:18: geometry.file: " + file.string() + ": ") &&
                        problem.find(what) != std::string::npos
                    ? ""
@@ -195,7 +196,7 @@ TEST(Part, RulesThatMakeNoSenseAreRefused) {
     const TemporaryFile file{"can.stl"};
     write_can(file.path, Can::closed);
     const auto says = [&](const std::string& rule) {
-        return refusal(design_text(file.path, ", faces: {fixed: {plane: {x: 0 mm}}, tip: " + rule + "}", usual));
+        return part_refusal(part_text(file.path, ", faces: {fixed: {plane: {x: 0 mm}}, tip: " + rule + "}", usual));
     };
     const auto has = [](const std::string& text, const std::string& what) {
         return text.find(what) != std::string::npos ? "" : text;
@@ -210,22 +211,22 @@ TEST(Part, RulesThatMakeNoSenseAreRefused) {
         has(says("{point: [30 mm, 0 mm, 0 mm], up_to: outer}"), "'outer' is no face of geometry.faces without up_to"),
         "");
     EXPECT_EQ(has(says("{plain: {x: 0 mm}}"), "geometry.faces.tip.plain: unknown key; known: plane, box"), "");
-    EXPECT_EQ(has(refusal(design_text(file.path, ", faces: {outer: {plane: {x: 0 mm}}}", usual)),
+    EXPECT_EQ(has(part_refusal(part_text(file.path, ", faces: {outer: {plane: {x: 0 mm}}}", usual)),
                   "the file has a face of this name already"),
               "");
-    EXPECT_EQ(has(refusal(design_text(file.path, std::string{", symmetry: y"} + ends, usual)), "and is not cut at 0"),
-              "");
-    EXPECT_EQ(has(refusal(design_text(file.path, ends, usual), {{"mesh.size", "1 um"}}), "a larger mesh.size"), "");
+    EXPECT_EQ(
+        has(part_refusal(part_text(file.path, std::string{", symmetry: y"} + ends, usual)), "and is not cut at 0"), "");
+    EXPECT_EQ(has(part_refusal(part_text(file.path, ends, usual), {{"mesh.size", "1 um"}}), "a larger mesh.size"), "");
 }
 
 TEST(Part, ItsEffectiveDesignReadsBackTheSameAndAnOddUnitIsAsked) {
     const TemporaryFile file{"can.stl"};
     write_can(file.path, Can::closed);
-    const design::Design design = read(design_text(file.path, ends, usual));
-    EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
+    const design::Design design = read_part(part_text(file.path, ends, usual));
+    EXPECT_EQ(read_part(design.effective_yaml).effective_yaml, design.effective_yaml);
     const std::string metres =
-        design_text(file.path, ", unit: m, faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 m}}}", usual);
-    const design::Design large = read(metres, {{"mesh.size", "5 m"}});
+        part_text(file.path, ", unit: m, faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 m}}}", usual);
+    const design::Design large = read_part(metres, {{"mesh.size", "5 m"}});
     const auto warnings = warnings_of(large, build_case(large));
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0], "geometry.unit: the part is 30 m long; are the file's lengths in m?");

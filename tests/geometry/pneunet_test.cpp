@@ -135,7 +135,7 @@ TEST(Pneunet, TheLayerIsTheLowestPartOfTheBase) {
     EXPECT_NEAR(volume_m3 / (0.5 * 46e-3 * 16e-3 * 0.5e-3), 1, rounding);
 }
 
-design::Design design_of(const std::string& geometry, const std::string& more = "") {
+design::Design finger_design(const std::string& geometry, const std::string& more = "") {
     return design::read_design(
         "family: pneunet\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\n"
         "loads: {cavity: {pressure: 5 kPa}}\ngeometry: " +
@@ -144,7 +144,7 @@ design::Design design_of(const std::string& geometry, const std::string& more = 
 }
 
 TEST(Pneunet, TheLayerIsOfPaperUnlessToldOtherwise) {
-    const model::Case paper = build_case(design_of("{layer: {thickness: 0.5 mm}}"));
+    const model::Case paper = build_case(finger_design("{layer: {thickness: 0.5 mm}}"));
     ASSERT_EQ(paper.materials.size(), 2u);
     const auto of = [](const model::Case& c, const std::string& region) {
         return *std::ranges::find(c.materials, region, &model::Material::name);
@@ -153,12 +153,13 @@ TEST(Pneunet, TheLayerIsOfPaperUnlessToldOtherwise) {
     EXPECT_NEAR(of(paper, "layer").constants.at("mu").at(0) / (6.5e9 / 2.4), 1, 1e-3);
     EXPECT_NEAR(of(paper, "layer").bulk_modulus_Pa.value() / (6.5e9 / 1.8), 1, 1e-3);
     EXPECT_EQ(of(paper, "rubber").constants.at("mu").at(0), 0.1644e6);
-    const model::Case same = build_case(design_of("{layer: {thickness: 0.5 mm, material: rubber}}"));
+    const model::Case same = build_case(finger_design("{layer: {thickness: 0.5 mm, material: rubber}}"));
     EXPECT_EQ(of(same, "layer").constants, of(same, "rubber").constants);
-    const model::Case felt = build_case(design_of("{layer: {thickness: 0.5 mm, material: felt}}",
-                                                  "materials: {felt: {law: neo-hookean, mu: 3 MPa, kappa: 4 MPa}}"));
+    const model::Case felt =
+        build_case(finger_design("{layer: {thickness: 0.5 mm, material: felt}}",
+                                 "materials: {felt: {law: neo-hookean, mu: 3 MPa, kappa: 4 MPa}}"));
     EXPECT_EQ(of(felt, "layer").constants.at("mu").at(0), 3e6);
-    EXPECT_EQ(build_case(design_of("{}")).materials.size(), 1u);
+    EXPECT_EQ(build_case(finger_design("{}")).materials.size(), 1u);
 }
 
 TEST(Pneunet, WeightNeedsNoDensityOfALayerThatIsNotThere) {
@@ -168,7 +169,7 @@ TEST(Pneunet, WeightNeedsNoDensityOfALayerThatIsNotThere) {
                             "p.yaml", catalogue_keys(), {})));
 }
 
-TEST(Pneunet, TheDefaultMeshIsNotCalledCoarse) { EXPECT_TRUE(design_of("{}").warnings.empty()); }
+TEST(Pneunet, TheDefaultMeshIsNotCalledCoarse) { EXPECT_TRUE(finger_design("{}").warnings.empty()); }
 
 TEST(Pneunet, EveryWallHasAtLeastAsManyCellsAsAsked) {
     const auto cells = [](const sample::Changes& changes) {

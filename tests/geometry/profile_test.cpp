@@ -11,7 +11,7 @@ namespace {
 
 using Shape = meshing::OutlineEdge::Shape;
 
-std::string refusal(const std::string& text, Across across = Across::r) {
+std::string profile_refusal(const std::string& text, Across across = Across::r) {
     try {
         (void)outline_from(text, "part.csv", across);
     } catch (const Error& error) {
@@ -61,50 +61,52 @@ TEST(Profile, ArcsAndSplinesGoOnFromTheirRow) {
 }
 
 TEST(Profile, FaultsAreNamedWithTheirRow) {
-    EXPECT_EQ(refusal("0,0,axis\n5,0,end\n5,10,outer\n"),
+    EXPECT_EQ(profile_refusal("0,0,axis\n5,0,end\n5,10,outer\n"),
               "part.csv:1: no line says what the columns are; begin with x_mm,r_mm,tag");
-    EXPECT_EQ(refusal("x,r_mm,tag\n0,0,axis\n5,0,end\n5,10,outer\n"),
+    EXPECT_EQ(profile_refusal("x,r_mm,tag\n0,0,axis\n5,0,end\n5,10,outer\n"),
               "part.csv:1: column 'x' has no unit of length; write x_mm");
-    EXPECT_EQ(refusal("x_mm,tag\n0,axis\n5,end\n5,outer\n"), "part.csv:1: there is no column 'r_mm'");
-    EXPECT_EQ(refusal("x_mm,r_mm\n0,0\n5,0\n5,10\n"),
+    EXPECT_EQ(profile_refusal("x_mm,tag\n0,axis\n5,end\n5,outer\n"), "part.csv:1: there is no column 'r_mm'");
+    EXPECT_EQ(profile_refusal("x_mm,r_mm\n0,0\n5,0\n5,10\n"),
               "part.csv:1: there is no column 'tag'; name the face of the edge that starts at each row");
     EXPECT_EQ(
-        refusal("x_mm,r_mm,tag,radius\n0,0,axis,1\n5,0,end,1\n5,10,outer,1\n"),
+        profile_refusal("x_mm,r_mm,tag,radius\n0,0,axis,1\n5,0,end,1\n5,10,outer,1\n"),
         "part.csv:1: column 'radius' is not known; columns: x, r, tag, curve, via_x, via_r, loop, lengths with a unit as in x_mm");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag\n0,0,axis\n5,nan,end\n5,10,outer\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,0,axis\n5,nan,end\n5,10,outer\n"),
               "part.csv:3: column 2 'r_mm': 'nan' is no number; put # before lines that are no data");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,\n5,10,outer\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,\n5,10,outer\n"),
               "part.csv:3: it has no tag; name the face of the edge that starts here, for example free");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,the end\n5,10,outer\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,the end\n5,10,outer\n"),
               "part.csv:3: 'the end' is not a name of a face; letters, digits, _ and -, a letter first");
     EXPECT_EQ(
-        refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,0,end\n5,10,outer\n"),
+        profile_refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,0,end\n5,10,outer\n"),
         "part.csv:3: the point (5, 0) mm stands there twice in a row; leave one out; the last point is joined to the first by itself");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag\n0,-1,inner\n5,-1,end\n5,10,outer\n0,10,fixed\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,-1,inner\n5,-1,end\n5,10,outer\n0,10,fixed\n"),
               "part.csv:2: r gets down to -1 mm; draw the half section at r >= 0; the axis of revolution is x");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag\n0,0,inner\n5,0,end\n5,10,outer\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,0,inner\n5,0,end\n5,10,outer\n"),
               "part.csv:2: its edge lies on the axis r = 0 and is tagged 'inner'; tag it axis");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag\n0,1,axis\n5,1,end\n5,10,outer\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,1,axis\n5,1,end\n5,10,outer\n"),
               "part.csv:2: its edge is tagged axis and does not lie on r = 0");
     EXPECT_EQ(
-        refusal("x_mm,r_mm,tag\n0,0,fixed\n0,10,outer\n5,10,end\n5,0,axis\n"),
+        profile_refusal("x_mm,r_mm,tag\n0,0,fixed\n0,10,outer\n5,10,end\n5,0,axis\n"),
         "part.csv:2: the outline runs clockwise: the solid would lie outside it; reverse the order of its points (each tag moves to the "
         "row where its edge now starts)");
     EXPECT_EQ(
-        refusal("x_mm,r_mm,tag\n0,1,a\n5,1,b\n0,4,c\n5,4,d\n"),
+        profile_refusal("x_mm,r_mm,tag\n0,1,a\n5,1,b\n0,4,c\n5,4,d\n"),
         "part.csv:3: its edge crosses, touches or runs back over the one of line 5 near (5, 4) mm; an outline goes once round the solid");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag,curve\n0,1,a,circle\n5,1,b,\n0,4,c,\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag,curve\n0,1,a,circle\n5,1,b,\n0,4,c,\n"),
               "part.csv:2: 'circle' is no curve; line, arc or spline");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag,curve\n0,1,a,arc\n5,1,b,\n0,4,c,\n"), "part.csv:1: there is no column 'via_x_mm'");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n0,1,a,arc,,\n5,1,b,,,\n0,4,c,,,\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag,curve\n0,1,a,arc\n5,1,b,\n0,4,c,\n"),
+              "part.csv:1: there is no column 'via_x_mm'");
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n0,1,a,arc,,\n5,1,b,,,\n0,4,c,,,\n"),
               "part.csv:2: column 5 'via_x_mm': the cell is empty; put # before lines that are no data");
-    EXPECT_EQ(refusal("x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n0,1,a,arc,2,1\n5,1,b,,,\n0,4,c,,,\n"),
+    EXPECT_EQ(profile_refusal("x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n0,1,a,arc,2,1\n5,1,b,,,\n0,4,c,,,\n"),
               "part.csv:2: the three points of its arc lie on a line; write line");
-    EXPECT_EQ(refusal("x_mm,y_mm,tag,loop\n0,0,a,1\n9,0,a,1\n9,9,a,1\n4,3,b,2\n3,3,b,2\n3,4,b,2\n0,9,a,1\n", Across::y),
+    EXPECT_EQ(profile_refusal("x_mm,y_mm,tag,loop\n0,0,a,1\n9,0,a,1\n9,9,a,1\n4,3,b,2\n3,3,b,2\n3,4,b,2\n0,9,a,1\n",
+                              Across::y),
               "part.csv:8: loop '1' goes on after another one; put its rows together");
-    EXPECT_EQ(refusal("x_mm,y_mm,tag\n0,0,axis\n9,0,a\n9,9,a\n", Across::y),
+    EXPECT_EQ(profile_refusal("x_mm,y_mm,tag\n0,0,axis\n9,0,a\n9,9,a\n", Across::y),
               "part.csv:2: 'axis' is a name of the program's own; call the face otherwise");
-    EXPECT_EQ(refusal("x_mm,y_mm,tag\n-1,0,a\n9,0,a\n0,9,symmetry_x\n0,3,a\n", Across::y),
+    EXPECT_EQ(profile_refusal("x_mm,y_mm,tag\n-1,0,a\n9,0,a\n0,9,symmetry_x\n0,3,a\n", Across::y),
               "part.csv:2: x gets down to -1 mm; the body is mirrored at x = 0, where an edge is tagged symmetry_x");
 }
 

@@ -15,8 +15,6 @@
 namespace soft::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 std::string millimetres(double m) { return core::number_text(1e3 * m) + " mm"; }
 
 /// About the default; a word where the key has one, sometimes; rarely a value that no range allows.

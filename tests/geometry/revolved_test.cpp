@@ -16,26 +16,24 @@ namespace soft::geometry {
 namespace {
 
 using meshing::sample::TemporaryFile;
-constexpr double pi = std::numbers::pi;
-constexpr double curved = 1.5e-4;  // quadratic edges over at most 45 degrees
 
-std::string design_text(const std::string& family, const std::filesystem::path& file, const std::string& more) {
+std::string drawn_text(const std::string& family, const std::filesystem::path& file, const std::string& more) {
     return "family: " + family + "\ngeometry: {profile: " + file.string() +
            "}\nmaterial: {law: neo-hookean, mu: 0.1644 MPa}\n" + more;
 }
 
-design::Design read(const std::string& text, std::vector<design::Override> overrides = {}) {
+design::Design read_drawn(const std::string& text, std::vector<design::Override> overrides = {}) {
     return design::read_design(text, "part.yaml", catalogue_keys(), overrides);
 }
 
 Solid solid(const std::string& text, std::vector<design::Override> overrides = {}) {
-    const design::Design design = read(text, std::move(overrides));
+    const design::Design design = read_drawn(text, std::move(overrides));
     return mesh_body(sample::family(design.family).build(design.values), design.values);
 }
 
-std::string refusal(const std::string& text, std::vector<design::Override> overrides = {}) {
+std::string drawn_refusal(const std::string& text, std::vector<design::Override> overrides = {}) {
     try {
-        return sample::refusal(read(text, std::move(overrides)));
+        return sample::refusal(read_drawn(text, std::move(overrides)));
     } catch (const Error& error) {
         return error.what();
     }
@@ -51,7 +49,7 @@ TEST(Revolved, ATubeHasTheVolumesOfTheTube) {
     const TemporaryFile file{"tube.csv", tube};
     for (const char* model : {"axisymmetric", "half", "quarter", "solid"}) {
         const Solid body =
-            solid(design_text("revolved", file.path, held),
+            solid(drawn_text("revolved", file.path, held),
                   {{"model", model}, {"mesh.size", "3 mm"}, {"mesh.sectors", "4"}, {"mesh.through_wall", "1"}});
         EXPECT_GT(mesh::quality(body.mesh).min_scaled_jacobian, 0.1) << model;
         EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (pi * (100 * 100 - 49 * 90)), 1, curved) << model;
@@ -71,7 +69,7 @@ TEST(Revolved, ATorusFollowsPappus) {
         "x_mm,r_mm,tag,loop,curve,via_x_mm,via_r_mm\n2,9,fixed,out,arc,0,11\n-2,9,outer,out,arc,0,7\n"
         "1,9,cavity,in,arc,0,8\n-1,9,cavity,in,arc,0,10\n"};
     for (const char* model : {"axisymmetric", "half"}) {
-        const Solid body = solid(design_text("revolved", file.path, held),
+        const Solid body = solid(drawn_text("revolved", file.path, held),
                                  {{"model", model}, {"mesh.size", "1 mm"}, {"mesh.sectors", "8"}});
         EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (2 * pi * 9 * pi * 3), 1, curved) << model;
         EXPECT_NEAR(1e9 * sample::cavity_m3(body) / (2 * pi * 9 * pi), 1, curved) << model;
@@ -84,7 +82,7 @@ TEST(Revolved, AnOpeningCarriesAPlugOnTheFaceAroundIt) {
     const TemporaryFile file{"cup.csv",
                              "x_mm,r_mm,tag\n0,6,cavity\n20,6,cavity\n20,0,axis\n22,0,tip\n22,8,outer\n0,8,rim\n"};
     const model::Case c = build_case(
-        read(design_text("revolved", file.path, "supports: {fixed: tip}\nloads: {cavity: {pressure: 5 kPa}}\n")));
+        read_drawn(drawn_text("revolved", file.path, "supports: {fixed: tip}\nloads: {cavity: {pressure: 5 kPa}}\n")));
     ASSERT_EQ(c.cavities.size(), 1u);
     ASSERT_EQ(c.cavities[0].openings.size(), 1u);
     EXPECT_EQ(c.cavities[0].openings[0].face, "rim");
@@ -107,8 +105,8 @@ TEST(Revolved, SeveralTagsMakeACavityOfTheirOwn) {
     const TemporaryFile other{"one.csv", tube};
     const std::string loaded = "supports: {fixed: fixed}\nloads: {cavities: {left: {pressure: 5 kPa}}}\noutputs: {}\n";
     EXPECT_EQ(
-        refusal(design_text("revolved", other.path, loaded),
-                {{"geometry.cavities.left", "[outer]"}, {"geometry.cavities.right", "[outer, inlet]"}}),
+        drawn_refusal(drawn_text("revolved", other.path, loaded),
+                      {{"geometry.cavities.left", "[outer]"}, {"geometry.cavities.right", "[outer, inlet]"}}),
         "--set geometry.cavities.right: its wall and that of 'left' have edges in common; each edge belongs to one cavity");
 }
 
@@ -117,48 +115,48 @@ TEST(Revolved, APlaneOfSymmetryLeavesHalfOfTheBody) {
         "half-sphere.csv",
         "x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n10,0,axis,,,\n20,0,outer,arc,14.142135623730951,14.142135623730951\n"
         "0,20,symmetry_x,,,\n0,10,cavity,arc,7.0710678118654755,7.0710678118654755\n"};
-    const std::string text = design_text("revolved", file.path, "supports: {}\nloads: {cavity: {pressure: 5 kPa}}\n");
+    const std::string text = drawn_text("revolved", file.path, "supports: {}\nloads: {cavity: {pressure: 5 kPa}}\n");
     const Solid body = solid(text);
     EXPECT_EQ(body.fraction, 0.5);
     EXPECT_EQ(body.symmetry_planes, (std::array<bool, 3>{true, false, false}));
     EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (4 * pi / 3 * 7000), 1, curved);
     EXPECT_NEAR(1e9 * sample::cavity_m3(body) / (4 * pi / 3 * 1000), 1, curved);
-    EXPECT_TRUE(build_case(read(text)).cavities[0].openings.empty());
+    EXPECT_TRUE(build_case(read_drawn(text)).cavities[0].openings.empty());
 }
 
 TEST(Revolved, AFaultOfTheFileIsToldWithThePlaceInTheDesign) {
     const TemporaryFile file{"bad.csv", "x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,-10,outer\n"};
-    const std::string text = design_text("revolved", file.path, held);
-    EXPECT_EQ(refusal(text).find("part.yaml:2:21: geometry.profile: " + file.path.string() +
-                                 ":2: the outline runs clockwise"),
+    const std::string text = drawn_text("revolved", file.path, held);
+    EXPECT_EQ(drawn_refusal(text).find("part.yaml:2:21: geometry.profile: " + file.path.string() +
+                                       ":2: the outline runs clockwise"),
               0u)
-        << refusal(text);
-    EXPECT_NE(
-        refusal(design_text("revolved", "missing.csv", held)).find("part.yaml:2:21: geometry.profile: missing.csv: "),
-        std::string::npos);
-    EXPECT_EQ(refusal("family: revolved\nmaterial: {law: neo-hookean, mu: 1 MPa}\n")
+        << drawn_refusal(text);
+    EXPECT_NE(drawn_refusal(drawn_text("revolved", "missing.csv", held))
+                  .find("part.yaml:2:21: geometry.profile: missing.csv: "),
+              std::string::npos);
+    EXPECT_EQ(drawn_refusal("family: revolved\nmaterial: {law: neo-hookean, mu: 1 MPa}\n")
                   .find("part.yaml:1:1: geometry.profile: missing (the half section as a table"),
               0u);
 }
 
 TEST(Revolved, FacesThatTheTableDoesNotHaveAreRefusedWithTheNearest) {
     const TemporaryFile file{"tube.csv", tube};
-    EXPECT_EQ(
-        refusal(design_text("revolved", file.path, "supports: {fixed: fixd}\nloads: {cavity: {pressure: 5 kPa}}\n")),
-        "part.yaml:4:19: supports.fixed: no face is called 'fixd'; did you mean 'fixed'?");
+    EXPECT_EQ(drawn_refusal(
+                  drawn_text("revolved", file.path, "supports: {fixed: fixd}\nloads: {cavity: {pressure: 5 kPa}}\n")),
+              "part.yaml:4:19: supports.fixed: no face is called 'fixd'; did you mean 'fixed'?");
     const TemporaryFile full{"full.csv", "x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,10,outer\n0,10,fixed\n"};
-    EXPECT_EQ(
-        refusal(design_text("revolved", full.path, "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\n")),
-        "part.yaml:5:9: loads.cavity: there is no cavity to load; faces: axis, end, outer, fixed");
-    EXPECT_EQ(refusal(design_text("revolved", file.path, held), {{"mesh.size", "0.001 mm"}})
+    EXPECT_EQ(drawn_refusal(
+                  drawn_text("revolved", full.path, "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\n")),
+              "part.yaml:5:9: loads.cavity: there is no cavity to load; faces: axis, end, outer, fixed");
+    EXPECT_EQ(drawn_refusal(drawn_text("revolved", file.path, held), {{"mesh.size", "0.001 mm"}})
                   .find("--set mesh.size: it would take"),
               0u);
 }
 
 /// A stadium's hole in a block, and a slice of it.
 TEST(Extruded, ABlockWithAHoleHasItsVolumes) {
-    const std::string text = design_text("extruded", std::string{SOFT_SOURCE_DIR} + "/designs/profiles/pad.csv",
-                                         "supports: {fixed: base}\nloads: {cavity: {pressure: 5 kPa}}\n");
+    const std::string text = drawn_text("extruded", std::string{SOFT_SOURCE_DIR} + "/designs/profiles/pad.csv",
+                                        "supports: {fixed: base}\nloads: {cavity: {pressure: 5 kPa}}\n");
     const double hole_mm2 = 12 * 4 + pi * 4;
     const Solid plane = solid(text), slice = solid(text, {{"model", "solid"}});
     EXPECT_EQ(plane.kinematics, model::Kinematics::plane_strain);
@@ -169,7 +167,7 @@ TEST(Extruded, ABlockWithAHoleHasItsVolumes) {
         EXPECT_NEAR(1e9 * sample::cavity_m3(*body, 2) / (hole_mm2 * depth_mm), 1, 1e-4);
         EXPECT_NEAR(1e6 * sample::area_m2(*body, "top"), 24 * depth_mm, 1e-8 * depth_mm);
     }
-    const auto openings = build_case(read(text, {{"model", "solid"}})).cavities[0].openings;
+    const auto openings = build_case(read_drawn(text, {{"model", "solid"}})).cavities[0].openings;
     ASSERT_EQ(openings.size(), 2u);
     for (const model::Opening& opening : openings) EXPECT_NEAR(1e6 * opening.area_m2 / hole_mm2, 1, 1e-9);
 }
@@ -180,11 +178,11 @@ TEST(Extruded, AQuarterRingIsAQuarterOfTheRing) {
         "x_mm,y_mm,tag,curve,via_x_mm,via_y_mm\n10,0,symmetry_y,,,\n20,0,outer,arc,14.142135623730951,14.142135623730951\n"
         "0,20,symmetry_x,,,\n0,10,cavity,arc,7.0710678118654755,7.0710678118654755\n"};
     const std::string text =
-        design_text("extruded", file.path, "supports: {z: [end_z0, end_z1]}\nloads: {cavity: {pressure: 5 kPa}}\n");
+        drawn_text("extruded", file.path, "supports: {z: [end_z0, end_z1]}\nloads: {cavity: {pressure: 5 kPa}}\n");
     const Solid slice = solid(text, {{"model", "solid"}});
     EXPECT_EQ(slice.fraction, 0.25);
     EXPECT_NEAR(1e9 * sample::rubber_m3(slice) / (pi * 300 * 10), 1, curved);
-    const auto openings = build_case(read(text, {{"model", "solid"}})).cavities[0].openings;
+    const auto openings = build_case(read_drawn(text, {{"model", "solid"}})).cavities[0].openings;
     ASSERT_EQ(openings.size(), 2u);
     EXPECT_NEAR(1e6 * openings[0].area_m2 / (pi * 100), 1, 1e-9);
     EXPECT_EQ(openings[0].face, "end_z0");

@@ -16,6 +16,19 @@
 #include "geometry/build.hpp"
 #include "mesh/cell_map.hpp"
 
+namespace soft::geometry {
+
+using std::numbers::pi;
+/// What quadratic edges over at most 45 degrees miss a circle by: the fourth power of their angle.
+inline constexpr double curved = 1.5e-4;
+
+inline std::string test_name(std::string words) {
+    std::replace(words.begin(), words.end(), '-', '_');
+    return words;
+}
+
+}  // namespace soft::geometry
+
 namespace soft::geometry::sample {
 
 inline const Family& family(const std::string& name) {

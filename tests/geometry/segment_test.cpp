@@ -13,9 +13,6 @@
 namespace soft::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double curved = 1.5e-4;  // quadratic edges miss an arc by the fourth power of their angle
-
 struct Module {
     int chambers = 3;
     double length = 40, outer = 12, bore = 3, core = 2, wall = 2, web_deg = 30, cap = 3, jacket = 0;  // mm

@@ -1,6 +1,7 @@
 #pragma once
 /// Two-cell cases by hand, and an HDF5 file opened for tampering.
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,15 @@ namespace soft::io::test {
 void expect_equal(const model::Case& left, const model::Case& right);
 void expect_equal(const solution::Step& left, const solution::Step& right);
 void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right);
+
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// What a file says that cannot be.
+struct Lie {
+    const char* what;  ///< name of the test
+    std::function<void(hid_t file)> change;
+    const char* place;  ///< what the message must name
+};
 
 /// The image as another program would leave it after `change`: a valid HDF5 file without seal.
 [[nodiscard]] std::vector<std::byte> tampered(const std::vector<std::byte>& image,

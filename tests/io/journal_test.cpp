@@ -206,7 +206,7 @@ solution::Checkpoint example_checkpoint(int rows) {
     return checkpoint;
 }
 
-void expect_equal(const solution::StatePoint& left, const solution::StatePoint& right) {
+void expect_same(const solution::StatePoint& left, const solution::StatePoint& right) {
     EXPECT_EQ(left.unknowns, right.unknowns);
     EXPECT_EQ(left.tangent_unknowns, right.tangent_unknowns);
     EXPECT_EQ(left.pressures_Pa, right.pressures_Pa);
@@ -219,7 +219,7 @@ void expect_equal(const solution::StatePoint& left, const solution::StatePoint& 
     EXPECT_EQ(left.unstable_modes, right.unstable_modes);
 }
 
-void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& right) {
+void expect_same(const solution::Checkpoint& left, const solution::Checkpoint& right) {
     EXPECT_EQ(left.ranks, right.ranks);
     EXPECT_EQ(left.rows, right.rows);
     EXPECT_EQ(left.stage, right.stage);
@@ -237,8 +237,8 @@ void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& 
     EXPECT_EQ(left.confirmed_pivots, right.confirmed_pivots);
     EXPECT_EQ(left.pending_factorizations, right.pending_factorizations);
     ASSERT_EQ(left.before.has_value(), right.before.has_value());
-    if (left.before) expect_equal(*left.before, *right.before);
-    expect_equal(left.last, right.last);
+    if (left.before) expect_same(*left.before, *right.before);
+    expect_same(left.last, right.last);
     EXPECT_EQ(left.step, right.step);
     EXPECT_EQ(left.first_step, right.first_step);
     EXPECT_EQ(left.first_slope, right.first_slope);
@@ -253,7 +253,7 @@ TEST(Checkpoint, ReadsBackEqualInEveryField) {
             checkpoint.on_branch = true;
         }
         const auto read = decode_checkpoint(encode_checkpoint(checkpoint), "result.h5");
-        expect_equal(read, checkpoint);
+        expect_same(read, checkpoint);
         checkpoint.so_far.reason = {};  // no meaning yet
         checkpoint.so_far.detail.clear();
         test::expect_equal(read.so_far, checkpoint.so_far);
@@ -301,7 +301,7 @@ TEST_F(Journal, GoesOnBehindTheLastCheckpointAsIfNothingHadHappened) {
     ASSERT_EQ(from.steps.size(), 3U);
     for (int i = 0; i < 3; ++i) test::expect_equal(from.steps[static_cast<std::size_t>(i)], example_step(i));
     ASSERT_TRUE(from.checkpoint.has_value());
-    expect_equal(*from.checkpoint, example_checkpoint(3));
+    expect_same(*from.checkpoint, example_checkpoint(3));
     ResultWriter resumed = ResultWriter::resume(file_, {left, "result.h5", from.file.model});
     expect_steps(read_result(core::read_file(file_), "result.h5"), 3);
     for (int i = 3; i < 5; ++i) append(resumed, i);

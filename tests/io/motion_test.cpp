@@ -15,7 +15,6 @@ using Image = std::vector<std::byte>;
 using Numbers = std::vector<double>;
 using Integers = std::vector<std::int64_t>;
 using Words = std::vector<std::string>;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Image dynamic_image() { return write_case(dynamic_case(), example_design(), example_provenance("mesh-gen")); }
 
@@ -59,17 +58,17 @@ TEST(DynamicCase, ARowWithoutATimeIsABugAndSoIsOneWithATimeOnAStaticPath) {
     EXPECT_THROW(writer.append(step, displacement(), {}), Error);
     ResultWriter other{{resting, "case.h5", section_case()}, example_provenance("solve"), {}};
     step = example_step(0);
-    step.motion.emplace();
+    step.motion = solution::Step::Motion{};
     EXPECT_THROW(other.append(step, example_displacement(0), example_pressure(0)), Error);
 }
 
-struct Lie {
+struct LieOfRows {
     std::function<void(hid_t file)> change;
     const char* place;
 };
 
 TEST(DynamicCase, LiesOfItsRowsAreRefusedWithTheirPlace) {
-    const std::vector<Lie> lies{
+    const std::vector<LieOfRows> lies{
         {[](hid_t f) { overwrite(f, "/path/time", 2, Numbers{0.05}); }, "/path/time[2]: must ascend"},
         {[](hid_t f) { overwrite(f, "/path/time", 0, Numbers{-1}); }, "/path/time[0]"},
         {[](hid_t f) { overwrite(f, "/path/kinetic_energy", 1, Numbers{-1e-9}); },
@@ -77,7 +76,7 @@ TEST(DynamicCase, LiesOfItsRowsAreRefusedWithTheirPlace) {
         {[](hid_t f) { overwrite(f, "/path/load_work", 1, Numbers{nan}); }, "/path/load_work[1]"},
         {[](hid_t f) { unlink(f, "/path/damping_work"); }, "/path/damping_work"},
     };
-    for (const Lie& lie : lies) {
+    for (const LieOfRows& lie : lies) {
         try {
             static_cast<void>(read_result(tampered(motion_image(3), lie.change), "result.h5"));
             ADD_FAILURE() << lie.place;
@@ -88,8 +87,8 @@ TEST(DynamicCase, LiesOfItsRowsAreRefusedWithTheirPlace) {
     }
 }
 
-void expect_refused(const Image& image, const std::vector<Lie>& lies) {
-    for (const Lie& lie : lies) {
+void expect_refused(const Image& image, const std::vector<LieOfRows>& lies) {
+    for (const LieOfRows& lie : lies) {
         const std::string message = refusal(tampered(image, lie.change));
         EXPECT_NE(message.find(lie.place), std::string::npos) << message;
     }
@@ -165,7 +164,7 @@ TEST(LoadCourses, LiesAreRefusedWithTheirPlace) {
 }
 
 TEST(SolverSettings, LiesAreRefusedWithTheirPlace) {
-    std::vector<Lie> lies{
+    std::vector<LieOfRows> lies{
         {[](hid_t f) { overwrite(f, "/control/solver/linear_tolerance", 0, Numbers{1}); },
          "/control/solver/linear_tolerance"},
         {[](hid_t f) { overwrite(f, "/control/solver/linear_limit", 0, Integers{0}); }, "/control/solver/linear_limit"},

@@ -14,12 +14,6 @@ namespace {
 
 using namespace test;
 
-struct Lie {
-    const char* what;  ///< name of the test
-    std::function<void(hid_t file)> change;
-    const char* place;  ///< what the message must name
-};
-
 /// A dataset with creation properties of the test's making; nothing is written into it.
 void declare(hid_t file, const char* name, hid_t type, hsize_t count, hid_t properties) {
     unlink(file, name);
@@ -69,7 +63,6 @@ void set_version(hid_t file) {
 using Integers = std::vector<std::int64_t>;
 using Numbers = std::vector<double>;
 using Words = std::vector<std::string>;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const std::vector<Lie>& lies() {

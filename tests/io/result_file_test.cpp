@@ -14,7 +14,6 @@ namespace {
 using namespace test;
 using Keep = FieldsPolicy::Keep;
 using Image = std::vector<std::byte>;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void append_steps(ResultWriter& writer, int count) {
     for (int i = 0; i < count; ++i) writer.append(example_step(i), example_displacement(i), example_pressure(i));
@@ -261,12 +260,6 @@ TEST(ResultFile, ModeThatDoesNotFitTheMeshIsABug) {
         EXPECT_THROW(static_cast<void>(writer.finish(end)), Error);
     }
 }
-
-struct Lie {
-    const char* what;
-    std::function<void(hid_t file)> change;
-    const char* place;
-};
 
 TEST(ResultFile, LiesAreRefusedWithTheirPlace) {
     using Integers = std::vector<std::int64_t>;

@@ -20,7 +20,7 @@ namespace {
 using geometry::Across;
 using geometry::outline_from;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Outline sized(const std::string& text, Across across, const SizeWishes& wishes) {
     Outline outline = outline_from(text, "part.csv", across);

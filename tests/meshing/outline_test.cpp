@@ -8,7 +8,7 @@
 namespace soft::meshing {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Shape = OutlineEdge::Shape;
 
 Loop polygon(const std::vector<PlanePoint>& points) {

@@ -10,13 +10,11 @@
 namespace soft::post {
 namespace {
 
-const model::Case growth = test::sample_case({"growth"});
-
 /// The sphere with mu = 55 kPa up to a stretch of 1.7, where the pressure still rises.
 Curve sphere_curve() {
     auto steps = test::sphere_path(30, 1.7);
     for (auto& step : steps) step.pressure_Pa *= 55e3, step.tangent_pressure *= 55e3;
-    return make_curve(growth, steps);
+    return make_curve(test::growth, steps);
 }
 
 Measured read(const std::string& text, std::string_view columns = "") {

@@ -10,8 +10,6 @@
 namespace soft::post {
 namespace {
 
-const model::Case growth = test::sample_case({"growth"});
-
 /// Rows of the closed form at evenly spaced stretches, as postprocess would write them.
 std::string exact_table(int rows, double last_stretch) {
     std::string text = "step,pressure_kPa,growth_mm,volume_mL,stable\n";
@@ -25,8 +23,8 @@ std::string exact_table(int rows, double last_stretch) {
 }
 
 Verdict verdict_on(const std::string& golden, const Tolerance& tolerance = {}, int rows = 40, double last = 3) {
-    return check_golden(make_curve(growth, test::sphere_path(rows, last)), table::read_table(golden, "golden.csv"),
-                        tolerance);
+    return check_golden(make_curve(test::growth, test::sphere_path(rows, last)),
+                        table::read_table(golden, "golden.csv"), tolerance);
 }
 
 std::string failure(const std::string& golden, const Tolerance& tolerance = {}, int rows = 40, double last = 3) {
@@ -49,7 +47,7 @@ TEST(Golden, AnotherChoiceOfStepsOnTheSameCurveIsNoDifference) {
 }
 
 TEST(Golden, TheSameRowsAgreeToTheLastDigitInEveryColumn) {
-    const Curve curve = make_curve(growth, test::sphere_path(20, 3));
+    const Curve curve = make_curve(test::growth, test::sphere_path(20, 3));
     const table::Table golden = table::read_table(csv_text(curve), "golden.csv");
     const Verdict verdict = check_golden(curve, golden, {1e-12, {}});
     EXPECT_TRUE(verdict.agrees()) << failure_text(verdict, golden);
@@ -93,7 +91,7 @@ TEST(Golden, StabilityIsHeldToTheRowsOnBothSides) {
 }
 
 TEST(Golden, ATableThatChecksNothingIsRefused) {
-    const Curve curve = make_curve(growth, test::sphere_path(20, 3));
+    const Curve curve = make_curve(test::growth, test::sphere_path(20, 3));
     EXPECT_THROW((void)check_golden(curve, table::read_table("growth_mm\n0\n100\n", "g.csv"), {}), Error);
     EXPECT_THROW((void)check_golden(curve, table::read_table("step,growth_mm\n0,0\n1,100\n", "g.csv"), {}), Error);
     EXPECT_THROW((void)parse_allowance("-5", curve), Error);
@@ -110,7 +108,7 @@ TEST(Golden, APathThatGoesThereAndBackIsFollowedInItsOrder) {
         steps.back().tangent_outputs = {0};
         steps.back().tangent_pressure = steps.back().tangent_volume = 0;
     }
-    const Curve curve = make_curve(growth, steps);
+    const Curve curve = make_curve(test::growth, steps);
     table::Table golden = table::read_table(csv_text(curve), "golden.csv");
     EXPECT_TRUE(check_golden(curve, golden, {1e-9, {}}).agrees());
     golden.rows[12][1] = golden.rows[4][1];  // a row of the way back with the pressure of the way there
@@ -129,7 +127,7 @@ TEST(Golden, AStageThatHoldsTheStateIsFoundWhereItHolds) {
         steps.back().tangent_outputs = {0};
         steps.back().tangent_pressure = steps.back().tangent_volume = 0;
     }
-    model::Case model = growth;
+    model::Case model = test::growth;
     model.path.stages.resize(3);
     const Curve curve = make_curve(model, steps);
     table::Table golden = table::read_table(csv_text(curve), "golden.csv");
@@ -146,7 +144,7 @@ TEST(Golden, RefusesATableThatIsNone) {
 }
 
 TEST(Allowance, IsReadInUnitsOfTheColumn) {
-    const Curve curve = make_curve(growth, test::sphere_path(9, 3));
+    const Curve curve = make_curve(test::growth, test::sphere_path(9, 3));
     EXPECT_EQ(parse_allowance("pressure=5Pa", curve).value, 0.005);
     EXPECT_EQ(parse_allowance("growth = 1 um", curve).value, 0.001);
     EXPECT_EQ(parse_allowance("min_J=1e-4", curve).value, 1e-4);

@@ -11,12 +11,6 @@
 namespace soft::post {
 namespace {
 
-const model::Case growth = test::sample_case({"growth"});
-
-std::size_t index_of(const Curve& curve, std::string_view quantity) {
-    return static_cast<std::size_t>(curve.find(quantity) - curve.columns.data());
-}
-
 /// A curve in the plane (pressure, growth), both with the range 1 so that the metric is that of the page.
 Curve planar(const std::vector<std::array<double, 4>>& points_and_slopes) {
     std::vector<solution::Step> steps;
@@ -28,7 +22,7 @@ Curve planar(const std::vector<std::array<double, 4>>& points_and_slopes) {
         step.tangent_pressure = dy * 1e3;
         steps.push_back(step);
     }
-    return make_curve(growth, steps);
+    return make_curve(test::growth, steps);
 }
 
 TEST(Hermite, ReproducesACubicExactly) {
@@ -50,8 +44,8 @@ TEST(Hermite, SplitsWhereTheSlopeVanishes) {
 TEST(Crossings, FindTheValueThePathWasToEndAt) {
     for (const double end : {129.99999999999997, 130.0, 130.00000000000003}) {
         const auto curve = planar({{0, 0, 1, 1}, {60, 0.5, 1, 1}, {end, 1, 1, 1}});
-        EXPECT_EQ(Path(curve).crossings(index_of(curve, "growth"), 130).size(), 1u) << end;
-        EXPECT_TRUE(Path(curve).crossings(index_of(curve, "growth"), 130.001).empty());
+        EXPECT_EQ(Path(curve).crossings(test::index_of(curve, "growth"), 130).size(), 1u) << end;
+        EXPECT_TRUE(Path(curve).crossings(test::index_of(curve, "growth"), 130.001).empty());
     }
 }
 
@@ -69,7 +63,7 @@ TEST(MonotoneSlopes, NeverLeaveTheRangeOfTheNeighbours) {
 }
 
 TEST(Path, PassesThroughEveryRow) {
-    const Curve curve = make_curve(growth, test::sphere_path(9, 3));
+    const Curve curve = make_curve(test::growth, test::sphere_path(9, 3));
     const Path path(curve);
     const auto s = path.row_parameters();
     ASSERT_EQ(s.size(), 9u);
@@ -90,7 +84,7 @@ TEST(Path, MeetsAParabolaExactlyInAnyPosition) {
     const Path path(curve);
     for (int i = 0; i <= 100; ++i) {
         const auto row = path.at(path.length() * i / 100);
-        const double px = row[index_of(curve, "growth")], py = row[index_of(curve, "pressure")];
+        const double px = row[test::index_of(curve, "growth")], py = row[test::index_of(curve, "pressure")];
         const double t = c * px + s * py;
         EXPECT_NEAR(c * py - s * px, t * t, 1e-13);
     }
@@ -103,16 +97,16 @@ TEST(Path, PassesAnInflectionWithoutALoop) {
     const Path path(curve);
     double last = -2;
     for (int i = 0; i <= 100; ++i) {
-        const double x = path.at(path.length() * i / 100)[index_of(curve, "growth")];
+        const double x = path.at(path.length() * i / 100)[test::index_of(curve, "growth")];
         EXPECT_GT(x, last);
         last = x;
     }
 }
 
 double worst_pressure_error(int rows) {
-    const Curve curve = make_curve(growth, test::sphere_path(rows, 3));
+    const Curve curve = make_curve(test::growth, test::sphere_path(rows, 3));
     const Path path(curve);
-    const std::size_t g = index_of(curve, "growth"), p = index_of(curve, "pressure");
+    const std::size_t g = test::index_of(curve, "growth"), p = test::index_of(curve, "pressure");
     double worst = 0;
     for (int i = 1; i <= 1000; ++i) {
         const auto row = path.at(path.length() * i / 1000);
@@ -130,10 +124,10 @@ TEST(Path, ConvergesToTheThickSphereWithFourthOrder) {
 }
 
 TEST(Path, FindsTheLimitPressureBetweenTheRows) {
-    const Curve curve = make_curve(growth, test::sphere_path(13, 3));
+    const Curve curve = make_curve(test::growth, test::sphere_path(13, 3));
     const Path path(curve);
-    EXPECT_NEAR(path.range(index_of(curve, "pressure")).highest, 0.816424e-3, 0.816424e-3 * 5e-5);
-    EXPECT_GT(path.range(index_of(curve, "pressure")).highest,
+    EXPECT_NEAR(path.range(test::index_of(curve, "pressure")).highest, 0.816424e-3, 0.816424e-3 * 5e-5);
+    EXPECT_GT(path.range(test::index_of(curve, "pressure")).highest,
               *std::max_element(curve.find("pressure")->values.begin(), curve.find("pressure")->values.end()));
 }
 
@@ -164,7 +158,7 @@ std::vector<solution::Step> two_stages(int rows_a_stage) {
 }
 
 Curve two_stage_curve(int rows_a_stage) {
-    model::Case model = growth;
+    model::Case model = test::growth;
     model.path.stages.resize(2);
     return make_curve(model, two_stages(rows_a_stage));
 }
@@ -178,7 +172,7 @@ double error_behind_the_turn(int rows_a_stage) {
     double worst = 0;
     for (int k = 1; k < 50; ++k) {
         const auto row = path.at(s[turn] + (s[turn + 1] - s[turn]) * k / 50);
-        const double x = row[index_of(curve, "growth")] / 1e3, p = row[index_of(curve, "pressure")] * 1e3;
+        const double x = row[test::index_of(curve, "growth")] / 1e3, p = row[test::index_of(curve, "pressure")] * 1e3;
         worst = std::max(worst, std::abs(p - 1.5 * x * x));
     }
     return worst;
@@ -188,10 +182,10 @@ TEST(Path, TurnsAtAStageWithoutTheDirectionOfTheOneBefore) {
     const Curve curve = two_stage_curve(4);
     const Path path(curve);
     // no coordinate goes beyond the turn, where a cubic with the old direction would
-    EXPECT_EQ(path.range(index_of(curve, "growth")).highest, 800);
-    EXPECT_EQ(path.range(index_of(curve, "pressure")).highest, curve.find("pressure")->values[4]);
-    EXPECT_EQ(path.crossings(index_of(curve, "growth"), 700).size(), 2u);
-    EXPECT_EQ(path.crossings(index_of(curve, "growth"), 800).size(), 1u);
+    EXPECT_EQ(path.range(test::index_of(curve, "growth")).highest, 800);
+    EXPECT_EQ(path.range(test::index_of(curve, "pressure")).highest, curve.find("pressure")->values[4]);
+    EXPECT_EQ(path.crossings(test::index_of(curve, "growth"), 700).size(), 2u);
+    EXPECT_EQ(path.crossings(test::index_of(curve, "growth"), 800).size(), 1u);
 }
 
 TEST(Path, GoesOnBehindATurnWithThirdOrder) {
@@ -205,7 +199,7 @@ TEST(Path, PutsWhatLiesBehindATurnIntoTheNextStage) {
     const Curve curve = two_stage_curve(4);
     const Path path(curve);
     const auto s = path.row_parameters();
-    const std::size_t stage = index_of(curve, "stage");
+    const std::size_t stage = test::index_of(curve, "stage");
     EXPECT_EQ(path.at(s[3] * 0.5 + s[4] * 0.5)[stage], 1);
     EXPECT_EQ(path.at(s[4])[stage], 1);
     EXPECT_EQ(path.at(s[4] * 0.999 + s[5] * 0.001)[stage], 2);
@@ -215,7 +209,7 @@ TEST(Path, IsStraightBehindATurnWhereTheDirectionDoesNotFit) {
     auto steps = two_stages(4);
     steps[5].tangent_outputs = {1};  // away from the turn
     steps[5].tangent_pressure = 0.1;
-    model::Case model = growth;
+    model::Case model = test::growth;
     model.path.stages.resize(2);
     const Curve curve = make_curve(model, steps);
     const Path path(curve);
@@ -223,7 +217,7 @@ TEST(Path, IsStraightBehindATurnWhereTheDirectionDoesNotFit) {
     const auto middle = path.at((s[4] + s[5]) / 2);
     for (const char* quantity : {"growth", "pressure"}) {
         const auto& values = curve.find(quantity)->values;
-        EXPECT_NEAR(middle[index_of(curve, quantity)], (values[4] + values[5]) / 2, 1e-12);
+        EXPECT_NEAR(middle[test::index_of(curve, quantity)], (values[4] + values[5]) / 2, 1e-12);
     }
 }
 
@@ -232,14 +226,14 @@ TEST(Path, LeavesOutAStageInWhichNothingChanges) {
     steps.insert(steps.begin() + 5, steps[4]);
     steps[5].stage = 1;
     for (std::size_t i = 6; i < steps.size(); ++i) steps[i].stage = 2;
-    model::Case model = growth;
+    model::Case model = test::growth;
     model.path.stages.resize(3);
     const Curve with_hold = make_curve(model, steps), without = two_stage_curve(4);
     const Path a(with_hold), b(without);
     ASSERT_EQ(a.row_parameters().size(), 9u);
     for (int i = 0; i <= 40; ++i)
-        EXPECT_EQ(a.at(a.length() * i / 40)[index_of(with_hold, "pressure")],
-                  b.at(b.length() * i / 40)[index_of(without, "pressure")]);
+        EXPECT_EQ(a.at(a.length() * i / 40)[test::index_of(with_hold, "pressure")],
+                  b.at(b.length() * i / 40)[test::index_of(without, "pressure")]);
 }
 
 /// On the arc (cos a, sin a) the third column is a itself. One of its four directions is off by 20 degrees, as that of a row

@@ -40,10 +40,6 @@ std::vector<solution::Step> swing(double duration_s, double step_s) {
     return steps;
 }
 
-std::size_t index_of(const Curve& curve, std::string_view quantity) {
-    return static_cast<std::size_t>(curve.find(quantity) - curve.columns.data());
-}
-
 TEST(MotionCurve, HasTimeFirstAndTheEnergiesBeforeTheStretches) {
     const Curve curve = make_curve(oscillator(), swing(1, 0.125));
     std::vector<std::string> names;
@@ -72,10 +68,10 @@ TEST(MotionPath, IsTheCubicOfValuesAndVelocitiesInTime) {
         for (int i = 0; i <= 400; ++i) {
             const double t = 2 * i / 400.0;
             const std::vector<double> row = path.at(t);
-            EXPECT_NEAR(row[index_of(curve, "time")], t, 1e-12);
-            EXPECT_NEAR(row[index_of(curve, "pressure")], 1e-3 * t, 1e-15);
-            largest =
-                std::max(largest, std::abs(row[index_of(curve, "lift")] - 1e3 * amplitude_m * std::sin(omega_1_s * t)));
+            EXPECT_NEAR(row[test::index_of(curve, "time")], t, 1e-12);
+            EXPECT_NEAR(row[test::index_of(curve, "pressure")], 1e-3 * t, 1e-15);
+            largest = std::max(
+                largest, std::abs(row[test::index_of(curve, "lift")] - 1e3 * amplitude_m * std::sin(omega_1_s * t)));
         }
         EXPECT_LE(largest, bound * (1 + 1e-9));
         EXPECT_GE(largest, bound / 2);

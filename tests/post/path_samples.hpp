@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/case.hpp"
+#include "post/curve.hpp"
 #include "solution/path.hpp"
 
 namespace soft::post::test {
@@ -38,6 +40,9 @@ inline model::Case sample_case(const std::vector<std::string>& outputs = {}, Loa
     return model;
 }
 
+/// The one of the closed form: output 0 is the growth of the inner radius.
+inline const model::Case growth = sample_case({"growth"});
+
 enum class Slopes { recorded, missing };
 
 /// Rows evenly spaced in the inner stretch; output 0 is the growth of the inner radius [m].
@@ -63,6 +68,10 @@ inline std::vector<solution::Step> sphere_path(int rows, double last_stretch, Sl
         steps.push_back(step);
     }
     return steps;
+}
+
+inline std::size_t index_of(const Curve& curve, std::string_view quantity) {
+    return static_cast<std::size_t>(curve.find(quantity) - curve.columns.data());
 }
 
 }  // namespace soft::post::test

@@ -11,8 +11,6 @@
 namespace soft::post {
 namespace {
 
-const model::Case growth = test::sample_case({"growth"});
-
 solution::PathEnd with_limit(const solution::LimitPoint& point) {
     solution::PathEnd end;
     end.limit_points = {point};
@@ -25,7 +23,7 @@ const solution::PathEnd limit =
 Curve sphere_curve(int rows, double last_stretch) {
     auto steps = test::sphere_path(rows, last_stretch);
     for (auto& step : steps) step.pressure_Pa *= 55e3, step.tangent_pressure *= 55e3;
-    return make_curve(growth, steps);
+    return make_curve(test::growth, steps);
 }
 
 std::string script_of(const Curve& curve, const solution::PathEnd& end = {}, const PlotRequest& request = {},
@@ -49,7 +47,7 @@ TEST(PlotScript, NamesTheAxesWithTheirUnits) {
 TEST(PlotScript, CallsThePressureOnAFaceNoCavityPressure) {
     auto steps = test::sphere_path(9, 3);
     for (auto& step : steps) step.volume_m3.reset();
-    EXPECT_EQ(count(script_of(make_curve(growth, steps), {}), "set ylabel 'pressure (kPa)'"), 1u);
+    EXPECT_EQ(count(script_of(make_curve(test::growth, steps), {}), "set ylabel 'pressure (kPa)'"), 1u);
 }
 
 TEST(PlotScript, DashesTheUnstablePartAndMarksTheLimitPoint) {
@@ -147,7 +145,7 @@ TEST(PlotScript, ChoosesAxesThatWereMeasured) {
 TEST(PlotScript, ShowsTheErrorOfTheMeshAsBandAndBars) {
     auto steps = test::sphere_path(3, 2);
     for (auto& step : steps) step.pressure_error_Pa = 0.1 * step.pressure_Pa, step.output_errors = {0.05};
-    const std::string script = script_of(make_curve(growth, steps));
+    const std::string script = script_of(make_curve(test::growth, steps));
     EXPECT_EQ(count(script, "with filledcurves closed"), 1u);
     // at the stretch 1.5: 0.755433 Pa +- a tenth, 500 mm +- 50
     EXPECT_EQ(count(script, "\n500 0.000755433"), 4u);  // two strokes of the path, marker and bar

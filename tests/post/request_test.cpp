@@ -10,11 +10,9 @@
 namespace soft::post {
 namespace {
 
-const model::Case growth = test::sample_case({"growth"});
-
 std::string usage_error(const std::string& text) {
     try {
-        (void)parse_requests(text, make_curve(growth, test::sphere_path(5, 2)));
+        (void)parse_requests(text, make_curve(test::growth, test::sphere_path(5, 2)));
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::usage);
         return error.what();
@@ -23,7 +21,7 @@ std::string usage_error(const std::string& text) {
 }
 
 TEST(ParseRequests, TakesSeveralValuesEachWithItsUnit) {
-    const auto requests = parse_requests("pressure=10kPa, 0.02 MPa", make_curve(growth, test::sphere_path(5, 2)));
+    const auto requests = parse_requests("pressure=10kPa, 0.02 MPa", make_curve(test::growth, test::sphere_path(5, 2)));
     ASSERT_EQ(requests.size(), 2u);
     EXPECT_EQ(requests[0].quantity, "pressure");
     EXPECT_EQ(requests[0].value_SI, 1e4);
@@ -31,7 +29,7 @@ TEST(ParseRequests, TakesSeveralValuesEachWithItsUnit) {
 }
 
 TEST(ParseRequests, KnowsTheUnitsOfOutputsAndVolumes) {
-    const Curve curve = make_curve(growth, test::sphere_path(5, 2));
+    const Curve curve = make_curve(test::growth, test::sphere_path(5, 2));
     EXPECT_EQ(parse_requests("growth=4cm", curve).at(0).value_SI, 0.04);
     EXPECT_EQ(parse_requests("volume=20mL", curve).at(0).value_SI, 2e-5);
 }
@@ -62,7 +60,7 @@ TEST(ParseRequests, RefusesWhatIsNoRequest) {
 }
 
 TEST(RowsAt, FindsAPressureBeforeAndAfterTheMaximum) {
-    const Curve curve = make_curve(growth, test::sphere_path(25, 3));
+    const Curve curve = make_curve(test::growth, test::sphere_path(25, 3));
     const double asked_Pa = 0.755433;
     const std::vector<Request> requests{{"pressure", asked_Pa}};
     const Curve rows = rows_at(curve, requests);
@@ -77,7 +75,7 @@ TEST(RowsAt, FindsAPressureBeforeAndAfterTheMaximum) {
 }
 
 TEST(RowsAt, KeepsTheOrderOfTheRequests) {
-    const Curve curve = make_curve(growth, test::sphere_path(15, 1.7));
+    const Curve curve = make_curve(test::growth, test::sphere_path(15, 1.7));
     const std::vector<Request> requests{{"growth", 0.5}, {"growth", 0.25}, {"volume", test::ball_m3(1.25)}};
     const Curve rows = rows_at(curve, requests);
     ASSERT_EQ(rows.row_count(), 3u);
@@ -88,14 +86,14 @@ TEST(RowsAt, KeepsTheOrderOfTheRequests) {
 }
 
 TEST(RowsAt, FindsARowItselfOnceAndTheEndsOfThePath) {
-    const Curve curve = make_curve(growth, test::sphere_path(5, 2));
+    const Curve curve = make_curve(test::growth, test::sphere_path(5, 2));
     const std::vector<Request> requests{{"growth", 0.0}, {"growth", 0.5}, {"growth", 1.0}};
     const Curve rows = rows_at(curve, requests);
     EXPECT_EQ(rows.find("step")->values, (std::vector<double>{0, 2, 4}));
 }
 
 TEST(RowsAt, TakesTheEndOfAPathThatMissedItsTargetByTheTolerance) {
-    const Curve curve = make_curve(growth, test::sphere_path(15, 1.5 - 1e-8));
+    const Curve curve = make_curve(test::growth, test::sphere_path(15, 1.5 - 1e-8));
     const Curve rows = rows_at(curve, std::vector<Request>{{"growth", 0.5}});
     ASSERT_EQ(rows.row_count(), 1u);
     EXPECT_EQ(rows.find("step")->values[0], 14);
@@ -104,7 +102,7 @@ TEST(RowsAt, TakesTheEndOfAPathThatMissedItsTargetByTheTolerance) {
 }
 
 TEST(RowsAt, WorksWithoutSlopes) {
-    const Curve curve = make_curve(growth, test::sphere_path(60, 3, test::Slopes::missing));
+    const Curve curve = make_curve(test::growth, test::sphere_path(60, 3, test::Slopes::missing));
     const std::vector<Request> requests{{"growth", 0.5}};
     EXPECT_NEAR(rows_at(curve, requests).find("pressure")->values.at(0) * 1e3, 0.755433, 2e-4);
 }
@@ -113,13 +111,13 @@ TEST(RowsAt, IgnoresARepeatedRow) {
     auto steps = test::sphere_path(15, 1.7);
     steps.insert(steps.begin() + 4, steps[4]);
     const std::vector<Request> requests{{"growth", 0.25}};
-    const Curve rows = rows_at(make_curve(growth, steps), requests);
+    const Curve rows = rows_at(make_curve(test::growth, steps), requests);
     ASSERT_EQ(rows.row_count(), 1u);
     EXPECT_NEAR(rows.find("pressure")->values[0] * 1e3, 0.551869, 2e-5);
 }
 
 TEST(RowsAt, RefusesAValueThePathDoesNotReachAndNamesTheRange) {
-    const Curve curve = make_curve(growth, test::sphere_path(15, 1.5));
+    const Curve curve = make_curve(test::growth, test::sphere_path(15, 1.5));
     const std::vector<Request> requests{{"growth", 0.6}};
     try {
         (void)rows_at(curve, requests);
@@ -131,7 +129,7 @@ TEST(RowsAt, RefusesAValueThePathDoesNotReachAndNamesTheRange) {
 }
 
 TEST(RowsAt, RefusesAnUnknownQuantityAndNamesTheKnown) {
-    const Curve curve = make_curve(growth, test::sphere_path(15, 1.5));
+    const Curve curve = make_curve(test::growth, test::sphere_path(15, 1.5));
     const std::vector<Request> requests{{"elongation", 0.1}};
     try {
         (void)rows_at(curve, requests);
@@ -143,7 +141,7 @@ TEST(RowsAt, RefusesAnUnknownQuantityAndNamesTheKnown) {
 }
 
 TEST(RowsAt, RefusesAnEmptyPath) {
-    const Curve curve = make_curve(growth, {});
+    const Curve curve = make_curve(test::growth, {});
     EXPECT_THROW((void)rows_at(curve, std::vector<Request>{{"growth", 0.0}}), Error);
 }
 

@@ -13,12 +13,12 @@ namespace {
 double exact(double m) { return m * std::exp(1 - m); }
 double slope(double m) { return (1 - m) * std::exp(1 - m); }
 
-using Error = std::function<double(double m, double h)>;  ///< of the load at equal measure
+using ErrorOfRow = std::function<double(double m, double h)>;  ///< of the load at equal measure
 
 enum class Levels { two, three };
 
 /// Rows of a path reported on cells of size h = 1, judged by h = 1/2, and with three levels by h = 2 as well.
-std::vector<LevelRow> rows_of(const Error& error, Levels levels = Levels::two, double last = 0.8, int count = 40) {
+std::vector<LevelRow> rows_of(const ErrorOfRow& error, Levels levels = Levels::two, double last = 0.8, int count = 40) {
     std::vector<LevelRow> rows;
     for (int i = 0; i <= count; ++i) {
         const double m = last * i / count;
@@ -35,7 +35,7 @@ struct Quality {
     double width = 0;                   ///< root mean squares of the bars over that of the errors
 };
 
-Quality quality(const std::vector<LevelRow>& rows, const Error& error) {
+Quality quality(const std::vector<LevelRow>& rows, const ErrorOfRow& error) {
     const std::vector<ErrorBar> bars = error_bars(rows);
     Quality result;
     double bar2 = 0, error2 = 0;
@@ -56,7 +56,7 @@ double shape(double m) { return 1e-3 * m * (1 + 0.5 * m); }
 TEST(ErrorBar, OfTwoMeshesCoversEveryRateAndIsAtMostTwiceTooWide) {
     for (const double rate : {0.9, 1.0, 1.5, 2.0, 3.0, 4.0})
         for (const double sign : {1.0, -1.0}) {
-            const Error error = [=](double m, double h) { return sign * shape(m) * std::pow(h, rate); };
+            const ErrorOfRow error = [=](double m, double h) { return sign * shape(m) * std::pow(h, rate); };
             const Quality q = quality(rows_of(error), error);
             EXPECT_GT(q.least, 1.02) << rate;
             EXPECT_LT(q.largest, 2.15) << rate;
@@ -65,7 +65,7 @@ TEST(ErrorBar, OfTwoMeshesCoversEveryRateAndIsAtMostTwiceTooWide) {
 
 TEST(ErrorBar, IsNarrowedByTheMeasuredRate) {
     for (const double rate : {1.0, 2.0, 4.0}) {
-        const Error error = [=](double m, double h) { return shape(m) * std::pow(h, rate); };
+        const ErrorOfRow error = [=](double m, double h) { return shape(m) * std::pow(h, rate); };
         const Quality q = quality(rows_of(error, Levels::three), error);
         EXPECT_GT(q.least, 1.04) << rate;
         EXPECT_LT(q.largest, rate == 4.0 ? 1.3 : 1.85) << rate;
@@ -77,7 +77,7 @@ TEST(ErrorBar, CoversASmoothPartWithACorners) {
     for (const double corner : {1.0, 1.2})
         for (double share = 1e-3; share < 100; share *= 2)
             for (const Levels levels : {Levels::two, Levels::three}) {
-                const Error error = [=](double m, double h) {
+                const ErrorOfRow error = [=](double m, double h) {
                     return shape(m) * (std::pow(h, 4) + share * std::pow(h, corner));
                 };
                 const Quality q = quality(rows_of(error, levels), error);
@@ -90,7 +90,7 @@ TEST(ErrorBar, CoversASmoothPartWithACorners) {
 TEST(ErrorBar, GoesOnWhereTheErrorPassesThroughZero) {
     for (const double rate : {1.0, 2.0, 4.0})
         for (const Levels levels : {Levels::two, Levels::three}) {
-            const Error error = [=](double m, double h) { return 1e-3 * m * std::cos(5 * m) * std::pow(h, rate); };
+            const ErrorOfRow error = [=](double m, double h) { return 1e-3 * m * std::cos(5 * m) * std::pow(h, rate); };
             const Quality q = quality(rows_of(error, levels), error);
             EXPECT_GT(q.least, 1.0) << rate;
             EXPECT_LT(q.width, 3) << rate;
@@ -101,7 +101,7 @@ TEST(ErrorBar, GoesOnWhereTheErrorPassesThroughZero) {
 /// known limit of two meshes.
 TEST(ErrorBar, OfPartsThatNearlyCancelIsAtLeastHalfTheError) {
     for (double share = 0.1; share < 3; share *= 1.5) {
-        const Error error = [=](double m, double h) {
+        const ErrorOfRow error = [=](double m, double h) {
             return shape(m) * ((1 - 1.5 * m) * h * h * h * h - share * (1 + m) * h * h);
         };
         const Quality q = quality(rows_of(error), error);
@@ -121,7 +121,7 @@ TEST(ErrorBar, OfACaseThatAnyMeshHoldsIsTheSolversTolerance) {
 
 /// The same errors with the finer mesh at another point of its curve.
 TEST(ErrorBar, DoesNotMindWhereOnItsCurveTheFinerMeshStands) {
-    const Error error = [](double m, double h) { return shape(m) * h * h; };
+    const ErrorOfRow error = [](double m, double h) { return shape(m) * h * h; };
     const std::vector<LevelRow> rows = rows_of(error);
     std::vector<LevelRow> moved = rows;
     for (LevelRow& row : moved) {
@@ -134,7 +134,7 @@ TEST(ErrorBar, DoesNotMindWhereOnItsCurveTheFinerMeshStands) {
 }
 
 TEST(ErrorBar, OfTheMeasureIsThatOfTheLoadOverTheSlope) {
-    const Error error = [](double m, double h) { return 0.01 * shape(m) * h * h; };
+    const ErrorOfRow error = [](double m, double h) { return 0.01 * shape(m) * h * h; };
     const std::vector<LevelRow> rows = rows_of(error, Levels::two, 0.6);
     const auto bars = error_bars(rows);
     for (std::size_t i = 1; i < rows.size(); ++i)
@@ -143,7 +143,7 @@ TEST(ErrorBar, OfTheMeasureIsThatOfTheLoadOverTheSlope) {
 
 /// At the maximum p = 1 - (m - 1)^2 / 2: a load too high by c moves m by sqrt(2 c).
 TEST(ErrorBar, StaysFiniteAtALimitPointOfTheLoad) {
-    const Error error = [](double m, double h) { return shape(m) * h * h; };
+    const ErrorOfRow error = [](double m, double h) { return shape(m) * h * h; };
     const std::vector<LevelRow> rows = rows_of(error, Levels::two, 1.6, 64);
     const auto bars = error_bars(rows);
     const std::size_t top = 40;

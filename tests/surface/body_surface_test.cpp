@@ -167,7 +167,7 @@ struct File {
 
 TEST(SurfaceFile, IsReadBackAsItWasWritten) {
     const BodySurface surface = made(cube);
-    const Triangles triangles{surface.points, surface.triangles, std::vector<int>(12), surface.points};
+    const Triangles triangles{surface.points, surface.triangles, std::vector<int>(12), surface.points, {}};
     for (const char* name : {"a.stl", "a.STL", "a.obj"}) {
         const File file(name);
         file.write(surface_file(triangles, file.path));

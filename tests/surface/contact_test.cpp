@@ -11,7 +11,7 @@ using test::Cells;
 using test::contact;
 using test::Motion;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A block on the left and a lower, narrower one on the right, 1 m apart; each a face of its own name.
 model::Case two_blocks(int dimension, Cells cells, model::Kinematics kinematics) {

@@ -8,7 +8,7 @@
 namespace soft::surface {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Three of the four squares (or columns) around the origin, whose inner corner is a hinge of 3/4 of a turn.
 model::Case three_squares(int dimension, test::Cells cells) {

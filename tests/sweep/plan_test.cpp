@@ -27,7 +27,7 @@ std::vector<std::string> ids(const Plan& plan) {
     return list;
 }
 
-std::string refusal(const std::string& vary, const std::string& rest = "") {
+std::string plan_refusal(const std::string& vary, const std::string& rest = "") {
     try {
         static_cast<void>(plan_of(vary, rest));
     } catch (const Error& error) {
@@ -95,13 +95,14 @@ TEST(Plan, ACombinationThatIsRefusedIsARowWithItsReason) {
 }
 
 TEST(Plan, WhatNoDesignCanHaveIsAFaultOfTheFileAtItsPlace) {
-    EXPECT_EQ(refusal("geometry.wal: [2 mm, 3 mm]"), "s.yaml:2:23: geometry.wal: unknown key; did you mean 'wall'?");
-    EXPECT_EQ(refusal("geometry.wall: [2 mm, 3]").substr(0, 42), "s.yaml:2:30: geometry.wall: '3' has no uni");
-    EXPECT_EQ(refusal("geometry.wall: [2 mm, -3 mm]").substr(0, 53),
+    EXPECT_EQ(plan_refusal("geometry.wal: [2 mm, 3 mm]"),
+              "s.yaml:2:23: geometry.wal: unknown key; did you mean 'wall'?");
+    EXPECT_EQ(plan_refusal("geometry.wall: [2 mm, 3]").substr(0, 42), "s.yaml:2:30: geometry.wall: '3' has no uni");
+    EXPECT_EQ(plan_refusal("geometry.wall: [2 mm, -3 mm]").substr(0, 53),
               "s.yaml:2:30: geometry.wall: -3 mm is out of range; it");
-    EXPECT_EQ(refusal("geometry.wall: [2 mm, 3 mm]", "set: {mesh.size: 3 kPa}\n").substr(0, 42),
+    EXPECT_EQ(plan_refusal("geometry.wall: [2 mm, 3 mm]", "set: {mesh.size: 3 kPa}\n").substr(0, 42),
               "s.yaml:2:18: mesh.size: '3 kPa' is a press");
-    EXPECT_EQ(refusal("geometry.wall: {from: -1 mm, to: 3 mm}", "method: random\nsamples: 50\n").substr(0, 41),
+    EXPECT_EQ(plan_refusal("geometry.wall: {from: -1 mm, to: 3 mm}", "method: random\nsamples: 50\n").substr(0, 41),
               "s.yaml:4:30: geometry.wall: -1 mm is out ");
 }
 

@@ -13,7 +13,7 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-std::string refusal(const fs::path& folder) {
+std::string folder_refusal(const fs::path& folder) {
     try {
         make_folder(folder, "x");
     } catch (const Error& error) {
@@ -31,13 +31,13 @@ TEST(NumberedFiles, HaveFourDigitsOrMore) {
 TEST(NumberedFiles, AFolderThatCannotBeMadeIsRefusedWithWhatWouldBeRight) {
     const fs::path here = fresh_folder("soft_make_folder");
     std::ofstream(here / "file") << "x";
-    EXPECT_EQ(refusal(here / "new"), "none");
-    EXPECT_EQ(refusal(here / "new/"), "none");
-    EXPECT_EQ(refusal(here / "a/b/"), "x: there is no folder '" + (here / "a").string() +
-                                          "' to make 'b' in; make it first, or name a folder that is there");
+    EXPECT_EQ(folder_refusal(here / "new"), "none");
+    EXPECT_EQ(folder_refusal(here / "new/"), "none");
+    EXPECT_EQ(folder_refusal(here / "a/b/"), "x: there is no folder '" + (here / "a").string() +
+                                                 "' to make 'b' in; make it first, or name a folder that is there");
     for (const char* name : {"file", "file/"})
-        EXPECT_EQ(refusal(here / name), "x: '" + (here / "file").string() +
-                                            "' exists and is no folder; choose another name, or move it away");
+        EXPECT_EQ(folder_refusal(here / name), "x: '" + (here / "file").string() +
+                                                   "' exists and is no folder; choose another name, or move it away");
 }
 
 TEST(NumberedFiles, OnlyOwnNamesThatAreNotKeptAreRemoved) {

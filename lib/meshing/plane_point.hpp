@@ -1,0 +1,16 @@
+#pragma once
+/// Points of the plane a section lies in [m], and what is reckoned with them.
+#include <array>
+#include <cmath>
+
+namespace soft::meshing {
+
+using PlanePoint = std::array<double, 2>;
+
+[[nodiscard]] inline PlanePoint minus(PlanePoint a, PlanePoint b) { return {a[0] - b[0], a[1] - b[1]}; }
+[[nodiscard]] inline double dot(PlanePoint a, PlanePoint b) { return a[0] * b[0] + a[1] * b[1]; }
+/// Twice the area between them, positive where b is to the left of a.
+[[nodiscard]] inline double cross(PlanePoint a, PlanePoint b) { return a[0] * b[1] - a[1] * b[0]; }
+[[nodiscard]] inline double length(PlanePoint a) { return std::hypot(a[0], a[1]); }
+
+}  // namespace soft::meshing
