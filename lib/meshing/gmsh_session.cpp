@@ -186,10 +186,11 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
     };
     constexpr double frontal_delaunay = 6, blossom = 1,
                      into_quadrilaterals = 1;  // 8, made for them, crashes in gmsh 4.8
+    // The lengths of cells along an edge to a millionth: to gmsh's 1e-9 it asks for most sizes ten times as often.
     // Thrown from one of its threads, gmsh's errors would end the program: what it could not mesh is seen in what it made.
     for (const Option& option : {Option{"General.AbortOnError", 0}, Option{"Mesh.MeshSizeExtendFromBoundary", 0},
                                  Option{"Mesh.MeshSizeFromPoints", 0}, Option{"Mesh.Algorithm", frontal_delaunay},
-                                 Option{"Mesh.ElementOrder", 2}})
+                                 Option{"Mesh.LcIntegrationPrecision", 1e-6}, Option{"Mesh.ElementOrder", 2}})
         gmsh_->call(gmsh_->set_option, option.name, option.value);
     if (cells == Free::quadrilaterals)
         for (const Option& option : {Option{"Mesh.RecombineAll", 1}, Option{"Mesh.RecombinationAlgorithm", blossom},

@@ -129,10 +129,17 @@ private:
 }  // namespace
 
 std::function<double(PlanePoint)> cell_sizes(const Outline& outline, const SizeWishes& wishes) {
-    return [size_m = wishes.size_m, seeds = Seeds{outline, wishes}.take()](PlanePoint place) {
+    std::vector<Seed> sorted = Seeds{outline, wishes}.take();
+    std::ranges::stable_sort(sorted, {}, &Seed::size_m);
+    return [size_m = wishes.size_m, seeds = std::move(sorted)](PlanePoint place) {
         double shortest_m = size_m;
-        for (const Seed& seed : seeds)
-            shortest_m = std::min(shortest_m, seed.size_m + size_growth * length(minus(place, seed.place)));
+        for (const Seed& seed : seeds) {  // gmsh asks a million times: most are too far, and the rest too long
+            const double reach_m = (shortest_m - seed.size_m) / size_growth;
+            if (reach_m <= 0) break;
+            const PlanePoint to = minus(place, seed.place);
+            if (std::abs(to[0]) > reach_m || std::abs(to[1]) > reach_m) continue;
+            shortest_m = std::min(shortest_m, seed.size_m + size_growth * length(to));
+        }
         return shortest_m;
     };
 }

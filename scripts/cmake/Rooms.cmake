@@ -4,7 +4,8 @@ target_compile_options(soft_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -W
                                             -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
 # Vectors as arguments of functions that are always inlined (core/lanes.hpp): how they would be passed does not matter.
 target_compile_options(soft_flags INTERFACE -Wno-psabi)
-# Helpers of one source are not what another of the same room means (CMAKE_UNITY_BUILD); scripts/tidy has both, a source at a time.
+# Helpers of one source are not what another of the same room means (CMAKE_UNITY_BUILD). In .ci/run clang compiles each source by
+# itself, with both.
 if(CMAKE_UNITY_BUILD)
   target_compile_options(soft_flags INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
