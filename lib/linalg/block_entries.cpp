@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "core/error.hpp"
@@ -27,15 +28,33 @@ Parts parts_of(Mat K) {
     return parts;
 }
 
-/// Position of a column in a sorted row; throws where it is not there.
-std::size_t find(const MatrixRows& rows, PetscInt row, PetscInt column) {
-    const PetscInt *first = rows.columns + rows.begin[row], *last = rows.columns + rows.begin[row + 1];
-    const PetscInt* place = std::lower_bound(first, last, column);
-    if (place == last || *place != column)
-        throw Error(ExitCode::internal, "matrix",
-                    "its pattern lacks row " + std::to_string(row) + ", column " + std::to_string(column));
-    return static_cast<std::size_t>(place - first);
-}
+/// Where columns lie in one row: a table of all columns, which costs less than searching the row for each of many.
+class RowPlaces {
+public:
+    RowPlaces(const MatrixRows& rows, PetscInt columns) : rows_(rows), places_(static_cast<std::size_t>(columns)) {}
+
+    void take(PetscInt row) {
+        row_ = row;
+        for (PetscInt place = 0; place < length(); ++place) places_[at(column(place))] = place;
+    }
+    [[nodiscard]] PetscInt length() const { return rows_.begin[row_ + 1] - rows_.begin[row_]; }
+    /// Throws where the row lacks the column, whose place is one of another row then.
+    [[nodiscard]] PetscInt operator[](PetscInt wanted) const {
+        const PetscInt place = at(wanted) < places_.size() ? places_[at(wanted)] : length();
+        if (place >= length() || column(place) != wanted)
+            throw Error(ExitCode::internal, "matrix",
+                        "its pattern lacks row " + std::to_string(row_) + ", column " + std::to_string(wanted));
+        return place;
+    }
+
+private:
+    static std::size_t at(PetscInt index) { return static_cast<std::size_t>(index); }
+    [[nodiscard]] PetscInt column(PetscInt place) const { return rows_.columns[rows_.begin[row_] + place]; }
+
+    MatrixRows rows_;
+    std::vector<PetscInt> places_;
+    PetscInt row_ = 0;
+};
 
 constexpr std::uint16_t left_out = std::numeric_limits<std::uint16_t>::max();
 
@@ -55,33 +74,56 @@ std::uint64_t pattern_hash(Mat K) {
 }
 
 BlockPlaces::BlockPlaces(Mat K, std::span<const std::span<const PetscInt>> blocks) {
-    const Parts parts = parts_of(K);
-    const MatrixRows diagonal = rows_of(parts.diagonal),
-                     rest = parts.rest == nullptr ? MatrixRows{} : rows_of(parts.rest);
-    PetscInt begin = 0, end = 0, first = 0, last = 0, rest_columns = 0;
-    SOFT_PETSC(MatGetOwnershipRange(K, &begin, &end));
-    SOFT_PETSC(MatGetOwnershipRangeColumn(K, &first, &last));
-    if (parts.rest != nullptr) SOFT_PETSC(MatGetSize(parts.rest, nullptr, &rest_columns));
-    const auto place = [&](PetscInt row, PetscInt column) {
-        if (column >= first && column < last) return find(diagonal, row, column - first);
-        const PetscInt* known = std::lower_bound(parts.columns, parts.columns + rest_columns, column);
-        return static_cast<std::size_t>(diagonal.begin[row + 1] - diagonal.begin[row]) +
-               find(rest, row, static_cast<PetscInt>(known - parts.columns));
-    };
-    bool fits = true;
     for (const auto block : blocks) {
         blocks_.push_back({dofs_.size(), places_.size()});
         dofs_.insert(dofs_.end(), block.begin(), block.end());
-        for (const PetscInt row : block)
-            for (const PetscInt column : block) {
-                const bool here = row >= begin && row < end && column >= 0;
-                const std::size_t found = here ? place(row - begin, column) : left_out;
-                fits = fits && found <= left_out - (here ? 1U : 0U);
-                places_.push_back(static_cast<std::uint16_t>(found));
-            }
+        places_.resize(places_.size() + block.size() * block.size(), left_out);
     }
     blocks_.push_back({dofs_.size(), places_.size()});
-    if (!fits) places_.clear();
+    if (!find_places(K)) places_.clear();
+}
+
+/// Row by row, whatever the blocks that have a part in it. False where a place is too large a number.
+bool BlockPlaces::find_places(Mat K) {
+    struct Part {
+        std::size_t block, first;  // of its places
+    };
+    PetscInt begin = 0, end = 0, first = 0, last = 0, rest_columns = 0;
+    SOFT_PETSC(MatGetOwnershipRange(K, &begin, &end));
+    SOFT_PETSC(MatGetOwnershipRangeColumn(K, &first, &last));
+    std::vector<std::vector<Part>> parts_of_row(static_cast<std::size_t>(end - begin));
+    for (std::size_t b = 0; b + 1 < blocks_.size(); ++b) {
+        const std::size_t size = blocks_[b + 1].dofs - blocks_[b].dofs;
+        for (std::size_t i = 0; i < size; ++i)
+            if (const PetscInt row = dofs_[blocks_[b].dofs + i]; row >= begin && row < end)
+                parts_of_row[static_cast<std::size_t>(row - begin)].push_back({b, blocks_[b].places + i * size});
+    }
+    const Parts parts = parts_of(K);
+    RowPlaces own(rows_of(parts.diagonal), last - first);
+    std::optional<RowPlaces> rest;
+    if (parts.rest != nullptr) {
+        SOFT_PETSC(MatGetSize(parts.rest, nullptr, &rest_columns));
+        rest.emplace(rows_of(parts.rest), rest_columns);
+    }
+    const auto place = [&](PetscInt column) {
+        if (column >= first && column < last) return own[column - first];
+        const PetscInt* known = std::lower_bound(parts.columns, parts.columns + rest_columns, column);
+        return own.length() + (*rest)[static_cast<PetscInt>(known - parts.columns)];
+    };
+    for (PetscInt row = 0; row < end - begin; ++row) {
+        own.take(row);
+        if (rest) rest->take(row);
+        for (const auto& [block, first_place] : parts_of_row[static_cast<std::size_t>(row)]) {
+            std::uint16_t* found = places_.data() + first_place;
+            for (std::size_t d = blocks_[block].dofs; d < blocks_[block + 1].dofs; ++d, ++found) {
+                if (dofs_[d] < 0) continue;
+                const PetscInt in_row = place(dofs_[d]);
+                if (in_row >= left_out) return false;
+                *found = static_cast<std::uint16_t>(in_row);
+            }
+        }
+    }
+    return true;
 }
 
 BlockAdder::BlockAdder(Mat K) : K_(K) {

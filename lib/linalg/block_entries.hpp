@@ -23,6 +23,8 @@ public:
 
 private:
     friend class BlockAdder;
+    [[nodiscard]] bool find_places(Mat K);
+
     struct Block {
         std::size_t dofs, places;  // where its own begin
     };

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/error.hpp"
-#include "linalg/elimination_order.hpp"
 #include "linalg/mumps.hpp"
 
 namespace soft::linalg {
@@ -61,7 +60,8 @@ struct InteriorFactor::Mumps {
     }
 };
 
-InteriorFactor::InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::size_t shared)
+InteriorFactor::InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::size_t shared,
+                               std::span<const PetscInt> order)
     : symmetry_(symmetry),
       schur_(shared * shared, 0.0),
       reduced_(shared, 0.0),
@@ -89,9 +89,9 @@ InteriorFactor::InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::s
     id.mblock = id.nblock = 100;
     id.schur = schur_.data();
     id.schur_lld = id.size_schur;
-    std::vector<MUMPS_INT> places = elimination_order(rows, interior);  // beside a Schur complement MUMPS has AMD alone
+    std::vector<MUMPS_INT> places(order.begin(), order.end());
     for (MUMPS_INT& place : places) ++place;
-    mumps_->control(7) = 1;
+    mumps_->control(7) = 1;  // the order is given: beside a Schur complement MUMPS has AMD alone
     id.perm_in = places.data();
     mumps_->call(analysis);
     id.perm_in = nullptr;

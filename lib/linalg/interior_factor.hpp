@@ -13,9 +13,9 @@ namespace soft::linalg {
 /// [K_II K_IG; K_GI 0]: what stands in the block of the shared unknowns G is left out.
 class InteriorFactor {
 public:
-    /// Orders the interior by the pattern of the rows. G are the last rows, `shared` of them; of a symmetric matrix the triangle
-    /// above the diagonal is read.
-    InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::size_t shared);
+    /// G are the last rows, `shared` of them; of a symmetric matrix the triangle above the diagonal is read. `order`: that of
+    /// elimination_order.
+    InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::size_t shared, std::span<const PetscInt> order);
     ~InteriorFactor();
 
     /// False where K_II is singular to working precision.

@@ -70,7 +70,7 @@ void LinearSolver::take(Choice choice) {
         if (!own_) return take(Choice::ldlt);
     } else if (chosen == PETSC_FALSE) {
         const Timed timed(Phase::ordering);
-        own_ = Substructures::of(K_, choice == Choice::ldlt ? Symmetry::symmetric : Symmetry::general);
+        own_ = Substructures::of(K_, choice == Choice::ldlt ? Symmetry::symmetric : Symmetry::general, order_);
         name = choice == Choice::ldlt ? "LDL^T by substructures, MUMPS" : "LU by substructures, MUMPS";
     }
     if (!own_) {

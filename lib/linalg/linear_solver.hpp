@@ -13,6 +13,7 @@
 /// Held by linalg/linear_solver_test, solver/linear_methods_test.
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "linalg/factors.hpp"
 #include "linalg/multigrid.hpp"
@@ -96,6 +97,7 @@ private:
     Mat K_, operator_ = nullptr;
     model::LinearSettings settings_;
     Choice choice_ = Choice::lu;    // of method automatic
+    std::vector<PetscInt> order_;   // of the elimination by substructures
     std::unique_ptr<Factors> own_;  // behind the preconditioner of ksp_, which goes first
     std::unique_ptr<Multigrid> multigrid_;
     KrylovSolver ksp_;

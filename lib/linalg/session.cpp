@@ -36,16 +36,29 @@ void take_blas_buffer() {
     static_cast<void>(solve(one, {1.0}));
 }
 
+/// Open MPI looks for networks when it starts, which takes longer than a small solve: not where all ranks are on one machine.
+/// Values the user has set stay: overwrite = 0.
+void start_mpi_quickly() {
+    const auto text = [](const char* variable) -> std::string_view {
+        const char* value = std::getenv(variable);
+        return value != nullptr ? value : "";
+    };
+    const std::string_view ranks = text("OMPI_COMM_WORLD_SIZE");
+    // Started by mpirun, by srun with PMIx, with PMI.
+    const bool alone = ranks.empty() && text("PMIX_NAMESPACE").empty() && text("PMI_RANK").empty();
+    if (alone) {
+        setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);  // one for all: who ends removes it under who starts
+    }
+    if (!alone && (ranks.empty() || ranks != text("OMPI_COMM_WORLD_LOCAL_SIZE"))) return;
+    setenv("OMPI_MCA_pml", "ob1", 0);
+    setenv("OMPI_MCA_btl", "self,vader", 0);
+}
+
 }  // namespace
 
 Session::Session(const std::vector<std::string>& options) {
-    if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) {
-        // Values the user has set stay: overwrite = 0.
-        setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);  // one for all: who ends removes it under who starts
-        setenv("OMPI_MCA_pml", "ob1", 0);
-        setenv("OMPI_MCA_btl", "self,vader", 0);
-    }
+    start_mpi_quickly();
     setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);  // its threads cut the same mesh now so, now so: last digits would differ
     core::require_memory(memory_to_start);
     take_blas_buffer();

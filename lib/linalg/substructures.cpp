@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "linalg/dense_factor.hpp"
+#include "linalg/elimination_order.hpp"
 #include "linalg/interior_factor.hpp"
 #include "linalg/rank_part.hpp"
 
@@ -74,7 +75,7 @@ std::vector<double> Substructures::Parts::sum_of_complements() const {
     return S;
 }
 
-std::unique_ptr<Substructures> Substructures::of(Mat K, Symmetry symmetry) {
+std::unique_ptr<Substructures> Substructures::of(Mat K, Symmetry symmetry, std::vector<PetscInt>& order) {
     auto parts = std::make_unique<Parts>(K, symmetry);
     int size = 1;
     MPI_Comm_size(parts->ranks, &size);
@@ -92,7 +93,9 @@ std::unique_ptr<Substructures> Substructures::of(Mat K, Symmetry symmetry) {
     parts->part = std::make_unique<PartRows>(K, layout, symmetry);
     parts->shared = index_set(layout.shared);
     parts->read(K, MAT_INITIAL_MATRIX);
-    parts->interior = std::make_unique<InteriorFactor>(symmetry, parts->part->rows(), layout.touched.size());
+    const MatrixRows rows = parts->part->rows();
+    if (order.empty()) order = elimination_order(rows, static_cast<PetscInt>(layout.interior.size()));
+    parts->interior = std::make_unique<InteriorFactor>(symmetry, rows, layout.touched.size(), order);
     return std::unique_ptr<Substructures>(new Substructures(std::move(parts)));
 }
 

@@ -12,6 +12,7 @@
 /// Decomposition (1996) 4.1; inertia adds up (Haynsworth, Linear Algebra Appl. 1 (1968) 73).
 /// Held by linalg/substructures_test (on one, two and three ranks) and Pipeline.TwoRanksGiveTheCurveOfOne.
 #include <memory>
+#include <vector>
 
 #include "linalg/factors.hpp"
 
@@ -22,8 +23,9 @@ public:
     /// S takes 8 MB for a thousand.
     static constexpr PetscInt most_shared_unknowns = 3000;
 
-    /// nullptr on one rank, and where the ranks share no unknown or too many.
-    [[nodiscard]] static std::unique_ptr<Substructures> of(Mat K, Symmetry symmetry);
+    /// nullptr on one rank, and where the ranks share no unknown or too many. `order` is that in which this rank's interior is
+    /// eliminated: made where it is empty, so that LU after LDL^T has it already.
+    [[nodiscard]] static std::unique_ptr<Substructures> of(Mat K, Symmetry symmetry, std::vector<PetscInt>& order);
     ~Substructures() override;
 
     [[nodiscard]] bool factorize(Mat K) override;

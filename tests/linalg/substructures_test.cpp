@@ -73,11 +73,16 @@ double error_of_solve(Factors& factors, const SmallMatrix& A) {
     return norm(exact) / size;
 }
 
+std::unique_ptr<Substructures> substructures(Mat K, Symmetry symmetry) {
+    std::vector<PetscInt> order;
+    return Substructures::of(K, symmetry, order);
+}
+
 TEST(Substructures, SolveAndCountTheNegativeEigenvaluesOfTheWhole) {
     for (const int weakened : {0, 1, 4, 9}) {
         const SmallMatrix A = chain(0.02, weakened);
         const Matrix K = on_all_ranks(A);
-        const auto factors = Substructures::of(K, Symmetry::symmetric);
+        const auto factors = substructures(K, Symmetry::symmetric);
         ASSERT_EQ(factors != nullptr, ranks() > 1);
         if (!factors) return;
         ASSERT_TRUE(factors->factorize(K));
@@ -92,7 +97,7 @@ TEST(Substructures, SolveAGeneralMatrixAndKnowTheSignOfItsDeterminant) {
         const SmallMatrix symmetric = chain(0.02, weakened), A = with_scaled_rows(symmetric);
         const int signs_of_rows = (unknowns + 2) / 5;  // i % 5 == 2
         const Matrix K = on_all_ranks(A);
-        const auto factors = Substructures::of(K, Symmetry::general);
+        const auto factors = substructures(K, Symmetry::general);
         ASSERT_EQ(factors != nullptr, ranks() > 1);
         if (!factors) return;
         ASSERT_TRUE(factors->factorize(K));
@@ -105,7 +110,7 @@ TEST(Substructures, SolveAGeneralMatrixAndKnowTheSignOfItsDeterminant) {
 
 TEST(Substructures, TakeLaterMatricesOfTheSamePattern) {
     const Matrix first = on_all_ranks(chain(0.02));
-    const auto factors = Substructures::of(first, Symmetry::symmetric);
+    const auto factors = substructures(first, Symmetry::symmetric);
     ASSERT_EQ(factors != nullptr, ranks() > 1);
     if (!factors) return;
     ASSERT_TRUE(factors->factorize(first));
@@ -114,11 +119,27 @@ TEST(Substructures, TakeLaterMatricesOfTheSamePattern) {
     EXPECT_LT(error_of_solve(*factors, A), 1e-11);
 }
 
+TEST(Substructures, EliminateInTheOrderOfOthersOfThePattern) {
+    const SmallMatrix A = with_scaled_rows(chain(0.02));
+    const Matrix K = on_all_ranks(A);
+    std::vector<PetscInt> order;
+    if (!Substructures::of(K, Symmetry::symmetric, order)) {
+        EXPECT_EQ(ranks(), 1);
+        return;
+    }
+    const std::vector<PetscInt> made = order;
+    EXPECT_FALSE(made.empty());
+    const auto factors = Substructures::of(K, Symmetry::general, order);
+    EXPECT_EQ(order, made);
+    ASSERT_TRUE(factors->factorize(K));
+    EXPECT_LT(error_of_solve(*factors, A), 1e-11);
+}
+
 TEST(Substructures, FailOnAllRanksWhereOneMeetsASingularPart) {
     SmallMatrix A = chain(0.02);
     for (int j = 0; j < unknowns; ++j) A.at(3, j) = A.at(j, 3) = j == 3 ? 2.0 : 0.0;  // a spring for itself
     const Matrix K = on_all_ranks(A);
-    const auto factors = Substructures::of(K, Symmetry::symmetric);
+    const auto factors = substructures(K, Symmetry::symmetric);
     ASSERT_EQ(factors != nullptr, ranks() > 1);
     if (!factors) return;
     EXPECT_TRUE(factors->factorize(K));
@@ -129,7 +150,7 @@ TEST(Substructures, FailOnAllRanksWhereOneMeetsASingularPart) {
 TEST(Substructures, AreNotTakenWhereRanksShareNothing) {
     SmallMatrix A(unknowns);
     for (int i = 0; i < unknowns; ++i) A.at(i, i) = 1.0 + i;
-    EXPECT_EQ(Substructures::of(on_all_ranks(A), Symmetry::symmetric), nullptr);
+    EXPECT_EQ(substructures(on_all_ranks(A), Symmetry::symmetric), nullptr);
 }
 
 }  // namespace
