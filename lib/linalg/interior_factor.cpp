@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 
 #include "core/error.hpp"
@@ -42,10 +43,27 @@ struct InteriorFactor::Mumps {
         control(24) =
             1;  // pivots that vanish are told; with a Schur complement they are passed over in silence otherwise
         control(33) = 1;  // the determinant
+        take_options();
     }
     ~Mumps() { call(end); }
     Mumps(const Mumps&) = delete;
     Mumps& operator=(const Mumps&) = delete;
+
+    /// -mat_mumps_icntl_N and -mat_mumps_cntl_N, as PETSc's own use of MUMPS has them; but for what is needed as it is here.
+    void take_options() {
+        constexpr std::array fixed{5, 7, 18, 19, 24, 26, 33};
+        for (int number = 1; number <= static_cast<int>(std::size(id.icntl)); ++number) {
+            if (std::ranges::find(fixed, number) != fixed.end()) continue;
+            const std::string option = "-mat_mumps_icntl_" + std::to_string(number);
+            PetscInt value = control(number);
+            SOFT_PETSC(PetscOptionsGetInt(nullptr, nullptr, option.c_str(), &value, nullptr));
+            control(number) = value;
+        }
+        for (int number = 1; number <= static_cast<int>(std::size(id.cntl)); ++number) {
+            const std::string option = "-mat_mumps_cntl_" + std::to_string(number);
+            SOFT_PETSC(PetscOptionsGetReal(nullptr, nullptr, option.c_str(), &id.cntl[number - 1], nullptr));
+        }
+    }
 
     MUMPS_INT& control(int number) { return id.icntl[number - 1]; }
     void call(Job job) {

@@ -135,6 +135,27 @@ TEST(Substructures, EliminateInTheOrderOfOthersOfThePattern) {
     EXPECT_LT(error_of_solve(*factors, A), 1e-11);
 }
 
+TEST(Substructures, TakeTheOptionsOfMumpsButThoseTheyDependOn) {
+    const SmallMatrix A = chain(0.02);
+    const Matrix K = on_all_ranks(A);
+    const auto was_asked_for = [](const char* option) {
+        PetscBool used = PETSC_FALSE;
+        SOFT_PETSC(PetscOptionsUsed(nullptr, option + 1, &used));  // without its dash
+        SOFT_PETSC(PetscOptionsClearValue(nullptr, option));
+        return used == PETSC_TRUE;
+    };
+    SOFT_PETSC(PetscOptionsSetValue(nullptr, "-mat_mumps_icntl_14", "120"));
+    SOFT_PETSC(PetscOptionsSetValue(nullptr, "-mat_mumps_cntl_1", "0.1"));
+    SOFT_PETSC(PetscOptionsSetValue(nullptr, "-mat_mumps_icntl_19", "0"));  // no Schur complement
+    const auto factors = substructures(K, Symmetry::symmetric);
+    EXPECT_EQ(was_asked_for("-mat_mumps_icntl_14"), ranks() > 1);
+    EXPECT_EQ(was_asked_for("-mat_mumps_cntl_1"), ranks() > 1);
+    EXPECT_FALSE(was_asked_for("-mat_mumps_icntl_19"));
+    if (!factors) return;
+    ASSERT_TRUE(factors->factorize(K));
+    EXPECT_LT(error_of_solve(*factors, A), 1e-11);
+}
+
 TEST(Substructures, FailOnAllRanksWhereOneMeetsASingularPart) {
     SmallMatrix A = chain(0.02);
     for (int j = 0; j < unknowns; ++j) A.at(3, j) = A.at(j, 3) = j == 3 ? 2.0 : 0.0;  // a spring for itself
