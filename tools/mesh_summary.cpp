@@ -141,7 +141,7 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
                      " at " + summary.wall_places[i];
     }
     shape += ", worst scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
-    std::vector<std::string> lines{core::one_line(summary.name) + ": " + std::to_string(summary.cells) + " cells (" +
+    std::vector<std::string> lines{core::one_line(summary.name) + ": " + core::counted(summary.cells, "cell") + " (" +
                                        summary.cell_types + "), " + std::to_string(summary.points) + " points, " +
                                        std::to_string(summary.unknowns) + " unknowns",
                                    shape};

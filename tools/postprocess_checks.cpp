@@ -62,9 +62,9 @@ void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgeme
     if (!verdict.agrees())
         judgement.failure = post::failure_text(verdict, golden);
     else
-        judgement.lines.push_back(golden.source + ": " + std::to_string(verdict.rows) + " rows of " +
-                                  std::to_string(verdict.columns.size()) +
-                                  " columns agree; the largest difference is " +
+        judgement.lines.push_back(golden.source + ": " + core::counted(verdict.rows, "row") + " of " +
+                                  core::counted(verdict.columns.size(), "column") +
+                                  " agree; the largest difference is " +
                                   core::rounded_text(100 * verdict.nearest_miss, 2) + " % of what is allowed");
 }
 

@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <set>
 
+#include "core/text.hpp"
 #include "fields/arrays.hpp"
 #include "io/vtk_fields.hpp"
 #include "postprocess_pictures.hpp"
@@ -90,7 +91,7 @@ void write_paraview(const std::string& file, const Shown& shown, cli::Console& c
     const ParaviewFormat format = paraview_format(file);
     if (format == ParaviewFormat::series) {
         const std::size_t removed = exporter.series(file, console);
-        return console.say(file + ": " + std::to_string(shown.result.fields.steps().size()) + " steps" +
+        return console.say(file + ": " + core::counted(shown.result.fields.steps().size(), "step") +
                            removed_text(removed, "step"));
     }
     const auto rows = shown_rows(shown);

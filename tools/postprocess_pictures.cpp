@@ -203,7 +203,7 @@ std::string state_text(const post::Curve& curve, std::int64_t row) {
 
 std::string removed_text(std::size_t count, const std::string& what) {
     if (count == 0) return "";
-    return "; " + std::to_string(count) + " " + what + (count == 1 ? "" : "s") + " of an earlier result removed";
+    return "; " + core::counted(count, what) + " of an earlier result removed";
 }
 
 fs::path numbered(const fs::path& file, std::size_t k, std::size_t count) {
@@ -290,7 +290,7 @@ void make_pictures(const PictureOptions& options, const Shown& shown, cli::Conso
     if (!options.picture.empty()) draw_pictures(options.picture, studio, shown, console);
     if (options.animate.empty()) return;
     const std::size_t removed = studio.animate(options.animate, console);
-    console.say(options.animate + ": " + std::to_string(shown.result.fields.steps().size()) + " steps" +
+    console.say(options.animate + ": " + core::counted(shown.result.fields.steps().size(), "step") +
                 removed_text(removed, "frame"));
 }
 

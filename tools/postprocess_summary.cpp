@@ -81,8 +81,8 @@ std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
     const std::string reason = json["stop_reason"].is_null() ? "not finished: solve was stopped or is still at work"
                                                              : json["stop_reason"].get<std::string>();
     const std::string detail = json.value("detail", "");
-    std::vector<std::string> lines{std::to_string(json["rows"].get<std::size_t>()) + " rows of " +
-                                   std::to_string(json["steps"].get<std::size_t>()) + " steps; path: " + reason +
+    std::vector<std::string> lines{core::counted(json["rows"].get<std::size_t>(), "row") + " of " +
+                                   core::counted(json["steps"].get<std::size_t>(), "step") + "; path: " + reason +
                                    (detail.empty() ? "" : " (" + detail + ")")};
     for (const auto& limit : json["limit_points"]) lines.push_back("limit point: " + place_line(limit));
     for (const auto& branch : json["bifurcations"]) lines.push_back("bifurcation: " + place_line(branch));

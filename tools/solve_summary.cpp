@@ -131,8 +131,8 @@ double peak_memory_MB() {
 
 std::string summary_line(const SolveSummary& summary, const model::Case& model) {
     return std::string{solution::name(summary.end.reason)} + ": " + summary.end.detail + "; " +
-           std::to_string(summary.steps) + " steps, " + std::to_string(summary.end.newton_iterations) +
-           " iterations, " + std::to_string(summary.end.factorizations) + " factorizations; " +
+           core::counted(summary.steps, "step") + ", " + core::counted(summary.end.newton_iterations, "iteration") +
+           ", " + core::counted(summary.end.factorizations, "factorization") + "; " +
            (model.dynamics ? motion_text(summary, *model.dynamics) : std::string{}) + std::to_string(summary.unknowns) +
            " unknowns, " + core::rounded_text(summary.wall_s, 3) + " s";
 }

@@ -76,7 +76,7 @@ void tell(const SweepPlanOptions& options, std::size_t designs,
         std::ranges::replace(text, '_', ' ');
         words.push_back(std::move(text));
     }
-    cli::Console{about.tool, options.common.verbosity}.say(std::to_string(designs) + " designs: " + core::join(words));
+    cli::Console{about.tool, options.common.verbosity}.say(core::counted(designs, "design") + ": " + core::join(words));
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
 }
 

@@ -13,9 +13,9 @@ namespace soft::assembly {
 void System::make_outputs() {
     const bool solid = input_.kinematics == model::Kinematics::solid;
     for (const auto& output : input_.outputs) {
-        const auto require_solid = [&] {
-            if (!solid)
-                throw Error(ExitCode::bad_input, "outputs." + output.name, "a section does not bend or twist",
+        const auto require = [&output](bool possible) {
+            if (!possible)
+                throw Error(ExitCode::bad_input, "outputs." + output.name, "a section has no such measure",
                             "use model: solid, half or quarter");
         };
         switch (output.measure) {
@@ -28,12 +28,12 @@ void System::make_outputs() {
                 break;
             case model::Measure::bend:
             case model::Measure::twist:
-                require_solid();
+                require(input_.kinematics != model::Kinematics::axisymmetric);
                 outputs_.emplace_back(make_rotation(output));
                 break;
             case model::Measure::rotation:
             case model::Measure::curvature:
-                require_solid();
+                require(solid);
                 outputs_.emplace_back(make_shape(output));
                 break;
             case model::Measure::force:
@@ -63,7 +63,7 @@ Rotation System::make_rotation(const model::Output& output) {
         for (const auto& facet : face.facets) {
             const auto& reference = tables_[facet.reference];
             std::vector<double> X(reference.dofs()), weights(reference.nodes, 0.0);
-            for (int i = 0; i < 3; ++i)
+            for (int i = 0; i < input_.mesh.dimension; ++i)
                 for (int a = 0; a < reference.nodes; ++a)
                     X[i * reference.nodes + a] = input_.mesh.point(facet.nodes[a])[i];
             (void)element::facet_area(reference, input_.kinematics, X, weights);
@@ -141,7 +141,8 @@ double System::rotation(const Rotation& rotation, Vec x, Vec gradient, std::span
             gather_surface(facet, position);
             gather_undeformed(facet, X);
             Share& share = shares.emplace_back(Share{&facet, {}});
-            add_phasor(rotation, tables_[facet.reference], position, X, face->weights[f], phasor, share.slopes);
+            add_phasor(rotation, input_.kinematics, tables_[facet.reference], position, X, face->weights[f], phasor,
+                       share.slopes);
         }
         MPI_Allreduce(MPI_IN_PLACE, phasor.data(), 2, MPI_DOUBLE, MPI_SUM, comm_);
         const double sign = face == &rotation.reference ? -1.0 : 1.0;

@@ -11,23 +11,24 @@ PhasorAngle angle_of(const Phasor& phasor) {
     return {std::atan2(phasor[1], phasor[0]), {-phasor[1] / square, phasor[0] / square}};
 }
 
-void add_phasor(const Rotation& rotation, const element::ReferenceFacet& facet, std::span<const double> x,
-                std::span<const double> X, std::span<const double> weights, Phasor& phasor,
+void add_phasor(const Rotation& rotation, model::Kinematics kinematics, const element::ReferenceFacet& facet,
+                std::span<const double> x, std::span<const double> X, std::span<const double> weights, Phasor& phasor,
                 std::array<std::vector<double>, 2>& slopes) {
     const auto basis = plane_axes(rotation.axis);
     const auto n = static_cast<std::size_t>(facet.nodes), size = static_cast<std::size_t>(facet.dofs());
+    const std::size_t components = size / n;
     for (auto& slope : slopes) slope.assign(size, 0.0);
     if (rotation.measure == model::Measure::twist) {
         for (std::size_t a = 0; a < n; ++a) {
             Phasor here{}, there{};
-            for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t i = 0; i < components; ++i)
                 for (std::size_t k = 0; k < 2; ++k) {
                     there[k] += basis[k][i] * X[i * n + a];
                     here[k] += basis[k][i] * x[i * n + a];
                 }
             phasor[0] += weights[a] * (there[0] * here[0] + there[1] * here[1]);
             phasor[1] += weights[a] * (there[0] * here[1] - there[1] * here[0]);
-            for (std::size_t i = 0; i < 3; ++i) {
+            for (std::size_t i = 0; i < components; ++i) {
                 slopes[0][i * n + a] = weights[a] * (there[0] * basis[0][i] + there[1] * basis[1][i]);
                 slopes[1][i * n + a] = weights[a] * (there[0] * basis[1][i] - there[1] * basis[0][i]);
             }
@@ -36,7 +37,7 @@ void add_phasor(const Rotation& rotation, const element::ReferenceFacet& facet, 
     }
     // The force of a unit pressure is -int N_a n da and the N_a add up to 1.
     std::vector<double> force(size, 0.0), stiffness(size * size, 0.0);
-    element::pressure_force(facet, model::Kinematics::solid, x, force, stiffness);
+    element::pressure_force(facet, kinematics, x, force, stiffness);
     for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t row = 0; row < size; ++row) {
             const double share = -basis[k][row / n];

@@ -4,7 +4,7 @@
 ///         round to A(face) about the axis, seen in the plane across it;
 ///   twist: atan2(sum w (X x x).e, sum w X.x), X and x across the axis e, w = int N_a dA: a rigid turn by any angle is
 ///         found exactly, and the middle of a deformed face by least squares.
-/// Angles in (-pi, pi]. Derived here. Held by assembly/loads_test.
+/// Angles in (-pi, pi]; of a section in plane strain, per metre of depth, about z. Derived here. Held by assembly/loads_test.
 #include <array>
 #include <span>
 #include <vector>
@@ -38,8 +38,8 @@ struct PhasorAngle {
 [[nodiscard]] PhasorAngle angle_of(const Phasor& phasor);
 
 /// Adds a facet's share to `phasor`; x current, X reference positions, component-major. slopes[k] = d phasor[k]/dx.
-void add_phasor(const Rotation& rotation, const element::ReferenceFacet& facet, std::span<const double> x,
-                std::span<const double> X, std::span<const double> weights, Phasor& phasor,
+void add_phasor(const Rotation& rotation, model::Kinematics kinematics, const element::ReferenceFacet& facet,
+                std::span<const double> x, std::span<const double> X, std::span<const double> weights, Phasor& phasor,
                 std::array<std::vector<double>, 2>& slopes);
 
 }  // namespace soft::assembly

@@ -1,6 +1,8 @@
 #pragma once
 /// Small pieces of text: numbers in their shortest exact form, one-line messages, "did you mean". Independent of the
 /// locale throughout. Held by core/text_test.
+#include <concepts>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +15,12 @@ namespace soft::core {
 
 /// `digits` significant digits without trailing zeros, for messages where exactness does not matter.
 [[nodiscard]] std::string rounded_text(double value, int digits);
+
+/// "1 step", "2 steps".
+template <std::integral Count>
+[[nodiscard]] std::string counted(Count count, std::string_view thing) {
+    return std::to_string(count).append(" ").append(thing).append(count == 1 ? "" : "s");
+}
 
 /// "a, b, c"
 [[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator = ", ");

@@ -21,7 +21,7 @@ struct Unit {
     double factor = 1.0;
 };
 
-constexpr double psi_Pa = 6894.757293168361;  // lbf / in^2 by definition of pound, g_n and inch
+constexpr double pound_force_N = 4.4482216152605, psi_Pa = 6894.757293168361;  // by definition of pound, g_n and inch
 constexpr std::array units = {
     Unit{"%", Dimension::ratio, -2},
     Unit{"m", Dimension::length},
@@ -35,12 +35,14 @@ constexpr std::array units = {
     Unit{"m^2", Dimension::area},
     Unit{"cm^2", Dimension::area, -4},
     Unit{"mm^2", Dimension::area, -6},
+    Unit{"in^2", Dimension::area, -8, 254.0 * 254.0},
     Unit{"m\u00B2", Dimension::area},
     Unit{"cm\u00B2", Dimension::area, -4},
     Unit{"mm\u00B2", Dimension::area, -6},
     Unit{"m^3", Dimension::volume},
     Unit{"cm^3", Dimension::volume, -6},
     Unit{"mm^3", Dimension::volume, -9},
+    Unit{"in^3", Dimension::volume, -12, 254.0 * 254.0 * 254.0},
     Unit{"m\u00B3", Dimension::volume},
     Unit{"cm\u00B3", Dimension::volume, -6},
     Unit{"mm\u00B3", Dimension::volume, -9},
@@ -58,7 +60,9 @@ constexpr std::array units = {
     Unit{"N/mm^2", Dimension::pressure, 6},
     Unit{"mbar", Dimension::pressure, 2},
     Unit{"bar", Dimension::pressure, 5},
+    Unit{"atm", Dimension::pressure, 0, 101325.0},
     Unit{"psi", Dimension::pressure, 0, psi_Pa},
+    Unit{"ksi", Dimension::pressure, 3, psi_Pa},
     Unit{"rad", Dimension::angle},
     Unit{"deg", Dimension::angle, 0, std::numbers::pi / 180.0},
     Unit{"\u00B0", Dimension::angle, 0, std::numbers::pi / 180.0},
@@ -72,6 +76,8 @@ constexpr std::array units = {
     Unit{"mg", Dimension::mass, -6},
     Unit{"ug", Dimension::mass, -9},
     Unit{"m/s^2", Dimension::acceleration},
+    Unit{"cm/s^2", Dimension::acceleration, -2},
+    Unit{"mm/s^2", Dimension::acceleration, -3},
     Unit{"m/s\u00B2", Dimension::acceleration},
     Unit{"s", Dimension::time},
     Unit{"ms", Dimension::time, -3},
@@ -99,6 +105,7 @@ constexpr std::array units = {
     Unit{"N", Dimension::force},
     Unit{"mN", Dimension::force, -3},
     Unit{"kN", Dimension::force, 3},
+    Unit{"lbf", Dimension::force, 0, pound_force_N},
     Unit{"N.m", Dimension::moment},
     Unit{"Nm", Dimension::moment},
     Unit{"N.mm", Dimension::moment, -3},

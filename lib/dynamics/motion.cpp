@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "dynamics/motion_follower.hpp"
 
 namespace soft::dynamics {
@@ -197,7 +198,9 @@ std::optional<StepResult> MotionFollower::attempt(double step_s) {
 
 void MotionFollower::advance() {
     const int limit = explicit_ ? explicit_step_limit : settings_.step_limit;
-    if (steps_ >= limit) return finish(StopReason::step_limit, std::to_string(limit) + " steps were not enough");
+    if (steps_ >= limit)
+        return finish(StopReason::step_limit,
+                      core::counted(limit, "step") + (limit == 1 ? " was" : " were") + " not enough");
     const double h = next_step();
     const auto result = attempt(h);
     if (!result) return;

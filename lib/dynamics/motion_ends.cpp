@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "dynamics/motion_follower.hpp"
 
 namespace soft::dynamics {
@@ -36,7 +37,7 @@ void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
     step_s_ = coarse(cut_after_failure * step_s);
     const bool inverted = failure.end == NewtonEnd::inverted;
     log("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
-        std::to_string(failure.iterations) + " iterations, residual " + short_text(failure.residual) +
+        core::counted(failure.iterations, "iteration") + ", residual " + short_text(failure.residual) +
         ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
     if (step_s_ >= settings_.smallest_step * first_step_s_) return;
     const std::string place = solver::place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "dynamics/motion_follower.hpp"
 
 namespace soft::dynamics {
@@ -55,7 +56,7 @@ void MotionFollower::append() {
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;
     log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + solver::state_text(point, input_) +
-        ", step " + short_text(step_s_) + " s, " + std::to_string(step.newton_iterations) + " iterations");
+        ", step " + short_text(step_s_) + " s, " + core::counted(step.newton_iterations, "iteration"));
     ++rows_;
     listeners_.step(step, last_.x);
     if (listeners_.contact && input_.path.contact == model::Contact::stop)

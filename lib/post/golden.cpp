@@ -234,7 +234,7 @@ std::string failure_text(const Verdict& verdict, const table::Table& golden) {
     }
     if (worst == nullptr) return {};
     return failure_text(verdict, *worst, golden) + "; " + std::to_string(verdict.differing_rows) + " of " +
-           std::to_string(verdict.rows) + " rows differ";
+           core::counted(verdict.rows, "row") + (verdict.differing_rows == 1 ? " differs" : " differ");
 }
 
 }  // namespace soft::post

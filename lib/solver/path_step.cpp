@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.hpp"
 #include "solver/path_follower.hpp"
 
 namespace soft::solver {
@@ -143,7 +144,8 @@ bool PathFollower::is_refused(const PredictorError& error, const PathPoint& poin
 
 void PathFollower::advance() {
     if (rows_ > settings_.step_limit)
-        return finish(StopReason::step_limit, std::to_string(settings_.step_limit) + " steps were not enough");
+        return finish(StopReason::step_limit, core::counted(settings_.step_limit, "step") +
+                                                  (settings_.step_limit == 1 ? " was" : " were") + " not enough");
     if (rows_ > wanted_steps()) return end_stage("number of steps");
     const Aim aimed = aim();
     auto point = solve_at(aimed.constraint, aimed.target, start_of(aimed));
@@ -156,7 +158,7 @@ void PathFollower::advance() {
     failures_ = 0;
     rejected_error_.reset();
     log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(error.state) +
-        " (load " + short_text(error.load) + "), " + std::to_string(newton_result_.iterations) + " iterations" +
+        " (load " + short_text(error.load) + "), " + core::counted(newton_result_.iterations, "iteration") +
         (point->tangent.unstable_modes ? ", unstable modes " + std::to_string(*point->tangent.unstable_modes) : ""));
     if (!arrive(std::move(*point), aimed.crossing ? aimed.crossing->goal : nullptr)) return;
     const double missed = std::max(error.state, load_share * error.load);
@@ -240,8 +242,8 @@ void PathFollower::handle_failure() {
     ++failures_;
     const double next = step_ * cut_after_failure;
     log("row " + std::to_string(rows_) + ": step of " + short_text(step_) + " failed (" +
-        std::string(text_of(newton_result_.end)) + ", " + std::to_string(newton_result_.iterations) + " iterations, " +
-        std::to_string(newton_result_.halvings) + " halvings of the line search, residual " +
+        std::string(text_of(newton_result_.end)) + ", " + core::counted(newton_result_.iterations, "iteration") + ", " +
+        core::counted(newton_result_.halvings, "halving") + " of the line search, residual " +
         short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian) +
         "): cut to " + short_text(next));
     const double failed = step_;

@@ -165,23 +165,66 @@ TEST(Rotation, BendIsTheAngleBetweenTheFaces) {
     EXPECT_NEAR(system.output(1, x, nullptr), angle, 1e-12);
 }
 
-TEST(Rotation, GradientIsTheDerivative) {
-    const auto input = measured_box();
+/// A quarter of a ring in plane strain, held nowhere.
+model::Case measured_ring() {
+    auto input = sphere_case(2, 8);
+    input.kinematics = model::Kinematics::plane_strain;
+    input.symmetry_planes = {};
+    input.model_fraction = 1.0;
+    input.supports.clear();
+    input.outputs = {{"twist", "outer", {0, 0, 1}, model::Measure::twist, ""},
+                     {"bend", "axis", {0, 0, 1}, model::Measure::bend, "symmetry_x"}};
+    return input;
+}
+
+/// Each point at an angle f about the origin goes to one of `share` f + `turn`.
+linalg::Vector opened(const System& system, double share, double turn) {
+    auto x = system.make_vector();
+    const auto& points = system.input().mesh.points;
+    for (std::size_t node = 0; node < points.size(); ++node) {
+        const double radius = std::hypot(points[node][0], points[node][1]),
+                     angle = share * std::atan2(points[node][1], points[node][0]) + turn;
+        const std::array<double, 2> there{radius * std::cos(angle), radius * std::sin(angle)};
+        for (std::size_t i = 0; i < 2; ++i)
+            SOFT_PETSC(
+                VecSetValue(x, system.dofs().displacement[2 * node + i], there[i] - points[node][i], INSERT_VALUES));
+    }
+    SOFT_PETSC(VecAssemblyBegin(x));
+    SOFT_PETSC(VecAssemblyEnd(x));
+    return x;
+}
+
+TEST(Rotation, FacesInPlaneStrainTurnAboutZ) {
+    const auto input = measured_ring();
     System system(input, PETSC_COMM_WORLD);
-    const auto x = wavy(system, 5e-4, 0.3), d = wavy(system, 5e-4, 1.1);
-    auto gradient = system.make_vector(), there = system.make_vector();
-    for (const std::size_t output : {0, 1}) {
-        const double value = system.output(output, x, gradient), slope = linalg::dot(gradient, d);
-        const auto remainder = [&](double h) {
-            linalg::copy(x, there);
-            linalg::add(there, h, d);
-            return std::abs(system.output(output, there, nullptr) - value - h * slope);
-        };
-        EXPECT_NEAR(remainder(0.2) / remainder(0.1), 4.0, 0.3);
+    constexpr double right_angle = std::numbers::pi / 2;
+    for (const double turn : {-2.5, -0.3, 0.0, 1.1}) {
+        const auto x = opened(system, 1.0, turn);
+        EXPECT_NEAR(system.output(0, x, nullptr), turn, 1e-12);
+        EXPECT_NEAR(system.output(1, x, nullptr), 0.0, 1e-12);
+        for (const double share : {0.3, 0.8, 1.4})  // the face on the x axis against that on the y axis
+            EXPECT_NEAR(system.output(1, opened(system, share, turn), nullptr), (1.0 - share) * right_angle, 1e-12);
     }
 }
 
-TEST(Rotation, ASectionDoesNotBend) {
+TEST(Rotation, GradientIsTheDerivative) {
+    for (const auto& input : {measured_box(), measured_ring()}) {
+        System system(input, PETSC_COMM_WORLD);
+        const auto x = wavy(system, 5e-4, 0.3), d = wavy(system, 5e-4, 1.1);
+        auto gradient = system.make_vector(), there = system.make_vector();
+        for (const std::size_t output : {0, 1}) {
+            const double value = system.output(output, x, gradient), slope = linalg::dot(gradient, d);
+            const auto remainder = [&](double h) {
+                linalg::copy(x, there);
+                linalg::add(there, h, d);
+                return std::abs(system.output(output, there, nullptr) - value - h * slope);
+            };
+            EXPECT_NEAR(remainder(0.2) / remainder(0.1), 4.0, 0.3);
+        }
+    }
+}
+
+TEST(Rotation, ASectionOfRevolutionDoesNotBend) {
     auto input = sphere_case(1, 2);
     input.outputs = {{"bend", "outer", {0, 1, 0}, model::Measure::bend, "cavity"}};
     EXPECT_THROW(System(input, PETSC_COMM_WORLD), Error);

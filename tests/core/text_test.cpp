@@ -22,6 +22,12 @@ TEST(NumberText, ReadsBackToTheSameBits) {
     EXPECT_EQ(number_text(1.0), "1");
 }
 
+TEST(Counted, KnowsOneFromMany) {
+    EXPECT_EQ(counted(0, "step"), "0 steps");
+    EXPECT_EQ(counted(1, "step"), "1 step");
+    EXPECT_EQ(counted(std::size_t{2}, "step"), "2 steps");
+}
+
 TEST(Nearest, FindsTheKeyThatASlipOfTheKeyboardMeant) {
     const std::vector<std::string> keys = {"wall", "pitch", "crest_radius", "bore_radius"};
     EXPECT_EQ(nearest("wal", keys), "wall");

@@ -53,6 +53,12 @@ TEST(Units, FactorsThatAreNotPowersOfTenFollowTheirDefinitions) {
     EXPECT_DOUBLE_EQ(si("2 in", Dimension::length), 0.0508);
     EXPECT_DOUBLE_EQ(si("1.5 min", Dimension::time), 90.0);
     EXPECT_DOUBLE_EQ(si("1 psi", Dimension::pressure), 4.4482216152605 / (0.0254 * 0.0254));
+    EXPECT_DOUBLE_EQ(si("1 ksi", Dimension::pressure),
+                     1e3 * si("1 lbf", Dimension::force) / si("1 in^2", Dimension::area));
+    EXPECT_DOUBLE_EQ(si("1 in^3", Dimension::volume), 0.0254 * 0.0254 * 0.0254);
+    EXPECT_DOUBLE_EQ(si("2 atm", Dimension::pressure), 202650.0);
+    EXPECT_DOUBLE_EQ(si("981 cm/s^2", Dimension::acceleration), 9.81);
+    EXPECT_DOUBLE_EQ(si("9810 mm/s^2", Dimension::acceleration), 9.81);
 }
 
 TEST(Units, BlanksSignsAndExponentsAreFree) {

@@ -47,3 +47,18 @@ claim "any column is listed" grep -q '^<force>_N *N *force with which' "$seen/ou
 runs 'postprocess --outputs result.h5'
 claim "those of the table are" [ "$(grep -vc -- --also "$seen/out")" -eq "$(head -n 1 curve.csv | tr ',' '\n' | wc -l)" ]
 refuses 64 "postprocess: --also: the result has no column 'energy'; *" 'postprocess -q result.h5 --also energy'
+
+# A strip in plane strain that its weight bends: its end turns by rho g L^3 / (2 mu h^2), the beam of plane strain modulus 4 mu.
+cat >strip.yaml <<'EOF'
+family: panel
+geometry: {length: 80 mm, height: 2 mm, end_height: 2 mm}
+material: {law: neo-hookean, mu: 0.2 MPa, kappa: incompressible, density: 1000 kg/m^3}
+model: plane-strain
+mesh: {size: 2 mm, through_wall: 1}
+supports: {fixed: fixed}
+loads: {gravity: {acceleration: 10 mm/s^2, along: y}}
+outputs: {turn: {face: end, measure: bend, along: z, reference: fixed}}
+EOF
+runs 'mesh-gen -q strip.yaml | solve -q | postprocess -q -o strip.csv'
+beam=$(awk 'BEGIN { print 180 / atan2(0, -1) * 1000 * 0.01 * 0.08 ^ 3 / (2 * 0.2e6 * 0.002 ^ 2) }')
+claim "a strip in plane strain bends as a beam" within "$(awk "BEGIN { print $(column strip.csv turn_deg) / $beam }")" 0.99 1.001
