@@ -32,6 +32,17 @@ mesh::Mesh lattice(mesh::CellType type, int dimension) {
     return mesh;
 }
 
+std::vector<double> numbers(int count, double first) {
+    std::vector<double> list;
+    for (int i = 0; i < count; ++i) list.push_back(first + i / 3.0);
+    return list;
+}
+
+solution::StatePoint example_state(double first) {
+    return {numbers(9, first), numbers(9, -first),    numbers(2, first), numbers(2, 3 * first), 0.25, -0.5,
+            -1e-3 * first,     numbers(2, 2 * first), 1e-7 * first,      2e-3 * first,          3};
+}
+
 }  // namespace
 
 model::Case section_case() {
@@ -261,6 +272,28 @@ void overwrite_typed(hid_t file, const char* name, std::size_t first, const std:
 }
 
 }  // namespace
+
+solution::Checkpoint example_checkpoint(int rows) {
+    solution::Checkpoint checkpoint;
+    checkpoint.ranks = 2;
+    checkpoint.rows = rows;
+    checkpoint.stage = 1;
+    checkpoint.stage_first_row = 2;
+    checkpoint.start = {numbers(2, 5), numbers(2, 6), numbers(2, 7), numbers(2, 8), numbers(1, 9), numbers(2, 10)};
+    checkpoint.control = 3;
+    checkpoint.controlled = 1;
+    checkpoint.chosen_is_left = true;
+    checkpoint.confirmed_pivots = 3;
+    checkpoint.pending_factorizations = 2;
+    checkpoint.before = example_state(11);
+    checkpoint.last = example_state(12);
+    checkpoint.last.unstable_modes.reset();
+    checkpoint.step = 0.125;
+    checkpoint.first_step = 0.0625;
+    checkpoint.first_slope = 17.5;
+    checkpoint.so_far = example_end();
+    return checkpoint;
+}
 
 void overwrite(hid_t file, const char* dataset, std::size_t first, const std::vector<double>& values) {
     overwrite_typed(file, dataset, first, values);

@@ -24,10 +24,12 @@ namespace soft::io::test {
 [[nodiscard]] std::vector<double> example_displacement(int number);  ///< of section_case
 [[nodiscard]] std::vector<double> example_pressure(int number);
 [[nodiscard]] solution::PathEnd example_end();
+[[nodiscard]] solution::Checkpoint example_checkpoint(int rows);  ///< every member has a value of its own
 
 void expect_equal(const model::Case& left, const model::Case& right);
 void expect_equal(const solution::Step& left, const solution::Step& right);
 void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right);
+void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& right);
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 

@@ -116,6 +116,19 @@ void expect_equal(const solution::LimitPoint& left, const solution::LimitPoint& 
     EXPECT_EQ(left.outputs, right.outputs);
 }
 
+void expect_equal(const solution::StatePoint& left, const solution::StatePoint& right) {
+    EXPECT_EQ(left.unknowns, right.unknowns);
+    EXPECT_EQ(left.tangent_unknowns, right.tangent_unknowns);
+    EXPECT_EQ(left.pressures_Pa, right.pressures_Pa);
+    EXPECT_EQ(left.tangent_pressures, right.tangent_pressures);
+    EXPECT_EQ(left.load_factor, right.load_factor);
+    EXPECT_EQ(left.tangent_load_factor, right.tangent_load_factor);
+    EXPECT_EQ(left.q, right.q);
+    EXPECT_EQ(left.power, right.power);
+    EXPECT_EQ(left.outputs, right.outputs);
+    EXPECT_EQ(left.unstable_modes, right.unstable_modes);
+}
+
 }  // namespace
 
 void expect_equal(const model::Case& left, const model::Case& right) {
@@ -228,6 +241,31 @@ void expect_equal(const solution::PathEnd& left, const solution::PathEnd& right)
         EXPECT_EQ(a.modes, b.modes);
         EXPECT_EQ(a.mode, b.mode);
     });
+}
+
+void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& right) {
+    EXPECT_EQ(left.ranks, right.ranks);
+    EXPECT_EQ(left.rows, right.rows);
+    EXPECT_EQ(left.stage, right.stage);
+    EXPECT_EQ(left.start.pressures_Pa, right.start.pressures_Pa);
+    EXPECT_EQ(left.start.volumes_m3, right.start.volumes_m3);
+    EXPECT_EQ(left.start.masses_kg, right.start.masses_kg);
+    EXPECT_EQ(left.start.tractions, right.start.tractions);
+    EXPECT_EQ(left.start.body_forces, right.start.body_forces);
+    EXPECT_EQ(left.start.motions, right.start.motions);
+    EXPECT_EQ(left.control, right.control);
+    EXPECT_EQ(left.controlled, right.controlled);
+    EXPECT_EQ(left.stage_first_row, right.stage_first_row);
+    EXPECT_EQ(left.chosen_is_left, right.chosen_is_left);
+    EXPECT_EQ(left.on_branch, right.on_branch);
+    EXPECT_EQ(left.confirmed_pivots, right.confirmed_pivots);
+    EXPECT_EQ(left.pending_factorizations, right.pending_factorizations);
+    ASSERT_EQ(left.before.has_value(), right.before.has_value());
+    if (left.before) expect_equal(*left.before, *right.before);
+    expect_equal(left.last, right.last);
+    EXPECT_EQ(left.step, right.step);
+    EXPECT_EQ(left.first_step, right.first_step);
+    EXPECT_EQ(left.first_slope, right.first_slope);
 }
 
 }  // namespace soft::io::test
