@@ -1,12 +1,68 @@
 #include "assembly/reaction.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "model/face_symmetry.hpp"
 
 namespace soft::assembly {
 
-bool Reaction::has(mesh::Index node) const { return std::ranges::binary_search(nodes, node); }
+namespace {
+
+/// A face that is held or moved in some components.
+struct Holder {
+    std::string face;
+    std::array<bool, 3> components;
+};
+
+std::vector<Holder> holders_of(const model::Case& input) {
+    std::vector<Holder> holders;
+    for (const auto& support : input.supports) holders.push_back({support.face, support.fixed});
+    for (const auto& motion : input.motions) {
+        const auto& moved = motion.displacement_m;
+        holders.push_back({motion.face, {moved[0].has_value(), moved[1].has_value(), moved[2].has_value()}});
+    }
+    return holders;
+}
+
+/// The reaction of a line that two held faces have in common is no more that of one than of the other.
+std::vector<Vector3> held_shares(const model::Case& input, const std::string& face,
+                                 const std::vector<mesh::Index>& nodes) {
+    const auto& set = input.mesh.facet_sets.at(face);
+    const std::set<mesh::Facet> own(set.begin(), set.end());
+    struct Count {
+        std::array<bool, 3> by_face{};
+        std::array<int, 3> by_others{};
+    };
+    std::vector<Count> counts(nodes.size());
+    for (const Holder& holder : holders_of(input)) {
+        std::set<std::size_t> here, beside;  // places in `nodes`
+        for (const mesh::Facet& facet : input.mesh.facet_sets.at(holder.face))
+            for (const mesh::Index node : mesh::facet_nodes(input.mesh, facet)) {
+                const auto found = std::ranges::lower_bound(nodes, node);
+                if (found == nodes.end() || *found != node) continue;
+                (own.contains(facet) ? here : beside).insert(static_cast<std::size_t>(found - nodes.begin()));
+            }
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (!holder.components[i]) continue;
+            for (const std::size_t place : here) counts[place].by_face[i] = true;
+            for (const std::size_t place : beside) ++counts[place].by_others[i];
+        }
+    }
+    std::vector<Vector3> shares(nodes.size());
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+            shares[k][i] = counts[k].by_face[i] ? 1.0 / (1 + counts[k].by_others[i]) : 0.0;
+    return shares;
+}
+
+}  // namespace
+
+const Vector3* Reaction::share_of(mesh::Index node) const {
+    const auto found = std::ranges::lower_bound(nodes, node);
+    if (found == nodes.end() || *found != node) return nullptr;
+    return &shares[static_cast<std::size_t>(found - nodes.begin())];
+}
 
 Reaction make_reaction(const model::Case& input, const model::Output& output) {
     const auto symmetry = model::face_symmetry(input.mesh, {input.kinematics, input.symmetry_planes}, output.face);
@@ -15,6 +71,7 @@ Reaction make_reaction(const model::Case& input, const model::Output& output) {
     reaction.measure = output.measure;
     reaction.copies = symmetry.copies;
     reaction.nodes = weights.nodes;
+    reaction.shares = held_shares(input, output.face, reaction.nodes);
     reaction.direction = output.measure == model::Measure::force
                              ? model::uncancelled_force(symmetry, output.direction)
                              : model::uncancelled_moment(symmetry, output.direction);
@@ -42,10 +99,11 @@ double add_share(const Reaction& reaction, const NodeForces& forces, double sign
     const auto dimension = static_cast<std::size_t>(forces.dimension);
     double share = 0;
     for (std::size_t a = 0; a < n; ++a) {
-        if (!reaction.has(forces.nodes[a])) continue;
+        const Vector3* held = reaction.share_of(forces.nodes[a]);
+        if (held == nullptr) continue;
         Vector3 force{}, arm{};
         for (std::size_t i = 0; i < dimension; ++i) {
-            force[i] = forces.force[i * n + a];
+            force[i] = (*held)[i] * forces.force[i * n + a];
             arm[i] = forces.x[i * n + a] - reaction.centre[i];
         }
         const bool is_force = reaction.measure == model::Measure::force;
@@ -54,7 +112,7 @@ double add_share(const Reaction& reaction, const NodeForces& forces, double sign
         if (slope.empty()) continue;
         for (std::size_t i = 0; i < dimension && !forces.stiffness.empty(); ++i)
             for (std::size_t j = 0; j < columns; ++j)
-                slope[j] += sign * weight[i] * forces.stiffness[(i * n + a) * columns + j];
+                slope[j] += sign * weight[i] * (*held)[i] * forces.stiffness[(i * n + a) * columns + j];
         const Vector3 by_position = is_force ? Vector3{} : cross(force, reaction.direction);
         for (std::size_t i = 0; i < dimension; ++i) slope[i * n + a] += sign * by_position[i];
     }

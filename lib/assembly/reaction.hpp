@@ -1,10 +1,11 @@
 #pragma once
 /// Force and moment with which a face pushes on what holds or moves it: the outputs `force` and `moment` (model::Measure).
-///   f_a = external - internal forces at node a, those at held and moved components among them; 0 where the node is free
+///   r_a = external - internal forces at node a, those at held and moved components among them; 0 where the node is free
+///   f_ai = s_ai r_ai: s = 1 in a component i that the face holds or moves, 1/k where k faces do so, 0 where others alone do
 ///   force = n sum_a f_a . d,     moment = n sum_a ((x_a - c) x f_a) . d = n sum_a (d x (x_a - c)) . f_a
 /// over the nodes a of the face; d direction, x_a deformed position, c centroid of the undeformed whole face, n copies of the
 /// face in the whole actuator (model/face_symmetry.hpp). So the forces of all held faces together are the resultant of
-/// the loads, as exactly as the equations are solved. A node that two faces have in common counts for both.
+/// the loads, as exactly as the equations are solved.
 /// Derived here. Held by assembly/reaction_test and the verification suite (group Reactions).
 #include <span>
 #include <vector>
@@ -20,13 +21,15 @@ struct Reaction {
     Vector3 centre{};
     double copies = 1;
     std::vector<mesh::Index> nodes;                ///< of the face, ascending
+    std::vector<Vector3> shares;                   ///< [node] s, by component
     std::vector<std::vector<std::size_t>> cells;   ///< [group] this rank's with such a node
     std::vector<std::vector<std::size_t>> facets;  ///< [pressure load] the same
     /// On rank 0: the nodes with their places, and per unit level the dead forces at them, component-major.
     SurfaceCell at_nodes;
     std::vector<std::vector<double>> plugs, tractions, body_forces;
 
-    [[nodiscard]] bool has(mesh::Index node) const;
+    [[nodiscard]] bool has(mesh::Index node) const { return share_of(node) != nullptr; }
+    [[nodiscard]] const Vector3* share_of(mesh::Index node) const;  ///< nullptr of a node that the face does not have
 };
 
 [[nodiscard]] Reaction make_reaction(const model::Case& input, const model::Output& output);

@@ -72,7 +72,8 @@ Part part_of(const Node& root, FaceNames faces) {
     part.schema.dynamic = is_dynamic(root);
     const Node* model = find(root, "model");
     const bool of_revolution = model != nullptr && model->text == "axisymmetric";
-    add_material_keys(part.schema, root, case_source, part.examples, of_revolution ? "cylindrical" : "cartesian");
+    // A solid may be of revolution or not: the mesh does not tell, and mesh-gen has written the frame where it knew of fibres.
+    add_material_keys(part.schema, root, case_source, part.examples, of_revolution ? "cylindrical" : "");
     part.loads = add_load_keys(part.schema, root, Node{}, case_source, part.examples);
     part.stages = add_path_keys(part.schema, root, part.loads);
     for (const auto& keys : {dynamics_keys(), solver_keys()})

@@ -66,6 +66,9 @@ struct FamilyKeys {
     /// mesh.size only among its own keys, and `geometry.cavity: [face, face]` adds the face and cavity "cavity", their union; `geometry.cavities:
     /// {left: [face, face], ...}` adds several; `geometry.faces: {name: {...}}` names faces by where they are (face_rule_keys).
     std::function<FileFaces(const std::string& file, std::string_view place)> faces_of_file = {};
+    /// Bodies of revolution are those of a family with the model axisymmetric: always; where this key of `geometry`, a length, is
+    /// not 0; of a file in that model alone.
+    std::string revolution_key = {};
     bool has_face_rules = false;  ///< of such a family: whether `geometry.faces` is a group of keys
 };
 

@@ -20,7 +20,8 @@ inline constexpr std::string_view main_material = "material", materials_group = 
 [[nodiscard]] Key parameter_key(const material::Parameter& parameter);
 
 /// Throws Error(bad_input) for a law that is unknown or missing, keys of two ways to state the
-/// moduli, and `volumetric` for a law that has its own. `usual_frame` (cylindrical | cartesian) is that of fibres.
+/// moduli, and `volumetric` for a law that has its own. `usual_frame` (cylindrical | cartesian) is that of fibres; empty: fibres
+/// must state theirs.
 void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples,
                        std::string_view usual_frame);
 

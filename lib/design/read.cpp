@@ -199,6 +199,19 @@ const FamilyKeys& family_of(const Node& root, std::string_view source, std::span
     return *found;
 }
 
+bool is_of_revolution(const Node& root, const FamilyKeys& family) {
+    if (std::ranges::find(family.models, "axisymmetric") == family.models.end()) return false;
+    if (family.faces_of_file) {
+        const Node* model = find_path(root, "model");
+        return model != nullptr && model->text == "axisymmetric";
+    }
+    if (family.revolution_key.empty()) return true;
+    const Node* length = find_path(root, "geometry." + family.revolution_key);
+    if (length == nullptr) return false;
+    const auto value = core::parse_quantity(length->text, core::Dimension::length);
+    return std::holds_alternative<double>(value) && std::get<double>(value) > 0;
+}
+
 Checked check_design(Node root, std::string_view source, const FamilyKeys& family) {
     const Node defaults = parse_fragment(family.defaults, place_default);
     if (!family.faces_of_file) fill_sections(root, defaults);  // faces of a file have no usual roles
@@ -213,8 +226,7 @@ Checked check_design(Node root, std::string_view source, const FamilyKeys& famil
     append(schema.keys, family.geometry);
     if (family.faces_of_file) add_cavity_keys(schema, root);
     if (family.has_face_rules) add_face_rule_keys(schema, root);
-    const bool of_revolution = std::ranges::find(family.models, "axisymmetric") != family.models.end();
-    add_material_keys(schema, root, source, examples, of_revolution ? "cylindrical" : "cartesian");
+    add_material_keys(schema, root, source, examples, is_of_revolution(root, family) ? "cylindrical" : "cartesian");
     append(schema.keys, model_keys(family));
     append(schema.keys, name_keys(family));
     add_support_keys(schema, root);

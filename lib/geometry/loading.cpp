@@ -144,6 +144,12 @@ void check_constraints(const model::Case& result, const design::Design& design, 
     }
 }
 
+bool share_a_facet(const Solid& solid, const std::string& one, const std::string& other) {
+    const auto &facets = solid.mesh.facet_sets.at(one), &others = solid.mesh.facet_sets.at(other);
+    const std::set<mesh::Facet> all(facets.begin(), facets.end());
+    return std::ranges::any_of(others, [&](const mesh::Facet& facet) { return all.contains(facet); });
+}
+
 /// A reaction needs what holds or moves the face, and a direction in which its mirror images do not cancel.
 void check_reaction(const model::Case& result, const design::Design::OutputRequest& request, const Vector& direction,
                     const Meshed& meshed, const design::Values& values) {
@@ -158,7 +164,7 @@ void check_reaction(const model::Case& result, const design::Design::OutputReque
                                 " is 0: the mirror image of the face has the opposite one",
                             "another direction");
     const auto holds = [&](std::size_t i) {
-        const auto at_face = [&](const std::string& face) { return share_a_node(meshed.solid, request.face, face); };
+        const auto at_face = [&](const std::string& face) { return share_a_facet(meshed.solid, request.face, face); };
         return std::ranges::any_of(result.supports, [&](const auto& s) { return s.fixed[i] && at_face(s.face); }) ||
                std::ranges::any_of(result.motions,
                                    [&](const auto& m) { return m.displacement_m[i] && at_face(m.face); });

@@ -83,6 +83,7 @@ Family plate() {
                      std::move(radius),
                      length_key("thickness", "2 mm", "thickness, along z (rectangular) or x (round)")};
     keys.models = {"solid", "half", "quarter", "axisymmetric"};
+    keys.revolution_key = "radius";
     keys.faces = {"edges", "edge_x0", "edge_x1", "edge_y0", "edge_y1", "rim", "top", "bottom"};
     keys.defaults =
         "supports: {fixed: edges}\n"

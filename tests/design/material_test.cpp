@@ -155,6 +155,21 @@ TEST(Material, LawsAreHeldToTheFormulationsTheyHave) {
                    "p.yaml:4:21: mesh.formulation: ", "mixed");
 }
 
+TEST(Material, FibresLieInTheFrameOfTheShapeThatTheKeysGive) {
+    const std::string fibres = pipe_of("law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 0.5 MPa, k2: 1, angle: 30 deg");
+    FamilyKeys family = sample::pipe();
+    family.revolution_key = "skew_radius";
+    family.geometry.push_back(
+        {.path = "geometry.skew_radius", .kind = Kind::length, .fallback = "0 mm", .meaning = "radius", .min = 0});
+    const std::vector<FamilyKeys> families{family};
+    const auto frame = [&](const std::string& geometry) {
+        return read_design(fibres + geometry, "p.yaml", families, {}).material.fiber_frame;
+    };
+    EXPECT_EQ(frame(""), model::FiberFrame::cartesian);
+    EXPECT_EQ(frame("geometry: {skew_radius: 0 mm}\n"), model::FiberFrame::cartesian);
+    EXPECT_EQ(frame("geometry: {skew_radius: 5 mm}\n"), model::FiberFrame::cylindrical);
+}
+
 TEST(Material, FibresLieInTheSurfaceOfABodyOfRevolution) {
     const std::string fibres = "law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 0.5 MPa, k2: 1, angle: 30 deg";
     EXPECT_EQ(read(pipe_of(fibres)).material.fiber_frame, model::FiberFrame::cylindrical);

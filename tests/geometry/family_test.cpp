@@ -370,5 +370,22 @@ INSTANTIATE_TEST_SUITE_P(
                 {{"mesh.size", "0.001 mm"}},
                 "test: mesh.size: it would take 1e+09 cells; a larger size"}));
 
+/// The frame of fibres where the design leaves it open.
+model::FiberFrame usual_frame(const std::string& family_and_geometry) {
+    const std::string text = family_and_geometry + "loads: {gravity: {acceleration: 1 m/s^2, along: x}}\n" +
+                             "material: {law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 1 MPa, k2: 1, angle: 30 deg, " +
+                             "density: 1000 kg/m^3}\n";
+    return design::read_design(text, "d.yaml", catalogue_keys(), {}).material.fiber_frame;
+}
+
+TEST(FiberFrame, IsRoundTheAxisInBodiesOfRevolutionAlone) {
+    for (const char* round : {"family: tube\n", "family: bellows\nmodel: quarter\n",
+                              "family: plate\ngeometry: {radius: 30 mm}\n", "family: dome\nmodel: solid\n"})
+        EXPECT_EQ(usual_frame(round), model::FiberFrame::cylindrical) << round;
+    for (const char* straight : {"family: plate\n", "family: plate\nmodel: quarter\n", "family: rod\n",
+                                 "family: pneunet\n", "family: panel\n", "family: ring\n"})
+        EXPECT_EQ(usual_frame(straight), model::FiberFrame::cartesian) << straight;
+}
+
 }  // namespace
 }  // namespace soft::geometry
