@@ -155,6 +155,7 @@ bool PathFollower::turn_corner(double failed_step) {
         step_ = point->q - last_->q;
         failures_ = 0;
         rejected_error_.reset();
+        rejected_curve_error_.reset();
         accept(std::move(*point));
         before_.reset();  // no cubic through a corner
         return true;

@@ -90,6 +90,7 @@ private:
     [[nodiscard]] State start_of(const Aim& aim) const;
     [[nodiscard]] PredictorError error_of(const Aim& aim, const PathPoint& point) const;
     [[nodiscard]] bool is_refused(const PredictorError& error, const PathPoint& point) const;
+    [[nodiscard]] bool is_too_long(const Aim& aimed, double missed, double taken);
     [[nodiscard]] bool arrive(PathPoint point, const Goal* goal);
     /// `order`: of the predictor's relative error in the step, 3 for the cubic and 1 for the tangent.
     void adapt_step(double predictor_error, double order);
@@ -158,9 +159,9 @@ private:
     double step_ = 0, first_step_ = 0;  // of q, signed
     double stretch_p99_ = 1;            // of the last row
     double work_before_stage_J_ = 0;
-    double first_slope_ = 0;                // |dx / d load factor| where the stage began
-    int failures_ = 0;                      // in a row
-    std::optional<double> rejected_error_;  // of the predictor, at the last attempt from here
+    double first_slope_ = 0;                                       // |dx / d load factor| where the stage began
+    int failures_ = 0;                                             // in a row
+    std::optional<double> rejected_error_, rejected_curve_error_;  // of the predictor, at the last attempt from here
     NewtonResult newton_result_;
     int iterations_since_row_ = 0, factorizations_at_row_ = 0;
     int factorizations_before_ = 0;  // of the run that was interrupted

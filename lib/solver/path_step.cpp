@@ -13,6 +13,9 @@ namespace {
 /// A step whose predictor errs by more than this part of the step is taken again, shorter: the corrector may have
 /// landed on another branch.
 constexpr double predictor_error_limit = 0.5;
+/// A step along the tangent alone, whose error says as its square how far the curve between its rows may be off, is taken again
+/// where that is more than so many times step_accuracy.
+constexpr double coarse_curve = 2.0;
 /// Below this the state is the path's next one.
 constexpr double predictor_error_without_jump = 0.05;
 /// Of a smooth path the tangent's error falls with the step, which is cut to 0.4 between two attempts.
@@ -25,7 +28,7 @@ constexpr double flat_load = 0.1;
 /// says nothing about the step.
 constexpr double equilibrium_margin = 10.0;
 /// Step changes from one step to the next.
-constexpr double largest_growth = 2.5, smallest_shrink = 0.3, cut_after_failure = 0.4;
+constexpr double largest_growth = 2.5, smallest_shrink = 0.3, smallest_retake = 0.1, cut_after_failure = 0.4;
 /// Newton iterations beyond which the step does not grow.
 constexpr int many_iterations = 7;
 /// Failures in a row before the path is followed by another control.
@@ -142,6 +145,24 @@ bool PathFollower::is_refused(const PredictorError& error, const PathPoint& poin
     return error.state > predictor_error_limit && !kink;
 }
 
+/// The first step's length comes from the loads, which may lie far beyond what the path is followed to: its rows would be exact
+/// and the curve between them read off far from the path. Not where the error does not fall with the step, at a kink.
+bool PathFollower::is_too_long(const Aim& aimed, double missed, double taken) {
+    const bool squared = aimed.straight && settings_.predictor != model::Predictor::tangent;
+    if (settings_.steps != model::StepRule::error_adaptive || !squared) return false;
+    const double error = missed * missed;
+    const bool kink = rejected_curve_error_ && error > error_at_a_kink * *rejected_curve_error_;
+    const double shorter = std::max(0.9 * std::sqrt(settings_.step_accuracy / error), smallest_retake);
+    if (error <= coarse_curve * settings_.step_accuracy || kink ||
+        std::abs(shorter * taken / first_step_) < settings_.smallest_step)
+        return false;
+    log("row " + std::to_string(rows_) + ": step of " + short_text(taken) +
+        " is too long for the curve (predictor error " + short_text(missed) + "): taken again");
+    rejected_curve_error_ = error;
+    step_ = coarse(shorter * taken);
+    return true;
+}
+
 void PathFollower::advance() {
     if (rows_ > settings_.step_limit)
         return finish(StopReason::step_limit, core::counted(settings_.step_limit, "step") +
@@ -155,13 +176,15 @@ void PathFollower::advance() {
         rejected_error_ = error.state;
         return handle_failure();
     }
+    const double missed = std::max(error.state, load_share * error.load);
+    if (is_too_long(aimed, missed, point->q - last_->q)) return;
     failures_ = 0;
     rejected_error_.reset();
+    rejected_curve_error_.reset();
     log("row " + std::to_string(rows_) + ": " + describe(*point) + ", predictor error " + short_text(error.state) +
         " (load " + short_text(error.load) + "), " + core::counted(newton_result_.iterations, "iteration") +
         (point->tangent.unstable_modes ? ", unstable modes " + std::to_string(*point->tangent.unstable_modes) : ""));
     if (!arrive(std::move(*point), aimed.crossing ? aimed.crossing->goal : nullptr)) return;
-    const double missed = std::max(error.state, load_share * error.load);
     if (!aimed.straight)
         adapt_step(missed, 3.0);
     else if (settings_.predictor == model::Predictor::tangent)

@@ -191,6 +191,7 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
     step_ = first_step_ = settings_.steps == model::StepRule::constant ? step : coarse(step);
     failures_ = 0;
     rejected_error_.reset();
+    rejected_curve_error_.reset();
 }
 
 /// Whether the load is at its maximum within a few steps, by how its slope over the length of the path falls, and the steps are
