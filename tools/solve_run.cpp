@@ -29,9 +29,9 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 struct Task {
     Input input;
     std::string output;
-    io::Interrupted from;                   ///< of a new path the case alone
-    std::optional<io::DesignText> changed;  ///< by this run's --set
-    bool resumes = false;
+    io::Interrupted from;                       ///< of a new path the case alone
+    std::optional<io::DesignText> changed;      ///< by this run's --set
+    bool resumes = false, begins_anew = false;  ///< anew: what was interrupted, with another set of constants
 };
 
 Task read_task(const SolveOptions& options, int rank) {
@@ -41,6 +41,7 @@ Task read_task(const SolveOptions& options, int rank) {
     task.input = read_input_on_first_rank(task.resumes ? options.resume : options.input, rank);
     if (task.resumes) {
         task.from = io::read_interrupted(task.input.bytes, task.input.source);
+        task.changed = task.from.changed_design;
     } else {
         task.from.file = io::read_case_file(task.input.bytes, task.input.source);
         task.changed = apply_sets(options.sets, task.from.file);
@@ -59,6 +60,7 @@ void check_motion(const SolveOptions& options, const model::Case& model) {
 
 io::ResultWriter make_writer(const SolveOptions& options, const Task& task) {
     const io::Given given{task.input.bytes, task.input.source, task.from.file.model};
+    if (task.begins_anew) return io::ResultWriter::restart(task.output, given, *task.changed);
     if (task.resumes) return io::ResultWriter::resume(task.output, given);
     const About& about = solve_about();
     const io::Provenance provenance{std::string{about.tool}, std::string{version()}, std::string{revision()},
@@ -155,15 +157,18 @@ SolveSummary solve_once(const Task& task, const SolveOptions& options, std::opti
 /// leaves the choice, the path is followed again. To a narrower set only at first, so that this comes to an end.
 SolveSummary solve_with_fitting_set(Task& task, const SolveOptions& options, std::optional<io::ResultWriter>* writer,
                                     Console& console) {
-    for (bool first = true;; first = false) {
+    for (bool first = !task.changed || !has_other_set(*task.changed);; first = false) {
         SolveSummary summary = solve_once(task, options, writer, console);
         const double stretch = of_first_rank(summary.largest_stretch_p99);
         const io::DesignText& design = task.changed ? *task.changed : task.from.file.design;
-        const auto set = task.resumes ? std::nullopt : design::fitting_set(design.effective_yaml, stretch);
+        const auto set = design::fitting_set(design.effective_yaml, stretch);
         if (!set || !(first || set->is_wider)) return summary;
         console.say("the rubber reaches a stretch of " + core::rounded_text(stretch, 3) +
                     ": solves again with the constants of " + set->text);
         task.changed = apply_change(set->change, design, task.from.file.model);
+        task.from.steps.clear();
+        task.from.checkpoint.reset();
+        task.begins_anew = task.resumes;
         if (writer != nullptr) writer->reset();
     }
 }

@@ -37,4 +37,7 @@ struct FittingSet {
 /// range open; what else it says of the material is kept. nullopt where the set in use is that one, or was asked for.
 [[nodiscard]] std::optional<FittingSet> fitting_set(std::string_view effective_yaml, double stretch);
 
+/// Whether an override "path=value" is the change to such a set.
+[[nodiscard]] bool is_change_of_set(std::string_view override_text);
+
 }  // namespace soft::design

@@ -89,6 +89,8 @@ bool is_in_use(const std::vector<MaterialSet>& sets, const FittedMaterial& fitte
     });
 }
 
+std::string choice_by_stretch() { return ", fit: {choice: " + std::string{by_stretch} + "}"; }
+
 bool is_chosen_by_stretch(std::string_view effective_yaml) {
     const Node root = parse_yaml(effective_yaml, "/design");
     const Node* choice = find_path(root, "material.fit.choice");
@@ -253,8 +255,8 @@ std::optional<FittingSet> fitting_set(std::string_view effective_yaml, double st
     const Node root = parse_yaml(effective_yaml, "/design");
     if (!is_in_use(sets, *fitted, root))
         return std::nullopt;  // a constant was changed since: it goes with no other set
-    std::string text = "{name: " + fitted->name + ", law: " + set->law + ", range: " + set->strain_text +
-                       ", fit: {choice: " + std::string{by_stretch} + "}";
+    std::string text =
+        "{name: " + fitted->name + ", law: " + set->law + ", range: " + set->strain_text + choice_by_stretch();
     const Node& material = *find(root, "material");
     for (const Member& member : material.members)
         if (find(set->block, member.key) == nullptr || member.key == "kappa")
@@ -262,6 +264,10 @@ std::optional<FittingSet> fitting_set(std::string_view effective_yaml, double st
     return FittingSet{.change = {"material", text + "}"},
                       .text = fitted->name + " over " + set->strain_text + " of strain",
                       .is_wider = largest_I1_of(*set) > fitted->largest_I1};
+}
+
+bool is_change_of_set(std::string_view override_text) {
+    return override_text.starts_with("material=") && override_text.find(choice_by_stretch()) != std::string_view::npos;
 }
 
 }  // namespace soft::design

@@ -37,8 +37,11 @@ model::Case without_mesh(const model::Case& input) {
             input.solver,         input.dynamics};
 }
 
+constexpr const char* changed_design_group = "solve_design";
+
 void write_changed_design(hid_t root, const DesignText& design, const model::Case& solved) {
-    const GroupHandle group = create_group(root, "solve_design", "the design with solve's own overrides in place");
+    const GroupHandle group =
+        create_group(root, changed_design_group, "the design with solve's own overrides in place");
     write_text(group.get(), {"effective_yaml", "1", "what was solved"}, design.effective_yaml);
     write_text(group.get(), {"sha256", "1", "SHA-256 of effective_yaml, hexadecimal"},
                core::sha256_hex(design.effective_yaml));
@@ -113,6 +116,18 @@ ResultImage ResultImage::resume(const Given& given) {
     if (!path.names().empty()) throw path.refuse("", "has rows already, and more come after the HDF5 data");
     image.policy_ = parse_fields_policy(root.group("fields").text_attribute("policy"));
     return image;
+}
+
+ResultImage ResultImage::restart(const Given& given, const DesignText& changed_design) {
+    ResultImage image = resume(given);
+    check_case(given.solved, "<case with another set>", ExitCode::internal);
+    const GroupHandle root = open_group(image.file_.get(), "/");
+    if (H5Lexists(root.get(), changed_design_group, H5P_DEFAULT) > 0 &&
+        H5Ldelete(root.get(), changed_design_group, H5P_DEFAULT) < 0)
+        throw Error(ExitCode::internal, changed_design_group, "cannot be removed: " + hdf5_reason());
+    write_changed_design(root.get(), changed_design, given.solved);
+    const auto begun = image.bytes();
+    return resume({begun, given.source, given.solved});
 }
 
 std::vector<std::byte> ResultImage::bytes() const { return memory_image(file_.get()); }

@@ -111,6 +111,15 @@ private:
 
 struct ResultWriter::State {
     explicit State(ResultImage begun) : image(std::move(begun)) {}
+    /// The file as it is before the first step.
+    void begin_journal() {
+        require_no_writer(file);
+        core::AtomicFile whole{file};
+        static_cast<void>(whole.write(sealed_bytes(image)));
+        // The same open file, locked before it has its name.
+        journal.emplace(file, ::fcntl(whole.descriptor(), F_DUPFD_CLOEXEC, 0));
+        whole.commit();
+    }
 
     ResultImage image;
     fs::path file;                ///< empty: in memory only
@@ -135,12 +144,7 @@ ResultWriter::ResultWriter(const fs::path& file, const Given& given, const Prove
     state_->file = file;
     if (!is_replaceable(file)) return;
     const QuietErrors quiet;
-    require_no_writer(file);
-    core::AtomicFile whole{file};
-    static_cast<void>(whole.write(sealed_bytes(state_->image)));
-    // The same open file, locked before it has its name.
-    state_->journal.emplace(file, ::fcntl(whole.descriptor(), F_DUPFD_CLOEXEC, 0));
-    whole.commit();
+    state_->begin_journal();
 }
 
 ResultWriter::ResultWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -158,6 +162,16 @@ ResultWriter ResultWriter::resume(const fs::path& file, const Given& given) {
     }
     state->journal->cut(parts.checkpoint ? parts.checkpoint->end : seal_end(given.image, given.source),
                         given.image.size());
+    return ResultWriter{std::move(state)};
+}
+
+ResultWriter ResultWriter::restart(const fs::path& file, const Given& given, const DesignText& changed_design) {
+    const QuietErrors quiet;
+    const ImageParts parts = split_image(given.image, given.source);
+    auto state =
+        std::make_unique<State>(ResultImage::restart({parts.hdf5, given.source, given.solved}, changed_design));
+    state->file = file;
+    state->begin_journal();
     return ResultWriter{std::move(state)};
 }
 

@@ -18,6 +18,9 @@ constexpr double shorter_reach = 0.25;
 constexpr double along_new_direction = 2.0;
 /// Cosine between two directions of the same piece, and of the one that the path is found to have at the end of the step.
 constexpr double same_piece = 0.9999, same_direction = 0.5;
+/// Beside rest in parts of the first step: so near that the piece is the first, so far that rounding does not say which. And what
+/// directions of one piece differ by.
+constexpr double away_from_rest = 1e-5, of_the_piece = 1e-3;
 /// Fibres of neighbouring points may change one right after the other: directions tried until one leads to where it is the
 /// path's, and halvings of the failed step to find the first piece where none does.
 constexpr int pieces = 8, halvings = 30;
@@ -37,6 +40,23 @@ State moved(const State& from, double length, const PathTangent& direction) {
 }
 
 }  // namespace
+
+/// At rest all fibres are slack and about to pull: K there is that of the rubber alone. The direction of the path is that of the
+/// piece into which it leads.
+PathTangent PathFollower::leave_rest(const State& rest, PathTangent slack) {
+    PathTangent direction = std::move(slack);
+    for (int piece = 0; piece < pieces; ++piece) {
+        auto next = newton_.tangent({ConstraintKind::load_factor},
+                                    moved(rest, away_from_rest * settings_.first_step, direction));
+        if (!next || !std::isfinite(linalg::norm(next->x))) break;
+        linalg::copy(next->x, scratch_);
+        linalg::add(scratch_, -1.0, direction.x);
+        const bool settled = linalg::norm(scratch_) < of_the_piece * linalg::norm(next->x);
+        direction = std::move(*next);
+        if (settled) break;
+    }
+    return direction;
+}
 
 /// Of unit length, in the sense of travel, as the tangent at `state` has it: near the path, not of it.
 std::optional<PathTangent> PathFollower::oriented_direction(const State& state) {

@@ -106,6 +106,7 @@ private:
     [[nodiscard]] bool turn_corner(double failed_step);
     [[nodiscard]] std::optional<PathTangent> oriented_direction(const State& state);
     [[nodiscard]] bool begins_at_rest() const;
+    [[nodiscard]] PathTangent leave_rest(const State& rest, PathTangent slack);
     [[nodiscard]] bool stays_in_piece(const State& base, double length, PathTangent& direction);
     [[nodiscard]] bool settle(const State& base, double length, PathTangent& direction);
     [[nodiscard]] std::optional<PathTangent> piece_between(double step, const PathTangent& far);

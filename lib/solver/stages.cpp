@@ -119,6 +119,7 @@ void PathFollower::begin_stage(State state) {
         if (rows_ == 0) throw no_beginning(newton_.tangent_end(), "the undeformed body has a singular stiffness");
         return finish(StopReason::diverged, "the tangent is singular where stage '" + stage().name + "' begins");
     }
+    if (rows_ == 0 && system_.has_fibers()) by_load = leave_rest(state, std::move(*by_load));
     first_slope_ = linalg::norm(by_load->x);
     const bool unstable = by_load->unstable_modes.value_or(0) > 0 || by_load->power < 0.0;
     if (unstable && stage().control == Control::automatic) control_ = softer_control();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bench.hpp"
 #include "sphere.hpp"
@@ -39,6 +40,25 @@ TEST(Corner, AtRestNewtonFindsTheFibresThatPull) {
     linalg::copy(twice.x, difference);
     linalg::add(difference, -2.0, once.x);
     EXPECT_LT(linalg::norm(difference), 1e-2 * linalg::norm(twice.x));
+}
+
+// So is the direction in which a path begins: a block pulled along its fibres grows by L / (3 mu + 4 k1) a pascal, from dT/dl of
+// T = mu (l - l^-2) + 2 k1 (l^2 - 1) exp(k2 (l^2 - 1)^2) l at l = 1; pulled across them, which shortens them, as if they were not there.
+TEST(Corner, AtRestThePathHasTheDirectionOfTheFibresThatPull) {
+    for (const bool along : {true, false}) {
+        auto input = box_case(1, true);
+        constexpr double stiffness = 7, edge_m = 0.01;
+        input.materials[0].fiber_frame = model::FiberFrame::cartesian;
+        input.materials[0].fibers = model::Fibers{along ? 0.0 : std::numbers::pi / 2, stiffness * sample_mu_Pa, 1, 1};
+        input.loads.clear();
+        input.tractions = {{"end", {0.05 * sample_mu_Pa, 0, 0}}};
+        input.path.stages = {full_load(input, {})};
+        const auto [steps, end, log] = run(input);
+        ASSERT_EQ(end.reason, solution::StopReason::done) << end.detail;
+        const double slope = steps.front().tangent_outputs.at(0) / steps.front().tangent_pressure;
+        const double compliance = edge_m / ((along ? 3 + 4 * stiffness : 3.0) * sample_mu_Pa);
+        EXPECT_NEAR(slope / compliance, 1.0, 1e-4) << along;
+    }
 }
 
 // Hoops about the axis under a vacuum: the sphere, of one cell through the wall, folds, and its load turns from falling to rising
