@@ -166,6 +166,28 @@ Hermite progress(const Metric& metric, const Curve& curve, const std::vector<std
     return progress;
 }
 
+/// Slopes dq/ds at both ends of an interval; at a row in the midst of a stage neighbours agree.
+struct EndSlopes {
+    double start, end;
+};
+
+/// Of each interval. `corners`: rows at which a stage begins. What a column did before one says nothing of what it does after:
+/// between a pull and the way back the energy has its maximum there and yet is flat on neither side.
+std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<const double> q,
+                                       std::span<const std::size_t> corners) {
+    std::vector<EndSlopes> ends;
+    std::size_t first = 0;
+    const auto add_until = [&](std::size_t last) {
+        const std::vector<double> slopes =
+            monotone_slopes(s.subspan(first, last - first + 1), q.subspan(first, last - first + 1));
+        for (std::size_t i = 1; i < slopes.size(); ++i) ends.push_back({slopes[i - 1], slopes[i]});
+        first = last;
+    };
+    for (const std::size_t corner : corners) add_until(corner);
+    add_until(s.size() - 1);
+    return ends;
+}
+
 const Column* first_of(const Curve& curve, auto is_wanted) {
     const auto column = std::find_if(curve.columns.begin(), curve.columns.end(), is_wanted);
     return column == curve.columns.end() ? nullptr : &*column;
@@ -180,6 +202,7 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     const Column* time = first_of(curve, [](const Column& column) { return column.source == Source::time; });
     std::vector<Speeds> speeds;
     std::vector<double> chords{0};  // added up
+    std::vector<std::size_t> corners;
     rows_.push_back(0);
     s_.push_back(0);
     for (std::size_t row = 1; row < curve.row_count(); ++row) {
@@ -189,6 +212,7 @@ Path::Path(const Curve& curve) : curve_(&curve) {
                             : enters        ? first_speeds(metric, before, row)
                                             : interval_speeds(metric, before, row);
         if (!(next.start + next.end > 0)) continue;
+        if (enters) corners.push_back(rows_.size() - 1);
         rows_.push_back(row);
         speeds.push_back(next);
         s_.push_back(s_.back() +
@@ -199,16 +223,17 @@ Path::Path(const Curve& curve) : curve_(&curve) {
         std::vector<double> q;
         for (const std::size_t row : rows_) q.push_back(column.values[row]);
         const std::vector<double>& places = column.role == Role::coordinate || time != nullptr ? s_ : chords;
-        const std::vector<double> flat = monotone_slopes(places, q);
-        const auto slope = [&](std::size_t i, double speed, double ds) {
+        const std::vector<EndSlopes> by_rows = slopes_by_stage(places, q, corners);
+        const auto slope = [&](std::size_t i, double speed, double otherwise) {
             const double norm = column.role == Role::coordinate ? metric.norm(rows_[i]) : 0;
-            return norm > 0 ? column.slopes[rows_[i]] / norm * speed : flat[i] * ds;
+            return norm > 0 ? column.slopes[rows_[i]] / norm * speed : otherwise;
         };
         std::vector<Hermite>& pieces = pieces_.emplace_back();
         for (std::size_t i = 0; i < speeds.size(); ++i) {
             const double ds = places[i + 1] - places[i], difference = q[i + 1] - q[i];
             const bool known = column.role != Role::coordinate || speeds[i].directions == Speeds::Directions::both;
-            double start = slope(i, speeds[i].start, ds), end = slope(i + 1, speeds[i].end, ds);
+            double start = slope(i, speeds[i].start, by_rows[i].start * ds),
+                   end = slope(i + 1, speeds[i].end, by_rows[i].end * ds);
             if (!known) {
                 end = speeds[i].directions == Speeds::Directions::second ? end : difference;
                 start = 2 * difference - end;

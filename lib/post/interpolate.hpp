@@ -10,11 +10,12 @@
 /// slopes, and columns that have none, take slopes that keep each interval monotone (Fritsch and Butland 1984, as in
 /// PCHIP). The latter are cubics of the progress along the chord, (q(t) - q0) . (q1 - q0) / |q1 - q0|^2, which unlike t runs
 /// as evenly as the path itself.
-/// A change of stage is a corner: the last row of a stage holds the direction in which that stage has arrived, and the way
-/// on to the next row belongs to the next stage. There the piece is the arc that leaves the chord as it arrives, known by
-/// u1 alone: m1 = v u1, m0 = 2 (q1 - q0) - m1, v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order;
-/// derived here). Where u1 is not within 60 degrees of the chord, or a coordinate would turn back on the way, it is a
-/// straight line.
+/// A change of stage is a corner: the slopes of rows belong to one stage, one-sided at both its ends, and a column is straight
+/// where the stage is a single interval, of which no more is known. Of the coordinates the last row of a stage holds the
+/// direction in which that stage has arrived, and the way on to the next row belongs to the next stage. There the piece is
+/// the arc that leaves the chord as it arrives, known by u1 alone: m1 = v u1, m0 = 2 (q1 - q0) - m1,
+/// v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order; derived here). Where u1 is not within 60 degrees
+/// of the chord, or a coordinate would turn back on the way, it is a straight line.
 /// Of a motion the parameter is time itself, and the slopes, which are derivatives by time, stand for themselves: the cubic
 /// through two rows meets values and velocities. Held by post/interpolate_test.
 #include <span>

@@ -48,6 +48,24 @@ runs 'postprocess --outputs result.h5'
 claim "those of the table are" [ "$(grep -vc -- --also "$seen/out")" -eq "$(head -n 1 curve.csv | tr ',' '\n' | wc -l)" ]
 refuses 64 "postprocess: --also: the result has no column 'energy'; *" 'postprocess -q result.h5 --also energy'
 
+# A rod pulled and let back: between the rows too it is stretched by what it is longer, also next to the turn.
+cat >there-and-back.yaml <<'EOF'
+family: rod
+geometry: {length: 100 mm, width: 10 mm, height: 10 mm}
+material: {law: neo-hookean, mu: 0.1644 MPa, kappa: incompressible}
+model: solid
+mesh: {size: 10 mm}
+supports: {x: fixed, y: left, z: bottom}
+loads: {end: {displacement: 50 mm, along: x}}
+path: {stages: {pull: {loads: {end: {displacement: 50 mm}}}, back: {loads: {end: {displacement: 0 mm}}}}}
+outputs: {elongation: {face: end, along: x}}
+EOF
+runs 'mesh-gen -q there-and-back.yaml | solve -q -o there-and-back.h5 && postprocess -q there-and-back.h5 --at elongation=40mm --also stored_energy -o turn.csv'
+claim "each way is met once" [ "$(cut -d, -f2 turn.csv | tr '\n' ' ')" = "stage 1 2 " ]
+head -n 2 turn.csv >pull.csv
+claim "the rod is stretched by 1.4 on the way there" within "$(column pull.csv stretch_p99)" 1.399999 1.400001
+claim "and on the way back" within "$(column turn.csv stretch_p99)" 1.399999 1.400001
+
 # A strip in plane strain that its weight bends: its end turns by rho g L^3 / (2 mu h^2), the beam of plane strain modulus 4 mu.
 cat >strip.yaml <<'EOF'
 family: panel
