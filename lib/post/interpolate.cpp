@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "post/monotone_slopes.hpp"
 
 namespace soft::post {
 namespace {
@@ -118,30 +119,6 @@ std::vector<double> Hermite::monotone_pieces() const {
     }
     ends.push_back(1);
     return ends;
-}
-
-std::vector<double> monotone_slopes(std::span<const double> s, std::span<const double> q) {
-    const std::size_t n = s.size();
-    std::vector<double> slopes(n, 0.0);
-    if (n < 2) return slopes;
-    const auto secant = [&](std::size_t i) { return (q[i + 1] - q[i]) / (s[i + 1] - s[i]); };
-    if (n == 2) return {secant(0), secant(0)};
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-        const double left = secant(i - 1), right = secant(i);
-        if (!(left * right > 0)) continue;  // an extremum: flat
-        const double h_left = s[i] - s[i - 1], h_right = s[i + 1] - s[i];
-        const double w_left = 2 * h_right + h_left, w_right = h_right + 2 * h_left;
-        slopes[i] = (w_left + w_right) / (w_left / left + w_right / right);
-    }
-    // ends: the parabola through three points, limited to keep the sign and three times the secant
-    const auto end_slope = [](double h0, double h1, double d0, double d1) {
-        const double slope = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
-        if (slope * d0 <= 0) return 0.0;
-        return std::abs(slope) > 3 * std::abs(d0) ? 3 * d0 : slope;
-    };
-    slopes.front() = end_slope(s[1] - s[0], s[2] - s[1], secant(0), secant(1));
-    slopes.back() = end_slope(s[n - 1] - s[n - 2], s[n - 2] - s[n - 3], secant(n - 2), secant(n - 3));
-    return slopes;
 }
 
 namespace {

@@ -7,9 +7,9 @@
 ///     (v0 u0 + v1 u1) / 2 = q1 - q0,
 /// so that a piece of any parabola is met exactly and any smooth path to fourth order (derived here). Where that has no
 /// sound answer (a straight piece, a point of inflection) both speeds are the length of the chord. Rows without
-/// slopes, and columns that have none, take slopes that keep each interval monotone (Fritsch and Butland 1984, as in
-/// PCHIP). The latter are cubics of the progress along the chord, (q(t) - q0) . (q1 - q0) / |q1 - q0|^2, which unlike t runs
-/// as evenly as the path itself.
+/// slopes, and columns that have none, take those of their rows (monotone_slopes.hpp: third order, each interval monotone).
+/// The latter are cubics of the progress along the chord, (q(t) - q0) . (q1 - q0) / |q1 - q0|^2, which unlike t runs as
+/// evenly as the path itself.
 /// A change of stage is a corner: the slopes of rows belong to one stage, one-sided at both its ends, and a column is straight
 /// where the stage is a single interval, of which no more is known. Of the coordinates the last row of a stage holds the
 /// direction in which that stage has arrived, and the way on to the next row belongs to the next stage. There the piece is
@@ -33,9 +33,6 @@ struct Hermite {
     /// Ends of the monotone pieces: 0, the interior extrema in order, 1.
     [[nodiscard]] std::vector<double> monotone_pieces() const;
 };
-
-/// Slopes dq/ds at strictly increasing `s` that keep the interpolant of `q` monotone between neighbours.
-[[nodiscard]] std::vector<double> monotone_slopes(std::span<const double> s, std::span<const double> q);
 
 /// A curve made continuous. The curve must outlive it.
 class Path {

@@ -63,8 +63,12 @@ EOF
 runs 'mesh-gen -q there-and-back.yaml | solve -q -o there-and-back.h5 && postprocess -q there-and-back.h5 --at elongation=40mm --also stored_energy -o turn.csv'
 claim "each way is met once" [ "$(cut -d, -f2 turn.csv | tr '\n' ' ')" = "stage 1 2 " ]
 head -n 2 turn.csv >pull.csv
+energy=$(awk 'BEGIN { print 164.4 / 2 * (1.4 ^ 2 + 2 / 1.4 - 3) * 10 }')   # mu/2 (l^2 + 2/l - 3) V, in mJ
 claim "the rod is stretched by 1.4 on the way there" within "$(column pull.csv stretch_p99)" 1.399999 1.400001
 claim "and on the way back" within "$(column turn.csv stretch_p99)" 1.399999 1.400001
+for way in pull turn; do
+    claim "its energy is that of this stretch" within "$(awk "BEGIN { print $(column $way.csv stored_energy_mJ) / $energy }")" 0.998 1.002
+done
 
 # A strip in plane strain that its weight bends: its end turns by rho g L^3 / (2 mu h^2), the beam of plane strain modulus 4 mu.
 cat >strip.yaml <<'EOF'

@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <span>
 #include <vector>
 
 #include "path_samples.hpp"
+#include "post/monotone_slopes.hpp"
 #include "post/request.hpp"
 
 namespace soft::post {
@@ -53,8 +55,7 @@ TEST(Crossings, FindTheValueThePathWasToEndAt) {
     }
 }
 
-TEST(MonotoneSlopes, NeverLeaveTheRangeOfTheNeighbours) {
-    const std::vector<double> s{0, 0.1, 0.5, 0.6, 2, 2.1}, q{1, 1.01, 1.02, 3, 3, 2.5};
+void expect_within_neighbours(const std::vector<double>& s, const std::vector<double>& q) {
     const auto slopes = monotone_slopes(s, q);
     for (std::size_t i = 0; i + 1 < s.size(); ++i) {
         const double ds = s[i + 1] - s[i];
@@ -64,6 +65,37 @@ TEST(MonotoneSlopes, NeverLeaveTheRangeOfTheNeighbours) {
             EXPECT_LE(piece(k / 50.0), std::max(q[i], q[i + 1]) + 1e-14);
         }
     }
+}
+
+TEST(MonotoneSlopes, NeverLeaveTheRangeOfTheNeighbours) {
+    expect_within_neighbours({0, 0.1, 0.5, 0.6, 2, 2.1}, {1, 1.01, 1.02, 3, 3, 2.5});
+    std::mt19937 engine(1);  // its numbers are the same everywhere
+    const auto up_to_1 = [&] { return static_cast<double>(engine()) / std::mt19937::max(); };
+    for (const std::size_t rows : {2u, 3u, 4u, 5u, 9u})
+        for (int round = 0; round < 100; ++round) {
+            std::vector<double> s{0}, q{up_to_1()};
+            while (s.size() < rows) s.push_back(s.back() + 0.01 + up_to_1()), q.push_back(std::pow(up_to_1(), 3));
+            expect_within_neighbours(s, q);
+            std::sort(q.begin(), q.end());
+            expect_within_neighbours(s, q);
+        }
+}
+
+TEST(MonotoneSlopes, AreThoseOfAParabolaAndAtTheEndsOfACubic) {
+    const std::vector<double> s{1, 1.1, 1.35, 1.6, 2.5};  // rising throughout, at rates that differ by less than three
+    std::vector<double> squares, cubes;
+    for (const double x : s) squares.push_back(x * x), cubes.push_back(x * x * x);
+    for (std::size_t i = 0; i < s.size(); ++i) EXPECT_NEAR(monotone_slopes(s, squares)[i], 2 * s[i], 1e-13);
+    EXPECT_NEAR(monotone_slopes(s, cubes).front(), 3, 1e-12);
+    EXPECT_NEAR(monotone_slopes(s, cubes).back(), 3 * 2.5 * 2.5, 1e-12);
+    const std::span<const double> three(s.data(), 3), values(squares.data(), 3);
+    EXPECT_NEAR(monotone_slopes(three, values).back(), 2 * 1.35, 1e-13);
+}
+
+// A peak within the interval at the end is no reason to swing beyond it: what has turned may have a kink.
+TEST(MonotoneSlopes, TakeTheParabolaWhereTheValuesTurn) {
+    const std::vector<double> s{0, 1, 2, 3}, q{4, 2, 0, 1};  // the parabola through the last three: 1.5 x^2 - 6.5 x + 7
+    EXPECT_NEAR(monotone_slopes(s, q).back(), 2.5, 1e-13);
 }
 
 TEST(Path, PassesThroughEveryRow) {
@@ -274,6 +306,19 @@ TEST(FollowersAtATurn, GoOnWithoutSlowingDown) {
     const Curve rows = rows_of_both_ways(curve, stretches);
     ASSERT_EQ(rows.row_count(), 8u);
     for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(rows.find("stretch_p99")->values[i], stretches[i / 2], 1e-12) << i;
+}
+
+/// The rows of `solve`, of steps that grow from 1 to 25 mm: rows alone tell the energy to 0.15 % of its largest.
+TEST(FollowersAtATurn, KnowTheEnergyBetweenFarRows) {
+    const Curve curve = pulled_and_let_back({1, 1.01, 1.035, 1.0975, 1.254, 1.5}, {1.49, 1.465, 1.4025, 1.246, 1});
+    const std::vector<double> stretches{1.3, 1.35, 1.4, 1.45, 1.48};
+    const Curve rows = rows_of_both_ways(curve, stretches);
+    ASSERT_EQ(rows.row_count(), 10u);
+    constexpr double largest = (1.5 * 1.5 + 2 / 1.5 - 3) / 2;
+    for (std::size_t i = 0; i < 10; ++i) {
+        const double l = stretches[i / 2], energy = (l * l + 2 / l - 3) / 2;
+        EXPECT_NEAR(rows.find("stored_energy")->values[i] / 1e3, energy, 1.5e-3 * largest) << i;
+    }
 }
 
 TEST(FollowersAtATurn, AreStraightInAStageOfASingleInterval) {
