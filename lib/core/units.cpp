@@ -58,6 +58,10 @@ constexpr std::array units = {
     Unit{"GPa", Dimension::pressure, 9},
     Unit{"N/m^2", Dimension::pressure},
     Unit{"N/mm^2", Dimension::pressure, 6},
+    Unit{"kN/m^2", Dimension::pressure, 3},
+    Unit{"N/m\u00B2", Dimension::pressure},
+    Unit{"N/mm\u00B2", Dimension::pressure, 6},
+    Unit{"kN/m\u00B2", Dimension::pressure, 3},
     Unit{"mbar", Dimension::pressure, 2},
     Unit{"bar", Dimension::pressure, 5},
     Unit{"atm", Dimension::pressure, 0, 101325.0},
@@ -208,13 +212,23 @@ Refusal not_a_number(std::string_view text, Dimension dimension) {
             advice(dimension)};
 }
 
+bool equal_but_case(std::string_view one, std::string_view other) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::ranges::equal(one, other, {}, lower, lower);
+}
+
 Refusal unknown_unit(const Parts& parts, Dimension dimension) {
     const std::string problem = "unknown unit " + quoted(parts.unit) + " in " + with_article(name(dimension));
     const std::string number = one_line(parts.number, longest_number);
     if (parts.unit.starts_with(','))
         return {"a comma is not a decimal point", "write " + number + "." + one_line(parts.unit.substr(1))};
-    if (const auto near = nearest(parts.unit, unit_names(dimension)); near && dimension != Dimension::ratio)
-        return {problem, "did you mean " + number + " " + *near + "?"};
+    // A unit that is merely near may be a thousand times another: 'ksi' is no slip of 'psi'.
+    const auto names = unit_names(dimension);
+    const auto same =
+        std::ranges::find_if(names, [&](const std::string& name) { return equal_but_case(name, parts.unit); });
+    if (same != names.end() &&
+        std::ranges::count_if(names, [&](const std::string& name) { return equal_but_case(name, parts.unit); }) == 1)
+        return {problem, "did you mean " + number + " " + *same + "?"};
     return {problem, advice(dimension)};
 }
 

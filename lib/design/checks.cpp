@@ -65,6 +65,17 @@ void check_range(const Key& key, double value, const Node& node) {
                "it must be " + bounds_text(key));
 }
 
+/// Meshers and exact predicates stumble over lengths that nobody makes, or take for ever.
+void check_size(const Key& key, double length_m, const Node& node) {
+    constexpr double longest_m = 100.0, shortest_m = 1e-8;
+    const double size_m = std::abs(length_m);
+    if (size_m > longest_m || (size_m > 0 && size_m < shortest_m))
+        refuse(node.place, key.path,
+               core::one_line(core::tidy_quantity(node.text)) + " is " + (size_m > longest_m ? "longer" : "shorter") +
+                   " than anything that is moulded",
+               "10 nm to 100 m; is the unit right?");
+}
+
 bool is_word(const Key& key, std::string_view text) {
     return std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end();
 }
@@ -101,6 +112,8 @@ void check_number(const Key& key, Item& item, const Node& node) {
     else
         item.entry.number = value_or_refuse(core::parse_quantity(node.text, *dimension_of(key.kind)), key, node);
     check_range(key, item.entry.number, node);
+    if (key.kind == Kind::length && (key.path.starts_with("geometry.") || key.path.starts_with("mesh.")))
+        check_size(key, item.entry.number, node);
     item.entry.text = core::tidy_quantity(node.text);
     item.entry.numbers = {item.entry.number};
 }

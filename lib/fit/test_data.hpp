@@ -33,8 +33,8 @@ struct TestCurve {
     StressMeasure measured = StressMeasure::engineering;  ///< what the file holds
 };
 
-/// A strain of 30 is past what any rubber bears, and a small percentage: a plain ratio beyond it is taken for a slip.
-inline constexpr double largest_ratio = 30.0;
+/// A strain of 12 is past what any rubber bears, and a small percentage: a plain ratio beyond it is taken for a slip.
+inline constexpr double largest_ratio = 12.0;
 
 /// Engineering strains that take part, both ends included.
 struct StrainRange {

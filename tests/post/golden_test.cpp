@@ -61,7 +61,7 @@ TEST(Golden, TellsTheFirstDifferingRowWithColumnValuesAndDifference) {
     golden = replaced(golden, "5," + right + ",500,", "5,0.00077,500,");
     EXPECT_EQ(failure(golden, {}, 41),
               "golden.csv:7: pressure_kPa is 0.0007554331 where growth_mm is 500, golden 0.00077: 1.46e-05 apart, "
-              "allowed 7.7e-07; 1 of 21 rows differ");
+              "allowed 7.7e-07; 1 of 21 rows differs");
     EXPECT_FALSE(verdict_on(golden).agrees());
     EXPECT_TRUE(verdict_on(golden, {0.02, {}}).agrees());
     EXPECT_TRUE(verdict_on(golden, {1e-3, {{"pressure", 1.5e-5}}}).agrees());
