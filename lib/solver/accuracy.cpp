@@ -18,6 +18,9 @@ using Rows = std::vector<RowState>;
 /// Below this part of the largest load errors are no longer relative to the load itself.
 constexpr double small_load = 0.1;
 
+/// How much more a bar counts where its rates are assumed (ErrorBar::settled), when it is asked whether a fourth mesh is needed.
+constexpr double doubt = 2;
+
 void require_refinable(const model::Case& input, const solution::Step& step) {
     for (const auto type : input.mesh.cell_types)
         if (mesh::topology(type).order < 2)
@@ -64,37 +67,50 @@ struct Measure {
     }
 };
 
-std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, const Rows& finer, const Rows& before) {
+/// Rows of the levels around the reported one; empty where there is none.
+struct Around {
+    const Rows &finer, &before, &earlier;
+};
+
+std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, const Around& around) {
     std::vector<LevelRow> rows;
     for (std::size_t i = 0; i < reported.size(); ++i) {
-        rows.push_back(
-            {measure.point(reported[i].step), measure.point(finer[i].step), {}, measure.tangent(reported[i].step)});
-        if (!before.empty()) rows.back().before = measure.point(before[i].step);
+        rows.push_back({measure.point(reported[i].step),
+                        measure.point(around.finer[i].step),
+                        {},
+                        {},
+                        measure.tangent(reported[i].step)});
+        if (!around.before.empty()) rows.back().before = measure.point(around.before[i].step);
+        if (!around.earlier.empty()) rows.back().earlier = measure.point(around.earlier[i].step);
     }
     return error_bars(rows);
 }
 
-/// Puts the bars into the reported rows; `before` is empty for the given mesh.
-void set_bars(Rows& reported, const Rows& finer, const Rows& before) {
+/// Puts the bars into the reported rows; those of the first measure.
+std::vector<ErrorBar> set_bars(Rows& reported, const Around& around) {
+    std::vector<ErrorBar> first;
     const std::size_t outputs = reported.front().step.outputs.size();
     for (RowState& row : reported) row.step.output_errors.clear();
     for (std::size_t k = 0; k < std::max<std::size_t>(outputs, 1); ++k) {
         const Measure measure{outputs > 0 ? k : Measure::volume};
-        const auto bars = bars_of(measure, reported, finer, before);
+        const auto bars = bars_of(measure, reported, around);
         for (std::size_t i = 0; i < bars.size(); ++i) {
             if (k == 0) reported[i].step.pressure_error_Pa = bars[i].load;
             if (outputs > 0) reported[i].step.output_errors.push_back(bars[i].measure);
         }
+        if (k == 0) first = bars;
     }
+    return first;
 }
 
-double largest_relative_bar(const Rows& rows) {
+/// `unsettled`: the factor of bars that stand on assumed rates.
+double largest_relative_bar(const Rows& rows, const std::vector<ErrorBar>& bars, double unsettled) {
     double largest_load = 0, worst = 0;
     for (const RowState& row : rows) largest_load = std::max(largest_load, std::abs(row.step.pressure_Pa));
     if (!(largest_load > 0.0)) return 0;
-    for (const RowState& row : rows)
-        worst = std::max(
-            worst, *row.step.pressure_error_Pa / std::max(std::abs(row.step.pressure_Pa), small_load * largest_load));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        worst = std::max(worst, bars[i].load * (bars[i].settled ? 1 : unsettled) /
+                                    std::max(std::abs(rows[i].step.pressure_Pa), small_load * largest_load));
     return worst;
 }
 
@@ -175,35 +191,40 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
     result.unknowns = given.dofs().total;
     const model::Case* coarse = &input;
     std::unique_ptr<Level> level;
-    Rows before, finer = std::move(rows);  // the reported rows lie between them
+    Rows earlier, before, finer = std::move(rows);  // the reported rows lie between the last two
     for (;;) {
         const std::int64_t needed = growth * result.unknowns;
         if (needed > bound) result.obstacle = bound_text(needed, bound);
         if (!result.obstacle.empty()) break;
         auto next = std::make_unique<Level>(*coarse, given.comm());
-        const auto keep = growth * needed > bound ? RefinedPath::Keep::values : RefinedPath::Keep::fields;
+        const bool last = growth * next->system.dofs().total > bound;  // nothing is carried on from there
+        const auto keep = last ? RefinedPath::Keep::values : RefinedPath::Keep::fields;
         Solved solved = solve_rows(*next, finer, end, keep, result);
         result.obstacle = solved.failure;
         if (!result.obstacle.empty()) break;
         if (result.has_bars) {  // one level on
+            earlier = std::move(before);
             before = std::move(result.rows);
             ++result.level;
         }
         result.rows = std::move(finer);
         finer = std::move(solved.rows);
         result.unknowns = next->system.dofs().total;
-        set_bars(result.rows, finer, before);
+        const std::vector<ErrorBar> bars = set_bars(result.rows, {finer, before, earlier});
         result.has_bars = true;
-        result.reached = largest_relative_bar(result.rows);
+        result.reached = largest_relative_bar(result.rows, bars, 1);
         if (log)
             log("mesh " + std::to_string(result.level) + ", judged by one with " + std::to_string(result.unknowns) +
                 " unknowns: error bars up to " + percent(result.reached));
-        const bool third_fits = growth * result.unknowns <= bound;
-        if (result.reached <= target.tolerance && (result.level > 0 || !third_fits)) break;
+        const bool sure = result.level > 1 ||  // the bars look back at two levels
+                          (result.level == 1 && largest_relative_bar(result.rows, bars, doubt) <= target.tolerance);
+        const bool next_fits = growth * result.unknowns <= bound;
+        if (result.reached <= target.tolerance && (sure || !next_fits)) break;
         level = std::move(next);
         coarse = &level->input;
     }
     if (!result.has_bars) result.rows = std::move(finer);
+    if (result.has_bars && result.reached <= target.tolerance) result.obstacle.clear();  // a mesh more was but a check
     if (result.level > 0) move_points(result.rows, end);
     return result;
 }

@@ -3,9 +3,11 @@
 /// the bars (error_bar.hpp) of the last but one are within a tolerance.
 ///   level 0: the mesh that was given; level k + 1: that of level k with every cell halved, new nodes of bent edges on the
 ///   circle through the old ones (mesh::Curve::circle).
-/// The rows of level k are reported, with bars by level k + 1, and narrowed by level k - 1 where there is one. Level 0 is
-/// reported only where the bound on the unknowns leaves no third mesh: two meshes may hide what is not in its rate yet. The bar of
-/// the load is that at equal value of the first output, of the volume where the case has no output. What is held to the
+/// The rows of level k are reported, with bars by level k + 1 and, where there are, k - 1 and k - 2. Level 0 is reported only
+/// where the bound on the unknowns leaves no third mesh: two meshes may hide what is not in its rate yet. Where the differences of
+/// three meshes are at no rate yet (ErrorBar::settled), only bars within half of the tolerance end the refinement; else a fourth
+/// mesh is solved, if it fits. The bar of the load is that at equal value of the first output, of the volume where the case has
+/// no output. What is held to the
 /// tolerance is the largest of  bar of the load / max(|load|, a tenth of the path's largest |load|).
 /// Held by solver/accuracy_test and the verification suite (group Error bars).
 #include <cstdint>

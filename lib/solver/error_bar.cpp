@@ -6,25 +6,29 @@
 namespace soft::solver {
 namespace {
 
-/// Of the difference to the next level: any rate above 0.87.
-constexpr double widest = 2.2;
-/// Of measured differences, and never less than.
-constexpr double safety = 1.2, narrowest = 1.2;
-constexpr double slow = 2, fast = 16;  ///< ratios of differences at rates 1 and 4
-/// Of the neighbourhood's difference, where the row's own is smaller.
+/// How many times smaller differences get from level to level: the slowest part, one between, and that of second-order cells
+/// where the solution is smooth.
+constexpr double slow = 5.0 / 3, middle = 4, fast = 16;
+constexpr double safety = 1.2;  ///< of three meshes
+/// Of the neighbourhood's error, where the row's own is smaller.
 constexpr double least_share = 0.5;
-constexpr double neighbourhood = 0.25;     ///< of the path's length, either way
-constexpr double least_correlation = 0.9;  ///< of two levels' differences that fall at one rate
+constexpr double neighbourhood = 0.25;  ///< of the path's length, either way
+/// Of two levels' differences over a neighbourhood that fall at known rates.
+constexpr double least_correlation = 0.8, slowest_settled = 1.25, fastest_settled = 2 * fast;
 constexpr double nearest_start =
     0.02;  ///< of the ranges: nearer to the start differences are not taken relative to less
+
+/// What is still to come of parts that fall by rho a level, over the difference to the next level.
+constexpr double still_to_come(double rho) { return rho / (rho - 1); }
 
 /// A row in coordinates divided by their ranges.
 struct Scaled {
     double load = 0, measure = 0;
-    double cosine = 1, sine = 0;  ///< tangent in (measure, load)
-    double along = 0;             ///< path length up to here
-    double from_start = 0;        ///< distance
-    double d = 0, before = 0;     ///< differences to the finer level, and of the level before to this one
+    double cosine = 1, sine = 0;            ///< tangent in (measure, load)
+    double along = 0;                       ///< path length up to here
+    double from_start = 0;                  ///< distance
+    double d = 0, before = 0, earlier = 0;  ///< to the finer level; of the two levels before to their next
+    double error = 0;                       ///< that they let expect, >= 0
     double curvature = 0;
 };
 
@@ -90,6 +94,7 @@ std::vector<Scaled> scaled(std::span<const LevelRow> rows, const Ranges& ranges)
         };
         at.d = across(rows[i].reported, rows[i].finer);
         if (rows[i].before) at.before = across(*rows[i].before, rows[i].reported);
+        if (rows[i].earlier) at.earlier = across(*rows[i].earlier, *rows[i].before);
         at.from_start = std::hypot(at.load - path[0].load, at.measure - path[0].measure);
         if (i > 0)
             at.along = path[i - 1].along + std::hypot(at.load - path[i - 1].load, at.measure - path[i - 1].measure);
@@ -98,37 +103,71 @@ std::vector<Scaled> scaled(std::span<const LevelRow> rows, const Ranges& ranges)
     return path;
 }
 
-/// Relative differences of a neighbourhood.
-struct Nearby {
-    double difference = 0, before = 0;  ///< root mean squares of d, and of the level before
-    double correlation = 0;
-};
-
-Nearby nearby(const std::vector<Scaled>& path, std::size_t i) {
+/// Calls f(row, weight, scale) for the rows near row i: weights fall with the distance along the path, `scale` makes values
+/// relative to the distance from the start.
+template <class F>
+void for_neighbours(const std::vector<Scaled>& path, std::size_t i, F&& f) {
     const double width = neighbourhood * path.back().along;
-    double weights = 0, squares = 0, squares_before = 0, products = 0;
     for (const Scaled& row : path) {
         const double distance = std::abs(row.along - path[i].along);
         if (!(row.from_start > 0) || distance > width) continue;
-        const double weight = 1 - distance / width * (1 - 1e-3),
-                     scale = 1 / std::max(row.from_start, nearest_start);  // > 0
-        const double d = row.d * scale, before = row.before * scale;
-        weights += weight;
-        squares += weight * d * d;
-        squares_before += weight * before * before;
-        products += weight * d * before;
+        f(row, 1 - distance / width * (1 - 1e-3), 1 / std::max(row.from_start, nearest_start));
     }
-    if (!(weights > 0)) return {};
-    const double both = std::sqrt(squares * squares_before);
-    return {std::sqrt(squares / weights), std::sqrt(squares_before / weights), both > 0 ? products / both : 0};
 }
 
-/// Of the difference to the finer level, so that the bar covers the error.
-double share_of_error(const Nearby& near) {
-    const double rho = near.difference > 0 ? near.before / near.difference : 0;
-    if (near.correlation < least_correlation || rho <= slow) return widest;
-    const double share = (std::min(rho, fast) - slow) / (fast - slow);  // of the fast part
-    return std::clamp(safety * (share * fast / (fast - 1) + (1 - share) * slow / (slow - 1)), narrowest, widest);
+/// The differences of two levels, the coarser one first, are much alike, and their ratio is one that a rate has.
+bool settled(const std::vector<Scaled>& path, std::size_t i, double Scaled::*before, double Scaled::*d,
+             double slowest = slowest_settled) {
+    double squares = 0, squares_before = 0, products = 0;
+    for_neighbours(path, i, [&](const Scaled& row, double weight, double scale) {
+        const double w = weight * scale * scale;
+        squares += w * row.*d * row.*d;
+        squares_before += w * row.*before * row.*before;
+        products += w * row.*d * row.*before;
+    });
+    const double norm = std::sqrt(squares), norm_before = std::sqrt(squares_before);
+    return products >= least_correlation * norm * norm_before && norm_before >= slowest * norm &&
+           norm_before <= fastest_settled * norm;
+}
+
+/// The error of parts of any sign whose sums are the differences, one slow, one fast.
+double of_two_parts(double before, double d) {
+    const double rapid = (before - slow * d) / (fast - slow);  // the fast part of d
+    return still_to_come(slow) * (d - rapid) + still_to_come(fast) * rapid;
+}
+
+/// The same with a third part between.
+double of_three_parts(double earlier, double before, double d) {
+    // Without their slow part the differences are sums of two: (4 - 5/3) m + (16 - 5/3) f, and one level earlier.
+    const double late = before - slow * d, early = earlier - slow * before;
+    const double rapid = (early - middle * late) / ((fast - slow) * (fast - middle));
+    const double medium = (late - (fast - slow) * rapid) / (middle - slow);
+    return still_to_come(slow) * (d - medium - rapid) + still_to_come(middle) * medium + still_to_come(fast) * rapid;
+}
+
+/// Both pairs of differences are settled, or the last one is at a rate that no middle part has.
+bool three_levels_agree(const std::vector<Scaled>& path, std::size_t i) {
+    return settled(path, i, &Scaled::before, &Scaled::d, fast / 2) ||
+           (settled(path, i, &Scaled::before, &Scaled::d) && settled(path, i, &Scaled::earlier, &Scaled::before));
+}
+
+double expected_error(const std::vector<Scaled>& path, std::size_t i, const LevelRow& row) {
+    const Scaled& at = path[i];
+    if (!row.before) return still_to_come(slow) * std::abs(at.d);
+    double error = std::max(std::abs(of_two_parts(at.before, at.d)), still_to_come(fast) * std::abs(at.d));
+    if (row.earlier && !three_levels_agree(path, i))
+        error = std::max(error, std::abs(of_three_parts(at.earlier, at.before, at.d)));
+    return safety * error;
+}
+
+/// Root mean square of the errors nearby, relative to the distance from the start.
+double error_nearby(const std::vector<Scaled>& path, std::size_t i) {
+    double weights = 0, squares = 0;
+    for_neighbours(path, i, [&](const Scaled& row, double weight, double scale) {
+        weights += weight;
+        squares += weight * row.error * scale * row.error * scale;
+    });
+    return weights > 0 ? std::sqrt(squares / weights) : 0;
 }
 
 /// How far one coordinate of the curve shifted by c across itself is away at an equal value of the other, whose share of
@@ -152,15 +191,16 @@ double shift(double c, double own, double other, double curvature) {
 std::vector<ErrorBar> error_bars(std::span<const LevelRow> rows) {
     if (rows.empty()) return {};
     const Ranges ranges = ranges_of(rows);
-    const std::vector<Scaled> path = scaled(rows, ranges);
+    std::vector<Scaled> path = scaled(rows, ranges);
+    for (std::size_t i = 0; i < path.size(); ++i) path[i].error = expected_error(path, i, rows[i]);
     std::vector<ErrorBar> bars;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Scaled& at = path[i];
-        const Nearby near = nearby(path, i);
-        const double difference = std::max(std::abs(at.d), least_share * near.difference * at.from_start);
-        const double c = share_of_error(near) * difference + solved_to * at.from_start;
+        const double error = std::max(at.error, least_share * error_nearby(path, i) * at.from_start);
+        const double c = error + solved_to * at.from_start;
         bars.push_back({shift(c, at.sine, at.cosine, at.curvature) * ranges.load,
-                        shift(c, at.cosine, at.sine, at.curvature) * ranges.measure});
+                        shift(c, at.cosine, at.sine, at.curvature) * ranges.measure,
+                        settled(path, i, &Scaled::before, &Scaled::d) || error <= solved_to * at.from_start});
     }
     return bars;
 }

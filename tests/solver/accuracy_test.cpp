@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
+#include "mesh/refine.hpp"
 #include "sphere.hpp"
 
 namespace soft::solver {
@@ -32,6 +34,11 @@ Judged judge(const model::Case& input, const AccuracyTarget& target) {
 model::Case inflated_sphere(int layers, int sectors) {
     auto input = sphere_case(layers, sectors);
     input.path.stages[0].until = {{"volume_ratio", 8.0}};
+    return input;
+}
+
+model::Case refined(model::Case input) {
+    input.mesh = mesh::refine_once(input.mesh, mesh::Curve::circle).mesh;
     return input;
 }
 
@@ -97,6 +104,51 @@ TEST(Accuracy, RowsOfTheGivenMeshStayAsTheyWere) {
 // Two meshes may hide what is not in its rate yet: where a third one fits, the given mesh is never the reported one.
 TEST(Accuracy, TakesAThirdMeshWhereItFits) {
     EXPECT_EQ(judge(inflated_sphere(1, 2), tolerance(0.5)).accuracy.level, 1);
+}
+
+/// The grid of the sphere laid out as a tube of 3 mm of rubber round 20 mm, held at both ends: one layer of cells, and corners.
+model::Case held_tube(int cells, double length_m) {
+    auto input = sphere_case(1, cells);
+    for (auto& p : input.mesh.points) {
+        const double radius = std::hypot(p[0], p[1]), angle = std::atan2(p[0], p[1]);
+        p = {length_m * angle * 2 / std::numbers::pi, 0.01 + 0.3 * (radius - 0.01), 0};
+    }
+    input.model_fraction = 1;
+    input.symmetry_planes = {};
+    input.supports = {{"axis", {true, true, false}}, {"symmetry_x", {true, true, false}}};
+    const double hole = std::numbers::pi * 1e-4;
+    input.cavities[0].openings = {{"symmetry_x", hole, {-1, 0, 0}}, {"axis", hole, {1, 0, 0}}};
+    input.path.stages[0].until = {{"volume_ratio", 1.3}};
+    return input;
+}
+
+// The first differences are of opposite sign: bars of three meshes are believed where they are half of what is asked for.
+TEST(Accuracy, TakesAFourthMeshWhereTheRatesAreAssumed) {
+    const auto input = held_tube(4, 0.02);
+    const std::int64_t three_meshes = 4 * assembly::System(refined(input), PETSC_COMM_WORLD).dofs().total;
+    const auto three = judge(input, {.tolerance = 1e-12, .largest_unknowns_2d = three_meshes});
+    ASSERT_EQ(three.accuracy.level, 1);
+    const double reached = three.accuracy.reached;
+    EXPECT_EQ(judge(input, tolerance(2.02 * reached)).accuracy.level, 1);
+    const auto four = judge(input, tolerance(1.01 * reached));
+    EXPECT_EQ(four.accuracy.level, 2);
+    EXPECT_LT(four.accuracy.reached, reached);
+    EXPECT_TRUE(four.accuracy.obstacle.empty());
+    // Where no fourth mesh fits, three are enough.
+    const auto stopped = judge(input, {.tolerance = 1.01 * reached, .largest_unknowns_2d = three_meshes});
+    EXPECT_EQ(stopped.accuracy.level, 1);
+    EXPECT_TRUE(stopped.accuracy.obstacle.empty());
+}
+
+// Halved cells have less than four times the unknowns: what is kept of a mesh goes by those it has, not by the four times.
+TEST(Accuracy, GoesOnToAMeshThatJustFits) {
+    const auto input = inflated_sphere(1, 2), halved = refined(input);
+    const auto unknowns = [](const model::Case& of) { return assembly::System(of, PETSC_COMM_WORLD).dofs().total; };
+    const std::int64_t bound = 4 * unknowns(halved);
+    ASSERT_LT(bound, 16 * unknowns(input));
+    const auto judged = judge(input, {.tolerance = 1e-12, .largest_unknowns_2d = bound});
+    EXPECT_EQ(judged.accuracy.level, 1);
+    EXPECT_FALSE(judged.accuracy.obstacle.empty());
 }
 
 /// The points of the given mesh keep their numbers, so that its displacements are the first of the finer one's.

@@ -23,7 +23,7 @@ std::vector<LevelRow> rows_of(const ErrorOfRow& error, Levels levels = Levels::t
     for (int i = 0; i <= count; ++i) {
         const double m = last * i / count;
         const auto on = [&](double h) { return CurvePoint{exact(m) + error(m, h), m}; };
-        LevelRow row{on(1), on(0.5), {}, {slope(m), 1}};
+        LevelRow row{on(1), on(0.5), {}, {}, {slope(m), 1}};
         if (levels == Levels::three) row.before = on(2);
         rows.push_back(row);
     }
@@ -53,22 +53,22 @@ Quality quality(const std::vector<LevelRow>& rows, const ErrorOfRow& error) {
 /// Errors grow with the load and bend on the way.
 double shape(double m) { return 1e-3 * m * (1 + 0.5 * m); }
 
-TEST(ErrorBar, OfTwoMeshesCoversEveryRateAndIsAtMostTwiceTooWide) {
-    for (const double rate : {0.9, 1.0, 1.5, 2.0, 3.0, 4.0})
+TEST(ErrorBar, OfTwoMeshesCoversEveryRateAndIsAtMostTwiceAndAThirdTooWide) {
+    for (const double rate : {0.75, 0.9, 1.0, 1.5, 2.0, 3.0, 4.0})
         for (const double sign : {1.0, -1.0}) {
             const ErrorOfRow error = [=](double m, double h) { return sign * shape(m) * std::pow(h, rate); };
             const Quality q = quality(rows_of(error), error);
-            EXPECT_GT(q.least, 1.02) << rate;
-            EXPECT_LT(q.largest, 2.15) << rate;
+            EXPECT_GT(q.least, 1.01) << rate;
+            EXPECT_LT(q.largest, 2.36) << rate;
         }
 }
 
 TEST(ErrorBar, IsNarrowedByTheMeasuredRate) {
-    for (const double rate : {1.0, 2.0, 4.0}) {
+    for (const double rate : {0.65, 1.0, 2.0, 4.0}) {  // 0.65: Cook's membrane, at large strain
         const ErrorOfRow error = [=](double m, double h) { return shape(m) * std::pow(h, rate); };
         const Quality q = quality(rows_of(error, Levels::three), error);
         EXPECT_GT(q.least, 1.04) << rate;
-        EXPECT_LT(q.largest, rate == 4.0 ? 1.3 : 1.85) << rate;
+        EXPECT_LT(q.largest, rate == 4.0 ? 1.3 : 2.1) << rate;
     }
 }
 
@@ -108,6 +108,92 @@ TEST(ErrorBar, OfPartsThatNearlyCancelIsAtLeastHalfTheError) {
         EXPECT_GT(q.least, 0.5) << share;
         EXPECT_LT(q.width, 3) << share;
     }
+}
+
+/// Loads at one elongation on meshes halved again and again, in parts of the last one's, and how the sequence goes on.
+struct Sequence {
+    const char* of;
+    std::vector<double> loads;
+};
+
+/// Half width of the load and largest error of the sequence, both relative: on a straight path, at the row where the bar is least.
+/// The reference is the last level and as much again as it differs from the one before.
+struct Relative {
+    double bar, error, error_before;
+};
+
+Relative relative(const Sequence& sequence, std::size_t level) {
+    const auto& loads = sequence.loads;
+    const double truth = 2 * loads.back() - loads[loads.size() - 2];
+    std::vector<LevelRow> rows;
+    for (int i = 0; i <= 20; ++i) {
+        const double m = 0.05 * i;
+        const auto on = [&](std::size_t k) { return CurvePoint{m * loads[k], m}; };
+        LevelRow row{on(level), on(level + 1), on(level - 1), {}, {1, 1}};
+        if (level > 1) row.earlier = on(level - 2);
+        rows.push_back(row);
+    }
+    const auto bars = error_bars(rows);
+    Relative least{1e300, std::abs(loads[level] - truth), std::abs(loads[level - 1] - truth)};
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        least.bar = std::min(least.bar, bars[i].load / rows[i].reported.measure);
+    return least;
+}
+
+std::vector<Sequence> measured_sequences() {
+    return {
+        {"tube, 4 mm", {0.94974, 0.99540, 0.99613, 0.99581, 0.99566}},
+        {"tube, 4 mm, start", {0.988948, 0.999958, 1.000128, 1.000055, 1.000018, 1}},
+        {"tube, 4 mm, a third of the way", {0.994893, 1.000391, 1.000339, 1.000174, 1.000067, 1}},
+        {"tube, 4 mm, end", {0.999694, 1.000425, 1.000241, 1.000102, 1.000031, 1}},
+        {"tube, 5 mm", {0.8934, 1.0054, 1.0045, 1.0015, 1}},
+        {"tube, 5 mm, a third of the way", {0.987686, 1.001440, 1.001052, 1.000468, 1.000157, 1}},
+        {"tube, 3 mm", {0.999056, 1.000845, 1.000363, 1.000118, 1}},
+        {"tube, 2 mm", {1.000498, 1.000275, 1.000089, 1}},
+        {"tube, 6 mm, triangles", {1.005068, 0.999771, 1.000547, 1.000363, 1}},
+        {"Cook's membrane, 12 mm", {1.002569, 1.001312, 1.000689, 1.000339, 1.000132, 1}},
+        {"Cook's membrane, 4 mm", {1.000800, 1.000392, 1.000151, 1}},
+        {"dome, 3 mm", {0.997494, 1.000052, 1.000068, 1.000026, 1.000007, 1}},
+        {"sphere, 10 mm", {1.002185, 1.000219, 1.000017, 1.000001, 1}},
+    };
+}
+
+/// Differences that change sign, grow or fall by a hundred: what d alone hides is in the level before.
+TEST(ErrorBar, CoversSequencesThatWereMeasuredAtEveryLevelThatHasThreeMeshes) {
+    for (const Sequence& sequence : measured_sequences())
+        for (std::size_t level = 1; level + 2 < sequence.loads.size(); ++level) {
+            const Relative found = relative(sequence, level);
+            EXPECT_GT(found.bar, found.error) << sequence.of << ", level " << level;
+            // An error that passes through zero from level to level is small by chance.
+            EXPECT_LT(found.bar, 3 * std::max(found.error, found.error_before / 4))
+                << sequence.of << ", level " << level;
+        }
+}
+
+/// A fast part that a slow one of opposite sign nearly cancels in the difference, over a whole neighbourhood.
+TEST(ErrorBar, OfThreeMeshesCoversPartsThatNearlyCancel) {
+    for (double share = 1e-3; share < 10; share *= 1.3)
+        for (const double corner : {0.9, 1.0, 1.2}) {
+            const ErrorOfRow error = [=](double m, double h) {
+                return shape(m) * (share * (1 + m) * std::pow(h, corner) - std::pow(h, 4));
+            };
+            EXPECT_GT(quality(rows_of(error, Levels::three), error).least, 1.0) << share << ' ' << corner;
+        }
+}
+
+/// Rows whose own differences fall at a rate are not believed where their neighbours' do not.
+TEST(ErrorBar, IsSettledWhereOneRateLeads) {
+    const auto settled = [](const ErrorOfRow& error) {
+        const auto bars = error_bars(rows_of(error, Levels::three));
+        return std::count_if(bars.begin() + 1, bars.end(), [](const ErrorBar& bar) { return bar.settled; });
+    };
+    for (const double rate : {0.75, 1.0, 2.0, 4.0})
+        EXPECT_EQ(settled([=](double m, double h) { return shape(m) * std::pow(h, rate); }), 40) << rate;
+    EXPECT_EQ(settled([](double m, double h) { return shape(m) * (3 * h - h * h * h * h); }), 0);  // d' / d = -21
+    EXPECT_EQ(settled([](double m, double h) { return shape(m) * std::pow(h, 6); }), 0);
+    EXPECT_EQ(settled([](double, double) { return 0.0; }), 40);
+    for (const ErrorBar& bar : error_bars(rows_of([](double m, double h) { return shape(m) * h * h; })))
+        EXPECT_FALSE(bar.settled && bar.load > 0);
 }
 
 TEST(ErrorBar, OfACaseThatAnyMeshHoldsIsTheSolversTolerance) {
@@ -157,7 +243,7 @@ TEST(ErrorBar, IsAtMostTheWholeRange) {
     std::vector<LevelRow> rows;
     for (int i = 0; i <= 10; ++i) {
         const double m = 0.1 * i, p = i == 0 ? 0 : 1;
-        rows.push_back({{p, m}, {p * 0.999, m}, {}, {i == 0 ? 1.0 : 0.0, i == 0 ? 0.0 : 1.0}});
+        rows.push_back({{p, m}, {p * 0.999, m}, {}, {}, {i == 0 ? 1.0 : 0.0, i == 0 ? 0.0 : 1.0}});
     }
     for (const ErrorBar& bar : error_bars(rows)) EXPECT_LE(bar.measure, 1);
     EXPECT_TRUE(error_bars({}).empty());

@@ -155,6 +155,15 @@ std::vector<JudgedCase> judged_cases() {
          [](Mesh mesh) {
              return judge_tube({"mesh.size=3 mm", "solver.step_accuracy=5e-4"}, mesh);
          }},
+        // The first two differences are of opposite sign, or a hundredfold apart.
+        {"bars, closed tube, 4 mm cells",
+         [](Mesh mesh) {
+             return judge_tube({"mesh.size=4 mm", "solver.step_accuracy=5e-4"}, mesh);
+         }},
+        {"bars, closed tube, 5 mm cells",
+         [](Mesh mesh) {
+             return judge_tube({"mesh.size=5 mm", "solver.step_accuracy=5e-4"}, mesh);
+         }},
         {"bars, bellows, open",
          [](Mesh mesh) {
              return judge_bellows({"mesh.size=3 mm", "solver.step_accuracy=5e-4"}, mesh);
