@@ -216,8 +216,10 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
         if (log)
             log("mesh " + std::to_string(result.level) + ", judged by one with " + std::to_string(result.unknowns) +
                 " unknowns: error bars up to " + percent(result.reached));
-        const bool sure = result.level > 1 ||  // the bars look back at two levels
-                          (result.level == 1 && largest_relative_bar(result.rows, bars, doubt) <= target.tolerance);
+        // Beyond level 1 the bars look back at two levels; a fourth mesh of a solid has 512 times the unknowns.
+        const bool doubts =
+            result.level == 1 && !solid && largest_relative_bar(result.rows, bars, doubt) > target.tolerance;
+        const bool sure = result.level > 0 && !doubts;
         const bool next_fits = growth * result.unknowns <= bound;
         if (result.reached <= target.tolerance && (sure || !next_fits)) break;
         level = std::move(next);

@@ -6,8 +6,8 @@
 /// The rows of level k are reported, with bars by level k + 1 and, where there are, k - 1 and k - 2. Level 0 is reported only
 /// where the bound on the unknowns leaves no third mesh: two meshes may hide what is not in its rate yet. Where the differences of
 /// three meshes are at no rate yet (ErrorBar::settled), only bars within half of the tolerance end the refinement; else a fourth
-/// mesh is solved, if it fits. The bar of the load is that at equal value of the first output, of the volume where the case has
-/// no output. What is held to the
+/// mesh is solved, if it fits; not of solids, where it has 512 times the unknowns. The bar of the load is that at equal value of
+/// the first output, of the volume where the case has no output. What is held to the
 /// tolerance is the largest of  bar of the load / max(|load|, a tenth of the path's largest |load|).
 /// Held by solver/accuracy_test and the verification suite (group Error bars).
 #include <cstdint>
