@@ -141,12 +141,10 @@ TEST(Reaction, IsThatOfTheFaceAndNotOfItsNeighbours) {
                          {"bottom_z", "bottom", {0, 0, 1}, Measure::force},
                          {"bottom_x", "bottom", {1, 0, 0}, Measure::force}};
         System system(input, PETSC_COMM_WORLD);
-        const auto x = system.make_vector();
-        const double pressure = 3e4;
-        system.prescribe({{pressure}, {}, {}, {}});
+        const auto x = wavy(system, 4e-5, 0.3);
+        system.prescribe({{3e4}, {}, {}, {}});
         EXPECT_EQ(system.output(0, x, nullptr), 0.0);
-        // With the residual of the free nodes beside: in the undeformed state the bottom feels nothing yet.
-        EXPECT_NEAR(system.output(1, x, nullptr), 0.0, 1e-12 * pressure);
+        EXPECT_GT(std::abs(system.output(1, x, nullptr)), 1e-3);  // the bottom's own
         EXPECT_EQ(system.output(2, x, nullptr), 0.0);
     }
 }
