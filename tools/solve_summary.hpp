@@ -39,6 +39,7 @@ struct SolveSummary {
     std::optional<solution::Step> first, last;  ///< rows of the path
     std::optional<int> first_unstable_row;
     double largest_stretch_p99 = 1;  ///< of all rows
+    solution::Step most_stretched;   ///< the row with the largest max_stretch
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;         ///< rows of the path after the undeformed state

@@ -49,9 +49,9 @@ void MotionFollower::append() {
     const int factorizations = stage_ ? stage_->factorizations() : 0;
     step.factorizations = factorizations - factorizations_at_row_;
     const double whole = 1.0 / input_.model_fraction;
-    step.motion = {last_.time_s, whole * equations_.kinetic_energy(last_.v), whole * system_.stored_energy(last_.x),
-                   whole * load_work_J_, whole * damping_work_J_};
-    solver::read_stretches(system_, last_.x, 0.0, step);
+    const double stored_J = solver::read_stretches(system_, last_.x, step);
+    step.motion = {last_.time_s, whole * equations_.kinetic_energy(last_.v), whole * stored_J, whole * load_work_J_,
+                   whole * damping_work_J_};
     if (auto problem = impossible(step)) return finish(solution::StopReason::diverged, std::move(*problem));
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;

@@ -22,6 +22,19 @@ bool is_small_strain(const model::Material& material) {
     return material.strain == model::Strain::small || material.law == "linear-elastic";
 }
 
+std::vector<material::StabilityLimit> limits_below(const model::Material& material, double stretch) {
+    std::vector<material::StabilityLimit> passed = material::stability_limits(model::make_rubber(material));
+    std::erase_if(passed, [&](const material::StabilityLimit& limit) {
+        return limit.sense != material::Sense::tension || limit.stretch >= stretch;
+    });
+    return passed;
+}
+
+std::string unstable_text(const model::Material& material, const std::vector<material::StabilityLimit>& passed) {
+    return material.law + " with these constants is " + material::stability_text(passed) +
+           ": states past that are not unique";
+}
+
 void check_law(const model::Material& material, double stretch, Warnings& warnings) {
     const std::string rubber = material.source + ": the rubber is stretched to " + core::rounded_text(stretch, 3);
     if (is_small_strain(material)) {
@@ -31,13 +44,32 @@ void check_law(const model::Material& material, double stretch, Warnings& warnin
                                "(neo-hookean) goes on");
         return;
     }
-    std::vector<material::StabilityLimit> passed;
-    for (const material::StabilityLimit& limit : material::stability_limits(model::make_rubber(material)))
-        if (limit.sense == material::Sense::tension && limit.stretch < stretch) passed.push_back(limit);
-    if (!passed.empty())
-        warnings.push_back(
-            rubber + "; " + material.law + " with these constants is " + material::stability_text(passed) +
-            ": states past that are not unique, fit the constants over a wider range or with a stable law");
+    if (const auto passed = limits_below(material, stretch); !passed.empty())
+        warnings.push_back(rubber + "; " + unstable_text(material, passed) +
+                           ", fit the constants over a wider range or with a stable law");
+}
+
+/// Where the rubber is stretched most, and no more than 1 % of it.
+void check_softening(const model::Case& solved, const model::Material& material, const Reached& reached,
+                     Warnings& warnings) {
+    const solution::Step& row = reached.most_stretched;
+    if (is_small_strain(material) || !limits_below(material, reached.largest_stretch_p99).empty()) return;
+    const auto passed = limits_below(material, row.max_stretch);
+    if (passed.empty()) return;
+    std::string where;
+    if (row.extremes) {
+        const auto& at = row.extremes->stretch_at_m;
+        const bool revolves = solved.kinematics == model::Kinematics::axisymmetric;
+        where = " (x " + core::rounded_text(at[0] * 1e3, 3) + (revolves ? " mm, r " : " mm, y ") +
+                core::rounded_text(at[1] * 1e3, 3);
+        if (solved.kinematics == model::Kinematics::solid) where += " mm, z " + core::rounded_text(at[2] * 1e3, 3);
+        where += " mm)";
+    }
+    warnings.push_back(
+        material.source + ": at one place" + where + " the rubber is stretched to " +
+        core::rounded_text(row.max_stretch, 3) + "; " + unstable_text(material, passed) +
+        ", and the body may have given way for the law alone; fit the constants over a wider range or with "
+        "a stable law");
 }
 
 double value_of(const model::Case& solved, const model::Until& until, const solution::Step& step,
@@ -84,6 +116,8 @@ std::vector<std::string> warnings_at(const model::Case& solved, const Reached& r
         if (std::ranges::find(seen, material.source) == seen.end()) {
             seen.push_back(material.source);
             check_law(material, reached.largest_stretch_p99, warnings);
+            if (reached.gave_way || end == solution::StopReason::diverged || end == solution::StopReason::step_limit)
+                check_softening(solved, material, reached, warnings);
         }
     if (end == solution::StopReason::done) check_goals(solved, reached, warnings);
     return warnings;

@@ -13,10 +13,14 @@ namespace soft::fields {
 struct Reached {
     solution::Step first, last;  ///< rows of the path
     double largest_stretch_p99 = 1;
+    solution::Step most_stretched;  ///< the row with the largest stretch at a point
+    bool gave_way = false;          ///< a row is not stable
 };
 
 /// stretch    a principal stretch, exceeded in 1 % of the rubber, beyond the law's first limit in tension (Drucker's stability,
-///            material/stability.hpp: in whichever mode it comes first), or beyond what small strains are
+///            material/stability.hpp: in whichever mode it comes first), or beyond what small strains are; of a body that has
+///            given way or whose path has ended early also where less of the rubber is beyond that limit: a rubber that
+///            softens gathers its strain in a few cells, and unloads around them
 /// goals      path.until names values that the path, which ends at its full load, does not come to
 /// None for a motion in time.
 [[nodiscard]] std::vector<std::string> warnings_at(const model::Case& solved, const Reached& reached,

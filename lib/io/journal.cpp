@@ -134,7 +134,7 @@ constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &so
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19,
                                   extremes, energies, motion, s20, s21] = step;
     [[maybe_unused]] const auto& [x1, x2] = *extremes;
-    [[maybe_unused]] const auto& [n1, n2] = *energies;
+    [[maybe_unused]] const auto& [n1, n2, n3] = *energies;
     [[maybe_unused]] const auto& [m1, m2, m3, m4, m5] = *motion;
     [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, c15, end] =
         checkpoint;
@@ -168,6 +168,7 @@ std::vector<std::byte> encode_step(const solution::Step& step, std::span<const d
     if (step.energies) {
         packer.put(step.energies->stored_J);
         packer.put(step.energies->load_work_J);
+        packer.put_optional(step.energies->tangent_J);
     }
     packer.put_list(displacement);
     packer.put_list(pressure);
@@ -194,8 +195,10 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
         step.extremes->energy_J_m3 = unpacker.get<double>();
     }
     if (unpacker.get_flag()) {
-        const double stored_J = unpacker.get<double>();
-        step.energies = {stored_J, unpacker.get<double>()};
+        solution::Step::Energies& energies = step.energies.emplace();
+        energies.stored_J = unpacker.get<double>();
+        energies.load_work_J = unpacker.get<double>();
+        energies.tangent_J = unpacker.get_optional();
     }
     record.displacement_m = unpacker.get_list();
     record.pressure_Pa = unpacker.get_list();

@@ -75,6 +75,11 @@ const std::array optional_columns{
                    [](Step& s) { return s.energies ? &s.energies->load_work_J : nullptr; }},
 };
 
+/// Of stored_energy and load_work, which grow alike in equilibrium.
+constexpr const char* energy_tangent = "load_work";
+
+bool has_energy_tangent(const Step& step) { return step.energies && step.energies->tangent_J; }
+
 struct CountColumn {
     const char* name;
     const char* description;
@@ -154,6 +159,18 @@ void read_optional(const GroupReader& path, std::vector<Step>& steps, const mode
     }
 }
 
+void write_energy_tangents(hid_t tangents, std::span<const Step> steps) {
+    if (steps.empty() || !std::ranges::all_of(steps, has_energy_tangent)) return;
+    write_column(tangents, {energy_tangent, "J", "derivative along the path, of the stored energy too"}, steps.size(),
+                 [&](std::size_t i) { return *steps[i].energies->tangent_J; });
+}
+
+void read_energy_tangents(const GroupReader& tangents, std::vector<Step>& steps) {
+    if (steps.empty() || !steps.front().energies || !tangents.has(energy_tangent)) return;
+    const auto values = tangents.array<double>(energy_tangent, {extent(steps.size())});
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i].energies->tangent_J = values[i];
+}
+
 bool is_error(double value) { return std::isfinite(value) && value >= 0; }
 
 void write_errors(hid_t path, std::span<const Step> steps, const model::Case& model) {
@@ -206,6 +223,8 @@ void require_sound(const Step& step, const model::Case& model) {
     for (const OptionalColumn& column : optional_columns)
         if (const double* value = column.find(copy); value != nullptr && !std::isfinite(*value))
             refuse(std::string{column.name} + " of a step is not finite");
+    if (has_energy_tangent(step) && !std::isfinite(*step.energies->tangent_J))
+        refuse("the power of a step is not finite");
     for (const MotionColumn& column : motion_columns)
         if (step.motion && !std::isfinite((*step.motion).*column.member))
             refuse(std::string{column.name} + " of a step is not finite");
@@ -230,6 +249,7 @@ void write_steps(hid_t path, std::span<const Step> steps, const model::Case& mod
     write_numbers(tangents.get(), load_tangent, steps);
     write_numbers(tangents.get(), pressure_tangent(model), steps);
     if (!steps.empty() && steps[0].volume_m3) write_numbers(tangents.get(), volume_tangent, steps);
+    write_energy_tangents(tangents.get(), steps);
     for (const ListMember& list : list_members(model)) {
         write_lists(path, list.columns, steps, list.values);
         write_lists(tangents.get(), list.columns, steps, list.tangents);
@@ -270,6 +290,7 @@ std::vector<Step> read_steps(const GroupReader& path, const model::Case& model) 
     read_numbers(tangents, load_tangent, steps);
     read_numbers(tangents, pressure_tangent(model), steps);
     if (read_volumes(path, steps)) read_numbers(tangents, volume_tangent, steps);
+    read_energy_tangents(tangents, steps);
     for (const ListMember& list : list_members(model)) {
         read_lists(path, list.columns, steps, list.values);
         read_lists(tangents, list.columns, steps, list.tangents);

@@ -78,8 +78,10 @@ Column leading_column(const model::Case& model) {
 
 /// Numbers of a step that are no part of the table unless they are asked for.
 struct OnDemand {
+    using Number = std::function<std::optional<double>(const solution::Step&)>;
     Column column;
-    std::function<std::optional<double>(const solution::Step&)> value_SI;
+    Number value_SI;
+    Number slope_SI = [](const solution::Step&) { return std::nullopt; };
 };
 
 std::vector<OnDemand> on_demand(const model::Case& model) {
@@ -94,6 +96,7 @@ std::vector<OnDemand> on_demand(const model::Case& model) {
         [](const Step& s) { return s.energies ? Value(s.energies->stored_J) : std::nullopt; });
     add("load_work", millijoule, "work done by the loads since the path began",
         [](const Step& s) { return s.energies ? Value(s.energies->load_work_J) : std::nullopt; });
+    for (OnDemand& energy : list) energy.slope_SI = [](const Step& s) { return s.energies->tangent_J; };
     const auto place = [](std::size_t i) {
         return [i](const Step& s) { return s.extremes ? Value(s.extremes->stretch_at_m[i]) : std::nullopt; };
     };
@@ -269,9 +272,14 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
         largest.values.push_back(step.max_stretch);
         jacobian.values.push_back(step.min_jacobian);
         stable.values.push_back(step.stable ? 1 : 0);
-        for (OnDemand& extra : extras)
+        for (OnDemand& extra : extras) {
             extra.column.values.push_back(in_column_unit(extra.column, *extra.value_SI(step)));
+            if (const auto slope = extra.slope_SI(step))
+                extra.column.slopes.push_back(in_column_unit(extra.column, *slope));
+        }
     }
+    for (OnDemand& extra : extras)
+        if (extra.column.slopes.size() != steps.size()) extra.column.slopes.clear();
 
     Curve curve;
     const auto add = [&](Column& column) { curve.columns.push_back(std::move(column)); };

@@ -27,7 +27,7 @@ enum class Shown { always, on_demand };
 enum class Role {
     counter,     ///< number of the row; between rows the fraction of the way
     coordinate,  ///< measured state that spans the path (pressure, outputs, volume); has slopes from the solver
-    follower,    ///< other values of the state, known at the rows only
+    follower,    ///< other values of the state; of few the solver gives slopes
     flag,        ///< 0 or 1; between rows 1 only where both rows have 1
     stage,       ///< number of the stage; what lies between two rows belongs to that of the second
 };
@@ -47,8 +47,8 @@ struct Column {
     Source source = Source::other;
     std::size_t index = 0;       ///< of the output, where the source is one
     std::vector<double> values;  ///< one a row
-    std::vector<double> slopes;  ///< coordinates: derivative along the path, any positive scale a row; 0 in all
-                                 ///< coordinates of a row: not known there
+    std::vector<double> slopes;  ///< derivative along the path, any positive scale a row, the same in all columns;
+                                 ///< 0 in all coordinates of a row: not known there. Of followers one a row, or none
 };
 
 /// An SI value as it stands in the column. Round values stay round (30000 Pa is 30 kPa, 0.13 m is 130 mm).

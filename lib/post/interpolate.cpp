@@ -165,6 +165,9 @@ std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<cons
     return ends;
 }
 
+/// Whether the solver says how the column goes on from a row.
+bool has_slopes(const Column& column) { return column.role == Role::coordinate || !column.slopes.empty(); }
+
 const Column* first_of(const Curve& curve, auto is_wanted) {
     const auto column = std::find_if(curve.columns.begin(), curve.columns.end(), is_wanted);
     return column == curve.columns.end() ? nullptr : &*column;
@@ -199,16 +202,16 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     for (const Column& column : curve.columns) {
         std::vector<double> q;
         for (const std::size_t row : rows_) q.push_back(column.values[row]);
-        const std::vector<double>& places = column.role == Role::coordinate || time != nullptr ? s_ : chords;
+        const std::vector<double>& places = has_slopes(column) || time != nullptr ? s_ : chords;
         const std::vector<EndSlopes> by_rows = slopes_by_stage(places, q, corners);
         const auto slope = [&](std::size_t i, double speed, double otherwise) {
-            const double norm = column.role == Role::coordinate ? metric.norm(rows_[i]) : 0;
+            const double norm = has_slopes(column) ? metric.norm(rows_[i]) : 0;
             return norm > 0 ? column.slopes[rows_[i]] / norm * speed : otherwise;
         };
         std::vector<Hermite>& pieces = pieces_.emplace_back();
         for (std::size_t i = 0; i < speeds.size(); ++i) {
             const double ds = places[i + 1] - places[i], difference = q[i + 1] - q[i];
-            const bool known = column.role != Role::coordinate || speeds[i].directions == Speeds::Directions::both;
+            const bool known = !has_slopes(column) || speeds[i].directions == Speeds::Directions::both;
             double start = slope(i, speeds[i].start, by_rows[i].start * ds),
                    end = slope(i + 1, speeds[i].end, by_rows[i].end * ds);
             if (!known) {
@@ -231,7 +234,9 @@ double Path::in_interval(std::size_t column, std::size_t interval, double t) con
         case Role::counter: return left + t * (right - left);
         case Role::stage: return t <= 0 ? left : right;
         case Role::flag: return t <= 0 ? left : t >= 1 ? right : std::min(left, right);
-        case Role::follower: return pieces_[column][interval](std::clamp(progress_[interval](t), 0.0, 1.0));
+        case Role::follower:
+            if (has_slopes(curve_->columns[column])) break;
+            return pieces_[column][interval](std::clamp(progress_[interval](t), 0.0, 1.0));
         case Role::coordinate: break;
     }
     return pieces_[column][interval](t);

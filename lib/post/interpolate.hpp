@@ -6,7 +6,8 @@
 /// directions u0, u1 at the rows; the speeds v0, v1 that belong to them solve, in the sense of least squares,
 ///     (v0 u0 + v1 u1) / 2 = q1 - q0,
 /// so that a piece of any parabola is met exactly and any smooth path to fourth order (derived here). Where that has no
-/// sound answer (a straight piece, a point of inflection) both speeds are the length of the chord. Rows without
+/// sound answer (a straight piece, a point of inflection) both speeds are the length of the chord. A column beside the
+/// coordinates that has slopes too (energies: the power of the loads) goes by the same speeds. Rows without
 /// slopes, and columns that have none, take those of their rows (monotone_slopes.hpp: third order, each interval monotone).
 /// The latter are cubics of the progress along the chord, (q(t) - q0) . (q1 - q0) / |q1 - q0|^2, which unlike t runs as
 /// evenly as the path itself.
@@ -59,7 +60,7 @@ private:
     const Curve* curve_;
     std::vector<std::size_t> rows_;             ///< distinct rows of the path
     std::vector<double> s_;                     ///< their parameters: mean speeds of the intervals, added up
-    std::vector<std::vector<Hermite>> pieces_;  ///< [column][interval]; coordinates of t, the others of the progress
+    std::vector<std::vector<Hermite>> pieces_;  ///< [column][interval]; with slopes of t, the others of the progress
     std::vector<Hermite> progress_;             ///< of each interval, of t
 };
 

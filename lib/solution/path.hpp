@@ -52,6 +52,8 @@ struct Step {
     /// Of a static path (a dynamic one has its own), whole actuator; absent in older files and for laws without an energy.
     struct Energies {
         double stored_J = 0, load_work_J = 0;  ///< held by the rubber; done by the loads since the path began
+        /// Power of the loads along the path: the derivative of both, as the body is in equilibrium. Absent in older files.
+        std::optional<double> tangent_J;
     };
     std::optional<Energies> energies;
     /// Of a dynamic path; its load_factor is the time over the duration, its tangents are derivatives by time.

@@ -39,8 +39,7 @@ void PathFollower::append(const PathPoint& point) {
     step.newton_iterations = iterations_since_row_;
     step.factorizations = newton_.factorizations() - factorizations_at_row_;
     step.stable = is_stable(point);
-    system_.prescribe(loads_->levels(point.state.load_factor, point.state.pressures_Pa));
-    read_stretches(system_, point.state.x, point.load_work_J, step);
+    read_rubber(system_, point, direction, step);
     stretch_p99_ = step.stretch_p99;
     iterations_since_row_ = 0;
     factorizations_at_row_ = newton_.factorizations();

@@ -118,7 +118,7 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPlace plac
     row.step.stable = coarse.step.stable;
     row.step.newton_iterations = iterations_ - iterations;
     row.step.factorizations = newton_.factorizations() - factorizations;
-    read_stretches(system_, point.state.x, point.load_work_J, row.step);
+    read_rubber(system_, point, 1.0, row.step);
     if (keep == Keep::fields) row = row_state(system_, point, 1.0, std::move(row.step));
     last_ = std::move(point);
     return row;

@@ -125,15 +125,22 @@ solution::Step step_of(const assembly::System& system, const PathPoint& point, d
     return step;
 }
 
-void read_stretches(assembly::System& system, Vec x, double load_work_J, solution::Step& step) {
+double read_stretches(assembly::System& system, Vec x, solution::Step& step) {
     const auto stretch = system.stretches(x);
     step.stretch_p99 = stretch.p99;
     step.max_stretch = stretch.largest;
     step.min_jacobian = stretch.min_jacobian;
     step.extremes = {stretch.largest_at_m, stretch.largest_energy_J_m3};
-    if (step.motion || !system.has_symmetric_tangent()) return;
+    return stretch.stored_energy_J;
+}
+
+void read_rubber(assembly::System& system, const PathPoint& point, double direction, solution::Step& step) {
+    system.prescribe(point.levels);
+    const double stored_J = read_stretches(system, point.state.x, step);
+    if (!system.has_symmetric_tangent()) return;
     const double whole = 1.0 / system.input().model_fraction;
-    step.energies = {whole * stretch.stored_energy_J, whole * load_work_J};
+    const double power = system.load_power(point.state.x, point.tangent.x, point.levels, point.level_slopes);
+    step.energies = {whole * stored_J, whole * point.load_work_J, whole * direction * power};
 }
 
 double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to, FromTangent of_from) {

@@ -46,8 +46,11 @@ enum class FromTangent { along_the_path, of_another_stage };
 [[nodiscard]] double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to,
                                   FromTangent of_from);
 
-/// Stretches and energies of a state; `load_work_J` of the modelled part. The motions prescribed are those of the state.
-void read_stretches(assembly::System& system, Vec x, double load_work_J, solution::Step& step);
+/// Stretches of a state; gives the energy stored in the modelled part [J]. The motions prescribed are those of the state.
+double read_stretches(assembly::System& system, Vec x, solution::Step& step);
+
+/// Stretches and energies of a point that has been read, its slopes times `direction` (1 or -1). Prescribes its motions.
+void read_rubber(assembly::System& system, const PathPoint& point, double direction, solution::Step& step);
 
 /// `step` with the fields of the point. The motions prescribed are those of the state.
 [[nodiscard]] RowState row_state(assembly::System& system, const PathPoint& point, double direction,

@@ -34,6 +34,23 @@ TEST(Reached, ALawIsToldOnlyWherePathsPassItsStability) {
         warnings_at(tube_of("neo-hookean", {{"mu", {1e5}}}), stretched_to(8), solution::StopReason::done).empty());
 }
 
+// A rubber that softens gathers its strain where less than 1 % of it is.
+TEST(Reached, ALawPassedAtOnePlaceIsToldWhereTheBodyGaveWay) {
+    const model::Case solved = tube_of("mooney-rivlin", {{"c10", {100e3}}, {"c01", {-18e3}}});
+    Reached reached = stretched_to(1.5);
+    reached.most_stretched.max_stretch = 2.0;
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::done).empty()) << "a sharp corner does no harm";
+    EXPECT_TRUE(holds(warnings_at(solved, reached, solution::StopReason::diverged), "at one place the rubber is"));
+    reached.gave_way = true;
+    reached.most_stretched.extremes = {{5e-3, 12e-3, 0}, 0};
+    EXPECT_TRUE(holds(warnings_at(solved, reached, solution::StopReason::done),
+                      "at one place (x 5 mm, y 12 mm, z 0 mm) the rubber is stretched to 2; mooney-rivlin"));
+    EXPECT_TRUE(warnings_at(tube_of("neo-hookean", {{"mu", {1e5}}}), reached, solution::StopReason::done).empty());
+    reached.largest_stretch_p99 = 2.0;  // said once
+    EXPECT_TRUE(
+        holds(warnings_at(solved, reached, solution::StopReason::done), "material: the rubber is stretched to 2;"));
+}
+
 TEST(Reached, SmallStrainIsToldWhereItIsNoMore) {
     model::Case solved = tube_of("linear-elastic", {{"mu", {1e5}}});
     EXPECT_TRUE(warnings_at(solved, stretched_to(1.05), solution::StopReason::done).empty());

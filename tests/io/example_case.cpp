@@ -224,7 +224,7 @@ solution::Step example_step(int number) {
     step.max_stretch = 1 + t;
     step.min_jacobian = 1 - t / 100;
     step.extremes = {{0.1 * number, 0.2, -0.3}, 1e4 * t};
-    step.energies = {2e-3 * t, 2.1e-3 * t};
+    step.energies = {2e-3 * t, 2.1e-3 * t, 2.05e-3 + t};
     return step;
 }
 

@@ -218,6 +218,7 @@ void expect_equal(const solution::Step& left, const solution::Step& right) {
     if (left.energies) {
         EXPECT_EQ(left.energies->stored_J, right.energies->stored_J);
         EXPECT_EQ(left.energies->load_work_J, right.energies->load_work_J);
+        EXPECT_EQ(left.energies->tangent_J, right.energies->tangent_J);
     }
     EXPECT_EQ(left.pressure_error_Pa, right.pressure_error_Pa);
     EXPECT_EQ(left.output_errors, right.output_errors);

@@ -36,6 +36,14 @@ runs "$sweep rods.yaml --dry-run"
 claim "a dry run shows the plan" [ "$(grep -c waiting "$seen/out")" -eq 4 ]
 claim "and counts the designs" says 'sweep: 4 designs: 4 waiting, 0 done, 0 refused'
 claim "and writes nothing" [ ! -e results ]
+# Threads of BLAS, set to one as many users have it, are no limit to the cores.
+mkdir stub
+printf '#!/bin/sh\necho "$@" >>calls.txt\n' >stub/parallel
+chmod +x stub/parallel
+run "PATH=$PWD/stub:\$PATH OMP_NUM_THREADS=1 $sweep rods.yaml --folder called"
+run "PATH=$PWD/stub:\$PATH $sweep rods.yaml --folder called"
+claim "one thread of OpenMP is not one core" [ "$(grep -oE -- '--jobs [1-9][0-9]*' calls.txt | uniq -c | awk '{ print $1 }')" = 2 ]
+
 runs "$sweep rods.yaml"
 claim "nothing is printed but messages" [ ! -s "$seen/out" ]
 claim "they tell how far it is" grep -q '^sweep: 2 of 4 designs, [0-9.]* .* left$' "$seen/err"

@@ -98,7 +98,7 @@ TEST(Curve, TellsEveryMeasureInItsUnit) {
 
 TEST(Curve, ShowsEnergiesAndPlacesOnDemand) {
     solution::Step step = step_with(0, {}, std::nullopt);
-    step.energies = {2e-3, 2.1e-3};
+    step.energies = {2e-3, 2.1e-3, {}};
     step.extremes = {{0.01, 0.02, 0.03}, 5e3};
     Curve curve = make_curve(sample_case(), std::vector{step});
     const auto shown = [&] {

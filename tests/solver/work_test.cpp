@@ -16,8 +16,11 @@ TEST(Work, OfAnInflationIsTheEnergyOfTheRubber) {
     input.path.stages[0].until = {{"volume_ratio", 8}};
     const auto result = run(input);  // past the limit point
     ASSERT_EQ(result.end.reason, solution::StopReason::done);
-    for (const auto& step : result.steps)
+    for (const auto& step : result.steps) {
         EXPECT_TRUE(step.energies->stored_J <= 0 || gap(step) < 1e-4) << step.load_factor;
+        const double power = step.pressure_Pa * step.tangent_volume;
+        EXPECT_NEAR(*step.energies->tangent_J, power, 1e-10 * std::abs(power)) << step.load_factor;
+    }
     EXPECT_GT(result.steps.back().energies->stored_J, 0.1);  // of the whole sphere
 }
 
@@ -48,6 +51,21 @@ TEST(Work, OfDeadLoadsAndMotionsIsTheEnergyOfTheRubber) {
     const auto in_turn = run(input);
     EXPECT_LT(gap(in_turn.steps.back()), 1e-5);
     EXPECT_NEAR(in_turn.steps.back().energies->stored_J / together.steps.back().energies->stored_J, 1.0, 1e-8);
+}
+
+/// At a row the power of all loads is the derivative of the energy, here by differences of a path of short steps.
+TEST(Work, ItsPowerIsTheDerivativeOfTheEnergy) {
+    auto input = loaded_block();
+    input.solver.steps = model::StepRule::constant;
+    input.solver.first_step = 0.01;
+    const auto result = run(input);
+    const auto energy = [&](std::size_t row) { return result.steps[row].energies->stored_J; };
+    for (const std::size_t row : {30u, 60u, 90u}) {
+        const auto& step = result.steps[row];
+        const double by_differences = (energy(row - 2) - 8 * energy(row - 1) + 8 * energy(row + 1) - energy(row + 2)) /
+                                      (12 * (step.load_factor - result.steps[row - 1].load_factor));
+        EXPECT_NEAR(*step.energies->tangent_J / step.tangent_load_factor / by_differences, 1.0, 1e-6) << row;
+    }
 }
 
 TEST(Work, ConvergesWithTheFourthPowerOfTheStep) {
