@@ -42,6 +42,12 @@ void judge_comparison(const CompareOptions& options, const post::Curve& curve, c
     }
 }
 
+/// A table cut short still agrees: what is not checked is told.
+std::string coverage_text(double covered) {
+    constexpr double whole = 0.99;
+    return covered < whole ? "; it covers " + core::rounded_text(100 * covered, 2) + " % of the path" : "";
+}
+
 void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgement& judgement,
                   nlohmann::ordered_json& summary) {
     const double relative = core::quantity_or_throw(options.rtol, core::Dimension::ratio, ExitCode::usage, "--rtol");
@@ -57,6 +63,7 @@ void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgeme
         {"agrees", verdict.agrees()},
         {"rows", verdict.rows},
         {"differing_rows", verdict.differing_rows},
+        {"covered", verdict.covered},
         {"largest_share_of_allowed", std::isfinite(verdict.nearest_miss) ? nlohmann::ordered_json(verdict.nearest_miss)
                                                                          : nlohmann::ordered_json(nullptr)}};
     if (!verdict.agrees())
@@ -65,7 +72,8 @@ void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgeme
         judgement.lines.push_back(golden.source + ": " + core::counted(verdict.rows, "row") + " of " +
                                   core::counted(verdict.columns.size(), "column") +
                                   " agree; the largest difference is " +
-                                  core::rounded_text(100 * verdict.nearest_miss, 2) + " % of what is allowed");
+                                  core::rounded_text(100 * verdict.nearest_miss, 2) + " % of what is allowed" +
+                                  coverage_text(verdict.covered));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ Error truncated(std::string_view source, std::size_t present, std::string_view w
 }
 
 Error damaged(std::string_view source, std::string_view problem) {
-    return {ExitCode::bad_input, source, problem, "rebuild the case with mesh-gen or fetch the file again"};
+    return {ExitCode::bad_input, source, problem, "fetch the file again, or have mesh-gen or solve write it anew"};
 }
 
 /// Where the fields of a superblock lie (HDF5 File Format Specification 3.0, section II.A).

@@ -104,6 +104,17 @@ std::vector<double> within_reach(const Pair& lead, const Path::Range& range, dou
     return targets;
 }
 
+double covered_by(std::span<const double> places, const Path& path) {
+    if (!(path.length() > 0)) return 1;
+    double first = HUGE_VAL, last = -HUGE_VAL;
+    for (const double place : places)
+        if (!std::isnan(place)) {
+            first = std::min(first, place);
+            last = std::max(last, place);
+        }
+    return std::max(last - first, 0.0) / path.length();
+}
+
 /// Row by row into a verdict.
 struct RowCheck {
     const Curve& curve;
@@ -195,7 +206,7 @@ Verdict check_golden(const Curve& curve, const table::Table& golden, const Toler
     const std::vector<double> targets = within_reach(*lead, path.range(column), tolerance.relative);
     const std::vector<double> places = align(path, tracks, leader, targets);
 
-    Verdict verdict{lead->name, {}, golden.rows.size(), 0, 0};
+    Verdict verdict{lead->name, {}, golden.rows.size(), 0, 0, covered_by(places, path)};
     for (const Pair& pair : pairs) verdict.columns.push_back({pair.name, pair.column != absent, std::nullopt, 0});
     RowCheck check{curve, path, pairs, tolerance.relative, verdict};
     for (std::size_t row = 0; row < places.size(); ++row) {

@@ -56,6 +56,7 @@ struct Verdict {
     std::vector<ColumnVerdict> columns;
     std::size_t rows = 0, differing_rows = 0;
     double nearest_miss = 0;  ///< largest |found - golden| / allowed
+    double covered = 1;  ///< share of the path's length between the first and the last golden row that is found on it
 
     [[nodiscard]] bool agrees() const noexcept;
 };

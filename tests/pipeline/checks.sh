@@ -21,6 +21,10 @@ claim "with its reason" grep -q '<failure message="golden.csv:3: pressure_kPa' v
 runs 'postprocess -q stiffer.h5 --check golden.csv --rtol 4%'   # mu is 3.4 % larger
 runs 'postprocess -q stiffer.h5 --check golden.csv --atol pressure=1kPa --atol volume=1mL'
 runs 'postprocess -q result.h5 --at elongation=20mm,40mm -o two.csv && postprocess -q finer.h5 --check two.csv'
+runs 'head -n 3 golden.csv >short.csv && postprocess result.h5 --check short.csv'
+claim "a table cut short says so" grep -q 'short.csv: 2 rows of .* agree.*; it covers [0-9.]* % of the path$' "$seen/err"
+runs 'postprocess result.h5 --check golden.csv'
+claim "a whole one does not" not grep -q covers "$seen/err"
 refuses 1 "postprocess: other.csv: the result has no column 'bend_deg'" "sed '1s/volume_mL/bend_deg/' golden.csv > other.csv; postprocess -q result.h5 --check other.csv"
 refuses 66 'postprocess: absent.csv: *' 'postprocess -q result.h5 --check absent.csv'
 refuses 65 "postprocess: broken.csv:4: column 2 'pressure_kPa': 'x' is no number; *" "sed '4s/,[^,]*/,x/' golden.csv > broken.csv; postprocess -q result.h5 --check broken.csv"

@@ -43,7 +43,16 @@ TEST(Golden, AnotherChoiceOfStepsOnTheSameCurveIsNoDifference) {
         EXPECT_TRUE(verdict.agrees()) << rows << failure(exact_table(31, 3), {}, rows);
         EXPECT_EQ(verdict.rows, 31u);
         EXPECT_EQ(verdict.leader, "growth_mm");
+        EXPECT_NEAR(verdict.covered, 1, 1e-9);
     }
+}
+
+TEST(Golden, TellsHowMuchOfThePathATableCovers) {
+    EXPECT_TRUE(verdict_on(exact_table(31, 1.5)).agrees());
+    const double half_way = verdict_on(exact_table(31, 1.5)).covered;
+    EXPECT_GT(half_way, 0.1);
+    EXPECT_LT(half_way, 0.9);
+    EXPECT_LT(verdict_on(exact_table(31, 1.2)).covered, half_way);
 }
 
 TEST(Golden, TheSameRowsAgreeToTheLastDigitInEveryColumn) {
