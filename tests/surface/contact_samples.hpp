@@ -150,4 +150,16 @@ struct Meander {
     }
 };
 
+/// A block on the left and a lower, narrower one on the right, 1 m apart; each a face of its own name.
+inline model::Case two_blocks(int dimension, Cells cells, model::Kinematics kinematics) {
+    const auto left = block(dimension, box({0, 1}, {0, 1}, {0, 1}), {2, 3, 2}, "left");
+    const auto right = block(dimension, box({2, 3}, {0.4, 0.6}, {0.3, 0.7}), {2, 1, 1}, "right");
+    return make_case(as(cells, beside(left, right)), kinematics);
+}
+
+inline std::string cells_name(Cells cells) {
+    const std::array<std::string, 4> names{"SecondOrder", "FirstOrder", "SecondOrderSimplices", "FirstOrderSimplices"};
+    return names[static_cast<std::size_t>(cells)];
+}
+
 }  // namespace soft::surface::test

@@ -13,27 +13,15 @@ using test::Motion;
 
 using std::numbers::pi;
 
-/// A block on the left and a lower, narrower one on the right, 1 m apart; each a face of its own name.
-model::Case two_blocks(int dimension, Cells cells, model::Kinematics kinematics) {
-    const auto left = test::block(dimension, test::box({0, 1}, {0, 1}, {0, 1}), {2, 3, 2}, "left");
-    const auto right = test::block(dimension, test::box({2, 3}, {0.4, 0.6}, {0.3, 0.7}), {2, 1, 1}, "right");
-    return test::make_case(test::as(cells, test::beside(left, right)), kinematics);
-}
-
 Motion right_block_moved(double x) {
     return [x](const Point& X) { return Point{X[0] + (X[0] >= 2 ? x : 0), X[1], X[2]}; };
-}
-
-std::string cells_name(Cells cells) {
-    const std::array<std::string, 4> names{"SecondOrder", "FirstOrder", "SecondOrderSimplices", "FirstOrderSimplices"};
-    return names[static_cast<std::size_t>(cells)];
 }
 
 class EveryCell : public testing::TestWithParam<Cells> {};
 
 TEST_P(EveryCell, TwoBlocksOfASectionTouchExactlyWhenTheyMeet) {
     for (const auto kinematics : {model::Kinematics::plane_strain, model::Kinematics::axisymmetric}) {
-        const model::Case model = two_blocks(2, GetParam(), kinematics);
+        const model::Case model = test::two_blocks(2, GetParam(), kinematics);
         const ContactFinder finder(model);
         EXPECT_FALSE(contact(finder, model, right_block_moved(0)));
         EXPECT_FALSE(contact(finder, model, right_block_moved(-1 + 1e-12)));
@@ -49,7 +37,7 @@ TEST_P(EveryCell, TwoBlocksOfASectionTouchExactlyWhenTheyMeet) {
 }
 
 TEST_P(EveryCell, TwoBlocksOfASolidTouchExactlyWhenTheyMeet) {
-    const model::Case model = two_blocks(3, GetParam(), model::Kinematics::solid);
+    const model::Case model = test::two_blocks(3, GetParam(), model::Kinematics::solid);
     const ContactFinder finder(model);
     EXPECT_FALSE(contact(finder, model, right_block_moved(0)));
     EXPECT_FALSE(contact(finder, model, right_block_moved(-1 + 1e-12)));
@@ -86,7 +74,7 @@ TEST_P(EveryCell, ACreaseIsClosedWhenItsWallsMeet) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Contact, EveryCell, testing::ValuesIn(test::all_cells),
-                         [](const auto& test) { return cells_name(test.param); });
+                         [](const auto& test) { return test::cells_name(test.param); });
 
 /// Two bumps of radius 1 whose tops are `gap` apart.
 TEST(Contact, CurvedWallsTouchAtTheirTopsToAFewPerCentOfACell) {
@@ -238,65 +226,6 @@ TEST(Contact, ARingThatClosesTouchesTheAxis) {
     EXPECT_NE(found->text.find("a face without name touches the axis at x = "), std::string::npos) << found->text;
 }
 
-TEST(Contact, PlanesAndTheAxisThatCutTheBodyAreNoContact) {
-    model::Case ball = test::annulus_section({}, 12);
-    EXPECT_FALSE(contact(ball, [](const Point& X) { return Point{X[0], 3 * X[1], 0}; }));
-    EXPECT_FALSE(contact(ball, [](const Point& X) { return Point{X[0], 0.2 * X[1], 0}; }));
-    const model::Case quarter = test::quarter_box(test::Hole::to_the_right);
-    EXPECT_FALSE(contact(quarter, [](const Point& X) { return Point{X[0], 0.3 * X[1], 4 * X[2]}; }));
-}
-
-struct Body {
-    std::string name;
-    model::Case model;
-};
-
-std::vector<Body> bodies() {
-    std::vector<Body> all;
-    all.push_back({"ring", test::annulus_section(
-                               {.centre_r = 0.001, .inner_radius = 1, .outer_radius = 1.5, .shift = {0.2, 0.1}}, 24)});
-    all.back().model.kinematics = model::Kinematics::plane_strain;  // free of the axis
-    all.push_back({"box", test::hollow_box(test::Hole::to_the_right)});
-    all.push_back({"shell", test::sphere_shell(3)});
-    all.push_back({"blocks", two_blocks(3, Cells::second_order, model::Kinematics::solid)});
-    return all;
-}
-
-TEST(Contact, BodiesThatAreTurnedShiftedAndInflatedTouchNothing) {
-    for (const auto& [name, model] : bodies())
-        for (const Cells cells : test::all_cells) {
-            model::Case other = model;
-            other.mesh = test::as(cells, model.mesh);
-            const ContactFinder finder(other);
-            const double about_x = model.mesh.dimension == 3 ? 2.1 : 0;
-            for (const double scale : {0.01, 1.0, 30.0})
-                EXPECT_FALSE(contact(finder, other, test::placed(about_x, 4.0, scale, {3, -20, 0}))) << name << scale;
-        }
-}
-
-// r -> sqrt(r^2 + 30^2) keeps the area: the wall of 0.02 becomes 0.0007 thin, while the pieces of the facets stray by 0.004 from
-// their curve. The outside is turned against the inside, so that their pieces do not run side by side.
-TEST(Contact, TheSidesOfAWallStretchedToASkinDoNotTouch) {
-    const Motion inflated = [](const Point& X) {
-        const double r = std::hypot(X[0], X[1]), angle = std::atan2(X[1], X[0]) + 0.8 * (r - 1),
-                     to = std::hypot(r, 30.0);
-        return Point{to * std::cos(angle), to * std::sin(angle), 0};
-    };
-    for (const int through : {1, 2, 3}) {
-        test::MeshBuilder builder(2);
-        builder.add_block(
-            [](double u, double v, double) {
-                const double angle = (1.5 - u) * std::numbers::pi, r = 1 + 0.02 * v;
-                return Point{r * std::cos(angle), r * std::sin(angle), 0};
-            },
-            40, through, 1);
-        model::Case arch;
-        arch.kinematics = model::Kinematics::plane_strain;
-        arch.mesh = builder.take();
-        EXPECT_FALSE(contact(arch, inflated)) << through << " cells through the wall";
-    }
-}
-
 /// The upper side of a cell at the axis (x, r) is drawn through r(s) with 0, 0.24 and 1: near the axis r < 0. Below a crater the air
 /// meets its mirror image there, above a spike the rubber.
 TEST(Contact, ACraterThatClosesTouchesTheAxisAndASpikeThatIsInsideOutDoesNot) {
@@ -314,44 +243,6 @@ TEST(Contact, ACraterThatClosesTouchesTheAxisAndASpikeThatIsInsideOutDoesNot) {
     model.symmetry_planes[1] = true;
     EXPECT_TRUE(contact(model, drawn(0.5)));
     EXPECT_FALSE(contact(model, drawn(2)));
-}
-
-/// The wall's middle is pressed through itself: its cells are inside out where its sides cross, and no air is between them.
-TEST(Contact, AWallThatIsInsideOutDoesNotTouchItself) {
-    const Motion crushed = [](const Point& X) {
-        return Point{X[0], X[1] * (1 - 1.5 * std::exp(-X[0] * X[0] - X[2] * X[2])), X[2]};
-    };
-    for (const int dimension : {2, 3})
-        for (const int through : {1, 2, 3, 4})
-            for (const Cells cells : test::all_cells) {
-                const auto wall = test::block(dimension, test::box({-4, 4}, {0, 1}, {0, 4}), {16, through, 8}, "wall");
-                model::Case model = test::make_case(
-                    test::as(cells, wall), dimension == 2 ? model::Kinematics::plane_strain : model::Kinematics::solid);
-                model.symmetry_planes[2] = dimension == 3;
-                const auto found = contact(model, crushed);
-                ASSERT_TRUE(found || through < 3) << dimension << " D, " << through << " through the wall";
-                if (!found) continue;  // the sides of one cell, or of two
-                EXPECT_TRUE(found->inside_out) << dimension << " D, " << through << " through the wall";
-                EXPECT_NE(found->text.find("the wall between the face wall and the face wall is inside out at x = "),
-                          std::string::npos)
-                    << found->text;
-            }
-}
-
-TEST(Contact, LargeSmoothDeformationsThatAreOneToOneGiveNoFalseAlarm) {
-    for (const auto& [name, model] : bodies())
-        for (const Cells cells : test::all_cells) {
-            model::Case other = model;
-            other.mesh = test::as(cells, model.mesh);
-            const ContactFinder finder(other);
-            for (unsigned seed = 0; seed < 25; ++seed)
-                for (const double wave_number : {0.5, 1.5}) {
-                    const Motion motion = test::wobble(seed, 0.9, wave_number);
-                    const auto found =
-                        contact(finder, other, model.mesh.dimension == 2 ? test::in_plane(motion) : motion);
-                    EXPECT_FALSE(found) << name << ' ' << cells_name(cells) << ' ' << seed << ": " << found->text;
-                }
-        }
 }
 
 TEST(Contact, WallsThatTouchFromTheStartAreLeftOutAndOthersAreFound) {
@@ -405,7 +296,7 @@ TEST(Contact, ASlitThatIsClosedFromTheStartMayOpenAndCloseAgain) {
 }
 
 TEST(Contact, RefusesADisplacementOfAnotherMesh) {
-    const model::Case model = two_blocks(2, Cells::first_order, model::Kinematics::plane_strain);
+    const model::Case model = test::two_blocks(2, Cells::first_order, model::Kinematics::plane_strain);
     EXPECT_THROW((void)ContactFinder(model).find(std::vector<double>(3)), std::logic_error);
 }
 
