@@ -43,63 +43,79 @@ CellsOfRows cells_of_rows(const mesh::Mesh& mesh, const DofMap& map,
     return rows;
 }
 
-/// Calls visit(row, its columns in ascending order) for this rank's rows. Neighbouring rows mostly have the same cells (the
-/// components of a node): their columns are found once.
-template <class Visit>
-void for_each_row(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references,
-                  const CellsOfRows& rows, Visit&& visit) {
-    std::vector<PetscInt> columns, dofs;
+/// The columns of this rank's rows, ascending. Neighbouring rows mostly have the same cells (the components of a node): their
+/// columns are found and kept once.
+struct Columns {
+    std::vector<std::size_t> set_of;    // [row]
+    std::vector<std::size_t> begin{0};  // [set], and one beyond the last
+    std::vector<PetscInt> columns;
+
+    [[nodiscard]] std::span<const PetscInt> of(std::size_t row) const {
+        return {columns.data() + begin[set_of[row]], columns.data() + begin[set_of[row] + 1]};
+    }
+};
+
+Columns columns_of(const mesh::Mesh& mesh, const DofMap& map, std::span<const element::ReferenceCell> references) {
+    const CellsOfRows rows = cells_of_rows(mesh, map, references);
+    Columns found;
+    std::vector<PetscInt> dofs;
     std::vector<char> met(static_cast<std::size_t>(map.total), 0);
     std::span<const Index> before;
     for (std::size_t row = 0; row + 1 < rows.begin.size(); ++row) {
         const std::span<const Index> cells(&rows.cells[rows.begin[row]], rows.begin[row + 1] - rows.begin[row]);
-        if (!std::ranges::equal(cells, before)) {
-            columns.clear();
+        if (row == 0 || !std::ranges::equal(cells, before)) {
             for (const Index cell : cells) {
                 map.cell_dofs(mesh, cell, reference_of(references, mesh.cell_type(cell)), dofs);
                 for (const PetscInt dof : dofs)
                     if (dof >= 0 && met[static_cast<std::size_t>(dof)] == 0) {
                         met[static_cast<std::size_t>(dof)] = 1;
-                        columns.push_back(dof);
+                        found.columns.push_back(dof);
                     }
             }
-            for (const PetscInt dof : columns) met[static_cast<std::size_t>(dof)] = 0;
-            std::ranges::sort(columns);
+            const auto own = found.columns.begin() + static_cast<std::ptrdiff_t>(found.begin.back());
+            for (auto dof = own; dof != found.columns.end(); ++dof) met[static_cast<std::size_t>(*dof)] = 0;
+            std::sort(own, found.columns.end());
+            found.begin.push_back(found.columns.size());
             before = cells;
         }
-        visit(static_cast<PetscInt>(row), columns);
+        found.set_of.push_back(found.begin.size() - 2);
     }
+    return found;
 }
 
 }  // namespace
 
 linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map,
                                 std::span<const element::ReferenceCell> references, MPI_Comm comm) {
-    const auto rows = cells_of_rows(mesh, map, references);
+    const Columns found = columns_of(mesh, map, references);
     const PetscInt own = map.end - map.begin;
     std::vector<PetscInt> here(static_cast<std::size_t>(own)), elsewhere(here.size());
-    for_each_row(mesh, map, references, rows, [&](PetscInt row, const std::vector<PetscInt>& columns) {
+    for (std::size_t row = 0; row < here.size(); ++row) {
+        const auto columns = found.of(row);
         const auto first = std::ranges::lower_bound(columns, map.begin),
                    last = std::ranges::lower_bound(columns, map.end);
-        here[static_cast<std::size_t>(row)] = static_cast<PetscInt>(last - first);
-        elsewhere[static_cast<std::size_t>(row)] =
-            static_cast<PetscInt>(columns.size()) - here[static_cast<std::size_t>(row)];
-    });
+        here[row] = static_cast<PetscInt>(last - first);
+        elsewhere[row] = static_cast<PetscInt>(columns.size()) - here[row];
+    }
     linalg::Matrix K;
     SOFT_PETSC(MatCreate(comm, K.out()));
     SOFT_PETSC(MatSetType(K, MATAIJ));
     SOFT_PETSC(MatSetSizes(K, own, own, map.total, map.total));
     SOFT_PETSC(MatSeqAIJSetPreallocation(K, 0, here.data()));
     SOFT_PETSC(MatMPIAIJSetPreallocation(K, 0, here.data(), 0, elsewhere.data()));
+    SOFT_PETSC(
+        MatSetOption(K, MAT_SORTED_FULL, PETSC_TRUE));  // whole rows: nothing is searched in the rows of one rank
     std::vector<PetscScalar> zeros;
-    for_each_row(mesh, map, references, rows, [&](PetscInt row, const std::vector<PetscInt>& columns) {
-        zeros.resize(columns.size(), 0.0);
-        const PetscInt number = map.begin + row;
+    for (std::size_t row = 0; row < here.size(); ++row) {
+        const auto columns = found.of(row);
+        zeros.resize(std::max(zeros.size(), columns.size()), 0.0);
+        const PetscInt number = map.begin + static_cast<PetscInt>(row);
         SOFT_PETSC(MatSetValues(K, 1, &number, static_cast<PetscInt>(columns.size()), columns.data(), zeros.data(),
                                 INSERT_VALUES));
-    });
+    }
     SOFT_PETSC(MatAssemblyBegin(K, MAT_FINAL_ASSEMBLY));
     SOFT_PETSC(MatAssemblyEnd(K, MAT_FINAL_ASSEMBLY));
+    SOFT_PETSC(MatSetOption(K, MAT_SORTED_FULL, PETSC_FALSE));
     SOFT_PETSC(MatSetOption(K, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
     return K;
 }
