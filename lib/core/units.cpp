@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/text.hpp"
@@ -22,6 +23,8 @@ struct Unit {
 };
 
 constexpr double pound_force_N = 4.4482216152605, psi_Pa = 6894.757293168361;  // by definition of pound, g_n and inch
+constexpr double g_n = 9.80665,
+                 mercury_Pa_m = 13595.1 * g_n;  // standard gravity; a column of 1 m, conventional (ISO 80000-4)
 constexpr std::array units = {
     Unit{"%", Dimension::ratio, -2},
     Unit{"m", Dimension::length},
@@ -32,20 +35,15 @@ constexpr std::array units = {
     Unit{"\u03BCm", Dimension::length, -6},
     Unit{"in", Dimension::length, -4, 254.0},
     Unit{"inch", Dimension::length, -4, 254.0},
+    Unit{"ft", Dimension::length, -4, 3048.0},
     Unit{"m^2", Dimension::area},
     Unit{"cm^2", Dimension::area, -4},
     Unit{"mm^2", Dimension::area, -6},
     Unit{"in^2", Dimension::area, -8, 254.0 * 254.0},
-    Unit{"m\u00B2", Dimension::area},
-    Unit{"cm\u00B2", Dimension::area, -4},
-    Unit{"mm\u00B2", Dimension::area, -6},
     Unit{"m^3", Dimension::volume},
     Unit{"cm^3", Dimension::volume, -6},
     Unit{"mm^3", Dimension::volume, -9},
     Unit{"in^3", Dimension::volume, -12, 254.0 * 254.0 * 254.0},
-    Unit{"m\u00B3", Dimension::volume},
-    Unit{"cm\u00B3", Dimension::volume, -6},
-    Unit{"mm\u00B3", Dimension::volume, -9},
     Unit{"L", Dimension::volume, -3},
     Unit{"l", Dimension::volume, -3},
     Unit{"mL", Dimension::volume, -6},
@@ -59,22 +57,22 @@ constexpr std::array units = {
     Unit{"N/m^2", Dimension::pressure},
     Unit{"N/mm^2", Dimension::pressure, 6},
     Unit{"kN/m^2", Dimension::pressure, 3},
-    Unit{"N/m\u00B2", Dimension::pressure},
-    Unit{"N/mm\u00B2", Dimension::pressure, 6},
-    Unit{"kN/m\u00B2", Dimension::pressure, 3},
     Unit{"mbar", Dimension::pressure, 2},
     Unit{"bar", Dimension::pressure, 5},
     Unit{"atm", Dimension::pressure, 0, 101325.0},
     Unit{"psi", Dimension::pressure, 0, psi_Pa},
     Unit{"ksi", Dimension::pressure, 3, psi_Pa},
+    Unit{"mmHg", Dimension::pressure, -3, mercury_Pa_m},
+    Unit{"inHg", Dimension::pressure, -4, 254.0 * mercury_Pa_m},
+    Unit{"Torr", Dimension::pressure, 0, 101325.0 / 760.0},
+    Unit{"kgf/cm^2", Dimension::pressure, 4, g_n},
+    Unit{"kgf/mm^2", Dimension::pressure, 6, g_n},
     Unit{"rad", Dimension::angle},
     Unit{"deg", Dimension::angle, 0, std::numbers::pi / 180.0},
     Unit{"\u00B0", Dimension::angle, 0, std::numbers::pi / 180.0},
     Unit{"kg/m^3", Dimension::density},
     Unit{"g/cm^3", Dimension::density, 3},
     Unit{"g/mL", Dimension::density, 3},
-    Unit{"kg/m\u00B3", Dimension::density},
-    Unit{"g/cm\u00B3", Dimension::density, 3},
     Unit{"kg", Dimension::mass},
     Unit{"g", Dimension::mass, -3},
     Unit{"mg", Dimension::mass, -6},
@@ -82,7 +80,6 @@ constexpr std::array units = {
     Unit{"m/s^2", Dimension::acceleration},
     Unit{"cm/s^2", Dimension::acceleration, -2},
     Unit{"mm/s^2", Dimension::acceleration, -3},
-    Unit{"m/s\u00B2", Dimension::acceleration},
     Unit{"s", Dimension::time},
     Unit{"ms", Dimension::time, -3},
     Unit{"us", Dimension::time, -6},
@@ -101,8 +98,6 @@ constexpr std::array units = {
     Unit{"Pa.s/mL", Dimension::flow_resistance, 6},
     Unit{"kPa.s/mL", Dimension::flow_resistance, 9},
     Unit{"mbar.s/mL", Dimension::flow_resistance, 8},
-    Unit{"Pa.s/m\u00B3", Dimension::flow_resistance},
-    Unit{"kPa.s/m\u00B3", Dimension::flow_resistance, 3},
     Unit{"J", Dimension::energy},
     Unit{"mJ", Dimension::energy, -3},
     Unit{"uJ", Dimension::energy, -6},
@@ -110,6 +105,8 @@ constexpr std::array units = {
     Unit{"mN", Dimension::force, -3},
     Unit{"kN", Dimension::force, 3},
     Unit{"lbf", Dimension::force, 0, pound_force_N},
+    Unit{"kgf", Dimension::force, 0, g_n},
+    Unit{"gf", Dimension::force, -3, g_n},
     Unit{"N.m", Dimension::moment},
     Unit{"Nm", Dimension::moment},
     Unit{"N.mm", Dimension::moment, -3},
@@ -200,6 +197,18 @@ const Unit* find_unit(std::string_view name) noexcept {
     return unit == units.end() ? nullptr : &*unit;
 }
 
+/// "N/mm^2" of "N/mm\u00B2" and of "N/mm2", as test machines write it.
+std::string with_plain_power(std::string_view unit) {
+    std::string plain{unit};
+    for (const auto& [raised, power] : {std::pair{"\u00B2", "^2"}, std::pair{"\u00B3", "^3"}})
+        if (const std::size_t at = plain.find(raised); at != std::string::npos)
+            plain.replace(at, std::string_view{raised}.size(), power);
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    if (plain.size() > 1 && (plain.back() == '2' || plain.back() == '3') && is_letter(plain[plain.size() - 2]))
+        plain.insert(plain.size() - 1, "^");
+    return plain;
+}
+
 std::string advice(Dimension dimension) {
     if (dimension == Dimension::ratio) return "write a bare number, for example 1.5";
     return "write for example " + std::string{example(dimension)} + " (units: " + join(unit_names(dimension)) + ")";
@@ -287,7 +296,7 @@ Parsed<double> parse_quantity(std::string_view text, Dimension dimension) {
         return Refusal{shown + " has no unit, " + with_article(name(dimension)) + " is needed",
                        "write for example " + one_line(parts.number, longest_number) + " " + std::string{unit}};
     }
-    const Unit* unit = find_unit(parts.unit);
+    const Unit* unit = find_unit(with_plain_power(parts.unit));
     if (!parts.unit.empty() && unit == nullptr) return unknown_unit(parts, dimension);
     if (unit != nullptr && unit->dimension != dimension)
         return Refusal{shown + " is " + with_article(name(unit->dimension)) + " where " +

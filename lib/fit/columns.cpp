@@ -103,14 +103,35 @@ std::size_t find_column(const Table& table, const Wanted& wanted) {
 
 bool is_stress_unit(std::string_view unit) { return table::dimension_of(unit) == core::Dimension::pressure; }
 
-std::string stress_unit(const Table& table, std::string_view in_header, const ReadSettings& settings) {
+/// What neither the file nor an option says; asked for in one line.
+struct Unsaid {
+    std::vector<std::string> problems, remedies;
+
+    void add(std::string problem, std::string remedy) {
+        problems.push_back(std::move(problem));
+        remedies.push_back(std::move(remedy));
+    }
+};
+
+/// What stands in brackets at the end of a title: "furlong" of "Stress (furlong)".
+std::string_view in_brackets(std::string_view title) {
+    const std::string_view text = core::trimmed(title);
+    if (text.empty() || (text.back() != ')' && text.back() != ']')) return {};
+    const std::size_t open = text.find_last_of("([");
+    return open == std::string_view::npos ? std::string_view{} : text.substr(open + 1, text.size() - open - 2);
+}
+
+std::string stress_unit(const table::Heading& heading, const ReadSettings& settings, Unsaid& unsaid) {
     if (!settings.stress_unit.empty() && !is_stress_unit(settings.stress_unit))
         throw Error(ExitCode::usage, "--stress-unit", core::quoted(settings.stress_unit) + " is no unit of stress",
                     "Pa, kPa, MPa, N/mm^2, psi, ...");
     if (!settings.stress_unit.empty()) return settings.stress_unit;
-    if (is_stress_unit(in_header)) return std::string{in_header};
-    throw refusal(table, "the unit of the stress is nowhere stated",
-                  "give --stress-unit MPa (or Pa, kPa, N/mm^2, psi)");
+    if (is_stress_unit(heading.unit)) return heading.unit;
+    const std::string_view unknown = in_brackets(heading.name);
+    unsaid.add(unknown.empty() ? "the unit of the stress is nowhere stated"
+                               : core::quoted(unknown) + " is no unit of stress that is known",
+               "--stress-unit MPa (or Pa, kPa, N/mm^2, psi)");
+    return {};
 }
 
 std::string strain_unit(std::string_view in_header, const ReadSettings& settings) {
@@ -121,21 +142,22 @@ std::string strain_unit(std::string_view in_header, const ReadSettings& settings
     return unit == "%" ? "%" : "";  // strain is a plain ratio unless it says otherwise
 }
 
-StrainMeasure strain_measure(const Table& table, std::string_view title, const ReadSettings& settings) {
+StrainMeasure strain_measure(std::string_view title, const ReadSettings& settings, Unsaid& unsaid) {
     if (settings.strain_measure) return *settings.strain_measure;
     if (holds(title, "stretch")) return StrainMeasure::stretch;
     if (is_true_measure(title)) return StrainMeasure::logarithmic;
     if (is_engineering(title)) return StrainMeasure::engineering;
-    throw refusal(table, "the title does not say whether the strain is engineering, true, or a stretch",
-                  "give --strain engineering, true or stretch");
+    unsaid.add("the title does not say whether the strain is engineering, true, or a stretch",
+               "--strain engineering, true or stretch");
+    return {};
 }
 
-StressMeasure stress_measure(const Table& table, std::string_view title, const ReadSettings& settings) {
+StressMeasure stress_measure(std::string_view title, const ReadSettings& settings, Unsaid& unsaid) {
     if (settings.stress_measure) return *settings.stress_measure;
     if (is_true_measure(title)) return StressMeasure::cauchy;
     if (is_engineering(title)) return StressMeasure::engineering;
-    throw refusal(table, "the title does not say whether the stress is engineering or true",
-                  "give --stress engineering or true");
+    unsaid.add("the title does not say whether the stress is engineering or true", "--stress engineering or true");
+    return {};
 }
 
 }  // namespace
@@ -151,10 +173,13 @@ Columns columns_of(const Table& table, const ReadSettings& settings) {
         return column < table.headings.size() ? table.headings[column] : table::Heading{};
     };
     const table::Heading strain = heading(columns.strain), stress = heading(columns.stress);
-    columns.strain_measure = strain_measure(table, strain.name, settings);
-    columns.stress_measure = stress_measure(table, stress.name, settings);
+    Unsaid unsaid;
+    columns.strain_measure = strain_measure(strain.name, settings, unsaid);
+    columns.stress_measure = stress_measure(stress.name, settings, unsaid);
     columns.strain_unit = strain_unit(strain.unit, settings);
-    columns.stress_unit = stress_unit(table, stress.unit, settings);
+    columns.stress_unit = stress_unit(stress, settings, unsaid);
+    if (!unsaid.problems.empty())
+        throw refusal(table, core::join(unsaid.problems), "give " + core::join(unsaid.remedies, " and "));
     return columns;
 }
 

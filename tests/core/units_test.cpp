@@ -57,6 +57,14 @@ TEST(Units, FactorsThatAreNotPowersOfTenFollowTheirDefinitions) {
                      1e3 * si("1 lbf", Dimension::force) / si("1 in^2", Dimension::area));
     EXPECT_DOUBLE_EQ(si("1 in^3", Dimension::volume), 0.0254 * 0.0254 * 0.0254);
     EXPECT_DOUBLE_EQ(si("2 atm", Dimension::pressure), 202650.0);
+    EXPECT_DOUBLE_EQ(si("1 ft", Dimension::length), 12 * 0.0254);
+    EXPECT_DOUBLE_EQ(si("1 mmHg", Dimension::pressure), 133.322387415);  // NIST SP 811
+    EXPECT_DOUBLE_EQ(si("10 inHg", Dimension::pressure), si("254 mmHg", Dimension::pressure));
+    EXPECT_DOUBLE_EQ(si("760 Torr", Dimension::pressure), si("1 atm", Dimension::pressure));
+    EXPECT_DOUBLE_EQ(si("1 kgf/cm^2", Dimension::pressure),
+                     si("1 kgf", Dimension::force) / si("1 cm^2", Dimension::area));
+    EXPECT_DOUBLE_EQ(si("2 kgf/mm^2", Dimension::pressure), 2e6 * 9.80665);
+    EXPECT_DOUBLE_EQ(si("1000 gf", Dimension::force), 9.80665);
     EXPECT_DOUBLE_EQ(si("981 cm/s^2", Dimension::acceleration), 9.81);
     EXPECT_DOUBLE_EQ(si("9810 mm/s^2", Dimension::acceleration), 9.81);
 }
@@ -71,6 +79,12 @@ TEST(Units, BlanksSignsAndExponentsAreFree) {
 TEST(Units, SignsOfTheKeyboardAndOfTheTextbookMeanTheSame) {
     EXPECT_EQ(si("7 µm", Dimension::length), si("7 um", Dimension::length));
     EXPECT_EQ(si("7 mm³", Dimension::volume), si("7 mm^3", Dimension::volume));
+    EXPECT_EQ(si("7 kN/m²", Dimension::pressure), 7000.0);
+    EXPECT_EQ(si("0.05 N/mm2", Dimension::pressure), 50000.0);
+    EXPECT_EQ(si("1080 kg/m3", Dimension::density), 1080.0);
+    EXPECT_EQ(si("1e8 Pa.s/m³", Dimension::flow_resistance), 1e8);
+    EXPECT_FALSE(std::holds_alternative<double>(parse_quantity("1 N/mm4", Dimension::pressure)));
+    EXPECT_FALSE(std::holds_alternative<double>(parse_quantity("1 mm22", Dimension::area)));
     EXPECT_EQ(si("90°", Dimension::angle), si("90 deg", Dimension::angle));
 }
 

@@ -104,6 +104,10 @@ TEST(TestData, WhatIsNotStatedIsAskedFor) {
                    "the unit of the stress is nowhere stated; give --stress-unit");
     expect_refused("Strain;Engineering Stress (MPa)\n0.1;1\n0.2;2\n", "give --strain engineering, true or stretch");
     expect_refused("Engineering Strain;Stress (MPa)\n0.1;1\n0.2;2\n", "give --stress engineering or true");
+    expect_refused("Engineering Strain;Engineering Stress (furlong)\n0.1;1\n0.2;2\n",
+                   "'furlong' is no unit of stress that is known; give --stress-unit");
+    expect_refused("Strain;Stress\n0.1;1\n0.2;2\n",
+                   "give --strain engineering, true or stretch and --stress engineering or true and --stress-unit MPa");
     expect_refused("0.1;1\n0.2;2\n", "no header that says which column is the strain");
     EXPECT_EQ(read_test("Strain;Stress\n10;1\n20;2\n", "a", Mode::uniaxial,
                         {.strain_measure = StrainMeasure::engineering,
