@@ -20,6 +20,8 @@ constexpr double first_share = 1e-3, share_after_kink = 0.1;
 constexpr double growth_without_estimate = 2.0, largest_growth = 2.0, smallest_shrink = 0.3, rejection = 1.5;
 /// The size of the motion is at least this part of the linear response.
 constexpr double size_share = 0.1;
+/// Steps until generalised alpha goes on where the loads are there at once: as many as its estimate of the error needs.
+constexpr int steps_of_starter = 3;
 /// Explicit steps: of the stable one, which is estimated again and again because stretching stiffens: more often where it has
 /// changed by more than the larger of two shares since the last time, less often where by less than the smaller.
 constexpr double stable_share = 0.9;
@@ -109,6 +111,8 @@ void MotionFollower::start() {
         throw Error(ExitCode::bad_input, "materials", "the body at rest has a singular mass and stiffness",
                     "check the densities and moduli of the materials");
     with_method(method_, [&](auto& method) { method.start(last_); });
+    if (std::holds_alternative<GeneralizedAlpha>(method_) && linalg::norm(last_.load_force) > 0.0)
+        starter_.emplace(equations_, *stage_);
 }
 
 void MotionFollower::choose_first_step() {
@@ -188,7 +192,10 @@ double MotionFollower::next_step() {
 
 std::optional<StepResult> MotionFollower::attempt(double step_s) {
     StepResult result;
-    with_method(method_, [&](auto& method) { result = method.attempt(last_, step_s, next_); });
+    if (starter_)
+        result = starter_->attempt(last_, step_s, next_);
+    else
+        with_method(method_, [&](auto& method) { result = method.attempt(last_, step_s, next_); });
     iterations_since_row_ += result.newton.iterations;
     end_.newton_iterations += result.newton.iterations;
     if (result.newton.end == NewtonEnd::converged) return result;
@@ -217,7 +224,7 @@ void MotionFollower::advance() {
 }
 
 void MotionFollower::accept(double step_s, std::optional<double> error) {
-    with_method(method_, [](auto& method) { method.accept(); });
+    if (!starter_) with_method(method_, [](auto& method) { method.accept(); });
     ++steps_;
     keep_energies(last_, next_);
     if (is_adaptive() && error_constant_ > 0.0) {
@@ -226,6 +233,10 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
         if (history_.size() > static_cast<std::size_t>(order_)) history_.pop_back();
     }
     std::swap(last_, next_);
+    if (starter_ && steps_ == steps_of_starter) {
+        starter_.reset();
+        with_method(method_, [&](auto& method) { method.start(last_); });
+    }
     if (std::abs(dynamics_.duration_s - last_.time_s) <= same_time * step_s) last_.time_s = dynamics_.duration_s;
     if (is_constant() && !explicit_) step_s_ = std::min(dynamics_.step_s, 2.0 * step_s_);
     if (explicit_ && steps_ >= next_estimate_) update_stable_step();

@@ -7,6 +7,10 @@
 /// wanted below `accuracy` x the size of the motion: the largest |x| so far, at least a tenth of the linear response
 /// (K0 + M / duration^2)^-1 f to all loads at their full level. Adaptive steps land on the kinks of the loads and start small
 /// after them.
+///
+/// Where loads are there at once the body is accelerated in modes that no step resolves, by F/M of single cells: h^2 a there is
+/// far beyond the motion, and generalised alpha, whose first step leans on a(0), takes it for one. Its first steps are then those
+/// of the Runge-Kutta method, which forgets such modes (L-stable) and knows its error from the first step on.
 #include <deque>
 #include <variant>
 
@@ -67,6 +71,7 @@ private:
     std::optional<StageSolver> stage_;  // of implicit integrators
     std::optional<StableStep> stable_;  // of explicit ones
     Method method_;
+    std::optional<Dirk> starter_;  // of the first steps, see above
     MotionState last_, next_;
     std::optional<solver::PathPoint> last_row_;  // for angles
     struct Position {

@@ -195,10 +195,11 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
         step.extremes->energy_J_m3 = unpacker.get<double>();
     }
     if (unpacker.get_flag()) {
-        solution::Step::Energies& energies = step.energies.emplace();
+        solution::Step::Energies energies;
         energies.stored_J = unpacker.get<double>();
         energies.load_work_J = unpacker.get<double>();
         energies.tangent_J = unpacker.get_optional();
+        step.energies = energies;
     }
     record.displacement_m = unpacker.get_list();
     record.pressure_Pa = unpacker.get_list();

@@ -9,7 +9,7 @@ namespace soft::model {
 namespace {
 
 /// Hooke's law with the moduli of the undeformed rubber.
-material::AnyRubber small_strain(const material::AnyRubber& rubber) {
+material::AnyRubber small_strain(const material::AnyRubber& rubber, std::optional<double> bulk_modulus_Pa) {
     if (material::fibers_of(rubber) || material::reference_stress_Pa(rubber) != 0.0)
         throw Error(ExitCode::bad_input, "strain",
                     "the law " + std::string{material::info_of(rubber).name} +
@@ -18,7 +18,7 @@ material::AnyRubber small_strain(const material::AnyRubber& rubber) {
                     "strain: finite, or another law");
     return material::make_rubber({.law = "linear-elastic",
                                   .constants = {{"mu", {material::initial_shear_modulus_Pa(rubber)}}},
-                                  .bulk_modulus_Pa = material::bulk_modulus_Pa(rubber)});
+                                  .bulk_modulus_Pa = bulk_modulus_Pa});
 }
 
 /// One family between the axis and the hoop: its mirror image is another one.
@@ -42,7 +42,7 @@ material::AnyRubber make_rubber(const Material& material) {
                                                .volumetric = material.volumetric,
                                                .fiber_frame = material.fiber_frame,
                                                .fibers = material.fibers});
-    return material.strain == Strain::small ? small_strain(rubber) : rubber;
+    return material.strain == Strain::small ? small_strain(rubber, material.bulk_modulus_Pa) : rubber;
 }
 
 std::string why_not(const Material& material, Kinematics kinematics, const std::array<bool, 3>& symmetry_planes) {

@@ -61,7 +61,8 @@ struct PathTangent {
     /// the sign of the determinant (linear_solver.hpp). With an LU factor only the parity is known: 0 or 1; nullopt where the
     /// linear solver knows neither.
     std::optional<int> unstable_modes;
-    /// Work of the stage's growing loads along the tangent, -dR/dlambda . x.
+    /// Work of the stage's growing loads along the tangent were every free supply to hold its volume or mass, -dR/dlambda . x:
+    /// positive in a stable state, whatever the supplies do meanwhile (a volume that grows against a load lets it do work < 0).
     double power = 0;
 };
 
@@ -154,6 +155,8 @@ private:
     [[nodiscard]] std::optional<NewtonEnd> solve_tangent_columns();
     [[nodiscard]] linalg::LinearSolve solve_well(Vec b, Vec x, linalg::Factor factor);
     [[nodiscard]] std::optional<int> unstable_modes();
+    /// PathTangent::power per unit of the load factor; nullopt where held supplies leave the direction open.
+    [[nodiscard]] std::optional<double> power_with_supplies_held() const;
     /// Negative pivots of K beyond one a pressure unknown, with LU their parity: those of the last factor, and what they are taken
     /// for.
     [[nodiscard]] std::optional<int> pivots_of_factor() const;

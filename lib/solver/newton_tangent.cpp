@@ -1,4 +1,7 @@
 /// The direction of the path, and what the factor says about stability.
+#include <algorithm>
+#include <cmath>
+
 #include "solver/newton.hpp"
 
 namespace soft::solver {
@@ -9,6 +12,8 @@ namespace {
 constexpr int many_iterations_for_a_recent_factor = 5;
 /// How often a Krylov method may reach its limit on the way to a direction of the path, which has to be exact.
 constexpr int rounds_for_a_direction = 10;
+/// What is left of a difference of numbers so many times larger is the linear solver's tolerance.
+constexpr double of_differences = 1e-6;
 
 }  // namespace
 
@@ -65,8 +70,28 @@ std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const S
     rates->pop_back();
     tangent.pressures = std::move(*rates);
     tangent.unstable_modes = unstable_modes();
-    tangent.power = linalg::dot(wanted_.back().out, tangent.x);
+    tangent.power = tangent.load_factor * power_with_supplies_held().value_or(0.0);
     return tangent;
+}
+
+std::optional<double> Newton::power_with_supplies_held() const {
+    const auto free = static_cast<int>(supply_.size());
+    const Vec force = wanted_.back().out, response = columns_[wanted_.size() - 1];
+    double power = linalg::dot(force, response), largest = std::abs(power);
+    if (free == 0) return power;
+    linalg::SmallMatrix held(free);
+    for (int i = 0; i < free; ++i)
+        for (int j = 0; j < free; ++j) held.at(i, j) = border_.at(i, j);
+    std::vector<double> missing = rows_times(response);
+    missing.pop_back();
+    const auto pressures = linalg::solve(held, missing);
+    if (!pressures) return std::nullopt;
+    for (std::size_t k = 0; k < pressures->size(); ++k) {
+        const double taken_back = (*pressures)[k] * linalg::dot(force, columns_[k]);
+        largest = std::max(largest, std::abs(taken_back));
+        power -= taken_back;
+    }
+    return std::abs(power) > of_differences * largest ? power : 0.0;  // a body that cannot move with the volume held
 }
 
 std::optional<int> Newton::pivots_of_factor() const {

@@ -132,6 +132,9 @@ TEST(SmallStrain, IsTheSlopeOfTheFiniteLawWithoutDeformation) {
         return K;
     };
     EXPECT_LT(difference(tangent(model::Strain::finite), tangent(model::Strain::small)), 1e-12);
+    input.materials[0].bulk_modulus_Pa = 1.5 * sample_mu_Pa;  // not what its volumetric term alone gives
+    input.materials[0].law = "neo-hookean-compressible";
+    EXPECT_LT(difference(tangent(model::Strain::finite), tangent(model::Strain::small)), 1e-12);
 }
 
 TEST(SmallStrain, IsRefusedWhereALawHasNoLinearCounterpart) {

@@ -166,6 +166,30 @@ TEST(Motion, LoadsNearRoundingMoveTheBody) {
     }
 }
 
+// A bar whose damping hides its mass, C = b K: all its modes creep alike, u = u_end (1 - exp(-t/b)). The load is there at once, and
+// accelerates its last cell by far more than any step resolves.
+TEST(Motion, AStepOnAHeavilyDampedBarCreeps) {
+    constexpr double traction_Pa = 10.0, end_m = traction_Pa * bar_length_m / bar_modulus_Pa;
+    for (const auto integrator : {Integrator::generalized_alpha, Integrator::hht, Integrator::newmark}) {
+        for (const double b : {1.0, 0.03})
+            for (const double step_s : {0.0, 5e-3}) {
+                auto input = bar_case(24, traction_Pa, step_course());
+                input.dynamics =
+                    Dynamics{.integrator = integrator, .duration_s = 5.0, .step_s = step_s, .stiffness_damping_s = b};
+                const auto moved = move(input);
+                ASSERT_EQ(moved.end.reason, solution::StopReason::done) << moved.end.detail;
+                double damped = 0;
+                for (const auto& step : moved.steps) {
+                    const double t = step.motion->time_s, creep = 1.0 - std::exp(-t / b);
+                    const double allowed = step_s > 0.0 ? std::pow(step_s / b, 2) : 2e-3;  // second order
+                    EXPECT_NEAR(step.outputs[0] / end_m, creep, allowed) << int(integrator) << ' ' << b << ' ' << t;
+                    EXPECT_GE(step.motion->damping_work_J, damped * (1.0 - 1e-9)) << int(integrator) << ' ' << b;
+                    damped = step.motion->damping_work_J;
+                }
+            }
+    }
+}
+
 /// A sphere so stiff that its volume stays, isothermal gas: dp/dt = (source - p) / (resistance (V + D) / ambient).
 model::Case line_case(double time_constant_s) {
     auto input = sphere_case(1, 2);

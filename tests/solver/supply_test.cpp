@@ -66,6 +66,30 @@ TEST(Supply, ClosedValveKeepsTheGas) {
                 2e-4);
 }
 
+// A cavity that is filled while its body is pressed from outside: that load gives way all the while, its work is negative, and yet
+// the body is stable and the volume is to grow, not to fall. An incompressible wall feels the difference of the pressures alone.
+TEST(Supply, ACavityIsFilledAgainstALoadThatGivesWay) {
+    for (const auto control : {model::Control::automatic, model::Control::arc_length, model::Control::pressure})
+        for (const auto& supply : {model::SupplyTarget{Prescription::volume_ratio, 3.375}, {Prescription::mass, 4e-5}})
+            for (const int stages : {1, 2}) {
+                auto input = sphere_case(3, 6);
+                input.loads.push_back({.name = "outer", .targets = {"outer"}, .gas = {}});
+                auto first = full_load(input, {0.0, 1e4}), second = full_load(input, {0.0, 3e4});
+                first.supplies[0] = {Prescription::volume_ratio, 1.2};
+                second.supplies[0] = supply;
+                input.path.stages = {second};
+                if (stages == 2) input.path.stages = {first, second};
+                for (auto& stage : input.path.stages) stage.control = control;
+                const auto [steps, end, log] = run(input);
+                ASSERT_EQ(end.reason, solution::StopReason::done) << end.detail;
+                for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_GT(*steps[i].volume_m3, *steps[i - 1].volume_m3);
+                const auto& last = steps.back();
+                EXPECT_GT(inner_stretch(last), 1.4);
+                EXPECT_NEAR(last.pressures_Pa[1], 3e4, 1e-6);
+                EXPECT_NEAR((last.pressures_Pa[0] - 3e4) / sample_mu_Pa, sphere_pressure(inner_stretch(last)), 2e-4);
+            }
+}
+
 TEST(Supply, AStageWithoutChangeIsOneRow) {
     auto input = sphere_case(2, 4);
     input.path.stages = {full_load(input, {3e4}), full_load(input, {3e4}), full_load(input, {0.0})};
