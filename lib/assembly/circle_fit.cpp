@@ -96,16 +96,27 @@ Vector4 adjoint_of(const SmallMatrix& M, const Fit& fit) {
     return l;
 }
 
+/// Whether the way leads clockwise round the middle of v, from which the normal (2 A u + B, 2 A v + C) points away where A > 0.
+bool turns_right(const Features& features, const Vector4& v, std::span<const std::size_t> along) {
+    double turn = 0;
+    for (std::size_t k = 1; k < along.size(); ++k) {
+        const Vector4 &from = features.z[along[k - 1]], &to = features.z[along[k]];
+        const double normal_u = v[0] * (from[1] + to[1]) + v[1], normal_v = v[0] * (from[2] + to[2]) + v[2];
+        turn += normal_u * (to[2] - from[2]) - normal_v * (to[1] - from[1]);
+    }
+    return turn < 0;
+}
+
 }  // namespace
 
-double fitted_curvature(std::span<const PlanePoint> points, std::span<const double> weights, const PlanePoint& left,
-                        std::vector<PlanePoint>* gradient) {
+double fitted_curvature(std::span<const PlanePoint> points, std::span<const double> weights,
+                        std::span<const std::size_t> along, std::vector<PlanePoint>* gradient) {
     const Features features = features_of(points, weights);
     if (gradient != nullptr) gradient->assign(points.size(), {std::nan(""), std::nan("")});
     if (!(features.size > 0)) return std::nan("");
     const SmallMatrix M = moments_of(features);
     Fit fit = least(M);
-    if (fit.v[1] * left[0] + fit.v[2] * left[1] > 0)  // (B, C) points away from the middle of a circle with A > 0
+    if (turns_right(features, fit.v, along))
         for (double& component : fit.v) component = -component;
     const double value = 2 * fit.v[0] / features.size + 0.0;  // -0 becomes 0
     if (gradient == nullptr) return value;

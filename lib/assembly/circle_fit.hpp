@@ -10,9 +10,10 @@ namespace soft::assembly {
 
 using PlanePoint = std::array<double, 2>;
 
-/// Curvature 2 A [1/m], positive where the middle of the circle is on the side of `left` of the points, with its derivatives by the
-/// points (`gradient` is overwritten; nullptr: not wanted). NaN for points that are all on one spot.
+/// Curvature 2 A [1/m] with its derivatives by the points (`gradient` is overwritten; nullptr: not wanted). Positive where the
+/// middle of the circle is to the left of the way from point to point in the order `along`, however often it goes round.
+/// NaN for points that are all on one spot.
 [[nodiscard]] double fitted_curvature(std::span<const PlanePoint> points, std::span<const double> weights,
-                                      const PlanePoint& left, std::vector<PlanePoint>* gradient);
+                                      std::span<const std::size_t> along, std::vector<PlanePoint>* gradient);
 
 }  // namespace soft::assembly

@@ -1,5 +1,6 @@
 #include "assembly/face_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -142,21 +143,19 @@ Vector3 longest(const FaceShape& shape) {
     return t;
 }
 
-/// Seen against d: the face as points in the plane, and the side to the left of it, followed along its undeformed length.
+/// Seen against d: the face as points in the plane, followed along its undeformed length.
 double curvature(const FaceShape& shape, const Points& x, Points* gradient) {
     const auto axes = plane_axes(shape.direction);
-    const Vector3 t = longest(shape), mean_X = mean_of(shape.X, shape.weights), mean = mean_of(x, shape.weights);
-    Vector3 tangent{};
+    const Vector3 t = longest(shape), mean = mean_of(x, shape.weights);
     std::vector<PlanePoint> points, by_points;
-    for (std::size_t a = 0; a < x.size(); ++a) {
-        const Vector3 p = minus(x[a], mean);
+    for (const Vector3& place : x) {
+        const Vector3 p = minus(place, mean);
         points.push_back({dot(p, axes[0]), dot(p, axes[1])});
-        const double s = dot(minus(shape.X[a], mean_X), t);
-        for (std::size_t i = 0; i < 3; ++i) tangent[i] += shape.weights[a] * s * p[i];
     }
-    const Vector3 left = cross(shape.direction, tangent);
-    const double value = fitted_curvature(points, shape.weights, {dot(left, axes[0]), dot(left, axes[1])},
-                                          gradient == nullptr ? nullptr : &by_points);
+    std::vector<std::size_t> along(x.size());
+    std::iota(along.begin(), along.end(), std::size_t{0});
+    std::ranges::stable_sort(along, {}, [&](std::size_t a) { return dot(shape.X[a], t); });
+    const double value = fitted_curvature(points, shape.weights, along, gradient == nullptr ? nullptr : &by_points);
     for (std::size_t a = 0; a < by_points.size(); ++a)
         for (std::size_t i = 0; i < 3; ++i)
             (*gradient)[a][i] = by_points[a][0] * axes[0][i] + by_points[a][1] * axes[1][i];

@@ -52,7 +52,8 @@ std::vector<Vector3> moved(const std::vector<Vector3>& X, double size, double ph
 
 TEST(Curvature, IsExactOnAnArcWhereverItLies) {
     const FaceShape shape = strip(model::Measure::curvature, {0, 1, 0});
-    for (const double curvature : {-180.0, -50.0, -1.0, 1.0, 50.0, 200.0})  // up to 4 rad of bend
+    for (const double curvature :
+         {-1000.0, -450.0, -180.0, -50.0, -1.0, 1.0, 50.0, 200.0, 700.0})  // 20 rad of bend at most
         for (const double tilt : {0.0, 1.0, 2.5, -3.0})
             EXPECT_NEAR(value_of(shape, bent(shape, curvature, tilt), nullptr), curvature, 1e-8 * std::abs(curvature))
                 << tilt;
