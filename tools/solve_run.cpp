@@ -41,6 +41,11 @@ Task read_task(const SolveOptions& options, int rank) {
     task.input = read_input_on_first_rank(task.resumes ? options.resume : options.input, rank);
     if (task.resumes) {
         task.from = io::read_interrupted(task.input.bytes, task.input.source);
+        for (const io::Provenance& stage : task.from.file.provenance)
+            if (stage.tool == solve_about().tool && stage.command_line.find(" --tolerance") != std::string::npos)
+                throw Error(ExitCode::bad_input, task.input.source,
+                            "was begun with --tolerance, whose rows are known when all meshes are solved",
+                            "solve the case again with --tolerance");
         task.changed = task.from.changed_design;
     } else {
         task.from.file = io::read_case_file(task.input.bytes, task.input.source);
@@ -198,7 +203,8 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         summary.peak_memory_MB = peak_memory_MB();
         if (options.profile) summary.profile = linalg::profile_rows();
         summary.wall_s = seconds_since(begin);
-        for (const std::string& line : bifurcation_lines(summary.end, model)) console.say(line);
+        for (const auto& lines : {limit_lines(summary, model), bifurcation_lines(summary.end, model)})
+            for (const std::string& line : lines) console.say(line);
         if (const std::string line = stability_line(summary); !line.empty()) console.say(line);
         console.say(summary_line(summary, model));
         for (const std::string& line : profile_lines(summary)) console.say(line);

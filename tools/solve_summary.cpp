@@ -212,6 +212,19 @@ std::string accuracy_line(const AccuracySummary& accuracy) {
            "; " + accuracy.obstacle;
 }
 
+std::vector<std::string> limit_lines(const SolveSummary& summary, const model::Case& model) {
+    constexpr std::size_t most = 6;
+    std::vector<std::string> lines;
+    for (const solution::LimitPoint& point : summary.end.limit_points)
+        if (point.step < summary.steps) lines.push_back("limit point at " + place_text(point, model));
+    if (lines.size() > most) {
+        const std::size_t more = lines.size() - most;
+        lines.resize(most);
+        lines.push_back(core::counted(more, "limit point") + " more, see postprocess");
+    }
+    return lines;
+}
+
 std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model) {
     std::vector<std::string> lines;
     for (const auto& bifurcation : end.bifurcations) {

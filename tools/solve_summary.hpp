@@ -69,6 +69,10 @@ struct ProcessTimes {
 /// "the tolerance of 0.1 % is missed: the error bars reach 0.3 %; the next mesh would have ..."
 [[nodiscard]] std::string accuracy_line(const AccuracySummary& accuracy);
 
+/// One line a limit point of the load, of the first few: "limit point at 44.339 kPa, elongation 13.44 mm, volume 45.7 mL". Not of
+/// one at which the path ends, which the end names.
+[[nodiscard]] std::vector<std::string> limit_lines(const SolveSummary& summary, const model::Case& model);
+
 /// One line a bifurcation: "bifurcation at 26.1 kPa, elongation 127 mm, volume 80 mL: another branch leaves the path ..."
 [[nodiscard]] std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model);
 /// Of a path that comes to its goal in a state in which no body stays; else empty.

@@ -111,11 +111,14 @@ std::vector<Key> dynamics_keys() {
                     .fallback = core::number_text(defaults.mass_damping_1_s) + " 1/s",
                     .meaning = "Rayleigh damping: a force of this times mass times velocity",
                     .min = 0});
-    keys.push_back({.path = "dynamics.stiffness_damping",
-                    .kind = Kind::time,
-                    .fallback = core::number_text(defaults.stiffness_damping_s) + " s",
-                    .meaning = "Rayleigh damping: a force of this times the undeformed stiffness times velocity",
-                    .min = 0});
+    keys.push_back(
+        {.path = "dynamics.stiffness_damping",
+         .kind = Kind::time,
+         .fallback = core::number_text(defaults.stiffness_damping_s) + " s",
+         .meaning =
+             "Rayleigh damping: a force of this times the undeformed stiffness times velocity; mixed cells: of the "
+             "stiffness against changes of shape",
+         .min = 0});
     keys.push_back({.path = "dynamics.rows",
                     .kind = Kind::count,
                     .fallback = std::to_string(defaults.rows),

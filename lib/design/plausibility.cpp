@@ -18,7 +18,7 @@ namespace {
 constexpr double softest_young_Pa = 1e3, hardest_young_Pa = 50e6;
 constexpr double hardest_solid_Pa = 300e9;  // above steel
 // Neo-Hookean shells pass their limit point at pressures of the order of the shear modulus.
-constexpr double pressure_over_modulus = 10.0;
+constexpr double pressure_over_modulus = 10.0, pressure_under_modulus = 1e-5;
 // Around one standard atmosphere, 101.325 kPa.
 constexpr double atmosphere_low_Pa = 101e3, atmosphere_high_Pa = 101.6e3;
 // Below this Poisson's ratio is under 0.475 and the change of volume shows.
@@ -62,6 +62,9 @@ void check_pressure(const std::string& path, double pressure_Pa, double mu_Pa, s
     if (size_Pa > pressure_over_modulus * mu_Pa)
         warnings.push_back(path + ": " + pressure_text(pressure_Pa) + " is far above the initial shear modulus " +
                            pressure_text(mu_Pa));
+    if (size_Pa > 0 && size_Pa < pressure_under_modulus * mu_Pa)
+        warnings.push_back(path + ": " + pressure_text(pressure_Pa) + " is far below the initial shear modulus " +
+                           pressure_text(mu_Pa) + "; is it kPa or MPa?");
     if (size_Pa >= atmosphere_low_Pa && size_Pa <= atmosphere_high_Pa)
         warnings.push_back(path + ": " + pressure_text(pressure_Pa) +
                            " looks like an absolute pressure; pressures are gauge, above the surroundings");
@@ -87,9 +90,24 @@ std::string load_path(const Design& design, const model::Stage& stage, const std
     return (design.values.has(short_form + ".pressure") ? short_form : start + "loads.cavities." + load) + ".pressure";
 }
 
+/// A load that the stage before has left on its way, and that this one does not name.
+void check_holds(const Design& design, const model::Stage& stage, const model::Stage& before,
+                 const std::vector<bool>& moved_before, std::vector<std::string>& warnings) {
+    for (std::size_t i = 0; i < design.loads.size(); ++i) {
+        const model::SupplyTarget &now = stage.supplies[i], &then = before.supplies[i];
+        const bool on_its_way = !before.until.empty() && moved_before[i] && now.what == then.what &&
+                                now.what == model::Prescription::pressure && now.value == then.value;
+        if (!on_its_way || design.values.has(load_path(design, stage, design.loads[i].name))) continue;
+        warnings.push_back("path.stages." + stage.name + ": loads." + design.loads[i].name +
+                           " goes on to its full value of stage " + before.name +
+                           " where that ends by its until before; " + "a load holds what a stage names");
+    }
+}
+
 void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& warnings) {
     model::Stage before;
     before.supplies.resize(design.loads.size());
+    std::vector<bool> moved_before(design.loads.size(), false);
     for (const model::Stage& stage : design.path.stages) {
         for (std::size_t i = 0; i < design.loads.size(); ++i) {
             const model::SupplyTarget& target = stage.supplies[i];
@@ -97,6 +115,10 @@ void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& w
                 check_pressure(load_path(design, stage, design.loads[i].name), target.value, mu_Pa, warnings);
         }
         if (!design.loads.empty()) check_ends(stage, before.supplies.front(), warnings);
+        check_holds(design, stage, before, moved_before, warnings);
+        for (std::size_t i = 0; i < design.loads.size(); ++i)
+            moved_before[i] = stage.supplies[i].what != before.supplies[i].what ||
+                              stage.supplies[i].value != before.supplies[i].value;
         before = stage;
     }
     for (const Design::TractionRequest& load : design.tractions)
@@ -132,6 +154,25 @@ void check_locking(const Design& design, std::vector<std::string>& warnings) {
         warnings.push_back("mesh.formulation: displacements alone lock at a bulk modulus of " +
                            core::rounded_text(ratio, 3) + " times the shear modulus (" + too_stiff(choice) +
                            "); formulation: mixed does not");
+}
+
+/// Mixed cells have no volumetric stiffness of the displacements alone, which is what damps.
+void check_damping(const Design& design, std::vector<std::string>& warnings) {
+    constexpr const char* damping = "dynamics.stiffness_damping";
+    constexpr double hardly_compressible = 20;
+    if (!design.values.has(damping) || design.values.number(damping) == 0 || !design.values.has("mesh.formulation") ||
+        design.values.text("mesh.formulation") != "mixed")
+        return;
+    const auto is_compressible = [&](const model::Material& material) {
+        return material.bulk_modulus_Pa &&
+               *material.bulk_modulus_Pa <
+                   hardly_compressible * material::initial_shear_modulus_Pa(model::make_rubber(material));
+    };
+    if (is_compressible(design.material) ||
+        std::ranges::any_of(design.materials, [&](const auto& named) { return is_compressible(named.second); }))
+        warnings.push_back(std::string{damping} +
+                           ": mixed cells damp changes of shape alone, which of so compressible a rubber is not all; "
+                           "mesh.formulation: displacement damps both");
 }
 
 /// The thinnest part that the family's keys name.
@@ -173,6 +214,7 @@ std::vector<std::string> plausibility(const Design& design) {
     for (const auto& [name, material] : design.materials) look_at(material);
     check_loads(design, mu_Pa, warnings);
     check_locking(design, warnings);
+    check_damping(design, warnings);
     check_units(design, warnings);
     if (!design.values.has("mesh.size")) return warnings;
     const double size_m = design.values.number("mesh.size");

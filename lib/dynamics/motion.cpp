@@ -206,8 +206,9 @@ std::optional<StepResult> MotionFollower::attempt(double step_s) {
 void MotionFollower::advance() {
     const int limit = explicit_ ? explicit_step_limit : settings_.step_limit;
     if (steps_ >= limit)
-        return finish(StopReason::step_limit,
-                      core::counted(limit, "step") + (limit == 1 ? " was" : " were") + " not enough");
+        return finish(StopReason::step_limit, core::counted(limit, "step") + (limit == 1 ? " was" : " were") +
+                                                  " not enough" +
+                                                  (explicit_ ? "" : "; a larger solver.step_limit goes on"));
     const double h = next_step();
     const auto result = attempt(h);
     if (!result) return;

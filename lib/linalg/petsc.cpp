@@ -13,11 +13,14 @@ void check(PetscErrorCode code, const char* call) {
         return;
     const char* text = nullptr;
     PetscErrorMessage(code, &text, nullptr);
-    if (code == PETSC_ERR_MEM) throw core::out_of_memory();
+    // Some allocations of PETSc 3.18 fail with the number of their line in place of PETSC_ERR_MEM (seen under ulimit -v).
+    if (code == PETSC_ERR_MEM || (text == nullptr && code > PETSC_ERR_MAX_VALUE)) throw core::out_of_memory();
     if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_MISSING_FACTOR)  // types come from PETSc's options only
         throw Error(ExitCode::usage, "PETSc", "has no solver or preconditioner of the type asked for behind --",
                     "see `solve CASE -- -help`");
-    throw Error(ExitCode::internal, "PETSc", std::string(call) + " failed: " + (text != nullptr ? text : "unknown"));
+    throw Error(
+        ExitCode::internal, "PETSc",
+        std::string(call) + " failed: " + (text != nullptr ? std::string(text) : "error " + std::to_string(code)));
 }
 
 Vector duplicate(Vec like) {

@@ -145,9 +145,20 @@ std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, s
         if (std::abs(error.largest) > allowed)
             claim.failure = "the largest error of " + name_of(curve, error) + " is " + with_unit(of, error.largest) +
                             " at " + place_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);
+        else if (error.left_out > 0)
+            claim.failure = core::counted(error.left_out, "measured point") + " of " +
+                            std::to_string(error.points + error.left_out) + " cannot be held to " +
+                            with_unit(of, allowed) + " of " + name_of(curve, error) +
+                            ": beyond the path; let it go on (path.until), or leave them out of " + measured.source;
         claims.push_back(std::move(claim));
     }
     if (!claims.empty()) return claims;
+    for (const Series& series : measured.series)
+        if (const Column& of = curve.columns[series.column];
+            std::holds_alternative<double>(core::parse_quantity(limit, of.dimension)))
+            return {{"largest error of " + of.quantity + " is at most " + std::string{limit},
+                     "no measured point lies on the path where " + of.quantity + " could be held to " +
+                         std::string{limit}}};
     std::vector<std::string> units;
     for (const ErrorSummary& error : errors) units.push_back(curve.columns[error.of].unit);
     throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is no quantity that was compared",

@@ -41,8 +41,8 @@ struct ErrorSummary {
 [[nodiscard]] std::vector<std::string> summary_lines(const Curve& curve, const Measured& measured,
                                                      std::span<const ErrorSummary> errors);
 
-/// Whether the largest error of each quantity in units of `limit`'s kind ("5kPa", "2mm") is within it. Error(usage) where
-/// nothing is measured in such a unit.
+/// Whether the largest error of each quantity in units of `limit`'s kind ("5kPa", "2mm") is within it, and no measured point
+/// beyond the path, where nothing holds it. Error(usage) where nothing is measured in such a unit.
 [[nodiscard]] std::vector<Claim> check_largest(const Curve& curve, const Measured& measured,
                                                std::span<const ErrorSummary> errors, std::string_view limit);
 

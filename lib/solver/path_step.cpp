@@ -166,7 +166,8 @@ bool PathFollower::is_too_long(const Aim& aimed, double missed, double taken) {
 void PathFollower::advance() {
     if (rows_ > settings_.step_limit)
         return finish(StopReason::step_limit, core::counted(settings_.step_limit, "step") +
-                                                  (settings_.step_limit == 1 ? " was" : " were") + " not enough");
+                                                  (settings_.step_limit == 1 ? " was" : " were") +
+                                                  " not enough; a larger solver.step_limit goes on");
     if (rows_ > wanted_steps()) return end_stage("number of steps");
     const Aim aimed = aim();
     auto point = solve_at(aimed.constraint, aimed.target, start_of(aimed));

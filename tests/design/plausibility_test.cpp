@@ -35,6 +35,38 @@ TEST(Plausibility, APressureFarAboveTheModulusIsNoticed) {
     expect_warning({{"loads.cavity.pressure", "30 MPa"}}, "loads.cavity.pressure:", "far above");
 }
 
+TEST(Plausibility, APressureFarBelowTheModulusIsNoticed) {
+    expect_warning({{"loads.cavity.pressure", "0.03 Pa"}}, "loads.cavity.pressure:", "far below");
+    EXPECT_TRUE(read(least, {{"loads.cavity.pressure", "10 Pa"}}).warnings.empty());
+}
+
+TEST(Plausibility, ALoadThatAHoldDoesNotHoldIsNoticed) {
+    const auto stages = [](const std::string& until, const std::string& hold) {
+        return std::vector<Override>{
+            {"path.stages", "{a: {loads: {cavity: {pressure: 40 kPa}}" + until + "}, hold: " + hold + "}"}};
+    };
+    expect_warning(stages(", until: {steps: 3}", "{}"), "path.stages.hold:", "full value of stage a");
+    EXPECT_TRUE(read(least, stages("", "{}")).warnings.empty());
+    EXPECT_TRUE(read(least, stages(", until: {steps: 3}", "{loads: {cavity: {pressure: 40 kPa}}}")).warnings.empty());
+}
+
+TEST(Plausibility, DampingThatMixedCellsLackIsNoticed) {
+    const auto damped = [](const std::string& kappa, const std::string& formulation) {
+        return std::vector<Override>{{"material.kappa", kappa},
+                                     {"material.density", "1000 kg/m^3"},
+                                     {"mesh.formulation", formulation},
+                                     {"dynamics", "{duration: 1 s, stiffness_damping: 1 ms}"}};
+    };
+    const auto warned = [&](const std::string& kappa, const std::string& formulation) {
+        return std::ranges::count_if(read(least, damped(kappa, formulation)).warnings, [](const std::string& warning) {
+            return warning.starts_with("dynamics.stiffness_damping: ") && holds(warning, "changes of shape");
+        });
+    };
+    EXPECT_EQ(warned("2 MPa", "mixed"), 1);
+    EXPECT_EQ(warned("16 MPa", "mixed"), 0);
+    EXPECT_EQ(warned("2 MPa", "displacement"), 0);
+}
+
 TEST(Plausibility, AnAbsolutePressureIsNoticed) {
     expect_warning({{"loads.cavity.pressure", "101.325 kPa"}}, "loads.cavity.pressure:", "gauge");
     expect_warning({{"loads.cavity.pressure", "1.013 bar"}}, "loads.cavity.pressure:", "gauge");

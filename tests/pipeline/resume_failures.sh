@@ -17,6 +17,10 @@ resumes() {   # FILE: to the end of the path
     claim "the curve is that of a run without a break" near whole.csv k.csv 1e-10
 }
 
+# Error bars are not resumed, and are not lost in silence.
+run 'timeout -s KILL 1 solve -q case.h5 --tolerance 0.001% -o barred.h5'
+refuses 65 'solve: barred.h5: was begun with --tolerance, *; solve the case again with --tolerance' 'solve -q --resume barred.h5'
+
 # No room: a limit on the size of files, and a small disk where one may be mounted.
 room=$(($(stat -c %s case.h5) / 1024 + 600))
 refuses 74 'solve: k.h5: cannot be written: *; make room and go on with solve --resume k.h5' \

@@ -140,6 +140,16 @@ TEST(Compare, TheLargestErrorIsHeldToALimitInItsOwnUnit) {
               "the largest error of pressure at equal growth is 2 kPa at growth 250 mm (m.csv:2), allowed is 1.9 kPa");
     EXPECT_NE(failure("1mm"), "");
     EXPECT_THROW((void)failure("5 deg"), Error);
+    const Measured longer = read("growth_mm,pressure_kPa\n250," + std::to_string(p25_kPa) + "\n9000,500\n9500,600\n");
+    const auto of_longer = compare(curve, longer);
+    EXPECT_EQ(
+        check_largest(curve, longer, of_longer, "1kPa").front().failure,
+        "2 measured points of 3 cannot be held to 1 kPa of pressure at equal growth: beyond the path; let it go on "
+        "(path.until), or leave them out of m.csv");
+    const Measured beyond = read("growth_mm,pressure_kPa\n9000," + std::to_string(p25_kPa) + "\n");
+    const auto at_pressure = compare(curve, beyond);  // growth at equal pressure alone
+    EXPECT_EQ(check_largest(curve, beyond, at_pressure, "1kPa").front().failure,
+              "no measured point lies on the path where pressure could be held to 1kPa");
     EXPECT_THROW((void)failure("-5 kPa"), Error);
 }
 
