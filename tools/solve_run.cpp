@@ -213,11 +213,11 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99))
             console.warn(*advice);
         if (summary.first && summary.last)
-            for (const std::string& line :
-                 fields::warnings_at(model,
-                                     {*summary.first, *summary.last, summary.largest_stretch_p99,
-                                      summary.most_stretched, summary.first_unstable_row.has_value()},
-                                     summary.end.reason))
+            for (const std::string& line : fields::warnings_at(
+                     model,
+                     {*summary.first, *summary.last, summary.largest_stretch_p99, summary.most_stretched,
+                      summary.first_unstable_row.has_value(), summary.end.limit_points},
+                     summary.end.reason))
                 console.warn(line);
         for (const std::string& option : session.unused_options())
             console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");

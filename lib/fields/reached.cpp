@@ -106,6 +106,22 @@ void check_goals(const model::Case& solved, const Reached& path, Warnings& warni
                            "; a larger load goes on");
 }
 
+/// Of the first load, where its pressure is prescribed; maxima of a negative pressure are minima.
+void check_maximum(const model::Case& solved, const Reached& path, Warnings& warnings) {
+    const model::Stage& stage = solved.path.stages.at(static_cast<std::size_t>(path.last.stage));
+    if (stage.supplies.empty() || stage.supplies.front().what != model::Prescription::pressure) return;
+    const double asked_Pa = stage.supplies.front().value, sense = asked_Pa < 0 ? -1 : 1;
+    double largest_Pa = 0;
+    for (const solution::LimitPoint& point : path.limit_points)
+        largest_Pa = std::max(largest_Pa, sense * point.pressure_Pa);
+    if (!(largest_Pa > 0) || largest_Pa >= std::abs(asked_Pa) || sense * path.last.pressure_Pa >= largest_Pa) return;
+    warnings.push_back("loads." + solved.loads.front().name + ": " +
+                       core::quantity_text(sense * largest_Pa, core::Dimension::pressure) +
+                       " is the largest pressure that the body bears on its way to " +
+                       core::quantity_text(asked_Pa, core::Dimension::pressure) +
+                       "; behind that maximum it gives way, and the path has ended there");
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_at(const model::Case& solved, const Reached& reached, solution::StopReason end) {
@@ -120,6 +136,8 @@ std::vector<std::string> warnings_at(const model::Case& solved, const Reached& r
                 check_softening(solved, material, reached, warnings);
         }
     if (end == solution::StopReason::done) check_goals(solved, reached, warnings);
+    if (end != solution::StopReason::done && end != solution::StopReason::limit_point)
+        check_maximum(solved, reached, warnings);
     return warnings;
 }
 

@@ -2,6 +2,7 @@
 /// What can be said against a static path only when it has been followed: laws used beyond where they hold, goals
 /// that the loads do not reach. Plain warnings, one line each. Held by fields/reached_test and
 /// Pipeline.MisleadingDesignsAreNamed.
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Reached {
     double largest_stretch_p99 = 1;
     solution::Step most_stretched;  ///< the row with the largest stretch at a point
     bool gave_way = false;          ///< a row is not stable
+    std::span<const solution::LimitPoint> limit_points = {};
 };
 
 /// stretch    a principal stretch, exceeded in 1 % of the rubber, beyond the law's first limit in tension (Drucker's stability,
@@ -22,6 +24,8 @@ struct Reached {
 ///            given way or whose path has ended early also where less of the rubber is beyond that limit: a rubber that
 ///            softens gathers its strain in a few cells, and unloads around them
 /// goals      path.until names values that the path, which ends at its full load, does not come to
+/// maximum    the load has passed a maximum below the pressure asked for, and the path has ended early behind it: inverted
+///            cells, contact or divergence there are not what is wrong
 /// None for a motion in time.
 [[nodiscard]] std::vector<std::string> warnings_at(const model::Case& solved, const Reached& reached,
                                                    solution::StopReason end);

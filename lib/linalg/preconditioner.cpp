@@ -89,7 +89,10 @@ void set_type(PC pc, const model::LinearSettings& settings, Symmetry symmetry) {
         case LinearMethod::automatic: return set_mumps(pc, symmetry == Symmetry::symmetric ? PCCHOLESKY : PCLU);
         case LinearMethod::mumps_ldlt: return set_mumps(pc, PCCHOLESKY);
         case LinearMethod::mumps_lu: return set_mumps(pc, PCLU);
-        case LinearMethod::superlu_dist: return set_factorization(pc, PCLU, MATSOLVERSUPERLU_DIST, "SuperLU_DIST");
+        case LinearMethod::superlu_dist:
+            // It does not pivot, and an incompressible rubber has zeros on the diagonal: they are replaced, the solves corrected.
+            set_defaults({{"-mat_superlu_dist_replacetinypivot", "true"}});
+            return set_factorization(pc, PCLU, MATSOLVERSUPERLU_DIST, "SuperLU_DIST");
         case LinearMethod::cholmod: return set_cholmod(pc);
         case LinearMethod::krylov:
         case LinearMethod::jacobian_free: return set_krylov(pc, settings.preconditioner);

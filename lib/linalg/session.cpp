@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/error.hpp"
 #include "core/memory.hpp"
 #include "linalg/petsc.hpp"
 #include "linalg/small_matrix.hpp"
@@ -55,9 +56,17 @@ void start_mpi_quickly() {
     setenv("OMPI_MCA_btl", "self,vader", 0);
 }
 
+/// PETSc says with a trace of its calls that a file of options is not there.
+void check_options_files(const std::vector<std::string>& options) {
+    for (std::size_t i = 0; i + 1 < options.size(); ++i)
+        if (options[i] == "-options_file" && access(options[i + 1].c_str(), R_OK) != 0)
+            throw Error(ExitCode::cannot_open, "-options_file " + options[i + 1], "cannot be opened");
+}
+
 }  // namespace
 
 Session::Session(const std::vector<std::string>& options) {
+    check_options_files(options);
     start_mpi_quickly();
     setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);  // its threads cut the same mesh now so, now so: last digits would differ
     core::require_memory(memory_to_start);

@@ -62,6 +62,25 @@ TEST(Reached, SmallStrainIsToldWhereItIsNoMore) {
         holds(warnings_at(solved, stretched_to(1.3), solution::StopReason::done), "small strains (neo-hookean)"));
 }
 
+TEST(Reached, AMaximumBehindWhichAPathEndsEarlyIsTold) {
+    model::Case solved = tube_of("neo-hookean", {{"mu", {1e5}}});
+    solved.loads = {{.name = "cavity", .targets = {"cavity"}, .gas = {}}};
+    solved.path.stages[0].supplies = {{model::Prescription::pressure, 30e3}};
+    const std::vector<solution::LimitPoint> points{{4, 9.2e3, {}, {}}, {7, 5e3, {}, {}}};
+    Reached reached;
+    reached.last.pressure_Pa = 6e3;
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::inverted_element).empty());
+    reached.limit_points = points;
+    EXPECT_TRUE(holds(warnings_at(solved, reached, solution::StopReason::inverted_element),
+                      "loads.cavity: 9.2 kPa is the largest pressure that the body bears on its way to 30 kPa"));
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::done).empty());
+    reached.last.pressure_Pa = 12e3;  // it has risen again
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::inverted_element).empty());
+    reached.last.pressure_Pa = 6e3;
+    solved.path.stages[0].supplies = {{model::Prescription::pressure, 8e3}};
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::self_contact).empty()) << "reached on the way";
+}
+
 TEST(Reached, AGoalThatTheFullLoadDoesNotReachIsTold) {
     model::Case solved = tube_of("neo-hookean", {{"mu", {1e5}}});
     solved.outputs = {{.name = "elongation", .face = "end", .direction = {1, 0, 0}}};

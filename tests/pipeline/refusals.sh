@@ -31,6 +31,7 @@ refuses 64 "postprocess: picture.jpg: pictures are written as .svg, .png or .pdf
 refuses 64 "postprocess: --at: the curve has no 'pressur'; it has pressure, elongation, volume" 'postprocess --at pressur=1kPa result.h5'
 refuses 64 "postprocess: --at elongation: '5' has no unit, *; write for example 5 mm" 'postprocess --at elongation=5 result.h5'
 refuses 64 "solve: 'x' behind -- is no option of PETSc; *" 'solve case.h5 -- x'
+refuses 66 "solve: -options_file none.txt: cannot be opened" 'solve case.h5 -- -options_file none.txt'
 refuses 64 "solve: PETSc: has no solver *; see *" 'solve case.h5 -- -pc_type magic'
 # a bad --set: its form is usage, its value is input
 refuses 64 "mesh-gen: --set wall: no '=' in it; write --set key.path=value, *" 'mesh-gen --set wall designs/tube.yaml'

@@ -65,6 +65,10 @@ TEST(LinearMethods, WithPressureUnknownsThePivotingOnesGiveTheSameCurve) {
     const auto input = pulled_box(model::Formulation::mixed);
     for (const auto method : {LinearMethod::mumps_ldlt, LinearMethod::mumps_lu, LinearMethod::superlu_dist})
         expect_the_curve_of_the_default(input, method, Preconditioner::none);
+    auto incompressible = input;  // zeros on the diagonal
+    incompressible.materials[0].bulk_modulus_Pa.reset();
+    for (const auto method : {LinearMethod::mumps_lu, LinearMethod::superlu_dist})
+        expect_the_curve_of_the_default(incompressible, method, Preconditioner::none);
     for (const auto preconditioner : {Preconditioner::lu, Preconditioner::asm_lu})
         expect_the_curve_of_the_default(input, LinearMethod::krylov, preconditioner);
 }
