@@ -103,8 +103,7 @@ linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map,
     SOFT_PETSC(MatSetSizes(K, own, own, map.total, map.total));
     SOFT_PETSC(MatSeqAIJSetPreallocation(K, 0, here.data()));
     SOFT_PETSC(MatMPIAIJSetPreallocation(K, 0, here.data(), 0, elsewhere.data()));
-    SOFT_PETSC(
-        MatSetOption(K, MAT_SORTED_FULL, PETSC_TRUE));  // whole rows: nothing is searched in the rows of one rank
+    SOFT_PETSC(MatSetOption(K, MAT_SORTED_FULL, PETSC_TRUE));  // whole rows: on one rank nothing is searched in them
     std::vector<PetscScalar> zeros;
     for (std::size_t row = 0; row < here.size(); ++row) {
         const auto columns = found.of(row);

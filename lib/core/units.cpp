@@ -23,8 +23,8 @@ struct Unit {
 };
 
 constexpr double pound_force_N = 4.4482216152605, psi_Pa = 6894.757293168361;  // by definition of pound, g_n and inch
-constexpr double g_n = 9.80665,
-                 mercury_Pa_m = 13595.1 * g_n;  // standard gravity; a column of 1 m, conventional (ISO 80000-4)
+/// Standard gravity; under a column of mercury of 1 m, conventional (ISO 80000-4).
+constexpr double g_n = 9.80665, mercury_Pa_m = 13595.1 * g_n;
 constexpr std::array units = {
     Unit{"%", Dimension::ratio, -2},
     Unit{"m", Dimension::length},

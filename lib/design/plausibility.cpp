@@ -100,7 +100,7 @@ void check_holds(const Design& design, const model::Stage& stage, const model::S
         if (!on_its_way || design.values.has(load_path(design, stage, design.loads[i].name))) continue;
         warnings.push_back("path.stages." + stage.name + ": loads." + design.loads[i].name +
                            " goes on to its full value of stage " + before.name +
-                           " where that ends by its until before; " + "a load holds what a stage names");
+                           " where that ends by its until before; a load holds what a stage names");
     }
 }
 
