@@ -105,6 +105,9 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         if (!summary.first) summary.first = step;
         if (!step.stable && !summary.first_unstable_row) summary.first_unstable_row = summary.steps;
         summary.largest_stretch_p99 = std::max(summary.largest_stretch_p99, step.stretch_p99);
+        if (step.min_jacobian < fields::crushed_jacobian && !summary.first_crushed_row)
+            summary.first_crushed_row = summary.steps;
+        summary.least_jacobian = std::min(summary.least_jacobian, step.min_jacobian);
         if (step.max_stretch > summary.most_stretched.max_stretch) summary.most_stretched = step;
         ++summary.steps;
         // A stress without an energy has no balance.
@@ -213,11 +216,12 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99))
             console.warn(*advice);
         if (summary.first && summary.last)
-            for (const std::string& line : fields::warnings_at(
-                     model,
-                     {*summary.first, *summary.last, summary.largest_stretch_p99, summary.most_stretched,
-                      summary.first_unstable_row.has_value(), summary.end.limit_points},
-                     summary.end.reason))
+            for (const std::string& line :
+                 fields::warnings_at(model,
+                                     {*summary.first, *summary.last, summary.largest_stretch_p99,
+                                      summary.most_stretched, summary.first_unstable_row.has_value(),
+                                      summary.end.limit_points, summary.first_crushed_row, summary.least_jacobian},
+                                     summary.end.reason))
                 console.warn(line);
         for (const std::string& option : session.unused_options())
             console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");

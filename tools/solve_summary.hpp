@@ -40,6 +40,8 @@ struct SolveSummary {
     std::optional<int> first_unstable_row;
     double largest_stretch_p99 = 1;  ///< of all rows
     solution::Step most_stretched;   ///< the row with the largest max_stretch
+    std::optional<int> first_crushed_row;
+    double least_jacobian = 1;
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;         ///< rows of the path after the undeformed state

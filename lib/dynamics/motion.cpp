@@ -20,7 +20,7 @@ constexpr double first_share = 1e-3, share_after_kink = 0.1;
 constexpr double growth_without_estimate = 2.0, largest_growth = 2.0, smallest_shrink = 0.3, rejection = 1.5;
 /// The size of the motion is at least this part of the linear response.
 constexpr double size_share = 0.1;
-/// Steps until generalised alpha goes on where the loads are there at once: as many as its estimate of the error needs.
+/// Steps until generalised alpha goes on, see the header: as many as its estimate of the error needs.
 constexpr int steps_of_starter = 3;
 /// Explicit steps: of the stable one, which is estimated again and again because stretching stiffens: more often where it has
 /// changed by more than the larger of two shares since the last time, less often where by less than the smaller.
@@ -111,7 +111,8 @@ void MotionFollower::start() {
         throw Error(ExitCode::bad_input, "materials", "the body at rest has a singular mass and stiffness",
                     "check the densities and moduli of the materials");
     with_method(method_, [&](auto& method) { method.start(last_); });
-    if (std::holds_alternative<GeneralizedAlpha>(method_) && linalg::norm(last_.load_force) > 0.0)
+    const bool at_once = linalg::norm(last_.load_force) > 0.0;
+    if (std::holds_alternative<GeneralizedAlpha>(method_) && at_once && dynamics_.stiffness_damping_s > 0.0)
         starter_.emplace(equations_, *stage_);
 }
 

@@ -8,9 +8,10 @@
 /// (K0 + M / duration^2)^-1 f to all loads at their full level. Adaptive steps land on the kinks of the loads and start small
 /// after them.
 ///
-/// Where loads are there at once the body is accelerated in modes that no step resolves, by F/M of single cells: h^2 a there is
-/// far beyond the motion, and generalised alpha, whose first step leans on a(0), takes it for one. Its first steps are then those
-/// of the Runge-Kutta method, which forgets such modes (L-stable) and knows its error from the first step on.
+/// Where loads are there at once the body is accelerated in modes that no step resolves, by F/M of single cells. Generalised alpha,
+/// whose first step leans on a(0), has them at velocities of h F/M, and where the stiffness damps, that of these modes answers with
+/// a force far above the load. Its first steps are then those of the Runge-Kutta method, which forgets such modes (L-stable) and
+/// knows its error from the first step on.
 #include <deque>
 #include <variant>
 

@@ -106,6 +106,22 @@ void check_goals(const model::Case& solved, const Reached& path, Warnings& warni
                            "; a larger load goes on");
 }
 
+void check_crushed(const model::Case& solved, const Reached& path, Warnings& warnings) {
+    constexpr double hardly_compressible = 50;
+    const auto keeps_volume = [](const model::Material& material) {
+        return !material.bulk_modulus_Pa ||
+               *material.bulk_modulus_Pa >
+                   hardly_compressible * material::initial_shear_modulus_Pa(model::make_rubber(material));
+    };
+    if (!path.first_crushed_row || !std::ranges::all_of(solved.materials, keeps_volume)) return;
+    warnings.push_back(
+        "from row " + std::to_string(*path.first_crushed_row) +
+        " on the mesh presses rubber that keeps its volume to " + core::rounded_text(path.least_jacobian, 2) +
+        " of it at a point (min_J), as beside a held edge or a sharp corner: maxima and turns of the curve from "
+        "there on may be the mesh's own; round or free that edge, compare another mesh.size, or ask for error "
+        "bars (--tolerance)");
+}
+
 /// Of the first load, where its pressure is prescribed; maxima of a negative pressure are minima.
 void check_maximum(const model::Case& solved, const Reached& path, Warnings& warnings) {
     const model::Stage& stage = solved.path.stages.at(static_cast<std::size_t>(path.last.stage));
@@ -136,6 +152,7 @@ std::vector<std::string> warnings_at(const model::Case& solved, const Reached& r
                 check_softening(solved, material, reached, warnings);
         }
     if (end == solution::StopReason::done) check_goals(solved, reached, warnings);
+    check_crushed(solved, reached, warnings);
     if (end != solution::StopReason::done && end != solution::StopReason::limit_point)
         check_maximum(solved, reached, warnings);
     return warnings;

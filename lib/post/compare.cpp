@@ -14,7 +14,7 @@ namespace {
 /// The path's value of `of` where `at` has the value of the row, nearest to what was measured; nullopt off the path.
 std::optional<double> calculated(const Path& path, const Series& of, const Series& at, std::size_t row) {
     std::optional<double> nearest;
-    for (const double s : path.crossings(at.column, at.values[row])) {
+    for (const double s : path.crossings(at.column, path.within_reach(at.column, at.values[row]))) {
         const double here = path.at(s)[of.column];
         if (!nearest || std::abs(here - of.values[row]) < std::abs(*nearest - of.values[row])) nearest = here;
     }

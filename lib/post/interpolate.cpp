@@ -56,6 +56,8 @@ struct Speeds {
 };
 
 constexpr double largest_ratio = 2;  // of a speed to the chord; beyond, the directions do not enclose it
+constexpr double parallel =
+    1e-10;  // sin^2 of the angle between directions; below, their rounding decides on the speeds
 
 /// Speeds at both ends of the interval between two rows of one stage, see the header.
 Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) {
@@ -65,6 +67,7 @@ Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_
     const double cosine = metric.product(row_a, row_b) / (norm_a * norm_b);
     const double a = 2 * metric.along(row_a, row_a, row_b) / norm_a, b = 2 * metric.along(row_b, row_a, row_b) / norm_b;
     const double determinant = 1 - cosine * cosine;
+    if (!(determinant > parallel)) return {chord, chord};
     const Speeds speeds{(a - b * cosine) / determinant, (b - a * cosine) / determinant};
     const auto sound = [&](double v) { return v * largest_ratio > chord && v < chord * largest_ratio; };  // not for nan
     return sound(speeds.start) && sound(speeds.end) ? speeds : Speeds{chord, chord};
@@ -280,6 +283,13 @@ std::vector<double> Path::crossings(std::size_t column, double value) const {
     if (at_the_end && (found.empty() || found.back() < s_.back() - solved_to * (s_.back() - s_.front())))
         found.push_back(s_.back());
     return found;
+}
+
+double Path::within_reach(std::size_t column, double value) const {
+    constexpr double end_tolerance = 1e-6;  // of the range
+    const Range range = this->range(column);
+    const double nearest = std::clamp(value, range.lowest, range.highest);
+    return std::abs(value - nearest) <= end_tolerance * (range.highest - range.lowest) ? nearest : value;
 }
 
 Path::Range Path::range(std::size_t column) const {

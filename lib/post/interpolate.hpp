@@ -6,7 +6,7 @@
 /// directions u0, u1 at the rows; the speeds v0, v1 that belong to them solve, in the sense of least squares,
 ///     (v0 u0 + v1 u1) / 2 = q1 - q0,
 /// so that a piece of any parabola is met exactly and any smooth path to fourth order (derived here). Where that has no
-/// sound answer (a straight piece, a point of inflection) both speeds are the length of the chord. A column beside the
+/// sound answer (a straight piece, whose directions are parallel, a point of inflection) both speeds are the length of the chord. A column beside the
 /// coordinates that has slopes too (energies: the power of the loads) goes by the same speeds. Rows without
 /// slopes, and columns that have none, take those of their rows (monotone_slopes.hpp: third order, each interval monotone).
 /// The latter are cubics of the progress along the chord, (q(t) - q0) . (q1 - q0) / |q1 - q0|^2, which unlike t runs as
@@ -53,6 +53,8 @@ public:
     };
     /// Of the smooth curve, extrema between the rows included.
     [[nodiscard]] Range range(std::size_t column) const;
+    /// `value`, or the end of the range that it misses by its millionth: a path that was to end at 130 mm ends at 129.9999999 mm.
+    [[nodiscard]] double within_reach(std::size_t column, double value) const;
 
 private:
     [[nodiscard]] double in_interval(std::size_t column, std::size_t interval, double t) const;

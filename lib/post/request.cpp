@@ -18,14 +18,6 @@ const Column& coordinate(const Curve& curve, std::string_view quantity) {
     return *column;
 }
 
-/// A path that was to end at 130 mm ends at 129.9999999 mm: the solver meets its targets to its tolerance.
-double within_reach(const Path::Range& range, double value) {
-    constexpr double end_tolerance = 1e-6;  // of the range
-    const double margin = end_tolerance * (range.highest - range.lowest);
-    const double nearest = std::clamp(value, range.lowest, range.highest);
-    return std::abs(value - nearest) <= margin ? nearest : value;
-}
-
 }  // namespace
 
 std::vector<Request> parse_requests(std::string_view text, const Curve& curve) {
@@ -55,7 +47,7 @@ Curve rows_at(const Curve& curve, std::span<const Request> requests) {
         const Column& column = coordinate(curve, request.quantity);
         const auto index = static_cast<std::size_t>(&column - curve.columns.data());
         const Path::Range range = path.range(index);
-        const double asked = in_column_unit(column, request.value_SI), value = within_reach(range, asked);
+        const double asked = in_column_unit(column, request.value_SI), value = path.within_reach(index, asked);
         const std::vector<double> found = path.crossings(index, value);
         if (found.empty())
             throw Error(ExitCode::bad_input,

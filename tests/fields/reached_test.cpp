@@ -62,6 +62,20 @@ TEST(Reached, SmallStrainIsToldWhereItIsNoMore) {
         holds(warnings_at(solved, stretched_to(1.3), solution::StopReason::done), "small strains (neo-hookean)"));
 }
 
+TEST(Reached, RubberThatIsCrushedThoughItKeepsItsVolumeIsTold) {
+    model::Case solved = tube_of("neo-hookean", {{"mu", {1e5}}});
+    Reached reached;
+    reached.first_crushed_row = 7;
+    reached.least_jacobian = 0.31;
+    EXPECT_TRUE(holds(warnings_at(solved, reached, solution::StopReason::limit_point),
+                      "from row 7 on the mesh presses rubber that keeps its volume to 0.31 of it"));
+    solved.materials[0].bulk_modulus_Pa = 2e5;  // a foam may be
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::limit_point).empty());
+    solved.materials[0].bulk_modulus_Pa.reset();
+    reached.first_crushed_row.reset();
+    EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::limit_point).empty());
+}
+
 TEST(Reached, AMaximumBehindWhichAPathEndsEarlyIsTold) {
     model::Case solved = tube_of("neo-hookean", {{"mu", {1e5}}});
     solved.loads = {{.name = "cavity", .targets = {"cavity"}, .gas = {}}};

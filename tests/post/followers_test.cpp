@@ -84,6 +84,28 @@ TEST(FollowersAtATurn, KnowTheEnergyByItsPower) {
     }
 }
 
+/// Beside the elongation the load factor goes along: both straight, and directions that differ by their last digits, which must
+/// not decide on the speeds.
+TEST(FollowersAtATurn, KnowTheEnergyOfAStraightPath) {
+    model::Case model = test::sample_case({"elongation"}, test::Loaded::nothing);
+    for (const double noise : {0.0, 1e-16, 3e-16, -2e-16, 1e-13}) {
+        std::vector<solution::Step> steps;
+        for (const double stretch : {1.25, 1.5}) {
+            solution::Step step;
+            step.outputs = {0.1 * (stretch - 1)};
+            step.pressure_Pa = step.load_factor = (stretch - 1) / 0.5;
+            step.tangent_outputs = {0.05 * (stretch > 1.3 ? 1 + noise : 1)};
+            step.tangent_pressure = step.tangent_load_factor = 1;
+            step.energies = {(stretch * stretch + 2 / stretch - 3) / 2, 0, 0.5 * (stretch - 1 / (stretch * stretch))};
+            steps.push_back(step);
+        }
+        const Curve curve = make_curve(model, steps);
+        const Curve row = rows_at(curve, std::vector<Request>{{"elongation", 0.04}});
+        const double energy = (1.4 * 1.4 + 2 / 1.4 - 3) / 2;
+        EXPECT_NEAR(row.find("stored_energy")->values[0] / 1e3, energy, 2.8e-4 * energy) << noise;
+    }
+}
+
 TEST(FollowersAtATurn, AreStraightInAStageOfASingleInterval) {
     const Curve curve = pulled_and_let_back({1, 1.5}, {1.25});
     const std::vector<double> stretches{1.3, 1.4, 1.45};
