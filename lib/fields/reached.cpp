@@ -6,6 +6,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "material/stability.hpp"
+#include "model/place.hpp"
 #include "model/rubber.hpp"
 
 namespace soft::fields {
@@ -56,15 +57,8 @@ void check_softening(const model::Case& solved, const model::Material& material,
     if (is_small_strain(material) || !limits_below(material, reached.largest_stretch_p99).empty()) return;
     const auto passed = limits_below(material, row.max_stretch);
     if (passed.empty()) return;
-    std::string where;
-    if (row.extremes) {
-        const auto& at = row.extremes->stretch_at_m;
-        const bool revolves = solved.kinematics == model::Kinematics::axisymmetric;
-        where = " (x " + core::rounded_text(at[0] * 1e3, 3) + (revolves ? " mm, r " : " mm, y ") +
-                core::rounded_text(at[1] * 1e3, 3);
-        if (solved.kinematics == model::Kinematics::solid) where += " mm, z " + core::rounded_text(at[2] * 1e3, 3);
-        where += " mm)";
-    }
+    const std::string where =
+        row.extremes ? " (" + model::place_text(solved.kinematics, row.extremes->stretch_at_m) + ")" : "";
     warnings.push_back(
         material.source + ": at one place" + where + " the rubber is stretched to " +
         core::rounded_text(row.max_stretch, 3) + "; " + unstable_text(material, passed) +

@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "model/place.hpp"
 #include "surface/cgal_queries.hpp"
 #include "surface/triangles.hpp"
 #include "surface/volume.hpp"
@@ -53,10 +54,12 @@ void refuse_unsound(const model::Case& model, const CavityReport& report) {
         throw Error(ExitCode::bad_input, report.name, problem, remedy);
     };
     if (report.self_intersection)
-        refuse("the cavity's surface meets itself near " + place_text(model, *report.self_intersection),
-               "parts of the geometry overlap: check its lengths and radii");
+        refuse(
+            "the cavity's surface meets itself near " + model::place_text(model.kinematics, *report.self_intersection),
+            "parts of the geometry overlap: check its lengths and radii");
     if (!report.closed)
-        refuse("the cavity's surface is open near " + place_text(model, report.open_place.value_or(mesh::Point{})),
+        refuse("the cavity's surface is open near " +
+                   model::place_text(model.kinematics, report.open_place.value_or(mesh::Point{})),
                "its faces must enclose the cavity up to its declared openings");
     if (!report.oriented || !(report.volume_m3 > 0))
         refuse("the cavity's surface is inside out (it encloses rubber)", "name the inner faces of the body");
@@ -75,18 +78,6 @@ std::vector<CavityReport> check_cavities(const model::Case& model) {
     std::vector<CavityReport> reports = inspect_cavities(model);
     for (const CavityReport& report : reports) refuse_unsound(model, report);
     return reports;
-}
-
-std::string place_text(model::Kinematics kinematics, const mesh::Point& place) {
-    const auto millimetres = [&](std::size_t d) { return core::rounded_text(place[d] * 1e3, 4) + " mm"; };
-    const std::string x = "x = " + millimetres(0);
-    if (kinematics == model::Kinematics::axisymmetric) return x + ", r = " + millimetres(1);
-    const std::string xy = x + ", y = " + millimetres(1);
-    return kinematics == model::Kinematics::plane_strain ? xy : xy + ", z = " + millimetres(2);
-}
-
-std::string place_text(const model::Case& model, const mesh::Point& place) {
-    return place_text(model.kinematics, place);
 }
 
 }  // namespace soft::surface

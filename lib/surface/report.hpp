@@ -33,8 +33,4 @@ struct CavityReport {
 /// itself, or is inside out.
 std::vector<CavityReport> check_cavities(const model::Case& model);
 
-/// "x = 12.3 mm, r = 4.5 mm" of a section of revolution, "x = .., y = .." of plane strain, "x = .., y = .., z = .." of a solid.
-[[nodiscard]] std::string place_text(model::Kinematics kinematics, const mesh::Point& place);
-[[nodiscard]] std::string place_text(const model::Case& model, const mesh::Point& place);
-
 }  // namespace soft::surface

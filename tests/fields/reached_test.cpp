@@ -44,7 +44,7 @@ TEST(Reached, ALawPassedAtOnePlaceIsToldWhereTheBodyGaveWay) {
     reached.gave_way = true;
     reached.most_stretched.extremes = {{5e-3, 12e-3, 0}, 0};
     EXPECT_TRUE(holds(warnings_at(solved, reached, solution::StopReason::done),
-                      "at one place (x 5 mm, y 12 mm, z 0 mm) the rubber is stretched to 2; mooney-rivlin"));
+                      "at one place (x = 5 mm, y = 12 mm, z = 0 mm) the rubber is stretched to 2; mooney-rivlin"));
     EXPECT_TRUE(warnings_at(tube_of("neo-hookean", {{"mu", {1e5}}}), reached, solution::StopReason::done).empty());
     reached.largest_stretch_p99 = 2.0;  // said once
     EXPECT_TRUE(

@@ -1,0 +1,15 @@
+#include "model/place.hpp"
+
+#include "core/text.hpp"
+
+namespace soft::model {
+
+std::string place_text(Kinematics kinematics, const mesh::Point& place) {
+    const auto millimetres = [&](std::size_t d) { return core::rounded_text(place[d] * 1e3, 4) + " mm"; };
+    const std::string x = "x = " + millimetres(0);
+    if (kinematics == Kinematics::axisymmetric) return x + ", r = " + millimetres(1);
+    const std::string xy = x + ", y = " + millimetres(1);
+    return kinematics == Kinematics::plane_strain ? xy : xy + ", z = " + millimetres(2);
+}
+
+}  // namespace soft::model
