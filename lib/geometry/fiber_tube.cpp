@@ -1,4 +1,4 @@
-/// A closed tube (tube.cpp), round or half-round, with fibres in a layer of its wall, from end to end: two families at plus and
+/// A closed tube (tube.cpp), round or half-round, with fibres in a layer of its wall, from end to end or between the caps: two families at plus and
 /// minus the angle (a braid: McKibben's muscle), or one, which twists the tube. A strip of another material bends it. The rubber between the fibres is that of the region "fibers"
 /// below `materials`, else the main one; their energy stands in material/fibers.hpp.
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace {
 
 constexpr const char *fiber_region = "fibers", *flat_fiber_region = "fibers_flat";
 constexpr const char *flat_key = "geometry.flat", *strip_thickness_key = "geometry.strip.thickness",
-                     *fibers_place = "geometry.fibers", *layer_key = "geometry.fibers.layer";
+                     *fibers_place = "geometry.fibers", *layer_key = "geometry.fibers.layer",
+                     *caps_key = "geometry.fibers.caps";
 
 /// A layer thinner than this part of the wall would need cells of its own thickness to be more than a line.
 constexpr double least_share = 0.01;
@@ -46,13 +47,20 @@ Layer checked_layer(const design::Values& values) {
     return layer;
 }
 
+enum class Reach { whole_length, between_caps };  ///< of the fibres
+
+Reach reach_of(const design::Values& values) {
+    return values.text(caps_key) == "true" ? Reach::whole_length : Reach::between_caps;
+}
+
 /// Rubber, fibres, rubber; at its bounds the layer has lines of the mesh.
-std::vector<WallLayer> wall_layers(const TubeShape& shape, const Layer& layer, int cells) {
+std::vector<WallLayer> wall_layers(const TubeShape& shape, const Layer& layer, int cells, Reach reach) {
     std::vector<WallLayer> layers;
     const auto add = [&](double begin, double end, const char* region) {
         if (!(begin < end)) return;
         const double outer_m = end < 1 ? shape.inner_m + end * shape.wall_m() : shape.outer_m;
-        layers.push_back({outer_m, std::max(1, static_cast<int>(std::lround((end - begin) * cells))), region});
+        layers.push_back({outer_m, std::max(1, static_cast<int>(std::lround((end - begin) * cells))), region,
+                          reach == Reach::whole_length ? region : "rubber"});
     };
     add(0, layer.begin, "rubber");
     add(layer.begin, layer.end, fiber_region);
@@ -93,9 +101,15 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
     const double size_m = values.number("mesh.size");
     const int eighth = (values.count("mesh.sectors") + 1) / 2, cap = cells_through_wall(values, shape.cap_m);
     const HalfRoundCells cells{eighth, cells_through_wall(values, flat_m), size_m};
-    const meshing::Capped along{
-        shape.length_m, shape.cap_m, cap, meshing::divisions(shape.length_m - 2 * shape.cap_m, size_m),
-        "fixed",        "inlet"};
+    const meshing::Capped along{shape.length_m,
+                                shape.cap_m,
+                                cap,
+                                meshing::divisions(shape.length_m - 2 * shape.cap_m, size_m),
+                                "fixed",
+                                "inlet",
+                                reach_of(values) == Reach::whole_length
+                                    ? std::vector<std::string>{}
+                                    : std::vector<std::string>{fiber_region, flat_fiber_region}};
     const meshing::Section section = half_round_section({shape.inner_m, shape.outer_m, flat_m, strip_m}, layers, cells,
                                                         model == Model::half ? Cut::half : Cut::whole);
     refuse_too_many_cells(values, cell_count(section) * (2.0 * along.cap_cells + along.along_cells));
@@ -117,7 +131,7 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
 Body build(const design::Values& values) {
     const TubeShape shape = tube_shape(values);
     const std::vector<WallLayer> layers =
-        wall_layers(shape, checked_layer(values), cells_through_wall(values, shape.wall_m()));
+        wall_layers(shape, checked_layer(values), cells_through_wall(values, shape.wall_m()), reach_of(values));
     return values.number(flat_key) > 0 ? half_tube(values, shape, layers) : round_tube(values, shape, layers);
 }
 
@@ -130,15 +144,18 @@ std::vector<design::Key> own_keys() {
     const FiberDefaults defaults{"30 deg", "; below 54.74 deg a thin braided tube shortens, above it lengthens",
                                  "0.5 MPa"};
     for (design::Key& key : fiber_keys(fibers_place, defaults)) keys.push_back(std::move(key));
+    keys.push_back({.path = layer_key,
+                    .kind = design::Kind::ratio,
+                    .fallback = "[0, 1]",
+                    .meaning = "where in the wall they lie: [inner, outer] as fractions of its thickness",
+                    .min = 0,
+                    .max = 1,
+                    .most = 2});
     keys.push_back(
-        {.path = layer_key,
-         .kind = design::Kind::ratio,
-         .fallback = "[0, 1]",
-         .meaning =
-             "where in the wall they lie, from end to end of the tube: [inner, outer] as fractions of its thickness",
-         .min = 0,
-         .max = 1,
-         .most = 2});
+        {.path = caps_key,
+         .kind = design::Kind::flag,
+         .fallback = "true",
+         .meaning = "they run from end to end of the tube; false: between the caps, which are plain rubber"});
     design::Key strip = length_key(
         "strip.thickness", "0 mm",
         "of the lowest part of the flat wall, which is of the strip's material, so that the tube bends; 0 = none");

@@ -67,7 +67,9 @@ meshing::Section tube_section(const TubeShape& shape, double size_m, std::span<c
                         {p[i + 1][j], p[i + 1][j + 1]},
                         {p[i + 1][j + 1], p[i][j + 1]},
                         {p[i][j + 1], p[i][j]}}},
-                      j == 0 ? "rubber" : layers[j - 1].region);
+                      j == 0 ? "rubber"
+                      : cap  ? layers[j - 1].cap_region
+                             : layers[j - 1].region);
     }
     return s;
 }

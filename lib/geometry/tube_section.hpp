@@ -23,7 +23,8 @@ struct TubeShape {
 struct WallLayer {
     double outer_m;  ///< outer radius; the inner one is that of the layer before, or of the cavity
     int cells;
-    std::string region = "rubber";
+    std::string region = "rubber";      ///< between the caps
+    std::string cap_region = "rubber";  ///< where the layer runs through the caps
 };
 
 /// From inside to outside; the last layer ends at shape.outer_m. Faces "fixed", "inlet", "cavity", "outer" and the axis.

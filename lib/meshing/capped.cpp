@@ -1,5 +1,7 @@
 #include "meshing/capped.hpp"
 
+#include <algorithm>
+
 #include "meshing/hollow.hpp"
 #include "meshing/regions.hpp"
 #include "meshing/section_mesher.hpp"
@@ -20,11 +22,13 @@ void lay_along_x(mesh::Mesh& block, const Capped& shape) {
     }
 }
 
-/// What lies before and behind a chamber is rubber.
+/// What lies before and behind a chamber, or a region that ends at the caps, is rubber.
 void close_chambers(mesh::Mesh& block, const Capped& shape, const std::string& chamber) {
     const std::int32_t rubber = region_number(block, rubber_region);
     for (mesh::Index cell = 0; cell < block.cell_count(); ++cell) {
-        if (!region_of(block, cell).starts_with(chamber)) continue;
+        const std::string& region = region_of(block, cell);
+        if (!region.starts_with(chamber) && std::ranges::find(shape.between_caps, region) == shape.between_caps.end())
+            continue;
         const auto corners = block.cell_nodes(cell).first(8);
         double x = 0;
         for (const mesh::Index node : corners) x += block.point(node)[0] / static_cast<double>(corners.size());

@@ -61,6 +61,19 @@ TEST(FiberTube, TheLayerHasTheVolumeOfItsPartOfTheWall) {
         }
 }
 
+/// Wall from 7 to 10 mm, 100 mm long, caps of 5 mm: between the caps the layer is 90 mm long, in round and half-round tubes.
+TEST(FiberTube, PlainCapsEndTheLayer) {
+    constexpr double curved = 1.5e-4;
+    for (const char* model : {"axisymmetric", "quarter"}) {
+        const auto c = build_case(fiber_design("fibers: {caps: false}", std::string{"model: "} + model + "\n"));
+        EXPECT_NEAR(region_m3(c, "fibers") / (1e-6 * pi * (100 - 49) * 0.09), 1, curved) << model;
+    }
+    const auto whole = build_case(fiber_design("flat: 2 mm", "model: half\n"));
+    const auto plain = build_case(fiber_design("flat: 2 mm, fibers: {caps: false}", "model: half\n"));
+    for (const char* region : {"fibers", "fibers_flat"})
+        EXPECT_NEAR(region_m3(plain, region) / region_m3(whole, region), 0.9, 1e-12) << region;
+}
+
 TEST(FiberTube, LaysItsFibresIntoTheLayerAlone) {
     const auto c =
         build_case(fiber_design("fibers: {angle: 60 deg, families: 2, k1: 0.2 MPa, k2: 1.5, layer: [0.2, 0.8]}",

@@ -48,6 +48,7 @@ inline double number_of(const design::Key& key, const std::string& text) {
             return core::quantity_or_throw(text, core::Dimension::angle, ExitCode::bad_input, key.path);
         case design::Kind::count:
         case design::Kind::ratio: return std::stod(text);
+        case design::Kind::flag:
         case design::Kind::text: return 0;
         default: throw std::logic_error("a kind no family uses");
     }
