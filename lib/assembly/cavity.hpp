@@ -4,6 +4,7 @@
 /// Force of a load per unit pressure: f = wall part (follower, element/pressure_kernel.hpp) + plug part. A plug closes
 /// an opening of a sealed cavity; its thrust, pressure x undeformed area of the opening, is spread evenly over the
 /// undeformed face around it: a constant vector, its work the pressure times area times the face's mean displacement.
+/// Without plug_thrust a fixture carries the plugs: the wall part alone, with the closed inner faces.
 ///
 /// Enclosed volume [m^3] of the WHOLE actuator: wall and inner faces, openings closed by flat plugs (a cone to the rim's
 /// centre in solids; nothing to add in a section, where a flat plug sweeps no r^2 dx). The planes of symmetry pass

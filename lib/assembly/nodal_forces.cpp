@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "element/pressure_kernel.hpp"
 #include "element/solid_kernel.hpp"
+#include "mesh/locate.hpp"
 
 namespace soft::assembly {
 
@@ -80,6 +81,16 @@ SparseVector mean_displacement(const model::Case& input, const DofMap& map, cons
     return mean;
 }
 
+SparseVector point_displacement(const model::Case& input, const DofMap& map, const std::string& name,
+                                const mesh::Point& point, const std::array<double, 3>& direction) {
+    const auto location = mesh::locate(input.mesh, point);
+    if (!location)
+        throw Error(ExitCode::bad_input, "outputs." + name, "the point is outside the mesh",
+                    "a point of the undeformed part");
+    const auto nodes = input.mesh.cell_nodes(location->cell);
+    return on_unknowns(spread({{nodes.begin(), nodes.end()}, location->weights, 1.0}, direction), map);
+}
+
 SparseVector on_unknowns(const NodalForces& forces, const DofMap& map) {
     SparseVector vector;
     for (std::size_t k = 0; k < forces.nodes.size(); ++k)
@@ -93,7 +104,7 @@ NodalForces face_force(const model::Case& input, const std::string& face, const 
 
 NodalForces plug_force(const model::Case& input, const model::PressureLoad& load) {
     NodalForces plugs;
-    if (!load.sealed) return plugs;
+    if (!load.sealed || !load.plug_thrust) return plugs;
     for (const auto& target : load.targets) {
         const auto cavity = std::ranges::find(input.cavities, target, &model::Cavity::name);
         if (cavity == input.cavities.end()) continue;

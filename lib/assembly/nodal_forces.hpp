@@ -30,6 +30,11 @@ struct FaceWeights {
 [[nodiscard]] SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
                                              const std::array<double, 3>& direction);
 
+/// The same of one point of the undeformed part, by the shape functions of its cell. Throws Error (bad_input) for a point outside the
+/// mesh; `name` is that of the output.
+[[nodiscard]] SparseVector point_displacement(const model::Case& input, const DofMap& map, const std::string& name,
+                                              const mesh::Point& point, const std::array<double, 3>& direction);
+
 /// Forces at nodes, those that are held among them.
 struct NodalForces {
     std::vector<mesh::Index> nodes;
@@ -46,7 +51,8 @@ struct NodalForces {
 [[nodiscard]] NodalForces body_force(const model::Case& input, std::span<const element::ReferenceCell> references,
                                      const model::BodyForce& force);
 
-/// Thrust per unit pressure on the plugs of a load's openings (assembly/cavity.hpp); none where it is not sealed.
+/// Thrust per unit pressure on the plugs of a load's openings (assembly/cavity.hpp); none where it is not sealed or a fixture
+/// carries them (PressureLoad::plug_thrust).
 [[nodiscard]] NodalForces plug_force(const model::Case& input, const model::PressureLoad& load);
 
 }  // namespace soft::assembly

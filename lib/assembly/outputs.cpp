@@ -48,7 +48,8 @@ void System::make_outputs() {
 }
 
 System::LinearOutput System::make_linear(const model::Output& output, const Vector3& direction) const {
-    const auto mean = mean_displacement(input_, map_, output.face, direction);
+    const auto mean = output.point_m ? point_displacement(input_, map_, output.name, *output.point_m, direction)
+                                     : mean_displacement(input_, map_, output.face, direction);
     LinearOutput linear{assembled(mean), std::vector(input_.motions.size(), 0.0)};
     for (std::size_t i = 0; i < mean.dofs.size(); ++i)
         if (const int slot = motion_slot(mean.dofs[i]); slot >= 0)

@@ -103,6 +103,15 @@ Key output_face_key(const std::string& output) {
     return {.path = "outputs." + output + ".face", .kind = Kind::faces, .meaning = "face that is measured"};
 }
 
+Key output_point_key(const std::string& output) {
+    return {.path = "outputs." + output + ".point",
+            .kind = Kind::length,
+            .meaning =
+                "point of the undeformed part whose displacement is measured, in place of a face: [x, r] of a body of "
+                "revolution, [x, y] in plane strain, [x, y, z] of a solid",
+            .most = 3};
+}
+
 namespace {
 
 std::vector<std::string> measure_words() {
@@ -224,7 +233,7 @@ const std::vector<SectionNote>& section_notes() {
          "step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
         {"path",
          "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
-        {"outputs", "name: {face, measure, along}; becomes a column of the curve"},
+        {"outputs", "name: {face or point, measure, along}; becomes a column of the curve"},
         {"dynamics", "motion in time from rest in the undeformed state; needs material.density"},
         {"solver", "methods, tolerances and limits; the defaults are good"},
     };

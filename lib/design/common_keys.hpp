@@ -16,6 +16,7 @@ namespace soft::design {
 [[nodiscard]] Key kappa_key();
 [[nodiscard]] Key volumetric_key();
 [[nodiscard]] Key support_key(const std::string& component);
+[[nodiscard]] Key output_point_key(const std::string& output);
 [[nodiscard]] Key output_face_key(const std::string& output);
 [[nodiscard]] Key output_measure_key(const std::string& output);
 [[nodiscard]] Key output_reference_key(const std::string& output);

@@ -119,6 +119,7 @@ struct Design {
         std::string along;
         model::Measure measure = model::Measure::displacement;
         std::string reference = {};
+        std::vector<double> point_m = {};  ///< in place of the face: coordinates of the model, two or three
     };
     std::vector<OutputRequest> outputs;
     model::PathSettings path;

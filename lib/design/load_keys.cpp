@@ -74,6 +74,14 @@ Key sealed_key(const std::string& load, std::string fallback) {
             .meaning = "the pressure also pushes on the plugs of the openings and on every closed inner face"};
 }
 
+Key plug_thrust_key(const std::string& load) {
+    return {.path = load + ".plug_thrust",
+            .kind = Kind::flag,
+            .fallback = "true",
+            .meaning =
+                "the plugs of a sealed cavity push on the actuator; false: a fixture or the supply line carries them"};
+}
+
 Key shape_key(const std::string& load) {
     return {.path = load + ".acts_on",
             .kind = Kind::choice,
@@ -85,28 +93,33 @@ Key shape_key(const std::string& load) {
 std::vector<Key> gas_keys(const std::string& load) {
     const model::Gas gas;
     const std::string path = load + ".gas.";
-    return {{.path = path + "ambient",
-             .kind = Kind::pressure,
-             .fallback = si_text(gas.ambient_Pa, core::Dimension::pressure),
-             .meaning = "absolute pressure outside the body; the gas matters to mass, valve and line alone",
-             .min = 0,
-             .min_open = true},
-            {.path = path + "density",
-             .kind = Kind::density,
-             .fallback = si_text(gas.ambient_density_kg_m3, core::Dimension::density),
-             .meaning = "of the gas at ambient pressure; air at 20 degrees Celsius",
-             .min = 0,
-             .min_open = true},
-            {.path = path + "dead_volume",
-             .kind = Kind::volume,
-             .fallback = "0 mL",
-             .meaning = "of the tubing, filled by the same gas",
-             .min = 0},
-            {.path = path + "process",
-             .kind = Kind::choice,
-             .fallback = "isothermal",
-             .meaning = "how pressure follows density: in proportion, or to the power 1.4 (adiabatic air)",
-             .choices = {"isothermal", "adiabatic"}}};
+    return {
+        {.path = path + "ambient",
+         .kind = Kind::pressure,
+         .fallback = si_text(gas.ambient_Pa, core::Dimension::pressure),
+         .meaning = "absolute pressure outside the body; the gas matters to mass, valve and line alone",
+         .min = 0,
+         .min_open = true},
+        {.path = path + "density",
+         .kind = Kind::density,
+         .fallback = si_text(gas.ambient_density_kg_m3, core::Dimension::density),
+         .meaning = "of the gas at ambient pressure; air at 20 degrees Celsius",
+         .min = 0,
+         .min_open = true},
+        {.path = path + "dead_volume",
+         .kind = Kind::volume,
+         .fallback = "0 mL",
+         .meaning = "of the tubing, filled by the same gas",
+         .min = 0},
+        {.path = path + "process",
+         .kind = Kind::choice,
+         .fallback = "isothermal",
+         .meaning =
+             "how the absolute pressure follows the density: in proportion (the gas keeps the temperature of its surroundings: "
+             "slow filling, also from a supply at that temperature), or to the power 1.4 (adiabatic: the gas that is "
+             "there, and what is injected, is compressed from the ambient state without exchange of heat: a closed "
+             "valve in a rapid motion)",
+         .choices = {"isothermal", "adiabatic"}}};
 }
 
 Key traction_key(const std::string& load, When when) {

@@ -24,6 +24,7 @@ enum class When { full_load, stage_end };
 [[nodiscard]] Key supply_key(const std::string& load, const SupplyWord& word, When when);
 [[nodiscard]] Key shares_key(const std::string& load, std::vector<std::string> cavities);
 [[nodiscard]] Key sealed_key(const std::string& load, std::string fallback);
+[[nodiscard]] Key plug_thrust_key(const std::string& load);
 [[nodiscard]] Key shape_key(const std::string& load);
 [[nodiscard]] std::vector<Key> gas_keys(const std::string& load);  ///< defaults are model::Gas's
 

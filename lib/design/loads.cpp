@@ -82,7 +82,7 @@ LoadEntry add_cavity(Schema& schema, const NamedLoad& load, const Node& defaults
     const std::string_view value = only_one_of(load, words);
     schema.names[load.path] = words;
     if (value == "shares") {
-        std::vector<std::string> own = {"sealed", "gas", "acts_on", "course", "line"};
+        std::vector<std::string> own = {"sealed", "plug_thrust", "gas", "acts_on", "course", "line"};
         refuse_keys(load, own, "a cavity that shares its gas has no supply of its own", "leave it out");
         schema.keys.push_back(shares_key(load.path, schema.faces.cavities));
         return entry_of(load, LoadKind::shared_gas, value);
@@ -91,6 +91,7 @@ LoadEntry add_cavity(Schema& schema, const NamedLoad& load, const Node& defaults
     schema.keys.push_back(supply_key(load.path, word, When::full_load));
     const Node* sealed = find_path(defaults, load.path + ".sealed");
     schema.keys.push_back(sealed_key(load.path, sealed == nullptr ? "true" : sealed->text));
+    schema.keys.push_back(plug_thrust_key(load.path));
     schema.keys.push_back(shape_key(load.path));
     for (Key& key : gas_keys(load.path)) schema.keys.push_back(std::move(key));
     if (schema.dynamic) schema.keys.push_back(line_key(load.path));
@@ -112,7 +113,8 @@ bool is_force(const LoadEntry& load) { return load.value.ends_with(".force"); }
 LoadEntry add_face(Schema& schema, const NamedLoad& load) {
     refuse_keys(load, std::vector<std::string>{"volume", "volume_ratio", "mass", "valve", "shares", "gas", "line"},
                 "a face encloses no gas", "write pressure; only a cavity takes this");
-    refuse_keys(load, std::vector<std::string>{"sealed"}, "a face has no openings to seal", "leave it out");
+    refuse_keys(load, std::vector<std::string>{"sealed", "plug_thrust"}, "a face has no openings to seal",
+                "leave it out");
     const std::vector<std::string> words = {"pressure", "traction", "force", "displacement"};
     const std::string_view value = only_one_of(load, words);
     schema.names[load.path] = words;
@@ -171,6 +173,10 @@ model::PressureLoad pressure_load(const LoadEntry& entry, const Values& values) 
     load.line = line_of(values, entry.path);
     if (entry.kind != LoadKind::gas) return load;
     load.sealed = values.text(entry.path + ".sealed") == "true";
+    load.plug_thrust = values.text(entry.path + ".plug_thrust") == "true";
+    if (!load.sealed && !load.plug_thrust)
+        throw values.refuse(entry.path + ".plug_thrust", "the openings have no plugs, as sealed is false",
+                            "leave it out, or sealed: true");
     const std::string gas = entry.path + ".gas.";
     load.gas = {.ambient_Pa = values.number(gas + "ambient"),
                 .ambient_density_kg_m3 = values.number(gas + "density"),

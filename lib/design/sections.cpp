@@ -58,6 +58,35 @@ void check_axis(const Values& values, const std::string& output) {
     if (along == "r") throw values.refuse(output + ".along", "r is no axis to turn about", "axis, x, y or z");
 }
 
+/// Other measures are of faces.
+void refuse_with_point(const Member& output) {
+    const std::string path = "outputs." + output.key;
+    if (const Member* face = find_member(output.value, "face"))
+        refuse(face->place, path + ".face", "a point is measured already", "face or point, not both");
+    const Member* measure = find_member(output.value, "measure");
+    if (measure != nullptr && measure->value.text != "displacement")
+        refuse(measure->place, path + ".measure", "only the displacement of a point is measured",
+               "measure: displacement, or a face in place of the point");
+    const Member* along = find_member(output.value, "along");
+    if (along != nullptr && along->value.text == "normal")
+        refuse(along->place, path + ".along", "a point has no normal", "axis, x, y, z or r");
+}
+
+std::vector<double> point_of(const Item& item, const Values& values) {
+    std::vector<double> point_m = values.numbers(item.key.path);
+    const std::string& model = values.text("model");
+    const bool solid = model != "axisymmetric" && model != "plane-strain";
+    const std::size_t wanted = solid ? 3 : 2;
+    if (point_m.size() != wanted)
+        throw values.refuse(
+            item.key.path,
+            std::to_string(point_m.size()) + " coordinates where the model has " + std::to_string(wanted),
+            solid                     ? "[x, y, z], such as [10 mm, 0 mm, 5 mm]"
+            : model == "axisymmetric" ? "[x, r], such as [10 mm, 0 mm]"
+                                      : "[x, y], such as [10 mm, 0 mm]");
+    return point_m;
+}
+
 void check_measure(const Values& values, const std::string& output, model::Measure measure) {
     const std::string &model = values.text("model"), along = output + ".along";
     const bool solid = model != "axisymmetric" && model != "plane-strain";
@@ -126,9 +155,11 @@ void add_support_keys(Schema& schema, const Node& root) {
 void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
     for (const Member& output : members_of(root, "outputs")) {
         check_output_name(output);
-        schema.keys.push_back(output_face_key(output.key));
-        schema.keys.push_back(output_measure_key(output.key));
         const Node* measure = find(output.value, "measure");
+        const bool is_point = find(output.value, "point") != nullptr;
+        if (is_point) refuse_with_point(output);
+        schema.keys.push_back(is_point ? output_point_key(output.key) : output_face_key(output.key));
+        schema.keys.push_back(output_measure_key(output.key));
         const bool bend = measure != nullptr && measure->text == "bend";
         const bool axis_is_usual = measure == nullptr || measure->text == "displacement" || measure->text == "twist" ||
                                    measure->text == "radial" || measure->text == "force";
@@ -164,13 +195,16 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
                                               const Values& values) {
     std::vector<Design::OutputRequest> outputs;
     for (const Item& item : items) {
-        const std::string name = name_between(item.key.path, "outputs.", ".face");
+        const std::string at_point = name_between(item.key.path, "outputs.", ".point");
+        const std::string name = at_point.empty() ? name_between(item.key.path, "outputs.", ".face") : at_point;
         if (name.empty()) continue;
         Design::OutputRequest output{name,
-                                     single_face(item, faces, values),
+                                     at_point.empty() ? single_face(item, faces, values) : "",
                                      values.text("outputs." + name + ".along"),
                                      measure_of(values.text("outputs." + name + ".measure")),
+                                     {},
                                      {}};
+        if (!at_point.empty()) output.point_m = point_of(item, values);
         check_measure(values, "outputs." + name, output.measure);
         if (model::is_reaction(output.measure) && values.has("dynamics.duration") &&
             values.text("dynamics.duration") != "none")
@@ -179,7 +213,7 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
         for (const Item& other : items)
             if (other.key.path == "outputs." + name + ".reference")
                 output.reference = single_face(other, faces, values);
-        if (output.reference == output.face)
+        if (!output.face.empty() && output.reference == output.face)
             throw values.refuse("outputs." + name + ".reference", "a face does not bend away from itself",
                                 "name the held face");
         outputs.push_back(std::move(output));

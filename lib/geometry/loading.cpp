@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "element/pressure_kernel.hpp"
 #include "mesh/cell_map.hpp"
+#include "mesh/locate.hpp"
 #include "model/face_symmetry.hpp"
 
 namespace soft::geometry {
@@ -150,6 +151,19 @@ bool share_a_facet(const Solid& solid, const std::string& one, const std::string
     return std::ranges::any_of(others, [&](const mesh::Facet& facet) { return all.contains(facet); });
 }
 
+/// Throws values.refuse(...) for a point that the mesh does not hold, and names the nearest of the part.
+Vector point_of_part(const design::Design::OutputRequest& request, const Solid& solid, const design::Values& values) {
+    Vector point{};
+    std::ranges::copy(request.point_m, point.begin());
+    if (mesh::locate(solid.mesh, point)) return point;
+    const Vector& nearest = solid.mesh.point(mesh::nearest_node(solid.mesh, point));
+    std::string text;
+    for (std::size_t i = 0; i < request.point_m.size(); ++i)
+        text += (i > 0 ? ", " : "[") + core::rounded_text(1e3 * nearest[i], 6) + " mm";
+    throw values.refuse("outputs." + request.name + ".point", "the point is not in the part that is meshed",
+                        "a point of it, the nearest node is " + text + "]");
+}
+
 /// A reaction needs what holds or moves the face, and a direction in which its mirror images do not cancel.
 void check_reaction(const model::Case& result, const design::Design::OutputRequest& request, const Vector& direction,
                     const Meshed& meshed, const design::Values& values) {
@@ -239,6 +253,12 @@ void add_loads(model::Case& result, const design::Design& design, const Meshed& 
 void add_outputs(model::Case& result, const design::Design& design, const Meshed& meshed) {
     for (const auto& request : design.outputs) {
         const std::string place = "outputs." + request.name;
+        if (!request.point_m.empty()) {
+            const Vector along = direction_of({place + ".along", "", request.along}, meshed.body, meshed.solid);
+            result.outputs.push_back(
+                {request.name, "", along, request.measure, "", point_of_part(request, meshed.solid, design.values)});
+            continue;
+        }
         require_face(meshed.solid.mesh, request.face, place + ".face", meshed.keys);
         const bool bend = request.measure == model::Measure::bend;
         if (bend) require_face(meshed.solid.mesh, request.reference, place + ".reference", meshed.keys);
@@ -249,7 +269,7 @@ void add_outputs(model::Case& result, const design::Design& design, const Meshed
                     : direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
         if (model::is_reaction(request.measure)) check_reaction(result, request, direction, meshed, design.values);
         result.outputs.push_back(
-            {request.name, request.face, direction, request.measure, bend ? request.reference : ""});
+            {request.name, request.face, direction, request.measure, bend ? request.reference : "", {}});
     }
 }
 

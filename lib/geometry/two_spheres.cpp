@@ -14,7 +14,7 @@ struct Half {
     double plane_m;  ///< x of its plane of symmetry
     int sign;        ///< -1: it lies at lower x
     double inner_m, outer_m;
-    const char *wall, *outside, *plane;
+    const char *wall, *outside, *plane;  ///< faces; the cells are the region `wall`
 };
 
 struct Counts {
@@ -29,7 +29,7 @@ void add_half(meshing::Section& s, const Half& half, Counts n) {
     add_arc(s, {b, c}, centre, n.around, {half.outside});
     add_line(s, {c, d}, n.through, {half.plane});
     add_arc(s, {d, a}, centre, n.around, {half.wall});
-    add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
+    add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}}, half.wall);
 }
 
 Body build(const design::Values& values) {

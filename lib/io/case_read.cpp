@@ -104,9 +104,12 @@ std::vector<model::Output> read_outputs(const GroupReader& group) {
     const auto directions = group.array<double>("direction", {extent(names.size()), 3});
     const auto measures = read_words(group, "measure", measure_names, extent(names.size()));
     const auto references = group.texts("reference", extent(names.size()));
+    const auto is_point = group.flags("is_point", {extent(names.size())});
+    const auto points = group.array<double>("point", {extent(names.size()), 3});
     std::vector<model::Output> outputs;
     for (std::size_t i = 0; i < names.size(); ++i)
-        outputs.push_back({names[i], faces[i], triple<double>(directions, i), measures[i], references[i]});
+        outputs.push_back({names[i], faces[i], triple<double>(directions, i), measures[i], references[i],
+                           is_point[i] == 1 ? std::optional{triple<double>(points, i)} : std::nullopt});
     return outputs;
 }
 

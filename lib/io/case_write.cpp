@@ -125,6 +125,11 @@ void write_outputs(hid_t root, const std::vector<model::Output>& outputs) {
                 column(outputs, [](const auto& o) { return std::string{name_of(measure_names, o.measure)}; }));
     write_texts(group.get(), {"reference", "1", "face from which a bend is measured; else empty"},
                 column(outputs, [](const auto& o) { return o.reference; }));
+    write_list(group.get(), {"is_point", "1", "1: the displacement of a point is measured, and face is empty"},
+               column(outputs, [](const auto& o) { return static_cast<std::uint8_t>(o.point_m.has_value()); }));
+    write_list(group.get(), {"point", "m", "undeformed position of the point; x, r, 0 in a section"},
+               rows_of_three<double>(outputs, [](const auto& o) { return o.point_m.value_or(mesh::Point{}); }),
+               {outputs.size(), 3});
 }
 
 }  // namespace

@@ -109,12 +109,23 @@ void check_motions(const Checker& check) {
     }
 }
 
+void check_point(const Checker& check, const model::Output& output, std::size_t i) {
+    for (const double coordinate : *output.point_m)
+        check.require_finite(coordinate, Checker::item("/outputs/point", i));
+    check.require(output.face.empty(), Checker::item("/outputs/face", i), "a point is measured already");
+    check.require(output.measure == model::Measure::displacement, Checker::item("/outputs/measure", i),
+                  "only the displacement of a point is measured");
+}
+
 void check_outputs(const Checker& check) {
     const auto& outputs = check.model().outputs;
     check.require_unique(outputs, "/outputs/name", [](const model::Output& output) { return output.name; });
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const model::Output& output = outputs[i];
-        check.require_face(output.face, Checker::item("/outputs/face", i));
+        if (output.point_m)
+            check_point(check, output, i);
+        else
+            check.require_face(output.face, Checker::item("/outputs/face", i));
         check.require_unit(output.direction, Checker::item("/outputs/direction", i));
         const std::string place = Checker::item("/outputs/reference", i);
         if (output.measure == model::Measure::bend)

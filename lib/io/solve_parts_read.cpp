@@ -35,6 +35,7 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
     const auto names = group.texts("name");
     const std::int64_t count = extent(names.size());
     const auto sealed = group.flags("sealed", {count});
+    const auto thrusts = group.flags("plug_thrust", {count});
     const auto ambients = group.array<double>("ambient_pressure", {count});
     const auto densities = group.array<double>("ambient_density", {count});
     const auto dead_volumes = group.array<double>("dead_volume", {count});
@@ -51,6 +52,7 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
                          shapes[i],
                          courses[i],
                          {}});
+        loads.back().plug_thrust = thrusts[i] == 1;
         if (resistances[i] != 0) loads.back().line = model::SupplyLine{resistances[i]};
     }
     const GroupReader targets = group.group("targets");

@@ -63,6 +63,9 @@ void write_pressures(hid_t group, const std::vector<model::PressureLoad>& loads)
     write_texts(group, {"name", "1", "name of the load"}, column(loads, [](const auto& l) { return l.name; }));
     write_list(group, {"sealed", "1", "1: plugs and inner faces are loaded too"},
                column(loads, [](const auto& l) { return static_cast<std::uint8_t>(l.sealed); }));
+    write_list(group,
+               {"plug_thrust", "1", "1: the plugs of a sealed load push on the actuator; 0: a fixture carries them"},
+               column(loads, [](const auto& l) { return static_cast<std::uint8_t>(l.plug_thrust); }));
     const auto gas = [&](const Label& label, double model::Gas::*member) {
         write_list(group, label, column(loads, [&](const auto& l) { return l.gas.*member; }));
     };

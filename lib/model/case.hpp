@@ -100,6 +100,8 @@ struct PressureLoad {
     /// Where the case is dynamic: the pressure of the course feeds the cavities through this resistance, and what is in
     /// them follows the gas law (dead volume included). nullopt: the course is the pressure in the cavity.
     std::optional<SupplyLine> line = {};
+    bool plug_thrust =
+        true;  ///< false: a fixture carries the plugs of a sealed load, the actuator does not feel their thrust
 };
 
 /// Dead traction: a force per UNDEFORMED area whose direction stays fixed in space.
@@ -124,11 +126,13 @@ struct Motion {
 };
 
 struct Output {
-    std::string name;  ///< "elongation"; CSV column elongation_mm, bend_deg, block_N ...
-    std::string face;
+    std::string name;                   ///< "elongation"; CSV column elongation_mm, bend_deg, block_N ...
+    std::string face;                   ///< empty where a point is measured
     std::array<double, 3> direction{};  ///< unit vector
     Measure measure = Measure::displacement;
     std::string reference = {};  ///< the held face, measure bend only
+    std::optional<std::array<double, 3>> point_m =
+        {};  ///< undeformed position whose displacement is measured; a section's x, r, 0
 };
 
 /// What grows by itself while everything else follows. automatic: the load factor while the body is stiff, then the

@@ -10,7 +10,7 @@ namespace soft::model {
 
 /// Means are over the undeformed face; `direction` is the output's unit vector. A face that the planes of symmetry cut
 /// stands for the whole one (model/face_symmetry.hpp).
-///   displacement: mean displacement along `direction` [m]
+///   displacement: mean displacement along `direction`, or that of one point [m]
 ///   bend: angle, about `direction`, from the mean deformed normal of `reference` turned round to that of `face`; 0 in the
 ///         undeformed state [rad]
 ///   twist: mean rotation of the face about the axis `direction` through the origin [rad]

@@ -151,8 +151,9 @@ ListColumns output_columns(const model::Case& model) {
     ListColumns list{{}, &solution::Step::outputs, &solution::Step::tangent_outputs, "outputs"};
     for (std::size_t i = 0; i < model.outputs.size(); ++i) {
         const model::Output& output = model.outputs[i];
-        list.columns.push_back(coordinate(output.name, column_unit(output.measure), Source::output,
-                                          std::string{model::meaning_of(output.measure)} + ": " + output.face, i));
+        list.columns.push_back(coordinate(
+            output.name, column_unit(output.measure), Source::output,
+            std::string{model::meaning_of(output.measure)} + ": " + (output.point_m ? "a point" : output.face), i));
     }
     return list;
 }

@@ -88,7 +88,7 @@ TEST(Refusal, AValueAndAGroupAreNotTheSame) {
     expect(base + "geometry: {wall: }\n", "p.yaml:4:", "geometry.wall: has no value");
     expect("family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa}\nloads: {cavity: 30 kPa}\n",
            "p.yaml:3:17: loads.cavity: a group of keys",
-           "known: pressure, sealed, acts_on, gas, volume, volume_ratio, mass, valve, shares");
+           "known: pressure, sealed, plug_thrust, acts_on, gas, volume, volume_ratio, mass, valve, shares");
     expect("family: {a: b}\n", "p.yaml:1:9: family: a single value", "");
     expect("- family\n", "p.yaml:1:1: a design is a group of keys", "");
     expect("just text\n", "p.yaml:1:1: a design is a group of keys", "");

@@ -148,6 +148,7 @@ void expect_equal(const model::Case& left, const model::Case& right) {
         EXPECT_EQ(a.name, b.name);
         EXPECT_EQ(a.targets, b.targets);
         EXPECT_EQ(a.sealed, b.sealed);
+        EXPECT_EQ(a.plug_thrust, b.plug_thrust);
         EXPECT_EQ(a.gas.ambient_Pa, b.gas.ambient_Pa);
         EXPECT_EQ(a.gas.ambient_density_kg_m3, b.gas.ambient_density_kg_m3);
         EXPECT_EQ(a.gas.dead_volume_m3, b.gas.dead_volume_m3);

@@ -33,6 +33,17 @@ inline Mesh mesh_of(int dimension, const std::vector<std::pair<CellType, std::ve
     return mesh;
 }
 
+/// A map of total degree two, injective on the samples.
+inline Point bent(const Point& p) {
+    return {p[0] + 0.04 * p[1] * p[1] - 0.03 * p[2] * p[0], p[1] + 0.05 * p[0] * p[1] + 0.02 * p[2] * p[2],
+            1.1 * p[2] + 0.03 * p[0] * p[0]};
+}
+
+inline Point bent_in_plane(const Point& p) {
+    const Point q = bent({p[0], p[1], 0});
+    return {q[0], q[1], 0};
+}
+
 /// A hexahedron with wedges on its right (side by side) and one more on top of these.
 inline Mesh wedges_and_hexahedra() {
     const auto column = [](std::vector<std::array<double, 2>> base, double low, double high) {

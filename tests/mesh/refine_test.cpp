@@ -11,17 +11,6 @@
 namespace soft::mesh {
 namespace {
 
-/// A map of total degree two, injective on the samples.
-Point bent(const Point& p) {
-    return {p[0] + 0.04 * p[1] * p[1] - 0.03 * p[2] * p[0], p[1] + 0.05 * p[0] * p[1] + 0.02 * p[2] * p[2],
-            1.1 * p[2] + 0.03 * p[0] * p[0]};
-}
-
-Point bent_in_plane(const Point& p) {
-    const Point q = bent({p[0], p[1], 0});
-    return {q[0], q[1], 0};
-}
-
 struct Choice {
     std::string name;
     int order;
@@ -38,7 +27,7 @@ protected:
         return choice.order == 1 ? first : raise_order(first);
     }
     static Mesh moved(Mesh mesh) {
-        for (Point& p : mesh.points) p = mesh.dimension == 2 ? bent_in_plane(p) : bent(p);
+        for (Point& p : mesh.points) p = mesh.dimension == 2 ? sample::bent_in_plane(p) : sample::bent(p);
         return mesh;
     }
     const Mesh straight = straight_mesh(GetParam());
@@ -87,7 +76,8 @@ TEST_P(Refinement, NewNodesLieOnAQuadraticMap) {
     const Mesh places = refine(straight, 2), finer = refine(coarse, 2);
     ASSERT_EQ(places.points.size(), finer.points.size());
     for (std::size_t p = 0; p < places.points.size(); ++p) {
-        const Point expected = coarse.dimension == 2 ? bent_in_plane(places.points[p]) : bent(places.points[p]);
+        const Point expected =
+            coarse.dimension == 2 ? sample::bent_in_plane(places.points[p]) : sample::bent(places.points[p]);
         for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(finer.points[p][d], expected[d], 1e-14);
     }
 }
