@@ -13,7 +13,7 @@
 /// A Krylov solve that reaches its limit gives an inexact correction; the direction of the path may take ten times the limit.
 /// Source: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991) 9.3; Allgower and Georg,
 /// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/solver_test, solver/supply_test,
-/// solver/newton_methods_test, solver/linear_methods_test, solver/corner_test.
+/// solver/newton_methods_test, solver/linear_methods_test, solver/corner_test, solver/motion_test.
 #include <functional>
 #include <optional>
 
@@ -63,6 +63,8 @@ struct PathTangent {
     std::optional<int> unstable_modes;
     /// Work of the stage's growing loads along the tangent were every free supply to hold its volume or mass, -dR/dlambda . x:
     /// positive in a stable state, whatever the supplies do meanwhile (a volume that grows against a load lets it do work < 0).
+    /// 0 in a stage that moves a face: there -dR/dlambda has entries in the pressure rows of mixed cells, and the product, which
+    /// depends on how the motion is continued into the body, may have either sign in a stable state.
     double power = 0;
 };
 

@@ -70,7 +70,7 @@ std::optional<PathTangent> Newton::tangent(const Constraint& constraint, const S
     rates->pop_back();
     tangent.pressures = std::move(*rates);
     tangent.unstable_modes = unstable_modes();
-    tangent.power = tangent.load_factor * power_with_supplies_held().value_or(0.0);
+    tangent.power = loads_move_ ? 0.0 : tangent.load_factor * power_with_supplies_held().value_or(0.0);
     return tangent;
 }
 

@@ -103,7 +103,8 @@ double PathFollower::controlled_value(const PathPoint& point, double arc_length)
 }
 
 /// Finds the direction of the path and the first step: `first_step` of the stage's loads in the linear response. Of the
-/// two directions the one in which the growing loads do work; in a stable state the load factor grows in it.
+/// two directions the one in which the growing loads do work; in a stable state, and where a face is moved, the one in which the
+/// load factor grows.
 void PathFollower::begin_stage(State state) {
     stage_first_row_ = rows_;
     before_.reset();
