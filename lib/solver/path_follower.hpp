@@ -1,7 +1,7 @@
 #pragma once
 /// The state machine behind follow_path (path.hpp), internal to the room. One concern a file: path.cpp begins and ends,
 /// stages.cpp begins and ends stages and changes the control, path_step.cpp takes steps and mends failed ones,
-/// path_points.cpp measures states and writes rows, events.cpp locates limit points, bifurcations and contact,
+/// path_points.cpp measures states and writes rows, path_work.cpp sums the work of the loads, events.cpp locates limit points, bifurcations and contact,
 /// path_corner.cpp goes round corners of bodies with fibres, path_end.cpp ends paths that do not reach their load, path_resume.cpp
 /// keeps and restores checkpoints.
 #include <optional>
@@ -118,7 +118,7 @@ private:
     void read_values(PathPoint& point);
     void rescale(PathPoint& point, double factor);
     [[nodiscard]] double leading_of(const State& state) const;
-    void append(const PathPoint& point);
+    void append(PathPoint& point);
     [[nodiscard]] bool is_stable(const PathPoint& point) const;
     /// Along the direction of travel.
     [[nodiscard]] bool load_falls(const PathPoint& point) const { return point.tangent.load_factor * step_ < 0.0; }
@@ -127,6 +127,19 @@ private:
     void log(const std::string& line) const {
         if (listeners_.log) listeners_.log(line);
     }
+
+    // path_work.cpp
+    /// Work of the loads between two points, and the energy stored at both; of the modelled part.
+    struct Way {
+        double work_J = 0, from_J = 0, to_J = 0;
+        [[nodiscard]] double gain_J() const { return to_J - from_J; }
+        [[nodiscard]] double gap_J() const { return work_J - gain_J(); }
+    };
+    /// To the accuracy of the path (step_accuracy) where the law has an energy, through as many states in between as that takes.
+    [[nodiscard]] double work_on_the_way(PathPoint& from, PathPoint& to);
+    [[nodiscard]] double refined_work(const PathPoint& from, const PathPoint& to, const Way& way, double wanted_J,
+                                      int halvings_left);
+    [[nodiscard]] double stored_energy_of(PathPoint& point);
 
     // events.cpp
     [[nodiscard]] std::optional<Touch> find_contact(PathPoint& point);

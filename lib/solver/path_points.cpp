@@ -17,9 +17,6 @@ PathPoint PathFollower::measure(State state, PathTangent tangent) {
 void PathFollower::read_values(PathPoint& point) {
     const bool is_first = !last_ || &*last_ == &point;
     solver::read_values(system_, *loads_, is_first ? nullptr : &*last_, point);
-    point.load_work_J = is_first
-                            ? work_before_stage_J_
-                            : last_->load_work_J + work_between(system_, *last_, point, FromTangent::along_the_path);
 }
 
 double PathFollower::leading_of(const State& state) const { return solver::leading_of(input_, *loads_, state); }
@@ -32,7 +29,9 @@ void PathFollower::rescale(PathPoint& point, double factor) {
     point.outputs = std::move(outputs);
 }
 
-void PathFollower::append(const PathPoint& point) {
+/// A row; its work is known from here on.
+void PathFollower::append(PathPoint& point) {
+    if (&point != &*last_) point.load_work_J = last_->load_work_J + work_on_the_way(*last_, point);
     const double direction = step_ < 0.0 ? -1.0 : 1.0;  // tangents point in the direction of travel
     solution::Step step = step_of(system_, point, direction);
     step.stage = stage_;

@@ -135,6 +135,7 @@ void PathFollower::begin_stage(State state) {
     first_step_ = step_ = first_step(slope, control_.kind == ConstraintKind::arc ? 1.0 : sense);
     if (loads_->changes()) rescale(point, 1.0 / slope);
     point.q = controlled_value(point, 0.0);
+    point.load_work_J = work_before_stage_J_;
     last_ = std::move(point);
 }
 
@@ -149,6 +150,7 @@ void PathFollower::begin_without_direction(State state) {
     PathTangent none{linalg::duplicate(state.x), 0.0, std::vector(state.pressures_Pa.size(), 0.0), std::nullopt, 0.0};
     last_ = PathPoint{std::move(state), std::move(none)};
     read_values(*last_);
+    last_->load_work_J = work_before_stage_J_;
 }
 
 void PathFollower::end_stage(const std::string& text) {
