@@ -262,6 +262,7 @@ ExitCode telling_errors(std::string_view tool, std::string_view command_line, co
 int guarded(int argc, char** argv, const std::function<ExitCode()>& body) {
     open_missing_streams();
     std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is seen as EPIPE by core::write_all
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files (ulimit -f) is seen as EFBIG
     const std::string tool = argc > 0 ? bare_name(argv[0]) : std::string{"soft"};
     return static_cast<int>(telling_errors(tool, command_line_of(argc, argv), body));
 }

@@ -85,7 +85,7 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 /// "gmsh 4.8.4", one a library: for provenance.
 [[nodiscard]] std::vector<std::string> library_lines(const About& about);
 
-/// Calls `body`; SIGPIPE is ignored and closed standard streams cannot be taken by files. An Error becomes one line
+/// Calls `body`; SIGPIPE and SIGXFSZ are ignored and closed standard streams cannot be taken by files. An Error becomes one line
 /// "tool: place: problem; remedy" and its exit code, std::bad_alloc is 74, anything else 70 with a request to report it.
 [[nodiscard]] int guarded(int argc, char** argv, const std::function<ExitCode()>& body);
 

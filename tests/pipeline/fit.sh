@@ -27,7 +27,7 @@ claim 'a silicone by its name gives a curve' table named.csv
 claim 'solve takes the set that fits the stretch' grep -q 'solves again with the constants of dragon-skin-20 over 110 % of strain' "$seen/err"
 claim 'the result says over which range its material was fitted' grep -q 'dragon-skin-20, yeoh fitted over 4.46:109.091 % of strain' "$seen/err"
 room=$(($(stat -c %s named.h5) / 1024 + 150))
-refuses 74 'solve: part.h5: cannot be written: *' "(trap '' XFSZ; ulimit -f $room; exec solve -q named.h5 --set path.until.elongation=10mm -o part.h5)"
+refuses 74 'solve: part.h5: cannot be written: *' "(ulimit -f $room; exec solve -q named.h5 --set path.until.elongation=10mm -o part.h5)"
 runs 'solve --resume part.h5'
 claim 'so does one that was interrupted with the other set' grep -q 'solves again with the constants of dragon-skin-20 over 110 % of strain' "$seen/err"
 runs 'postprocess -q part.h5 | cmp - named.csv'
