@@ -47,9 +47,10 @@ struct Given {
 
 /// Takes converged steps one by one. The bytes of the result are the same whether it is kept in memory or on disk.
 ///
-/// On disk: FILE is the whole case (with an empty path) from the first moment on, and each append() adds one
-/// checksummed record behind the HDF5 data, with a single write. Nothing that is already in the file is touched, so
-/// after a kill at any time FILE opens (in every HDF5 tool: as the case) and read_result() finds all whole steps in it.
+/// On disk: the first append() makes FILE, the whole case (with an empty path) and one checksummed record behind the HDF5 data;
+/// until then what stands under that name stays. Each later append() adds a record with a single write. Nothing that is already
+/// in the file is touched, so after a kill at any time FILE opens (in every HDF5 tool: as the case) and read_result() finds all
+/// whole steps in it.
 /// finish() replaces FILE by the plain result, by renaming. Not promised: that steps survive a crash of the machine.
 /// A target that is no regular file (/dev/null, a named pipe) is written at finish() only.
 /// Memory: the fields that are kept, compressed. With policy last or every=N the records on disk still hold the fields
@@ -85,7 +86,8 @@ public:
     /// are in no file that can be opened. finish() makes FILE anew.
     [[nodiscard]] bool is_in_place() const;
 
-    /// Writes path and end. Returns the whole result; on disk it is also FILE. Call it once, nothing after it.
+    /// Writes path and end. Returns the whole result; on disk it is also FILE. Call it once, nothing after it. Throws Error
+    /// (internal) without a step: read_result() would refuse the file.
     std::vector<std::byte> finish(const solution::PathEnd& end);
 
 private:
@@ -139,7 +141,8 @@ struct Interrupted {
 [[nodiscard]] Interrupted read_interrupted(std::span<const std::byte> image, std::string_view source);
 
 /// Reads a finished result, or what a running or killed `solve -o` has left. Checks as read_case does.
-/// The image is kept for reading fields later. A case without solution is refused with the remedy "run solve on it".
+/// The image is kept for reading fields later. A case without solution is refused with the remedy "run solve on it", a path
+/// without a row with "run solve again".
 [[nodiscard]] Result read_result(std::vector<std::byte> image, std::string_view source);
 
 }  // namespace soft::io

@@ -39,6 +39,15 @@ model::Case without_mesh(const model::Case& input) {
 
 constexpr const char* changed_design_group = "solve_design";
 
+/// Error (bad_input) where the file holds a result or what another program has left of one.
+void require_no_solution(hid_t root, const std::string& tool, std::string_view source) {
+    for (const std::string& name : {std::string{"path"}, std::string{"fields"}, std::string{"modes"},
+                                    std::string{changed_design_group}, "provenance/" + tool})
+        if (H5Lexists(root, name.c_str(), H5P_DEFAULT) > 0)
+            throw Error(ExitCode::bad_input, std::string{source} + ":/" + name, "already holds a solution",
+                        "give solve the case from mesh-gen");
+}
+
 void write_changed_design(hid_t root, const DesignText& design, const model::Case& solved) {
     const GroupHandle group =
         create_group(root, changed_design_group, "the design with solve's own overrides in place");
@@ -93,8 +102,7 @@ ResultImage ResultImage::open(const Given& given) {
 ResultImage ResultImage::begin(const Given& given, const Provenance& provenance, const ResultOptions& options) {
     ResultImage image = open(given);
     const GroupHandle root = open_group(image.file_.get(), "/");
-    if (H5Lexists(root.get(), "path", H5P_DEFAULT) > 0)
-        throw Error(ExitCode::bad_input, given.source, "already holds a solution", "give solve the case from mesh-gen");
+    require_no_solution(root.get(), provenance.tool, given.source);
     if (options.changed_design) check_case(given.solved, "<case with --set>", ExitCode::internal);
     image.policy_ = options.fields;
     const GroupHandle path = create_group(root.get(), "path", "the equilibrium path, one row a step");
@@ -182,6 +190,7 @@ void ResultImage::write_fields(std::int64_t row, std::span<const double> displac
 }
 
 void ResultImage::finish(const std::optional<solution::PathEnd>& end) {
+    if (end && steps_.empty()) throw Error(ExitCode::internal, "/path", "the path has no row");
     if (!last_displacement_.empty())
         write_fields(static_cast<std::int64_t>(steps_.size()) - 1, last_displacement_, last_pressure_);
     const GroupHandle fields = open_group(file_.get(), "/fields");

@@ -199,7 +199,10 @@ Result read_result(std::vector<std::byte> image, std::string_view source) {
     const ImageParts parts = split_image(image, source);
     const Origin origin = origin_of(parts, source);
     if (!parts.sealed) try_apart(origin, [&](const Origin& noted) { read_all(parts, noted); });
-    return read_bare_result(std::move(image), parts, origin);
+    Result result = read_bare_result(std::move(image), parts, origin);
+    if (result.steps.empty())
+        throw Error(ExitCode::bad_input, std::string{source} + ":/path", "the path has no row", "run solve again");
+    return result;
 }
 
 }  // namespace soft::io

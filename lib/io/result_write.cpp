@@ -88,11 +88,7 @@ public:
             throw Error(ExitCode::cannot_create, name_, "cannot be cut: " + std::generic_category().message(errno));
     }
     void append(std::span<const std::byte> bytes) const {
-        try {
-            static_cast<void>(core::write_all(descriptor_, bytes, name_));
-        } catch (const Error& error) {
-            throw Error(error.code(), "", error.what(), "make room and go on with solve --resume " + name_);
-        }
+        static_cast<void>(core::write_all(descriptor_, bytes, name_));
     }
     /// Whether the name still leads to the file that was opened.
     [[nodiscard]] bool is_in_place() const {
@@ -111,19 +107,35 @@ private:
 
 struct ResultWriter::State {
     explicit State(ResultImage begun) : image(std::move(begun)) {}
-    /// The file as it is before the first step.
+    /// The file as it is before the first step. It has no name until the first step is in it: a solve that is refused before
+    /// leaves what stands under its name.
     void begin_journal() {
         require_no_writer(file);
-        core::AtomicFile whole{file};
-        static_cast<void>(whole.write(sealed_bytes(image)));
+        unnamed.emplace(file);
+        static_cast<void>(unnamed->write(sealed_bytes(image)));
         // The same open file, locked before it has its name.
-        journal.emplace(file, ::fcntl(whole.descriptor(), F_DUPFD_CLOEXEC, 0));
-        whole.commit();
+        journal.emplace(file, ::fcntl(unnamed->descriptor(), F_DUPFD_CLOEXEC, 0));
+    }
+    void append_record(RecordKind kind, std::span<const std::byte> payload) {
+        const std::vector<std::byte> record = make_record(kind, payload);
+        if (unnamed) {
+            journal->append(record);
+            require_no_writer(file);
+            unnamed->commit();
+            unnamed.reset();
+            return;
+        }
+        try {
+            journal->append(record);
+        } catch (const Error& error) {
+            throw Error(error.code(), "", error.what(), "make room and go on with solve --resume " + file.string());
+        }
     }
 
     ResultImage image;
-    fs::path file;                ///< empty: in memory only
-    std::optional<Tail> journal;  ///< open until finish(), where the file can be appended to
+    fs::path file;                            ///< empty: in memory only
+    std::optional<core::AtomicFile> unnamed;  ///< until the first step
+    std::optional<Tail> journal;              ///< open until finish(), where the file can be appended to
 };
 
 ResultWriter::ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options) {
@@ -189,14 +201,14 @@ void ResultWriter::append(const solution::Step& step, std::span<const double> di
     if (!state_->journal) return;
     const bool with_fields = state_->image.policy().keep != FieldsPolicy::Keep::none;
     const auto payload = with_fields ? encode_step(step, displacement, pressure) : encode_step(step, {}, {});
-    state_->journal->append(make_record(RecordKind::step, payload));
+    state_->append_record(RecordKind::step, payload);
 }
 
 void ResultWriter::remember(const solution::Checkpoint& checkpoint) {
-    if (state_->journal) state_->journal->append(make_record(RecordKind::checkpoint, encode_checkpoint(checkpoint)));
+    if (state_->journal) state_->append_record(RecordKind::checkpoint, encode_checkpoint(checkpoint));
 }
 
-bool ResultWriter::is_in_place() const { return !state_->journal || state_->journal->is_in_place(); }
+bool ResultWriter::is_in_place() const { return !state_->journal || state_->unnamed || state_->journal->is_in_place(); }
 
 std::vector<std::byte> ResultWriter::finish(const solution::PathEnd& end) {
     const QuietErrors quiet;

@@ -60,9 +60,33 @@ TEST(JournalStep, KeepsTheErrorsOfARow) {
     expect_equal(decode_step(encode_step(step, {}, {}), "result.h5").step, step);
 }
 
-TEST_F(Journal, FileOpensFromTheFirstMomentAndShowsEachStep) {
+TEST_F(Journal, WhatStandsUnderTheNameStaysUntilTheFirstStep) {
+    core::AtomicFile old{file_};
+    static_cast<void>(old.write(std::as_bytes(std::span{"old"})));
+    old.commit();
+    const Image before = core::read_file(file_);
+    { const ResultWriter refused = writer(); }
+    EXPECT_EQ(core::read_file(file_), before);
     ResultWriter running = writer();
-    for (int count = 0; count < 4; ++count) {
+    EXPECT_EQ(core::read_file(file_), before);
+    EXPECT_TRUE(running.is_in_place());
+    append(running, 0);
+    expect_steps(read_result(core::read_file(file_), "result.h5"), 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{}), 1);
+}
+
+TEST_F(Journal, OfTwoSolvesThatBeginTogetherOneWrites) {
+    ResultWriter first = writer(), second = writer();
+    append(first, 0);
+    EXPECT_THROW(append(second, 0), Error);
+    append(first, 1);
+    expect_steps(read_result(core::read_file(file_), "result.h5"), 2);
+}
+
+TEST_F(Journal, FileShowsEachStep) {
+    ResultWriter running = writer();
+    append(running, 0);
+    for (int count = 1; count < 4; ++count) {
         const Result result = read_result(core::read_file(file_), "result.h5");
         expect_equal(result.model, section_case());
         EXPECT_FALSE(result.end.has_value());
@@ -73,15 +97,16 @@ TEST_F(Journal, FileOpensFromTheFirstMomentAndShowsEachStep) {
 
 TEST_F(Journal, CutAnywhereKeepsAllWholeStepsBefore) {
     ResultWriter running = writer();
+    append(running, 0);
     std::vector<std::size_t> ends{core::read_file(file_).size()};
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 1; i < 4; ++i) {
         append(running, i);
         ends.push_back(core::read_file(file_).size());
     }
     const Image whole = core::read_file(file_);
     for (std::size_t size = ends[0]; size <= whole.size(); size += 61) {
         const Image cut{whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)};
-        const auto complete = std::upper_bound(ends.begin(), ends.end(), size) - ends.begin() - 1;
+        const auto complete = std::upper_bound(ends.begin(), ends.end(), size) - ends.begin();
         expect_steps(read_result(cut, "result.h5"), static_cast<int>(complete));
     }
 }
@@ -95,9 +120,9 @@ TEST_F(Journal, SurvivesKillNineAtAnyTime) {
         if (child == 0) {
             ResultWriter running = writer();
             for (int i = 0; i < 200; ++i) {
-                const char done = static_cast<char>(i);
-                if (::write(pipe_ends[1], &done, 1) != 1) ::_exit(1);  // i steps are in the file
                 append(running, i);
+                const char done = static_cast<char>(i + 1);
+                if (::write(pipe_ends[1], &done, 1) != 1) ::_exit(1);  // so many steps are in the file
             }
             static_cast<void>(running.finish(example_end()));
             ::_exit(0);
@@ -108,7 +133,7 @@ TEST_F(Journal, SurvivesKillNineAtAnyTime) {
         ::usleep(static_cast<useconds_t>(delay_us));
         ::kill(child, SIGKILL);
         ::waitpid(child, nullptr, 0);
-        int least = 0;
+        int least = 1;
         while (::read(pipe_ends[0], &reported, 1) == 1) least = static_cast<unsigned char>(reported);
         ::close(pipe_ends[0]);
         const Result result = read_result(core::read_file(file_), "result.h5");
@@ -134,8 +159,8 @@ TEST_F(Journal, FinishedFileIsTheSameAsTheResultInMemory) {
 
 TEST_F(Journal, DamagedRecordIsRefused) {
     ResultWriter running = writer();
-    const std::size_t start = core::read_file(file_).size();
     append(running, 0);
+    const std::size_t start = seal_end(core::read_file(file_), "result.h5");
     append(running, 1);
     const Image whole = core::read_file(file_);
     for (std::size_t place = start + 24; place < start + 400; place += 13) {
@@ -146,8 +171,10 @@ TEST_F(Journal, DamagedRecordIsRefused) {
 }
 
 TEST_F(Journal, RecordThatDoesNotFitTheCaseIsRefused) {
-    const ResultWriter running = writer();
-    const Image start = core::read_file(file_);
+    ResultWriter running = writer();
+    append(running, 0);
+    Image start = core::read_file(file_);
+    start.resize(seal_end(start, "result.h5"));
     const auto with = [&](const Image& payload) {
         Image image = start;
         const Image record = make_record(RecordKind::step, payload);

@@ -130,7 +130,7 @@ TEST(ResultFile, CaseThatItsReaderWouldRefuseIsABug) {
     }
 }
 
-TEST(ResultFile, WithoutVolumesPressuresAndStepsReadsBack) {
+TEST(ResultFile, WithoutVolumesAndPressuresReadsBack) {
     ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     solution::Step step = example_step(1);
     step.volume_m3.reset();
@@ -139,10 +139,25 @@ TEST(ResultFile, WithoutVolumesPressuresAndStepsReadsBack) {
     const Result one = read_result(writer.finish({}), "result.h5");
     expect_equal(one.steps.at(0), step);
     EXPECT_TRUE(one.fields.read(0)->pressure_Pa.empty());
+}
+
+TEST(ResultFile, PathWithoutARowIsRefused) {
     ResultWriter idle{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
-    const Result none = read_result(idle.finish({}), "result.h5");
-    EXPECT_TRUE(none.steps.empty());
-    EXPECT_TRUE(none.fields.steps().empty());
+    EXPECT_THROW(static_cast<void>(idle.finish({})), Error);
+    const auto drop_rows = [](hid_t file) {  // as a solve that was killed before its first row once left it
+        H5Ldelete(file, "/path", H5P_DEFAULT);
+        const GroupHandle path = create_group(file, "path", "");
+        H5Ldelete(file, "/fields/steps", H5P_DEFAULT);
+        H5Ldelete(file, "/fields/displacement", H5P_DEFAULT);
+        H5Ldelete(file, "/fields/pressure", H5P_DEFAULT);
+    };
+    try {
+        static_cast<void>(read_result(tampered(result_image(2), drop_rows), "result.h5"));
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ExitCode::bad_input);
+        EXPECT_STREQ(error.what(), "result.h5:/path: the path has no row; run solve again");
+    }
 }
 
 TEST(ResultFile, PolicyChoosesTheStoredSteps) {
@@ -197,6 +212,26 @@ TEST(ResultFile, CaseWithoutSolutionSaysWhatToDo) {
 TEST(ResultFile, ResultIsNotSolvedTwice) {
     EXPECT_THROW((ResultWriter{{result_image(2), "result.h5", section_case()}, example_provenance("solve"), {}}),
                  Error);
+}
+
+TEST(ResultFile, RemainsOfASolutionAreNotSolved) {
+    const ResultOptions options{{Keep::all}, DesignText{"", "solved: otherwise\n", {"load.pressure=1kPa"}}};
+    const std::vector<std::string> groups{"path", "fields", "modes", "solve_design", "provenance/solve"};
+    for (const std::string& kept : groups) {
+        const auto drop = [&](hid_t file) {
+            for (const std::string& group : groups)
+                if (group != kept) H5Ldelete(file, group.c_str(), H5P_DEFAULT);
+        };
+        const Image image = tampered(result_image(2, options), drop);
+        try {
+            const ResultWriter writer{{image, "result.h5", section_case()}, example_provenance("solve"), {}};
+            ADD_FAILURE() << kept;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::bad_input);
+            EXPECT_EQ(error.what(),
+                      "result.h5:/" + kept + ": already holds a solution; give solve the case from mesh-gen");
+        }
+    }
 }
 
 TEST(ResultFile, StepsThatDoNotFitAreABug) {
