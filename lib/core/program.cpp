@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -57,6 +58,18 @@ std::string beginning_of(std::FILE* stream) {
     return {buffer.data(), std::fread(buffer.data(), 1, buffer.size(), stream)};
 }
 
+/// The environment without what the call drops; ends with a null pointer.
+std::vector<char*> environment_of(const ProgramCall& call) {
+    std::vector<char*> kept;
+    for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+        const std::string_view text{*variable};
+        if (std::ranges::none_of(call.dropped_variables, [&](std::string_view name) { return text.starts_with(name); }))
+            kept.push_back(*variable);
+    }
+    kept.push_back(nullptr);
+    return kept;
+}
+
 /// A program at work: its input handed over, its complaints collected.
 struct Started {
     pid_t child;
@@ -86,9 +99,10 @@ Started start(const ProgramCall& call, int output, std::string_view place) {
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
+    std::vector<char*> environment = environment_of(call);
     pid_t child = 0;
     const int failure =
-        ::posix_spawnp(&child, words.front().c_str(), &redirect.actions, nullptr, pointers.data(), environ);
+        ::posix_spawnp(&child, words.front().c_str(), &redirect.actions, nullptr, pointers.data(), environment.data());
     if (failure == ENOENT)
         throw Error(ExitCode::cannot_create, place,
                     "the program " + call.name + ", which " + call.purpose + ", is not installed", call.remedy);

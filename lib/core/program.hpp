@@ -15,6 +15,8 @@ struct ProgramCall {
     int output = -1;                         ///< descriptor that takes its standard output; -1: dropped
     std::string purpose;                     ///< "draws the picture", for the message that it is not installed
     std::string remedy;                      ///< "install the package ..."
+    /// Environment variables whose names begin so are not passed on.
+    std::span<const std::string_view> dropped_variables = {};
 };
 
 struct ProgramEnd {

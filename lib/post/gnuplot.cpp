@@ -1,5 +1,7 @@
 #include "post/gnuplot.hpp"
 
+#include <array>
+#include <string>
 #include <utility>
 
 #include "core/error.hpp"
@@ -17,15 +19,28 @@ std::string reason(std::string text) {
     return words.empty() ? "it gave no reason" : core::one_line(words.substr(0, words.find('\n')));
 }
 
+/// Start-up files (~/.gnuplot, the system's) and variables (GNUTERM, GNUPLOT_FONTPATH) are for a user's own plots: here they would
+/// change what is drawn or where it goes.
+const std::array<std::string, 1> default_settings{"-d"};
+constexpr std::array<std::string_view, 3> user_variables{"GNU", "GDFONTPATH", "FIT_"};
+
 }  // namespace
+
+std::string gnuplot_text(std::string_view text) {
+    constexpr std::size_t longest = 200;  // bytes; more does not fit a picture
+    std::string out = "'";
+    for (const char c : core::one_line(text, longest)) out += c == '\'' ? "''" : std::string(1, c);
+    return out + "'";
+}
 
 core::Bytes gnuplot_bytes(std::string_view script, std::string_view place) {
     core::ProgramOutput drawn = core::program_output(
         {.name = "gnuplot",
-         .arguments = {},
+         .arguments = default_settings,
          .input = script,
          .purpose = "draws the picture",
-         .remedy = "install the package gnuplot-nox (Debian, Ubuntu) or gnuplot (Fedora, Homebrew)"},
+         .remedy = "install the package gnuplot-nox (Debian, Ubuntu) or gnuplot (Fedora, Homebrew)",
+         .dropped_variables = user_variables},
         place);
     if (!drawn.end.well || drawn.bytes.empty())
         throw Error(ExitCode::cannot_create, place, "gnuplot failed: " + reason(drawn.end.complaint));

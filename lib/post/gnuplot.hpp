@@ -8,7 +8,11 @@
 
 namespace soft::post {
 
-/// What gnuplot (found along PATH) writes to stdout when it is given `script`. It passes through a pipe: gnuplot ends
+/// A text in single quotes, in which only the quote itself is special: one line without control characters, in UTF-8.
+[[nodiscard]] std::string gnuplot_text(std::string_view text);
+
+/// What gnuplot (found along PATH) writes to stdout when it is given `script`, without start-up
+/// files and variables of the user. It passes through a pipe: gnuplot ends
 /// well also where its writes fail, so it must not write to a disk itself. Error(cannot_create, `place`): no gnuplot
 /// (names the package), or it refused the script (its first words are in the message).
 [[nodiscard]] core::Bytes gnuplot_bytes(std::string_view script, std::string_view place);

@@ -26,16 +26,6 @@ constexpr std::array<Style, 7> styles = {{{6, "#0072B2"},
                                           {1, "#000000"}}};
 constexpr std::size_t markers_alone = 400, markers_beside_others = 16;
 
-/// Inside gnuplot's single quotes only the quote itself is special.
-std::string gnuplot_text(std::string_view text) {
-    std::string out = "'";
-    for (const char c : text) {
-        if (c == '\'') out += '\'';
-        out += c == '\n' ? ' ' : c;
-    }
-    return out + "'";
-}
-
 bool is_motion(const Curve& curve) {
     return curve.find("time") != nullptr && curve.find("time")->source == Source::time;
 }

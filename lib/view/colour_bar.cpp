@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "post/gnuplot.hpp"
 
 namespace soft::view {
 
@@ -57,7 +58,7 @@ std::string colour_bar_script(const ColourBar& bar) {
     std::string places;
     std::size_t longest = 1;
     for (const Tick& tick : bar_ticks(bar.low, bar.high)) {
-        places += (places.empty() ? "" : ", ") + gnuplot_text(tick.text) + " " + core::number_text(tick.value);
+        places += (places.empty() ? "" : ", ") + post::gnuplot_text(tick.text) + " " + core::number_text(tick.value);
         longest = std::max(longest, tick.text.size());
     }
     const double room = (numbers_end - numbers) * bar.width_px;
@@ -68,15 +69,9 @@ std::string colour_bar_script(const ColourBar& bar) {
     script += "set colorbox user origin screen " + number(bar_left) + ", screen " + number(bar_low) + " size screen " +
               number(bar_width) + ", screen " + number(bar_height) + "\n";
     script += "set cbtics (" + places + ") scale 0.5 font 'Sans," + number(number_font) + "'\n";
-    script += "set label 3 " + gnuplot_text(bar.label) + " noenhanced at screen " + number(label_middle) +
+    script += "set label 3 " + post::gnuplot_text(bar.label) + " noenhanced at screen " + number(label_middle) +
               ", screen 0.5 center rotate by 90 font 'Sans," + number(label_font) + "' front\n";
     return script;
-}
-
-std::string gnuplot_text(std::string_view text) {
-    std::string out = "'";
-    for (const char c : core::one_line(text, 200)) out += c == '\'' ? "''" : std::string(1, c);
-    return out + "'";
 }
 
 }  // namespace soft::view

@@ -25,8 +25,4 @@ struct ColourBar {
 
 /// For a plot that fills the whole picture. Uses label 3.
 [[nodiscard]] std::string colour_bar_script(const ColourBar& bar);
-
-/// Inside gnuplot's single quotes only the quote itself is special. One line.
-[[nodiscard]] std::string gnuplot_text(std::string_view text);
-
 }  // namespace soft::view

@@ -191,11 +191,11 @@ std::string picture_script(const Look& look, const Framing& frame, const Shot& s
                                  .width_px = 1.0 * frame.width_px,
                                  .height_px = 1.0 * frame.height_px,
                                  .font = font});
-    script += "set label 1 " + gnuplot_text(shot.title) + " noenhanced at screen 0.5, screen 0.955 center font 'Sans," +
-              number(title_font) + "' front\n";
+    script += "set label 1 " + post::gnuplot_text(shot.title) +
+              " noenhanced at screen 0.5, screen 0.955 center font 'Sans," + number(title_font) + "' front\n";
     script += "set arrow 1 from " + number(x0) + "," + number(y0) + " to " + number(x0 + bar_px) + "," + number(y0) +
               " nohead linewidth 3 linecolor rgb 'black' front\n";
-    script += "set label 2 " + gnuplot_text(core::quantity_text(bar_m, core::Dimension::length)) + " at " +
+    script += "set label 2 " + post::gnuplot_text(core::quantity_text(bar_m, core::Dimension::length)) + " at " +
               number(x0 + bar_px / 2) + "," + number(y0 + 1.2 * font) + " center front\n";
     script += "plot '-' binary array=(" + w + "," + h +
               ") format='%uchar%uchar%uchar' using 1:2:3 with rgbimage, NaN with points palette\n";

@@ -1,22 +1,37 @@
 #pragma once
-/// For tests of programs that are started: which of them are found.
+/// For tests of programs that are started: what they find in the environment.
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace soft::test {
 
-/// Another PATH for the length of a test.
-class PathVariable {
+/// Another value of an environment variable for the length of a test.
+class Variable {
 public:
-    explicit PathVariable(const std::string& value) : before_(std::getenv("PATH") ? std::getenv("PATH") : "") {
-        ::setenv("PATH", value.c_str(), 1);
+    Variable(std::string name, const std::string& value) : name_(std::move(name)) {
+        if (const char* before = std::getenv(name_.c_str())) before_ = before;
+        ::setenv(name_.c_str(), value.c_str(), 1);
     }
-    ~PathVariable() { ::setenv("PATH", before_.c_str(), 1); }
-    PathVariable(const PathVariable&) = delete;
-    PathVariable& operator=(const PathVariable&) = delete;
+    ~Variable() {
+        if (before_)
+            ::setenv(name_.c_str(), before_->c_str(), 1);
+        else
+            ::unsetenv(name_.c_str());
+    }
+    Variable(const Variable&) = delete;
+    Variable& operator=(const Variable&) = delete;
 
 private:
-    std::string before_;
+    std::string name_;
+    std::optional<std::string> before_;
+};
+
+/// Which programs are found.
+class PathVariable : Variable {
+public:
+    explicit PathVariable(const std::string& value) : Variable("PATH", value) {}
 };
 
 }  // namespace soft::test

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "path_variable.hpp"
 
 namespace soft::core {
 namespace {
@@ -36,6 +37,16 @@ TEST(Program, OutputOfAnyLengthIsReadWhole) {
     ASSERT_EQ(output.bytes.size(), 1000004U);
     EXPECT_EQ(output.bytes[3], std::byte{'t'});
     EXPECT_EQ(output.bytes.back(), std::byte{0});
+}
+
+TEST(Program, VariablesThatAreDroppedAreNotSeen) {
+    const test::Variable dropped{"SOFT_DROPPED_NAME", "1"}, kept{"SOFT_KEPT", "2"};
+    const Arguments arguments{"-c", "printf '%s' \"$SOFT_DROPPED_NAME,$SOFT_KEPT\""};
+    const std::vector<std::string_view> names{"SOFT_DROPPED"};
+    const ProgramOutput output = program_output(
+        {.name = "sh", .arguments = arguments, .input = {}, .purpose = {}, .remedy = {}, .dropped_variables = names},
+        "x");
+    EXPECT_EQ(std::string(reinterpret_cast<const char*>(output.bytes.data()), output.bytes.size()), ",2");
 }
 
 TEST(Program, AFailureIsReportedWithWhatItSaid) {

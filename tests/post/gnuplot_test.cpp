@@ -17,6 +17,7 @@ namespace soft::post {
 namespace {
 
 using soft::test::PathVariable;
+using soft::test::Variable;
 
 std::filesystem::path fresh_folder(const char* name) {
     const auto folder = std::filesystem::path(::testing::TempDir()) / name;
@@ -50,6 +51,22 @@ TEST(Gnuplot, ARefusedScriptIsReportedInOneLineAndLeavesNoFile) {
         EXPECT_EQ(text.find('\n'), std::string::npos);
     }
     EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+TEST(Gnuplot, SettingsOfTheUserChangeNothing) {
+    const std::string script = "set terminal svg\nplot x\n";
+    const std::string plain = gnuplot_output(script, "a.svg");
+    const auto home = fresh_folder("soft_home");
+    std::ofstream(home / ".gnuplot") << "set xrange [0:1e6]\nset logscale y\nset output '" << (home / "lost").string()
+                                     << "'\n";
+    const Variable home_variable{"HOME", home.string()};
+    for (const char* terminal : {"dumb", "x11", "no-such-terminal"}) {
+        const Variable terminal_variable{"GNUTERM", terminal};
+        EXPECT_EQ(gnuplot_output(script, "a.svg"), plain) << terminal;
+    }
+    const Variable terminal_variable{"GNUTERM", "dumb; set output '" + (home / "lost").string() + "'"};
+    EXPECT_EQ(gnuplot_output(script, "a.svg"), plain);
+    EXPECT_FALSE(std::filesystem::exists(home / "lost"));
 }
 
 TEST(Gnuplot, AFolderThatDoesNotExistIsAnOutputThatCannotBeCreated) {

@@ -38,6 +38,15 @@ std::size_t count(const std::string& text, const std::string& word) {
     return n;
 }
 
+TEST(Plot, NoTitleOrLabelReachesTheScriptAsItIs) {
+    const std::string wild = "it's\nset output 'x'\033[31m\xff";
+    const std::vector<PlotSeries> series = {{wild, sphere_curve(12, 2.5), {}}, {wild + "2", sphere_curve(12, 2.5), {}}};
+    const std::string script = plot_script(series, nullptr, {.title = wild}, PictureFormat::svg);
+    EXPECT_EQ(count(script, "'it''s?set output ''x''?[31m?'"), 2u) << script;  // the title, a label
+    EXPECT_EQ(script.find('\033'), std::string::npos);
+    EXPECT_EQ(script.find('\xff'), std::string::npos);
+}
+
 TEST(PlotScript, NamesTheAxesWithTheirUnits) {
     const std::string script = script_of(sphere_curve(9, 3), {}, {.title = "sphere"});
     EXPECT_EQ(count(script, "set xlabel 'growth (mm)'"), 1u);
@@ -98,7 +107,7 @@ TEST(PlotScript, TakesTheVolumeWhereTheCaseHasNoOutput) {
 
 TEST(PlotScript, ATitleCannotLeaveItsQuotes) {
     const std::string script = script_of(sphere_curve(9, 3), {}, {.title = "it's\nsystem('x')"});
-    EXPECT_EQ(count(script, "set title 'it''s system(''x'')' noenhanced\n"), 1u);
+    EXPECT_EQ(count(script, "set title 'it''s?system(''x'')' noenhanced\n"), 1u);
 }
 
 TEST(PlotScript, DrawsAnyColumnOverAnyOther) {
