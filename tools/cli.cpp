@@ -39,8 +39,9 @@ void open_missing_streams() {
         if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY));
 }
 
+/// Names of files, keys and positions come from anywhere: they must neither steer the terminal nor add lines.
 void print_error(std::string_view line) {
-    std::string text{line};
+    std::string text = core::one_line(line, std::string_view::npos);
     text += '\n';
     static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
     std::fflush(stderr);

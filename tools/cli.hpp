@@ -166,6 +166,7 @@ public:
     void progress(double share, std::string_view text);
 
 private:
+    void put(std::string_view label, std::string_view line);
     void clear_bar();
 
     std::string tool_;

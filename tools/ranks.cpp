@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "core/memory.hpp"
+#include "core/text.hpp"
 
 namespace soft::cli {
 
@@ -36,7 +37,7 @@ ExitCode on_all_ranks(int rank, int size, const std::function<ExitCode()>& body)
     // An error on all ranks at once is told by the first; one on another rank alone waits to see that the first is silent.
     const auto fail = [rank](const char* text, ExitCode code) {
         if (rank != 0) std::this_thread::sleep_for(std::chrono::seconds(2));
-        std::fprintf(stderr, "solve: %s\n", text);
+        std::fprintf(stderr, "solve: %s\n", core::one_line(text, std::string_view::npos).c_str());
         std::fflush(stderr);
         MPI_Abort(MPI_COMM_WORLD, static_cast<int>(code));
     };

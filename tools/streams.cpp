@@ -93,20 +93,19 @@ Console::Console(std::string_view tool, Verbosity verbosity)
 
 Console::~Console() { clear_bar(); }
 
-void Console::say(std::string_view line) {
+void Console::put(std::string_view label, std::string_view line) {
     if (verbosity_ == Verbosity::quiet) return;
     clear_bar();
-    to_stderr(tool_ + ": " + std::string{line} + "\n");
+    to_stderr(tool_ + ": " + std::string{label} + core::one_line(line, std::string_view::npos) + "\n");
 }
+
+void Console::say(std::string_view line) { put("", line); }
 
 void Console::detail(std::string_view line) {
     if (verbosity_ == Verbosity::verbose) say(line);
 }
 
-void Console::warn(std::string_view line) {
-    const std::string label = colour_ ? "\033[33mwarning\033[0m: " : "warning: ";
-    say(label + std::string{line});
-}
+void Console::warn(std::string_view line) { put(colour_ ? "\033[33mwarning\033[0m: " : "warning: ", line); }
 
 void Console::progress(double share, std::string_view text) {
     if (verbosity_ == Verbosity::quiet) return;

@@ -1,5 +1,6 @@
 #include "post/csv.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -9,12 +10,13 @@ namespace soft::post {
 namespace {
 
 std::string comment_lines(std::string_view comment) {
-    std::string text = "# ";
-    for (const char c : comment) {
-        text += c;
-        if (c == '\n') text += "# ";
+    std::string text;
+    for (std::size_t begin = 0; begin <= comment.size();) {
+        const std::size_t end = std::min(comment.find('\n', begin), comment.size());
+        text += "# " + core::one_line(comment.substr(begin, end - begin), std::string_view::npos) + '\n';
+        begin = end + 1;
     }
-    return text + '\n';
+    return text;
 }
 
 }  // namespace

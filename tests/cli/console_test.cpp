@@ -33,6 +33,32 @@ TEST(Console, QuietSaysNothingAndVerboseSaysMore) {
               "tool: said\ntool: detail\ntool: warning: careful\ntool: 50 % half\n");
 }
 
+TEST(Console, NoNameSteersTheTerminalOrAddsALine) {
+    const std::string wild = "a\nb\033[31m\xff";
+    const auto action = [&](cli::Console& console) {
+        console.say(wild);
+        console.warn(wild);
+        console.progress(0.5, wild);
+    };
+    EXPECT_EQ(stderr_of(cli::Verbosity::normal, action),
+              "tool: a?b?[31m?\ntool: warning: a?b?[31m?\ntool: 50 % a?b?[31m?\n");
+}
+
+TEST(Console, NoNameOfAFileOrKeyReachesStderrAsItIs) {
+    Folder folder;
+    ASSERT_EQ(run(folder, "mesh-gen --template tube > tube.yaml").code, 0);
+    const std::string name = "n=$(printf 'x\\033[31m\\ny\\377'); ";  // an escape sequence, a line end, no UTF-8
+    for (const char* command :
+         {"mesh-gen \"$n\"", "mesh-gen tube.yaml -o \"$n/a\"", "cp tube.yaml \"$n\"; mesh-gen \"$n\" --set a.b=1",
+          "mesh-gen tube.yaml --set \"supports={$n: fixed}\"", "mesh-gen tube.yaml --set \"geometry.$n=1\"",
+          "printf 'a: [\\033[31m' > \"$n\"; mesh-gen \"$n\""}) {
+        const Outcome outcome = run(folder, name + command);
+        EXPECT_NE(outcome.code, 0) << command;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_FALSE(holds(outcome.err, "\033") || holds(outcome.err, "\377")) << outcome.err;
+    }
+}
+
 TEST(Console, ProgressOffATerminalIsALineATenth) {
     const std::string text = stderr_of(cli::Verbosity::normal, [](cli::Console& console) {
         for (int i = 0; i <= 1000; ++i) console.progress(i / 1000.0, "steps");

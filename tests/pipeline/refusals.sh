@@ -54,6 +54,14 @@ if [ -n "$(type -P script)" ]; then   # a terminal as stdout or stdin
     terminal 'postprocess -q result.h5'
     claim "text may go to a terminal" exits 0
 fi
+# names that would steer the terminal or add lines
+wild=$'x\e[31m\ny\377'
+refuses 66 'solve: x?[[]31m?y?: cannot be opened: *' "solve '$wild'"
+refuses 73 'solve: x?[[]31m?y?/a: cannot be created: *' "solve case.h5 -o '$wild/a'"
+refuses 64 'postprocess: x?[[]31m?y?: pictures are written as *' "postprocess result.h5 --plot '$wild'"
+refuses 65 'postprocess: x?[[]31m?y?: not an HDF5 file *' "echo text >'$wild'; postprocess '$wild'"
+claim "stderr has none of it" not grep -q "$(printf '[\033\377]')" "$seen/err"
+rm "$wild"
 
 # 65: a design; edit changes one thing, place is line:column of what is changed
 edit() { sed "$1" designs/tube.yaml >edited.yaml; claim "the edit $1 changes the design" not cmp -s designs/tube.yaml edited.yaml; }
@@ -97,7 +105,7 @@ for tool in solve postprocess; do
     refuses 65 "$tool: damaged.h5: *; *" "$tool damaged.h5"
 done
 refuses 65 'postprocess: case.h5: a case without solution; run solve on it' 'postprocess case.h5'
-refuses 65 'solve: result.h5: already holds a solution; give solve the case from mesh-gen' 'solve result.h5'
+refuses 65 'solve: result.h5:/path: already holds a solution; give solve the case from mesh-gen' 'solve result.h5'
 refuses 65 'postprocess: --at pressure=99kPa: the path does not reach it; it goes from 0 to * kPa' 'postprocess --at pressure=99kPa result.h5'
 
 # 66: an input that cannot be opened
