@@ -50,6 +50,23 @@ std::size_t expected_size(int descriptor) noexcept {
 /// The only way to an open file without a name.
 std::string own_link(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
+/// Where a chain of symbolic links leads, also where nothing is there: what is made through a link is made there, as by a shell's
+/// redirection.
+fs::path link_target(fs::path path) {
+    constexpr int longest_chain = 40;  // the kernel's limit
+    std::error_code failed;
+    for (int links = 0; links < longest_chain && fs::is_symlink(path, failed); ++links)
+        path = path.parent_path() / fs::read_symlink(path, failed);
+    return path;
+}
+
+/// The beginning of a name beside `target` for a file that gets its name later: short enough for an ending of its own.
+std::string temporary_stem(const fs::path& target) {
+    constexpr std::size_t longest = 200;  // bytes, of the 255 of a name
+    const fs::path name = target.filename().string().substr(0, longest);
+    return (target.has_parent_path() ? target.parent_path() / name : name).string();
+}
+
 mode_t mode_for_new_file() noexcept {
     const mode_t mask = ::umask(0);  // reading the mask means setting it
     ::umask(mask);
@@ -111,11 +128,12 @@ Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string
 AtomicFile::AtomicFile(const fs::path& path) : name_(shown(path)), target_(path) {
     struct stat status {};
     const bool exists = ::stat(target_.c_str(), &status) == 0;
+    if (!exists && (errno == ENAMETOOLONG || errno == ELOOP))
+        throw Error(ExitCode::cannot_create, name_, "cannot be created: " + reason(errno));
     if (exists && S_ISDIR(status.st_mode)) throw Error(ExitCode::cannot_create, name_, "is a folder", "name a file");
     renames_ = !exists || S_ISREG(status.st_mode);
-    std::error_code ignored;
     // /dev/stdout is a link too, but one whose end need not have a path.
-    if (renames_ && fs::is_symlink(path, ignored)) target_ = fs::weakly_canonical(path, ignored);
+    if (renames_) target_ = link_target(path);
     if (!renames_) {
         written_ = target_;
         descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -136,7 +154,7 @@ int AtomicFile::open_beside_target() {
     if (nameless >= 0 && ::access(own_link(nameless).c_str(), F_OK) == 0) return nameless;
     if (nameless >= 0) ::close(nameless);  // no /proc, through which it would get its name
 #endif
-    std::string pattern = target_.string() + ".XXXXXX";
+    std::string pattern = temporary_stem(target_) + ".XXXXXX";
     const int named = ::mkostemp(pattern.data(), O_CLOEXEC);
     written_ = pattern;
     return named;
@@ -146,7 +164,7 @@ int AtomicFile::open_beside_target() {
 int AtomicFile::give_name() {
     for (int attempt = 0;; ++attempt) {
         const fs::path name =
-            target_.string() + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
+            temporary_stem(target_) + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
         if (::linkat(AT_FDCWD, own_link(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
             written_ = name;
             return 0;

@@ -39,8 +39,8 @@ enum class Delivery { whole, reader_left };
 
 /// A file that is written without a name, where the file system allows that, and renamed to its place by commit(): a reader
 /// sees the old file or the whole new one, and without commit() nothing is left behind, not after a kill either (elsewhere it
-/// has a temporary name beside its place, which a kill leaves). Symbolic links are followed and stay; a target that is no regular file
-/// (/dev/null, a named pipe) is written directly.
+/// has a temporary name beside its place, which a kill leaves). Symbolic links are followed and stay, also those
+/// that lead to no file yet; a target that is no regular file (/dev/null, a named pipe) is written directly.
 class AtomicFile {
 public:
     explicit AtomicFile(const std::filesystem::path& path);  ///< Error(cannot_create) with the reason

@@ -113,6 +113,30 @@ TEST_F(Files, ALinkStaysALink) {
     EXPECT_EQ(text(read_file(in("real"))), "new");
 }
 
+TEST_F(Files, ALinkThatLeadsToNoFileYetMakesItThere) {
+    fs::create_directory(in("other"));
+    fs::create_symlink("other/real", in("link"));
+    fs::create_symlink("link", in("chain"));
+    AtomicFile file{in("chain")};
+    static_cast<void>(file.write(bytes("new")));
+    file.commit();
+    EXPECT_TRUE(fs::is_symlink(in("chain")) && fs::is_symlink(in("link")));
+    EXPECT_EQ(text(read_file(in("other/real"))), "new");
+    fs::create_symlink("loop", in("loop"));
+    EXPECT_EQ(code_of([&] { AtomicFile{in("loop")}; }), soft::ExitCode::cannot_create);
+    EXPECT_TRUE(fs::is_symlink(in("loop")));
+}
+
+TEST_F(Files, ANameMayBeAsLongAsTheFileSystemTakes) {
+    constexpr std::size_t longest = 255;
+    const fs::path name = in(std::string(longest, 'a').c_str());
+    AtomicFile file{name};
+    static_cast<void>(file.write(bytes("new")));
+    file.commit();
+    EXPECT_EQ(text(read_file(name)), "new");
+    EXPECT_EQ(code_of([&] { AtomicFile{in(std::string(longest + 1, 'a').c_str())}; }), soft::ExitCode::cannot_create);
+}
+
 TEST_F(Files, ALinkToAPipeIsWrittenIntoThePipe) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);

@@ -21,9 +21,29 @@ for tool in mesh-gen solve postprocess sweep-plan; do
     fi
     # A limit on the size of files stands in for a full disk.
     echo precious >kept
-    refuses 74 "$tool: kept: cannot be written: *" "(trap '' XFSZ; ulimit -f 0; ${command[$tool]} -o kept) 2>&1 | cat >&2"
-    [ "$tool" = solve ] || claim "the file that was there is untouched" [ "$(cat kept)" = precious ]
+    refuses 74 "$tool: kept: cannot be written: *" "(ulimit -f 0; ${command[$tool]} -o kept) 2>&1 | cat >&2"
+    claim "the file that was there is untouched" [ "$(cat kept)" = precious ]
     rm -f kept
+done
+# A solve that is refused after it has read its case leaves the result that stands there.
+cp result.h5 kept.h5
+refuses 65 'solve: solver.linear: cholmod needs *' 'solve -q case.h5 --set solver.linear=cholmod -o kept.h5'
+refuses 64 'solve: PETSc: has no solver *' 'solve -q case.h5 --set solver.linear=krylov -o kept.h5 -- -ksp_type no-such-type'
+claim "the result that was there is untouched" cmp result.h5 kept.h5
+runs 'postprocess -q kept.h5 | cmp - curve.csv && rm kept.h5'
+# What is made through a link is made where the link leads.
+mkdir links && ln -s ../links/absent links/dangling && ln -s dangling links/chain && ln -s loop links/loop && ln -s no/such links/nowhere
+for tool in mesh-gen solve postprocess sweep-plan; do
+    runs "${command[$tool]} -o links/chain && [ -L links/chain ] && [ -L links/dangling ] && [ -s links/absent ] && rm links/absent"
+    refuses 73 "$tool: links/loop: cannot be created: Too many levels of symbolic links" "${command[$tool]} -o links/loop"
+    refuses 73 "$tool: links/nowhere: cannot be created: No such file or directory" "${command[$tool]} -o links/nowhere"
+done
+rm -r links
+# Any name that the file system takes.
+name=$(printf 'a%.0s' {1..255})
+for tool in mesh-gen solve postprocess sweep-plan; do
+    runs "${command[$tool]} -o $name && [ -s $name ] && rm $name"
+    refuses 73 "$tool: ${name}a: cannot be created: File name too long" "${command[$tool]} -o ${name}a"
 done
 refuses 74 'postprocess: <stdin>: cannot be read: *' 'postprocess <&-'
 if [ -n "$(type -P gnuplot)" ]; then
