@@ -131,6 +131,9 @@ enum class Content { text, binary };
 /// Error(usage) if binary data would reach a terminal: call it before the work that makes the data.
 void check_output(const std::string& name, Content content);
 
+/// Whether stdout is a regular file: what is written to it at the end is lost when the process is ended before.
+[[nodiscard]] bool stdout_is_file();
+
 /// To the file, whole or not at all, or to stdout for "-". A reader that closed early is not an error.
 void write_output(const std::string& name, std::span<const std::byte> bytes, Content content);
 void write_output(const std::string& name, std::string_view text);

@@ -10,6 +10,7 @@
 #include "design/fitted.hpp"
 #include "dynamics/motion.hpp"
 #include "fields/reached.hpp"
+#include "interrupt.hpp"
 #include "io/result_file.hpp"
 #include "linalg/profile.hpp"
 #include "ranks.hpp"
@@ -96,10 +97,14 @@ void judge(assembly::System& system, std::vector<solver::RowState> rows, double 
 
 /// Follows the path; the first rank has a writer.
 SolveSummary follow(assembly::System& system, const Task& task, std::optional<double> tolerance,
-                    io::ResultWriter* writer, Console& console) {
+                    io::ResultWriter* writer, Console& console, InterruptNotice& notice) {
     const model::Case& model = task.from.file.model;
     SolveSummary summary;
     Progress progress{model};
+    RemainingTime remaining;
+    const auto report = [&](const solution::Step& step, double share) {
+        console.progress(share, step_text(step, model) + remaining.text(share));
+    };
     const auto count = [&](const solution::Step& step) {
         summary.last = step;
         if (!summary.first) summary.first = step;
@@ -117,14 +122,15 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     std::vector<solver::RowState> rows;  // kept for --tolerance, whose curve is written when all is known
     const auto sink = [&](const solution::Step& step, Vec x) {
         if (tolerance) {
-            if (writer != nullptr) console.progress(count(step), step_text(step, model));
+            if (writer != nullptr) report(step, count(step));
             return;
         }
         const auto fields = system.gather_fields(x);
         if (writer == nullptr) return;
         const linalg::Timed timed(linalg::Phase::writing);
         writer->append(step, fields.displacement_m, fields.pressure_Pa);
-        console.progress(count(step), step_text(step, model));
+        report(step, count(step));
+        notice.set(interrupted_text(task.output, summary.steps, model));
     };
     const solver::RowSink keep_row = [&](const solver::RowState& row) { rows.push_back(row); };
     const auto keep = [&](const solution::Checkpoint& checkpoint) {
@@ -137,7 +143,8 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     if (from.checkpoint)
         console.say("goes on from row " + std::to_string(from.checkpoint->rows - 1) + ", " +
                     step_text(from.steps.back(), model));
-    for (const solution::Step& step : from.steps) static_cast<void>(count(step));
+    for (const solution::Step& step : from.steps) remaining.begin_at(count(step));
+    notice.set(interrupted_text(task.output, summary.steps, model));
     const solver::Listeners listeners{
         sink, task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep), log,
         contact_check(system), tolerance ? keep_row : solver::RowSink()};
@@ -152,12 +159,14 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
 
 /// Follows the path of the task; what stood in the output before is gone.
 SolveSummary solve_once(const Task& task, const SolveOptions& options, std::optional<io::ResultWriter>* writer,
-                        Console& console) {
+                        Console& console, InterruptNotice& notice) {
     const auto begin = std::chrono::steady_clock::now();
     assembly::System system{task.from.file.model, PETSC_COMM_WORLD};
     if (writer != nullptr) writer->emplace(make_writer(options, task));
     const double start_s = seconds_since(begin);
-    SolveSummary summary = follow(system, task, options.tolerance, writer != nullptr ? &**writer : nullptr, console);
+    console.say(start_line(system.dofs().total, task.from.file.model.mesh.dimension));
+    SolveSummary summary =
+        follow(system, task, options.tolerance, writer != nullptr ? &**writer : nullptr, console, notice);
     summary.start_s = start_s;
     return summary;
 }
@@ -165,9 +174,9 @@ SolveSummary solve_once(const Task& task, const SolveOptions& options, std::opti
 /// Which set of a silicone's constants fits is known only when the path has been followed: where it is another and the design
 /// leaves the choice, the path is followed again. To a narrower set only at first, so that this comes to an end.
 SolveSummary solve_with_fitting_set(Task& task, const SolveOptions& options, std::optional<io::ResultWriter>* writer,
-                                    Console& console) {
+                                    Console& console, InterruptNotice& notice) {
     for (bool first = !task.changed || !has_other_set(*task.changed);; first = false) {
-        SolveSummary summary = solve_once(task, options, writer, console);
+        SolveSummary summary = solve_once(task, options, writer, console, notice);
         const double stretch = of_first_rank(summary.largest_stretch_p99);
         const io::DesignText& design = task.changed ? *task.changed : task.from.file.design;
         const auto set = design::fitting_set(design.effective_yaml, stretch);
@@ -191,9 +200,13 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
     Task task = read_task(options, session.rank());
     const model::Case& model = task.from.file.model;
     check_motion(options, model);
+    if (task.output == "-" && stdout_is_file())
+        console.warn(
+            "stdout is a file, which is written at the end: a run that is interrupted is lost; with -o FILE each row is saved");
+    InterruptNotice notice{solve_about().tool, first ? options.common.verbosity : Verbosity::quiet};
     const double read_s = seconds_since(begin);
     std::optional<io::ResultWriter> writer;
-    SolveSummary summary = solve_with_fitting_set(task, options, first ? &writer : nullptr, console);
+    SolveSummary summary = solve_with_fitting_set(task, options, first ? &writer : nullptr, console, notice);
     summary.ranks = session.size();
     summary.start_s += read_s;
     if (first) {

@@ -129,12 +129,42 @@ double peak_memory_MB() {
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+MemoryRange expected_memory(long long unknowns, int dimension) {
+    constexpr double process_MB = 50, multigrid_from = 5e5;
+    const double n = static_cast<double>(std::max(unknowns, 2LL)), dissected = n * std::log2(n);
+    if (dimension < 3) return {process_MB + 1.15e-4 * dissected, process_MB + 1.15e-4 * dissected};
+    if (n > multigrid_from) return {process_MB + 6.5e-3 * n, process_MB + 6.5e-3 * n};
+    return {process_MB + 5e-4 * dissected, process_MB + std::max(5e-4 * dissected, 6e-4 * std::pow(n, 4.0 / 3.0))};
+}
+
+std::string start_line(long long unknowns, int dimension) {
+    const auto text = [](double MB) {
+        return MB < 1000 ? core::rounded_text(std::round(MB / 10) * 10, 3) + " MB"
+                         : core::rounded_text(MB / 1000, 2) + " GB";
+    };
+    const MemoryRange memory = expected_memory(unknowns, dimension);
+    const std::string low = text(memory.low_MB), high = text(memory.high_MB);
+    return core::counted(unknowns, "unknown") + ", about " + (low == high ? low : low + " to " + high) + " of memory";
+}
+
+std::string RemainingTime::text(double share) const {
+    constexpr double least_s = 3, least_share = 0.01;  // before there is no saying
+    const double spent_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    if (spent_s < least_s || share - begin_ < least_share || share >= 1) return {};
+    const double left_s = spent_s * (1 - share) / (share - begin_);
+    constexpr double minute = 60, hour = 3600;
+    const auto whole = [](double value) { return core::rounded_text(std::max(1.0, std::round(value)), 4); };
+    if (left_s < 1.5 * minute) return ", about " + whole(left_s) + " s left";
+    if (left_s < 1.5 * hour) return ", about " + whole(left_s / minute) + " min left";
+    return ", about " + whole(left_s / hour) + " h left";
+}
+
 std::string summary_line(const SolveSummary& summary, const model::Case& model) {
     return std::string{solution::name(summary.end.reason)} + ": " + summary.end.detail + "; " +
            core::counted(summary.steps, "step") + ", " + core::counted(summary.end.newton_iterations, "iteration") +
            ", " + core::counted(summary.end.factorizations, "factorization") + "; " +
-           (model.dynamics ? motion_text(summary, *model.dynamics) : std::string{}) + std::to_string(summary.unknowns) +
-           " unknowns, " + core::rounded_text(summary.wall_s, 3) + " s";
+           (model.dynamics ? motion_text(summary, *model.dynamics) : std::string{}) +
+           core::rounded_text(summary.wall_s, 3) + " s";
 }
 
 std::vector<std::string> profile_lines(const SolveSummary& summary) {

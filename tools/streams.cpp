@@ -1,3 +1,4 @@
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,6 +43,11 @@ Input read_input(const std::string& name, std::size_t limit, std::string_view si
     if (name.empty() && ::isatty(STDIN_FILENO) == 1)
         throw Error(ExitCode::usage, "", "no input is named and stdin is a terminal", "name a file, or pipe one in");
     return {core::read_descriptor(STDIN_FILENO, "<stdin>", limit, signature), "<stdin>"};
+}
+
+bool stdout_is_file() {
+    struct stat status {};
+    return ::fstat(STDOUT_FILENO, &status) == 0 && S_ISREG(status.st_mode);
 }
 
 void check_output(const std::string& name, Content content) {

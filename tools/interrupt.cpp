@@ -1,0 +1,77 @@
+#include "interrupt.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstring>
+
+#include "core/text.hpp"
+
+namespace soft::cli {
+namespace {
+
+/// A handler may use what is lock-free and static alone. The line is written to the slot that is not in use.
+struct Line {
+    std::array<char, 8192> text{};
+    std::size_t size = 0;
+};
+std::array<Line, 2> slots;
+std::atomic<int> slot_in_use{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+constexpr std::array<int, 2> handled{SIGINT, SIGTERM};
+
+extern "C" void print_and_end(int signal) {
+    const Line& line = slots[static_cast<std::size_t>(slot_in_use.load())];
+    static_cast<void>(!::write(STDERR_FILENO, line.text.data(), line.size));
+    ::raise(signal);  // SA_RESETHAND has restored its default: the process ends when the handler returns
+}
+
+}  // namespace
+
+InterruptNotice::InterruptNotice(std::string_view tool, Verbosity verbosity)
+    : tool_(tool), active_(verbosity != Verbosity::quiet) {
+    if (!active_) return;
+    for (const int signal : handled) {
+        struct sigaction before {
+        }, notice{};
+        notice.sa_handler = print_and_end;
+        notice.sa_flags = static_cast<int>(SA_RESETHAND);
+        if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_DFL)
+            ::sigaction(signal, &notice, nullptr);
+    }
+}
+
+InterruptNotice::~InterruptNotice() {
+    if (!active_) return;
+    for (const int signal : handled) {
+        struct sigaction now {};
+        if (::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == print_and_end)
+            static_cast<void>(std::signal(signal, SIG_DFL));
+    }
+}
+
+void InterruptNotice::set(std::string_view line) {
+    if (!active_) return;
+    const int free = 1 - slot_in_use.load();
+    Line& slot = slots[static_cast<std::size_t>(free)];
+    // The line of a progress bar is cleared.
+    const std::string text = (::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "") + tool_ + ": interrupted; " +
+                             core::one_line(line, slot.text.size() / 2) + "\n";
+    slot.size = std::min(text.size(), slot.text.size());
+    std::memcpy(slot.text.data(), text.data(), slot.size);
+    slot_in_use.store(free);
+}
+
+std::string interrupted_text(const std::string& output, int rows, const model::Case& model) {
+    if (output == "-") return "nothing is saved; with -o FILE each row is saved as it is found";
+    if (rows == 0) return "no row was found yet, " + output + " is as it was";
+    const std::string saved = output + " holds " + core::counted(rows, "row") + ": ";
+    if (model.dynamics) return saved + "`postprocess " + output + "` reads them; a motion in time cannot be resumed";
+    return saved + "`solve --resume " + output + "` goes on, `postprocess " + output + "` reads them";
+}
+
+}  // namespace soft::cli
