@@ -46,7 +46,7 @@ fi
 
 # Removed or replaced while solve runs: it is made anew at the end, and solve says so.
 for what in 'rm gone.h5' 'cp case.h5 other.h5; mv other.h5 gone.h5'; do
-    run "rm -f gone.h5; (solve case.h5 -o gone.h5 2>&1; echo \$? >code) | while read -r l; do if [ -z \"\$done\" ]; then $what; done=1; fi; echo \"\$l\" >&2; done"
+    run "rm -f gone.h5; (solve case.h5 -o gone.h5 2>&1; echo \$? >code) | while read -r l; do if [ -z \"\$done\" ] && [[ \$l == *\" % \"* ]]; then $what; done=1; fi; echo \"\$l\" >&2; done"
     claim "solve ends well" [ "$(cat code)" = 0 ]
     claim "and says what it did" grep -qx 'solve: warning: gone.h5 was removed or replaced meanwhile; it is written anew' "$seen/err"
     runs 'postprocess -q gone.h5 -o k.csv && cmp k.csv whole.csv'
