@@ -142,8 +142,9 @@ void add_path(Script& script, const Blocks& blocks, std::size_t index, double po
     script.add("stable" + n, blocks.stable, "with lines linewidth 2" + colour + " notitle");
     script.add("unstable" + n, blocks.unstable, "with lines linewidth 2 dashtype (8,6)" + colour + " notitle");
     script.add("bars" + n, blocks.bars, "with xyerrorbars linewidth 1 pointtype 0" + colour + " notitle");
-    script.add("constants" + n, blocks.constants,
-               "with xyerrorbars linewidth 5 pointtype 0 linecolor rgb '#E69F00' notitle");
+    script.add("constants" + n, blocks.constants, "with filledcurves closed linecolor rgb '#E69F00' notitle");
+    script.add("constants_bars" + n, blocks.constants_bars,
+               "with xyerrorbars linewidth 2 pointtype 0 linecolor rgb '#E69F00' notitle");
     script.add("markers" + n, blocks.markers,
                "with points " + script.points(style.point, point_size) + colour + " notitle");
     script.add("limits" + n, blocks.limits,
@@ -155,7 +156,7 @@ void add_path(Script& script, const Blocks& blocks, std::size_t index, double po
     if (!blocks.bifurcations.empty()) script.plot("$bifurcations" + n + labels);
     seen.unstable |= !blocks.unstable.empty();
     seen.band |= !blocks.band.empty();
-    seen.constants |= !blocks.constants.empty();
+    seen.constants |= !blocks.constants_bars.empty();
     seen.limits |= !blocks.limits.empty();
     seen.bifurcations |= !blocks.bifurcations.empty();
 }
@@ -173,7 +174,7 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const Seen& 
     if (seen.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
     if (seen.band) script.legend("with filledcurves linecolor rgb '#0072B2'", "'error of the mesh'");
     if (seen.constants)
-        script.legend("with lines linewidth 5 linecolor rgb '#E69F00'", "'one standard deviation of the constants'");
+        script.legend("with filledcurves linecolor rgb '#E69F00'", "'one standard deviation of the constants'");
     if (seen.limits)
         script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
     if (seen.bifurcations)

@@ -1,7 +1,7 @@
 #pragma once
 /// Picture of one or more paths: any column of the curve over any other. Each path is the smooth curve of post::Path, its
 /// unstable part dashed, converged steps as markers, limit points as filled triangles and bifurcations as filled squares with
-/// their value, the error of the mesh (`solve --tolerance`) as a band with bars, that of the constants as thick bars, measured points as
+/// their value, the errors of the mesh (`solve --tolerance`) and of the constants as bands with bars, measured points as
 /// crosses. Paths differ in
 /// their markers, so nothing depends on colour; the colours are those of Okabe and Ito (2008), told apart by all eyes.
 /// Held by post/plot_test.
@@ -27,7 +27,7 @@ struct PlotSeries {
     std::string label;  ///< in the legend, where there are several
     Curve curve;
     solution::PathEnd end;          ///< its limit points and bifurcations are drawn
-    std::optional<Band> band = {};  ///< of its constants, drawn where the load is on an axis
+    std::optional<Band> band = {};  ///< of its constants, drawn where both axes are in its table
 };
 
 enum class PictureFormat { svg, png, pdf };

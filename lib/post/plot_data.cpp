@@ -1,6 +1,8 @@
 #include "post/plot_data.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <vector>
 
 #include "core/text.hpp"
@@ -9,7 +11,8 @@
 namespace soft::post {
 namespace {
 
-constexpr int samples_per_interval = 16;  // a cubic over at most a twentieth of the picture looks smooth
+constexpr int samples_per_band_piece = 64;  // a piece may span many rows of the path
+constexpr int samples_per_interval = 16;    // a cubic over at most a twentieth of the picture looks smooth
 
 std::string line(std::initializer_list<double> numbers) {
     std::string text;
@@ -63,18 +66,62 @@ std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& a
     return there;
 }
 
-/// One bar a row of the band's table: between them the path is no straight line. Empty where the load is on no axis.
-std::string constants_bars(const Band& band, const PlotAxes& axes) {
-    const Series* x = band.points.find(axes.x);
-    const Series* y = band.points.find(axes.y);
-    if (x == nullptr || y == nullptr || (axes.x != band.load && axes.y != band.load)) return {};
-    std::string bars;
-    for (std::size_t row = 0; row < band.half.size(); ++row) {
-        const double dx = axes.x == band.load ? band.half[row] : 0, dy = axes.x == band.load ? 0 : band.half[row];
-        bars += line({x->values[row], y->values[row], x->values[row] - dx, x->values[row] + dx, y->values[row] - dy,
-                      y->values[row] + dy});
+/// A row of the band's table in the plane of the axes. Drawn along an axis whose other quantity is held; along both where neither is.
+struct BandPoint {
+    double x, y, dx, dy;
+    std::optional<double> s;  ///< where the path comes through it along the held axis
+};
+
+std::optional<double> nearest_crossing(const Path& path, std::size_t held, double value, std::size_t other,
+                                       double other_value) {
+    std::optional<double> nearest;
+    double least = 0;
+    for (const double s : path.crossings(held, path.within_reach(held, value))) {
+        const double distance = std::abs(path.at(s)[other] - other_value);
+        if (!nearest || distance < least) nearest = s, least = distance;
     }
-    return bars;
+    return nearest;
+}
+
+std::vector<BandPoint> band_points(const Band& band, const Path& path, const PlotAxes& axes) {
+    const Band::Width* x = band.find(axes.x);
+    const Band::Width* y = band.find(axes.y);
+    std::vector<BandPoint> points;
+    for (std::size_t row = 0; x != nullptr && y != nullptr && row < x->values.size(); ++row) {
+        const double dx = x->half(row), dy = y->half(row);
+        BandPoint point{x->values[row], y->values[row], std::isnan(dx) ? 0 : dx, std::isnan(dy) ? 0 : dy, {}};
+        if (std::isnan(dx) && point.dy > 0) point.s = nearest_crossing(path, axes.x, point.x, axes.y, point.y);
+        if (std::isnan(dy) && point.dx > 0) point.s = nearest_crossing(path, axes.y, point.y, axes.x, point.x);
+        if (point.dx > 0 || point.dy > 0) points.push_back(point);
+    }
+    std::ranges::stable_sort(points, {}, [](const BandPoint& point) { return point.s.value_or(0); });
+    return points;
+}
+
+/// The path between two rows of the band's table, shifted by the width, which goes evenly along the path from one to the other.
+std::string band_piece(const Path& path, const PlotAxes& axes, const BandPoint& from, const BandPoint& to) {
+    std::string there;
+    std::vector<std::string> back;
+    for (int k = 0; k <= samples_per_band_piece; ++k) {
+        const double t = static_cast<double>(k) / samples_per_band_piece;
+        const std::vector<double> row = path.at(*from.s + t * (*to.s - *from.s));
+        const double dx = from.dx + t * (to.dx - from.dx), dy = from.dy + t * (to.dy - from.dy);
+        there += line({row[axes.x] + dx, row[axes.y] + dy});
+        back.push_back(line({row[axes.x] - dx, row[axes.y] - dy}));
+    }
+    for (auto point = back.rbegin(); point != back.rend(); ++point) there += *point;
+    return there;
+}
+
+void add_constants(const Band& band, const Path& path, const PlotAxes& axes, Blocks& blocks) {
+    const std::vector<BandPoint> points = band_points(band, path, axes);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const BandPoint& p = points[i];
+        blocks.constants_bars += line({p.x, p.y, p.x - p.dx, p.x + p.dx, p.y - p.dy, p.y + p.dy});
+        if (i == 0 || !points[i - 1].s || !p.s || (points[i - 1].dx > 0) != (p.dx > 0)) continue;
+        if (!blocks.constants.empty()) blocks.constants += "\n";
+        blocks.constants += band_piece(path, axes, points[i - 1], p);
+    }
 }
 
 void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t most, Blocks& blocks) {
@@ -112,7 +159,7 @@ Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t m
     const Path path(curve);
     sample_line(curve, path, axes, blocks);
     blocks.band = band_outline(curve, path, axes);
-    if (series.band) blocks.constants = constants_bars(*series.band, axes);
+    if (series.band) add_constants(*series.band, path, axes, blocks);
     add_markers(curve, axes, most_markers, blocks);
     for (const solution::LimitPoint& limit : series.end.limit_points) blocks.limits += labelled(x, y, limit);
     for (const solution::Bifurcation& branch : series.end.bifurcations)

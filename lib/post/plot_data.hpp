@@ -10,7 +10,8 @@ struct Blocks {
     std::string stable, unstable;      ///< sampled path, strokes apart by an empty line
     std::string markers;               ///< converged steps
     std::string band;                  ///< outline of the errors, there and back
-    std::string constants;             ///< band of the constants, as bars
+    std::string constants;             ///< band of the constants, as outlines apart by an empty line
+    std::string constants_bars;        ///< the same at the rows of its table, "x y xlow xhigh ylow yhigh"
     std::string bars;                  ///< "x y xlow xhigh ylow yhigh" at the markers
     std::string limits, bifurcations;  ///< "x y label"
 };

@@ -18,6 +18,29 @@ const Column& coordinate(const Curve& curve, std::string_view quantity) {
     return *column;
 }
 
+std::vector<std::vector<double>> rows_of(const Path& path, const Curve& curve, const Request& request) {
+    const Column& column = coordinate(curve, request.quantity);
+    const auto index = static_cast<std::size_t>(&column - curve.columns.data());
+    const double value = path.within_reach(index, in_column_unit(column, request.value_SI));
+    std::vector<std::vector<double>> rows;
+    for (const double s : path.crossings(index, value)) {
+        rows.push_back(path.at(s));
+        rows.back()[index] = value;  // not its last-bit neighbour
+    }
+    return rows;
+}
+
+Error not_reached(const Path& path, const Curve& curve, const Request& request) {
+    const Column& column = coordinate(curve, request.quantity);
+    const Path::Range range = path.range(static_cast<std::size_t>(&column - curve.columns.data()));
+    return {ExitCode::bad_input,
+            "--at " + request.quantity + "=" + core::rounded_text(in_column_unit(column, request.value_SI), 6) +
+                column.unit,
+            "the path does not reach it",
+            "it goes from " + core::rounded_text(range.lowest, 6) + " to " + core::rounded_text(range.highest, 6) +
+                " " + column.unit};
+}
+
 }  // namespace
 
 std::vector<Request> parse_requests(std::string_view text, const Curve& curve) {
@@ -36,6 +59,10 @@ std::vector<Request> parse_requests(std::string_view text, const Curve& curve) {
     }
 }
 
+std::vector<std::vector<double>> crossing_rows(const Curve& curve, const Request& request) {
+    return rows_of(Path(curve), curve, request);
+}
+
 Curve rows_at(const Curve& curve, std::span<const Request> requests) {
     const Path path(curve);
     Curve table = curve;
@@ -44,22 +71,10 @@ Curve rows_at(const Curve& curve, std::span<const Request> requests) {
         column.slopes.clear();
     }
     for (const Request& request : requests) {
-        const Column& column = coordinate(curve, request.quantity);
-        const auto index = static_cast<std::size_t>(&column - curve.columns.data());
-        const Path::Range range = path.range(index);
-        const double asked = in_column_unit(column, request.value_SI), value = path.within_reach(index, asked);
-        const std::vector<double> found = path.crossings(index, value);
-        if (found.empty())
-            throw Error(ExitCode::bad_input,
-                        "--at " + request.quantity + "=" + core::rounded_text(asked, 6) + column.unit,
-                        "the path does not reach it",
-                        "it goes from " + core::rounded_text(range.lowest, 6) + " to " +
-                            core::rounded_text(range.highest, 6) + " " + column.unit);
-        for (const double s : found) {
-            std::vector<double> row = path.at(s);
-            row[index] = value;  // not its last-bit neighbour
+        const std::vector<std::vector<double>> found = rows_of(path, curve, request);
+        if (found.empty()) throw not_reached(path, curve, request);
+        for (const std::vector<double>& row : found)
             for (std::size_t i = 0; i < row.size(); ++i) table.columns[i].values.push_back(row[i]);
-        }
     }
     return table;
 }
