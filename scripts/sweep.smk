@@ -5,6 +5,9 @@
 with open("waiting") as listing:
     ids = listing.read().split()
 
+wildcard_constraints:
+    id="[0-9a-f]{16}",
+
 rule all:
     input:
         expand("{id}/status", id=ids),

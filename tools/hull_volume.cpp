@@ -50,7 +50,7 @@ std::vector<double> lengths_m(const table::Table& points, const std::string& qua
 }
 
 ExitCode hull_volume(const HullOptions& options) {
-    const cli::Input input = cli::read_input(options.input);
+    const cli::Input input = cli::read_input(options.input, cli::longest_table);
     const table::Table table = table::read_table(input.text(), input.source);
     const std::array columns{lengths_m(table, "x"), lengths_m(table, "y"), lengths_m(table, "z")};
     std::vector<mesh::Point> points;

@@ -12,6 +12,7 @@
 #include "cli.hpp"
 #include "core/apart.hpp"
 #include "core/files.hpp"
+#include "core/text.hpp"
 #include "io/result_file.hpp"
 #include "post/csv.hpp"
 #include "post/curve.hpp"
@@ -30,22 +31,38 @@ bool is_there(const fs::path& file) {
     return fs::exists(file, unknown);
 }
 
+constexpr std::size_t max_status = std::size_t{1} << 20;  // bytes; a few lines are usual
+
+/// The folder of a design, which cannot lie elsewhere than in that of the sweep.
+fs::path folder_of(const fs::path& folder, const sweep::Planned& design) {
+    if (!sweep::is_address(design.id))
+        throw Error(ExitCode::internal, core::quoted(design.id), "is not the address of a design");
+    return folder / design.id;
+}
+
+/// nullopt for what is not a status: it is computed again.
 std::optional<sweep::Status> status_in(const fs::path& folder) {
-    if (!is_there(folder / "status")) return std::nullopt;
-    const core::Bytes bytes = core::read_file(folder / "status");
-    return sweep::read_status({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    std::error_code unknown;
+    if (!fs::is_regular_file(folder / "status", unknown)) return std::nullopt;
+    try {
+        const core::Bytes bytes = core::read_regular_file(folder / "status", max_status);
+        return sweep::read_status({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    } catch (const Error& error) {
+        if (error.code() != ExitCode::bad_input) throw;
+        return std::nullopt;
+    }
 }
 
 sweep::State state_in(const fs::path& folder, const sweep::Planned& design) {
     if (!design.refusal.empty()) return sweep::State::refused;
-    const auto status = folder.empty() ? std::nullopt : status_in(folder / design.id);
+    const auto status = folder.empty() ? std::nullopt : status_in(folder_of(folder, design));
     const bool done = status && sweep::is_final(status->exit_code) &&
-                      (!has_curve(status->exit_code) || is_there(folder / design.id / "result.h5"));
+                      (!has_curve(status->exit_code) || is_there(folder_of(folder, design) / "result.h5"));
     return done ? sweep::State::done : sweep::State::waiting;
 }
 
 io::Result whole_result(const fs::path& file) {
-    io::Result result = io::read_result(core::read_file(file), file.string());
+    io::Result result = io::read_result(core::read_regular_file(file, core::no_limit), file.string());
     if (!result.end) throw Error(ExitCode::bad_input, file.string(), "holds an unfinished path");
     return result;
 }
@@ -69,14 +86,15 @@ sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, con
         outcome.error = design.refusal;
         return outcome;
     }
-    const auto status = status_in(folder / design.id);
+    const fs::path own = folder_of(folder, design);
+    const auto status = status_in(own);
     outcome.stop_reason = status ? "failed" : "not_computed";
     if (!status) return outcome;
     outcome.exit_code = status->exit_code;
     outcome.error = status->error;
     if (status->exit_code == static_cast<int>(ExitCode::bad_input)) outcome.stop_reason = "refused";
     if (!has_curve(status->exit_code)) return outcome;
-    const fs::path file = folder / design.id / "result.h5";
+    const fs::path file = own / "result.h5";
     if (!is_there(file))
         return {.exit_code = {},
                 .stop_reason = "not_computed",
@@ -91,7 +109,7 @@ sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, con
         outcome.error = error.what() + std::string{"; without its folder it would be computed anew"};
         return outcome;
     }
-    add_curve(*result, folder / design.id / "curve.csv", sweep, outcome);
+    add_curve(*result, own / "curve.csv", sweep, outcome);
     return outcome;
 }
 
@@ -187,7 +205,8 @@ void write_designs(const fs::path& folder, const sweep::Plan& plan, const std::v
     const fs::path designs = folder / "designs";
     cli::make_folder(designs.string());
     for (std::size_t d = 0; d < states.size(); ++d) {
-        const fs::path file = designs / (plan.designs[d].id + ".yaml");
+        fs::path file = folder_of(designs, plan.designs[d]);
+        file += ".yaml";
         if (states[d] == sweep::State::waiting && !is_there(file))
             cli::write_output(file.string(), plan.designs[d].design_yaml);
     }

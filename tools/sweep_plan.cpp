@@ -35,7 +35,7 @@ const cli::About about{
 
 struct SweepPlanOptions {
     cli::CommonOptions common;
-    std::string input, folder, programs;
+    std::string input, folder, programs, waiting;
     bool prepare = false, results = false;
 };
 
@@ -48,6 +48,8 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
     folder->type_name("FOLDER");
     app.add_flag("--prepare", options.prepare, "Also write the designs that wait, as FOLDER/designs/ID.yaml")
         ->needs(folder);
+    app.add_option("--waiting", options.waiting, "Also write the addresses of the designs that wait, one per line")
+        ->type_name("FILE");
     app.add_flag("--results", options.results,
                  "Print the results of the designs in FOLDER instead of the plan, and write the "
                  "curve of each beside its result; exit code 2: some are not computed, or "
@@ -59,8 +61,9 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     cli::at_most_one_of(app, std::vector<std::string>{"--prepare", "--results"});
-    cli::check_distinct({{"SWEEP", options.input}, {"--programs", options.programs}},
-                        {{"--output", options.common.output}, {"--json", options.common.json}});
+    cli::check_distinct(
+        {{"SWEEP", options.input}, {"--programs", options.programs}},
+        {{"--output", options.common.output}, {"--json", options.common.json}, {"--waiting", options.waiting}});
     return options;
 }
 
@@ -76,7 +79,9 @@ void tell(const SweepPlanOptions& options, std::size_t designs,
         std::ranges::replace(text, '_', ' ');
         words.push_back(std::move(text));
     }
-    cli::Console{about.tool, options.common.verbosity}.say(core::counted(designs, "design") + ": " + core::join(words));
+    if (!options.prepare)
+        cli::Console{about.tool, options.common.verbosity}.say(core::counted(designs, "design") + ": " +
+                                                               core::join(words));
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
 }
 
@@ -97,8 +102,15 @@ ExitCode write_results(const SweepPlanOptions& options, const sweep::Sweep& swee
 ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, const sweep::Plan& plan) {
     const std::vector<sweep::State> states = states_in(options.folder, plan);
     if (options.prepare) write_designs(options.folder, plan, states);
+    const std::vector<std::string> waiting = sweep::waiting_ids(plan, states);
+    if (!options.waiting.empty())
+        cli::write_output(options.waiting, core::join(waiting, "\n") + (waiting.empty() ? "" : "\n"));
     cli::write_output(options.common.output, sweep::plan_csv(sweep, plan, states));
     const auto count = [&](sweep::State state) { return std::ranges::count(states, state); };
+    if (options.prepare)
+        cli::Console{about.tool, options.common.verbosity}.say(core::counted(states.size(), "design") + ", " +
+                                                               std::to_string(waiting.size()) + " to compute in " +
+                                                               options.folder);
     tell(options, states.size(),
          {{"waiting", count(sweep::State::waiting)},
           {"done", count(sweep::State::done)},
@@ -106,10 +118,9 @@ ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, 
     return ExitCode::ok;
 }
 
-std::string text_of(const fs::path& file) {
-    const core::Bytes bytes = core::read_file(file);
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
+constexpr std::size_t max_programs = std::size_t{1} << 20;  // bytes
+
+std::string text_of(const core::Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 ExitCode sweep_plan(const SweepPlanOptions& options) {
     const cli::Input input = cli::read_input(options.input, cli::longest_design);
@@ -119,10 +130,11 @@ ExitCode sweep_plan(const SweepPlanOptions& options) {
     if (!fs::exists(file, unknown))
         throw Error(ExitCode::cannot_open, sweep.design.place + ": design", file.string() + " is not there",
                     "the design is looked for from the folder of the sweep");
-    const std::string design = text_of(file), source = file.lexically_normal().string();
+    const std::string design = text_of(core::read_regular_file(file, cli::longest_design)),
+                      source = file.lexically_normal().string();
     const std::string programs = options.programs.empty()
                                      ? std::string{cli::version()} + " " + std::string{cli::revision()}
-                                     : text_of(options.programs);
+                                     : text_of(core::read_file(options.programs, max_programs));
     const sweep::Plan plan = sweep::make_plan(sweep, {design, source, geometry::catalogue_keys(), programs});
     return options.results ? write_results(options, sweep, plan) : write_plan(options, sweep, plan);
 }

@@ -52,6 +52,11 @@ public:
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   const std::string& value) override {
         check(mark, tag, anchor);
+        // An escape such as "\n" gives what check_characters has refused in the text; names go into messages, tables and paths.
+        std::string visible = value;
+        std::ranges::replace(visible, '\t', ' ');
+        if (core::one_line(visible, visible.size()) != visible)
+            refuse(places_.at(mark), "", "a control character in " + core::quoted(value), "write letters and blanks");
         Node node;
         node.kind = Node::Kind::scalar;
         node.text = value;

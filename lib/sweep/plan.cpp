@@ -15,6 +15,7 @@ namespace {
 
 constexpr int digits = 9;  // more than any dimension is known to, fewer than logarithms agree on everywhere
 constexpr std::size_t id_length = 16;
+constexpr std::size_t max_file = std::size_t{4} << 30;  // bytes, that of a mesh
 constexpr std::array file_keys{"geometry.file", "geometry.profile"};
 
 std::string number_of(const Range& range, double value) {
@@ -56,7 +57,7 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
             if (!design.values.has(file_key)) continue;
             const std::filesystem::path file =
                 design::file_from(design.values.place(file_key), design.values.text(file_key));
-            content += core::sha256_hex(core::read_file(file));
+            content += core::sha256_hex(core::read_regular_file(file, max_file));
             settings.push_back({file_key, std::filesystem::absolute(file).lexically_normal().string()});
             design = design::read_design(basis.design_text, basis.design_source, basis.families, settings);
         }
@@ -130,6 +131,10 @@ std::string quoted_word(const std::string& word) {
 }
 
 }  // namespace
+
+bool is_address(std::string_view id) noexcept {
+    return id.size() == id_length && id.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
 
 std::string value_at(const Factor& factor, double u) {
     if (const auto* choices = std::get_if<Choices>(&factor.values))

@@ -30,6 +30,9 @@ struct Plan {
     std::vector<Planned> designs;  ///< of a grid the last factor varies fastest; designs may be equal
 };
 
+/// Whether it is one of these: 16 hex digits.
+[[nodiscard]] bool is_address(std::string_view id) noexcept;
+
 /// A combination of values that is refused is a row with its refusal. The sweep itself is refused, with Error(bad_input) as
 /// read_design would: where no design is left, where a listed value is refused in all designs that have it, or an end of a
 /// range in the first design that is sound.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -87,6 +88,14 @@ void check_outputs(const Sweep& sweep, std::span<const Outcome> outcomes) {
 }
 
 }  // namespace
+
+std::vector<std::string> waiting_ids(const Plan& plan, std::span<const State> states) {
+    std::vector<std::string> ids;
+    std::set<std::string_view> seen;
+    for (std::size_t d = 0; d < plan.designs.size(); ++d)
+        if (states[d] == State::waiting && seen.insert(plan.designs[d].id).second) ids.push_back(plan.designs[d].id);
+    return ids;
+}
 
 std::string plan_csv(const Sweep& sweep, const Plan& plan, std::span<const State> states) {
     const FactorColumns factors{sweep, plan};

@@ -15,6 +15,9 @@ namespace soft::sweep {
 
 enum class State { waiting, done, refused };
 
+/// The addresses of the designs that wait, each once, in the order of the plan.
+[[nodiscard]] std::vector<std::string> waiting_ids(const Plan& plan, std::span<const State> states);
+
 /// id, state, the factors, settings (arguments of mesh-gen), refusal. `states`: one a design.
 [[nodiscard]] std::string plan_csv(const Sweep& sweep, const Plan& plan, std::span<const State> states);
 

@@ -120,7 +120,7 @@ TEST(Refusal, WhatContradictsItselfIsRefused) {
            "p.yaml:4:21: outputs.a.face: an output is measured on one face", "");
     expect(base + "path: {until: {elongation: 0 mm}}\n",
            "p.yaml:4:28: path.until.elongation: 0 is where the path starts", "");
-    expect(base + "name: \"a\\nb\"\n", "p.yaml:4:7: name: a line break", "");
+    expect(base + "name: \"a\\nb\"\n", "p.yaml:4:7: a control character in 'a?b'", "");
 }
 
 TEST(Refusal, OfSeveralFaultsTheFirstInTheDocumentIsReported) {
@@ -129,7 +129,8 @@ TEST(Refusal, OfSeveralFaultsTheFirstInTheDocumentIsReported) {
 }
 
 TEST(Refusal, AHostileKeyStaysOneShortLine) {
-    expect(base + "? \"\\e[31m" + std::string(5000, 'k') + "\"\n: 1\n", "p.yaml:4:3: ?[31mkkk", "...");
+    expect(base + "? \"\\e[31m" + std::string(5000, 'k') + "\"\n: 1\n", "p.yaml:4:3: a control character in '?[31mkkk",
+           "...");
     expect(base + "geometry: {wall: " + std::string(5000, 'w') + "}\n", "p.yaml:4:18: geometry.wall", "...");
 }
 

@@ -158,6 +158,29 @@ rm -rf "${strange:?}/$id"
 runs "$sweep rods.yaml --folder \"it's a & b/\\\$folder\""
 claim "as it says" cmp first.csv "$strange/results.csv"
 
+# kill -9 of the script alone: its workers go on, and do not keep the next one out
+cat >fake/solve <<END
+#!/bin/sh
+if [ "\$1" = --version ]; then exec $bin/solve --version; fi
+touch $PWD/solving
+exec sleep 20
+END
+setsid env "PATH=$PWD/fake:$PATH" "$sweep" rods.yaml --folder orphans --jobs 1 >out.txt 2>err.txt </dev/null &
+session=$!
+for _ in {1..1200}; do
+    if [ -e solving ]; then break; fi
+    sleep 0.02
+done
+kill -KILL "$session"
+{ wait "$session"; } 2>/dev/null
+runs "$sweep rods.yaml --folder orphans"
+claim "the workers of a killed script do not hold its lock" cmp first.csv orphans/results.csv
+claim "though they are still there" pkill -0 --session "$session"
+for _ in 1 2 3; do
+    pkill -KILL --session "$session"
+    sleep 0.2
+done
+
 # Ctrl-C on a terminal goes to all of the group (what bash starts in the background would not hear it)
 setsid env --default-signal=INT "$sweep" rods.yaml --folder stopped --jobs 1 >out.txt 2>err.txt </dev/null &
 session=$!
@@ -190,3 +213,19 @@ faulty "1:1: vary: missing; *" 'design: designs/rod.yaml\n'
 printf 'design: absent.yaml\nvary: {geometry.width: [8 mm]}\n' >bad.yaml
 refuses 66 "sweep: bad.yaml:1:9: design: absent.yaml is not there; *" "$sweep bad.yaml"
 refuses 66 "sweep: absent.yaml: *" "$sweep absent.yaml"
+
+# What a sweep names cannot leave its folder, and is not read without an end.
+mkdir -p victim
+printf 'design: designs/rod.yaml\nvary: {name: ["ok", "a\\n../../../victim/evil,waiting,x"]}\n' >bad.yaml
+refuses 65 "sweep: bad.yaml:2:21: a control character in 'a[?]../../../victim/evil,waiting,x'; *" "$sweep bad.yaml"
+claim "nothing is written elsewhere" [ -z "$(ls -A victim)" ]
+refuses 64 "sweep-design: ../victim/evil is not the address of a design" "$sweep-design killed ../victim/evil"
+printf 'design: /dev/zero\nvary: {geometry.width: [8 mm]}\n' >bad.yaml
+refuses 66 "sweep: /dev/zero: is a device or a pipe; name a file" "$sweep bad.yaml"
+refuses 65 "sweep-plan: /dev/zero: *" 'sweep-plan one.yaml --programs /dev/zero'
+id=$(sed -n '2s/,.*//p' $folder/one/results.csv)
+ln -sf /dev/zero "$folder/one/$id/status"
+runs "$sweep one.yaml"
+claim "a status that is none is computed again" [ "$(grep -c ',done,0,$' $folder/one/results.csv)" -eq 1 ]
+runs "$sweep one.yaml --folder -x"
+claim "a folder may begin with a dash" [ -s ./-x/results.csv ]

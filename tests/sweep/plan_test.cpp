@@ -106,6 +106,15 @@ TEST(Plan, WhatNoDesignCanHaveIsAFaultOfTheFileAtItsPlace) {
               "s.yaml:4:30: geometry.wall: -1 mm is out ");
 }
 
+TEST(Plan, NoAddressLeadsOutOfTheFolder) {
+    for (const std::string& id : ids(plan_of("geometry.wall: [2 mm, 3 mm]"))) EXPECT_TRUE(is_address(id)) << id;
+    for (const char* id :
+         {"", "..", "../../evil", "/tmp/a", "0123456789abcde", "0123456789abcdeF", "0123456789abcde\n"})
+        EXPECT_FALSE(is_address(id)) << id;
+    EXPECT_NE(plan_refusal("name: [\"ok\", \"a\\n../../evil,waiting,x\"]").find("a control character"),
+              std::string::npos);
+}
+
 TEST(Plan, SettingsAreWhatMeshGenTakes) {
     const Sweep sweep = read_sweep("design: d\nset: {mesh.size: 3mm}\nvary: {geometry.wall: [2 mm]}\n", "s.yaml");
     EXPECT_EQ(settings_text(sweep, {"", {"2 mm"}, "", ""}), "--set mesh.size=3mm --set 'geometry.wall=2 mm'");

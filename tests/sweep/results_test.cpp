@@ -26,6 +26,15 @@ TEST(PlanCsv, HasARowADesignWithItsStateAndSettings) {
               "bb,refused,3,yeoh,--set geometry.wall=3mm --set material.law=yeoh,\"s.yaml:2:3: a, \"\"b\"\"; c\"\n");
 }
 
+TEST(WaitingIds, AreThoseThatWaitEachOnce) {
+    const Plan several{{{"aa", {"2 mm", "yeoh"}, "x", ""},
+                        {"bb", {"3 mm", "yeoh"}, "", "refused"},
+                        {"aa", {"2.0 mm", "yeoh"}, "x", ""},
+                        {"cc", {"4 mm", "yeoh"}, "x", ""}}};
+    EXPECT_EQ(waiting_ids(several, std::vector<State>{State::waiting, State::refused, State::waiting, State::waiting}),
+              (std::vector<std::string>{"aa", "cc"}));
+}
+
 TEST(ResultsCsv, FailedDesignsAreRowsWithTheirReason) {
     const std::vector<Outcome> outcomes{done("pressure_kPa@end"),
                                         {.exit_code = 65, .stop_reason = "refused", .error = "a, b"}};
