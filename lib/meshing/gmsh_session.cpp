@@ -184,17 +184,15 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
         const char* name;
         double value;
     };
-    constexpr double frontal_delaunay = 6, blossom = 1,
-                     into_quadrilaterals = 1;  // 8, made for them, crashes in gmsh 4.8
+    constexpr double frontal_delaunay = 6, blossom = 1;  // 8, made for quadrilaterals, crashes in gmsh 4.8
     // The lengths of cells along an edge to a millionth: to gmsh's 1e-9 it asks for most sizes ten times as often.
     // Thrown from one of its threads, gmsh's errors would end the program: what it could not mesh is seen in what it made.
     for (const Option& option : {Option{"General.AbortOnError", 0}, Option{"Mesh.MeshSizeExtendFromBoundary", 0},
                                  Option{"Mesh.MeshSizeFromPoints", 0}, Option{"Mesh.Algorithm", frontal_delaunay},
-                                 Option{"Mesh.LcIntegrationPrecision", 1e-6}, Option{"Mesh.ElementOrder", 2}})
+                                 Option{"Mesh.LcIntegrationPrecision", 1e-6}})
         gmsh_->call(gmsh_->set_option, option.name, option.value);
     if (cells == Free::quadrilaterals)
-        for (const Option& option : {Option{"Mesh.RecombineAll", 1}, Option{"Mesh.RecombinationAlgorithm", blossom},
-                                     Option{"Mesh.SubdivisionAlgorithm", into_quadrilaterals}})
+        for (const Option& option : {Option{"Mesh.RecombineAll", 1}, Option{"Mesh.RecombinationAlgorithm", blossom}})
             gmsh_->call(gmsh_->set_option, option.name, option.value);
     const auto ask = [](int, int, double x, double y, double, void* wished) {
         return (*static_cast<const Size*>(wished))({x, y});
@@ -262,19 +260,48 @@ GmshSession::Nodes GmshSession::nodes() const {
     return {taken(tags, tag_count, gmsh_->free), taken(coordinates, coordinate_count, gmsh_->free)};
 }
 
-std::vector<std::size_t> GmshSession::cells(int dimension, int tag) const {
+std::map<std::size_t, double> GmshSession::parameters(int curve) const {
+    std::size_t *tags = nullptr, tag_count = 0, coordinate_count = 0, parameter_count = 0;
+    double *coordinates = nullptr, *parameters = nullptr;
+    gmsh_->call(gmsh_->get_nodes, &tags, &tag_count, &coordinates, &coordinate_count, &parameters, &parameter_count, 1,
+                curve, 0, 1);
+    gmsh_->free(coordinates);
+    const auto inside = taken(tags, tag_count, gmsh_->free);
+    const auto values = taken(parameters, parameter_count, gmsh_->free);
+    std::map<std::size_t, double> found;
+    for (std::size_t n = 0; n < inside.size(); ++n) found[inside[n]] = values.at(n);
+    return found;
+}
+
+std::vector<GmshSession::CellsOfType> GmshSession::cells_by_type(int dimension, int tag) const {
     int* types = nullptr;
     std::size_t type_count = 0, **elements = nullptr, *element_counts = nullptr, element_lists = 0;
     std::size_t **nodes = nullptr, *node_counts = nullptr, node_lists = 0;
     gmsh_->call(gmsh_->get_elements, &types, &type_count, &elements, &element_counts, &element_lists, &nodes,
                 &node_counts, &node_lists, dimension, tag);
-    std::vector<std::size_t> result;
-    if (type_count == 1) result.assign(nodes[0], nodes[0] + node_counts[0]);
+    std::vector<CellsOfType> result;
+    for (std::size_t t = 0; t < type_count; ++t)
+        result.push_back({element_counts[t], {nodes[t], nodes[t] + node_counts[t]}});
     for (std::size_t* list : std::span(elements, element_lists)) gmsh_->free(list);
     for (std::size_t* list : std::span(nodes, node_lists)) gmsh_->free(list);
     for (void* array : {static_cast<void*>(types), static_cast<void*>(elements), static_cast<void*>(element_counts),
                         static_cast<void*>(nodes), static_cast<void*>(node_counts)})
         gmsh_->free(array);
+    return result;
+}
+
+std::vector<std::size_t> GmshSession::cells(int dimension, int tag) const {
+    std::vector<CellsOfType> all = cells_by_type(dimension, tag);
+    return all.size() == 1 ? std::move(all.front().nodes) : std::vector<std::size_t>{};
+}
+
+std::vector<std::vector<std::size_t>> GmshSession::polygons(int surface) const {
+    std::vector<std::vector<std::size_t>> result;
+    for (const auto& [count, nodes] : cells_by_type(2, surface)) {
+        const std::size_t corners = nodes.size() / count;
+        for (auto first = nodes.begin(); first != nodes.end(); first += static_cast<std::ptrdiff_t>(corners))
+            result.emplace_back(first, first + static_cast<std::ptrdiff_t>(corners));
+    }
     return result;
 }
 

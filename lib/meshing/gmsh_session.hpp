@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,8 +46,8 @@ public:
     void add_spline(int tag, std::vector<int> points);  ///< uniform Catmull-Rom
     void add_loop(int tag, std::vector<int> curves);
     void add_plane(int tag, std::vector<int> loops);  ///< the first round it, the others round its holes
-    /// What was added, with curved cells of second order: triangles of the given length, or quadrilaterals of half of it. Says
-    /// nothing where it fails: the caller looks whether all is covered.
+    /// What was added, in linear cells of the given length: triangles, or quadrilaterals and the triangles that find no partner. Reports
+    /// no failure: the caller checks whether the cells cover the section.
     enum class Free { triangles, quadrilaterals };
     using Size = std::function<double(std::array<double, 2>)>;
     void mesh_freely(Free cells, const Size& size);
@@ -56,6 +57,10 @@ public:
         std::vector<double> xyz;
     };
     [[nodiscard]] Nodes nodes() const;
+    /// Node tags of the triangles and quadrilaterals of a surface.
+    [[nodiscard]] std::vector<std::vector<std::size_t>> polygons(int surface) const;
+    /// The nodes inside a curve, each with its parameter: 0 at the start of the curve, 1 at its end.
+    [[nodiscard]] std::map<std::size_t, double> parameters(int curve) const;
     /// Node tags of the linear cells of a curve (dimension 1), surface (2) or volume (3), cell by cell; none where the types are mixed.
     [[nodiscard]] std::vector<std::size_t> cells(int dimension, int tag) const;
 
@@ -77,6 +82,12 @@ public:
     void triangulate(const Chords& chords);
 
 private:
+    struct CellsOfType {
+        std::size_t count;
+        std::vector<std::size_t> nodes;
+    };
+    [[nodiscard]] std::vector<CellsOfType> cells_by_type(int dimension, int tag) const;
+
     struct Functions;
     std::unique_ptr<const Functions> gmsh_;
 };

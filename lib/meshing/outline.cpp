@@ -45,6 +45,30 @@ bool folds(const OutlinePiece& before, const OutlinePiece& after, double near_m)
     return dot(back, on) > 0 && (distance_to(before, after.end) < near_m || distance_to(after, before.start) < near_m);
 }
 
+constexpr int steps_per_span = 10;
+
+/// By which the spline turns from one of its points to the next, all turns counted alike.
+double span_turn_rad(const std::vector<PlanePoint>& points, std::size_t span) {
+    constexpr int chords = 4;
+    double turn_rad = 0;
+    PlanePoint before{}, from = points[span];
+    for (int k = 1; k <= chords; ++k) {
+        const PlanePoint to = spline_at(points, static_cast<double>(span) + static_cast<double>(k) / chords);
+        const PlanePoint chord = minus(to, from);
+        if (k > 1) turn_rad += std::abs(std::atan2(cross(before, chord), dot(before, chord)));
+        before = chord;
+        from = to;
+    }
+    return turn_rad * chords / (chords - 1);  // half a chord at each end is not seen
+}
+
+std::vector<PlanePoint> even_polyline(const std::vector<PlanePoint>& points) {
+    std::vector<PlanePoint> line;
+    const int steps = steps_per_span * static_cast<int>(points.size() - 1);
+    for (int k = 0; k <= steps; ++k) line.push_back(spline_at(points, static_cast<double>(k) / steps_per_span));
+    return line;
+}
+
 std::string place_text(PlanePoint p) {
     std::string text{"("};  // with operator+ g++ 12 warns of an overlap that is none
     return text.append(core::rounded_text(1e3 * p[0], 5))
@@ -78,7 +102,7 @@ std::optional<OutlineFault> too_many(const Outline& outline) {
     const std::vector<OutlinePiece> pieces = pieces_of(outline);
     if (pieces.size() <= most_pieces) return std::nullopt;
     std::string problem{"more than "};  // with operator+ g++ 12 warns of an overlap that is none
-    problem.append(std::to_string(most_pieces)).append(" straight pieces, ten to a span of a spline");
+    problem.append(std::to_string(most_pieces)).append(" straight pieces, up to ten to a span of a spline");
     return OutlineFault{edge_of(outline, pieces[most_pieces]).row, problem, "draw the outline with fewer points"};
 }
 
@@ -170,17 +194,32 @@ PlanePoint spline_at(const std::vector<PlanePoint>& points, double span) {
     return result;
 }
 
+PlanePoint point_at(const OutlineEdge& edge, double share) {
+    const PlanePoint &start = edge.points.front(), &end = edge.points.back();
+    switch (edge.shape) {
+        case OutlineEdge::Shape::line: break;
+        case OutlineEdge::Shape::arc: return arc_of(edge).at(share);
+        case OutlineEdge::Shape::spline:
+            return spline_at(edge.points, share * static_cast<double>(edge.points.size() - 1));
+    }
+    return {start[0] + share * (end[0] - start[0]), start[1] + share * (end[1] - start[1])};
+}
+
 std::vector<PlanePoint> polyline(const OutlineEdge& edge) {
     constexpr double step_rad = 3 * std::numbers::pi / 180;
-    constexpr int per_span = 10;
     std::vector<PlanePoint> line{edge.points.front()};
     if (edge.shape == OutlineEdge::Shape::arc) {
         const OutlineArc arc = arc_of(edge);
         const int steps = static_cast<int>(std::ceil(std::abs(arc.turn_rad) / step_rad));
         for (int k = 1; k < steps; ++k) line.push_back(arc.at(static_cast<double>(k) / steps));
     } else if (edge.shape == OutlineEdge::Shape::spline) {
-        const int steps = per_span * static_cast<int>(edge.points.size() - 1);
-        for (int k = 1; k < steps; ++k) line.push_back(spline_at(edge.points, static_cast<double>(k) / per_span));
+        for (std::size_t span = 0; span + 1 < edge.points.size(); ++span) {
+            const auto at = [&](double t) { return spline_at(edge.points, static_cast<double>(span) + t); };
+            const double turn_rad = span_turn_rad(edge.points, span);
+            const int steps = std::clamp(static_cast<int>(std::ceil(turn_rad / step_rad)), 1, steps_per_span);
+            for (int k = 1; k <= steps; ++k) line.push_back(at(static_cast<double>(k) / steps));
+        }
+        line.pop_back();  // the end as it was given
     }
     line.push_back(edge.points.back());
     return line;
@@ -205,7 +244,7 @@ std::vector<OutlinePiece> pieces_of(const Outline& outline) {
 double area_m2(const Loop& loop) {
     double twice = 0;
     for (const OutlineEdge& edge : loop) {
-        const auto line = polyline(edge);
+        const auto line = edge.shape == OutlineEdge::Shape::spline ? even_polyline(edge.points) : polyline(edge);
         for (std::size_t i = 0; i + 1 < line.size(); ++i) twice += cross(line[i], line[i + 1]);
         if (edge.shape != OutlineEdge::Shape::arc) continue;
         // Between the chords and the true arc: R^2 (t - sin t)/2 each.

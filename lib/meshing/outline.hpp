@@ -29,6 +29,7 @@ using Loop = std::vector<OutlineEdge>;
 struct Outline {
     std::vector<Loop> loops;
     std::function<double(PlanePoint)> size_m = {};  ///< wished length of a cell there
+    std::vector<std::string> notes = {};            ///< what was recognised in the drawing, for the user
 };
 
 struct OutlineArc {
@@ -40,6 +41,10 @@ struct OutlineArc {
 
 /// `span` counts from 0 along the points: 1.5 lies between the second and the third.
 [[nodiscard]] PlanePoint spline_at(const std::vector<PlanePoint>& points, double span);
+
+/// `share` runs from 0 at the start to 1 at the end, of a line by its length, of an arc by its angle, of a spline evenly over its
+/// spans. Tested by meshing/outline_mesher_test.
+[[nodiscard]] PlanePoint point_at(const OutlineEdge& edge, double share);
 
 /// Points along an edge, both ends included, a few degrees apart where it bends.
 [[nodiscard]] std::vector<PlanePoint> polyline(const OutlineEdge& edge);

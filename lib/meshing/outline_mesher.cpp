@@ -11,7 +11,7 @@
 #include "mesh/quality.hpp"
 #include "meshing/gmsh_session.hpp"
 #include "meshing/outline_sizes.hpp"
-#include "meshing/section_mesher.hpp"
+#include "meshing/polygons.hpp"
 
 namespace soft::meshing {
 namespace {
@@ -29,9 +29,9 @@ public:
             std::vector<int> starts, curves;
             for (const OutlineEdge& edge : loop) starts.push_back(point(edge.points.front()));
             for (std::size_t e = 0; e < loop.size(); ++e) {
-                const auto first = static_cast<std::ptrdiff_t>(edges_.size());
+                const auto first = static_cast<std::ptrdiff_t>(curves_.size());
                 add(loop[e], {starts[e], starts[(e + 1) % loop.size()]});
-                for (auto c = first; c < static_cast<std::ptrdiff_t>(edges_.size()); ++c)
+                for (auto c = first; c < static_cast<std::ptrdiff_t>(curves_.size()); ++c)
                     curves.push_back(static_cast<int>(c) + 1);
             }
             loops.push_back(static_cast<int>(loops.size()) + 1);
@@ -45,27 +45,32 @@ public:
     }
 
     static constexpr int surface = 1;
-    [[nodiscard]] const std::vector<const OutlineEdge*>& edges() const { return edges_; }  ///< of curve 1, 2, ...
+    /// Of an edge, between two of its shares.
+    struct Part {
+        const OutlineEdge* edge;
+        double from, to;
+    };
+    [[nodiscard]] const std::vector<Part>& curves() const { return curves_; }  ///< of curve 1, 2, ...
 
 private:
     int point(PlanePoint place) {
         gmsh_.add_point(++points_, {place[0] * scale_, place[1] * scale_});
         return points_;
     }
-    int next(const OutlineEdge& edge) {
-        edges_.push_back(&edge);
-        return static_cast<int>(edges_.size());
+    int next(const Part& part) {
+        curves_.push_back(part);
+        return static_cast<int>(curves_.size());
     }
 
     void add(const OutlineEdge& edge, Ends ends) {
         switch (edge.shape) {
-            case OutlineEdge::Shape::line: gmsh_.add_line(next(edge), {ends.start, ends.end}); break;
+            case OutlineEdge::Shape::line: gmsh_.add_line(next({&edge, 0, 1}), {ends.start, ends.end}); break;
             case OutlineEdge::Shape::arc: add_arc(edge, ends); break;
             case OutlineEdge::Shape::spline: {
                 std::vector<int> through{ends.start};
                 for (std::size_t i = 1; i + 1 < edge.points.size(); ++i) through.push_back(point(edge.points[i]));
                 through.push_back(ends.end);
-                gmsh_.add_spline(next(edge), std::move(through));
+                gmsh_.add_spline(next({&edge, 0, 1}), std::move(through));
                 break;
             }
         }
@@ -77,8 +82,9 @@ private:
         const int centre = point(arc.centre);
         const int parts = static_cast<int>(std::ceil(std::abs(arc.turn_rad) / (0.5 * std::numbers::pi + 1e-9)));
         for (int k = 1; k <= parts; ++k) {
-            const int stop = k == parts ? ends.end : point(arc.at(static_cast<double>(k) / parts));
-            gmsh_.add_arc(next(edge), {ends.start, centre, stop});
+            const double from = static_cast<double>(k - 1) / parts, to = static_cast<double>(k) / parts;
+            const int stop = k == parts ? ends.end : point(arc.at(to));
+            gmsh_.add_arc(next({&edge, from, to}), {ends.start, centre, stop});
             ends.start = stop;
         }
     }
@@ -86,10 +92,10 @@ private:
     GmshSession& gmsh_;
     double scale_;
     int points_ = 0;
-    std::vector<const OutlineEdge*> edges_;
+    std::vector<Part> curves_;
 };
 
-/// What gmsh made, in our numbers.
+/// What gmsh made, in our numbers: points in the order in which the cells use them.
 class Fetched {
 public:
     Fetched(const GmshSession& gmsh, const Outline& outline, double scale) : gmsh_(gmsh) {
@@ -97,55 +103,41 @@ public:
         const auto [tags, xyz] = gmsh.nodes();
         for (std::size_t i = 0; i < tags.size(); ++i) {
             const auto snapped = [&](double value) { return std::abs(value) < snap_m ? 0.0 : value; };
-            places_[tags[i]] = {snapped(xyz[3 * i] / scale), snapped(xyz[3 * i + 1] / scale), 0.0};
+            places_[tags[i]] = {snapped(xyz[3 * i] / scale), snapped(xyz[3 * i + 1] / scale)};
         }
-        result_.dimension = 2;
-        result_.region_names = {rubber_region};
-    }
-
-    void add_cells(mesh::CellType type) {
-        const auto nodes = gmsh_.cells(2, Description::surface);
-        const auto per_cell = static_cast<std::size_t>(mesh::node_count(type));
-        if (nodes.empty() || nodes.size() % per_cell != 0)
-            throw Error(ExitCode::internal, "section mesh", "gmsh made cells of several kinds");
-        std::vector<Index> cell(per_cell);
-        for (std::size_t n = 0; n < nodes.size(); n += per_cell) {
-            for (std::size_t k = 0; k < per_cell; ++k) cell[k] = number(nodes[n + k]);
-            add_cell(result_, type, cell, 0);  // gmsh's order of these types is VTK's
-        }
-        for (const mesh::Facet& facet : boundary_facets(result_)) {
-            const auto ends = facet_nodes(result_, facet);
-            sides_[std::minmax(ends[0], ends[1])] = facet;
+        for (const auto& polygon : gmsh.polygons(Description::surface)) {
+            std::vector<int>& cell = result_.cells.emplace_back();
+            for (const std::size_t tag : polygon) cell.push_back(number(tag));
         }
     }
 
-    void name_sides(int curve, const OutlineEdge& edge) {
-        constexpr std::size_t per_line = 3;
-        const auto nodes = gmsh_.cells(1, curve);
-        for (std::size_t n = 0; n < nodes.size(); n += per_line) {
-            const auto side = sides_.find(std::minmax(number(nodes[n]), number(nodes[n + 1])));
-            if (side == sides_.end()) throw Error(ExitCode::internal, "section mesh", "gmsh's cells miss the outline");
-            for (const std::string& face : edge.faces) result_.facet_sets[face].push_back(side->second);
-        }
+    /// The sides along a curve, which runs through a part of its edge.
+    void add_sides(int curve, const Description::Part& part) {
+        constexpr std::size_t per_line = 2;
+        const std::map<std::size_t, double> inside = gmsh_.parameters(curve);
+        const auto share = [&](std::size_t tag, double at_end) {
+            const auto found = inside.find(tag);
+            return part.from + (found == inside.end() ? at_end : found->second) * (part.to - part.from);
+        };
+        const auto lines = gmsh_.cells(1, curve);
+        for (std::size_t n = 0; n + 1 < lines.size(); n += per_line)
+            result_.boundary[{number(lines[n]), number(lines[n + 1])}] = {part.edge, share(lines[n], 0),
+                                                                          share(lines[n + 1], 1)};
     }
 
-    mesh::Mesh take() {
-        for (auto& [name, facets] : result_.facet_sets) std::sort(facets.begin(), facets.end());
-        return std::move(result_);
-    }
+    Polygons take() { return std::move(result_); }
 
 private:
-    Index number(std::size_t tag) {
-        const auto [entry, fresh] = numbers_.try_emplace(tag, static_cast<Index>(result_.points.size()));
+    int number(std::size_t tag) {
+        const auto [entry, fresh] = numbers_.try_emplace(tag, static_cast<int>(result_.points.size()));
         if (fresh) result_.points.push_back(places_.at(tag));
         return entry->second;
     }
 
     const GmshSession& gmsh_;
-    std::unordered_map<std::size_t, mesh::Point> places_;
-    std::unordered_map<std::size_t, Index> numbers_;
-    std::map<std::pair<Index, Index>, mesh::Facet> sides_;
-    mesh::Mesh result_;
+    std::unordered_map<std::size_t, PlanePoint> places_;
+    std::unordered_map<std::size_t, int> numbers_;
+    Polygons result_;
 };
 
 using Size = std::function<double(PlanePoint)>;
@@ -161,10 +153,13 @@ mesh::Mesh mesh_once(const Outline& outline, const Size& size_m, FreeCells cells
                          return factor * size_m({place[0] / scale, place[1] / scale});
                      });
     Fetched fetched{gmsh, outline, scale};
-    fetched.add_cells(quads ? mesh::CellType::quad9 : mesh::CellType::triangle6);
-    for (std::size_t c = 0; c < description.edges().size(); ++c)
-        fetched.name_sides(static_cast<int>(c) + 1, *description.edges()[c]);
-    mesh::Mesh mesh = fetched.take();
+    for (std::size_t c = 0; c < description.curves().size(); ++c)
+        fetched.add_sides(static_cast<int>(c) + 1, description.curves()[c]);
+    Polygons polygons = fetched.take();
+    divide_flat_corners(polygons);
+    if (quads) polygons = into_quadrilaterals(polygons);
+    smooth(polygons);
+    mesh::Mesh mesh = second_order(polygons);
     double outline_m2 = 0;
     for (const Loop& loop : outline.loops) outline_m2 += area_m2(loop);
     constexpr double uncovered = 0.05;  // quadratic sides miss the outline by far less
@@ -180,7 +175,7 @@ struct Spoilt {
 };
 
 Spoilt spoilt_cells(const mesh::Mesh& mesh) {
-    constexpr double hardly = 0.05;
+    constexpr double hardly = 0.1;
     Spoilt spoilt;
     std::vector<std::vector<mesh::ShapeValue>> shapes;
     for (const auto& node : mesh::topology(mesh.cell_types.front()).nodes)

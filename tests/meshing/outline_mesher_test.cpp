@@ -99,6 +99,40 @@ TEST_P(EitherCells, AreShortWhereTheSizesSaySo) {
     EXPECT_GT(mesh::quality(thin).min_scaled_jacobian, 0.25);
 }
 
+/// A wall about a middle line whose radius is `radius_mm`, drawn as two splines through `spans` + 1 points each.
+template <class Radius>
+std::string spline_wall(double length_mm, double wall_mm, int spans, Radius&& radius_mm) {
+    const auto row = [&](int i, double off_mm, const char* tag, const char* curve) {
+        constexpr double step = 1e-5;
+        const double x = length_mm * i / spans;
+        const double slope = (radius_mm(x + step) - radius_mm(x - step)) / (2 * step), stretch = std::hypot(1, slope);
+        return std::to_string(x - off_mm * slope / stretch) + "," + std::to_string(radius_mm(x) + off_mm / stretch) +
+               "," + tag + "," + curve + "\n";
+    };
+    std::string text = "x_mm,r_mm,tag,curve\n";
+    for (int i = 0; i < spans; ++i) text += row(i, -wall_mm / 2, "cavity", "spline");
+    text += row(spans, -wall_mm / 2, "end", "line");
+    for (int i = spans; i > 0; --i) text += row(i, wall_mm / 2, "outer", "spline");
+    return text + row(0, wall_mm / 2, "fixed", "line");
+}
+
+/// A corner of one cell alone between two sides of a smooth outline would be flat, whatever the length of the cells.
+TEST_P(EitherCells, AreSoundInSmoothOutlines) {
+    const auto bellows = [](double x) { return 14 - 3 * std::cos(2 * pi * x / 12); };
+    const auto bulb = [](double x) { return 5 + 9 * std::exp(-(x - 20) * (x - 20) / 40); };
+    const auto wavy = [](double x) { return 10 + 0.8 * std::sin(2 * pi * x / 5) + 0.03 * x; };
+    for (const int through_wall : {1, 3}) {
+        const SizeWishes wishes{2e-3, through_wall, 4, {"fixed"}};
+        for (const int points : {8, 12, 24}) {
+            const Outline outline = sized(spline_wall(72, 1.2, 6 * points, bellows), Across::r, wishes);
+            EXPECT_GT(mesh::quality(mesh_outline(outline, GetParam())).min_scaled_jacobian, 0.15) << points;
+        }
+        for (const auto& text : {spline_wall(40, 1.5, 30, bulb), spline_wall(40, 1, 64, wavy)})
+            EXPECT_GT(mesh::quality(mesh_outline(sized(text, Across::r, wishes), GetParam())).min_scaled_jacobian,
+                      0.15);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(OutlineMesher, EitherCells, testing::Values(FreeCells::quadrilaterals, FreeCells::triangles),
                          [](const auto& test) {
                              return test.param == FreeCells::triangles ? "triangles" : "quadrilaterals";
