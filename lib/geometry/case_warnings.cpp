@@ -6,7 +6,9 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "mesh/quality.hpp"
 #include "model/cavity_surface.hpp"
+#include "model/place.hpp"
 
 namespace soft::geometry {
 namespace {
@@ -113,6 +115,18 @@ std::size_t parts_of(const mesh::Mesh& mesh) {
     return static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin());
 }
 
+/// Stresses in a cell whose Jacobian varies more than tenfold are not to be relied on.
+void check_quality(const model::Case& built, Warnings& warnings) {
+    constexpr double poor = 0.1;
+    const mesh::Quality quality = mesh::quality(built.mesh);
+    if (quality.min_scaled_jacobian >= poor) return;
+    warnings.push_back(
+        "mesh: worst scaled Jacobian " + core::rounded_text(quality.min_scaled_jacobian, 2) + " at " +
+        model::place_text(built.kinematics, quality.worst_place_m) +
+        "; below 0.1 stresses in the cell are unreliable and steps may fail; use a smaller mesh.size or a "
+        "gentler shape there");
+}
+
 }  // namespace
 
 std::vector<std::string> case_warnings(const design::Design& design, const model::Case& built) {
@@ -122,6 +136,7 @@ std::vector<std::string> case_warnings(const design::Design& design, const model
     check_outputs(built, warnings);
     check_outside(built, warnings);
     check_openings(design, built, warnings);
+    check_quality(built, warnings);
     if (design.values.has("geometry.file"))
         if (const std::size_t parts = parts_of(built.mesh); parts > 1)
             warnings.push_back(

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "geometry/build.hpp"
 
 namespace soft::geometry {
@@ -59,6 +61,27 @@ TEST(CaseWarnings, APressedOutsideIsToldWhereTheCavityIsNotLoaded) {
     expect_told(tube + "loads: {outer: {pressure: 5 kPa}}\n", "loads.outer: presses on the face outer");
     EXPECT_TRUE(told(tube + "loads: {outer: {pressure: 5 kPa}, cavity: {pressure: 5 kPa}}\n").empty());
     EXPECT_TRUE(told("family: dome\nmesh: {size: 2 mm}\nloads: {outer: {pressure: 5 kPa}}\n").empty());
+}
+
+/// A quadrilateral of side 1 whose corner (1, 1) moves to (c, c): the determinant is (2 c - 1) / 4 there, 1 / 4 opposite.
+TEST(CaseWarnings, APoorCellIsNamed) {
+    const design::Design design = design::read_design(
+        rod + "model: solid\nloads: {end: {traction: 1 kPa, along: x}}\n" + rubber, "test.yaml", catalogue_keys(), {});
+    model::Case built = build_case(design);
+    for (const auto& [c, words] : {std::pair{0.56, ""}, {0.52, "worst scaled Jacobian 0.04 at"}}) {
+        built.mesh = {};
+        built.mesh.dimension = 2;
+        built.mesh.points = {{0, 0, 0}, {1, 0, 0}, {c, c, 0}, {0, 1, 0}};
+        mesh::add_cell(built.mesh, mesh::CellType::quad4, std::array<mesh::Index, 4>{0, 1, 2, 3}, 0);
+        built.outputs.clear();
+        const auto warnings = case_warnings(design, built);
+        if (std::string_view{words}.empty()) {
+            EXPECT_TRUE(warnings.empty()) << warnings[0];
+        } else {
+            ASSERT_EQ(warnings.size(), 1u);
+            EXPECT_NE(warnings[0].find(words), std::string::npos) << warnings[0];
+        }
+    }
 }
 
 }  // namespace
