@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "core/units.hpp"
 #include "meshing/gmsh_session.hpp"
 
 namespace soft::meshing {
@@ -217,7 +218,26 @@ private:
     mesh::Mesh result_;
 };
 
+/// gmsh takes points nearer to each other than 1e-8 of unit size for one and ends the program; so short an edge is a slip anyway.
+void refuse_short_curves(const Section& section) {
+    constexpr double least_share = 1e-6;
+    const auto [low_x, high_x] = std::ranges::minmax(section.points, {}, [](const PlanePoint& p) { return p[0]; });
+    const auto [low_y, high_y] = std::ranges::minmax(section.points, {}, [](const PlanePoint& p) { return p[1]; });
+    const double extent_m = std::max(high_x[0] - low_x[0], high_y[1] - low_y[1]);
+    for (const Curve& curve : section.curves) {
+        const double edge_m = length(minus(section.points[static_cast<std::size_t>(curve.end)],
+                                           section.points[static_cast<std::size_t>(curve.start)]));
+        if (!(edge_m >= least_share * extent_m))
+            throw Error(ExitCode::bad_input, "geometry",
+                        "an edge of the section is " + core::quantity_text(edge_m, core::Dimension::length) +
+                            " long, less than a millionth of the section's " +
+                            core::quantity_text(extent_m, core::Dimension::length),
+                        "enlarge the wall, fillet, land or angle that makes it so short, or leave it out");
+    }
+}
+
 FineMesh run_gmsh(const Section& section) {
+    refuse_short_curves(section);
     const double scale = unit_scale(section);
     GmshSession gmsh;
     describe(gmsh, section, scale);

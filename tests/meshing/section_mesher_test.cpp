@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/error.hpp"
 #include "mesh/cell_map.hpp"
 #include "mesh/quality.hpp"
 #include "meshing/section_mesher.hpp"
@@ -35,6 +36,28 @@ TEST(SectionMesher, NodesOnArcsLieOnTheTrueArc) {
         for (const mesh::Index n : facet_nodes(mesh, facet)) EXPECT_NEAR(radius(mesh.point(n)), 2, 1e-13);
     for (const mesh::Facet& facet : mesh.facet_sets.at("inner"))
         for (const mesh::Index n : facet_nodes(mesh, facet)) EXPECT_NEAR(radius(mesh.point(n)), 1, 1e-13);
+}
+
+TEST(SectionMesher, RefusesAnEdgeFarShorterThanTheSection) {
+    for (const double edge :
+         {0.0, 1e-300, 1e-12, 5e-7}) {  // of 2: gmsh ends the program where it takes its ends for one
+        Section s;
+        const int a = add_point(s, {0, 0}), b = add_point(s, {2, 0}), c = add_point(s, {2, edge}),
+                  d = add_point(s, {0, edge});
+        add_line(s, {a, b}, 2);
+        add_line(s, {b, c}, 1);
+        add_line(s, {c, d}, 2);
+        add_line(s, {d, a}, 1);
+        add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
+        try {
+            (void)mesh_section(s);
+            FAIL() << edge;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::bad_input) << edge;
+            EXPECT_NE(std::string{error.what()}.find("less than a millionth of the section's 2 m"), std::string::npos)
+                << error.what();
+        }
+    }
 }
 
 TEST(SectionMesher, InnerMidNodesFollowTheCurvedGridLines) {
