@@ -74,7 +74,10 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
     }
     for (const std::string& line : cli::summary_lines(summary)) console.say(line);
     if (options.task == cli::Task::surface) console.say(write_surface(model, options.surface));
-    if (options.task == cli::Task::check) console.say(input.source + ": nothing wrong");
+    if (options.task == cli::Task::check) {
+        const std::string found = warnings.empty() ? "" : ", " + core::counted(warnings.size(), "warning");
+        console.say(input.source + ": valid" + found);
+    }
     if (!options.common.json.empty()) cli::write_json(options.common.json, cli::summary_json(summary, warnings));
     return ExitCode::ok;
 }

@@ -135,13 +135,26 @@ TEST(MeshGen, TheUnknownsOfABarCanBeCounted) {
     EXPECT_EQ(json.at("unknowns"), 3 * (5 * 3 * 3 - 9) + 2 * 4);  // one face held; four pressures a hexahedron
 }
 
+TEST(MeshGen, CheckCountsItsWarnings) {
+    Folder folder;
+    const Outcome outcome = run(folder,
+                                "mesh-gen --template tube > t.yaml && mesh-gen --check t.yaml --set material.mu=100MPa "
+                                "--set loads.cavity.pressure=101.325kPa");
+    EXPECT_EQ(outcome.code, 0);
+    std::istringstream lines{outcome.err};
+    int warnings = 0;
+    for (std::string line; std::getline(lines, line);) warnings += line.starts_with("mesh-gen: warning: ") ? 1 : 0;
+    EXPECT_EQ(warnings, 2) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, "t.yaml: valid, 2 warnings\n")) << outcome.err;
+}
+
 TEST(MeshGen, CheckAndExplainWriteNoCase) {
     Folder folder;
     ASSERT_EQ(run(folder, "mesh-gen --template bellows > b.yaml").code, 0);
     const Outcome check = run(folder, "mesh-gen --check b.yaml");
     EXPECT_EQ(check.code, 0);
     EXPECT_EQ(check.out, "");
-    EXPECT_TRUE(holds(check.err, "b.yaml: nothing wrong"));
+    EXPECT_TRUE(holds(check.err, "b.yaml: valid\n"));
     const Outcome explain = run(
         folder, "mesh-gen --explain b.yaml --set geometry.wall=2.5mm > e.yaml; cat e.yaml; mesh-gen --check e.yaml");
     EXPECT_EQ(explain.code, 0) << explain.err;
