@@ -109,6 +109,7 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         summary.last = step;
         if (!summary.first) summary.first = step;
         if (!step.stable && !summary.first_unstable_row) summary.first_unstable_row = summary.steps;
+        if (!step.stable_under_control.value_or(step.stable)) summary.gave_way = true;
         summary.largest_stretch_p99 = std::max(summary.largest_stretch_p99, step.stretch_p99);
         if (step.min_jacobian < fields::crushed_jacobian && !summary.first_crushed_row)
             summary.first_crushed_row = summary.steps;
@@ -146,8 +147,15 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
     for (const solution::Step& step : from.steps) remaining.begin_at(count(step));
     notice.set(interrupted_text(task.output, summary.steps, model));
     const solver::Listeners listeners{
-        sink, task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep), log,
-        contact_check(system), tolerance ? keep_row : solver::RowSink()};
+        sink,
+        task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep),
+        log,
+        contact_check(system),
+        tolerance ? keep_row : solver::RowSink(),
+        [&](int row, const std::string& control) {
+            if (summary.controls.empty() || summary.controls.back().second != control)
+                summary.controls.emplace_back(row, control);
+        }};
     summary.end = model.dynamics
                       ? dynamics::integrate_motion(system, listeners)
                       : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
@@ -221,7 +229,8 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         summary.wall_s = seconds_since(begin);
         for (const auto& lines : {limit_lines(summary, model), bifurcation_lines(summary.end, model)})
             for (const std::string& line : lines) console.say(line);
-        if (const std::string line = stability_line(summary); !line.empty()) console.say(line);
+        for (const std::string& line : {control_line(summary, model), stability_line(summary)})
+            if (!line.empty()) console.say(line);
         console.say(summary_line(summary, model));
         for (const std::string& line : profile_lines(summary)) console.say(line);
         if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
@@ -229,12 +238,11 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99))
             console.warn(*advice);
         if (summary.first && summary.last)
-            for (const std::string& line :
-                 fields::warnings_at(model,
-                                     {*summary.first, *summary.last, summary.largest_stretch_p99,
-                                      summary.most_stretched, summary.first_unstable_row.has_value(),
-                                      summary.end.limit_points, summary.first_crushed_row, summary.least_jacobian},
-                                     summary.end.reason))
+            for (const std::string& line : fields::warnings_at(
+                     model,
+                     {*summary.first, *summary.last, summary.largest_stretch_p99, summary.most_stretched,
+                      summary.gave_way, summary.end.limit_points, summary.first_crushed_row, summary.least_jacobian},
+                     summary.end.reason))
                 console.warn(line);
         for (const std::string& option : session.unused_options())
             console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");

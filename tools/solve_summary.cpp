@@ -211,6 +211,8 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
         add_place(point, limit, model);
         json["limit_points"].push_back(std::move(point));
     }
+    for (const auto& [row, control] : summary.controls)
+        json["controls"].push_back({{"from_row", row}, {"control", control}});
     if (model.dynamics) json["dynamics"] = motion_json(summary, *model.dynamics);
     if (summary.accuracy) {
         const AccuracySummary& accuracy = *summary.accuracy;
@@ -268,9 +270,23 @@ std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const m
     return lines;
 }
 
+std::string control_line(const SolveSummary& summary, const model::Case& model) {
+    const bool chosen = std::ranges::none_of(
+        model.path.stages, [](const model::Stage& stage) { return stage.control == model::Control::automatic; });
+    if (chosen || summary.controls.size() < 2) return "";
+    std::string line = "path.control auto: " + summary.controls.front().second;
+    for (std::size_t i = 1; i < summary.controls.size(); ++i)
+        line += ", from row " + std::to_string(summary.controls[i].first) + " on " + summary.controls[i].second;
+    return line;
+}
+
 std::string stability_line(const SolveSummary& summary) {
     const bool at_the_end = summary.end.reason == solution::StopReason::done && summary.last && !summary.last->stable;
     if (!at_the_end || !summary.first_unstable_row) return "";
+    if (summary.last->stable_under_control.value_or(false))
+        return "the state at the end is unstable at its load, as states are from row " +
+               std::to_string(*summary.first_unstable_row) + " on: it is stable where the " +
+               (summary.controls.empty() ? "controlled quantity" : summary.controls.back().second) + " is controlled";
     return "the state at the end is unstable, as states are from row " + std::to_string(*summary.first_unstable_row) +
            " on: a body that is let go leaves it; path.branch: follow shows where to";
 }

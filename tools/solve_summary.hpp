@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli.hpp"
@@ -39,8 +40,10 @@ struct SolveSummary {
     solution::PathEnd end;
     std::optional<solution::Step> first, last;  ///< rows of the path
     std::optional<int> first_unstable_row;
-    double largest_stretch_p99 = 1;  ///< of all rows
-    solution::Step most_stretched;   ///< the row with the largest max_stretch
+    bool gave_way = false;                              ///< a row is unstable under the control in use
+    std::vector<std::pair<int, std::string>> controls;  ///< of a static path, each with the first row that it finds
+    double largest_stretch_p99 = 1;                     ///< of all rows
+    solution::Step most_stretched;                      ///< the row with the largest max_stretch
     std::optional<int> first_crushed_row;
     double least_jacobian = 1;
     std::optional<AccuracySummary> accuracy;
@@ -90,6 +93,8 @@ struct MemoryRange {
 /// One line a bifurcation: "bifurcation at 26.1 kPa, elongation 127 mm, volume 80 mL: another branch leaves the path ..."
 [[nodiscard]] std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model);
 /// Of a path that comes to its goal in a state in which no body stays; else empty.
+/// Which controls `path.control: auto` has chosen, and from which row on; empty where it stayed with one or the user has chosen.
+[[nodiscard]] std::string control_line(const SolveSummary& summary, const model::Case& model);
 [[nodiscard]] std::string stability_line(const SolveSummary& summary);
 
 /// "12.3 kPa, elongation 92.5 mm, volume 55.3 mL"; of a case with several stages "vent: 12.3 kPa, ...", of a motion

@@ -132,7 +132,7 @@ constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &so
 /// Does not compile where a struct has a member more than is kept here: then a resumed path would not be the same.
 [[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19,
-                                  extremes, energies, motion, s20, s21] = step;
+                                  s20, extremes, energies, motion, s21, s22] = step;
     [[maybe_unused]] const auto& [x1, x2] = *extremes;
     [[maybe_unused]] const auto& [n1, n2, n3] = *energies;
     [[maybe_unused]] const auto& [m1, m2, m3, m4, m5] = *motion;
@@ -156,6 +156,8 @@ std::vector<std::byte> encode_step(const solution::Step& step, std::span<const d
     packer.put_optional(step.volume_m3);
     packer.put_optional(step.pressure_error_Pa);
     packer.put(std::uint64_t{step.stable});
+    packer.put(std::uint64_t{step.stable_under_control.has_value()});
+    packer.put(std::uint64_t{step.stable_under_control.value_or(false)});
     packer.put(std::uint64_t{step.motion.has_value()});
     if (step.motion)
         for (const auto member : motion_numbers) packer.put((*step.motion).*member);
@@ -185,6 +187,8 @@ JournalStep decode_step(std::span<const std::byte> payload, std::string_view sou
     step.volume_m3 = unpacker.get_optional();
     step.pressure_error_Pa = unpacker.get_optional();
     step.stable = unpacker.get_flag();
+    const bool has_control = unpacker.get_flag(), stable_under_control = unpacker.get_flag();
+    if (has_control) step.stable_under_control = stable_under_control;
     if (unpacker.get_flag()) {
         step.motion = solution::Step::Motion{};
         for (const auto member : motion_numbers) (*step.motion).*member = unpacker.get<double>();

@@ -239,8 +239,13 @@ void write_steps(hid_t path, std::span<const Step> steps, const model::Case& mod
     for (const CountColumn& column : count_columns)
         write_column(path, {column.name, "1", column.description}, steps.size(),
                      [&](std::size_t i) { return static_cast<std::int64_t>(steps[i].*column.member); });
-    write_column(path, {"stable", "1", "1: stable under what is prescribed"}, steps.size(),
+    write_column(path, {"stable", "1", "1: stable under the loads as the case states them"}, steps.size(),
                  [&](std::size_t i) { return static_cast<std::uint8_t>(steps[i].stable); });
+    if (!steps.empty() &&
+        std::ranges::all_of(steps, [](const Step& step) { return step.stable_under_control.has_value(); }))
+        write_column(path, {"stable_under_control", "1", "1: stable under the control that found the state"},
+                     steps.size(),
+                     [&](std::size_t i) { return static_cast<std::uint8_t>(*steps[i].stable_under_control); });
     write_optional(path, steps);
     write_volumes(path, steps);
     write_errors(path, steps, model);
@@ -283,6 +288,10 @@ std::vector<Step> read_steps(const GroupReader& path, const model::Case& model) 
     check_stages(path, steps, model);
     const auto stable = path.flags("stable", {extent(steps.size())});
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i].stable = stable[i] == 1;
+    if (path.has("stable_under_control")) {
+        const auto controlled = path.flags("stable_under_control", {extent(steps.size())});
+        for (std::size_t i = 0; i < steps.size(); ++i) steps[i].stable_under_control = controlled[i] == 1;
+    }
     read_errors(path, steps, model);
     read_times(path, steps, model);
     read_optional(path, steps, model);

@@ -252,7 +252,13 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
         plain("stretch_p99", Role::follower, "largest principal stretch exceeded in 1 % of the rubber: it converges");
     Column largest = plain("max_stretch", Role::follower, "largest principal stretch at an integration point");
     Column jacobian = plain("min_J", Role::follower, "least ratio of volumes at an integration point");
-    Column stable = plain("stable", Role::flag, "1 where no direction is left in which the body gives way");
+    Column stable =
+        plain("stable", Role::flag, "1 where the state is stable under the loads as the design states them");
+    Column controlled = plain("stable_under_control", Role::flag,
+                              "1 where the state is stable under the control that found it, as a prescribed volume");
+    const bool has_controlled = !steps.empty() && std::ranges::all_of(steps, [](const solution::Step& step) {
+        return step.stable_under_control.has_value();
+    });
     std::vector<OnDemand> extras = on_demand(model);
     std::erase_if(extras, [&](const OnDemand& extra) {
         return !std::ranges::all_of(steps, [&](const solution::Step& step) {
@@ -273,6 +279,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
         largest.values.push_back(step.max_stretch);
         jacobian.values.push_back(step.min_jacobian);
         stable.values.push_back(step.stable ? 1 : 0);
+        controlled.values.push_back(step.stable_under_control.value_or(step.stable) ? 1 : 0);
         for (OnDemand& extra : extras) {
             extra.column.values.push_back(in_column_unit(extra.column, *extra.value_SI(step)));
             if (const auto slope = extra.slope_SI(step))
@@ -296,6 +303,7 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     if (moves)
         for (auto& energy : motion.energies) add(energy.column);
     for (Column* column : {&p99, &largest, &jacobian, &stable}) add(*column);
+    if (has_controlled) add(controlled);
     for (OnDemand& extra : extras) add(extra.column);
     return curve;
 }

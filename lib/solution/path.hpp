@@ -39,7 +39,11 @@ struct Step {
     std::vector<double> tangent_pressures, tangent_volumes, tangent_outputs;
     int newton_iterations = 0;
     int factorizations = 0;
-    bool stable = true;      ///< under what is prescribed: pressure, volume or gas; see solver/path.hpp
+    bool stable =
+        true;  ///< under the loads as the case states them: at that pressure, volume or gas; see solver/path.hpp
+    /// Under the control that finds the state (a pressure that is stated may be found at a prescribed volume). Absent of a dynamic
+    /// path and in older files.
+    std::optional<bool> stable_under_control = {};
     double stretch_p99 = 1;  ///< largest principal stretch exceeded in 1 % of the rubber's volume
     double max_stretch = 1;
     double min_jacobian = 1;  ///< least det F over the integration points

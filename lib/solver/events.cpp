@@ -268,3 +268,4 @@ bool PathFollower::take_branch(const Event& event) {
 }
 
 }  // namespace soft::solver
+    report_control();

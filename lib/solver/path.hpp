@@ -14,8 +14,10 @@
 /// the user has chosen the control, a path that ends under it is followed by arc length just far enough to say why:
 /// a limit point of the controlled quantity.
 ///
-/// Step::stable: no direction is left in which the body gives way under what is controlled. Under arc length and under
-/// the load factor that is every load as prescribed; under volume or output control the load may change to hold it.
+/// Step::stable: the tangent is positive definite with every load held as the case states it: at that pressure where a pressure
+/// is stated, at that volume or mass where these are. Step::stable_under_control: the same where the control is the load factor
+/// or the arc length; under volume or output control the tangent is positive definite where the controlled quantity is held and
+/// the load adapts, so that a state beyond a pressure maximum can be stable under control alone.
 /// Held by solver/solver_test, solver/branch_test and the verification suite (sphere, tube, bellows, two spheres).
 #include <functional>
 #include <optional>
@@ -63,12 +65,16 @@ using ContactCheck = std::function<std::optional<Touch>(Vec x)>;
 /// A row with what it takes to solve it again on another mesh (refined_path.hpp).
 using RowSink = std::function<void(const RowState&)>;
 
+/// The control that the path is followed by from the next row on, in words: "load", "volume", "output elongation", "arc length".
+using ControlSink = std::function<void(int row, const std::string& control)>;
+
 struct Listeners {
     StepSink step;
     CheckpointSink checkpoint = {};  ///< may be empty
     Log log = {};                    ///< may be empty
     ContactCheck contact = {};       ///< may be empty: walls pass through each other
     RowSink row = {};                ///< may be empty
+    ControlSink control = {};        ///< may be empty
 };
 
 /// `from`: goes on from there instead of the undeformed state; the rows before it are not passed to the sink again. The

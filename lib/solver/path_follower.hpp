@@ -62,6 +62,7 @@ private:
     [[nodiscard]] double controlled_value(const PathPoint& point, double arc_length) const;
     [[nodiscard]] bool nears_a_maximum();
     void soften();
+    void report_control() const;
     [[nodiscard]] int wanted_steps() const;
     [[nodiscard]] double first_step(double slope, double sense) const;
     void begin_without_direction(State state);
@@ -144,7 +145,9 @@ private:
     // events.cpp
     [[nodiscard]] std::optional<Touch> find_contact(PathPoint& point);
     /// Appends what happens between two points in the order of the path; true where the path ends or turns there.
+    /// With the loads held as the case states them, and under the control in use.
     [[nodiscard]] bool pass_events(const PathPoint& from, const PathPoint& to);
+    [[nodiscard]] bool is_stable_under_control(const PathPoint& point) const;
     [[nodiscard]] std::optional<PathPoint> locate_extremum(const PathPoint& from, const PathPoint& to,
                                                            double (*slope)(const PathPoint&, std::size_t),
                                                            std::size_t index);

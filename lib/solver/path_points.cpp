@@ -38,6 +38,7 @@ void PathFollower::append(PathPoint& point) {
     step.newton_iterations = iterations_since_row_;
     step.factorizations = newton_.factorizations() - factorizations_at_row_;
     step.stable = is_stable(point);
+    step.stable_under_control = is_stable_under_control(point);
     read_rubber(system_, point, direction, step);
     stretch_p99_ = step.stretch_p99;
     iterations_since_row_ = 0;
@@ -49,10 +50,15 @@ void PathFollower::append(PathPoint& point) {
 
 /// Under a controlled volume or output the tangent may have one more direction that gives way than at fixed load, exactly
 /// where the load falls: the bordered matrix is then still definite on the constraint.
-bool PathFollower::is_stable(const PathPoint& point) const {
+bool PathFollower::is_stable_under_control(const PathPoint& point) const {
     const bool load_follows = control_.kind == ConstraintKind::volume || control_.kind == ConstraintKind::output;
-    if (!point.tangent.unstable_modes) return load_follows || !load_falls(point);
-    return *point.tangent.unstable_modes == (load_follows && load_falls(point) ? 1 : 0);
+bool PathFollower::is_stable(const PathPoint& point) const {
+    return point.tangent.unstable_modes ? *point.tangent.unstable_modes == 0 : !load_falls(point);
+}
+
+    if (!load_follows) return is_stable(point);
+    if (!point.tangent.unstable_modes) return true;
+    return *point.tangent.unstable_modes == (load_falls(point) ? 1 : 0);
 }
 
 solution::LimitPoint PathFollower::place_of(const PathPoint& point) const {

@@ -89,6 +89,8 @@ void PathFollower::restore(const solution::Checkpoint& from) {
     if (from.before) before_ = point_of(*from.before);
     last_ = point_of(from.last);
     step_ = from.step;
+    rows_ = from.rows;
+    report_control();
     first_step_ = from.first_step;
     work_before_stage_J_ = from.work_before_stage_J;
     first_slope_ = from.first_slope;

@@ -116,6 +116,7 @@ std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPlace plac
     RowState row{step_of(system_, point, 1.0), {}, {}, {}, {}};
     row.step.stage = coarse.step.stage;
     row.step.stable = coarse.step.stable;
+    row.step.stable_under_control = coarse.step.stable_under_control;
     row.step.newton_iterations = iterations_ - iterations;
     row.step.factorizations = newton_.factorizations() - factorizations;
     read_rubber(system_, point, 1.0, row.step);

@@ -138,6 +138,15 @@ void PathFollower::begin_stage(State state) {
     point.load_work_J = work_before_stage_J_;
     last_ = std::move(point);
 }
+    report_control();
+}
+
+void PathFollower::report_control() const {
+    if (!listeners_.control) return;
+    const bool load = control_.kind == ConstraintKind::load_factor, output = control_.kind == ConstraintKind::output;
+    listeners_.control(rows_ + (rows_ == 0 ? 1 : 0), load     ? "load"
+                                                     : output ? "output " + input_.outputs[control_.index].name
+                                                              : std::string(name(control_.kind)));
 
 /// In units of the controlled quantity, which moves by `slope` per load factor.
 double PathFollower::first_step(double slope, double sense) const {
@@ -194,6 +203,7 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
     const double step = direction * reach / linalg::norm(last_->tangent.x);
     step_ = first_step_ = settings_.steps == model::StepRule::constant ? step : coarse(step);
     failures_ = 0;
+    report_control();
     rejected_error_.reset();
     rejected_curve_error_.reset();
 }

@@ -220,6 +220,7 @@ solution::Step example_step(int number) {
     step.newton_iterations = 3 + number;
     step.factorizations = 2 + number;
     step.stable = number != 2;
+    step.stable_under_control = number != 1;
     step.stretch_p99 = 1 + t / 2;
     step.max_stretch = 1 + t;
     step.min_jacobian = 1 - t / 100;

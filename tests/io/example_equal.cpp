@@ -207,6 +207,7 @@ void expect_equal(const solution::Step& left, const solution::Step& right) {
     EXPECT_EQ(left.newton_iterations, right.newton_iterations);
     EXPECT_EQ(left.factorizations, right.factorizations);
     EXPECT_EQ(left.stable, right.stable);
+    EXPECT_EQ(left.stable_under_control, right.stable_under_control);
     EXPECT_EQ(left.stretch_p99, right.stretch_p99);
     EXPECT_EQ(left.max_stretch, right.max_stretch);
     EXPECT_EQ(left.min_jacobian, right.min_jacobian);

@@ -7,7 +7,7 @@ column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == n
 
 # A finger with a blocked tip: force and moment as columns, along with what was there.
 runs "$(finger "--set 'supports={fixed: [fixed, tip]}' --set 'outputs={block: {face: tip, measure: force, along: z}, hold: {face: fixed, measure: force, along: z}, turn: {face: tip, measure: moment, along: y}, arch: {face: bottom, measure: curvature, along: y}}'") -o case.h5 && solve -q case.h5 -o result.h5 && postprocess -q result.h5 -o curve.csv"
-claim "the columns have the units" [ "$(head -n 1 curve.csv)" = "step,pressure_kPa,block_N,hold_N,turn_Nmm,arch_per_m,volume_mL,stretch_p99,max_stretch,min_J,stable" ]
+claim "the columns have the units" [ "$(head -n 1 curve.csv)" = "step,pressure_kPa,block_N,hold_N,turn_Nmm,arch_per_m,volume_mL,stretch_p99,max_stretch,min_J,stable,stable_under_control" ]
 claim "both holders feel the same" within "$(awk "BEGIN { print ($(column curve.csv block_N) + $(column curve.csv hold_N)) / $(column curve.csv block_N) }")" -1e-8 1e-8
 runs 'postprocess -q result.h5 --check curve.csv --rtol 1e-12'
 runs 'postprocess -q result.h5 --at pressure=1kPa -o at.csv'

@@ -42,6 +42,20 @@ TEST(Curve, LeavesOutWhatTheCaseDoesNotMeasure) {
               (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable"}));
 }
 
+// Beyond a pressure maximum that is passed at a prescribed volume: unstable at that pressure, stable at that volume.
+TEST(Curve, HasTheStabilityUnderControlWhereEveryRowHasIt) {
+    solution::Step step = step_with(0, {}, std::nullopt);
+    step.stable = false;
+    step.stable_under_control = true;
+    std::vector steps{step, step};
+    const Curve curve = make_curve(sample_case(), steps);
+    EXPECT_EQ(curve.columns.back().name, "stable_under_control");
+    EXPECT_EQ(curve.find("stable")->values, (std::vector<double>{0, 0}));
+    EXPECT_EQ(curve.find("stable_under_control")->values, (std::vector<double>{1, 1}));
+    steps[1].stable_under_control.reset();
+    EXPECT_EQ(make_curve(sample_case(), steps).find("stable_under_control"), nullptr);
+}
+
 TEST(Curve, CallsItsLoadByWhatLeadsTheCase) {
     const std::vector<solution::Step> steps{step_with(500, {}, std::nullopt)};
     model::Case model = sample_case({}, Loaded::nothing);
