@@ -136,8 +136,8 @@ constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &so
     [[maybe_unused]] const auto& [x1, x2] = *extremes;
     [[maybe_unused]] const auto& [n1, n2, n3] = *energies;
     [[maybe_unused]] const auto& [m1, m2, m3, m4, m5] = *motion;
-    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, c15, end] =
-        checkpoint;
+    [[maybe_unused]] const auto& [c1, c2, c3, c4, start, c5, c6, c7, c8, c9, c10, c11, last, c12, c13, c14, c15, c16,
+                                  end] = checkpoint;
     [[maybe_unused]] const auto& [l1, l2, l3, l4, l5, l6] = start;
     [[maybe_unused]] const auto& [p1, p2, p3, p4, p5, p6, p7, p8, p9, p10, p11] = last;
     [[maybe_unused]] const auto& [reason, detail, e1, bifurcations, e2, e3] = end;
@@ -283,6 +283,7 @@ std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint)
     if (checkpoint.before) put_state(packer, *checkpoint.before);
     put_state(packer, checkpoint.last);
     for (const auto member : checkpoint_numbers) packer.put(checkpoint.*member);
+    packer.put_list(checkpoint.visited);
     put_end(packer, checkpoint.so_far);
     return packer.take();
 }
@@ -297,6 +298,7 @@ solution::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::
     if (unpacker.get_flag()) checkpoint.before = get_state(unpacker);
     checkpoint.last = get_state(unpacker);
     for (const auto member : checkpoint_numbers) checkpoint.*member = unpacker.get<double>();
+    checkpoint.visited = unpacker.get_list();
     checkpoint.so_far = get_end(unpacker);
     unpacker.require_end();
     return checkpoint;

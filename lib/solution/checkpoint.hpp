@@ -47,7 +47,9 @@ struct Checkpoint {
     double step = 0, first_step = 0;  ///< of q
     double work_before_stage_J = 0;   ///< done by the loads before the stage, of the modelled part
     double first_slope = 0;           ///< size of the path's direction per load factor where the stage began
-    PathEnd so_far;                   ///< limit points and counts; its reason has no meaning yet
+    std::vector<double>
+        visited;     ///< [row of the stage x 32]: sketches of states and tangents (solver/visited_states.hpp)
+    PathEnd so_far;  ///< limit points and counts; its reason has no meaning yet
 };
 
 }  // namespace soft::solution

@@ -54,6 +54,18 @@ bool PathFollower::is_crushed() const { return newton_result_.min_jacobian < cru
 void PathFollower::give_up() {
     const std::string place = place_text(newton_result_.worst_cell, input_);
     log("no step goes on: smaller cells (mesh.size) would be next");
+std::string PathFollower::return_text() const {
+    const auto found = find_return(visited_);
+    if (!found) return {};
+    const auto row = [&](std::size_t index) { return std::to_string(stage_first_row_ + static_cast<int>(index)); };
+    if (found->sense == Return::Sense::forward)
+        return "the load asked for is not reached: the path is closed, it is back at row " + row(found->earlier) +
+               ", " + describe(*last_);
+    return "the load asked for is not reached: the path has turned back, from row " + row(found->first) +
+           " on it passes its earlier states in the opposite direction, now those of row " + row(found->earlier) +
+           ", " + describe(*last_);
+}
+
     if (newton_result_.end == NewtonEnd::inverted)
         return finish(StopReason::inverted_element,
                       "a cell turns inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " + place +

@@ -13,6 +13,7 @@
 #include "solver/history.hpp"
 #include "solver/path.hpp"
 #include "solver/path_text.hpp"
+#include "solver/visited_states.hpp"
 
 namespace soft::solver {
 
@@ -108,6 +109,8 @@ private:
     [[nodiscard]] std::optional<PathTangent> oriented_direction(const State& state);
     [[nodiscard]] bool begins_at_rest() const;
     [[nodiscard]] PathTangent leave_rest(const State& rest, PathTangent slack);
+    /// Why the path ends where it has returned to states it has passed; empty where it has not.
+    [[nodiscard]] std::string return_text() const;
     [[nodiscard]] bool stays_in_piece(const State& base, double length, PathTangent& direction);
     [[nodiscard]] bool settle(const State& base, double length, PathTangent& direction);
     [[nodiscard]] std::optional<PathTangent> piece_between(double step, const PathTangent& far);
@@ -173,8 +176,9 @@ private:
     Constraint control_;
     std::optional<Constraint> chosen_;  // by the user, where the path is followed by another control to see why it ends
     std::optional<PathPoint> before_, last_;
-    double step_ = 0, first_step_ = 0;  // of q, signed
-    double stretch_p99_ = 1;            // of the last row
+    std::vector<VisitedState> visited_;  // rows of the stage
+    double step_ = 0, first_step_ = 0;   // of q, signed
+    double stretch_p99_ = 1;             // of the last row
     double work_before_stage_J_ = 0;
     double first_slope_ = 0;                                       // |dx / d load factor| where the stage began
     int failures_ = 0;                                             // in a row

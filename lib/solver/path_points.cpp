@@ -41,6 +41,10 @@ void PathFollower::append(PathPoint& point) {
     step.stable_under_control = is_stable_under_control(point);
     read_rubber(system_, point, direction, step);
     stretch_p99_ = step.stretch_p99;
+    visited_.push_back({sketch_of(point.state.x), sketch_of(point.tangent.x)});
+    const double size = linalg::norm(point.tangent.x);
+    if (size > 0.0)
+        for (double& component : visited_.back().tangent) component *= direction / size;
     iterations_since_row_ = 0;
     factorizations_at_row_ = newton_.factorizations();
     ++rows_;
@@ -48,14 +52,14 @@ void PathFollower::append(PathPoint& point) {
     if (listeners_.row) listeners_.row(row_state(system_, point, direction, std::move(step)));
 }
 
-/// Under a controlled volume or output the tangent may have one more direction that gives way than at fixed load, exactly
-/// where the load falls: the bordered matrix is then still definite on the constraint.
-bool PathFollower::is_stable_under_control(const PathPoint& point) const {
-    const bool load_follows = control_.kind == ConstraintKind::volume || control_.kind == ConstraintKind::output;
 bool PathFollower::is_stable(const PathPoint& point) const {
     return point.tangent.unstable_modes ? *point.tangent.unstable_modes == 0 : !load_falls(point);
 }
 
+/// Under a controlled volume or output the tangent may have one more direction that gives way than at fixed load, exactly
+/// where the load falls: the bordered matrix is then still definite on the constraint.
+bool PathFollower::is_stable_under_control(const PathPoint& point) const {
+    const bool load_follows = control_.kind == ConstraintKind::volume || control_.kind == ConstraintKind::output;
     if (!load_follows) return is_stable(point);
     if (!point.tangent.unstable_modes) return true;
     return *point.tangent.unstable_modes == (load_falls(point) ? 1 : 0);

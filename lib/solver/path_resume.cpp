@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/error.hpp"
 #include "solver/path_follower.hpp"
 
@@ -36,6 +38,9 @@ void PathFollower::keep_checkpoint() {
     checkpoint.first_step = first_step_;
     checkpoint.work_before_stage_J = work_before_stage_J_;
     checkpoint.first_slope = first_slope_;
+    for (const VisitedState& state : visited_)
+        for (const Sketch* sketch : {&state.state, &state.tangent})
+            checkpoint.visited.insert(checkpoint.visited.end(), sketch->begin(), sketch->end());
     checkpoint.so_far = end_;
     checkpoint.so_far.factorizations = factorizations_before_ + newton_.factorizations();
     listeners_.checkpoint(checkpoint);
@@ -84,18 +89,25 @@ void PathFollower::restore(const solution::Checkpoint& from) {
             : control_.kind == ConstraintKind::output && control_.index >= system_.output_count())
         refuse("has other loads or outputs than the case", "run solve again");
     on_branch_ = from.on_branch;
+    rows_ = from.rows;
+    report_control();
     factorizations_at_row_ = newton_.factorizations() - from.pending_factorizations;
     newton_.confirm_pivots(from.confirmed_pivots);
     if (from.before) before_ = point_of(*from.before);
     last_ = point_of(from.last);
     step_ = from.step;
-    rows_ = from.rows;
-    report_control();
     first_step_ = from.first_step;
     work_before_stage_J_ = from.work_before_stage_J;
     first_slope_ = from.first_slope;
     stage_first_row_ = from.stage_first_row;
     rows_ = from.rows;
+    if (from.visited.size() % (2 * sketch_size) != 0) refuse("has states that no path has passed", "run solve again");
+    for (std::size_t i = 0; i < from.visited.size(); i += 2 * sketch_size) {
+        const auto state = from.visited.begin() + static_cast<std::ptrdiff_t>(i);
+        visited_.emplace_back();
+        std::copy_n(state, sketch_size, visited_.back().state.begin());
+        std::copy_n(state + sketch_size, sketch_size, visited_.back().tangent.begin());
+    }
     end_ = from.so_far;
     factorizations_before_ = from.so_far.factorizations;
 }

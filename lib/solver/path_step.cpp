@@ -235,6 +235,8 @@ void PathFollower::accept(PathPoint point) {
     before_ = std::move(last_);
     last_ = std::move(point);
 }
+    else if (std::string returned = return_text(); !returned.empty())
+        finish(StopReason::limit_point, std::move(returned));
 
 void PathFollower::adapt_step(double predictor_error, double order) {
     const double taken = last_->q - before_->q;

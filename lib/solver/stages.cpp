@@ -107,6 +107,7 @@ double PathFollower::controlled_value(const PathPoint& point, double arc_length)
 /// load factor grows.
 void PathFollower::begin_stage(State state) {
     stage_first_row_ = rows_;
+    visited_.clear();
     before_.reset();
     last_.reset();
     failures_ = 0;
@@ -137,7 +138,6 @@ void PathFollower::begin_stage(State state) {
     point.q = controlled_value(point, 0.0);
     point.load_work_J = work_before_stage_J_;
     last_ = std::move(point);
-}
     report_control();
 }
 
@@ -147,6 +147,7 @@ void PathFollower::report_control() const {
     listeners_.control(rows_ + (rows_ == 0 ? 1 : 0), load     ? "load"
                                                      : output ? "output " + input_.outputs[control_.index].name
                                                               : std::string(name(control_.kind)));
+}
 
 /// In units of the controlled quantity, which moves by `slope` per load factor.
 double PathFollower::first_step(double slope, double sense) const {
@@ -202,8 +203,8 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
         }
     const double step = direction * reach / linalg::norm(last_->tangent.x);
     step_ = first_step_ = settings_.steps == model::StepRule::constant ? step : coarse(step);
-    failures_ = 0;
     report_control();
+    failures_ = 0;
     rejected_error_.reset();
     rejected_curve_error_.reset();
 }

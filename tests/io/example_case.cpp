@@ -292,6 +292,7 @@ solution::Checkpoint example_checkpoint(int rows) {
     checkpoint.step = 0.125;
     checkpoint.first_step = 0.0625;
     checkpoint.first_slope = 17.5;
+    checkpoint.visited = numbers(64, 3);
     checkpoint.so_far = example_end();
     return checkpoint;
 }

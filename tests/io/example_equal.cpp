@@ -269,6 +269,7 @@ void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& 
     EXPECT_EQ(left.step, right.step);
     EXPECT_EQ(left.first_step, right.first_step);
     EXPECT_EQ(left.first_slope, right.first_slope);
+    EXPECT_EQ(left.visited, right.visited);
 }
 
 }  // namespace soft::io::test

@@ -1,0 +1,42 @@
+#pragma once
+/// Recognizes a path that returns to states it has passed: a closed branch, or a path that runs back along itself. A state x is
+/// kept as its sketch s = A x / sqrt(k) with k = 16 rows of signs +-1, whose distances estimate those of the states (random
+/// projections: Achlioptas, J. Comput. Syst. Sci. 66 (2003) 671); between two rows the path is the cubic through both sketches
+/// with their tangents. Lengths are those of the unknowns, as of the arc length.
+/// Tested by solver/visited_states_test.
+#include <array>
+#include <optional>
+#include <span>
+
+#include "linalg/petsc.hpp"
+
+namespace soft::solver {
+
+inline constexpr std::size_t sketch_size = 16;
+using Sketch = std::array<double, sketch_size>;
+
+/// Collective, the same on every rank. The signs go with the numbers of the unknowns.
+[[nodiscard]] Sketch sketch_of(Vec x);
+
+/// A row of the path, with its unit tangent in the direction of travel.
+struct VisitedState {
+    Sketch state{}, tangent{};
+};
+
+/// Sum of the distances from each state to the next.
+[[nodiscard]] double length_of(std::span<const VisitedState> states);
+
+/// How the last states return to earlier ones: along them, as a closed curve does, or in the opposite direction.
+struct Return {
+    enum class Sense { forward, backward };
+    Sense sense = Sense::forward;
+    std::size_t earlier = 0;  ///< index of a state near the last one
+    std::size_t first = 0;    ///< index of the first of the last states, which all lie on earlier ones
+};
+
+/// Nothing where the last of the states, in the order of the path, lies on no earlier part of it. forward: the last two states do,
+/// to the accuracy of the cubic. backward: the last three or more, over a fiftieth of the path's length or more, within 0.2 % of that
+/// length and a twentieth of the length run back: a state that differs in one cell alone from the earlier one counts as the same.
+[[nodiscard]] std::optional<Return> find_return(std::span<const VisitedState> states);
+
+}  // namespace soft::solver
