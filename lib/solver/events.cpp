@@ -17,6 +17,12 @@ constexpr double bifurcation_tolerance = 1e-6;
 constexpr int bifurcation_solves = 30;
 /// Inverse iterations for the mode: the eigenvalue that passes zero is by far the least there.
 constexpr int mode_iterations = 3;
+/// Of the step: how far before and behind a bifurcation its eigenvalue is looked at.
+constexpr double beside_bifurcation = 0.05, least_beside = 1e-6;
+/// Cosine between the mode at the bifurcation and on either side.
+constexpr double same_mode = 0.9;
+/// Of the distance between the rows on both sides: states that stay so far apart are those of two branches.
+constexpr double apart = 0.05;
 /// Contact is located to this part of the step in which it happens.
 constexpr int contact_halvings = 8;
 
@@ -167,6 +173,44 @@ std::optional<PathPoint> PathFollower::locate_extremum(const PathPoint& from, co
     return std::nullopt;
 }
 
+/// Why a change of the count of negative pivots between `left` and `right`, on the step from `from` to `to`, is no bifurcation: a
+/// count is also changed by rounding, and where the corrector has left the path for another branch. Empty where the eigenvalue of
+/// the mode has opposite signs on both sides.
+std::string PathFollower::object_to_bifurcation(const PathPoint& from, const PathPoint& to, const PathPoint& left,
+                                                const PathPoint& right, const std::optional<linalg::Vector>& mode) {
+    const auto distance = [&](const PathPoint& a, const PathPoint& b) {
+        linalg::copy(b.state.x, scratch_);
+        linalg::add(scratch_, -1.0, a.state.x);
+        return linalg::norm(scratch_);
+    };
+    if (distance(left, right) > apart * distance(from, to)) return "the states on both sides are of two branches";
+    if (!mode) return "no mode is found";
+    const double span = to.q - from.q, at = 0.5 * (left.q + right.q);
+    std::optional<double> before;
+    for (const double side : {-1.0, 1.0}) {
+        const double room = std::abs(side < 0.0 ? at - from.q : to.q - at);
+        const double away = std::min(beside_bifurcation * std::abs(span), 0.5 * room);
+        if (away < least_beside * std::abs(span))
+            continue;  // the bifurcation is at a row, and the other side has to do
+        const auto point = solve_between(from, to, at + side * std::copysign(away, span));
+        linalg::Vector b = linalg::duplicate(*mode);
+        linalg::copy(*mode, b);
+        std::optional<double> eigenvalue;
+        for (int i = 0; point && i < 2 * mode_iterations; ++i) {
+            auto v = newton_.bordered_solve(b);
+            if (!v) break;
+            eigenvalue = 1.0 / linalg::dot(b, *v);
+            SOFT_PETSC(VecScale(*v, 1.0 / linalg::norm(*v)));
+            b = std::move(*v);
+        }
+        if (!eigenvalue || std::abs(linalg::dot(b, *mode)) < same_mode)
+            return "the least eigenvalue has another mode there";
+        if (before && *before * *eigenvalue > 0.0) return "no eigenvalue passes zero";
+        before = eigenvalue;
+    }
+    return {};
+}
+
 /// Brackets the change of branch_index by its count; the secant on 1 / (b . M^-1 b), which passes zero with the
 /// eigenvalue (Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, 3.3), shortens the bracket as
 /// soon as b is near the mode.
@@ -207,6 +251,12 @@ std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, con
         if (change <= bifurcation_tolerance * std::max(std::abs(left->leading), std::abs(right->leading))) break;
     }
     if (!left && !right) return std::nullopt;
+    const std::string objection = object_to_bifurcation(from, to, left ? *left : from, right ? *right : to, mode);
+    if (!objection.empty()) {
+        log("the count of negative pivots changes before row " + std::to_string(rows_) + ", but " + objection +
+            ": no bifurcation");
+        return std::nullopt;
+    }
     Event event{std::move(left ? *left : *right), false, 1, std::move(mode)};
     if (event.mode) {  // largest displacement 1, positive where it first is large: the same on any number of ranks
         system_.prescribe(assembly::no_loads(input_));
@@ -262,10 +312,10 @@ bool PathFollower::take_branch(const Event& event) {
     log("on the branch: " + describe(*point));
     on_branch_ = true;
     first_step_ = step_;
+    report_control();
     append(*point);
     last_ = std::move(point);
     return true;
 }
 
 }  // namespace soft::solver
-    report_control();

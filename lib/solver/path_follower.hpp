@@ -164,6 +164,8 @@ private:
 
     assembly::System& system_;
     const model::Case& input_;
+    [[nodiscard]] std::string object_to_bifurcation(const PathPoint& from, const PathPoint& to, const PathPoint& left,
+                                                    const PathPoint& right, const std::optional<linalg::Vector>& mode);
     model::SolverSettings settings_;
     Newton newton_;
     const Listeners& listeners_;
