@@ -21,10 +21,15 @@ constexpr double crushed = 0.05;
 
 }  // namespace
 
-bool PathFollower::is_hopeless() const {
-    const bool past_a_maximum =
-        !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
-    return past_a_maximum && stretch_p99_ > input_.path.stretch_limit;
+bool PathFollower::is_past_a_maximum() const {
+    return !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
+}
+
+bool PathFollower::is_hopeless() const { return is_past_a_maximum() && stretch_p99_ > input_.path.stretch_limit; }
+
+bool PathFollower::is_stalled() const {
+    if (settings_.steps == model::StepRule::constant || visited_.size() <= stalled_rows) return false;
+    return length_of(std::span(visited_).last(stalled_rows + 1)) < stalled_length * length_of(visited_);
 }
 
 /// A load that still grows, but so little that the way to its value is beyond all numbers, as that of a long tube of
@@ -49,11 +54,6 @@ bool PathFollower::is_out_of_reach() {
     return rise > 0.0 && rise < mean && mean < before && power > least_power && rise / power < reachable * left;
 }
 
-bool PathFollower::is_crushed() const { return newton_result_.min_jacobian < crushed; }
-
-void PathFollower::give_up() {
-    const std::string place = place_text(newton_result_.worst_cell, input_);
-    log("no step goes on: smaller cells (mesh.size) would be next");
 std::string PathFollower::return_text() const {
     const auto found = find_return(visited_);
     if (!found) return {};
@@ -66,6 +66,11 @@ std::string PathFollower::return_text() const {
            ", " + describe(*last_);
 }
 
+bool PathFollower::is_crushed() const { return newton_result_.min_jacobian < crushed; }
+
+void PathFollower::give_up() {
+    const std::string place = place_text(newton_result_.worst_cell, input_);
+    log("no step goes on: smaller cells (mesh.size) would be next");
     if (newton_result_.end == NewtonEnd::inverted)
         return finish(StopReason::inverted_element,
                       "a cell turns inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " + place +

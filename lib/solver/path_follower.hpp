@@ -24,6 +24,10 @@ inline constexpr const char* linear_remedy =
 /// Of a path that cannot begin, by how its first equations failed: the linear solver's choice, or `problem` of the materials.
 [[nodiscard]] Error no_beginning(NewtonEnd end, const std::string& problem);
 
+/// A path of which so many steps are less than this part of its length goes on no more.
+inline constexpr std::size_t stalled_rows = 150;
+inline constexpr double stalled_length = 0.01;
+
 /// Something that happens between two rows.
 struct Event {
     PathPoint point;
@@ -58,12 +62,12 @@ private:
     [[nodiscard]] Constraint stage_control() const;
     [[nodiscard]] Constraint softer_control() const;
     void change_control(const Constraint& control, const std::string& why);
+    void report_control() const;
     [[nodiscard]] double control_slope(const Constraint& control, const PathPoint& point) const;
     [[nodiscard]] double bend_under(const Constraint& control);
     [[nodiscard]] double controlled_value(const PathPoint& point, double arc_length) const;
     [[nodiscard]] bool nears_a_maximum();
     void soften();
-    void report_control() const;
     [[nodiscard]] int wanted_steps() const;
     [[nodiscard]] double first_step(double slope, double sense) const;
     void begin_without_direction(State state);
@@ -86,7 +90,9 @@ private:
     /// Relative to the step: of the state, and of the leading load.
     struct PredictorError {
         double state = 0, load = 0;
+        bool is_negligible = false;  ///< of the whole state and load
     };
+    [[nodiscard]] double moves_by(double step) const;
     [[nodiscard]] double next_q() const;
     [[nodiscard]] Aim aim();
     [[nodiscard]] State start_of(const Aim& aim) const;
@@ -98,8 +104,13 @@ private:
     void adapt_step(double predictor_error, double order);
 
     // path_end.cpp
+    [[nodiscard]] bool is_past_a_maximum() const;
     [[nodiscard]] bool is_hopeless() const;
+    /// Whether the last steps are so short that no number of them leads on.
+    [[nodiscard]] bool is_stalled() const;
     [[nodiscard]] bool is_out_of_reach();
+    /// Why the path ends where it has returned to states it has passed; empty where it has not.
+    [[nodiscard]] std::string return_text() const;
     /// Whether a cell of the last attempt is all but inside out: rubber of any law has failed there, or the cells are too large.
     [[nodiscard]] bool is_crushed() const;
     void give_up();
@@ -109,8 +120,6 @@ private:
     [[nodiscard]] std::optional<PathTangent> oriented_direction(const State& state);
     [[nodiscard]] bool begins_at_rest() const;
     [[nodiscard]] PathTangent leave_rest(const State& rest, PathTangent slack);
-    /// Why the path ends where it has returned to states it has passed; empty where it has not.
-    [[nodiscard]] std::string return_text() const;
     [[nodiscard]] bool stays_in_piece(const State& base, double length, PathTangent& direction);
     [[nodiscard]] bool settle(const State& base, double length, PathTangent& direction);
     [[nodiscard]] std::optional<PathTangent> piece_between(double step, const PathTangent& far);
@@ -123,7 +132,9 @@ private:
     void rescale(PathPoint& point, double factor);
     [[nodiscard]] double leading_of(const State& state) const;
     void append(PathPoint& point);
+    /// With the loads held as the case states them, and under the control in use.
     [[nodiscard]] bool is_stable(const PathPoint& point) const;
+    [[nodiscard]] bool is_stable_under_control(const PathPoint& point) const;
     /// Along the direction of travel.
     [[nodiscard]] bool load_falls(const PathPoint& point) const { return point.tangent.load_factor * step_ < 0.0; }
     [[nodiscard]] solution::LimitPoint place_of(const PathPoint& point) const;
@@ -148,13 +159,13 @@ private:
     // events.cpp
     [[nodiscard]] std::optional<Touch> find_contact(PathPoint& point);
     /// Appends what happens between two points in the order of the path; true where the path ends or turns there.
-    /// With the loads held as the case states them, and under the control in use.
     [[nodiscard]] bool pass_events(const PathPoint& from, const PathPoint& to);
-    [[nodiscard]] bool is_stable_under_control(const PathPoint& point) const;
     [[nodiscard]] std::optional<PathPoint> locate_extremum(const PathPoint& from, const PathPoint& to,
                                                            double (*slope)(const PathPoint&, std::size_t),
                                                            std::size_t index);
     [[nodiscard]] std::optional<Event> locate_bifurcation(const PathPoint& from, const PathPoint& to);
+    [[nodiscard]] std::string object_to_bifurcation(const PathPoint& from, const PathPoint& to, const PathPoint& left,
+                                                    const PathPoint& right, const std::optional<linalg::Vector>& mode);
     [[nodiscard]] std::optional<int> branch_index(const PathPoint& point) const;
     [[nodiscard]] bool take_branch(const Event& event);
 
@@ -164,8 +175,6 @@ private:
 
     assembly::System& system_;
     const model::Case& input_;
-    [[nodiscard]] std::string object_to_bifurcation(const PathPoint& from, const PathPoint& to, const PathPoint& left,
-                                                    const PathPoint& right, const std::optional<linalg::Vector>& mode);
     model::SolverSettings settings_;
     Newton newton_;
     const Listeners& listeners_;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "model/cavity_surface.hpp"
 #include "solver/path_follower.hpp"
 
 namespace soft::solver {
@@ -37,6 +38,13 @@ constexpr int failures_before_other_control = 3;
 constexpr int failures_before_corner = 3;
 /// The arc is that of the whole body: a fold in which but one cell snaps turns within so small a part of any other step.
 constexpr double arc_of_one_cell = 1e-3;
+/// In lengths of the body: a first step that moves its nodes by less, in the mean, is not cut any further for the load alone.
+constexpr double motionless = 1e-7;
+/// Times step_accuracy, of the state and load: an error of the predictor below this part of the whole does not shorten the steps,
+/// which are so short that it may come from the tolerance of equilibrium where the body hardly resists a motion.
+constexpr double negligible_error = 1e-3;
+/// Of step_accuracy: what a negligible error counts for, so that the next step is a little longer.
+constexpr double accepted_share = 0.5;
 /// A part of a step that is rounding: far above that of sums, far below any step.
 constexpr double sliver = 1e-6;
 
@@ -124,8 +132,10 @@ PathFollower::PredictorError PathFollower::error_of(const Aim& aim, const PathPo
     linalg::add(change, -1.0, last_->state.x);
     const double step = linalg::norm(change), load_error = std::abs(leading_of(aim.forecast) - point.leading);
     const double load_step = std::max(std::abs(point.leading - last_->leading), flat_load * std::abs(point.leading));
-    return {error > unknown * linalg::norm(point.state.x) ? error / step : 0.0,
-            load_error > unknown * std::abs(point.leading) ? load_error / load_step : 0.0};
+    const double size = linalg::norm(point.state.x), negligible = negligible_error * settings_.step_accuracy;
+    return {error > unknown * size ? error / step : 0.0,
+            load_error > unknown * std::abs(point.leading) ? load_error / load_step : 0.0,
+            error <= negligible * size && load_error <= negligible * std::abs(point.leading)};
 }
 
 /// Another inertia is another branch, unless the predictor says that the path has just passed a bifurcation. And steps that
@@ -168,6 +178,14 @@ void PathFollower::advance() {
         return finish(StopReason::step_limit, core::counted(settings_.step_limit, "step") +
                                                   (settings_.step_limit == 1 ? " was" : " were") +
                                                   " not enough; a larger solver.step_limit goes on");
+    if (is_stalled()) {
+        const std::string where = ": the last " + std::to_string(stalled_rows) +
+                                  " steps are less than a hundredth of the path, at " + describe(*last_);
+        return is_past_a_maximum()
+                   ? finish(StopReason::limit_point,
+                            "the load asked for is not reached: its maximum lies behind, and the path stalls" + where)
+                   : finish(StopReason::diverged, "the path stalls" + where + "; another mesh.size may go on");
+    }
     if (rows_ > wanted_steps()) return end_stage("number of steps");
     const Aim aimed = aim();
     auto point = solve_at(aimed.constraint, aimed.target, start_of(aimed));
@@ -177,8 +195,9 @@ void PathFollower::advance() {
         rejected_error_ = error.state;
         return handle_failure();
     }
-    const double missed = std::max(error.state, load_share * error.load);
+    double missed = std::max(error.state, load_share * error.load);
     if (is_too_long(aimed, missed, point->q - last_->q)) return;
+    if (error.is_negligible) missed = std::min(missed, accepted_share * settings_.step_accuracy);
     failures_ = 0;
     rejected_error_.reset();
     rejected_curve_error_.reset();
@@ -216,6 +235,8 @@ bool PathFollower::arrive(PathPoint point, const Goal* goal) {
         end_stage(reached);
     else if (contact)
         finish(contact->reason, contact->end_at(describe(*last_)));
+    else if (std::string returned = return_text(); !returned.empty())
+        finish(StopReason::limit_point, std::move(returned));
     else if (is_out_of_reach())
         finish(StopReason::limit_point, "the load asked for is never reached: it tends to little more than at " +
                                             describe(*last_) +
@@ -235,8 +256,6 @@ void PathFollower::accept(PathPoint point) {
     before_ = std::move(last_);
     last_ = std::move(point);
 }
-    else if (std::string returned = return_text(); !returned.empty())
-        finish(StopReason::limit_point, std::move(returned));
 
 void PathFollower::adapt_step(double predictor_error, double order) {
     const double taken = last_->q - before_->q;
@@ -262,6 +281,12 @@ void PathFollower::adapt_step(double predictor_error, double order) {
     }
 }
 
+/// Root mean square of what a step moves the unknowns by, in lengths of the body.
+double PathFollower::moves_by(double step) const {
+    const double unknowns = static_cast<double>(system_.dofs().total);
+    return std::abs(step) * linalg::norm(last_->tangent.x) / (std::sqrt(unknowns) * model::extent_m(input_.mesh));
+}
+
 /// The ladder: a shorter step (the line search has had its turn inside each attempt), another control, and at last the
 /// reason with the place where smaller cells would help.
 void PathFollower::handle_failure() {
@@ -274,6 +299,9 @@ void PathFollower::handle_failure() {
         "): cut to " + short_text(next));
     const double failed = step_;
     step_ = next;
+    // The first step comes from the load asked for, which may be beyond all that the body takes: it is cut until it moves nothing.
+    if (begins_at_rest() && settings_.steps != model::StepRule::constant && moves_by(step_) > motionless)
+        first_step_ = step_;
     const double share = std::abs(step_ / first_step_) / settings_.smallest_step;
     const bool too_short = share < 1.0;
     const bool may_be_corner = system_.has_fibers() && newton_result_.end != NewtonEnd::not_finite &&
