@@ -19,6 +19,7 @@ struct Words {
                        delimiter;
     std::map<fit::Mode, std::vector<std::string>> files;
     std::vector<std::string> mode_weights;
+    std::string weight_floor;
     bool offset = false, any_order = false;
 };
 
@@ -41,7 +42,7 @@ fit::StrainRange range_of(const std::string& text) {
         throw Error(ExitCode::usage, "--range", core::quoted(text) + " has no colon", "for example --range 0:110%");
     if (colon > 0) range.least = value(text.substr(0, colon));
     if (colon + 1 < text.size()) range.most = value(text.substr(colon + 1));
-    if (range.most > fit::largest_ratio && std::isfinite(range.most))
+    if (range.most > fit::largest_ratio && std::isfinite(range.most) && !text.ends_with('%'))
         throw Error(ExitCode::usage, "--range", core::quoted(text) + " looks like percentages, and holds plain ratios",
                     "write 0:110% or 0:1.1");
     if (!(range.least < range.most))
@@ -102,6 +103,16 @@ void apply(const Words& words, FitOptions& options) {
     if (words.stress == "engineering") options.reading.stress_measure = fit::StressMeasure::engineering;
     if (words.stress == "true") options.reading.stress_measure = fit::StressMeasure::cauchy;
     if (words.weights == "relative") options.settings.weights = fit::RowWeights::relative;
+    if (!words.weight_floor.empty()) {
+        options.settings.weight_floor =
+            core::quantity_or_throw(words.weight_floor, core::Dimension::ratio, ExitCode::usage, "--weight-floor");
+        if (options.settings.weights != fit::RowWeights::relative)
+            throw Error(ExitCode::usage, "--weight-floor", "needs relative weights", "add --weights relative");
+        if (!(options.settings.weight_floor > 0.0 && options.settings.weight_floor < 1.0))
+            throw Error(ExitCode::usage, "--weight-floor", core::quoted(words.weight_floor) + " is not between 0 and 1",
+                        "for example 1%");
+    }
+    if (words.stability == "everywhere") options.settings.stability = fit::Stability::everywhere;
     if (words.stability == "reported") options.settings.stability = fit::Stability::reported;
     if (words.offset) options.settings.offset = fit::Offset::fitted;
     if (!options.plot.empty()) static_cast<void>(post::picture_format(options.plot));  // before any work
@@ -144,12 +155,14 @@ void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_flag("--rank", options.rank, "Fit all laws and print a table, the best first, in place of a material");
     app.add_option("--range", words.range, "Engineering strains that take part, e.g. 0:110% or :3")
         ->type_name("FROM:TO");
-    app.add_option("--weights", words.weights, "uniform, or relative: 1/max(s, 5 % of the largest s)")
+    app.add_option("--weights", words.weights, "uniform, or relative: 1/max(s, floor times the largest s)")
         ->check(CLI::IsMember({"uniform", "relative"}));
+    app.add_option("--weight-floor", words.weight_floor, "Floor of relative weights (default 5%)")->type_name("SHARE");
     app.add_flag("--offset", words.offset, "A constant stress of each test is unknown too, within +-10 kPa");
     app.add_option("--stability", words.stability,
-                   "enforced: signs that make the law stable, where the free fit is not; reported: the free fit")
-        ->check(CLI::IsMember({"enforced", "reported"}));
+                   "enforced: signs that make the law stable, where the free fit is not as far as the data reach; "
+                   "everywhere: these signs in any case; reported: the free fit")
+        ->check(CLI::IsMember({"enforced", "everywhere", "reported"}));
     app.add_option("--plot", options.plot, "Draw data, fits and residuals to FILE.svg, .png or .pdf; needs gnuplot")
         ->type_name("FILE");
     app.add_option("--notice", options.notice, "Source and licence of the data, a comment in the material")

@@ -65,6 +65,8 @@ Json fit_summary(const std::vector<fit::Ranked>& ranked, const std::vector<fit::
                                 {"rmse_kPa", fitted.rmse_Pa / 1e3},
                                 {"largest_kPa", fitted.largest_Pa / 1e3},
                                 {"r2", fitted.r2},
+                                {"largest_relative_error",
+                                 fitted.largest_relative_error ? Json(*fitted.largest_relative_error) : Json(nullptr)},
                                 {"aicc", fitted.aicc},
                                 {"largest_I1", fitted.largest_I1},
                                 {"condition", fitted.condition},

@@ -79,6 +79,10 @@ struct Dual {
         const double e = std::exp(a.v);
         return compose(a, e, e, e);
     }
+    friend Dual expm1(const Dual& a) {
+        const double e = std::exp(a.v);
+        return compose(a, std::expm1(a.v), e, e);
+    }
     friend Dual sqrt(const Dual& a) {
         const double s = std::sqrt(a.v);
         return compose(a, s, 0.5 / s, -0.25 / (s * a.v));

@@ -13,6 +13,7 @@ constexpr std::array table{Candidate{"neo-hookean", "neo-hookean", 1, 0},
                            Candidate{"mooney-rivlin-2", "mooney-rivlin", 2, 0},
                            Candidate{"mooney-rivlin-5", "mooney-rivlin", 5, 0},
                            Candidate{"yeoh", "yeoh", 3, 0},
+                           Candidate{"yeoh-5", "yeoh", 4, 1},
                            Candidate{"ogden-1", "ogden", 1, 1},
                            Candidate{"ogden-2", "ogden", 2, 2},
                            Candidate{"ogden-3", "ogden", 3, 3},
@@ -70,7 +71,8 @@ void add_stresses(const Candidate& candidate, const material::Constants& constan
     if (candidate.law == "neo-hookean") return add(material::NeoHookean{c("mu")}, points, stress_Pa);
     if (candidate.law == "mooney-rivlin")
         return add(material::MooneyRivlin{c("c10"), c("c01"), c("c20"), c("c11"), c("c02")}, points, stress_Pa);
-    if (candidate.law == "yeoh") return add(material::Yeoh{c("c1"), c("c2"), c("c3")}, points, stress_Pa);
+    if (candidate.law == "yeoh")
+        return add(material::Yeoh{c("c1"), c("c2"), c("c3"), c("a"), c("b")}, points, stress_Pa);
     if (candidate.law == "gent") return add(material::Gent{c("mu"), c("jm")}, points, stress_Pa);
     if (candidate.law == "arruda-boyce")
         return add(material::ArrudaBoyce{c("mu"), c("locking_stretch")}, points, stress_Pa);

@@ -16,7 +16,12 @@ struct Candidate {
     std::string_view name;  ///< "mooney-rivlin-5": what --law takes
     std::string_view law;   ///< what a design names: "mooney-rivlin"
     int linear = 1;         ///< constants the stress is linear in
-    int shapes = 0;         ///< 0, or one a term: exponents alpha (ogden), jm, locking_stretch
+    int shapes = 0;  ///< constants alpha (ogden), jm, locking_stretch, b (yeoh-5): one for each of the last parts
+
+    /// The part P_j that shape k belongs to.
+    [[nodiscard]] std::size_t part_of_shape(std::size_t k) const {
+        return k + static_cast<std::size_t>(linear - shapes);
+    }
 };
 
 [[nodiscard]] std::span<const Candidate> candidates();

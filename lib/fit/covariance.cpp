@@ -23,10 +23,12 @@ Jacobian jacobian_of(const Solution& solution, const Rows& rows) {
     };
     for (std::size_t j = 0; j < static_cast<std::size_t>(at.A.cols()); ++j)
         if (at.linear.free[j]) add(at.A.col(static_cast<Eigen::Index>(j)), j < linear ? j : shapes + j);
-    for (std::size_t k = 0; k < shapes; ++k)
-        if (at.linear.free[k] && !is_at_search_bound(solution.candidate, solution.q[k]))
-            add(part_slope(solution.candidate, rows, k, solution.q[k]) * at.linear.c[static_cast<Eigen::Index>(k)],
+    for (std::size_t k = 0; k < shapes; ++k) {
+        const std::size_t j = solution.candidate.part_of_shape(k);
+        if (at.linear.free[j] && !is_at_search_bound(solution.candidate, solution.q[k]))
+            add(part_slope(solution.candidate, rows, j, solution.q[k]) * at.linear.c[static_cast<Eigen::Index>(j)],
                 linear + k);
+    }
     const auto count = static_cast<Eigen::Index>(J.which.size());
     J.columns.conservativeResize(Eigen::NoChange, count);
     J.inverse_length =

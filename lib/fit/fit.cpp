@@ -23,6 +23,7 @@ constexpr int most_iterations = 150;
 constexpr double pinned_bound = 0.02;
 constexpr double same_exponent = 1e-3;
 constexpr std::array pole_starts{-4.0, -2.0, 0.0, 2.0, 5.0};  // q: how far the pole is behind the data
+constexpr std::array rise_starts{0.1, 0.3, 0.5, 0.7, 0.9};    // of yeoh-5, from one bound to the other
 
 /// Residual and Jacobian of the projected problem. The gradient is exact; of the second derivatives Kaufman's form leaves
 /// out what is small at a good fit (Kaufman, BIT 15 (1975) 49).
@@ -49,7 +50,8 @@ public:
         Eigen::MatrixXd slopes(n, q.size());
         for (std::size_t k = 0; k < q.size(); ++k)
             slopes.col(static_cast<Eigen::Index>(k)) =
-                part_slope(candidate_, rows_, k, q[k]) * at.linear.c[static_cast<Eigen::Index>(k)];
+                part_slope(candidate_, rows_, candidate_.part_of_shape(k), q[k]) *
+                at.linear.c[static_cast<Eigen::Index>(candidate_.part_of_shape(k))];
         if (count > 0) {
             const Eigen::HouseholderQR<Eigen::MatrixXd> qr(free.leftCols(count));
             Eigen::MatrixXd turned = qr.householderQ().adjoint() * slopes;
@@ -104,7 +106,7 @@ bool pin_to_bounds(const Candidate& candidate, std::vector<double>& q) {
 std::vector<std::vector<double>> starts_of(const Candidate& candidate, const Rows& rows, Signs signs) {
     if (candidate.law == "ogden") return ogden_starts(candidate, rows, signs);
     std::vector<std::vector<double>> starts;
-    for (const double q : pole_starts) starts.push_back({q});
+    for (const double q : candidate.law == "yeoh" ? rise_starts : pole_starts) starts.push_back({q});
     return starts;
 }
 
@@ -202,7 +204,8 @@ double Fit::nominal_stress_Pa(Mode mode, double stretch) const {
 Fit fit(const Candidate& candidate, const std::vector<TestCurve>& tests, const Settings& settings) {
     check(candidate, tests, settings);
     const Rows rows = rows_of(tests, settings);
-    if (const auto free = solve(candidate, rows, Signs::free)) {
+    const bool tries_free = settings.stability != Stability::everywhere;
+    if (const auto free = tries_free ? solve(candidate, rows, Signs::free) : std::nullopt) {
         Fit result = describe(*free, tests, rows);
         if (settings.stability == Stability::reported || result.stable) return result;
     }

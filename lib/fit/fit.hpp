@@ -18,17 +18,19 @@ namespace soft::fit {
 enum class Stability {
     enforced,  ///< the free fit where it is stable in every mode up to the largest I1 of the data, else the best one with
                ///< signs that suffice for stability
-    reported  ///< the free fit, whatever it is
+    everywhere,  ///< the best fit with signs that suffice for stability at every stretch
+    reported     ///< the free fit, whatever it is
 };
 enum class RowWeights {
     uniform,  ///< equal: nominal stress has a nearly uniform noise
-    relative  ///< 1 / max(s, 5 % of the largest s)
+    relative  ///< 1 / max(s, weight_floor times the largest s)
 };
 enum class Offset { none, fitted };  ///< fitted: a constant stress of each test, within +- 10 kPa
 
 struct Settings {
     Stability stability = Stability::enforced;
     RowWeights weights = RowWeights::uniform;
+    double weight_floor = 0.05;  ///< the first rows carry the error of the load cell
     Offset offset = Offset::none;
 };
 
@@ -60,6 +62,9 @@ struct Fit {
     std::vector<TestQuality> tests;
     std::size_t rows = 0;
     double rmse_Pa = 0, largest_Pa = 0, r2 = 0;
+    /// Largest error of the nominal stress relative to the measured one, of rows at 20 % of strain and beyond (below it the zero
+    /// of the load cell counts); nullopt where there are none.
+    std::optional<double> largest_relative_error = {};
     double aicc = 0;        ///< n ln(weighted sum of squares / n) + 2 k + 2 k (k+1)/(n-k-1)
     double largest_I1 = 3;  ///< of the data: beyond it the law is a guess
     double condition = 1;   ///< of the Jacobian with columns of length 1

@@ -10,8 +10,9 @@
 namespace soft::fit {
 namespace {
 
-constexpr double largest_condition = 1e4;  // beyond it constants trade off against each other
-constexpr double offset_strain = 0.25;     // where an offset is compared with the stress
+constexpr double largest_condition = 1e4;   // beyond it constants trade off against each other
+constexpr double offset_strain = 0.25;      // where an offset is compared with the stress
+constexpr double least_error_strain = 0.2;  // smaller strains carry the zero of the load cell
 constexpr double largest_offset_share = 0.1;
 constexpr double invariant_tolerance = 1e-9;  // of I1 at the end of the data, computed another way
 constexpr double least_scan = 0.3;            // as material::usual_range
@@ -79,6 +80,9 @@ void add_errors(const Solution& solution, const std::vector<TestCurve>& tests, c
                 fit.nominal_stress_Pa(test.mode, test.stretch[i]) + quality.offset_Pa.value_or(0) - test.nominal_Pa[i];
             sums.add(residual, test.nominal_Pa[i]);
             all.add(residual, test.nominal_Pa[i]);
+            if (std::abs(test.stretch[i] - 1.0) >= least_error_strain && test.nominal_Pa[i] != 0.0)
+                fit.largest_relative_error =
+                    std::max(fit.largest_relative_error.value_or(0), std::abs(residual / test.nominal_Pa[i]));
         }
         quality.rmse_Pa = sums.rmse();
         quality.largest_Pa = sums.largest;
@@ -104,7 +108,8 @@ bool signs_suffice(const Fit& fit) {
         for (const char* name : names) value = std::min(value, constants.at(name).front());
         return value;
     };
-    if (fit.candidate.law == "yeoh") return least({"c1", "c2", "c3"}) >= 0.0;
+    if (fit.candidate.name == "yeoh") return least({"c1", "c2", "c3"}) >= 0.0;
+    if (fit.candidate.name == "yeoh-5") return least({"c1", "c2", "c3", "a"}) >= 0.0;
     if (fit.candidate.name == "mooney-rivlin-2") return least({"c10", "c01"}) >= 0.0;
     if (fit.candidate.law == "mooney-rivlin") return false;
     if (fit.candidate.law != "ogden") return true;  // one modulus, which is positive

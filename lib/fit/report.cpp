@@ -23,6 +23,12 @@ std::string error_of(const Constant& constant) {
            (constant.is_stress ? " kPa" : "");
 }
 
+/// "2.4 %", "110 %".
+std::string percent_text(double share) {
+    const double percent = 100.0 * share;
+    return core::rounded_text(percent < 10.0 ? percent : std::round(percent), percent < 10.0 ? 2 : 6) + " %";
+}
+
 std::string line(const std::string& key, const std::string& value, const std::string& comment = {}) {
     return key + ": " + value + (comment.empty() ? "" : "   # " + comment) + "\n";
 }
@@ -102,6 +108,9 @@ std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, c
     text += line("    largest_I1", core::rounded_text(fit.largest_I1, digits), "beyond it the law is a guess");
     text += line("    rmse_kPa", core::rounded_text(fit.rmse_Pa / kilo, 4));
     text += line("    r2", core::rounded_text(fit.r2, 8));
+    if (fit.largest_relative_error)
+        text += line("    largest_error", yaml_text(percent_text(*fit.largest_relative_error)),
+                     "of the stress, at 20 % of strain and beyond");
     text += line("    stress", yaml_text(stress_text(tests)));
     text += line("    rows", std::to_string(fit.rows));
     text += line("    flags", yaml_text(fit.flags.empty() ? "none" : core::join(fit.flags, " ")));

@@ -14,13 +14,18 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double least_exponent = 0.05, most_exponent = 12.0;
 /// exp(-8) of the largest I1 from the pole, or 3000 times beyond the data: past either end the data tell nothing.
 constexpr double most_q = 8.0;
+/// ln b of yeoh-5: a modulus that rises and levels off below a strain of about 30 % shows slack or the zero of the load cell.
+constexpr double most_log_rise = 1.0;
 constexpr double near_bound = 1e-6;
 /// The first modulus of a law that asks for a positive one, in S: small against any rubber, and not 0.
 constexpr double least_modulus = 1e-6;
-/// Relative to the largest stress: the first rows carry the error of the load cell.
-constexpr double weight_floor = 0.05;
 /// Central differences in q of smooth parts: error of order step^2, of rounding 1e-16 / step.
 constexpr double slope_step = 1e-5;
+
+/// b of yeoh-5 runs from 1/max(I1 - 3), below which the term is no other than those of c1 and c2 in the data, to its upper
+/// end; in data of small strains over a factor of e.
+double log_rise_width(const Rows& rows) { return std::max(1.0, most_log_rise + std::log(rows.largest_I1 - 3.0)); }
+double rise_at(const Rows& rows, double q) { return std::exp(q * log_rise_width(rows)) / (rows.largest_I1 - 3.0); }
 
 double largest_stress(const std::vector<TestCurve>& tests) {
     double largest = 0;
@@ -50,7 +55,7 @@ struct Bounds {
 };
 
 /// Sufficient for stability (Drucker) without a scan: neo-Hookean, Gent, Arruda-Boyce mu > 0; Mooney-Rivlin of two c10,
-/// c01 >= 0; Yeoh c1 > 0, c2, c3 >= 0; Ogden mu_i alpha_i >= 0. Of Mooney-Rivlin's five the scan decides.
+/// c01 >= 0; Yeoh c1 > 0, the others >= 0; Ogden mu_i alpha_i >= 0. Of Mooney-Rivlin's five the scan decides.
 Bounds bounds_of(const Candidate& candidate, const Rows& rows, Signs signs) {
     const auto n = static_cast<Eigen::Index>(candidate.linear);
     const auto offsets = static_cast<Eigen::Index>(rows.offset == Offset::fitted ? rows.test_count : 0);
@@ -93,7 +98,8 @@ Rows rows_of(const std::vector<TestCurve>& tests, const Settings& settings) {
         rows.mode.push_back(tests[t].mode);
         rows.stretch.push_back(tests[t].stretch[row]);
         rows.test.push_back(t);
-        const double relative = settings.weights == RowWeights::relative ? 1.0 / std::max(stress, weight_floor) : 1.0;
+        const double relative =
+            settings.weights == RowWeights::relative ? 1.0 / std::max(stress, settings.weight_floor) : 1.0;
         rows.weight[i] = std::sqrt(tests[t].weight) * relative;
         rows.target[i] = rows.weight[i] * stress;
     }
@@ -101,6 +107,7 @@ Rows rows_of(const std::vector<TestCurve>& tests, const Settings& settings) {
 }
 
 SearchBounds search_bounds(const Candidate& candidate, double start) {
+    if (candidate.law == "yeoh") return {0.0, 1.0};
     if (candidate.law != "ogden") return {-most_q, most_q};
     return start > 0.0 ? SearchBounds{least_exponent, most_exponent} : SearchBounds{-most_exponent, -least_exponent};
 }
@@ -113,12 +120,14 @@ bool is_at_search_bound(const Candidate& candidate, double q) {
 double shape_of(const Candidate& candidate, const Rows& rows, double q) {
     if (candidate.law == "gent") return (1.0 + std::exp(q)) * (rows.largest_I1 - 3.0);
     if (candidate.law == "arruda-boyce") return std::sqrt((1.0 + std::exp(q)) * rows.largest_I1 / 3.0);
+    if (candidate.law == "yeoh") return rise_at(rows, q);
     return q;
 }
 
 double shape_slope(const Candidate& candidate, const Rows& rows, double q) {
     if (candidate.law == "gent") return std::exp(q) * (rows.largest_I1 - 3.0);
     if (candidate.law == "arruda-boyce") return std::exp(q) * rows.largest_I1 / 6.0 / shape_of(candidate, rows, q);
+    if (candidate.law == "yeoh") return rise_at(rows, q) * log_rise_width(rows);
     return 1.0;
 }
 
@@ -126,14 +135,12 @@ Eigen::VectorXd part(const Candidate& candidate, const Rows& rows, std::size_t j
     Eigen::VectorXd stress = Eigen::VectorXd::Zero(rows.weight.size());
     const CurvePoints points{rows.mode, rows.stretch};
     const std::span<double> out{stress.data(), static_cast<std::size_t>(stress.size())};
-    if (candidate.shapes > 0) {  // a term alone is a law of its own
-        const std::array unit{1.0}, shape{shape_of(candidate, rows, q)};
-        add_stresses(candidate, constants_of(candidate, unit, shape), points, out);
-    } else {
-        std::vector<double> unit(static_cast<std::size_t>(candidate.linear), 0.0);
-        unit[j] = 1.0;
-        add_stresses(candidate, constants_of(candidate, unit, {}), points, out);
-    }
+    // Of ogden a term alone is a law of its own; the others have one shape constant at most.
+    const bool alone = candidate.law == "ogden";
+    std::vector<double> unit(alone ? 1 : static_cast<std::size_t>(candidate.linear), 0.0), shapes;
+    unit[alone ? 0 : j] = 1.0;
+    if (candidate.shapes > 0) shapes.push_back(shape_of(candidate, rows, q));
+    add_stresses(candidate, constants_of(candidate, unit, shapes), points, out);
     return mixed(rows, stress.cwiseProduct(rows.weight));
 }
 
@@ -145,9 +152,10 @@ Projection project(const Candidate& candidate, const Rows& rows, const std::vect
     const Bounds bounds = bounds_of(candidate, rows, signs);
     Projection projection;
     projection.A.setZero(rows.target.size(), bounds.low.size());
-    const auto parts = static_cast<std::size_t>(candidate.linear);
+    const auto parts = static_cast<std::size_t>(candidate.linear), first_shaped = candidate.part_of_shape(0);
     for (std::size_t j = 0; j < parts; ++j)
-        projection.A.col(static_cast<Eigen::Index>(j)) = part(candidate, rows, j, j < q.size() ? q[j] : 0.0);
+        projection.A.col(static_cast<Eigen::Index>(j)) =
+            part(candidate, rows, j, first_shaped <= j ? q[j - first_shaped] : 0.0);
     if (rows.offset == Offset::fitted)
         for (std::size_t t = 0; t < rows.test_count; ++t)
             projection.A.col(static_cast<Eigen::Index>(parts + t)) = offset_column(rows, t);

@@ -33,6 +33,7 @@ TEST(Dual, ElementaryFunctionsHaveTheirTextbookDerivatives) {
     expect(log(x), std::log(v), 1 / v, -1 / (v * v));
     expect(log1p(x), std::log1p(v), 1 / (1 + v), -1 / ((1 + v) * (1 + v)));
     expect(exp(x), std::exp(v), std::exp(v), std::exp(v));
+    expect(expm1(x), std::expm1(v), std::exp(v), std::exp(v));
     expect(sqrt(x), std::sqrt(v), 0.5 / std::sqrt(v), -0.25 / (v * std::sqrt(v)));
     expect(pow(x, 2.5), std::pow(v, 2.5), 2.5 * std::pow(v, 1.5), 3.75 * std::pow(v, 0.5));
 }

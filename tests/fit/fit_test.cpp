@@ -46,6 +46,7 @@ TEST(Fit, ConstantsOfMadeUpDataAreFoundAgain) {
         {"mooney-rivlin-2", {{"c10", {64e3}}, {"c01", {18e3}}}},
         {"mooney-rivlin-5", {{"c10", {64e3}}, {"c01", {18e3}}, {"c20", {2e3}}, {"c11", {1e3}}, {"c02", {100.0}}}},
         {"yeoh", {{"c1", {82e3}}, {"c2", {-1e3}}, {"c3", {50.0}}}},
+        {"yeoh-5", {{"c1", {60e3}}, {"c2", {300.0}}, {"c3", {2.0}}, {"a", {100e3}}, {"b", {0.14}}}},
         {"gent", {{"mu", {164e3}}, {"jm", {40.0}}}},
         {"arruda-boyce", {{"mu", {164e3}}, {"locking_stretch", {3.0}}}},
         {"ogden-1", {{"mu", {50e3}}, {"alpha", {3.3}}}},
@@ -114,6 +115,27 @@ TEST(Fit, EnforcedStabilityHoldsInEveryModeUpToTheDataAndReportedSaysWhereNot) {
     EXPECT_NEAR(2.0 * enforced.constants.at("c10")[0], fit(law("neo-hookean"), tests).list[0].value, 1e-6 * 165e3);
 }
 
+TEST(Fit, StabilityEverywhereKeepsToItsSignsWhereTheFreeFitIsStableInTheDataAlone) {
+    // c3 < 0: stable as far as these data reach, and a stress that turns beyond them.
+    const std::vector<TestCurve> tests{sample("dragon-skin-20.csv", Mode::uniaxial, {.range = {0, 3}})};
+    EXPECT_LT(fit(law("yeoh"), tests).constants.at("c3")[0], 0.0);
+    EXPECT_EQ(fit(law("yeoh"), tests, {.stability = Stability::everywhere}).constants.at("c3")[0], 0.0);
+    const Fit rising = fit(law("yeoh-5"), tests, {.stability = Stability::everywhere});
+    for (const char* name : {"c1", "c2", "c3", "a", "b"}) EXPECT_GE(rising.constants.at(name)[0], 0.0) << name;
+    EXPECT_LT(rising.rmse_Pa, 1.05 * fit(law("yeoh"), tests).rmse_Pa);
+}
+
+TEST(Fit, ALowerFloorOfRelativeWeightsFitsSmallStressesCloser) {
+    const std::vector<TestCurve> tests{sample("dragon-skin-20.csv")};
+    const auto error_at_a_quarter = [&](double floor) {
+        const Fit fitted = fit(law("neo-hookean"), tests, {.weights = RowWeights::relative, .weight_floor = floor});
+        const auto row = std::ranges::lower_bound(tests[0].stretch, 1.25) - tests[0].stretch.begin();
+        const auto i = static_cast<std::size_t>(row);
+        return std::abs(fitted.nominal_stress_Pa(Mode::uniaxial, tests[0].stretch[i]) / tests[0].nominal_Pa[i] - 1.0);
+    };
+    EXPECT_LT(error_at_a_quarter(0.01), error_at_a_quarter(0.2));
+}
+
 TEST(Fit, TheFirstUnstableStretchOfMooneyRivlinIsItsClosedForm) {
     // c01 < 0: equibiaxial stress turns at c10 + c01 l^2 ..., and uniaxial stability ends at sqrt(-c10/c01).
     const auto rubber = rubber_of(law("mooney-rivlin-2"), {{"c10", {100e3}}, {"c01", {-20e3}}});
@@ -170,6 +192,22 @@ TEST(Fit, WeightsPullTowardsTheirTest) {
     const Fit biased = fit(law("yeoh"), tests);
     EXPECT_LT(biased.tests[1].rmse_Pa, even.tests[1].rmse_Pa);
     EXPECT_GT(biased.tests[0].rmse_Pa, even.tests[0].rmse_Pa);
+}
+
+TEST(Fit, TheLargestErrorIsThatOfTheWorstRowBeyondAFifthOfStrain) {
+    // 1 - 1/1.1, planted at a strain of 0.5; an error at 0.1 does not count.
+    TestCurve test{.stretch = {1.1, 1.5, 2.0, 2.5, 3.0, 3.5}, .nominal_Pa = {}, .source = "a.csv"};
+    for (const double l : test.stretch) test.nominal_Pa.push_back(100e3 * (l - 1.0 / (l * l)));
+    const auto largest = [&] { return fit(law("neo-hookean"), {test}).largest_relative_error; };
+    test.nominal_Pa[0] *= 1.001;
+    EXPECT_LT(largest().value(), 1e-4);
+    test.nominal_Pa[1] *= 1.1;
+    const double mu = fit(law("neo-hookean"), {test}).list[0].value;
+    EXPECT_NEAR(largest().value(), std::abs(mu / 110e3 - 1.0), 1e-12);
+    test.stretch.resize(1), test.nominal_Pa.resize(1);
+    test.stretch.push_back(1.12), test.nominal_Pa.push_back(35e3), test.stretch.push_back(1.15),
+        test.nominal_Pa.push_back(42e3);
+    EXPECT_FALSE(largest());
 }
 
 TEST(Fit, TooFewRowsAreRefused) {

@@ -43,7 +43,7 @@ std::vector<LawInInvariants> laws_in_invariants() {  // constants as in samples.
             {"yeoh",
              [](double I1, double) {
                  const double x = I1 - 3;
-                 return InvariantSlopes{8.2e4 - 2 * 4e3 * x + 3 * 5e2 * x * x, 0};
+                 return InvariantSlopes{8.2e4 - 2 * 4e3 * x + 3 * 5e2 * x * x + 6e4 * (1 - std::exp(-0.7 * x)), 0};
              }},
             {"gent",
              [](double I1, double) {

@@ -17,7 +17,7 @@ inline constexpr double kappa_Pa = 3.0e6;
 inline Constants constants_of(std::string_view law) {
     if (law == "mooney-rivlin")
         return {{"c10", {6.4e4}}, {"c01", {1.8e4}}, {"c20", {3e3}}, {"c11", {-2e3}}, {"c02", {1e3}}};
-    if (law == "yeoh") return {{"c1", {8.2e4}}, {"c2", {-4e3}}, {"c3", {5e2}}};
+    if (law == "yeoh") return {{"c1", {8.2e4}}, {"c2", {-4e3}}, {"c3", {5e2}}, {"a", {6e4}}, {"b", {0.7}}};
     if (law == "ogden") return {{"mu", {6.3e5, 1.2e3, -1e4, 2e4}}, {"alpha", {1.3, 5.0, -2.0, 0.7}}};
     if (law == "gent") return {{"mu", {mu_Pa}}, {"jm", {12.0}}};
     if (law == "arruda-boyce") return {{"mu", {mu_Pa}}, {"locking_stretch", {2.1}}};

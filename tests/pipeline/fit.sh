@@ -16,8 +16,11 @@ claim 'the fitted material gives a curve' table own.csv
 runs 'fit-material < data/dragon-skin-20.csv | diff <(sed /^#/d yeoh.yaml | grep -v "source:") <(fit-material data/dragon-skin-20.csv | sed /^#/d | grep -v "source:")'
 claim 'stdin and stdout are the file' exits 0
 
+runs 'fit-material data/ecoflex-00-30.csv --range 0:1300% --law yeoh-5 --weights relative --weight-floor 1% --stability everywhere'
+refuses 64 'fit-material: --weight-floor: needs relative weights; *' 'fit-material data/ecoflex-00-30.csv --weight-floor 1%'
+refuses 64 "fit-material: --weight-floor: '2' is not between 0 and 1; *" 'fit-material data/ecoflex-00-30.csv --weights relative --weight-floor 2'
 runs 'fit-material --uniaxial data/treloar-uniaxial.csv --equibiaxial data/treloar-equibiaxial.csv --planar data/treloar-planar.csv --rank --plot rank.png > rank.txt'
-claim 'every law has its line' [ "$(wc -l <rank.txt)" -eq 11 ]
+claim 'every law has its line' [ "$(wc -l <rank.txt)" -eq 12 ]
 claim 'the modes are predicted' grep -q predicts_equibiaxial rank.txt
 claim 'a PNG is one' [ "$(head -c 4 rank.png | tail -c 3)" = PNG ]
 
