@@ -6,6 +6,7 @@
 #include "cli.hpp"
 #include "core/text.hpp"
 #include "design/fitted.hpp"
+#include "material_summary.hpp"
 
 namespace soft {
 namespace {
@@ -26,9 +27,13 @@ std::string place_line(const nlohmann::ordered_json& place) {
     return core::join(words);
 }
 
+const std::string& effective_design(const io::Result& result) {
+    return (result.changed_design ? *result.changed_design : result.design).effective_yaml;
+}
+
 /// The data behind the constants, and what the rubber makes of them; null for constants of which nothing is said.
 nlohmann::ordered_json fit_json(const io::Result& result) {
-    const std::string& design = (result.changed_design ? *result.changed_design : result.design).effective_yaml;
+    const std::string& design = effective_design(result);
     const auto fitted = design::fitted_material(design);
     if (!fitted) return nullptr;
     double stretch = 1;
@@ -37,14 +42,16 @@ nlohmann::ordered_json fit_json(const io::Result& result) {
                                    {"range", fitted->range}, {"largest_I1", fitted->largest_I1},
                                    {"stretch_p99", stretch}, {"within", fitted->holds(stretch)}};
     if (!fitted->name.empty()) json["name"] = fitted->name;
+    if (!fitted->largest_error.empty()) json["largest_error"] = fitted->largest_error;
     if (const auto advice = design::fit_advice(design, stretch)) json["advice"] = *advice;
     return json;
 }
 
 std::string fit_line(const nlohmann::ordered_json& fit) {
     return "material: " + (fit["name"].is_null() ? "" : fit["name"].get<std::string>() + ", ") +
-           fit["law"].get<std::string>() + " fitted over " + fit["range"].get<std::string>() +
-           " of strain; the rubber reaches a stretch of " + core::rounded_text(fit["stretch_p99"].get<double>(), 3);
+           fit["law"].get<std::string>() + " fitted over " + fit["range"].get<std::string>() + " of strain" +
+           (fit.contains("largest_error") ? ", stress within " + fit["largest_error"].get<std::string>() : "") +
+           "; the rubber reaches a stretch of " + core::rounded_text(fit["stretch_p99"].get<double>(), 3);
 }
 
 }  // namespace
@@ -57,6 +64,7 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
                                    {"rows", rows},
                                    {"steps", result.steps.size()},
                                    {"columns", nlohmann::ordered_json::array()},
+                                   {"materials", cli::materials_json(result.model, effective_design(result))},
                                    {"material_fit", fit_json(result)},
                                    {"stop_reason", nullptr},
                                    {"limit_points", nlohmann::ordered_json::array()},

@@ -1,9 +1,6 @@
 #include "solve_changes.hpp"
 
-#include <algorithm>
-
 #include "design/design.hpp"
-#include "design/fitted.hpp"
 
 namespace soft::cli {
 namespace {
@@ -55,16 +52,6 @@ std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, i
     io::DesignText changed = apply(overrides, file.design, file.model);
     changed.overrides = sets;
     return changed;
-}
-
-io::DesignText apply_change(const design::Override& change, const io::DesignText& design, model::Case& model) {
-    io::DesignText changed = apply({change}, design, model);
-    changed.overrides.push_back(change.path + "=" + change.value);
-    return changed;
-}
-
-bool has_other_set(const io::DesignText& design) {
-    return std::ranges::any_of(design.overrides, design::is_change_of_set);
 }
 
 }  // namespace soft::cli

@@ -13,6 +13,7 @@
 #include "interrupt.hpp"
 #include "io/result_file.hpp"
 #include "linalg/profile.hpp"
+#include "material_summary.hpp"
 #include "ranks.hpp"
 #include "solve_changes.hpp"
 #include "solve_summary.hpp"
@@ -30,9 +31,9 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 struct Task {
     Input input;
     std::string output;
-    io::Interrupted from;                       ///< of a new path the case alone
-    std::optional<io::DesignText> changed;      ///< by this run's --set
-    bool resumes = false, begins_anew = false;  ///< anew: what was interrupted, with another set of constants
+    io::Interrupted from;                   ///< of a new path the case alone
+    std::optional<io::DesignText> changed;  ///< by this run's --set
+    bool resumes = false;
 };
 
 Task read_task(const SolveOptions& options, int rank) {
@@ -66,7 +67,6 @@ void check_motion(const SolveOptions& options, const model::Case& model) {
 
 io::ResultWriter make_writer(const SolveOptions& options, const Task& task) {
     const io::Given given{task.input.bytes, task.input.source, task.from.file.model};
-    if (task.begins_anew) return io::ResultWriter::restart(task.output, given, *task.changed);
     if (task.resumes) return io::ResultWriter::resume(task.output, given);
     const About& about = solve_about();
     const io::Provenance provenance{std::string{about.tool}, std::string{version()}, std::string{revision()},
@@ -179,33 +179,13 @@ SolveSummary solve_once(const Task& task, const SolveOptions& options, std::opti
     return summary;
 }
 
-/// Which set of a silicone's constants fits is known only when the path has been followed: where it is another and the design
-/// leaves the choice, the path is followed again. To a narrower set only at first, so that this comes to an end.
-SolveSummary solve_with_fitting_set(Task& task, const SolveOptions& options, std::optional<io::ResultWriter>* writer,
-                                    Console& console, InterruptNotice& notice) {
-    for (bool first = !task.changed || !has_other_set(*task.changed);; first = false) {
-        SolveSummary summary = solve_once(task, options, writer, console, notice);
-        const double stretch = of_first_rank(summary.largest_stretch_p99);
-        const io::DesignText& design = task.changed ? *task.changed : task.from.file.design;
-        const auto set = design::fitting_set(design.effective_yaml, stretch);
-        if (!set || !(first || set->is_wider)) return summary;
-        console.say("the rubber reaches a stretch of " + core::rounded_text(stretch, 3) +
-                    ": solves again with the constants of " + set->text);
-        task.changed = apply_change(set->change, design, task.from.file.model);
-        task.from.steps.clear();
-        task.from.checkpoint.reset();
-        task.begins_anew = task.resumes;
-        if (writer != nullptr) writer->reset();
-    }
-}
-
 }  // namespace
 
 ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) {
     const auto begin = std::chrono::steady_clock::now();
     const bool first = session.rank() == 0;
     Console console{solve_about().tool, first ? options.common.verbosity : Verbosity::quiet};
-    Task task = read_task(options, session.rank());
+    const Task task = read_task(options, session.rank());
     const model::Case& model = task.from.file.model;
     check_motion(options, model);
     if (task.output == "-" && stdout_is_file())
@@ -214,7 +194,7 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
     InterruptNotice notice{solve_about().tool, first ? options.common.verbosity : Verbosity::quiet};
     const double read_s = seconds_since(begin);
     std::optional<io::ResultWriter> writer;
-    SolveSummary summary = solve_with_fitting_set(task, options, first ? &writer : nullptr, console, notice);
+    SolveSummary summary = solve_once(task, options, first ? &writer : nullptr, console, notice);
     summary.ranks = session.size();
     summary.start_s += read_s;
     if (first) {
@@ -246,7 +226,11 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
                 console.warn(line);
         for (const std::string& option : session.unused_options())
             console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");
-        if (!options.common.json.empty()) write_json(options.common.json, summary_json(summary, model));
+        if (!options.common.json.empty()) {
+            auto json = summary_json(summary, model);
+            json["materials"] = materials_json(model, text.effective_yaml);
+            write_json(options.common.json, json);
+        }
     }
     if (summary.end.reason != solution::StopReason::done) return ExitCode::stopped_early;
     return summary.accuracy && !summary.accuracy->met() ? ExitCode::check_failed : ExitCode::ok;

@@ -12,11 +12,10 @@
 namespace soft::design {
 namespace {
 
+/// Its widest set is that of a name alone.
 constexpr std::string_view usual_law = "yeoh";
-/// Walls of soft actuators seldom pass a stretch of 4.
+/// Of the other laws, which fit a whole test badly: walls of soft actuators seldom pass a stretch of 4.
 constexpr std::string_view usual_strain = "300 %";
-/// Of a set that solve may replace.
-constexpr std::string_view by_stretch = "by stretch";
 
 std::vector<std::string> names() {
     std::vector<std::string> list;
@@ -68,35 +67,6 @@ double largest_I1_of(const MaterialSet& set) {
     return ratio_of(limit.text, limit.place);
 }
 
-std::vector<const Member*> constants_of(const MaterialSet& set) {
-    std::vector<const Member*> constants;
-    for (const Member& member : set.block.members)
-        if (member.key != "law" && member.key != "kappa" && member.key != "fit") constants.push_back(&member);
-    return constants;
-}
-
-/// Whether the constants of the design are those of a set.
-bool is_in_use(const std::vector<MaterialSet>& sets, const FittedMaterial& fitted, const Node& design) {
-    const auto value_of = [](const Node& node) {
-        return core::quantity_or_throw(node.text, core::Dimension::pressure, ExitCode::bad_input, node.place);
-    };
-    return std::ranges::any_of(sets, [&](const MaterialSet& set) {
-        return set.law == fitted.law && largest_I1_of(set) == fitted.largest_I1 &&
-               std::ranges::all_of(constants_of(set), [&](const Member* constant) {
-                   const Node* used = find_path(design, "material." + constant->key);
-                   return used != nullptr && value_of(*used) == value_of(constant->value);
-               });
-    });
-}
-
-std::string choice_by_stretch() { return ", fit: {choice: " + std::string{by_stretch} + "}"; }
-
-bool is_chosen_by_stretch(std::string_view effective_yaml) {
-    const Node root = parse_yaml(effective_yaml, "/design");
-    const Node* choice = find_path(root, "material.fit.choice");
-    return choice != nullptr && choice->text == by_stretch;
-}
-
 struct Wish {
     std::string section;  // "material", "materials.cap"
     std::string name, place;
@@ -113,6 +83,7 @@ const MaterialSet& chosen(const std::vector<MaterialSet>& sets, const Wish& wish
         refuse(wish.law->place, wish.section + ".law", wish.name + " has no constants of " + core::quoted(law),
                core::did_you_mean(law, laws));
     }
+    if (!wish.strain && law == usual_law) return *widest(sets, law);
     const double strain = wish.strain ? ratio_of(wish.strain->text, wish.strain->place + ": " + wish.section + ".range")
                                       : ratio_of(usual_strain, usual_strain);
     if (const MaterialSet* set = narrowest(sets, law, strain)) return *set;
@@ -181,10 +152,6 @@ void name_to_material(Node& root, const std::string& section) {
     const std::vector<MaterialSet> sets = material_sets(*file);
     const MaterialSet& set = chosen(sets, wish);
     Node block = set.block;
-    if (section == main_material && !wish.strain &&
-        std::ranges::none_of(constants_of(set),
-                             [&](const Member* constant) { return find(material, constant->key) != nullptr; }))
-        put(block, "fit.choice", scalar_node(std::string{by_stretch}, wish.place));
     place_all(block, wish.place);
     for (const Member& member : material.members) {
         if (member.key == "name" || member.key == "range") continue;
@@ -214,15 +181,16 @@ void names_to_materials(Node& root) {
     for (const std::string& section : sections_of(root)) name_to_material(root, section);
 }
 
-std::optional<FittedMaterial> fitted_material(std::string_view effective_yaml) {
+std::optional<FittedMaterial> fitted_material(std::string_view effective_yaml, std::string_view section) {
     const Node root = parse_yaml(effective_yaml, "/design");
-    const Node* limit = find_path(root, "material.fit.largest_I1");
+    const Node* limit = find_path(root, std::string{section} + ".fit.largest_I1");
     if (limit == nullptr) return std::nullopt;
-    const Node& material = *find(root, "material");
+    const Node& material = *find_path(root, section);
     const Node& fit = *find(material, "fit");
     return FittedMaterial{.name = text_of(fit, "name"),
                           .law = text_of(material, "law"),
                           .range = text_of(fit, "range"),
+                          .largest_error = text_of(fit, "largest_error"),
                           .largest_I1 = ratio_of(limit->text, limit->place)};
 }
 
@@ -239,35 +207,11 @@ std::optional<std::string> fit_advice(std::string_view effective_yaml, double st
     if (!fitted->holds(stretch))
         return "material: " + reached + ", beyond the data its constants were fitted to (" + fitted->range +
                " of strain)" + take;
-    if (better != nullptr && !is_chosen_by_stretch(effective_yaml) && largest_I1_of(*better) < fitted->largest_I1)
+    const bool fits_whole_test =
+        fitted->law == usual_law && better != nullptr && largest_I1_of(*widest(sets, usual_law)) == fitted->largest_I1;
+    if (better != nullptr && !fits_whole_test && largest_I1_of(*better) < fitted->largest_I1)
         return "material: " + reached + ", well within the data its constants were fitted to" + take + " alone";
     return std::nullopt;
-}
-
-std::optional<FittingSet> fitting_set(std::string_view effective_yaml, double stretch) {
-    const auto fitted = fitted_material(effective_yaml);
-    const MaterialFile* file = fitted ? find_material(fitted->name) : nullptr;
-    if (file == nullptr || !is_chosen_by_stretch(effective_yaml)) return std::nullopt;
-    const std::vector<MaterialSet> sets = material_sets(*file);
-    const MaterialSet* set = narrowest(sets, fitted->law, stretch - 1.0);
-    if (set == nullptr) set = widest(sets, fitted->law);
-    if (set == nullptr || largest_I1_of(*set) == fitted->largest_I1) return std::nullopt;
-    const Node root = parse_yaml(effective_yaml, "/design");
-    if (!is_in_use(sets, *fitted, root))
-        return std::nullopt;  // a constant was changed since: it goes with no other set
-    std::string text =
-        "{name: " + fitted->name + ", law: " + set->law + ", range: " + set->strain_text + choice_by_stretch();
-    const Node& material = *find(root, "material");
-    for (const Member& member : material.members)
-        if (find(set->block, member.key) == nullptr || member.key == "kappa")
-            text += ", " + member.key + ": " + member.value.text;
-    return FittingSet{.change = {"material", text + "}"},
-                      .text = fitted->name + " over " + set->strain_text + " of strain",
-                      .is_wider = largest_I1_of(*set) > fitted->largest_I1};
-}
-
-bool is_change_of_set(std::string_view override_text) {
-    return override_text.starts_with("material=") && override_text.find(choice_by_stretch()) != std::string_view::npos;
 }
 
 }  // namespace soft::design

@@ -1,11 +1,12 @@
 #pragma once
 /// Silicones by name: designs/materials/*.yaml, built into the program so that a design finds them from anywhere.
-///   material: dragon-skin-20                                      Yeoh, the range that fits the stretch of the path
+///   material: dragon-skin-20                                      Yeoh's law over the whole test
 ///   material: {name: dragon-skin-20, range: 110 %, law: yeoh}     the narrowest range that covers this engineering strain
-/// A set of constants is a fit over a range of strain; how far the rubber will be stretched is known only when the path has
-/// been solved. A design that leaves the range open begins with the set that covers 300 %, marked `fit.choice: by stretch`,
-/// and solve follows the path again where another fits (fitting_set); a range that is stated stays, and solve tells when the
-/// stretch leaves it. The stretch of a path is that of the whole body: those below `materials` keep the set for 300 %. Other keys of the material (kappa, density, a constant) stand beside `name` and win over the set's.
+/// A set of constants is a fit over a range of strain. A name alone is one law, whatever the loads: the Yeoh set over the whole
+/// test, with the rising term (material/yeoh.hpp) and signs that keep it stable at every stretch; fit.largest_error says how
+/// close it is. `range` chooses another set; neo-hookean without a range is that of 300 %. solve and postprocess warn where the
+/// stretch leaves the data (fit_advice). Other keys of the material (kappa, density, a constant) stand beside `name` and win
+/// over the set's.
 /// Private to the room but for design/fitted.hpp. Held by design/material_library_test.
 #include <span>
 #include <string>

@@ -105,9 +105,8 @@ void add_fit_keys(Schema& schema, const Written& written) {
     const Node* fit = find(written.material, "fit");
     if (fit == nullptr) return;
     const std::string fit_path = at(written.section, "fit");
-    static const std::vector<std::string> texts = {"name",     "choice", "range",  "largest_error",
-                                                   "rmse_kPa", "r2",     "stress", "rows",
-                                                   "flags",    "source", "sha256", "protocol"};
+    static const std::vector<std::string> texts = {"name", "range", "largest_error", "rmse_kPa", "r2",      "stress",
+                                                   "rows", "flags", "source",        "sha256",   "protocol"};
     schema.names[fit_path] = texts;
     for (const Member& member : fit->members) {
         const std::string path = at(fit_path, member.key);

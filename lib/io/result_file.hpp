@@ -66,9 +66,6 @@ public:
     /// checkpoint is cut off, the steps before it count as appended. Throws Error (bad_input) for a file that is no such,
     /// Error (cannot_create) where it cannot be written, is being written by another process, or has changed since.
     static ResultWriter resume(const std::filesystem::path& file, const Given& given);
-    /// Begins that file anew, without a step, for another design.
-    static ResultWriter restart(const std::filesystem::path& file, const Given& given,
-                                const DesignText& changed_design);
 
     ResultWriter(ResultWriter&&) noexcept;
     ResultWriter& operator=(ResultWriter&&) noexcept;

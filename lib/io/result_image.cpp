@@ -126,18 +126,6 @@ ResultImage ResultImage::resume(const Given& given) {
     return image;
 }
 
-ResultImage ResultImage::restart(const Given& given, const DesignText& changed_design) {
-    ResultImage image = resume(given);
-    check_case(given.solved, "<case with another set>", ExitCode::internal);
-    const GroupHandle root = open_group(image.file_.get(), "/");
-    if (H5Lexists(root.get(), changed_design_group, H5P_DEFAULT) > 0 &&
-        H5Ldelete(root.get(), changed_design_group, H5P_DEFAULT) < 0)
-        throw Error(ExitCode::internal, changed_design_group, "cannot be removed: " + hdf5_reason());
-    write_changed_design(root.get(), changed_design, given.solved);
-    const auto begun = image.bytes();
-    return resume({begun, given.source, given.solved});
-}
-
 std::vector<std::byte> ResultImage::bytes() const { return memory_image(file_.get()); }
 
 void ResultImage::require_fitting(const solution::Step& step, std::span<const double> displacement,

@@ -19,8 +19,6 @@ public:
     static ResultImage begin(const Given& given, const Provenance& provenance, const ResultOptions& options);
     /// An image made by begin().
     static ResultImage resume(const Given& given);
-    /// The same, of another design.
-    static ResultImage restart(const Given& given, const DesignText& changed_design);
 
     [[nodiscard]] const FieldsPolicy& policy() const noexcept { return policy_; }
     /// The HDF5 file as it is now, not sealed.

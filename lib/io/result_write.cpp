@@ -177,16 +177,6 @@ ResultWriter ResultWriter::resume(const fs::path& file, const Given& given) {
     return ResultWriter{std::move(state)};
 }
 
-ResultWriter ResultWriter::restart(const fs::path& file, const Given& given, const DesignText& changed_design) {
-    const QuietErrors quiet;
-    const ImageParts parts = split_image(given.image, given.source);
-    auto state =
-        std::make_unique<State>(ResultImage::restart({parts.hdf5, given.source, given.solved}, changed_design));
-    state->file = file;
-    state->begin_journal();
-    return ResultWriter{std::move(state)};
-}
-
 ResultWriter::ResultWriter(ResultWriter&&) noexcept = default;
 ResultWriter& ResultWriter::operator=(ResultWriter&&) noexcept = default;
 ResultWriter::~ResultWriter() {
