@@ -10,10 +10,10 @@ cp "$here/../fit/data/treloar-uniaxial.csv" test.csv
 cat >all.sh <<'A'   # all that the programs write, here
 mesh-gen -q designs/tube.yaml --set path.until.steps=4 -o 'c 1.h5' && solve -q 'c 1.h5' -o 'r 1.h5' &&
 postprocess -q 'r 1.h5' -o curve.csv --compare measured.csv --json compare.json --plot plot.svg >x.csv &&
-postprocess -q 'r 1.h5' --at elongation=0.05mm -o at.csv &&
+postprocess -q 'r 1.h5' --at elongation=0.05mm -o at.csv --picture body.png &&
 fit-material -q test.csv --law yeoh -o fit.yaml --plot fit.svg && fit-material -q test.csv --rank -o rank.csv && mesh-gen --explain designs/tube.yaml -o explain.yaml
 A
-written='curve.csv compare.json plot.svg at.csv fit.yaml rank.csv explain.yaml'
+written='body.png curve.csv compare.json plot.svg at.csv fit.yaml rank.csv explain.yaml'
 mkdir plain && cp -R designs meshes measured.csv test.csv plain
 runs 'cd plain && bash ../all.sh'
 same() { local name; for name in $written; do claim "$1: $name is the same" cmp "plain/$name" "$2/$name"; done; }
