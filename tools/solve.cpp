@@ -32,6 +32,19 @@ ExitCode solve_one(const SolveOptions& options) {
 /// What went wrong may have left the libraries half way.
 bool spoils_process(ExitCode code) { return code == ExitCode::internal || code == ExitCode::io_error; }
 
+constexpr std::size_t max_batch_line = std::size_t{1} << 20;  // bytes
+
+/// The next line of stdin; false at the end. Of a line that is too long one byte more than the maximum is kept.
+bool read_line(std::string& line) {
+    line.clear();
+    std::streambuf& input = *std::cin.rdbuf();
+    int c = input.sbumpc();
+    const bool is_there = c != std::char_traits<char>::eof();
+    for (; c != std::char_traits<char>::eof() && c != '\n'; c = input.sbumpc())
+        if (line.size() <= max_batch_line) line += static_cast<char>(c);
+    return is_there;
+}
+
 /// Solves the lines of stdin one after the other. A line that fails is told, the others go on; but after ExitCode::internal and
 /// io_error the process ends. The exit code is that of the first line that has failed.
 ExitCode solve_batch(const SolveOptions& batch) {
@@ -39,10 +52,12 @@ ExitCode solve_batch(const SolveOptions& batch) {
     if (session.size() > 1) throw Error(ExitCode::usage, "--batch", "runs on one rank", "leave out mpirun");
     ExitCode first = ExitCode::ok;
     ProcessTimes before;  // the first line pays for the start
-    for (std::string line; std::getline(std::cin, line);) {
+    for (std::string line; read_line(line);) {
         const auto begin = std::chrono::steady_clock::now();
         const auto solve_line = [&] {
             const StdoutKeptForData kept;  // --help too
+            if (line.size() > max_batch_line)
+                throw Error(ExitCode::usage, "--batch", "a line is longer than 1 MiB", "for example CASE -o FILE");
             auto options = parse_batch_line(line);
             if (!options) return ExitCode::ok;
             options->cpu_before_s = before.user_s + before.system_s;

@@ -1,6 +1,7 @@
 #include "solve_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -90,16 +91,20 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
 }
 
 std::optional<SolveOptions> parse_batch_line(const std::string& line) {
-    CLI::App splitter;
-    splitter.set_help_flag();
-    splitter.prefix_command();  // whatever comes first, all that follows is kept as it is
-    splitter.parse(line);
-    std::vector<std::string> words = splitter.remaining();
-    words.insert(words.begin(), std::string{about.tool});
+    std::string visible = line;
+    std::ranges::replace(visible, '\t', ' ');
+    if (core::one_line(visible, visible.size()) != visible)
+        throw Error(ExitCode::usage, "--batch", "a line with control characters, or that is not UTF-8",
+                    "for example CASE -o FILE");
+    auto words = core::shell_words(line);
+    if (!words)
+        throw Error(ExitCode::usage, "--batch", "a quote in the line is not closed, or it ends with a backslash",
+                    "quote as in a shell: \"my case.h5\" -o 'my result.h5'");
+    words->insert(words->begin(), std::string{about.tool});
     std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
+    for (std::string& word : *words) pointers.push_back(word.data());
     pointers.push_back(nullptr);
-    auto options = parse_solve_options(static_cast<int>(words.size()), pointers.data());
+    auto options = parse_solve_options(static_cast<int>(words->size()), pointers.data());
     if (!options) return options;
     const bool resumes = !options->resume.empty();
     if (options->batch || options->profile || !options->petsc.empty())

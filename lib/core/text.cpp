@@ -117,6 +117,34 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
     return "known: " + one_line(join(candidates), longest);
 }
 
+std::optional<std::vector<std::string>> shell_words(std::string_view line) {
+    std::vector<std::string> words;
+    bool in_word = false;
+    char quote = 0;  // the one that is open
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        const bool is_blank = quote == 0 && (c == ' ' || c == '\t' || c == '\r' || c == '\n');
+        if (!is_blank && !in_word) words.emplace_back();
+        in_word = !is_blank;
+        if (is_blank) continue;
+        if (c == quote) {
+            quote = 0;
+        } else if (quote == 0 && (c == '\'' || c == '"')) {
+            quote = c;
+        } else if (c == '\\' && quote != '\'') {
+            if (i + 1 == line.size()) return std::nullopt;
+            const char next = line[i + 1];
+            const bool escapes = quote == 0 || next == '"' || next == '\\';
+            words.back() += escapes ? next : c;
+            if (escapes) ++i;
+        } else {
+            words.back() += c;
+        }
+    }
+    if (quote != 0) return std::nullopt;
+    return words;
+}
+
 std::string_view trimmed(std::string_view text) noexcept {
     constexpr std::string_view blanks = " \t\r\n";
     const auto first = text.find_first_not_of(blanks);

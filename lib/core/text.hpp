@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace soft::core {
 
@@ -37,6 +38,11 @@ template <std::integral Count>
 
 /// "did you mean 'wall'?" when one is near, else "known: a, b, c"; empty without candidates.
 [[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+/// The words of a line, as a shell takes it apart (POSIX, 2.2): blanks part them; 'as it is'; within "..." a backslash before " or \ takes
+/// that character as it is, outside of quotes before any. No variables, patterns or comments. nullopt for a quote that is not
+/// closed and for a backslash at the end.
+[[nodiscard]] std::optional<std::vector<std::string>> shell_words(std::string_view line);
 
 /// Without blanks (space, tab, carriage return, newline) at both ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text) noexcept;

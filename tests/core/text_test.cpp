@@ -72,4 +72,14 @@ TEST(Trimmed, TakesBlanksOffBothEndsOnly) {
     EXPECT_EQ(trimmed(" \n"), "");
 }
 
+TEST(ShellWords, AreThoseOfAShell) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(shell_words(""), Words{});
+    EXPECT_EQ(shell_words("  a\tb  c "), (Words{"a", "b", "c"}));
+    EXPECT_EQ(shell_words("\"a b\" 'c d' ''"), (Words{"a b", "c d", ""}));
+    EXPECT_EQ(shell_words("--set='a={b: c}' x\\ y it\"'\"s"), (Words{"--set=a={b: c}", "x y", "it's"}));
+    EXPECT_EQ(shell_words("\"a\\\"b\\\\c\\d\" 'e\\'"), (Words{"a\"b\\c\\d", "e\\"}));
+    for (const char* open : {"\"a", "'a", "a \"", "it's", "a\\", "\"a\\\""}) EXPECT_FALSE(shell_words(open)) << open;
+}
+
 }  // namespace

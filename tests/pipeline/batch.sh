@@ -46,6 +46,22 @@ claim "among them the nearest option" grep -q "unknown option '--fild'; did you 
 claim "the good one is written" [ -s good.h5 ]
 claim "and nothing else" [ ! -e nothing.h5 ]
 
+cat >lines <<'END'
+rod.h5 -q -o "open.h5
+rod.h5 -q -o 'open.h5
+rod.h5 -q -o open.h5 \
+rod.h5 -q --set="path={control: pressure}" -o 'it'"'"'s'\ one.h5
+END
+printf 'rod.h5 -q -o es\033[1mcape.h5\nrod.h5 -q -o nul\0.h5\n' >>lines
+run "solve --batch <lines"
+claim "a quote that is not closed and control characters are refused" [ "$(cut -d ' ' -f 1 "$seen/out" | xargs)" = '64 64 64 0 64 64' ]
+claim "with their reason" grep -q "^solve: --batch: a quote in the line is not closed, or it ends with a backslash; quote as in a shell: " "$seen/err"
+claim "quotes are those of a shell" [ -s "it's one.h5" ]
+claim "nothing else is written" [ -z "$(find . -maxdepth 1 -name 'open*' -o -maxdepth 1 -name 'es*' -o -maxdepth 1 -name 'nul*')" ]
+run "ulimit -v 4000000; { head -c 300000000 /dev/zero | tr '\\0' x; echo; echo 'rod.h5 -q -o long.h5'; } | solve --batch"
+claim "a line without an end is refused, the next is solved" [ "$(cut -d ' ' -f 1 "$seen/out" | xargs),$([ -s long.h5 ] && echo whole)" = '64 0,whole' ]
+claim "in one line on stderr" says 'solve: --batch: a line is longer than 1 MiB; *'
+
 if [ -w /dev/full ]; then
     printf '%s\n' 'rod.h5 -q -o /dev/full' 'rod.h5 -q -o late.h5' >lines
     run "solve --batch <lines"
