@@ -117,7 +117,8 @@ void add_common_options(CLI::App& app, CommonOptions& common, const About& about
                    "Write a machine-readable summary to FILE; with --version: print the versions as JSON")
         ->type_name("FILE");
     app.add_flag_callback(
-        "-q,--quiet", [&common] { common.verbosity = Verbosity::quiet; }, "No messages but errors");
+        "-q,--quiet", [&common] { common.verbosity = Verbosity::quiet; },
+        "No messages but errors, and warnings that numbers may be wrong");
     app.add_flag_callback(
         "-v,--verbose", [&common] { common.verbosity = Verbosity::verbose; }, "More messages");
     app.add_flag("--version")->description("Print version, git revision and versions of the libraries, and exit");

@@ -165,12 +165,15 @@ public:
     void say(std::string_view line);     ///< unless --quiet
     void detail(std::string_view line);  ///< with --verbose
     void warn(std::string_view line);    ///< "tool: warning: line", unless --quiet
+    void insist(std::string_view line);  ///< the same with --quiet too: the numbers may be wrong
+    void error(std::string_view line);   ///< "tool: line", with --quiet too
     /// A bar that is redrawn on a terminal; elsewhere a plain line each tenth of the way. `share` from 0 to 1.
     void progress(double share, std::string_view text);
 
 private:
     void put(std::string_view label, std::string_view line);
     void clear_bar();
+    [[nodiscard]] std::string_view warning_label() const;
 
     std::string tool_;
     Verbosity verbosity_;

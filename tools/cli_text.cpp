@@ -15,7 +15,8 @@ struct CodeMeaning {
 };
 constexpr std::array exit_codes = {
     CodeMeaning{ExitCode::ok, "done"},
-    CodeMeaning{ExitCode::check_failed, "a comparison or regression check failed"},
+    CodeMeaning{ExitCode::check_failed,
+                "a comparison or regression check failed, or a result misses its tolerance or its energy balance"},
     CodeMeaning{ExitCode::stopped_early,
                 "the path ended early for a physical or numerical reason; the steps reached are in the file"},
     CodeMeaning{ExitCode::usage, "usage: unknown option, bad combination"},

@@ -117,7 +117,7 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         if (step.max_stretch > summary.most_stretched.max_stretch) summary.most_stretched = step;
         ++summary.steps;
         // A stress without an energy has no balance.
-        if (step.motion && system.has_symmetric_tangent()) summary.energy.add(*step.motion);
+        if (system.has_symmetric_tangent()) summary.energy.add(step);
         return progress.advance(step);
     };
     std::vector<solver::RowState> rows;  // kept for --tolerance, whose curve is written when all is known
@@ -224,6 +224,8 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
                       summary.gave_way, summary.end.limit_points, summary.first_crushed_row, summary.least_jacobian},
                      summary.end.reason))
                 console.warn(line);
+        if (const std::string problem = summary.energy.problem(); !problem.empty())
+            model.dynamics ? console.insist(problem) : console.error(problem);
         for (const std::string& option : session.unused_options())
             console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");
         if (!options.common.json.empty()) {
@@ -232,6 +234,8 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
             write_json(options.common.json, json);
         }
     }
+    const bool wrong = !model.dynamics && of_first_rank(summary.energy.problem().empty() ? 0 : 1) != 0;
+    if (wrong) return ExitCode::check_failed;
     if (summary.end.reason != solution::StopReason::done) return ExitCode::stopped_early;
     return summary.accuracy && !summary.accuracy->met() ? ExitCode::check_failed : ExitCode::ok;
 }

@@ -79,7 +79,6 @@ nlohmann::ordered_json motion_json(const SolveSummary& summary, const model::Dyn
         json["load_work_J"] = summary.last->motion->load_work_J;
         json["damping_work_J"] = summary.last->motion->damping_work_J;
     }
-    if (const auto error = summary.energy.error()) json["energy_balance_error"] = *error;
     return json;
 }
 
@@ -103,19 +102,6 @@ nlohmann::ordered_json end_json(const solution::Step& last, const model::Case& m
 }
 
 }  // namespace
-
-void EnergyBalance::add(const solution::Step::Motion& row) {
-    if (!first_) first_ = row;
-    const double work = row.load_work_J - first_->load_work_J, stored = row.stored_energy_J - first_->stored_energy_J;
-    const double kinetic = row.kinetic_energy_J - first_->kinetic_energy_J,
-                 damping = row.damping_work_J - first_->damping_work_J;
-    for (const double part : {work, stored, kinetic, damping}) largest_J_ = std::max(largest_J_, std::abs(part));
-    gap_J_ = std::max(gap_J_, std::abs(work - stored - kinetic - damping));
-}
-
-std::optional<double> EnergyBalance::error() const {
-    return largest_J_ > 0 ? std::optional{gap_J_ / largest_J_} : std::nullopt;
-}
 
 ProcessTimes process_times() {
     rusage usage{};
@@ -213,6 +199,7 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
     }
     for (const auto& [row, control] : summary.controls)
         json["controls"].push_back({{"from_row", row}, {"control", control}});
+    if (const auto error = summary.energy.error()) json["energy_balance_error"] = *error;
     if (model.dynamics) json["dynamics"] = motion_json(summary, *model.dynamics);
     if (summary.accuracy) {
         const AccuracySummary& accuracy = *summary.accuracy;

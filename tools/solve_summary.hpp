@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli.hpp"
+#include "fields/energy_balance.hpp"
 #include "linalg/profile.hpp"
 #include "model/case.hpp"
 #include "solution/path.hpp"
@@ -24,18 +25,6 @@ struct AccuracySummary {
     [[nodiscard]] bool met() const { return has_bars && reached <= asked; }
 };
 
-/// How well the rows of a motion keep their energy: work of the loads - stored - kinetic - taken by damping, all since the
-/// first row, over the largest of the four that any row has.
-class EnergyBalance {
-public:
-    void add(const solution::Step::Motion& row);
-    [[nodiscard]] std::optional<double> error() const;  ///< empty where nothing has moved
-
-private:
-    std::optional<solution::Step::Motion> first_;
-    double largest_J_ = 0, gap_J_ = 0;
-};
-
 struct SolveSummary {
     solution::PathEnd end;
     std::optional<solution::Step> first, last;  ///< rows of the path
@@ -48,8 +37,8 @@ struct SolveSummary {
     double least_jacobian = 1;
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
-    int steps = 0;         ///< rows of the path after the undeformed state
-    EnergyBalance energy;  ///< of a motion
+    int steps = 0;  ///< rows of the path after the undeformed state
+    fields::EnergyBalance energy;
     int ranks = 1;
     double wall_s = 0, cpu_s = 0;  ///< cpu_s: of this process; in a batch since its line before
     double peak_memory_MB = 0;     ///< of this process

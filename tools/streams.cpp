@@ -100,18 +100,27 @@ Console::Console(std::string_view tool, Verbosity verbosity)
 Console::~Console() { clear_bar(); }
 
 void Console::put(std::string_view label, std::string_view line) {
-    if (verbosity_ == Verbosity::quiet) return;
     clear_bar();
     to_stderr(tool_ + ": " + std::string{label} + core::one_line(line, std::string_view::npos) + "\n");
 }
 
-void Console::say(std::string_view line) { put("", line); }
+std::string_view Console::warning_label() const { return colour_ ? "\033[33mwarning\033[0m: " : "warning: "; }
+
+void Console::say(std::string_view line) {
+    if (verbosity_ != Verbosity::quiet) error(line);
+}
 
 void Console::detail(std::string_view line) {
     if (verbosity_ == Verbosity::verbose) say(line);
 }
 
-void Console::warn(std::string_view line) { put(colour_ ? "\033[33mwarning\033[0m: " : "warning: ", line); }
+void Console::warn(std::string_view line) {
+    if (verbosity_ != Verbosity::quiet) insist(line);
+}
+
+void Console::insist(std::string_view line) { put(warning_label(), line); }
+
+void Console::error(std::string_view line) { put("", line); }
 
 void Console::progress(double share, std::string_view text) {
     if (verbosity_ == Verbosity::quiet) return;

@@ -182,7 +182,8 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
     linalg::add(change, -0.25, end);
     const double in_middle = system.load_power(middle, change, levels, rate);
     system.prescribe(to.levels);
-    return (at_start + 4.0 * in_middle + at_end) / 6.0;
+    // The middle of a step far too long is no state of equilibrium: its forces may be beyond all numbers.
+    return std::isfinite(in_middle) ? (at_start + 4.0 * in_middle + at_end) / 6.0 : 0.5 * (at_start + at_end);
 }
 
 RowState row_state(assembly::System& system, const PathPoint& point, double direction, solution::Step step) {

@@ -52,3 +52,18 @@ for full in 200kPa 1MPa; do
     claim "the bellows at 20 mm is that of $full as of less" within "$(column pressure_kPa far.csv | sed -n 1p)" 1.30586 1.30848
     claim "and at 40 mm" within "$(column pressure_kPa far.csv | sed -n 2p)" 3.10137 3.10757
 done
+
+# A face is moved the way that it is told, also of one mixed cell; and what the loads do is what the rubber stores, else it is an error
+for way in -0.3 0.3; do
+    runs "mesh-gen -q designs/rod.yaml --set geometry.length=10mm --set mesh.size=10mm --set 'supports={fixed: fixed}' --set 'loads={end: {displacement: $way mm, along: x}}' | solve -q --json block.json | postprocess -q -o block.csv"
+    claim "a block of one cell goes $way mm" within "$(awk -v w="$way" -v e="$(column elongation_mm block.csv | tail -n 1)" 'BEGIN { print e / w }')" 0.999999 1.000001
+    claim "in a few steps" within "$(column step block.csv | tail -n 1)" 1 12
+    claim "with the energies in balance" within "$(json block.json energy_balance_error)" 0 1e-3
+done
+fibres='mesh-gen -q designs/rod.yaml --set model=quarter --set "supports={x: fixed}" --set mesh.size=20mm --set "material={law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 0.1 MPa, k2: 1, angle: 0 deg, families: 2, kappa: KAPPA}" --set "loads={end: {displacement: 130 mm, along: x}}"'
+runs "${fibres/KAPPA/5 MPa} | solve -q --json fibres.json -o fibres.h5"
+claim "stiffening fibres: six steps, and their work is known" within "$(json fibres.json energy_balance_error)" 0 5e-3
+refuses 1 'solve: the energies do not balance: at row * the loads have done * mJ of work, the rubber stores * mJ, *; use a smaller solver.residual_tolerance *' \
+    "${fibres/KAPPA/incompressible} --set solver.residual_tolerance=1e-2 | solve -q -o wrong.h5"
+runs 'postprocess -q wrong.h5 -o wrong.csv'
+claim "the steps are kept" table wrong.csv

@@ -1,0 +1,53 @@
+#include "fields/energy_balance.hpp"
+
+#include <gtest/gtest.h>
+
+namespace soft::fields {
+namespace {
+
+solution::Step at_rest(double work_J, double stored_J) {
+    solution::Step step;
+    step.energies = {.stored_J = stored_J, .load_work_J = work_J, .tangent_J = {}};
+    return step;
+}
+
+solution::Step moving(double kinetic_J, double stored_J, double work_J, double damping_J) {
+    solution::Step step;
+    step.motion = {0.0, kinetic_J, stored_J, work_J, damping_J};
+    return step;
+}
+
+EnergyBalance balance_of(std::initializer_list<solution::Step> rows) {
+    EnergyBalance balance;
+    for (const auto& row : rows) balance.add(row);
+    return balance;
+}
+
+TEST(EnergyBalance, IsThatOfTheWorstRowOverTheLargestEnergy) {
+    const auto balance = balance_of({at_rest(0, 0), at_rest(1, 1.3), at_rest(10, 10), at_rest(2, 2)});
+    EXPECT_NEAR(*balance.error(), 0.03, 1e-15);
+    EXPECT_NE(balance.problem().find("at row 1 the loads have done 1000 mJ of work, the rubber stores 1300 mJ"),
+              std::string::npos)
+        << balance.problem();
+}
+
+TEST(EnergyBalance, OfAMotionCountsWhatMovesAndWhatDampingTakes) {
+    EXPECT_NEAR(*balance_of({moving(0, 0, 0, 0), moving(2, 5, 10, 3)}).error(), 0, 1e-15);
+    const auto losing = balance_of({moving(0, 0, 0, 0), moving(2, 5, 10, 0)});
+    EXPECT_NEAR(*losing.error(), 0.3, 1e-15);
+    EXPECT_NE(losing.problem().find("dynamics.accuracy"), std::string::npos) << losing.problem();
+}
+
+TEST(EnergyBalance, BeginsWithWhatTheFirstRowStores) {
+    EXPECT_NEAR(*balance_of({at_rest(0, 5), at_rest(1, 6)}).error(), 0, 1e-15);
+}
+
+TEST(EnergyBalance, IsAProblemBeyondOnePercent) {
+    EXPECT_EQ(balance_of({at_rest(0, 0), at_rest(1, 0.991)}).problem(), "");
+    EXPECT_NE(balance_of({at_rest(0, 0), at_rest(1, 0.989)}).problem(), "");
+    EXPECT_EQ(balance_of({at_rest(0, 0)}).problem(), "");
+    EXPECT_EQ(balance_of({solution::Step{}, solution::Step{}}).problem(), "") << "a stress without an energy";
+}
+
+}  // namespace
+}  // namespace soft::fields
