@@ -92,7 +92,7 @@ private:
         double state = 0, load = 0;
         bool is_negligible = false;  ///< of the whole state and load
     };
-    [[nodiscard]] double moves_by(double step) const;
+    [[nodiscard]] bool is_first_try(double step) const;
     [[nodiscard]] double next_q() const;
     [[nodiscard]] Aim aim();
     [[nodiscard]] State start_of(const Aim& aim) const;

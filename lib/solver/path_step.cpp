@@ -163,8 +163,10 @@ bool PathFollower::is_too_long(const Aim& aimed, double missed, double taken) {
     const double error = missed * missed;
     const bool kink = rejected_curve_error_ && error > error_at_a_kink * *rejected_curve_error_;
     const double shorter = std::max(0.9 * std::sqrt(settings_.step_accuracy / error), smallest_retake);
-    if (error <= coarse_curve * settings_.step_accuracy || kink ||
-        std::abs(shorter * taken / first_step_) < settings_.smallest_step)
+    if (error <= coarse_curve * settings_.step_accuracy || kink) return false;
+    if (is_first_try(shorter * taken))
+        first_step_ = coarse(shorter * taken);
+    else if (std::abs(shorter * taken / first_step_) < settings_.smallest_step)
         return false;
     log("row " + std::to_string(rows_) + ": step of " + short_text(taken) +
         " is too long for the curve (predictor error " + short_text(missed) + "): taken again");
@@ -281,10 +283,13 @@ void PathFollower::adapt_step(double predictor_error, double order) {
     }
 }
 
-/// Root mean square of what a step moves the unknowns by, in lengths of the body.
-double PathFollower::moves_by(double step) const {
+/// The first step comes from the load asked for, which may be beyond all that the body takes: it is cut as far as it still moves
+/// the body, by the root mean square of the unknowns.
+bool PathFollower::is_first_try(double step) const {
+    if (!begins_at_rest() || settings_.steps == model::StepRule::constant) return false;
     const double unknowns = static_cast<double>(system_.dofs().total);
-    return std::abs(step) * linalg::norm(last_->tangent.x) / (std::sqrt(unknowns) * model::extent_m(input_.mesh));
+    const double moves = std::abs(step) * linalg::norm(last_->tangent.x) / std::sqrt(unknowns);
+    return moves > motionless * model::extent_m(input_.mesh);
 }
 
 /// The ladder: a shorter step (the line search has had its turn inside each attempt), another control, and at last the
@@ -299,9 +304,7 @@ void PathFollower::handle_failure() {
         "): cut to " + short_text(next));
     const double failed = step_;
     step_ = next;
-    // The first step comes from the load asked for, which may be beyond all that the body takes: it is cut until it moves nothing.
-    if (begins_at_rest() && settings_.steps != model::StepRule::constant && moves_by(step_) > motionless)
-        first_step_ = step_;
+    if (is_first_try(step_)) first_step_ = step_;
     const double share = std::abs(step_ / first_step_) / settings_.smallest_step;
     const bool too_short = share < 1.0;
     const bool may_be_corner = system_.has_fibers() && newton_result_.end != NewtonEnd::not_finite &&

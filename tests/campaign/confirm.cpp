@@ -27,6 +27,12 @@ constexpr double soon = 0.03;
 /// Parts of the last step: the first is that to which contact is located, each further one so many times longer.
 constexpr double first_part = 1.0 / 256, longer = 1.5;
 
+/// A state lies between two rows where the way to both together is longer than that between them by less than this part.
+constexpr double detour = 0.05;
+/// So many steps that are together less than this part of the path's length lead nowhere.
+constexpr std::size_t many_steps = 150;
+constexpr double short_way = 0.011;
+
 std::string text(double value) { return core::rounded_text(value, 4); }
 
 /// How far the nodes move from one row to the next [m]: what the load is seen against.
@@ -76,6 +82,29 @@ double slope_at_the_end(std::span<const double> values, std::span<const double> 
     return (2 * secant(0) - start) / secant(1);
 }
 
+/// A path that has come back to a state between two earlier rows of its last stage, or whose last steps lead nowhere.
+std::optional<Verdict> confirm_return_or_stall(const io::Result& result) {
+    const auto last = static_cast<std::int64_t>(result.steps.size()) - 1;
+    std::vector<double> ways;
+    double all = 0;
+    for (std::int64_t row = 0; row < last; ++row) {
+        if (result.steps[static_cast<std::size_t>(row)].stage != result.steps.back().stage) continue;
+        const auto length = way(result, row, row + 1), before = way(result, row, last),
+                   behind = way(result, row + 1, last);
+        if (!length || !before || !behind) return std::nullopt;
+        if (row + 2 < last && *before + *behind < (1 + detour) * *length)
+            return Verdict{
+                true, "the last state lies between rows " + std::to_string(row) + " and " + std::to_string(row + 1)};
+        ways.push_back(*length);
+        all += *length;
+    }
+    if (ways.size() < many_steps) return std::nullopt;
+    double end = 0;
+    for (std::size_t i = ways.size() - many_steps; i < ways.size(); ++i) end += ways[i];
+    if (end > short_way * all) return std::nullopt;
+    return Verdict{true, "the last " + std::to_string(many_steps) + " steps are " + text(end / all) + " of the path"};
+}
+
 /// By the rows of the last stage: the load has an extremum before the last row, or what the control lets grow has one at it.
 Verdict confirm_limit_point(const io::Result& result) {
     std::vector<double> factors, controlled;
@@ -99,6 +128,7 @@ Verdict confirm_limit_point(const io::Result& result) {
                                                  " of the full one, in row " + std::to_string(top) + " of " +
                                                  std::to_string(n - 1)};
     if (factors.back() >= 1 - met) return {false, "the load asked for is reached"};
+    if (auto verdict = confirm_return_or_stall(result)) return *verdict;
     if (maximum(controlled, tolerance) + 1 < n) return {false, "the path has gone on behind a maximum"};
     const auto rows = static_cast<std::int64_t>(result.steps.size());
     const auto all = way(result, 0, rows - 1);

@@ -45,6 +45,35 @@ bar=$(column elongation_mm bar.csv | tail -n 1)
 mixed=$(column elongation_mm mixed.csv | tail -n 1)
 claim "F-bar cells of rubber with kappa = 4000 mu come within 3 % of mixed cells" within "$(awk -v a="$bar" -v b="$mixed" 'BEGIN { print a / b }')" 0.97 1.03
 
+# A path that turns back past its limit point ends there: one cell of an unstable law is crushed, and the path would pass its own
+# states again, down to zero and into vacuum.
+yeoh='material={law: yeoh, c1: 100.55 kPa, c2: 6.387 kPa, c3: -0.14916 kPa, kappa: incompressible}'
+for full in 40kPa 60kPa; do
+    run "mesh-gen -q designs/bellows.yaml --set '$yeoh' --set geometry.wall=1.5mm --set geometry.convolutions=2 --set loads.cavity.pressure=$full --set path={} | solve -q --json back.json -o back.h5"
+    claim "a path that turns back under $full ends early" exits 2
+    claim "and says so" has 'the load asked for is not reached: the path has turned back, *' back.json detail
+    postprocess -q back.h5 -o back.csv
+    claim "beside its limit point, 34.68 kPa, not at zero" within "$(column pressure_kPa back.csv | tail -n 1)" 34.3 34.69
+done
+claim "the table has one row at 10 kPa" [ "$(postprocess -q back.h5 --at pressure=10kPa | wc -l)" = 2 ]
+
+# A count of negative pivots that changes by rounding, at another place with every step, is no bifurcation.
+for accuracy in 0.002 0.0005; do
+    run "mesh-gen -q designs/bellows.yaml --set 'path={control: auto, until: {elongation: 260 mm}, stretch_limit: 4.5}' --set loads.cavity.pressure=60kPa --set loads.cavity.sealed=false --set solver.step_accuracy=$accuracy | solve -q --json open.json -o open.h5"
+    claim "an open bellows has no bifurcations, with steps of accuracy $accuracy" [ "$(json open.json bifurcations)" = "[]" ]
+done
+
+# The first step comes from the load asked for, which may be far beyond all that the body takes.
+plate='mesh-gen -q designs/plate.yaml --set path.until.deflection=3mm'
+runs "$plate | solve -q | postprocess -q --at deflection=2mm -o near.csv"
+runs "$plate --set loads.bottom.pressure=1GPa | solve -q | postprocess -q --at deflection=2mm -o far.csv"
+claim "a plate under 1 GPa is followed as under 2 kPa" within "$(awk -v a="$(column pressure_kPa near.csv)" -v b="$(column pressure_kPa far.csv)" 'BEGIN { print a / b }')" 0.995 1.005
+
+# Past its limit point a thin tube comes to steps that lead nowhere; no number of them goes on.
+run "mesh-gen -q designs/tube.yaml --set geometry.length=74.687mm --set geometry.outer_radius=6.45655mm --set geometry.inner_radius=5.73489mm --set geometry.cap=0.806878mm --set mesh.size=1.49374mm --set 'material={law: neo-hookean, mu: 847.202 kPa, kappa: 435.516 MPa}' --set loads.cavity.pressure=116kPa --set path={} | solve -q --json stall.json -o stall.h5"
+claim "a path that is past its maximum and stalls ends early" exits 2
+claim "with the reason" has 'the load asked for is n* reached: *maximum*' stall.json detail
+
 # A load that is never reached says nothing of the path: not of its first step either, between whose rows the curve is read off.
 # Pressures of an independent code: tests/verification/actuators.cpp.
 for full in 200kPa 1MPa; do
