@@ -3,9 +3,11 @@
 /// stretches; I4) by automatic differentiation, and chain rules (material/chain_rule.hpp, principal.hpp) carry the result to F,
 /// once for all laws. Many points at once: material/point_batch.hpp.
 /// Reference configuration throughout, Pa. Held against nine-variable differentiation in F by material/law_test.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "core/dual.hpp"
 #include "core/tensor.hpp"
@@ -216,6 +218,33 @@ void displacement_response(const Rubber<L>& rubber, const FiberAxes& axes, const
     }
 }
 
+/// Below this an energy of the order of the strain squared has lost more digits by rounding than its stress, of the order of the strain.
+inline constexpr double small_gradient = 1e-4;
+
+/// W_s(F) - W_s(I) as the work of the stress on the straight way from I to F, by Simpson's rule: of displacement gradients H = F - I
+/// below small_gradient to (eps + |H|^4)/|H|, where W_s itself is known to eps/|H|^2.
+template <Law L>
+requires MayHaveFibers<L>
+[[nodiscard]] double small_strain_energy(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F) {
+    Tensor H = F;
+    for (int i = 0; i < 3; ++i) H[4 * i] -= 1.0;
+    double sum = 0;
+    PointResponse response;
+    for (const auto& [way, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
+        Tensor between = identity_tensor;
+        for (int m = 0; m < 9; ++m) between[m] += way * H[m];
+        mixed_response(rubber, axes, between, 0.0, Wanted::stress, response);  // at p = 0: the derivative of W_s
+        for (int m = 0; m < 9; ++m) sum += weight / 6.0 * response.first_piola[m] * H[m];
+    }
+    return sum;
+}
+
+[[nodiscard]] inline bool is_small_gradient(const Tensor& F) {
+    double largest = 0;
+    for (int m = 0; m < 9; ++m) largest = std::max(largest, std::abs(F[m] - identity_tensor[m]));
+    return largest < small_gradient;
+}
+
 /// W_s(F) per undeformed volume [J/m^3] and Theta: W = W_s + K/2 Theta^2. Empty for a stress without an energy.
 struct EnergyParts {
     double shear = 0, dilatation = 0;
@@ -234,17 +263,22 @@ template <Law L>
             }
         return EnergyParts{rubber.law.mu_Pa * (e2 - dilation * dilation / 3.0), dilation};
     } else {
-        const auto I = principal_invariants(F);
         const double J = determinant(F);
-        EnergyParts parts{0.0, dilatation(rubber, I, J)};
-        if constexpr (StretchLaw<L>)
-            parts.shear = rubber.law.isochoric_energy(isochoric_stretches(F));
-        else
-            parts.shear = shear_energy(rubber.law, I, J);
-        if (rubber.fibers)
-            for (int family = 0; family < rubber.fibers->families; ++family)
-                parts.shear += fiber_energy(*rubber.fibers,
-                                            squared_fiber_stretch(F, fiber_direction(*rubber.fibers, axes, family)));
+        const auto shear_at = [&](const Tensor& at, double jacobian) {
+            double shear = 0;
+            if constexpr (StretchLaw<L>)
+                shear = rubber.law.isochoric_energy(isochoric_stretches(at));
+            else
+                shear = shear_energy(rubber.law, principal_invariants(at), jacobian);
+            for (int family = 0; rubber.fibers && family < rubber.fibers->families; ++family)
+                shear += fiber_energy(*rubber.fibers,
+                                      squared_fiber_stretch(at, fiber_direction(*rubber.fibers, axes, family)));
+            return shear;
+        };
+        const double shear = is_small_gradient(F)
+                                 ? shear_at(identity_tensor, 1.0) + small_strain_energy(rubber, axes, F)
+                                 : shear_at(F, J);
+        const EnergyParts parts{shear, dilatation(rubber, principal_invariants(F), J)};
         return parts;
     }
 }

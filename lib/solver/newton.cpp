@@ -119,7 +119,9 @@ std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
     const double load_scale = std::abs(state.load_factor) * linalg::norm(wanted_.back().out);
     const double scale = std::max({now.evaluation.force_scale, load_scale, vanishing_forces * now.first_force_scale});
     now.result.residual = scale > 0.0 ? now.residual / scale : 0.0;
-    now.aim = settings_.residual_tolerance * scale;
+    const double wanted = settings_.residual_tolerance * scale;
+    now.aim = std::max(wanted, rounding_margin * rounding_N_);
+    now.result.within_rounding = now.aim > wanted;
     const bool supplied = std::ranges::all_of(supply_, [&](const SupplyEquation& equation) {
         return std::abs(equation.value) <= settings_.residual_tolerance;
     });
@@ -130,31 +132,37 @@ std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
     return std::nullopt;
 }
 
+/// The gradient that is added to one has the digits of positions: of a displacement of the cell's size.
+double Newton::change_by_digits(const State& state, const assembly::LoadLevels& levels) {
+    const model::Case& input = system_.input();
+    const double nodes = static_cast<double>(input.mesh.points.size());
+    const double cell_m = model::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
+    const linalg::Vector nearby = linalg::duplicate(state.x);
+    linalg::copy(state.x, nearby);
+    for (PetscInt i = system_.dofs().begin; i < system_.dofs().end; ++i) {
+        double value = 0;
+        SOFT_PETSC(VecGetValues(state.x, 1, &i, &value));
+        const double digit = std::numeric_limits<double>::epsilon() * (std::abs(value) + cell_m);
+        SOFT_PETSC(VecSetValue(nearby, i, value + (i % 3 == 0 ? -digit : digit), INSERT_VALUES));
+    }
+    SOFT_PETSC(VecAssemblyBegin(nearby));
+    SOFT_PETSC(VecAssemblyEnd(nearby));
+    static_cast<void>(system_.evaluate(state.x, levels, R_, nullptr));
+    const linalg::Vector change = linalg::duplicate(R_);
+    linalg::copy(R_, change);
+    static_cast<void>(system_.evaluate(nearby, levels, R_, nullptr));
+    linalg::add(change, -1.0, R_);
+    assembled_at_.reset();
+    return linalg::norm(change);
+}
+
 /// Whether the residual is no more than what it changes by when the unknowns change in their last digits: then the state is as
 /// near to equilibrium as numbers can be. Far stretched rubber is so much stiffer than its forces are large that this is more
 /// than the tolerance.
 bool Newton::is_rounding(const State& state, const Correction& now) {
     if (std::abs(now.missing) > now.constraint_tolerance) return false;
-    // The gradient that is added to one has the digits of positions: of a displacement of the cell's size.
-    const model::Case& input = system_.input();
-    const double nodes = static_cast<double>(input.mesh.points.size());
-    const double cell_m = model::extent_m(input.mesh) / std::pow(nodes, 1.0 / input.mesh.dimension);
-    State nearby{linalg::duplicate(state.x), state.load_factor, state.pressures_Pa};
-    linalg::copy(state.x, nearby.x);
-    for (PetscInt i = system_.dofs().begin; i < system_.dofs().end; ++i) {
-        double value = 0;
-        SOFT_PETSC(VecGetValues(state.x, 1, &i, &value));
-        const double digit = std::numeric_limits<double>::epsilon() * (std::abs(value) + cell_m);
-        SOFT_PETSC(VecSetValue(nearby.x, i, value + (i % 3 == 0 ? -digit : digit), INSERT_VALUES));
-    }
-    SOFT_PETSC(VecAssemblyBegin(nearby.x));
-    SOFT_PETSC(VecAssemblyEnd(nearby.x));
-    static_cast<void>(evaluate_at(state, Assemble::forces));
-    linalg::Vector change = linalg::duplicate(R_);
-    linalg::copy(R_, change);
-    static_cast<void>(evaluate_at(nearby, Assemble::forces));
-    linalg::add(change, -1.0, R_);
-    return now.residual <= rounding_margin * linalg::norm(change);
+    const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
+    return now.residual <= rounding_margin * change_by_digits(state, levels);
 }
 
 linalg::LinearSolve Newton::solve_updated(Vec b, Vec x) {
@@ -246,7 +254,9 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
             trial.pressures_Pa[k] = state.pressures_Pa[k] + length * step.loads[k];
         now.evaluation = evaluate_at(trial, what);
         if (!now.evaluation.admissible()) return Trial{.admissible = false};
-        Trial there{true, linalg::norm(R_), settings_.residual_tolerance * now.evaluation.force_scale, 0.0};
+        const double floor =
+            std::max(settings_.residual_tolerance * now.evaluation.force_scale, rounding_margin * rounding_N_);
+        Trial there{true, linalg::norm(R_), floor, 0.0};
         // R is linear in the loads: those still to come are put in without another evaluation.
         if (slopes) there.slope = linalg::dot(R_, correction_) - (1.0 - length) * work_of_loads();
         return there;

@@ -10,10 +10,12 @@
 /// the pairs dx, R_new - R_old + sum dp_k f_k - dlambda dR/dlambda, which leaves the loads out (quasi_newton.hpp). Where
 /// TangentSource::finite_difference or LinearMethod::jacobian_free is chosen, K or K v are differences of R (differences.hpp).
 /// Where backtracking finds no descent in a body with fibres, the correction begins again without a line search.
+/// Equilibrium: |R| <= residual_tolerance x scale of the nodal forces, or no more than rounding leaves of it in the undeformed body,
+/// where strains below 1e-6 or so drown: a predictor that is exact to that is not corrected.
 /// A Krylov solve that reaches its limit gives an inexact correction; the direction of the path may take ten times the limit.
 /// Source: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991) 9.3; Allgower and Georg,
 /// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/solver_test, solver/supply_test,
-/// solver/newton_methods_test, solver/linear_methods_test, solver/corner_test, solver/motion_test.
+/// solver/newton_methods_test, solver/linear_methods_test, solver/corner_test, solver/motion_test, solver/tiny_load_test.
 #include <functional>
 #include <optional>
 
@@ -44,9 +46,10 @@ enum class NewtonEnd {
 struct NewtonResult {
     NewtonEnd end = NewtonEnd::converged;
     int iterations = 0;
-    int halvings = 0;             ///< of the line search (trials beyond the first), over all iterations
-    double residual = 0;          ///< |R| over the force scale
-    mesh::Index worst_cell = -1;  ///< cell with the least det F at the last evaluation
+    int halvings = 0;              ///< of the line search (trials beyond the first), over all iterations
+    double residual = 0;           ///< |R| over the force scale
+    bool within_rounding = false;  ///< converged, of forces so small that rounding is more of them than the tolerance
+    mesh::Index worst_cell = -1;   ///< cell with the least det F at the last evaluation
     double min_jacobian = 1;
 };
 
@@ -124,6 +127,8 @@ private:
                                           State& state);
     [[nodiscard]] std::optional<NewtonEnd> judge(const State& state, Correction& now);
     [[nodiscard]] bool is_rounding(const State& state, const Correction& now);
+    /// What R changes by when the unknowns change in their last digits: R_ is overwritten.
+    [[nodiscard]] double change_by_digits(const State& state, const assembly::LoadLevels& levels);
     [[nodiscard]] std::optional<NewtonEnd> solve_blocks(const State& state, const Correction& now);
     /// True where the factor before this iteration has served it.
     [[nodiscard]] bool solve_with_kept_factor(const Correction& now);
@@ -167,7 +172,9 @@ private:
     assembly::System& system_;
     model::SolverSettings settings_;
     const StageLoads* loads_ = nullptr;
-    bool loads_move_ = false;   // a face, with the load factor
+    bool loads_move_ = false;  // a face, with the load factor
+    double rounding_N_ =
+        0;  // of the residual of the undeformed body: all that is known of equilibrium under tiny loads
     linalg::Matrix K_, spare_;  // the spare is for columns that need a tangent while K_ stays
     linalg::LinearSolver solver_;
     std::optional<ResidualDifferences> differences_;

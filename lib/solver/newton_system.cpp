@@ -49,6 +49,8 @@ void Newton::set_loads(const StageLoads& loads) {
     assembled_at_.reset();
     const auto& motions = loads.rate().motions;
     loads_move_ = std::ranges::any_of(motions, [](double rate) { return rate != 0.0; });
+    if (rounding_N_ == 0.0)
+        rounding_N_ = change_by_digits({system_.make_vector(), 0.0, {}}, assembly::no_loads(system_.input()));
 }
 
 Mat Newton::matrix_for(Assemble what) {

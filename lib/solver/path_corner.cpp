@@ -3,8 +3,10 @@
 /// Beyond it the path is that of another piece of the law, along +-K^-1 f with the K of the far side, in the sense that leads away
 /// from the corner and stays in that piece (paths of piecewise linear maps: Allgower and Georg, Introduction to Numerical
 /// Continuation Methods (2003) 12). Held by solver/corner_test.
+#include <algorithm>
 #include <cmath>
 
+#include "model/cavity_surface.hpp"
 #include "solver/path_follower.hpp"
 
 namespace soft::solver {
@@ -21,6 +23,8 @@ constexpr double same_piece = 0.9999, same_direction = 0.5;
 /// Beside rest in parts of the first step: so near that the piece is the first, so far that rounding does not say which. And what
 /// directions of one piece differ by.
 constexpr double away_from_rest = 1e-5, of_the_piece = 1e-3;
+/// The way from rest is at least this part of the body's size: of tiny loads rounding does not say which fibres pull.
+constexpr double visible_strain = 1e-9;
 /// Fibres of neighbouring points may change one right after the other: directions tried until one leads to where it is the
 /// path's, and halvings of the failed step to find the first piece where none does.
 constexpr int pieces = 8, halvings = 30;
@@ -45,9 +49,10 @@ State moved(const State& from, double length, const PathTangent& direction) {
 /// piece into which it leads.
 PathTangent PathFollower::leave_rest(const State& rest, PathTangent slack) {
     PathTangent direction = std::move(slack);
+    const double visible_m = visible_strain * model::extent_m(input_.mesh);
     for (int piece = 0; piece < pieces; ++piece) {
-        auto next = newton_.tangent({ConstraintKind::load_factor},
-                                    moved(rest, away_from_rest * settings_.first_step, direction));
+        const double way = std::max(away_from_rest * settings_.first_step, visible_m / linalg::norm(direction.x));
+        auto next = newton_.tangent({ConstraintKind::load_factor}, moved(rest, way, direction));
         if (!next || !std::isfinite(linalg::norm(next->x))) break;
         linalg::copy(next->x, scratch_);
         linalg::add(scratch_, -1.0, direction.x);

@@ -60,6 +60,7 @@ private:
     void begin_stage(State state);
     void end_stage(const std::string& text);
     [[nodiscard]] Constraint stage_control() const;
+    void leave_volume_control_of_tiny_loads(const PathPoint& by_load);
     [[nodiscard]] Constraint softer_control() const;
     void change_control(const Constraint& control, const std::string& why);
     void report_control() const;

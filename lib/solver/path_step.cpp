@@ -29,7 +29,8 @@ constexpr double flat_load = 0.1;
 /// says nothing about the step.
 constexpr double equilibrium_margin = 10.0;
 /// Step changes from one step to the next.
-constexpr double largest_growth = 2.5, smallest_shrink = 0.3, smallest_retake = 0.1, cut_after_failure = 0.4;
+constexpr double largest_growth = 2.5, growth_of_linear_steps = 100.0, smallest_shrink = 0.3, smallest_retake = 0.1,
+                 cut_after_failure = 0.4;
 /// Newton iterations beyond which the step does not grow.
 constexpr int many_iterations = 7;
 /// Failures in a row before the path is followed by another control.
@@ -272,7 +273,8 @@ void PathFollower::adapt_step(double predictor_error, double order) {
         }
         case model::StepRule::error_adaptive: {  // the error goes with the power order + 1 of the step
             double factor = std::pow(settings_.step_accuracy / std::max(predictor_error, 1e-12), 1.0 / order);
-            factor = std::clamp(0.9 * factor, smallest_shrink, largest_growth);
+            const bool is_linear = newton_result_.iterations == 0 && newton_result_.within_rounding;
+            factor = std::clamp(0.9 * factor, smallest_shrink, is_linear ? growth_of_linear_steps : largest_growth);
             if (newton_result_.iterations > many_iterations) factor = std::min(factor, 0.7);
             step_ = coarse(factor * taken);
         }

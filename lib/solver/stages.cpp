@@ -102,6 +102,18 @@ double PathFollower::controlled_value(const PathPoint& point, double arc_length)
     throw std::logic_error("controlled_value: not a control");
 }
 
+/// Volumes that change by less than this part of themselves over the whole stage are lost in rounding: such a path is straight, and
+/// followed by its load factor.
+constexpr double least_volume_change = 1e-6;
+
+void PathFollower::leave_volume_control_of_tiny_loads(const PathPoint& by_load) {
+    if (control_.kind != ConstraintKind::volume || !loads_->free_supplies().empty()) return;
+    const double volume_m3 = by_load.load_volumes_m3[control_.index],
+                 slope = by_load.load_volume_slopes[control_.index];
+    if (std::abs(slope / by_load.tangent.load_factor) < least_volume_change * std::abs(volume_m3))
+        control_ = {ConstraintKind::load_factor};
+}
+
 /// Finds the direction of the path and the first step: `first_step` of the stage's loads in the linear response. Of the
 /// two directions the one in which the growing loads do work; in a stable state, and where a face is moved, the one in which the
 /// load factor grows.
@@ -127,6 +139,7 @@ void PathFollower::begin_stage(State state) {
     if (unstable && stage().control == Control::automatic) control_ = softer_control();
     PathPoint point{std::move(state), std::move(*by_load)};
     read_values(point);
+    leave_volume_control_of_tiny_loads(point);
     const double sense = control_.kind != ConstraintKind::load_factor && point.tangent.power < 0.0 ? -1.0 : 1.0;
     if (control_.kind == ConstraintKind::arc) rescale(point, sense);
     const double slope = control_slope(control_, point);
@@ -234,7 +247,8 @@ void PathFollower::soften() {
     }
     const Constraint other = softer_control();
     const bool softer = linalg::norm(last_->tangent.x) > softening * first_slope_;
-    if (!softer && !(bend_under(other) < straighter * bend_under(control_))) return;
+    const double bend = bend_under(control_);
+    if (!softer && !(bend > settings_.step_accuracy * straight && bend_under(other) < straighter * bend)) return;
     change_control(other, softer ? "the body softens" : "the path is straighter there");
 }
 
