@@ -9,12 +9,19 @@
 #include "mesh/quality.hpp"
 #include "model/cavity_surface.hpp"
 #include "model/place.hpp"
+#include "surface/volume.hpp"
 
 namespace soft::geometry {
 namespace {
 
 /// From a valve in a chip to an arm; beyond, a unit is wrong more often than not.
 constexpr double smallest_m = 2e-3, largest_m = 3;
+/// Surroundings from a bell jar to a kilometre of water.
+constexpr double least_ambient_Pa = 1e3, most_ambient_Pa = 10e6;
+/// Densities of gases at room temperature relative to air: hydrogen 0.07, sulphur hexafluoride 5.1.
+constexpr double least_density_ratio = 0.05, most_density_ratio = 6.0;
+/// A balloon grows a thousandfold; a supply line holds no more than a thousand times its actuator.
+constexpr double most_gas_ratio = 1e3;
 /// Of a direction: less is rounding.
 constexpr double across = 1e-9;
 
@@ -85,6 +92,55 @@ void check_outside(const model::Case& built, Warnings& warnings) {
                        " while the cavity is not loaded; loads." + built.cavities.front().name + " inflates it");
 }
 
+double gas_volume_m3(const model::Case& built, const model::PressureLoad& load) {
+    double volume_m3 = 0;
+    for (const model::Cavity& cavity : built.cavities)
+        if (std::ranges::find(load.targets, cavity.name) != load.targets.end())
+            volume_m3 += surface::enclosed_volume_m3(built, model::cavity_facets(built, cavity), built.mesh.points);
+    return volume_m3;
+}
+
+/// The largest gas mass of the path's stages.
+double largest_mass_kg(const model::Case& built, std::size_t load) {
+    double mass_kg = 0;
+    for (const model::Stage& stage : built.path.stages)
+        if (load < stage.supplies.size() && stage.supplies[load].what == model::Prescription::mass)
+            mass_kg = std::max(mass_kg, stage.supplies[load].value);
+    return mass_kg;
+}
+
+void check_gas(const model::Case& built, Warnings& warnings) {
+    for (std::size_t i = 0; i < built.loads.size(); ++i) {
+        const model::PressureLoad& load = built.loads[i];
+        const std::string path = "loads." + load.name + ".";
+        const auto text = core::quantity_text;
+        const model::Gas &gas = load.gas, air;
+        const double air_density = air.ambient_density_kg_m3 * gas.ambient_Pa / air.ambient_Pa;
+        const double density_ratio = gas.ambient_density_kg_m3 / air_density;
+        if (gas.ambient_Pa < least_ambient_Pa || gas.ambient_Pa > most_ambient_Pa)
+            warnings.push_back(
+                path + "gas.ambient: " + text(gas.ambient_Pa, core::Dimension::pressure) +
+                " is no usual pressure of the surroundings (1 kPa to 10 MPa, absolute); is the unit right "
+                "(101.325 kPa)?");
+        else if (density_ratio < least_density_ratio || density_ratio > most_density_ratio)
+            warnings.push_back(path + "gas.density: " + text(gas.ambient_density_kg_m3, core::Dimension::density) +
+                               " is the density of no gas at " + text(gas.ambient_Pa, core::Dimension::pressure) +
+                               " and room temperature; air has " + text(air_density, core::Dimension::density));
+        const double cavity_m3 = built.kinematics == model::Kinematics::plane_strain ? 0.0 : gas_volume_m3(built, load);
+        if (!(cavity_m3 > 0)) continue;
+        if (gas.dead_volume_m3 > most_gas_ratio * cavity_m3)
+            warnings.push_back(path + "gas.dead_volume: " + text(gas.dead_volume_m3, core::Dimension::volume) +
+                               " is more than a thousand times the cavity, " +
+                               text(cavity_m3, core::Dimension::volume) + "; is the unit right?");
+        const double mass_kg = largest_mass_kg(built, i),
+                     content_kg = gas.ambient_density_kg_m3 * (cavity_m3 + gas.dead_volume_m3);
+        if (mass_kg > most_gas_ratio * content_kg)
+            warnings.push_back(path + "mass: " + text(mass_kg, core::Dimension::mass) +
+                               " is more than a thousand times the gas at ambient pressure, " +
+                               text(content_kg, core::Dimension::mass) + "; is the unit right?");
+    }
+}
+
 /// Of a drawn or imported shape, whose faces a user has named.
 void check_openings(const design::Design& design, const model::Case& built, Warnings& warnings) {
     for (const char* key : {"geometry.profile", "geometry.file"})
@@ -137,6 +193,7 @@ std::vector<std::string> case_warnings(const design::Design& design, const model
     check_outside(built, warnings);
     check_openings(design, built, warnings);
     check_quality(built, warnings);
+    check_gas(built, warnings);
     if (design.values.has("geometry.file"))
         if (const std::size_t parts = parts_of(built.mesh); parts > 1)
             warnings.push_back(

@@ -7,6 +7,8 @@
 ///     outputs     a displacement of a face that is held in that direction, which stays 0
 ///     outside     a face is pressed and the only cavity is not
 ///     openings    a cavity of a drawn or imported shape with more than one: a face of its wall has another name
+///     gas         surroundings below 1 kPa or beyond 10 MPa, a density of no gas at that pressure, a dead volume or a mass
+///                 beyond a thousand times what the undeformed cavity holds
 ///     parts       a mesh from a file whose cells hang together in several parts that share no node
 /// Held by geometry/case_warnings_test and Pipeline.MisleadingDesignsAreNamed.
 #include <string>

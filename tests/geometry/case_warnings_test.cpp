@@ -57,6 +57,24 @@ TEST(CaseWarnings, AnOutputOfAHeldFaceIsTold) {
                     .empty());
 }
 
+TEST(CaseWarnings, AGasInWrongUnitsIsReportedAndUsualOnesAreNot) {
+    // The tube's cavity holds some mL, at ambient pressure some mg of air.
+    const auto gas = [](const std::string& supply, const std::string& keys) {
+        return tube + "loads: {cavity: {" + supply + ", gas: {" + keys + "}}}\n";
+    };
+    const std::string pressure = "pressure: 5 kPa", mass = "mass: 5 mg";
+    expect_told(gas(pressure, "ambient: 101.325 GPa"), "loads.cavity.gas.ambient: 101.325 GPa is no usual pressure");
+    expect_told(gas(pressure, "ambient: 1 Pa"), "loads.cavity.gas.ambient: 1 Pa is no usual pressure");
+    expect_told(gas(pressure, "density: 1.2 g/cm^3"), "loads.cavity.gas.density: ");
+    expect_told(gas(pressure, "ambient: 5 MPa"), "air has 59.4");  // 1.204 kg/m^3 stays stated for 5 MPa
+    expect_told(gas(mass, "dead_volume: 1 m^3"), "loads.cavity.gas.dead_volume: 1 m^3 is more than a thousand times");
+    expect_told(gas("mass: 12 kg", "dead_volume: 0 mL"), "loads.cavity.mass: 12 kg is more than a thousand times");
+    EXPECT_TRUE(told(gas(mass, "dead_volume: 1 L, process: adiabatic")).empty());
+    EXPECT_TRUE(told(gas(pressure, "ambient: 70 kPa")).empty());                       // in the mountains
+    EXPECT_TRUE(told(gas(pressure, "ambient: 1 MPa, density: 11.9 kg/m^3")).empty());  // 90 m below the sea
+    EXPECT_TRUE(told(gas(pressure, "density: 0.166 kg/m^3")).empty());                 // helium
+}
+
 TEST(CaseWarnings, APressedOutsideIsToldWhereTheCavityIsNotLoaded) {
     expect_told(tube + "loads: {outer: {pressure: 5 kPa}}\n", "loads.outer: presses on the face outer");
     EXPECT_TRUE(told(tube + "loads: {outer: {pressure: 5 kPa}, cavity: {pressure: 5 kPa}}\n").empty());
