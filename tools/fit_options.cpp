@@ -19,7 +19,7 @@ struct Words {
                        delimiter;
     std::map<fit::Mode, std::vector<std::string>> files;
     std::vector<std::string> mode_weights;
-    std::string weight_floor;
+    std::string weight_floor, gauge_length, area, width, thickness;
     bool offset = false, any_order = false;
 };
 
@@ -75,6 +75,12 @@ void apply_weight(const std::string& text, std::vector<TestFile>& files) {
                     "for example --weight planar=2, more than 0");
 }
 
+std::string row_count_error(const std::string& text) {
+    const bool is_count =
+        !text.empty() && text.size() < 10 && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+    return is_count ? "" : core::quoted(text) + " is no number of rows; give 0 or more";
+}
+
 std::vector<TestFile> files_of(const Words& words) {
     std::vector<TestFile> files;
     if (!words.input.empty() || words.files.empty()) files.push_back({words.input, fit::Mode::uniaxial});
@@ -86,6 +92,30 @@ std::vector<TestFile> files_of(const Words& words) {
     return files;
 }
 
+std::optional<double> size_of(const std::string& text, const char* option, core::Dimension dimension) {
+    if (text.empty()) return std::nullopt;
+    const double size = core::quantity_or_throw(text, dimension, ExitCode::usage, option);
+    if (!(size > 0.0))
+        throw Error(ExitCode::usage, option, core::quoted(text) + " is not positive",
+                    "the size of the undeformed specimen");
+    return size;
+}
+
+fit::Specimen specimen_of(const Words& words) {
+    fit::Specimen specimen{size_of(words.gauge_length, "--gauge-length", core::Dimension::length),
+                           size_of(words.area, "--area", core::Dimension::area)};
+    const auto width_m = size_of(words.width, "--width", core::Dimension::length),
+               thickness_m = size_of(words.thickness, "--thickness", core::Dimension::length);
+    if (width_m.has_value() != thickness_m.has_value())
+        throw Error(ExitCode::usage, width_m ? "--width" : "--thickness", "is one side of the section only",
+                    "give --width and --thickness, or --area");
+    if (width_m && specimen.area_m2)
+        throw Error(ExitCode::usage, "--area", "the section is stated twice",
+                    "give --width and --thickness, or --area");
+    if (width_m) specimen.area_m2 = *width_m * *thickness_m;
+    return specimen;
+}
+
 void apply(const Words& words, FitOptions& options) {
     options.files = files_of(words);
     options.candidate = fit::find_candidate(words.law);
@@ -93,6 +123,7 @@ void apply(const Words& words, FitOptions& options) {
         throw Error(ExitCode::usage, "--law", "no law is called " + core::quoted(words.law),
                     core::did_you_mean(words.law, law_names()));
     options.reading.range = range_of(words.range);
+    options.reading.specimen = specimen_of(words);
     options.reading.format.delimiter = delimiter_of(words.delimiter);
     if (words.decimal == "point") options.reading.format.decimal = table::Decimal::point;
     if (words.decimal == "comma") options.reading.format.decimal = table::Decimal::comma;
@@ -138,15 +169,25 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
         ->check(CLI::IsMember({"engineering", "true", "stretch"}));
     app.add_option("--stress", words.stress, "What the stress is, where the title does not say it")
         ->check(CLI::IsMember({"engineering", "true"}));
-    app.add_option("--strain-unit", options.reading.strain_unit, "1 or %")->type_name("UNIT");
-    app.add_option("--stress-unit", options.reading.stress_unit, "Pa, kPa, MPa, N/mm^2, psi, ...")->type_name("UNIT");
+    app.add_option("--strain-unit", options.reading.strain_unit, "1 or %; of a displacement mm, in, ...")
+        ->type_name("UNIT");
+    app.add_option("--stress-unit", options.reading.stress_unit,
+                   "Pa, kPa, MPa, N/mm^2, psi, ...; of a force N, lbf, ...")
+        ->type_name("UNIT");
+    app.add_option("--gauge-length", words.gauge_length,
+                   "The strain's column is a displacement; strain = it / this length")
+        ->type_name("LENGTH");
+    app.add_option("--area", words.area, "The stress's column is a force; stress = it / this undeformed area")
+        ->type_name("AREA");
+    app.add_option("--width", words.width, "With --thickness, in place of --area")->type_name("LENGTH");
+    app.add_option("--thickness", words.thickness, "With --width, in place of --area")->type_name("LENGTH");
     app.add_option("--delimiter", words.delimiter, "One character, or tab, comma, semicolon, blank, bar")
         ->type_name("C");
     app.add_option("--decimal", words.decimal, "How decimals are written, where both could be meant (1,234)")
         ->check(CLI::IsMember({"point", "comma"}));
     app.add_option("--skip-rows", options.reading.skipped_rows, "Leave out the first N rows of data")
         ->type_name("N")
-        ->check(CLI::NonNegativeNumber);
+        ->check(row_count_error);
     app.add_flag("--any-order", words.any_order, "The rows are points in no order, not a pull");
 }
 
@@ -176,10 +217,13 @@ const About& fit_about() {
     static const About about{
         .tool = "fit-material",
         .summary = "tensile, equibiaxial and planar test data (CSV) to the constants of a law (YAML)",
-        .examples = {{"fit-material dragon-skin-20.csv --law yeoh --range 0:110% --plot fit.svg > material.yaml",
-                      "Yeoh's constants over 110 % of strain, and a picture"},
-                     {"fit-material --uniaxial ut.csv --equibiaxial et.csv --planar ps.csv --rank",
-                      "All laws on three modes together, the best first"}},
+        .examples =
+            {{"fit-material dragon-skin-20.csv --law yeoh --range 0:110% --plot fit.svg > material.yaml",
+              "Yeoh's constants over 110 % of strain, and a picture"},
+             {"fit-material machine.csv --gauge-length 33mm --width 6mm --thickness 3mm --law yeoh-5 > material.yaml",
+              "From displacement and force as a testing machine writes them"},
+             {"fit-material --uniaxial ut.csv --equibiaxial et.csv --planar ps.csv --rank",
+              "All laws on three modes together, the best first"}},
         .libraries = libraries};
     return about;
 }

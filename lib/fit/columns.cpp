@@ -30,6 +30,15 @@ bool is_engineering(std::string_view title) {
 bool is_strain(std::string_view title) { return holds(title, "strain") || holds(title, "stretch"); }
 bool is_stress(std::string_view title) { return holds(title, "stress"); }
 
+bool holds_any(std::string_view title, std::initializer_list<std::string_view> words) {
+    return std::ranges::any_of(words, [&](std::string_view word) { return holds(title, word); });
+}
+bool is_displacement(std::string_view title) {
+    return !is_strain(title) && holds_any(title, {"displacement", "extension", "elongation", "crosshead", "travel",
+                                                  "stroke", "position", "weg"});
+}
+bool is_force(std::string_view title) { return !is_stress(title) && holds_any(title, {"force", "load", "kraft"}); }
+
 std::string place_of(const Table& table) {
     return table.source + ":" + std::to_string(table.headings.empty() ? table.lines.front() : table.header_line);
 }
@@ -55,7 +64,11 @@ struct Wanted {
     std::string_view option;   // "--strain-column"
     std::string_view request;  // what the user said
     bool (*fits)(std::string_view);
+    bool (*fits_machine)(std::string_view);  // what a testing machine writes in its place
+    std::string_view machine_remedy;
 };
+constexpr std::string_view gauge_length_remedy = "of a displacement give --gauge-length",
+                           area_remedy = "of a force give --area, or --width and --thickness";
 
 /// By number, exact title, part of a title.
 std::size_t named_column(const Table& table, const Wanted& wanted) {
@@ -92,16 +105,17 @@ std::size_t column_by_title(const Table& table, const Wanted& wanted) {
     const std::string what{wanted.what}, remedy = "name one with " + std::string{wanted.option} + " TITLE or NUMBER";
     if (table.headings.empty())
         throw refusal(table, "the table has no header that says which column is the " + what, remedy);
+    const bool has_machine_column = std::ranges::any_of(
+        table.headings, [&](const table::Heading& heading) { return wanted.fits_machine(heading.name); });
     throw refusal(table,
                   hits.empty() ? "no title says which column is the " + what : "several columns may be the " + what,
-                  remedy + "; columns: " + titles_text(table));
+                  remedy + "; columns: " + titles_text(table) +
+                      (hits.empty() && has_machine_column ? "; " + std::string{wanted.machine_remedy} : ""));
 }
 
 std::size_t find_column(const Table& table, const Wanted& wanted) {
     return wanted.request.empty() ? column_by_title(table, wanted) : named_column(table, wanted);
 }
-
-bool is_stress_unit(std::string_view unit) { return table::dimension_of(unit) == core::Dimension::pressure; }
 
 /// What neither the file nor an option says; asked for in one line.
 struct Unsaid {
@@ -121,16 +135,30 @@ std::string_view in_brackets(std::string_view title) {
     return open == std::string_view::npos ? std::string_view{} : text.substr(open + 1, text.size() - open - 2);
 }
 
-std::string stress_unit(const table::Heading& heading, const ReadSettings& settings, Unsaid& unsaid) {
-    if (!settings.stress_unit.empty() && !is_stress_unit(settings.stress_unit))
-        throw Error(ExitCode::usage, "--stress-unit", core::quoted(settings.stress_unit) + " is no unit of stress",
-                    "Pa, kPa, MPa, N/mm^2, psi, ...");
-    if (!settings.stress_unit.empty()) return settings.stress_unit;
-    if (is_stress_unit(heading.unit)) return heading.unit;
+/// A quantity whose unit must be stated.
+struct Measured {
+    core::Dimension dimension;
+    std::string_view what;      // "stress"
+    std::string_view option;    // "--stress-unit"
+    std::string_view examples;  // "MPa (or Pa, kPa, N/mm^2, psi)"
+};
+constexpr Measured stress_quantity{core::Dimension::pressure, "stress", "--stress-unit",
+                                   "MPa (or Pa, kPa, N/mm^2, psi)"};
+constexpr Measured force_quantity{core::Dimension::force, "force", "--stress-unit", "N (or mN, kN, lbf, kgf)"};
+constexpr Measured displacement_quantity{core::Dimension::length, "displacement", "--strain-unit", "mm (or m, in)"};
+
+std::string stated_unit(const Measured& measured, const std::string& option_value, const table::Heading& heading,
+                        Unsaid& unsaid) {
+    const std::string option{measured.option}, what{measured.what}, examples{measured.examples};
+    const auto fits = [&](std::string_view unit) { return table::dimension_of(unit) == measured.dimension; };
+    if (!option_value.empty() && !fits(option_value))
+        throw Error(ExitCode::usage, option, core::quoted(option_value) + " is no unit of " + what, examples);
+    if (!option_value.empty()) return option_value;
+    if (fits(heading.unit)) return heading.unit;
     const std::string_view unknown = in_brackets(heading.name);
-    unsaid.add(unknown.empty() ? "the unit of the stress is nowhere stated"
-                               : core::quoted(unknown) + " is no unit of stress that is known",
-               "--stress-unit MPa (or Pa, kPa, N/mm^2, psi)");
+    unsaid.add(unknown.empty() ? "the unit of the " + what + " is nowhere stated"
+                               : core::quoted(unknown) + " is no unit of " + what + " that is known",
+               option + " " + examples);
     return {};
 }
 
@@ -164,8 +192,14 @@ StressMeasure stress_measure(std::string_view title, const ReadSettings& setting
 
 Columns columns_of(const Table& table, const ReadSettings& settings) {
     Columns columns;
-    columns.strain = find_column(table, {"strain", "--strain-column", settings.strain_column, is_strain});
-    columns.stress = find_column(table, {"stress", "--stress-column", settings.stress_column, is_stress});
+    const bool is_machine_strain = settings.specimen.gauge_length_m.has_value(),
+               is_machine_stress = settings.specimen.area_m2.has_value();
+    columns.strain =
+        find_column(table, {is_machine_strain ? "displacement" : "strain", "--strain-column", settings.strain_column,
+                            is_machine_strain ? is_displacement : is_strain, is_displacement, gauge_length_remedy});
+    columns.stress =
+        find_column(table, {is_machine_stress ? "force" : "stress", "--stress-column", settings.stress_column,
+                            is_machine_stress ? is_force : is_stress, is_force, area_remedy});
     if (columns.strain == columns.stress)
         throw refusal(table, "strain and stress are the same column",
                       "name two with --strain-column and --stress-column");
@@ -174,10 +208,12 @@ Columns columns_of(const Table& table, const ReadSettings& settings) {
     };
     const table::Heading strain = heading(columns.strain), stress = heading(columns.stress);
     Unsaid unsaid;
-    columns.strain_measure = strain_measure(strain.name, settings, unsaid);
-    columns.stress_measure = stress_measure(stress.name, settings, unsaid);
-    columns.strain_unit = strain_unit(strain.unit, settings);
-    columns.stress_unit = stress_unit(stress, settings, unsaid);
+    if (!is_machine_strain) columns.strain_measure = strain_measure(strain.name, settings, unsaid);
+    if (!is_machine_stress) columns.stress_measure = stress_measure(stress.name, settings, unsaid);
+    columns.strain_unit = is_machine_strain ? stated_unit(displacement_quantity, settings.strain_unit, strain, unsaid)
+                                            : strain_unit(strain.unit, settings);
+    columns.stress_unit =
+        stated_unit(is_machine_stress ? force_quantity : stress_quantity, settings.stress_unit, stress, unsaid);
     if (!unsaid.problems.empty())
         throw refusal(table, core::join(unsaid.problems), "give " + core::join(unsaid.remedies, " and "));
     return columns;

@@ -11,7 +11,7 @@ struct Columns {
     std::size_t strain = 0, stress = 0;  ///< from 0
     StrainMeasure strain_measure = StrainMeasure::engineering;
     StressMeasure stress_measure = StressMeasure::engineering;
-    std::string strain_unit;  ///< empty or %
+    std::string strain_unit;  ///< empty or %; of a displacement its unit
     std::string stress_unit;
 };
 

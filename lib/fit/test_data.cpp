@@ -43,8 +43,13 @@ double stretch_of(double strain, StrainMeasure measure) {
 }
 
 std::vector<Point> points_of(const table::Table& table, const Columns& columns, const ReadSettings& settings) {
-    const auto strains = table::values_SI(table, columns.strain, columns.strain_unit, core::Dimension::ratio);
-    const auto stresses = table::values_SI(table, columns.stress, columns.stress_unit, core::Dimension::pressure);
+    const Specimen& specimen = settings.specimen;
+    auto strains = table::values_SI(table, columns.strain, columns.strain_unit,
+                                    specimen.gauge_length_m ? core::Dimension::length : core::Dimension::ratio);
+    auto stresses = table::values_SI(table, columns.stress, columns.stress_unit,
+                                     specimen.area_m2 ? core::Dimension::force : core::Dimension::pressure);
+    for (double& strain : strains) strain /= specimen.gauge_length_m.value_or(1.0);
+    for (double& stress : stresses) stress /= specimen.area_m2.value_or(1.0);
     const bool unit_stated = !settings.strain_unit.empty() || !columns.strain_unit.empty();
     std::vector<Point> points;
     for (std::size_t i = 0; i < strains.size(); ++i) {

@@ -46,15 +46,24 @@ enum class RowOrder {
     points  ///< rows in any order
 };
 
+/// The undeformed specimen of a tensile test, for what a testing machine writes: strain = displacement / gauge length,
+/// engineering stress = force / area.
+struct Specimen {
+    std::optional<double> gauge_length_m = {};  ///< given: the strain's column holds a displacement
+    std::optional<double> area_m2 = {};         ///< given: the stress's column holds a force
+};
+
 /// Columns are named by (part of) their title, letter case free, or by their number from 1. What is empty is taken from the
-/// header: "Engineering Strain", "True Stress (MPa)", "stretch", "stress_kPa"; of engineering and true the former.
+/// header: "Engineering Strain", "True Stress (MPa)", "stretch", "stress_kPa"; of engineering and true the former. With a
+/// specimen: "Extension (mm)", "Crosshead [mm]", "Standard travel", "Load (N)", "Standard force", "Standardweg", "Standardkraft".
 struct ReadSettings {
     table::Format format = {.layout = table::Layout::described};
     std::string strain_column = {}, stress_column = {};
     std::optional<StrainMeasure> strain_measure = {};
     std::optional<StressMeasure> stress_measure = {};
-    std::string strain_unit = {};  ///< "1" or "%"; a title without one is a plain ratio
-    std::string stress_unit = {};  ///< "MPa"; must stand here or in the title
+    std::string strain_unit = {};  ///< "1" or "%"; a title without one is a plain ratio. Of a displacement "mm", ...
+    std::string stress_unit = {};  ///< "MPa", of a force "N"; must stand here or in the title
+    Specimen specimen = {};
     std::size_t skipped_rows = 0;
     StrainRange range = {};
     RowOrder order = RowOrder::path;

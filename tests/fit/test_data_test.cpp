@@ -124,5 +124,54 @@ TEST(TestData, InvariantsAreThoseOfTheModes) {
     EXPECT_DOUBLE_EQ(first_invariant(Mode::planar, 2.0), 5.25);
 }
 
+/// The pull e = 0.1, 0.2, 0.4 of a specimen of 33 mm and 6 x 3 mm: u = 3.3, 6.6, 13.2 mm, F = 18 mm^2 s.
+void expect_machine_curve(const TestCurve& test) {
+    ASSERT_EQ(test.stretch.size(), 3u);
+    const double strain[] = {0.1, 0.2, 0.4}, stress_Pa[] = {20e3, 50e3, 110e3};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(test.stretch[i], 1.0 + strain[i], 1e-12);
+        EXPECT_NEAR(test.nominal_Pa[i], stress_Pa[i], 1e-6);
+    }
+}
+
+ReadSettings of_specimen() {
+    ReadSettings settings;
+    settings.specimen = {.gauge_length_m = 33e-3, .area_m2 = 18e-6};
+    return settings;
+}
+
+TEST(TestData, DisplacementAndForceOfATestingMachineAreStrainAndEngineeringStress) {
+    const auto read = [](const char* text) { return read_test(text, "t.csv", Mode::uniaxial, of_specimen()); };
+    // Instron's style: quoted cells, units in brackets below the titles, a preamble
+    expect_machine_curve(read(
+        "Specimen label,\"A 1\"\nGeometry : Thickness,\"3.0\",\"mm\"\n\n\"Time\",\"Extension\",\"Load\"\n"
+        "\"(s)\",\"(mm)\",\"(N)\"\n\"0.1\",\"3.3\",\"0.36\"\n\"0.2\",\"6.6\",\"0.90\"\n\"0.4\",\"13.2\",\"1.98\"\n"));
+    // Zwick's: semicolons, decimal commas, German or English titles
+    for (const char* titles : {"Pr\xfc"
+                               "fzeit;Standardweg;Standardkraft",
+                               "Test time;Standard travel;Standard force"})
+        expect_machine_curve(read((std::string{"Vorkraft;0,1;N\nPr\xfc"
+                                               "fgeschwindigkeit;450;mm/min\n\n"} +
+                                   titles + "\ns;mm;N\n0,1;3,3;0,36\n0,2;6,6;0,90\n0,4;13,2;1,98\n")
+                                      .c_str()));
+    // other units, in the titles
+    expect_machine_curve(read("Crosshead (m)\tForce (kN)\n0.0033\t0.00036\n0.0066\t0.0009\n0.0132\t0.00198\n"));
+}
+
+TEST(TestData, AForceMayStandBesideAStrain) {
+    ReadSettings settings;
+    settings.specimen.area_m2 = 18e-6;
+    expect_machine_curve(
+        read_test("Engineering strain,Force (N)\n0.1,0.36\n0.2,0.9\n0.4,1.98\n", "t.csv", Mode::uniaxial, settings));
+}
+
+TEST(TestData, WhatAMachinesTableLacksIsNamed) {
+    expect_refused("Engineering strain,Load (N)\n0.1,1\n0.2,2\n", "of a force give --area");
+    expect_refused("Extension (mm),Load (N)\n1,1\n2,2\n", "of a displacement give --gauge-length");
+    expect_refused("Extension,Load (N)\n1,1\n2,2\n", "the unit of the displacement is nowhere stated", of_specimen());
+    expect_refused("Extension (mm),Load (kPa)\n1,1\n2,2\n", "is no unit of force", of_specimen());
+    expect_refused("Extension (mm),Stress (kPa)\n1,1\n2,2\n", "no title says which column is the force", of_specimen());
+}
+
 }  // namespace
 }  // namespace soft::fit

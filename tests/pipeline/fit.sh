@@ -65,9 +65,22 @@ refuses 64 'fit-material: --output text.csv: would overwrite the input; *' 'fit-
 refuses 64 "fit-material: --law: no law is called 'yeho'; did you mean 'yeoh'*" 'fit-material text.csv --law yeho'
 refuses 64 "fit-material: --range: '110%' has no colon; *" 'fit-material text.csv --range 110%'
 refuses 64 "fit-material: --range: '0:110' looks like percentages*" 'fit-material text.csv --range 0:110'
+refuses 64 "fit-material: --skip-rows: '-1' is no number of rows; give 0 or more; *" 'fit-material text.csv --skip-rows -1'
+refuses 64 "fit-material: --skip-rows: '1.5' is no number of rows; *" 'fit-material text.csv --skip-rows 1.5'
 refuses 64 'fit-material: -: stdin can be read once only; *' 'fit-material --uniaxial - --planar -'
 refuses 64 "fit-material: --weight: 'planar=2' is no weight of a mode that is given; *" 'fit-material text.csv --weight planar=2'
 refuses 64 'fit-material: fit.jpg: pictures are written as .svg, .png or .pdf' 'fit-material text.csv --plot fit.jpg'
+
+# Displacement and force of the machine: the specimen of these data is 33 mm long, 6 x 3 mm.
+awk -F';' '/^[0-9.]+;[0-9]/ { if (!n++) print "Specimen,1\n\n\"Extension\",\"Load\"\n\"(mm)\",\"(N)\""; printf "\"%.9f\",\"%.9f\"\n", 33 * $4, 18 * $5 }' data/dragon-skin-20.csv >machine.csv
+runs 'fit-material machine.csv --gauge-length 33mm --width 6mm --thickness 3mm > machine.yaml'
+constants() { awk '/^  c[123]:/ { print $1, $2 }' "$1"; }
+claim 'force and displacement give the constants of stress and strain' awk \
+    'NR == FNR { c[$1] = $2; next } { if (($2 - c[$1]) ^ 2 > (1e-6 * $2) ^ 2) exit 1; ++n } END { exit n != 3 }' <(constants yeoh.yaml) <(constants machine.yaml)
+refuses 65 'fit-material: machine.csv:3: no title says which column is the strain; *; of a displacement give --gauge-length' 'fit-material machine.csv'
+refuses 64 'fit-material: --width: is one side of the section only; *' 'fit-material machine.csv --gauge-length 33mm --width 6mm'
+refuses 64 'fit-material: --area: the section is stated twice; *' 'fit-material machine.csv --gauge-length 33mm --width 6mm --thickness 3mm --area 18mm^2'
+refuses 64 "fit-material: --gauge-length: '0 mm' is not positive; *" 'fit-material machine.csv --gauge-length "0 mm" --area 18mm^2'
 
 # What people have: decimal commas, no header, true stress, other things than tables.
 sed 's/\./,/g' data/dragon-skin-20.csv >comma.csv
