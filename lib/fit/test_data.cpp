@@ -13,6 +13,8 @@ namespace {
 
 // The ends of a range are typed in decimals: a row at 1.1 belongs to 110 % whatever the last bit says.
 constexpr double end_tolerance = 1e-9;
+// Of the whole displacement.
+constexpr double machine_noise = 2e-3;
 
 struct Point {
     double stretch = 0, nominal_Pa = 0;
@@ -71,10 +73,25 @@ void check_path(const table::Table& table, const std::vector<Point>& points) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double first = points[1].stretch - points[0].stretch, step = points[i].stretch - points[i - 1].stretch;
         if (step == 0.0)
-            refuse(table, points[i].line, "the strain is that of the row before", "one row for each strain");
+            refuse(table, points[i].line, "the strain is that of the row before",
+                   "one row for each strain; --any-order takes rows that are points in no order");
         if (step * first < 0.0)
             refuse(table, points[i].line, "the strain turns back",
                    "fit one pull; --any-order takes rows that are points in no order");
+    }
+}
+
+/// A testing machine's displacement repeats and trembles by its resolution: what turns back further is another pull.
+void check_machine_path(const table::Table& table, const std::vector<Point>& points) {
+    const auto [least, most] = std::ranges::minmax(points, {}, &Point::stretch);
+    const double sign = most.stretch - 1.0 >= 1.0 - least.stretch ? 1.0 : -1.0;
+    const double noise = machine_noise * (most.stretch - least.stretch);
+    double furthest = points.front().stretch;
+    for (const Point& point : points) {
+        if (sign * (furthest - point.stretch) > noise)
+            refuse(table, point.line, "the displacement turns back",
+                   "fit one pull; --any-order takes rows that are points in no order");
+        furthest = sign > 0 ? std::max(furthest, point.stretch) : std::min(furthest, point.stretch);
     }
 }
 
@@ -103,7 +120,8 @@ TestCurve read_test(std::string_view text, std::string_view source, Mode mode, c
     skip_rows(table, settings.skipped_rows);
     settle_decimal(table, columns);
     const std::vector<Point> points = points_of(table, columns, settings);
-    if (settings.order == RowOrder::path && points.size() > 1) check_path(table, points);
+    if (settings.order == RowOrder::path && points.size() > 1)
+        settings.specimen.gauge_length_m ? check_machine_path(table, points) : check_path(table, points);
     TestCurve test{.mode = mode, .source = std::string{source}, .sha256 = core::sha256_hex(text)};
     test.measured = columns.stress_measure;
     for (const Point& point : points) {

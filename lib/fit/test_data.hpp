@@ -42,7 +42,8 @@ struct StrainRange {
 };
 
 enum class RowOrder {
-    path,   ///< a pull from one end to the other: a strain that turns back is refused
+    path,  ///< a pull from one end to the other: a strain that turns back is refused, a displacement that does so by more
+           ///< than 0.2 % of the whole
     points  ///< rows in any order
 };
 

@@ -158,6 +158,17 @@ TEST(TestData, DisplacementAndForceOfATestingMachineAreStrainAndEngineeringStres
     expect_machine_curve(read("Crosshead (m)\tForce (kN)\n0.0033\t0.00036\n0.0066\t0.0009\n0.0132\t0.00198\n"));
 }
 
+TEST(TestData, ADisplacementMayRepeatAndTrembleButNotTurnBack) {
+    const std::string head = "Extension (mm),Load (N)\n";
+    const auto rows = [&](const std::string& text) {
+        return read_test(head + text, "a.csv", Mode::uniaxial, of_specimen()).stretch.size();
+    };
+    EXPECT_EQ(rows("0,0\n0,0.01\n10,1\n9.99,1\n10,1.1\n20,2\n"), 6u);
+    EXPECT_EQ(rows("0,0\n0.01,0.01\n-10,-1\n-20,-2\n"), 4u);
+    expect_refused(head + "0,0\n10,1\n20,2\n10,0.9\n0,0\n", "a.csv:5: the displacement turns back", of_specimen());
+    expect_refused(head + "0,0\n-10,-1\n-5,-1\n", "a.csv:4: the displacement turns back", of_specimen());
+}
+
 TEST(TestData, AForceMayStandBesideAStrain) {
     ReadSettings settings;
     settings.specimen.area_m2 = 18e-6;
