@@ -21,6 +21,8 @@ void add_plot_options(CLI::App& app, PlotOptions& plot) {
     app.add_option("--x", plot.x, "Quantity along the plot: a column of the table without its unit")
         ->type_name("QUANTITY");
     app.add_option("--y", plot.y, "Quantity up the plot")->type_name("QUANTITY");
+    app.add_option("--colour", plot.colour, "Quantity shown by the colour of the curve, with a scale")
+        ->type_name("QUANTITY");
     repeatable(
         app.add_option("--with", plot.with, "Another result in the same plot, also that of --report (repeatable)"))
         ->type_name("FILE[:LABEL]");
@@ -88,7 +90,7 @@ void check_combinations(const CLI::App& app) {
         if (app.count(option) > 0)
             throw Error(ExitCode::usage, option, "says nothing without " + core::join(names, " or "));
     };
-    for (const char* option : {"--with", "--x", "--y", "--band"}) needs(option, {"--plot", "--report"});
+    for (const char* option : {"--with", "--x", "--y", "--colour", "--band"}) needs(option, {"--plot", "--report"});
     for (const char* option : {"--columns", "--max-error"}) needs(option, {"--compare"});
     for (const char* option : {"--rtol", "--atol"}) needs(option, {"--check"});
     needs("--junit", {"--check", "--max-error"});

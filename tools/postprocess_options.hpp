@@ -12,6 +12,7 @@ namespace soft {
 struct PlotOptions {
     std::string file;               ///< FILE.svg, .png, .pdf; empty: none
     std::string x, y;               ///< quantities; empty: what fits the case
+    std::string colour;             ///< quantity; empty: none
     std::vector<std::string> with;  ///< FILE or FILE:LABEL of further results
     std::string band;               ///< table of scripts/uncertainty (CSV); empty: none
 };

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <set>
 
 #include "core/text.hpp"
@@ -33,6 +35,27 @@ public:
         cli::write_output(file.string(), bytes, cli::Content::binary);
     }
 
+    /// What ParaView's clock shows: the time of a motion; the leading load in its unit where it grows from step to step, as ParaView
+    /// sorts by time; else the number of the step.
+    struct Clock {
+        std::string text;
+        const post::Column* column = nullptr;  ///< nullptr: the step
+    };
+    [[nodiscard]] Clock clock() const {
+        for (const post::Source source : {post::Source::time, post::Source::load}) {
+            const auto found = std::ranges::find(shown_.curve.columns, source, &post::Column::source);
+            if (found == shown_.curve.columns.end()) continue;
+            std::vector<double> values;
+            for (const std::int64_t row : shown_.result.fields.steps())
+                values.push_back(found->values.at(static_cast<std::size_t>(row)));
+            if (std::ranges::adjacent_find(values, std::greater_equal<>{}) != values.end()) continue;
+            std::string name = found->quantity;
+            std::ranges::replace(name, '_', ' ');
+            return {name + (found->unit.empty() ? "" : " in " + found->unit), &*found};
+        }
+        return {"number of the step, as the load falls in between", nullptr};
+    }
+
     /// FILE.pvd, and FILE/step-0000.vtu and so on beside it. Returns how many steps of an earlier result were removed.
     [[nodiscard]] std::size_t series(const fs::path& file, cli::Console& console) const {
         const fs::path folder = file.parent_path() / file.stem();
@@ -40,6 +63,7 @@ public:
         std::vector<view::SeriesEntry> entries;
         std::set<std::size_t> written;
         const auto& rows = shown_.result.fields.steps();
+        const Clock ticks = clock();
         for (const std::int64_t row : rows) {
             console.progress(static_cast<double>(entries.size()) / static_cast<double>(rows.size()),
                              "steps for ParaView");
@@ -47,9 +71,8 @@ public:
             const std::string name = view::numbered_name(view::step_numbering, number);
             vtu(row, folder / name);
             written.insert(number);
-            const auto& motion = shown_.result.steps[number].motion;
-            entries.push_back(
-                {motion ? motion->time_s : static_cast<double>(row), (file.stem() / name).generic_string()});
+            const double time = ticks.column != nullptr ? ticks.column->values.at(number) : static_cast<double>(row);
+            entries.push_back({time, (file.stem() / name).generic_string()});
         }
         cli::write_output(file.string(), view::pvd_text(entries));  // after them: it names whole files only
         return view::remove_others(folder, view::step_numbering, written);
@@ -92,7 +115,7 @@ void write_paraview(const std::string& file, const Shown& shown, cli::Console& c
     if (format == ParaviewFormat::series) {
         const std::size_t removed = exporter.series(file, console);
         return console.say(file + ": " + core::counted(shown.result.fields.steps().size(), "step") +
-                           removed_text(removed, "step"));
+                           "; its time is the " + exporter.clock().text + removed_text(removed, "step"));
     }
     const auto rows = shown_rows(shown);
     for (std::size_t k = 0; k < rows.size(); ++k) {

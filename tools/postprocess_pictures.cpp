@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "fields/quantity.hpp"
+#include "post/interpolate.hpp"
 #include "view/animation.hpp"
 #include "view/picture.hpp"
 
@@ -94,21 +96,55 @@ bool in_title(const post::Curve& curve, const post::Column& column) {
            (column.source == post::Source::volume && !measures && first(post::Source::volume));
 }
 
-/// "step 12", "pressure 40 kPa", "elongation 31.7 mm"
-std::vector<std::string> state_words(const post::Curve& curve, std::size_t row) {
+/// "step 12", "pressure 40 kPa", "elongation 31.7 mm"; `values` are those of the columns, `with_step`: between steps there is none.
+std::vector<std::string> state_words(const post::Curve& curve, std::span<const double> values, bool with_step) {
     std::vector<std::string> all;
-    for (const post::Column& column : curve.columns) {
+    for (std::size_t i = 0; i < curve.columns.size(); ++i) {
+        const post::Column& column = curve.columns[i];
         if (!in_title(curve, column) || column.role == post::Role::follower) continue;
+        if (column.quantity == "step" && !with_step) continue;
         std::string words = column.quantity;
         std::ranges::replace(words, '_', ' ');
-        all.push_back(words + " " + core::rounded_text(column.values.at(row), 4) +
-                      (column.unit.empty() ? "" : " " + column.unit));
+        all.push_back(words + " " + core::rounded_text(values[i], 4) + (column.unit.empty() ? "" : " " + column.unit));
     }
     return all;
 }
 
-std::string title_of(const Shown& shown, std::size_t row) {
-    return shown.result.model.name + "   " + core::join(state_words(shown.curve, row), "   ");
+std::vector<std::string> state_words(const post::Curve& curve, std::size_t row) {
+    std::vector<double> values;
+    for (const post::Column& column : curve.columns) values.push_back(column.values.at(row));
+    return state_words(curve, values, true);
+}
+
+std::string title_of(const Shown& shown, std::span<const std::string> words) {
+    return shown.result.model.name + "   " + core::join(words, "   ");
+}
+
+/// Places on the path for the frames of a film: even in time, of a static path in the leading load where it never turns back, else
+/// along the path. As many as there are stored steps, but enough for a film.
+std::vector<double> frame_parameters(const post::Path& path, const Shown& shown) {
+    constexpr std::size_t least = 36, most = 400;
+    const std::size_t count = std::clamp(shown.result.fields.steps().size(), least, most);
+    const post::Curve& curve = shown.curve;
+    const auto load = std::ranges::find(curve.columns, post::Source::load, &post::Column::source);
+    const bool moves =
+        std::ranges::any_of(curve.columns, [](const post::Column& c) { return c.source == post::Source::time; });
+    std::vector<double> loads;
+    for (const std::size_t row : path.rows()) loads.push_back(load->values[row]);
+    // The parameter of a motion is time.
+    const bool grows = !moves && std::ranges::adjacent_find(loads, std::greater_equal<>{}) == loads.end();
+    std::vector<double> parameters;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+        double s = share * path.length();
+        if (grows && k > 0 && k + 1 < count) {
+            const double value = loads.front() + share * (loads.back() - loads.front());
+            const auto found = path.crossings(static_cast<std::size_t>(load - curve.columns.begin()), value);
+            if (!found.empty()) s = found.front();
+        }
+        parameters.push_back(s);
+    }
+    return parameters;
 }
 
 /// What an option asks for and the body does not have. A body in plane strain has no third dimension to be looked at.
@@ -135,14 +171,45 @@ public:
 
     [[nodiscard]] std::size_t polygons() const { return skin_.faces.size(); }
 
-    [[nodiscard]] view::Shot shot(std::int64_t row) const {
+    [[nodiscard]] view::Shot shot(const io::FieldReader::Values& values, std::span<const std::string> words) const {
         const model::Case& model = shown_.result.model;
-        const auto values = stored_fields(shown_.result, row);
         const fields::NodalState state{values.displacement_m, values.pressure_Pa};
         const auto nodal =
             fields::nodal_values(look_.quantity, model, places_, state, fields::step_fields(model, places_, state));
         return {view::base_positions(skin_, model, places_, values.displacement_m), view::base_values(skin_, nodal),
-                title_of(shown_, static_cast<std::size_t>(row))};
+                title_of(shown_, words)};
+    }
+    [[nodiscard]] view::Shot shot(std::int64_t row) const {
+        return shot(stored_fields(shown_.result, row), state_words(shown_.curve, static_cast<std::size_t>(row)));
+    }
+
+    /// Between two stored steps displacements and pressures are linear in the parameter of the path.
+    [[nodiscard]] std::vector<view::Shot> even_shots() const {
+        const post::Path path(shown_.curve);
+        std::vector<std::pair<double, std::int64_t>> stored;  // parameter and step
+        for (const std::int64_t row : shown_.result.fields.steps()) {
+            const auto found = std::ranges::find(path.rows(), static_cast<std::size_t>(row));
+            if (found != path.rows().end())
+                stored.emplace_back(path.row_parameters()[static_cast<std::size_t>(found - path.rows().begin())], row);
+        }
+        std::vector<view::Shot> shots;
+        for (const double s : frame_parameters(path, shown_)) {
+            auto after = std::ranges::find_if(stored, [&](const auto& one) { return one.first >= s; });
+            if (after == stored.end()) --after;
+            const auto before = after == stored.begin() ? after : std::prev(after);
+            io::FieldReader::Values values = stored_fields(shown_.result, after->second);
+            if (after->first > s && before != after) {
+                const auto start = stored_fields(shown_.result, before->second);
+                const double share = (s - before->first) / (after->first - before->first);
+                const auto blend = [&](std::vector<double>& to, const std::vector<double>& from) {
+                    for (std::size_t i = 0; i < to.size(); ++i) to[i] = from[i] + share * (to[i] - from[i]);
+                };
+                blend(values.displacement_m, start.displacement_m);
+                blend(values.pressure_Pa, start.pressure_Pa);
+            }
+            shots.push_back(shot(values, state_words(shown_.curve, path.at(s), false)));
+        }
+        return shots;
     }
 
     void draw(std::int64_t row, const fs::path& file) const {
@@ -150,18 +217,26 @@ public:
         view::draw_picture(body_, look_, view::framing(body_, look_, {&one, 1}), one, file);
     }
 
-    /// Returns how many frames of an earlier animation were removed.
-    [[nodiscard]] std::size_t animate(const fs::path& file, cli::Console& console) const {
+    /// A film with even frames, or a picture of each stored step in a folder.
+    void animate(const fs::path& file, cli::Console& console) const {
+        const bool is_film =
+            view::film_format(file) != view::FilmFormat::folder && shown_.result.fields.steps().size() > 1;
         std::vector<view::Shot> shots;
-        for (const std::int64_t row : shown_.result.fields.steps()) shots.push_back(shot(row));
+        if (is_film) {
+            shots = even_shots();
+        } else {
+            for (const std::int64_t row : shown_.result.fields.steps()) shots.push_back(shot(row));
+        }
         view::Look look = look_;
         if (view::film_format(file) != view::FilmFormat::folder) {
             look.width_px = film_width_px;
             look.height_px = film_height_px;
         }
-        return view::draw_animation(body_, look, shots, file, [&](std::size_t done) {
+        const std::size_t removed = view::draw_animation(body_, look, shots, file, [&](std::size_t done) {
             console.progress(static_cast<double>(done) / static_cast<double>(shots.size()), "frames");
         });
+        console.say(file.string() + ": " + core::counted(shots.size(), is_film ? "frame" : "step") +
+                    removed_text(removed, "frame"));
     }
 
 private:
@@ -223,7 +298,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
                    "to each value of --at (of several FILE-1.png ...); needs gnuplot, no display")
         ->type_name("FILE.png");
     app.add_option("--animate", options.animate,
-                   "A picture of every stored step as a film (needs ffmpeg) or as single frames")
+                   "A film (needs ffmpeg) in even steps of the load, or a picture of every stored step in a folder")
         ->type_name("FILE.gif|FILE.mp4|FOLDER/");
     app.add_option("--field", options.field, "What the colours of the body show: " + field_names())
         ->type_name("FIELD")
@@ -289,9 +364,7 @@ void make_pictures(const PictureOptions& options, const Shown& shown, cli::Conso
     console.detail("the body's surface has " + std::to_string(studio.polygons()) + " polygons");
     if (!options.picture.empty()) draw_pictures(options.picture, studio, shown, console);
     if (options.animate.empty()) return;
-    const std::size_t removed = studio.animate(options.animate, console);
-    console.say(options.animate + ": " + core::counted(shown.result.fields.steps().size(), "step") +
-                removed_text(removed, "frame"));
+    studio.animate(options.animate, console);
 }
 
 }  // namespace soft

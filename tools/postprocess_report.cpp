@@ -11,7 +11,8 @@ void write_report(const PostprocessOptions& options, report::Content content,
         content.measured = &comparison->measured;
         content.errors = comparison->errors;
     }
-    content.plot = {content.series.size() == 1 ? content.result.model.name : "", options.plot.x, options.plot.y};
+    content.plot = {content.series.size() == 1 ? content.result.model.name : "", options.plot.x, options.plot.y,
+                    options.plot.colour};
     content.made_by = "postprocess " + std::string{cli::version()} + " (" + std::string{cli::revision()} +
                       "): " + options.common.command_line;
     cli::write_output(options.report, report::make_report(content));

@@ -90,7 +90,7 @@ PlotAxes same_axes(const PlotSeries& first, const PlotAxes& axes, const PlotSeri
         throw Error(ExitCode::bad_input, "--with " + other.label, "the curve has no " + core::quoted(name),
                     "choose other axes with --x and --y");
     };
-    return {same(axes.x), same(axes.y)};
+    return {same(axes.x), same(axes.y), axes.colour ? std::optional{same(*axes.colour)} : std::nullopt};
 }
 
 /// A script that grows by one data block and one line of the plot command at a time.
@@ -120,13 +120,33 @@ private:
     double scale_;
 };
 
+constexpr const char* filled = "with filledcurves closed fillstyle transparent solid 0.2 noborder";
+
+/// Colours of viridis, whose lightness grows evenly (Smith and van der Walt, 2015).
+constexpr const char* path_palette =
+    "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
+
+/// An axis along which the curve begins at 0 and goes on upwards begins there, whatever errors of the mesh are drawn about 0.
+std::string from_zero(const char* range, std::span<const std::array<double, 2>> points, std::size_t i) {
+    constexpr double begins = 0.02;  // of the largest
+    double low = 0, high = 0;
+    for (const auto& point : points) {
+        low = &point == points.data() ? point[i] : std::min(low, point[i]);
+        high = std::max(high, point[i]);
+    }
+    return low >= 0 && low < begins * high ? std::string{"set "} + range + " [0:*]\n" : "";
+}
+
 std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest& request, PictureFormat format) {
-    return terminal(format) + "set encoding utf8\nset title " + gnuplot_text(request.title) + " noenhanced\n" +
-           "set xlabel " + axis_label(curve, curve.columns[axes.x]) + " noenhanced\n" + "set ylabel " +
-           axis_label(curve, curve.columns[axes.y]) + " noenhanced\n" +
+    return terminal(format) + "set encoding utf8\n" + "set xlabel " + axis_label(curve, curve.columns[axes.x]) +
+           " noenhanced\n" + "set ylabel " + axis_label(curve, curve.columns[axes.y]) + " noenhanced\n" +
            "set grid linecolor rgb '#b0b0b0' linewidth 0.5\nset border 3 linewidth 1\nset tics nomirror out\n"
-           "set style fill transparent solid 0.2 noborder\nset bars 0.5\n"
-           "set key outside top center horizontal reverse Left samplen 3 noenhanced\n"
+           "set bars 0.5\n" +
+           (axes.colour ? std::string{path_palette} +
+                              ("set cblabel " + axis_label(curve, curve.columns[*axes.colour]) + " noenhanced\n")
+                        : std::string{}) +
+           "set key outside top center horizontal reverse Left samplen 3 noenhanced" +
+           (request.title.empty() ? "" : " title " + gnuplot_text(request.title)) + "\n" +
            "set offsets graph 0, graph 0.03, graph 0.08, 0\n";
 }
 
@@ -135,14 +155,17 @@ struct Seen {
     bool unstable = false, band = false, constants = false, limits = false, bifurcations = false;
 };
 
-void add_path(Script& script, const Blocks& blocks, std::size_t index, double point_size, Seen& seen) {
+void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::size_t index, double point_size,
+              Seen& seen) {
     const Style style = styles[index % styles.size()];
     const std::string n = std::to_string(index + 1), colour = std::string{" linecolor rgb '"} + style.colour + "'";
-    script.add("band" + n, blocks.band, "with filledcurves closed" + colour + " notitle");
-    script.add("stable" + n, blocks.stable, "with lines linewidth 2" + colour + " notitle");
-    script.add("unstable" + n, blocks.unstable, "with lines linewidth 2 dashtype (8,6)" + colour + " notitle");
+    const std::string stroke =
+        axes.colour ? "using 1:2:3 with lines linewidth 5 linecolor palette" : "with lines linewidth 2" + colour;
+    script.add("band" + n, blocks.band, filled + colour + " notitle");
+    script.add("stable" + n, blocks.stable, stroke + " notitle");
+    script.add("unstable" + n, blocks.unstable, stroke + " dashtype (8,6) notitle");
     script.add("bars" + n, blocks.bars, "with xyerrorbars linewidth 1 pointtype 0" + colour + " notitle");
-    script.add("constants" + n, blocks.constants, "with filledcurves closed linecolor rgb '#E69F00' notitle");
+    script.add("constants" + n, blocks.constants, filled + " linecolor rgb '#E69F00' notitle");
     script.add("constants_bars" + n, blocks.constants_bars,
                "with xyerrorbars linewidth 2 pointtype 0 linecolor rgb '#E69F00' notitle");
     script.add("markers" + n, blocks.markers,
@@ -151,9 +174,6 @@ void add_path(Script& script, const Blocks& blocks, std::size_t index, double po
                "with points " + script.points(9, 2.2) + " linecolor rgb '#b00000' notitle");
     script.add("bifurcations" + n, blocks.bifurcations,
                "with points " + script.points(5, 1.8) + " linecolor rgb '#b05a00' notitle");
-    const std::string labels = " using 1:2:3 with labels offset 0,1.2 noenhanced notitle";
-    if (!blocks.limits.empty()) script.plot("$limits" + n + labels);
-    if (!blocks.bifurcations.empty()) script.plot("$bifurcations" + n + labels);
     seen.unstable |= !blocks.unstable.empty();
     seen.band |= !blocks.band.empty();
     seen.constants |= !blocks.constants_bars.empty();
@@ -172,9 +192,9 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const Seen& 
         for (std::size_t i = 0; i < series.size(); ++i)
             script.legend("with linespoints " + sign(i), gnuplot_text(series[i].label));
     if (seen.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
-    if (seen.band) script.legend("with filledcurves linecolor rgb '#0072B2'", "'error of the mesh'");
+    if (seen.band) script.legend(filled + std::string{" linecolor rgb '#0072B2'"}, "'error of the mesh'");
     if (seen.constants)
-        script.legend("with filledcurves linecolor rgb '#E69F00'", "'one standard deviation of the constants'");
+        script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, "'one standard deviation of the constants'");
     if (seen.limits)
         script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
     if (seen.bifurcations)
@@ -204,21 +224,30 @@ PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measure
         return column;
     };
     return {request.x.empty() ? usual_x() : named(request.x, "--x"),
-            request.y.empty() ? usual_y() : named(request.y, "--y")};
+            request.y.empty() ? usual_y() : named(request.y, "--y"),
+            request.colour.empty() ? std::nullopt : std::optional{named_column(curve, request.colour, "--colour")}};
 }
 
 std::string plot_script(std::span<const PlotSeries> series, const Measured* measured, const PlotRequest& request,
                         PictureFormat format) {
     const PlotSeries& first = series.front();
     const PlotAxes axes = plot_axes(first.curve, request, measured);
-    Script script(heading(first.curve, axes, request, format), format);
     const bool alone = series.size() == 1;
-    Seen seen;
+    std::vector<Blocks> blocks;
+    std::vector<std::array<double, 2>> drawn, edges;
+    std::vector<PlotLabel> labels;
     for (std::size_t i = 0; i < series.size(); ++i) {
         const PlotAxes own = i == 0 ? axes : same_axes(first, axes, series[i]);
-        add_path(script, make_blocks(series[i], own, alone ? markers_alone : markers_beside_others), i, alone ? 1.2 : 2,
-                 seen);
+        blocks.push_back(make_blocks(series[i], own, alone ? markers_alone : markers_beside_others));
+        drawn.insert(drawn.end(), blocks.back().points.begin(), blocks.back().points.end());
+        edges.insert(edges.end(), blocks.back().edges.begin(), blocks.back().edges.end());
+        labels.insert(labels.end(), blocks.back().labels.begin(), blocks.back().labels.end());
     }
+    const std::string ranges = measured != nullptr ? "" : from_zero("xrange", drawn, 0) + from_zero("yrange", drawn, 1);
+    edges.insert(edges.end(), drawn.begin(), drawn.end());
+    Script script(heading(first.curve, axes, request, format) + ranges + label_commands(labels, edges), format);
+    Seen seen;
+    for (std::size_t i = 0; i < series.size(); ++i) add_path(script, blocks[i], axes, i, alone ? 1.2 : 2, seen);
     const std::string crosses = "with points " + script.points(2, 1.5) + " linewidth 1.5 linecolor rgb '#000000'";
     const std::string points = measured != nullptr ? point_block(*measured, axes) : "";
     script.add("measured", points, crosses + " notitle");

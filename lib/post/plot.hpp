@@ -1,9 +1,8 @@
 #pragma once
 /// Picture of one or more paths: any column of the curve over any other. Each path is the smooth curve of post::Path, its
 /// unstable part dashed, converged steps as markers, limit points as filled triangles and bifurcations as filled squares with
-/// their value, the errors of the mesh (`solve --tolerance`) and of the constants as bands with bars, measured points as
-/// crosses. Paths differ in
-/// their markers, so nothing depends on colour; the colours are those of Okabe and Ito (2008), told apart by all eyes.
+/// their value (plot_labels.hpp), the errors of the mesh (`solve --tolerance`) and of the constants as bands with bars, measured points
+/// as crosses. Paths differ in their markers, so nothing depends on colour unless a third quantity is asked for; the colours are those of Okabe and Ito (2008), told apart by all eyes.
 /// Held by post/plot_test.
 #include <filesystem>
 #include <optional>
@@ -21,6 +20,7 @@ namespace soft::post {
 struct PlotRequest {
     std::string title = {};      ///< one line above the picture; may be empty
     std::string x = {}, y = {};  ///< quantities ("elongation") or columns ("elongation_mm"); empty: see plot_axes
+    std::string colour = {};     ///< the same, shown by the colour of the path; empty: none
 };
 
 struct PlotSeries {
@@ -38,6 +38,7 @@ enum class PictureFormat { svg, png, pdf };
 /// Columns of the curve.
 struct PlotAxes {
     std::size_t x = 0, y = 0;
+    std::optional<std::size_t> colour = {};
 };
 /// What is asked for; else the load over the first output (the cavity volume where a case measures none), of a motion the
 /// first output over time: where there are measured data, the first output that was measured. Error: usage for a quantity the

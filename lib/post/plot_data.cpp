@@ -34,7 +34,9 @@ void sample_line(const Curve& curve, const Path& path, const PlotAxes& axes, Blo
             for (int k = 0; k <= samples_per_interval / 2; ++k) {
                 const double t = (half + 2.0 * k / samples_per_interval) / 2;
                 const std::vector<double> row = path.at(s[i] + t * (s[i + 1] - s[i]));
-                block += line({row[axes.x], row[axes.y]});
+                block += axes.colour ? line({row[axes.x], row[axes.y], row[*axes.colour]})
+                                     : line({row[axes.x], row[axes.y]});
+                blocks.points.push_back({row[axes.x], row[axes.y]});
             }
         }
 }
@@ -47,7 +49,8 @@ std::size_t index_of(const Curve& curve, const Column& column) {
 }
 
 /// The path shifted by its error one way, then back shifted the other way: along the ordinate where its error is known.
-std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& axes) {
+std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& axes,
+                         std::vector<std::array<double, 2>>& edges) {
     const Column* up = error_of(curve, curve.columns[axes.y]);
     const Column* across = error_of(curve, curve.columns[axes.x]);
     if (up == nullptr && across == nullptr) return {};
@@ -61,6 +64,7 @@ std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& a
             const double half = row[error], dx = up != nullptr ? 0 : half, dy = up != nullptr ? half : 0;
             there += line({row[axes.x] + dx, row[axes.y] + dy});
             back.push_back(line({row[axes.x] - dx, row[axes.y] - dy}));
+            for (const double way : {1.0, -1.0}) edges.push_back({row[axes.x] + way * dx, row[axes.y] + way * dy});
         }
     for (auto point = back.rbegin(); point != back.rend(); ++point) there += *point;
     return there;
@@ -99,7 +103,8 @@ std::vector<BandPoint> band_points(const Band& band, const Path& path, const Plo
 }
 
 /// The path between two rows of the band's table, shifted by the width, which goes evenly along the path from one to the other.
-std::string band_piece(const Path& path, const PlotAxes& axes, const BandPoint& from, const BandPoint& to) {
+std::string band_piece(const Path& path, const PlotAxes& axes, const BandPoint& from, const BandPoint& to,
+                       std::vector<std::array<double, 2>>& edges) {
     std::string there;
     std::vector<std::string> back;
     for (int k = 0; k <= samples_per_band_piece; ++k) {
@@ -108,6 +113,7 @@ std::string band_piece(const Path& path, const PlotAxes& axes, const BandPoint& 
         const double dx = from.dx + t * (to.dx - from.dx), dy = from.dy + t * (to.dy - from.dy);
         there += line({row[axes.x] + dx, row[axes.y] + dy});
         back.push_back(line({row[axes.x] - dx, row[axes.y] - dy}));
+        for (const double way : {1.0, -1.0}) edges.push_back({row[axes.x] + way * dx, row[axes.y] + way * dy});
     }
     for (auto point = back.rbegin(); point != back.rend(); ++point) there += *point;
     return there;
@@ -120,7 +126,7 @@ void add_constants(const Band& band, const Path& path, const PlotAxes& axes, Blo
         blocks.constants_bars += line({p.x, p.y, p.x - p.dx, p.x + p.dx, p.y - p.dy, p.y + p.dy});
         if (i == 0 || !points[i - 1].s || !p.s || (points[i - 1].dx > 0) != (p.dx > 0)) continue;
         if (!blocks.constants.empty()) blocks.constants += "\n";
-        blocks.constants += band_piece(path, axes, points[i - 1], p);
+        blocks.constants += band_piece(path, axes, points[i - 1], p, blocks.edges);
     }
 }
 
@@ -140,13 +146,14 @@ void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t most, Blo
     }
 }
 
-/// A line "x y label" for a point with both coordinates.
-std::string labelled(const Column& x, const Column& y, const solution::LimitPoint& at) {
+/// A line "x y label" for a point with both coordinates, and its label.
+void add_labelled(const Column& x, const Column& y, const solution::LimitPoint& at, std::string& block,
+                  std::vector<PlotLabel>& labels) {
     const auto along = value_at(x, at), up = value_at(y, at);
-    if (!along || !up) return {};
-    const std::string unit = y.unit.empty() ? "" : " " + y.unit;
-    return core::number_text(*along) + " " + core::number_text(*up) + " \"" + core::rounded_text(*up, 4) + unit +
-           "\"\n";
+    if (!along || !up) return;
+    const std::string text = core::rounded_text(*up, 4) + (y.unit.empty() ? "" : " " + y.unit);
+    block += core::number_text(*along) + " " + core::number_text(*up) + " \"" + text + "\"\n";
+    labels.push_back({*along, *up, text});
 }
 
 }  // namespace
@@ -158,12 +165,13 @@ Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t m
     const Column& y = curve.columns[axes.y];
     const Path path(curve);
     sample_line(curve, path, axes, blocks);
-    blocks.band = band_outline(curve, path, axes);
+    blocks.band = band_outline(curve, path, axes, blocks.edges);
     if (series.band) add_constants(*series.band, path, axes, blocks);
     add_markers(curve, axes, most_markers, blocks);
-    for (const solution::LimitPoint& limit : series.end.limit_points) blocks.limits += labelled(x, y, limit);
+    for (const solution::LimitPoint& limit : series.end.limit_points)
+        add_labelled(x, y, limit, blocks.limits, blocks.labels);
     for (const solution::Bifurcation& branch : series.end.bifurcations)
-        blocks.bifurcations += labelled(x, y, branch.at);
+        add_labelled(x, y, branch.at, blocks.bifurcations, blocks.labels);
     return blocks;
 }
 

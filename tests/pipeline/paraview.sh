@@ -16,7 +16,7 @@ runs 'postprocess copy.hdf > again.csv'
 touch rod/step-9999.vtu rod/step-99.vtu
 runs 'postprocess rod.h5 --paraview rod.pvd'
 claim "a step of a longer path is gone" [ ! -e rod/step-9999.vtu ]
-claim "which is told" grep -qx "postprocess: rod.pvd: $steps steps; 1 step of an earlier result removed" "$seen/err"
+claim "which is told" grep -qx "postprocess: rod.pvd: $steps steps; its time is the pressure in kPa; 1 step of an earlier result removed" "$seen/err"
 claim "what is not ours stays" rm rod/step-99.vtu
 claim "a file a step as before" [ "$(find rod -type f | wc -l)" -eq "$steps" ]
 claim "the copy is still the result" cmp rod.csv again.csv

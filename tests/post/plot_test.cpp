@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "path_samples.hpp"
 
 namespace soft::post {
@@ -61,7 +62,9 @@ TEST(PlotScript, CallsThePressureOnAFaceNoCavityPressure) {
 
 TEST(PlotScript, DashesTheUnstablePartAndMarksTheLimitPoint) {
     const std::string script = script_of(sphere_curve(25, 3), limit);
-    EXPECT_EQ(count(script, "$unstable1 with lines linewidth 2 dashtype"), 1u);
+    EXPECT_EQ(count(script, "$unstable1 with lines linewidth 2 linecolor rgb '#0072B2' dashtype"), 1u);
+    EXPECT_EQ(count(script, "set label '44.9 kPa' at "), 1u);
+    EXPECT_EQ(count(script, "set yrange [0:*]"), 1u);
     EXPECT_EQ(count(script, "\"44.9 kPa\"\n"), 1u);
 }
 
@@ -107,7 +110,7 @@ TEST(PlotScript, TakesTheVolumeWhereTheCaseHasNoOutput) {
 
 TEST(PlotScript, ATitleCannotLeaveItsQuotes) {
     const std::string script = script_of(sphere_curve(9, 3), {}, {.title = "it's\nsystem('x')"});
-    EXPECT_EQ(count(script, "set title 'it''s?system(''x'')' noenhanced\n"), 1u);
+    EXPECT_EQ(count(script, "noenhanced title 'it''s?system(''x'')'\n"), 1u);
 }
 
 TEST(PlotScript, DrawsAnyColumnOverAnyOther) {
@@ -117,6 +120,15 @@ TEST(PlotScript, DrawsAnyColumnOverAnyOther) {
     EXPECT_EQ(count(script, "set ylabel 'max stretch'"), 1u);
     EXPECT_EQ(plot_axes(curve, {.title = "", .x = "growth_mm", .y = ""}).x, plot_axes(curve, {}).x);
     EXPECT_THROW((void)plot_axes(curve, {.title = "", .x = "grwth", .y = ""}), Error);
+}
+
+TEST(PlotScript, ColoursThePathByAThirdQuantity) {
+    const Curve curve = sphere_curve(25, 3);
+    const std::string script = script_of(curve, limit, {.title = "", .x = "", .y = "", .colour = "volume"});
+    EXPECT_EQ(count(script, "set cblabel 'cavity volume (mL)'"), 1u);
+    EXPECT_EQ(count(script, "$stable1 using 1:2:3 with lines linewidth 5 linecolor palette"), 1u);
+    EXPECT_EQ(count(script, "\n0 0 " + core::number_text(curve.find("volume")->values.front()) + "\n"), 1u);
+    EXPECT_THROW((void)plot_axes(curve, {.title = "", .x = "", .y = "", .colour = "colour"}), Error);
 }
 
 TEST(PlotScript, TellsSeveralPathsApartByTheirMarkersAndNamesThem) {
@@ -155,7 +167,7 @@ TEST(PlotScript, ShowsTheErrorOfTheMeshAsBandAndBars) {
     auto steps = test::sphere_path(3, 2);
     for (auto& step : steps) step.pressure_error_Pa = 0.1 * step.pressure_Pa, step.output_errors = {0.05};
     const std::string script = script_of(make_curve(test::growth, steps));
-    EXPECT_EQ(count(script, "with filledcurves closed"), 1u);
+    EXPECT_EQ(count(script, "with filledcurves closed"), 2u);  // and in the legend
     // at the stretch 1.5: 0.755433 Pa +- a tenth, 500 mm +- 50
     EXPECT_EQ(count(script, "\n500 0.000755433"), 4u);  // two strokes of the path, marker and bar
     EXPECT_EQ(count(script, " 450 550 0.00067988"), 1u) << script;
