@@ -16,6 +16,7 @@ row '/dev/zero as case' solve 65 '/dev/zero: not an HDF5 file *; expected *' not
 row 'an endless stdin' solve 65 '<stdin>: not an HDF5 file *; expected *' nothing "$least yes | solve -o place/out"
 row 'an endless stdin' postprocess 65 '<stdin>: not an HDF5 file *; expected *' nothing "$least yes | postprocess -o place/out"
 row '/dev/zero as measured data' postprocess 65 '/dev/zero: longer than *' nothing "$least solve -q case.h5 --set path.until.steps=1 -o r.h5; postprocess r.h5 --compare /dev/zero -o place/out"
+row '/dev/zero as a table of points' hull-volume 65 '/dev/zero: longer than *' nothing "$least hull-volume /dev/zero -o place/out"
 
 {   # ten levels of nine aliases: 3 thousand million scalars if they were written out
     echo "$family"
