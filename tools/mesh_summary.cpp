@@ -121,6 +121,7 @@ MeshSummary inspect(const geometry::Built& built) {
     summary.inner_corners = mesh::inner_corners(model.mesh);
     summary.rubber_volume_m3 = mesh::measure(model.mesh, measure_of(model)) / model.model_fraction;
     summary.mass_kg = mass_kg(model);
+    summary.notes = built.notes;
     summary.cavities = surface::check_cavities(model);
     for (const surface::CavityReport& cavity : summary.cavities)
         summary.wall_places.push_back(model::place_text(model.kinematics, cavity.smallest_wall_place));
@@ -147,6 +148,7 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
                                        std::to_string(summary.unknowns) + " unknowns",
                                    shape};
     if (summary.inner_corners.count > 0) lines.push_back(corners_line(summary.inner_corners));
+    lines.insert(lines.end(), summary.notes.begin(), summary.notes.end());
     if (!summary.part) return lines;
     lines.push_back(part_line(*summary.part, summary.rubber_volume_m3));
     if (!summary.part->file.repairs.empty())
@@ -183,6 +185,7 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
     json["inner_corners"] = {{"count", summary.inner_corners.count},
                              {"length_m", summary.inner_corners.length_m},
                              {"cell_m", summary.inner_corners.cell_m}};
+    if (!summary.notes.empty()) json["notes"] = summary.notes;
     if (summary.mass_kg) json["mass_kg"] = *summary.mass_kg;
     if (summary.part)
         json["part"] = {{"file", summary.part->file.file},

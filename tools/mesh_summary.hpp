@@ -31,6 +31,7 @@ struct MeshSummary {
         surface::WallFigures walls;
     };
     std::optional<Part> part;
+    std::vector<std::string> notes;        ///< how a drawn shape was read
     std::vector<std::string> wall_places;  ///< "x = 12.3 mm, r = 4.5 mm" of each cavity's smallest wall
 };
 

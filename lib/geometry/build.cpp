@@ -262,7 +262,7 @@ Built build_with_figures(const design::Design& design) {
     result.solver = design.solver;
     result.dynamics = design.dynamics;
     result.mesh = std::move(solid.mesh);
-    return {std::move(result), body.part};
+    return {std::move(result), body.part, body.notes};
 }
 
 }  // namespace soft::geometry

@@ -14,6 +14,7 @@ namespace soft::geometry {
 struct Built {
     model::Case model;
     std::optional<PartFigures> part;
+    std::vector<std::string> notes;  ///< how the shape was read
 };
 [[nodiscard]] Built build_with_figures(const design::Design& design);
 

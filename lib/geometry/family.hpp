@@ -63,6 +63,7 @@ struct Body {
     };
     std::map<std::string, Winding> region_fibers = {};  ///< by the region they lie in
     std::optional<PartFigures> part = {};               ///< of the file whose surface was meshed
+    std::vector<std::string> notes = {};                ///< what the user should know of how the shape was read
     std::vector<model::Support> supports;               ///< that belong to the shape, besides symmetry planes and axis
 };
 

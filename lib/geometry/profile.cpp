@@ -8,6 +8,7 @@
 #include "core/files.hpp"
 #include "core/text.hpp"
 #include "geometry/keys.hpp"
+#include "geometry/profile_curves.hpp"
 #include "meshing/outline_sizes.hpp"
 #include "table/table.hpp"
 
@@ -15,15 +16,6 @@ namespace soft::geometry {
 namespace {
 
 constexpr const char* cavity_face = "cavity";
-
-/// A row of the table.
-struct Row {
-    std::size_t line;
-    meshing::PlanePoint point;
-    std::string tag, loop;
-    meshing::OutlineEdge::Shape shape;
-    std::optional<meshing::PlanePoint> via;
-};
 
 Error fault(std::string_view source, std::size_t line, std::string_view problem, std::string_view remedy = {}) {
     return {ExitCode::bad_input, std::string{source} + ":" + std::to_string(line), problem, remedy};
@@ -39,11 +31,17 @@ public:
         for (const table::Heading& heading : table_.headings) check_known(heading);
     }
 
-    [[nodiscard]] std::vector<Row> rows() const {
+    [[nodiscard]] std::vector<ProfileRow> rows() const {
         const std::vector<double> x = lengths("x", table_), y = lengths(second_, table_);
-        std::vector<Row> rows;
+        std::vector<ProfileRow> rows;
         for (std::size_t i = 0; i < table_.rows.size(); ++i)
-            rows.push_back({table_.lines[i], {x[i], y[i]}, word("tag", i), word("loop", i), shape_in(i), std::nullopt});
+            rows.push_back({table_.lines[i],
+                            {x[i], y[i]},
+                            word("tag", i),
+                            word("loop", i),
+                            shape_in(i),
+                            std::nullopt,
+                            word("curve", i).empty()});
         if (!column("tag"))
             throw fault(table_.source, table_.header_line, "there is no column 'tag'",
                         "name the face of the edge that starts at each row");
@@ -89,11 +87,11 @@ private:
         throw fault(table_.source, table_.lines[row], core::quoted(name) + " is no curve", "line, arc or spline");
     }
 
-    void read_vias(std::vector<Row>& rows) const {
+    void read_vias(std::vector<ProfileRow>& rows) const {
         table::Table arcs = table_;  // of the rows that have one
         arcs.rows.clear();
         arcs.lines.clear();
-        std::vector<Row*> owners;
+        std::vector<ProfileRow*> owners;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (rows[i].shape != meshing::OutlineEdge::Shape::arc) continue;
             arcs.rows.push_back(table_.rows[i]);
@@ -117,11 +115,12 @@ bool is_tag(const std::string& word) {
 }
 
 /// The points of one loop as edges.
-meshing::Loop loop_of(std::vector<Row> rows, std::string_view source) {
+meshing::Loop loop_of(std::vector<ProfileRow> rows, std::string_view source, FoundCurves& found) {
     if (rows.size() > 1 && rows.back().tag.empty() && rows.back().point == rows.front().point) rows.pop_back();
+    recognise_curves(rows, found);
     meshing::Loop loop;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Row& row = rows[i];
+        const ProfileRow& row = rows[i];
         const meshing::PlanePoint next = rows[(i + 1) % rows.size()].point;
         if (row.tag.empty())
             throw fault(source, row.line, "it has no tag",
@@ -129,7 +128,7 @@ meshing::Loop loop_of(std::vector<Row> rows, std::string_view source) {
         if (!is_tag(row.tag))
             throw fault(source, row.line, core::quoted(row.tag) + " is not a name of a face",
                         "letters, digits, _ and -, a letter first");
-        const bool goes_on = i > 0 && row.shape == meshing::OutlineEdge::Shape::spline &&
+        const bool goes_on = i > 0 && row.shape == meshing::OutlineEdge::Shape::spline && !row.begins_edge &&
                              rows[i - 1].shape == row.shape && rows[i - 1].tag == row.tag;
         if (goes_on) {
             loop.back().points.push_back(next);
@@ -149,8 +148,9 @@ meshing::Loop loop_of(std::vector<Row> rows, std::string_view source) {
     return loop;
 }
 
-meshing::Outline loops_of(const std::vector<Row>& rows, std::string_view source) {
+meshing::Outline loops_of(const std::vector<ProfileRow>& rows, std::string_view source) {
     meshing::Outline outline;
+    FoundCurves found;
     std::vector<std::string> names;
     for (std::size_t begin = 0; begin < rows.size();) {
         std::size_t end = begin;
@@ -162,9 +162,10 @@ meshing::Outline loops_of(const std::vector<Row>& rows, std::string_view source)
         names.push_back(rows[begin].loop);
         outline.loops.push_back(loop_of(
             {rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end)},
-            source));
+            source, found));
         begin = end;
     }
+    outline.notes = notes_of(found, source);
     return outline;
 }
 
@@ -306,6 +307,7 @@ Body body_of_profile(const design::Values& values, Across across) {
     Body body;
     meshing::Outline& outline = body.outline;
     outline = outline_of_file(values.text(profile_key), values.place(profile_key), across);
+    body.notes = outline.notes;
     std::vector<std::string> names = values.names_below("geometry.cavities");
     for (const std::string& name : names) add_cavity(outline, values, name);
     if (std::ranges::find(names, cavity_face) == names.end() && has_tag(outline, cavity_face))
@@ -325,7 +327,8 @@ design::Key file_key(Across across) {
     return {.path = profile_key,
             .kind = design::Kind::text,
             .meaning = std::string{turned ? "the half section" : "the section"} +
-                       " as a table, from the design's folder: columns " + (turned ? "x_mm, r_mm" : "x_mm, y_mm") +
+                       " as a table, from the design's folder: columns " +
+                       (turned ? "x_mm, r_mm" : "x_mm, y_mm") +
                        ", tag (of the edge that starts at the row), optional curve (line, arc, spline), " +
                        (turned ? "via_x_mm, via_r_mm" : "via_x_mm, via_y_mm") +
                        " (of an arc), loop; the solid on the left"};

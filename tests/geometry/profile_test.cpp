@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/error.hpp"
 #include "geometry/profile.hpp"
@@ -10,6 +11,7 @@ namespace soft::geometry {
 namespace {
 
 using Shape = meshing::OutlineEdge::Shape;
+using std::numbers::pi;
 
 std::string profile_refusal(const std::string& text, Across across = Across::r) {
     try {
@@ -115,6 +117,69 @@ TEST(Profile, PointsThatMissTheAxisByRoundingLieOnIt) {
     const meshing::Outline outline =
         outline_from("x_mm,r_mm,tag\n0,1e-9,axis\n5,-1e-9,end\n5,10,outer\n0,10,fixed\n", "part.csv", Across::r);
     EXPECT_EQ(outline.loops[0][0].points[1], (meshing::PlanePoint{5e-3, 0}));
+}
+
+/// A ring between radii 5 and 10 mm (of a section x, y): the hole drawn as `edges` straight edges, each row with `curve`.
+std::string polygon_hole(int edges, const std::string& curve) {
+    std::string text = "x_mm,y_mm,tag,loop,curve\n-10,-10,out,1,\n10,-10,out,1,\n10,10,out,1,\n-10,10,out,1,\n";
+    for (int k = 0; k < edges; ++k) {
+        const double angle = -2 * pi * k / edges;  // clockwise round a hole
+        text +=
+            std::to_string(5 * std::cos(angle)) + "," + std::to_string(5 * std::sin(angle)) + ",hole,2," + curve + "\n";
+    }
+    return text;
+}
+
+TEST(Profile, ManyShortEdgesOnASmoothCurveBecomeOne) {
+    for (const int edges : {26, 60, 500}) {
+        const meshing::Outline outline = outline_from(polygon_hole(edges, ""), "part.csv", Across::y);
+        ASSERT_EQ(outline.loops[1].size(), 1u) << edges;
+        const meshing::OutlineEdge& hole = outline.loops[1][0];
+        EXPECT_EQ(hole.shape, Shape::spline);
+        EXPECT_EQ(hole.points.size(), static_cast<std::size_t>(edges) + 1);
+        EXPECT_NEAR(area_m2(outline.loops[1]) / (-pi * 25e-6), 1, 4e-4);  // the polygon of 26 misses 1 %
+        ASSERT_EQ(outline.notes.size(), 1u);
+        EXPECT_NE(outline.notes[0].find(std::to_string(edges) + " straight edges (the first in line 6)"),
+                  std::string::npos)
+            << outline.notes[0];
+        EXPECT_EQ(outline.loops[0].size(), 4u);  // a square stays one
+    }
+}
+
+TEST(Profile, EdgesThatAreMeantStayStraight) {
+    for (const auto& [edges, curve] : {std::pair{16, ""}, {60, "line"}}) {  // 22.5 degrees at a corner; stated
+        const meshing::Outline outline = outline_from(polygon_hole(edges, curve), "part.csv", Across::y);
+        EXPECT_EQ(outline.loops[1].size(), static_cast<std::size_t>(edges));
+        if (edges == 60) EXPECT_TRUE(outline.notes.empty());
+        if (edges == 16) {
+            ASSERT_EQ(outline.notes.size(), 1u);
+            EXPECT_NE(outline.notes[0].find("16 straight edges (the first in line 6)"), std::string::npos);
+            EXPECT_NE(outline.notes[0].find("write spline in the column curve"), std::string::npos);
+        }
+    }
+}
+
+/// Half a circle over a straight base, one tag for both: the corners at its ends stay corners.
+TEST(Profile, ARecognisedCurveEndsAtCorners) {
+    constexpr int edges = 40;
+    std::string text = "x_mm,y_mm,tag\n";
+    for (int k = 0; k <= edges; ++k)
+        text += std::to_string(10 * std::cos(pi * k / edges)) + "," + std::to_string(10 * std::sin(pi * k / edges)) +
+                ",skin\n";
+    const meshing::Outline outline = outline_from(text, "part.csv", Across::y);
+    ASSERT_EQ(outline.loops[0].size(), 2u);
+    EXPECT_EQ(outline.loops[0][0].shape, Shape::spline);
+    EXPECT_EQ(outline.loops[0][1].shape, Shape::line);
+    EXPECT_NEAR(area_m2(outline.loops[0]) / (pi * 50e-6), 1, 4e-4);
+    // A drop: one corner, round which the whole outline runs in a smooth curve.
+    text = "x_mm,y_mm,tag\n0,0,skin\n";
+    for (int k = 0; k <= edges; ++k) {
+        const double angle = -0.75 * pi + 1.5 * pi * k / edges;
+        text += std::to_string(7 * std::sqrt(2.0) + 7 * std::cos(angle)) + "," + std::to_string(7 * std::sin(angle)) +
+                ",skin\n";
+    }
+    const meshing::Outline drop = outline_from(text, "part.csv", Across::y);
+    for (const meshing::OutlineEdge& edge : drop.loops[0]) EXPECT_NE(edge.points.front(), edge.points.back());
 }
 
 }  // namespace

@@ -1,0 +1,146 @@
+#include "geometry/profile_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+
+namespace soft::geometry {
+namespace {
+
+using meshing::cross, meshing::dot, meshing::length, meshing::minus, meshing::spline_at;
+
+constexpr double small_turn_rad = 15 * std::numbers::pi / 180;
+
+/// The edges of a closed loop of rows: from each row to the next.
+class Edges {
+public:
+    explicit Edges(const std::vector<ProfileRow>& rows) : rows_(rows) {}
+
+    /// Whether edge `e` continues the one before as points of one curve do: the same tag, a small turn, a similar length.
+    [[nodiscard]] bool continues(std::size_t e, double largest_turn_rad = small_turn_rad) const {
+        constexpr double largest_ratio = 4;
+        const std::size_t before = (e + rows_.size() - 1) % rows_.size();
+        if (!rows_[e].may_curve || !rows_[before].may_curve || rows_[e].tag != rows_[before].tag) return false;
+        const double ratio = length(along(e)) / length(along(before));
+        return turn_rad(e) <= largest_turn_rad && ratio <= largest_ratio && ratio * largest_ratio >= 1;
+    }
+    [[nodiscard]] double turn_rad(std::size_t e) const {
+        const meshing::PlanePoint in = along((e + rows_.size() - 1) % rows_.size()), out = along(e);
+        return std::abs(std::atan2(cross(in, out), dot(in, out)));
+    }
+    [[nodiscard]] meshing::PlanePoint along(std::size_t e) const {
+        return minus(rows_[(e + 1) % rows_.size()].point, rows_[e].point);
+    }
+
+private:
+    const std::vector<ProfileRow>& rows_;
+};
+
+/// Rows [first, end) of a loop as a spline; true if it is nowhere far from the straight edges. An axis or a plane of
+/// symmetry is straight.
+bool becomes_spline(std::vector<ProfileRow>& rows, std::size_t first, std::size_t end, FoundCurves& found) {
+    constexpr double tolerance = 1e-3;  // of the length of the curve
+    const std::string& tag = rows[first].tag;
+    if (tag == meshing::axis_face || tag == meshing::symmetry_x_face || tag == meshing::symmetry_y_face) return false;
+    const Edges edges{rows};
+    double length_m = 0;
+    for (std::size_t e = first; e < end; ++e) length_m += length(edges.along(e));
+    std::vector<meshing::PlanePoint> points;
+    for (std::size_t e = first; e <= end; ++e) points.push_back(rows[e % rows.size()].point);
+    double deviation_m = 0;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const meshing::PlanePoint chord = minus(points[k + 1], points[k]);
+        for (const double share : {0.25, 0.5, 0.75})
+            deviation_m =
+                std::max(deviation_m,
+                         std::abs(cross(chord, minus(spline_at(points, static_cast<double>(k) + share), points[k]))) /
+                             length(chord));
+    }
+    if (deviation_m > tolerance * length_m) return false;
+    for (std::size_t e = first; e < end; ++e) rows[e].shape = meshing::OutlineEdge::Shape::spline;
+    rows[first].begins_edge = true;
+    found.edges += end - first;
+    ++found.curves;
+    if (found.first_line == 0) found.first_line = rows[first].line;
+    found.deviation_m = std::max(found.deviation_m, deviation_m);
+    return true;
+}
+
+std::string taken_as_splines(const FoundCurves& found, std::string_view source) {
+    std::string text{source};
+    return text.append(": ")
+        .append(std::to_string(found.edges))
+        .append(" straight edges (the first in line ")
+        .append(std::to_string(found.first_line))
+        .append(") are points of ")
+        .append(core::counted(found.curves, "smooth curve"))
+        .append(", taken as splines, which differ from them by ")
+        .append(core::quantity_text(found.deviation_m, core::Dimension::length))
+        .append(" at most; `line` in the column curve keeps an edge straight");
+}
+
+/// Many edges that turn by more may be meant, or be a curve drawn with few points.
+void count_coarse_curves(const std::vector<ProfileRow>& rows, FoundCurves& found) {
+    constexpr double large_turn_rad = 40 * std::numbers::pi / 180;
+    constexpr std::size_t fewest = 12;
+    const Edges edges{rows};
+    for (std::size_t first = 0; first < rows.size();) {
+        bool bent = false;
+        std::size_t end = first + 1;
+        while (end < rows.size() && rows[end].shape == meshing::OutlineEdge::Shape::line &&
+               edges.continues(end, large_turn_rad)) {
+            bent = bent || edges.turn_rad(end) > small_turn_rad;
+            ++end;
+        }
+        if (bent && end - first >= fewest) {
+            found.coarse_edges += end - first;
+            if (found.coarse_line == 0) found.coarse_line = rows[first].line;
+        }
+        first = end;
+    }
+}
+
+}  // namespace
+
+void recognise_curves(std::vector<ProfileRow>& rows, FoundCurves& found) {
+    constexpr std::size_t fewest = 6;  // edges of a curve: fewer may well be meant
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].point == rows[(i + 1) % rows.size()].point) return;  // refused later, with its row
+    const std::vector<ProfileRow> as_given = rows;
+    const std::size_t found_before = found.edges;
+    std::size_t corner = 0;
+    while (corner < rows.size() && Edges{rows}.continues(corner)) ++corner;
+    const bool closed = corner == rows.size();
+    if (!closed) std::ranges::rotate(rows, rows.begin() + static_cast<std::ptrdiff_t>(corner));
+    for (std::size_t first = 0; first < rows.size();) {
+        std::size_t end = first + 1;
+        while (end < rows.size() && Edges{rows}.continues(end)) ++end;
+        if (end - first >= fewest) {
+            // A spline that ends where it starts is smooth there: from a corner all the way round back to it, two are needed.
+            const bool round = !closed && end - first == rows.size();
+            const std::size_t middle = round ? first + (end - first) / 2 : end;
+            (void)becomes_spline(rows, first, middle, found);
+            if (round) (void)becomes_spline(rows, middle, end, found);
+        }
+        first = end;
+    }
+    if (found.edges == found_before) rows = as_given;
+    count_coarse_curves(rows, found);
+}
+
+std::vector<std::string> notes_of(const FoundCurves& found, std::string_view source) {
+    std::vector<std::string> notes;
+    if (found.edges > 0) notes.push_back(taken_as_splines(found, source));
+    if (found.coarse_edges > 0)
+        notes.push_back(
+            std::string{source} + ": " + std::to_string(found.coarse_edges) + " straight edges (the first in line " +
+            std::to_string(found.coarse_line) +
+            ") turn by up to 40 degrees from one to the next and each needs cells of its own; if they are points of a "
+            "curve, write spline in the column curve");
+    return notes;
+}
+
+}  // namespace soft::geometry
