@@ -4,6 +4,7 @@
 #include <gmshc.h>
 
 #include <algorithm>
+#include <set>
 #include <span>
 #include <string>
 
@@ -112,6 +113,17 @@ struct GmshSession::Functions {
         function<decltype(gmshModelOccImportShapes)>(library, "gmshModelOccImportShapes");
     decltype(gmshModelOccSynchronize)* synchronize_cad =
         function<decltype(gmshModelOccSynchronize)>(library, "gmshModelOccSynchronize");
+    decltype(gmshModelMeshGetJacobians)* get_jacobians =
+        function<decltype(gmshModelMeshGetJacobians)>(library, "gmshModelMeshGetJacobians");
+    decltype(gmshModelGetEntities)* get_entities =
+        function<decltype(gmshModelGetEntities)>(library, "gmshModelGetEntities");
+    decltype(gmshModelGetType)* get_type = function<decltype(gmshModelGetType)>(library, "gmshModelGetType");
+    decltype(gmshModelGetAdjacencies)* adjacencies =
+        function<decltype(gmshModelGetAdjacencies)>(library, "gmshModelGetAdjacencies");
+    decltype(gmshModelMeshSetAlgorithm)* set_algorithm =
+        function<decltype(gmshModelMeshSetAlgorithm)>(library, "gmshModelMeshSetAlgorithm");
+    decltype(gmshModelMeshSetTransfiniteCurve)* divide_cad_curve =
+        function<decltype(gmshModelMeshSetTransfiniteCurve)>(library, "gmshModelMeshSetTransfiniteCurve");
     decltype(gmshModelGetBoundingBox)* bounding_box =
         function<decltype(gmshModelGetBoundingBox)>(library, "gmshModelGetBoundingBox");
 
@@ -238,7 +250,47 @@ int GmshSession::import_cad(const std::string& path) {
     return solids;
 }
 
+std::string GmshSession::type_of(int dimension, int tag) const {
+    char* words = nullptr;
+    gmsh_->call(gmsh_->get_type, dimension, tag, &words);
+    const std::string type = words != nullptr ? words : "";
+    gmsh_->free(words);
+    return type;
+}
+
+std::vector<int> GmshSession::tags(int dimension) const {
+    int* pairs = nullptr;  // dimension, tag, dimension, tag, ...
+    std::size_t count = 0;
+    gmsh_->call(gmsh_->get_entities, &pairs, &count, dimension);
+    std::vector<int> found;
+    for (std::size_t n = 1; n < count; n += 2) found.push_back(pairs[n]);
+    gmsh_->free(pairs);
+    return found;
+}
+
+/// Triangles between the points of its edges are exact to the chords of the edges on such a surface, however long they are.
+void GmshSession::leave_ruled_faces_coarse() {
+    constexpr int edge_points_only = 3;
+    std::set<int> ruled;
+    for (const int face : tags(2))
+        if (const std::string type = type_of(2, face); type == "Plane" || type == "Cylinder" || type == "Cone") {
+            ruled.insert(face);
+            gmsh_->call(gmsh_->set_algorithm, 2, face, edge_points_only);
+        }
+    for (const int curve : tags(1)) {
+        if (type_of(1, curve) != "Line") continue;
+        int *faces = nullptr, *ends = nullptr;
+        std::size_t face_count = 0, end_count = 0;
+        gmsh_->call(gmsh_->adjacencies, 1, curve, &faces, &face_count, &ends, &end_count);
+        const auto beside = taken(faces, face_count, gmsh_->free);
+        gmsh_->free(ends);
+        if (std::ranges::all_of(beside, [&](int face) { return ruled.contains(face); }))
+            gmsh_->call(gmsh_->divide_cad_curve, curve, 2, "Progression", 1.0);
+    }
+}
+
 void GmshSession::triangulate(const Chords& chords) {
+    leave_ruled_faces_coarse();
     std::array<double, 6> box{};
     gmsh_->call(gmsh_->bounding_box, -1, -1, &box[0], &box[1], &box[2], &box[3], &box[4], &box[5]);
     const double extent = std::max({box[3] - box[0], box[4] - box[1], box[5] - box[2]});
@@ -249,6 +301,18 @@ void GmshSession::triangulate(const Chords& chords) {
           std::pair{"Mesh.MeshSizeMin", chords.shortest * extent}, std::pair{"Mesh.Algorithm", frontal_delaunay}})
         gmsh_->call(gmsh_->set_option, name, value);
     gmsh_->call(gmsh_->generate, 2);
+}
+
+std::vector<double> GmshSession::triangle_corners() const {
+    constexpr int triangle = 2;
+    std::array<double, 9> corners{0, 0, 0, 1, 0, 0, 0, 1, 0};
+    double *jacobians = nullptr, *determinants = nullptr, *coordinates = nullptr;
+    std::size_t jacobian_count = 0, determinant_count = 0, coordinate_count = 0;
+    gmsh_->call(gmsh_->get_jacobians, triangle, corners.data(), corners.size(), &jacobians, &jacobian_count,
+                &determinants, &determinant_count, &coordinates, &coordinate_count, -1, std::size_t{0}, std::size_t{1});
+    gmsh_->free(jacobians);
+    gmsh_->free(determinants);
+    return taken(coordinates, coordinate_count, gmsh_->free);
 }
 
 GmshSession::Nodes GmshSession::nodes() const {

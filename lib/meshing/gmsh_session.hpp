@@ -78,10 +78,17 @@ public:
     struct Chords {
         double per_turn, longest, shortest;
     };
-    /// The faces of what was imported, as linear triangles. Says nothing where it fails.
+    /// The faces of what was imported, as linear triangles; those of planes, cylinders and cones as long as the faces are. Reports no failure.
     void triangulate(const Chords& chords);
+    /// Coordinates of the corners of all triangles, nine a triangle. By node tags they cannot be had: gmsh 4.8 does not list all nodes on
+    /// the seam of a closed cylinder.
+    [[nodiscard]] std::vector<double> triangle_corners() const;
 
 private:
+    [[nodiscard]] std::vector<int> tags(int dimension) const;
+    [[nodiscard]] std::string type_of(int dimension, int tag) const;
+    void leave_ruled_faces_coarse();
+
     struct CellsOfType {
         std::size_t count;
         std::vector<std::size_t> nodes;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <span>
 
@@ -28,25 +29,36 @@ std::vector<double> numbers_of(const core::Bytes& bytes) {
     return numbers;
 }
 
-/// What gmsh makes of the file, as numbers: of solids; of points, their coordinates; the points of each triangle.
+/// What gmsh makes of the file, as numbers: of solids; the coordinates of the corners of each triangle.
 std::vector<double> cad_numbers(const std::string& file) {
     GmshSession gmsh;
     const int solids = gmsh.import_cad(file);
     std::vector<double> result{static_cast<double>(solids)};
     if (solids != 1) return result;
     gmsh.triangulate(GmshSession::Chords{.per_turn = 64, .longest = 1.0 / 20, .shortest = 1.0 / 500});
-    const auto [tags, xyz] = gmsh.nodes();
-    std::map<std::size_t, std::size_t> numbers;
-    for (std::size_t n = 0; n < tags.size(); ++n) numbers[tags[n]] = n;
-    result.push_back(static_cast<double>(tags.size()));
-    result.insert(result.end(), xyz.begin(), xyz.end());
-    for (const std::size_t tag : gmsh.cells(2, -1)) result.push_back(static_cast<double>(numbers.at(tag)));
+    const std::vector<double> corners = gmsh.triangle_corners();
+    result.insert(result.end(), corners.begin(), corners.end());
     return result;
 }
 
+/// Triangles that share corners, from nine coordinates each.
+surface::FacetSoup joined(std::span<const double> corners) {
+    constexpr double same = 1e-8;  // mm: less is rounding
+    surface::FacetSoup soup;
+    std::map<std::array<long long, 3>, std::size_t> numbers;
+    for (std::size_t n = 0; n + 2 < corners.size(); n += 3) {
+        const mesh::Point p{corners[n], corners[n + 1], corners[n + 2]};
+        const auto [entry, fresh] = numbers.try_emplace(
+            {std::llround(p[0] / same), std::llround(p[1] / same), std::llround(p[2] / same)}, soup.points.size());
+        if (fresh) soup.points.push_back(p);
+        if (n % 9 == 0) soup.facets.emplace_back();
+        soup.facets.back().push_back(entry->second);
+    }
+    return soup;
+}
+
 surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
-    constexpr core::ApartLimits limits{.wall = std::chrono::minutes{5}};  // parts take seconds
-    constexpr std::size_t head = 2;
+    constexpr core::ApartLimits limits{.wall = std::chrono::minutes{5}};      // parts take seconds
     static_cast<void>(core::read_regular_file(path, surface::largest_file));  // says why it cannot be opened
     const core::ApartEnd end = core::done_apart([&] { return bytes_of(cad_numbers(path.string())); }, limits);
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
@@ -60,13 +72,7 @@ surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
     if (solids == 0) refuse("it holds no solid", "export a solid, not its faces");
     if (solids != 1)
         refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or put each into a file of its own");
-    const auto points = static_cast<std::size_t>(numbers.at(1));
-    surface::FacetSoup soup;
-    for (std::size_t n = head; n < head + 3 * points; n += 3)
-        soup.points.push_back({numbers.at(n), numbers.at(n + 1), numbers.at(n + 2)});
-    const auto corner = [&](std::size_t n) { return static_cast<std::size_t>(numbers[n]); };
-    for (std::size_t n = head + 3 * points; n + 2 < numbers.size(); n += 3)
-        soup.facets.push_back({corner(n), corner(n + 1), corner(n + 2)});
+    surface::FacetSoup soup = joined(std::span{numbers}.subspan(1));
     if (soup.facets.empty()) refuse("gmsh finds no triangles on its faces", "export the body again as STEP, or as STL");
     return soup;
 }

@@ -88,16 +88,18 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
 std::vector<Bend> bends(const BodySurface& surface) {
     std::vector<Facet> facets;
     for (const auto& t : surface.triangles) facets.push_back(facet_of(surface.points, t));
+    constexpr double most_places = 200;  // of an edge: those of CAD run along a whole cylinder
     std::vector<Bend> found;
     for (const auto& [edge, sides] : edges_with_sides(surface)) {
         const Facet &one = facets[sides[0]], &other = facets[sides[1]];
         const double angle = std::atan2(norm(cross(one.normal, other.normal)), dot(one.normal, other.normal));
         const mesh::Point &a = surface.points[static_cast<std::size_t>(edge[0])],
                           &b = surface.points[static_cast<std::size_t>(edge[1])];
-        const double turn = norm(along(b, -1, a)) * angle;
-        if (angle < sharp_rad && turn > 0)
-            found.push_back(
-                {{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}, (one.area + other.area) / turn});
+        const double length = norm(along(b, -1, a)), turn = length * angle;
+        if (angle >= sharp_rad || !(turn > 0)) continue;
+        const double radius = (one.area + other.area) / turn;
+        const int places = static_cast<int>(std::clamp(std::ceil(length / radius), 1.0, most_places));
+        for (int k = 0; k < places; ++k) found.push_back({along(a, (k + 0.5) / places, along(b, -1, a)), radius});
     }
     return found;
 }

@@ -19,7 +19,8 @@ struct Wall {
 [[nodiscard]] std::vector<Wall> walls(const std::vector<mesh::Point>& points,
                                       const std::vector<std::array<int, 3>>& triangles);
 
-/// Where the surface is bent, at edges that are not sharp: the radius, (areas of the two facets) / (length of the edge x angle).
+/// Where the surface is bent, at edges that are not sharp: the radius, (areas of the two facets) / (length of the edge x angle), at
+/// places along the edge no further apart than it.
 struct Bend {
     mesh::Point place;
     double radius_m;

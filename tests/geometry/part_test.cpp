@@ -100,6 +100,31 @@ TEST(Part, AClosedCanOfStepIsFilledAroundItsCavity) {
     EXPECT_NEAR(can.part->walls.median_m, 3e-3, 0.05e-3);
 }
 
+/// Facets as short as the bore is round would cover it along its whole length.
+TEST(Part, ALongNarrowBoreTakesFewFacets) {
+    const TemporaryFile file{"bore.step"};
+    {
+        const meshing::sample::Gmsh session;
+        namespace occ = gmsh::model::occ;
+        gmsh::option::setNumber("General.Verbosity", 0);
+        gmsh::vectorpair made;
+        std::vector<gmsh::vectorpair> map;
+        occ::addBox(0, -10, -10, 60, 20, 20, 1);
+        occ::addCylinder(-1, 0, 0, 56, 0, 0, 1, 2);
+        occ::cut({{3, 1}}, {{3, 2}}, made, map);
+        occ::synchronize();
+        testing::internal::CaptureStdout();
+        gmsh::write(file.path.string());
+        testing::internal::GetCapturedStdout();
+    }
+    const std::string faces =
+        ", faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 60 mm}}, cavity: {point: [10 mm, 0 mm, 1 mm], up_to: fixed}}";
+    const Built bore = built_part(part_text(file.path, faces, usual));
+    EXPECT_LT(bore.part->facets, 1000u);
+    EXPECT_NEAR(bore.part->volume_m3 / ((60 * 400 - 55 * std::numbers::pi) * 1e-9), 1, 1e-4);
+    EXPECT_NEAR(measure(bore.model.mesh, mesh::Measure::plain) / bore.part->volume_m3, 1, 1e-3);
+}
+
 TEST(Part, StlAndObjInAnyUnitGiveTheBodyAndTheSameBytesEachTime) {
     const TemporaryFile file{"can.stl"}, inches{"inches.stl"};
     write_can(file.path, Can::closed);
