@@ -93,9 +93,13 @@ void check_choice(const Key& key, const Node& node) {
 }
 
 void check_text(const Key& key, const Node& node) {
-    constexpr std::size_t longest = 200;
-    const bool control = std::any_of(node.text.begin(), node.text.end(),
-                                     [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+    constexpr std::size_t longest_line = 200, longest_table = std::size_t{1} << 17;
+    const bool several_lines = key.most > 1 && node.text.find('\n') != std::string::npos;
+    const std::size_t longest = several_lines ? longest_table : longest_line;
+    const bool control = std::any_of(node.text.begin(), node.text.end(), [&](char c) {
+        const bool layout = several_lines && (c == '\n' || c == '\r' || c == '\t');
+        return !layout && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F);
+    });
     if (core::trimmed(node.text).empty())
         refuse(node.place, key.path, "the text is empty", "leave the key out for its default");
     if (control) refuse(node.place, key.path, "a line break or control character in a text", "write one line");
@@ -215,7 +219,7 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
 std::string range_text(const Key& key) {
     switch (key.kind) {
         case Kind::flag: return "true | false";
-        case Kind::text: return "one line of text";
+        case Kind::text: return key.most > 1 ? "the name of a file, or its lines" : "one line of text";
         case Kind::choice: return core::join(key.choices, " | ");
         case Kind::faces:
             return "a face or [face, face]" + (key.choices.empty() ? "" : " | " + core::join(key.choices, " | "));

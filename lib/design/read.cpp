@@ -121,10 +121,11 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
     if (file == nullptr || file->kind != Node::Kind::scalar) {
         const Node usual = parse_fragment(family.defaults, place_default);
         const Node* example = find_path(usual, key.path);
+        const bool one_line = example != nullptr && example->text.find('\n') == std::string::npos;
         refuse(file == nullptr ? std::string{source} + ":1:1" : file->place, key.path, "missing (" + key.meaning + ")",
-               example == nullptr
-                   ? ""
-                   : "add geometry: {" + key.path.substr(key.path.rfind('.') + 1) + ": " + example->text + "}");
+               example == nullptr ? ""
+                                  : "add geometry: {" + key.path.substr(key.path.rfind('.') + 1) + ": " +
+                                        (one_line ? example->text : std::string{"FILE"}) + "}");
     }
     FileFaces of_file = family.faces_of_file(file->text, file->place);
     FaceNames names{std::move(of_file.faces), family.aliases, std::move(of_file.cavities)};

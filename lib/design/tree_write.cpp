@@ -46,6 +46,21 @@ std::string list_text(const Node& list) {
     return text;
 }
 
+/// Lines that a block scalar keeps as they are.
+bool is_block(std::string_view text) {
+    return text.find('\n') != std::string_view::npos && text.back() == '\n' && text.front() != ' ' &&
+           text.front() != '\n' && !text.ends_with("\n\n") &&
+           std::ranges::all_of(text, [](char c) { return c == '\n' || static_cast<unsigned char>(c) >= 0x20; });
+}
+
+void write_block(std::string_view block, std::size_t indent, std::string& text) {
+    while (!block.empty()) {
+        const std::size_t end = block.find('\n') + 1;
+        text.append(end > 1 ? indent : 0, ' ').append(block.substr(0, end));
+        block.remove_prefix(end);
+    }
+}
+
 void finish_line(std::string& line, const std::string& note, std::size_t note_column, std::string& text) {
     if (!note.empty()) {
         line.resize(std::max(line.size() + 2, note_column), ' ');
@@ -59,10 +74,12 @@ void write_map(const Node& map, std::size_t indent, std::size_t note_column, std
         const Node& value = member.value;
         std::string line(indent, ' ');
         line.append(scalar_text(member.key)).append(":");
-        if (value.kind == Node::Kind::scalar) line.append(" ").append(scalar_text(value.text));
+        const bool block = value.kind == Node::Kind::scalar && is_block(value.text);
+        if (value.kind == Node::Kind::scalar) line.append(" ").append(block ? "|" : scalar_text(value.text));
         if (value.kind == Node::Kind::list) line.append(" ").append(list_text(value));
         if (value.kind == Node::Kind::map && value.members.empty()) line.append(" {}");
         finish_line(line, value.note, note_column, text);
+        if (block) write_block(value.text, indent + 2, text);
         if (value.kind == Node::Kind::map) write_map(value, indent + 2, note_column, text);
     }
 }

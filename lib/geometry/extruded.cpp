@@ -62,6 +62,17 @@ Body build(const design::Values& values) {
 
 }  // namespace
 
+constexpr const char* extruded_table = R"(x_mm,y_mm,tag,loop,curve,via_x_mm,via_y_mm
+-12,0,base,block,,,
+12,0,side,block,,,
+12,12,top,block,,,
+-12,12,side,block,,,
+-6,6,cavity,slot,arc,-8,8
+-6,10,cavity,slot,,,
+6,10,cavity,slot,arc,8,8
+6,6,cavity,slot,,,
+)";
+
 Family extruded() {
     design::FamilyKeys keys;
     keys.name = "extruded";
@@ -70,13 +81,12 @@ Family extruded() {
                      length_key("thickness", "10 mm", "along z, of the solid; in plane strain it is 1 m")};
     keys.models = {"plane-strain", "solid"};
     keys.faces = {"base", "cavity", "side", "top", low_end, high_end};  // of the template's table
-    keys.defaults =
-        "geometry: {profile: designs/profiles/pad.csv}\n"
-        "supports: {fixed: base}\n"
-        "loads:\n"
-        "  cavity: {pressure: 20 kPa}\n"
-        "outputs:\n"
-        "  rise: {face: top, along: y}\n";
+    keys.defaults = std::string{"geometry:\n"} + block("profile", extruded_table) +
+                    "supports: {fixed: base}\n"
+                    "loads:\n"
+                    "  cavity: {pressure: 20 kPa}\n"
+                    "outputs:\n"
+                    "  rise: {face: top, along: y}\n";
     keys.mesh = profile_mesh_keys("2 mm");
     keys.faces_of_file = faces_of_file;
     return {std::move(keys), build};

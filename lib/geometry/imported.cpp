@@ -24,11 +24,6 @@ constexpr const char* cavity_face = "cavity";
 constexpr const char* outer_face = "outer";
 constexpr const char* file_key = "geometry.file";
 
-double unit_m(const std::string& unit) {
-    static const std::map<std::string, double> units{{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}};
-    return units.at(unit);
-}
-
 /// The mesh of the file; faces in several pieces also piece by piece.
 mesh::Mesh read(const std::string& file, std::string_view place, double file_unit_m) {
     mesh::Mesh mesh = meshing::import_mesh(design::file_from(place, file), file_unit_m);
@@ -36,9 +31,23 @@ mesh::Mesh read(const std::string& file, std::string_view place, double file_uni
     return mesh;
 }
 
-design::FileFaces faces_of_part(const std::filesystem::path& path) {
+/// The design holds the lines of an OBJ file in place of the name of a file.
+bool is_inline(const std::string& file) { return file.find('\n') != std::string::npos; }
+
+bool is_part(const std::string& file) { return is_inline(file) || meshing::is_part_file(file); }
+
+struct FileUnit {
+    std::string name;
+    double length_m = 1;
+};
+meshing::Part part_of(const std::string& file, std::string_view place, const FileUnit& unit) {
+    return is_inline(file) ? meshing::read_obj(file, unit.name, unit.length_m)
+                           : meshing::read_part(design::file_from(place, file), unit.name, unit.length_m);
+}
+
+design::FileFaces faces_of_part(const meshing::Part& part) {
     design::FileFaces names;
-    for (const surface::Shell& shell : meshing::read_part(path, "", 1.0).surface.shells) {
+    for (const surface::Shell& shell : part.surface.shells) {
         names.faces.push_back(shell.name);
         if (shell.name != cavity_face && names.faces.size() > 1) names.cavities.push_back(shell.name);
     }
@@ -47,8 +56,7 @@ design::FileFaces faces_of_part(const std::filesystem::path& path) {
 
 design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
     try {
-        if (const std::string path = design::file_from(place, file); meshing::is_part_file(path))
-            return faces_of_part(path);
+        if (is_part(file)) return faces_of_part(part_of(file, place, {}));
         const mesh::Mesh mesh = read(file, place, 1.0);
         std::vector<std::string> faces;
         for (const auto& [name, facets] : mesh.facet_sets) faces.push_back(name);
@@ -197,11 +205,10 @@ std::vector<design::Key> surface_mesh_keys() {
 
 /// A part's cells are made here: closed cavities come by themselves, and what is a cavity's wall is not `outer`.
 Body build_part(const design::Values& values) {
-    const std::string path = design::file_from(values.place(file_key), values.text(file_key)),
-                      &unit = values.text("geometry.unit");
-    if (meshing::is_cad_file(path) && unit != "mm")
+    const std::string &file = values.text(file_key), &unit = values.text("geometry.unit");
+    if (!is_inline(file) && meshing::is_cad_file(file) && unit != "mm")
         throw values.refuse("geometry.unit", "a STEP file says its own unit", "leave it out");
-    MeshedPart part = mesh_part(meshing::read_part(path, unit, unit_m(unit)), values);
+    MeshedPart part = mesh_part(part_of(file, values.place(file_key), {unit, file_unit_m(unit)}), values);
     ReadyMesh ready{std::move(part.mesh), Kinematics::solid};
     ready.kinematics = kinematics_of(values, ready.mesh);
     meshing::name_pieces(ready.mesh);
@@ -248,9 +255,9 @@ void refuse_part_keys(const design::Values& values) {
 }
 
 Body build(const design::Values& values) {
-    if (meshing::is_part_file(values.text(file_key))) return build_part(values);
+    if (is_part(values.text(file_key))) return build_part(values);
     refuse_part_keys(values);
-    ReadyMesh ready{read(values.text(file_key), values.place(file_key), unit_m(values.text("geometry.unit"))),
+    ReadyMesh ready{read(values.text(file_key), values.place(file_key), file_unit_m(values.text("geometry.unit"))),
                     Kinematics::solid};
     ready.kinematics = kinematics_of(values, ready.mesh);
     if (ready.kinematics == Kinematics::axisymmetric) add_axis(ready.mesh, values);
@@ -269,7 +276,9 @@ std::vector<design::Key> geometry_keys() {
         {.path = file_key,
          .kind = Kind::text,
          .meaning =
-             "the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder"},
+             "the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder; or (file: |) "
+             "the lines of an OBJ file themselves",
+         .most = several_lines},
         {.path = "geometry.unit",
          .kind = Kind::choice,
          .fallback = "mm",
@@ -316,21 +325,54 @@ std::vector<design::Key> mesh_keys() {
 
 }  // namespace
 
+/// A box of 40 x 12 x 12 mm with a closed cavity of 34 x 6 x 3 mm below its middle, in mm: it bends when inflated.
+constexpr const char* imported_obj = R"(v 0 -6 -6
+v 40 -6 -6
+v 40 6 -6
+v 0 6 -6
+v 0 -6 6
+v 40 -6 6
+v 40 6 6
+v 0 6 6
+v 3 -3 -4
+v 37 -3 -4
+v 37 3 -4
+v 3 3 -4
+v 3 -3 -1
+v 37 -3 -1
+v 37 3 -1
+v 3 3 -1
+f 4 3 2 1
+f 5 6 7 8
+f 1 2 6 5
+f 2 3 7 6
+f 3 4 8 7
+f 4 1 5 8
+f 9 10 11 12
+f 16 15 14 13
+f 13 14 10 9
+f 14 15 11 10
+f 15 16 12 11
+f 16 13 9 12
+)";
+
 Family imported() {
     design::FamilyKeys keys;
     keys.name = "imported";
     keys.summary = "a mesh (.msh) or the surface of a part (.stl, .obj, .step) from a file";
     keys.geometry = geometry_keys();
     keys.models = {"solid", "axisymmetric", "plane-strain"};
-    keys.faces = {"fixed", "tip", "sides", "bore", "bore_end", "cavity"};  // of the template's file
-    keys.defaults =
-        "geometry: {file: meshes/finger.msh, cavity: [bore, bore_end]}\n"
-        "mesh: {order: 2}\n"
-        "supports: {fixed: fixed}\n"
-        "loads:\n"
-        "  cavity: {pressure: 30 kPa, sealed: false}\n"
-        "outputs:\n"
-        "  deflection: {face: tip, along: z}\n";
+    keys.faces = {"outer", "cavity"};  // of the template's surface
+    keys.defaults = std::string{"geometry:\n"} + block("file", imported_obj) +
+                    "  faces:\n"
+                    "    fixed: {plane: {x: 0 mm}}\n"
+                    "    tip: {plane: {x: 40 mm}}\n"
+                    "mesh: {size: 4 mm}\n"
+                    "supports: {fixed: fixed}\n"
+                    "loads:\n"
+                    "  cavity: {pressure: 30 kPa, sealed: false}\n"
+                    "outputs:\n"
+                    "  deflection: {face: tip, along: z}\n";
     keys.mesh = mesh_keys();
     keys.faces_of_file = faces_of_file;
     keys.has_face_rules = true;

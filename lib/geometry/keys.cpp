@@ -85,4 +85,15 @@ std::string larger_than(double bound_m) { return "larger than " + length_text(bo
 
 std::string smaller_than(double bound_m) { return "smaller than " + length_text(bound_m); }
 
+std::string block(std::string_view key, std::string_view lines) {
+    std::string text{"  "};
+    text.append(key).append(": |\n");
+    while (!lines.empty()) {
+        const std::size_t end = std::min(lines.find('\n'), lines.size() - 1) + 1;
+        text.append("    ").append(lines.substr(0, end));
+        lines.remove_prefix(end);
+    }
+    return text;
+}
+
 }  // namespace soft::geometry

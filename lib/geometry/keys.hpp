@@ -8,6 +8,12 @@
 
 namespace soft::geometry {
 
+/// Of a key that names a file or holds its lines: design::Key::most.
+inline constexpr int several_lines = 2;
+
+/// Lines below `geometry` of a design's defaults: "  key: |" and the lines, indented.
+[[nodiscard]] std::string block(std::string_view key, std::string_view lines);
+
 /// A positive length under "geometry."
 [[nodiscard]] design::Key length_key(std::string_view name, std::string_view fallback, std::string_view meaning);
 

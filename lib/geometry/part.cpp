@@ -1,6 +1,7 @@
 #include "geometry/part.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 
 #include "core/text.hpp"
@@ -96,6 +97,14 @@ void put_on_planes(mesh::Mesh& mesh, const std::array<bool, 3>& cut) {
 double usual_size_m(const surface::BodySurface& surface) { return surface.extent_m() / 20; }
 
 }  // namespace
+
+double file_unit_m(const std::string& unit) {
+    static const std::map<std::string, double> units{{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}};
+    const auto found = units.find(unit);
+    if (found == units.end())
+        throw Error(ExitCode::usage, "geometry.unit", core::quoted(unit) + " is no unit of a file", "mm, cm, m or in");
+    return found->second;
+}
 
 std::vector<surface::FaceRule> face_rules(const design::Values& values) {
     std::vector<surface::FaceRule> rules, floods;  // the latter name faces among the former

@@ -17,6 +17,9 @@ struct PartFigures {
     std::vector<std::string> repairs;
 };
 
+/// Length of a choice of geometry.unit [m]. Error(usage) for another word.
+[[nodiscard]] double file_unit_m(const std::string& unit);
+
 /// Below geometry.faces of the design. values.refuse(...) for rules that make no sense.
 [[nodiscard]] std::vector<surface::FaceRule> face_rules(const design::Values& values);
 

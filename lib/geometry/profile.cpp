@@ -286,6 +286,7 @@ meshing::Outline outline_from(std::string_view text, std::string_view source, Ac
 
 meshing::Outline outline_of_file(const std::string& file, std::string_view place, Across across) {
     try {
+        if (file.find('\n') != std::string::npos) return outline_from(file, "table", across);
         const std::string path = design::file_from(place, file);
         constexpr std::size_t longest = std::size_t{1} << 20;  // some ten thousand points
         const auto bytes = core::read_regular_file(path, longest);
@@ -327,11 +328,12 @@ design::Key file_key(Across across) {
     return {.path = profile_key,
             .kind = design::Kind::text,
             .meaning = std::string{turned ? "the half section" : "the section"} +
-                       " as a table, from the design's folder: columns " +
+                       " as a table, a file from the design's folder or (profile: |) the lines themselves: columns " +
                        (turned ? "x_mm, r_mm" : "x_mm, y_mm") +
                        ", tag (of the edge that starts at the row), optional curve (line, arc, spline), " +
                        (turned ? "via_x_mm, via_r_mm" : "via_x_mm, via_y_mm") +
-                       " (of an arc), loop; the solid on the left"};
+                       " (of an arc), loop; the solid on the left",
+            .most = several_lines};
 }
 
 std::vector<design::Key> profile_mesh_keys(std::string_view size) {

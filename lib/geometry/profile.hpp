@@ -26,7 +26,7 @@ inline constexpr const char* profile_key = "geometry.profile";
 /// Table -> sound outline. `source` names it in errors (bad_input, "source:line: ...").
 [[nodiscard]] meshing::Outline outline_from(std::string_view text, std::string_view source, Across across);
 
-/// The outline in the file that `geometry.profile` names; errors start with the place of the key.
+/// The outline in the file that `geometry.profile` names, or, where that has several lines, in these themselves; errors start with the place of the key.
 [[nodiscard]] meshing::Outline outline_of_file(const std::string& file, std::string_view place, Across across);
 
 /// Their tags, each once, in the order of the rows.

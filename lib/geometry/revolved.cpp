@@ -44,6 +44,16 @@ Body build(const design::Values& values) {
 
 }  // namespace
 
+constexpr const char* revolved_table = R"(x_mm,r_mm,tag,curve,via_x_mm,via_r_mm
+0,8,cavity,,,
+20,8,cavity,arc,25.6568542495,5.6568542495
+28,0,axis,,,
+30,0,tip,arc,29.8480775301,1.7364817767
+29.3969262079,3.4202014333,outer,arc,25.7357643635,8.1915204429
+20,10,outer,,,
+0,10,fixed,,,
+)";
+
 Family revolved() {
     design::FamilyKeys keys;
     keys.name = "revolved";
@@ -51,13 +61,12 @@ Family revolved() {
     keys.geometry = {file_key(across)};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"fixed", "cavity", "outer", "tip"};  // of the template's table
-    keys.defaults =
-        "geometry: {profile: designs/profiles/fingertip.csv}\n"
-        "supports: {fixed: fixed}\n"
-        "loads:\n"
-        "  cavity: {pressure: 20 kPa}\n"
-        "outputs:\n"
-        "  elongation: {face: tip, along: x}\n";
+    keys.defaults = std::string{"geometry:\n"} + block("profile", revolved_table) +
+                    "supports: {fixed: fixed}\n"
+                    "loads:\n"
+                    "  cavity: {pressure: 20 kPa}\n"
+                    "outputs:\n"
+                    "  elongation: {face: tip, along: x}\n";
     keys.mesh = profile_mesh_keys("2 mm");
     keys.mesh.push_back(sectors_key());
     keys.faces_of_file = faces_of_file;

@@ -99,4 +99,9 @@ Part read_part(const std::filesystem::path& path, const std::string& unit, doubl
     return {origin, surface::body_surface(std::move(soup), origin)};
 }
 
+Part read_obj(const std::string& lines, const std::string& unit, double unit_m) {
+    const surface::SoupOrigin origin{"OBJ in the design", unit, unit_m};
+    return {origin, surface::body_surface(surface::read_soup(lines, origin.name + ".obj"), origin)};
+}
+
 }  // namespace soft::meshing

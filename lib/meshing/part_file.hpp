@@ -20,5 +20,7 @@ struct Part {
 /// Lengths of STEP are what the file says; `unit` ("mm") and its length are of the others. Error(cannot_open); Error(bad_input) that
 /// names the file for what surface/body_surface.hpp refuses, CAD without a volume or with several, and more than 2 million facets.
 [[nodiscard]] Part read_part(const std::filesystem::path& path, const std::string& unit, double unit_m);
+/// The same of the lines of an OBJ file.
+[[nodiscard]] Part read_obj(const std::string& lines, const std::string& unit, double unit_m);
 
 }  // namespace soft::meshing

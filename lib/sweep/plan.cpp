@@ -55,6 +55,7 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
         std::string content = design.effective_yaml;
         for (const char* file_key : file_keys) {  // it is to be found from any folder, and to count by what is in it
             if (!design.values.has(file_key)) continue;
+            if (design.values.text(file_key).find('\n') != std::string::npos) continue;  // the content itself
             const std::filesystem::path file =
                 design::file_from(design.values.place(file_key), design.values.text(file_key));
             content += core::sha256_hex(core::read_regular_file(file, max_file));

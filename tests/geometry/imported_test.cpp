@@ -84,7 +84,7 @@ TEST_F(ImportedSolid, TheFileIsFoundFromTheDesignsFolderAndFromWhereACommandRuns
     EXPECT_EQ(
         import_refusal(
             "family: imported\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {inner: {pressure: 5 kPa}}\n"),
-        "part.yaml:1:1: geometry.file: missing (the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder); add geometry: {file: meshes/finger.msh}");
+        "part.yaml:1:1: geometry.file: missing (the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder; or (file: |) the lines of an OBJ file themselves); add geometry: {file: FILE}");
 }
 
 TEST_F(ImportedSolid, ListedFacesAreACavity) {
