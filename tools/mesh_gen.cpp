@@ -13,7 +13,9 @@
 #include "io/case_file.hpp"
 #include "mesh_gen_options.hpp"
 #include "mesh_summary.hpp"
+#include "meshing/part_file.hpp"
 #include "model/cavity_surface.hpp"
+#include "part_description.hpp"
 #include "surface/body_surface.hpp"
 #include "surface/fine_triangles.hpp"
 #include "surface/surface_file.hpp"
@@ -82,10 +84,51 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
     return ExitCode::ok;
 }
 
+/// The unit of an STL or OBJ file, from --set geometry.unit=..; nothing else can be set here.
+std::string unit_of(const cli::MeshGenOptions& options) {
+    std::string unit = "mm";
+    for (const std::string& set : options.sets) {
+        const design::Override one = design::parse_override(set);
+        if (one.path != "geometry.unit")
+            throw Error(ExitCode::usage, "--set " + one.path, "--describe reads a part, not a design",
+                        "--set geometry.unit=in is the only one for it");
+        unit = one.value;
+    }
+    return unit;
+}
+
+ExitCode describe(const cli::MeshGenOptions& options) {
+    const std::string& file = options.inputs.front();
+    if (!meshing::is_part_file(file))
+        throw Error(ExitCode::usage, "--describe", core::quoted(file) + " is no part",
+                    "name a .step, .stl or .obj file");
+    cli::Console console{about.tool, options.common.verbosity};
+    const bool cad = meshing::is_cad_file(file);
+    const std::string unit = cad ? "" : unit_of(options);
+    const meshing::Part part = meshing::read_part(file, unit, cad ? 1 : geometry::file_unit_m(unit));
+    const cli::PartDescription description{file, unit, part.surface, surface::part_faces(part.surface)};
+    if (const std::string warning = cli::unit_warning(description); !warning.empty()) console.warn(warning);
+    if (!options.picture.empty()) cli::write_output(options.picture, cli::numbered_faces_svg(description));
+    cli::write_output(options.common.output, cli::description_yaml(description));
+    return ExitCode::ok;
+}
+
+/// A part or a mesh in place of the design that names it.
+void refuse_part(const std::string& file) {
+    const bool part = meshing::is_part_file(file);
+    if (!part && !file.ends_with(".msh")) return;
+    throw Error(
+        ExitCode::bad_input, file, std::string{part ? "a CAD part" : "a mesh"} + ", not a design (YAML)",
+        part ? "use family: imported with geometry.file; `mesh-gen --describe " + file + "` prints one to start from"
+             : "use family: imported with geometry.file");
+}
+
 ExitCode run_task(const cli::MeshGenOptions& options) {
     const std::string& output = options.common.output;
-    cli::check_distinct({{"DESIGN", options.inputs.front()}},
-                        {{"--output", output}, {"--json", options.common.json}, {"--surface", options.surface}});
+    cli::check_distinct({{"DESIGN", options.inputs.front()}}, {{"--output", output},
+                                                               {"--json", options.common.json},
+                                                               {"--surface", options.surface},
+                                                               {"--picture", options.picture}});
     switch (options.task) {
         case cli::Task::list: cli::write_output(output, family_list()); return ExitCode::ok;
         case cli::Task::list_materials:
@@ -94,6 +137,7 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
         case cli::Task::print_template:
             cli::write_output(output, design::template_yaml(family_named(options.family)));
             return ExitCode::ok;
+        case cli::Task::describe: return describe(options);
         case cli::Task::explain:
         case cli::Task::check: break;
         case cli::Task::surface:
@@ -102,6 +146,7 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
             break;
         case cli::Task::build: cli::check_output(output, cli::Content::binary); break;
     }
+    refuse_part(options.inputs.front());
     const cli::Input input = cli::read_input(options.inputs.front(), cli::longest_design);
     std::vector<design::Override> overrides;
     for (const std::string& set : options.sets) overrides.push_back(design::parse_override(set));

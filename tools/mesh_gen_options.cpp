@@ -60,11 +60,18 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     app.add_option("--surface", options.surface,
                    "Write the surface of a solid instead of a case: STL or OBJ by the ending, in mm")
         ->type_name("FILE");
+    auto* describe =
+        app.add_flag_callback("--describe", task(Task::describe),
+                              "Print what a part (.step, .stl, .obj) in place of DESIGN holds, as the beginning of a "
+                              "design with its faces");
+    app.add_option("--picture", options.picture, "With --describe: write a picture of the numbered faces (SVG)")
+        ->type_name("FILE")
+        ->needs(describe);
     add_set_option(app, options.sets);
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
     at_most_one_of(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials", "--template",
-                                                 "--output-folder", "--surface"});
+                                                 "--output-folder", "--surface", "--describe"});
     at_most_one_of(app, std::vector<std::string>{"--surface", "--output"});
     at_most_one_of(app, std::vector<std::string>{"--output-folder", "--output"});
     at_most_one_of(app, std::vector<std::string>{"--output-folder", "--json"});

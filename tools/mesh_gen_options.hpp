@@ -11,7 +11,7 @@ namespace soft::cli {
 
 [[nodiscard]] const About& mesh_gen_about() noexcept;
 
-enum class Task { build, check, explain, list, list_materials, print_template, surface };
+enum class Task { build, check, explain, list, list_materials, print_template, surface, describe };
 
 struct MeshGenOptions {
     CommonOptions common;
@@ -19,6 +19,7 @@ struct MeshGenOptions {
     std::vector<std::string> inputs;  ///< one; several only with `folder`
     std::string folder;               ///< a case for each input goes here; empty: to common.output
     std::string family;
+    std::string picture;  ///< file for the numbered faces of a part that is described; empty: none
     std::string surface;  ///< file for the body's surface, in place of the case
     design::LawListStyle law_style = design::LawListStyle::plain;
     std::vector<std::string> sets;

@@ -33,7 +33,8 @@ void check_size(const design::Design& design, const model::Case& built, Warnings
     const std::string text = core::quantity_text(extent_m, core::Dimension::length);
     if (design.values.has("geometry.unit"))
         warnings.push_back("geometry.unit: the part is " + text + " long; are the file's lengths in " +
-                           design.values.text("geometry.unit") + "?");
+                           design.values.text("geometry.unit") + "?" +
+                           (extent_m < smallest_m ? " In inches it would be `unit: in`" : ""));
     else
         warnings.push_back("geometry: the body is " + text +
                            " long; soft actuators are 2 mm to 3 m, are its units right?");

@@ -32,6 +32,53 @@ TEST(MeshGen, EveryTemplateRunsWithoutAChange) {
     }
 }
 
+/// A bar of 40 x 10 x 10 with a closed cavity of 20 x 4 x 4, in the lengths of an OBJ file.
+constexpr const char* hollow_bar =
+    "printf 'v 0 0 0\\nv 40 0 0\\nv 40 10 0\\nv 0 10 0\\nv 0 0 10\\nv 40 0 10\\nv 40 10 10\\nv 0 10 10\\n"
+    "v 10 3 3\\nv 30 3 3\\nv 30 7 3\\nv 10 7 3\\nv 10 3 7\\nv 30 3 7\\nv 30 7 7\\nv 10 7 7\\n"
+    "f 4 3 2 1\\nf 5 6 7 8\\nf 1 2 6 5\\nf 2 3 7 6\\nf 3 4 8 7\\nf 4 1 5 8\\n"
+    "f 9 10 11 12\\nf 16 15 14 13\\nf 13 14 10 9\\nf 14 15 11 10\\nf 15 16 12 11\\nf 16 13 9 12\\n' > bar.obj; ";
+
+TEST(MeshGen, ADescribedPartIsTheBeginningOfADesign) {
+    Folder folder;
+    const Outcome described = run(
+        folder, std::string{hollow_bar} + "mesh-gen --describe bar.obj --picture bar.svg -o bar.yaml && cat bar.yaml");
+    EXPECT_EQ(described.code, 0) << described.err;
+    for (const char* line :
+         {"# bar.obj: x from 0 to 40 mm, y from 0 to 10 mm, z from 0 to 10 mm; volume 3.68 mL, surface 2152 mm^2",
+          "# closed cavity `cavity`: 0.32 mL about [20 mm, 5 mm, 5 mm]",
+          "{plane: {x: 0 mm}}   # plane, normal -x, 100 mm^2", "{plane: {x: 40 mm}}   # plane, normal x, 100 mm^2"})
+        EXPECT_NE(described.out.find(line), std::string::npos) << line << described.out;
+    EXPECT_NE(run(folder, "cat bar.svg").out.find(">12</text>"), std::string::npos);
+    const Outcome built =
+        run(folder,
+            "held=$(sed -n 's/^ *\\(face_[0-9]*\\): {plane: {x: 0 mm}}.*/\\1/p' bar.yaml); "
+            "printf 'material: {law: neo-hookean, mu: 0.1 MPa, kappa: incompressible}\\nsupports: {fixed: %s}\\n"
+            "loads: {cavity: {pressure: 5 kPa}}\\n' $held >> bar.yaml; mesh-gen bar.yaml --check");
+    EXPECT_EQ(built.code, 0) << built.err;
+}
+
+TEST(MeshGen, APartOfOneMillimetreMayBeInInches) {
+    Folder folder;
+    const std::string small = std::string{hollow_bar} + "sed '/^v/s/ \\([0-9]*\\)/ \\1e-2/g' bar.obj > small.obj; ";
+    EXPECT_NE(run(folder, small + "mesh-gen --describe small.obj")
+                  .err.find("are its lengths inches? `unit: in` makes it 10.16 mm"),
+              std::string::npos);
+    EXPECT_EQ(run(folder, "mesh-gen --describe small.obj --set geometry.unit=in").err, "");
+    EXPECT_EQ(run(folder, "mesh-gen --describe bar.obj").err, "");
+}
+
+TEST(MeshGen, APartInPlaceOfADesignIsNamed) {
+    Folder folder;
+    for (const char* file : {"chamber.step", "a.STL", "b.obj"}) {
+        const Outcome outcome = run(folder, std::string{"mesh-gen "} + file);
+        EXPECT_EQ(outcome.code, 65);
+        EXPECT_NE(outcome.err.find(std::string{file} + ": a CAD part, not a design (YAML); use family: imported"),
+                  std::string::npos)
+            << outcome.err;
+    }
+}
+
 TEST(MeshGen, PipeAndFileGiveTheSameBytesTwice) {
     Folder folder;
     const Outcome outcome =

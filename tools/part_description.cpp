@@ -1,0 +1,237 @@
+#include "part_description.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "surface/facet_map.hpp"
+
+namespace soft::cli {
+namespace {
+
+using mesh::Point;
+using surface::cross, surface::dot;
+using surface::PartFace;
+
+constexpr double mm = 1e3;
+constexpr const char* components = "xyz";
+
+std::string number(double value, int digits = 9) {
+    constexpr double rounding = 1e-9;
+    return core::rounded_text(std::abs(value) < rounding ? 0 : value, digits);
+}
+
+std::string lengths(const Point& p) {
+    return "[" + number(mm * p[0]) + " mm, " + number(mm * p[1]) + " mm, " + number(mm * p[2]) + " mm]";
+}
+
+std::string area_text(double area_m2) { return number(mm * mm * area_m2, 4) + " mm^2"; }
+
+/// "x", "-y" or "[0.6, 0.8, 0]".
+std::string direction_text(const Point& direction) {
+    constexpr double along = 1 - 1e-6;
+    for (std::size_t d = 0; d < 3; ++d)
+        if (std::abs(direction[d]) > along) return std::string{direction[d] < 0 ? "-" : ""} + components[d];
+    return "[" + number(direction[0], 4) + ", " + number(direction[1], 4) + ", " + number(direction[2], 4) + "]";
+}
+
+std::string rule_text(const surface::FaceRule& rule) {
+    std::vector<std::string> parts;
+    if (rule.plane)
+        parts.push_back(std::string{"plane: {"} + components[rule.plane->component] + ": " +
+                        number(mm * rule.plane->at_m) + " mm}");
+    if (rule.box) parts.push_back("box: {from: " + lengths(rule.box->from) + ", to: " + lengths(rule.box->to) + "}");
+    if (rule.direction) {
+        const Point& n = rule.direction->normal;
+        parts.push_back("normal: [" + number(n[0]) + ", " + number(n[1]) + ", " + number(n[2]) +
+                        "], within: " + number(rule.direction->within_rad * 180 / std::numbers::pi, 4) + " deg");
+    }
+    if (rule.flood) parts.push_back("point: " + lengths(rule.flood->point));
+    return "{" + core::join(parts) + "}";
+}
+
+std::string shape_text(const PartFace& face) {
+    switch (face.shape) {
+        case PartFace::Shape::plane: return "plane, normal " + direction_text(face.direction);
+        case PartFace::Shape::cylinder:
+            return std::string{face.is_bore ? "bore" : "cylinder"} + " of radius " + number(mm * face.radius_m, 4) +
+                   " mm along " + direction_text(face.direction) + " through " + lengths(face.centre);
+        case PartFace::Shape::curved: break;
+    }
+    return "curved";
+}
+
+std::array<Point, 2> box_of(const surface::BodySurface& surface) {
+    std::array<Point, 2> box;
+    for (std::size_t d = 0; d < 3; ++d) {
+        const auto [low, high] = std::ranges::minmax(surface.points, {}, [d](const Point& p) { return p[d]; });
+        box[0][d] = low[d];
+        box[1][d] = high[d];
+    }
+    return box;
+}
+
+/// A parallel projection: to the right, up, and towards the eye.
+struct View {
+    surface::Vector right, up, eye;
+};
+
+View view_from(const surface::Vector& eye) {
+    const double flat = std::hypot(eye[0], eye[1]), size = surface::norm(eye);
+    const surface::Vector right{-eye[1] / flat, eye[0] / flat, 0}, towards{eye[0] / size, eye[1] / size, eye[2] / size};
+    return {right, surface::cross(towards, right), towards};
+}
+
+struct Patch {
+    std::array<Point, 3> corners;
+    std::size_t face;
+};
+
+/// Triangles short enough to be drawn in the order of their depth.
+void divide(const Patch& patch, double longest_m, std::vector<Patch>& all) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Point &a = patch.corners[k], &b = patch.corners[(k + 1) % 3], &c = patch.corners[(k + 2) % 3];
+        const double side = surface::norm(surface::along(b, -1, a));
+        if (side <= longest_m || side < surface::norm(surface::along(c, -1, b)) ||
+            side < surface::norm(surface::along(a, -1, c)))
+            continue;
+        const Point middle = surface::along(a, 0.5, surface::along(b, -1, a));
+        divide({{a, middle, c}, patch.face}, longest_m, all);
+        divide({{middle, b, c}, patch.face}, longest_m, all);
+        return;
+    }
+    all.push_back(patch);
+}
+
+std::vector<Patch> patches(const PartDescription& part) {
+    constexpr double share_of_extent = 1.0 / 40;
+    std::vector<Patch> all;
+    for (std::size_t f = 0; f < part.faces.size(); ++f)
+        for (const std::size_t t : part.faces[f].facets) {
+            Patch patch{{}, f};
+            for (std::size_t k = 0; k < 3; ++k)
+                patch.corners[k] = part.surface.points[static_cast<std::size_t>(part.surface.triangles[t][k])];
+            divide(patch, share_of_extent * part.surface.extent_m(), all);
+        }
+    return all;
+}
+
+std::string colour(std::size_t face, double light) {
+    constexpr double golden_deg = 137.508;  // neighbours in number differ in hue
+    return "hsl(" + number(std::fmod(golden_deg * static_cast<double>(face), 360), 4) + ",55%," +
+           number(45 + 35 * light, 4) + "%)";
+}
+
+/// Of the places, the one nearest to their mean: on the face, also where it goes round a hole.
+std::array<double, 2> middle_of(const std::vector<std::array<double, 2>>& places) {
+    std::array<double, 2> mean{};
+    for (const auto& at : places)
+        for (std::size_t d = 0; d < 2; ++d) mean[d] += at[d] / static_cast<double>(places.size());
+    return *std::ranges::min_element(places, {},
+                                     [&](const auto& at) { return std::hypot(at[0] - mean[0], at[1] - mean[1]); });
+}
+
+std::string label(std::size_t face, const std::array<double, 2>& at) {
+    const std::string x = number(at[0], 6);
+    return "<circle cx='" + x + "' cy='" + number(at[1], 6) + "' r='9' fill='white' stroke='black'/><text x='" + x +
+           "' y='" + number(at[1] + 4, 6) + "'>" + std::to_string(face) + "</text>\n";
+}
+
+/// One view, its middle at `middle` px, the part 360 px wide at most.
+std::string drawn(const PartDescription& part, const View& view, std::array<double, 2> middle) {
+    constexpr double width_px = 360;
+    const auto [low, high] = box_of(part.surface);
+    const Point centre = surface::along(low, 0.5, surface::along(high, -1, low));
+    const double scale = width_px / surface::norm(surface::along(high, -1, low));
+    const auto place = [&](const Point& p) {
+        const surface::Vector from = surface::along(p, -1, centre);
+        return std::array{middle[0] + scale * dot(from, view.right), middle[1] - scale * dot(from, view.up),
+                          dot(from, view.eye)};
+    };
+    struct Drawn {
+        double depth, light;
+        const Patch* patch;
+    };
+    const std::vector<Patch> all = patches(part);
+    std::vector<Drawn> order;
+    for (const Patch& patch : all) {
+        const auto& [a, b, c] = patch.corners;
+        const surface::Vector normal = cross(surface::along(b, -1, a), surface::along(c, -1, a));
+        const double facing = dot(normal, view.eye) / surface::norm(normal);
+        if (facing > 0) order.push_back({place(a)[2] + place(b)[2] + place(c)[2], facing, &patch});
+    }
+    std::ranges::stable_sort(order, {}, &Drawn::depth);
+    std::string svg;
+    std::vector<std::vector<std::array<double, 2>>> seen(part.faces.size());  // middles of patches
+    for (const Drawn& one : order) {
+        std::string points;
+        std::array<double, 2> mean{};
+        for (const Point& p : one.patch->corners) {
+            const auto at = place(p);
+            points += number(at[0], 6) + "," + number(at[1], 6) + " ";
+            for (std::size_t d = 0; d < 2; ++d) mean[d] += at[d] / 3;
+        }
+        const std::string fill = colour(one.patch->face, one.light);
+        svg += "<polygon points='" + points + "' fill='" + fill + "' stroke='" + fill + "' stroke-width='0.6'/>\n";
+        seen[one.patch->face].push_back(mean);
+    }
+    for (std::size_t f = 0; f < seen.size(); ++f)
+        if (!seen[f].empty()) svg += label(f + 1, middle_of(seen[f]));
+    return svg;
+}
+
+}  // namespace
+
+std::string description_yaml(const PartDescription& part) {
+    const auto [low, high] = box_of(part.surface);
+    std::string text = "# " + core::one_line(part.file) + ": ";
+    for (std::size_t d = 0; d < 3; ++d)
+        text += std::string{d > 0 ? ", " : ""} + components[d] + " from " + number(mm * low[d], 6) + " to " +
+                number(mm * high[d], 6) + " mm";
+    text += "; volume " + core::quantity_text(part.surface.volume_m3(), core::Dimension::volume) + ", surface " +
+            area_text(part.surface.area_m2()) + "\n";
+    for (std::size_t s = 1; s < part.surface.shells.size(); ++s)
+        text += "# closed cavity `" + part.surface.shells[s].name +
+                "`: " + core::quantity_text(part.surface.shells[s].volume_m3, core::Dimension::volume) + " about " +
+                lengths(part.surface.shells[s].inside) + "\n";
+    if (part.surface.shells.size() == 1)
+        text +=
+            "# no closed cavity; for an open one: cavity: {point: [x, y, z] on its wall, up_to: the face around its "
+            "opening}\n";
+    for (const std::string& repair : part.surface.repairs) text += "# repaired: " + repair + "\n";
+    text += "family: imported\ngeometry:\n  file: \"" + part.file + "\"\n";
+    if (!part.unit.empty()) text += "  unit: " + part.unit + "\n";
+    if (std::ranges::any_of(part.faces, [](const PartFace& face) { return face.rule.has_value(); }))
+        text += "  faces:\n";
+    for (std::size_t f = 0; f < part.faces.size(); ++f) {
+        const PartFace& face = part.faces[f];
+        const std::string name = "face_" + std::to_string(f + 1),
+                          what = shape_text(face) + ", " + area_text(face.area_m2);
+        text += face.rule
+                    ? "    " + name + ": " + rule_text(*face.rule) + "   # " + what + "\n"
+                    : "    # " + name + " has no rule of its own: " + what + ", near " + lengths(face.on_face) + "\n";
+    }
+    return text;
+}
+
+std::string numbered_faces_svg(const PartDescription& part) {
+    return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 420' width='1600' height='840' text-anchor='middle' "
+           "font-family='sans-serif' font-size='11'>\n<rect width='800' height='420' fill='white'/>\n" +
+           drawn(part, view_from({1, -1.6, 0.9}), {200, 200}) + drawn(part, view_from({-1, 1.6, -0.9}), {600, 200}) +
+           "<text x='200' y='410'>from +x, -y, +z</text><text x='600' y='410'>from -x, +y, -z</text>\n</svg>\n";
+}
+
+std::string unit_warning(const PartDescription& part) {
+    constexpr double smallest_m = 2e-3, inch_over_mm = 25.4;
+    const double extent_m = part.surface.extent_m();
+    if (part.unit.empty() || part.unit == "in" || extent_m >= smallest_m) return {};
+    return part.file + ": the part is " + core::quantity_text(extent_m, core::Dimension::length) +
+           " long; are its lengths inches? `unit: in` makes it " +
+           core::quantity_text(inch_over_mm * extent_m, core::Dimension::length);
+}
+
+}  // namespace soft::cli
