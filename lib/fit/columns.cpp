@@ -34,8 +34,8 @@ bool holds_any(std::string_view title, std::initializer_list<std::string_view> w
     return std::ranges::any_of(words, [&](std::string_view word) { return holds(title, word); });
 }
 bool is_displacement(std::string_view title) {
-    return !is_strain(title) && holds_any(title, {"displacement", "extension", "elongation", "crosshead", "travel",
-                                                  "stroke", "position", "weg"});
+    return !is_strain(title) &&
+           holds_any(title, {"disp", "extension", "elongation", "crosshead", "travel", "stroke", "position", "weg"});
 }
 bool is_force(std::string_view title) { return !is_stress(title) && holds_any(title, {"force", "load", "kraft"}); }
 

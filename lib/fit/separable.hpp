@@ -3,7 +3,8 @@
 ///   weighted residual of row i:  w_i (sum_j c_j P_j(l_i; shape_j) + offset_t - s_i) / S,    S = largest |s|
 /// with w^2 = weight of the test times that of the row. Rows are sorted by mode and stretch, so that sums do not depend on
 /// their order, and S makes the numbers independent of the unit of stress. The search runs over q, one a shape:
-///   ogden  alpha = q;   yeoh-5  ln b linear in q (see rise_at);   gent  jm = (1 + exp q) max(I1 - 3);   arruda-boyce  locking_stretch^2 = (1 + exp q) max(I1)/3
+///   ogden  alpha = q;   yeoh-5  ln b linear in q, from one bound to the other as q from 0 to 1 (see rise_at)
+///   gent  jm = (1 + exp q) max(I1 - 3);   arruda-boyce  locking_stretch^2 = (1 + exp q) max(I1)/3
 /// which keeps the pole (the straight chain) outside the data; derived here.
 #include <Eigen/Dense>
 #include <vector>
