@@ -50,32 +50,64 @@ bool is_row_of_units(const std::vector<std::string>& row, Decimal decimal) {
            });
 }
 
-/// The row of the header; nullopt where there is none. What stands above it, or above the numbers, is description. Between
-/// blanks a sentence looks like a header, unless it has more words than there are columns.
+/// Whether row i may be the header of a row of numbers. Between blanks a sentence looks like one, unless it has more words
+/// than there are columns.
+bool may_be_header(const Table& table, std::size_t i, std::size_t numbers) {
+    const Content content = content_of(table.rows[i], table.decimal);
+    const bool is_sentence = table.delimiter == ' ' && table.rows[i].size() > table.rows[numbers].size();
+    return content.numbers == 0 && content.words >= 2 && !is_sentence;
+}
+
+/// The row of the header; nullopt where there is none. What stands above it, or above the numbers, is description.
 std::optional<std::size_t> find_header(const Table& table, std::size_t first_numbers) {
-    const auto is_title = [&](std::size_t i) {
-        const Content content = content_of(table.rows[i], table.decimal);
-        const bool is_sentence = table.delimiter == ' ' && table.rows[i].size() > table.rows[first_numbers].size();
-        return content.numbers == 0 && content.words >= 2 && !is_sentence;
-    };
+    const auto is_title = [&](std::size_t i) { return may_be_header(table, i, first_numbers); };
     for (std::size_t i = first_numbers; i-- > 0;)
         if (is_title(i)) return i > 0 && is_row_of_units(table.rows[i], table.decimal) && is_title(i - 1) ? i - 1 : i;
     return std::nullopt;
 }
 
+bool is_row_of_numbers(const Table& table, std::size_t i) {
+    const Content content = content_of(table.rows[i], table.decimal);
+    return content.numbers >= 2 && content.words == 0;
+}
+
+/// The first row of numbers of the table that is meant. Testing machines write one of results, a row a specimen, above the
+/// measured one: a later header of other titles, with a line of units below it and over more rows of numbers, is taken.
+std::size_t first_of_main_table(const Table& table, std::size_t first_numbers) {
+    const auto header_of_first = find_header(table, first_numbers);
+    if (!header_of_first) return first_numbers;
+    struct Block {
+        std::size_t header, first, count;
+    };
+    Block best{*header_of_first, first_numbers, 0}, block = best;
+    bool is_best = true;  // the block at hand
+    for (std::size_t i = first_numbers; i < table.rows.size(); ++i) {
+        const bool is_header = i + 2 < table.rows.size() && may_be_header(table, i, first_numbers) &&
+                               is_row_of_units(table.rows[i + 1], table.decimal) && is_row_of_numbers(table, i + 2);
+        if (is_header) {
+            block = {i, i + 2, 0};
+            is_best = false;
+            ++i;
+        } else if (is_row_of_numbers(table, i) && ++block.count > best.count &&
+                   (is_best || table.rows[block.header] != table.rows[best.header])) {
+            best = block;
+            is_best = true;
+        }
+    }
+    return best.first;
+}
+
 /// Takes the description away, so that the header or the numbers are the first row; equal widths.
 void take_description(Table& table, const Format& format) {
-    const auto numeric = std::ranges::find_if(table.rows, [&](const std::vector<std::string>& row) {
-        const Content content = content_of(row, table.decimal);
-        return content.numbers >= 2 && content.words == 0;
-    });
-    if (numeric == table.rows.end())
+    std::size_t first_numbers = 0;
+    while (first_numbers < table.rows.size() && !is_row_of_numbers(table, first_numbers)) ++first_numbers;
+    if (first_numbers == table.rows.size())
         throw bad(table.source, table.lines.empty() ? 1 : table.lines.back(),
                   "no line holds two numbers and nothing else",
                   format.delimiter || format.decimal != Decimal::either
                       ? "is it written with the delimiter and the decimal mark that are stated?"
                       : "write one row a line: numbers, and a delimiter between them");
-    const auto first_numbers = static_cast<std::size_t>(numeric - table.rows.begin());
+    first_numbers = first_of_main_table(table, first_numbers);
     const auto begin = static_cast<std::ptrdiff_t>(find_header(table, first_numbers).value_or(first_numbers));
     table.rows.erase(table.rows.begin(), table.rows.begin() + begin);
     table.lines.erase(table.lines.begin(), table.lines.begin() + begin);

@@ -119,6 +119,19 @@ TEST(ReadTable, ASlipBelowADescriptionIsARowAndNumbersAloneHaveNoHeader) {
     EXPECT_EQ(table.rows.size(), 2u);
 }
 
+TEST(ReadTable, ATableOfResultsAboveTheMeasuredOneIsDescription) {
+    const std::string results = "Results\n,Maximum load,Extension at break\n,(N),(mm)\n1,36,33\n2,35,32\n\n",
+                      head = "Time,Extension,Load\n(s),(mm),(N)\n", rows = "0,0,0\n1,1,2\n2,2,4\n";
+    const Table table = read_table(results + head + rows, "m.csv", described);
+    EXPECT_EQ(table.headings.at(1).name, "Extension");
+    EXPECT_EQ(table.headings.at(1).unit, "mm");
+    EXPECT_EQ(table.rows.size(), 3u);
+    // Two specimens in one file are not one of them, and a line of words in the data is no header.
+    EXPECT_EQ(read_table(head + "0,0,0\n1,1,2\n" + head + rows, "m.csv", described).rows.size(), 7u);
+    EXPECT_EQ(read_table(results + head + "0,0,0\nn/a,n/a,n/a\n1,1,2\n2,2,3\n3,3,4\n", "m.csv", described).rows.size(),
+              5u);
+}
+
 TEST(ReadTable, QuotedCellsAmongBlanksStayWhole) {
     const Table table = read_table("\"true strain\"  'stress'\n\"1\" 2\n", "m.csv");
     EXPECT_EQ(table.headings[0].name, "true strain");
