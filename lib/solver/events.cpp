@@ -184,14 +184,14 @@ std::string PathFollower::object_to_bifurcation(const PathPoint& from, const Pat
         return linalg::norm(scratch_);
     };
     if (distance(left, right) > apart * distance(from, to)) return "the states on both sides are of two branches";
-    if (!mode) return "no mode is found";
+    if (!mode) return "no mode is found there";
     const double span = to.q - from.q, at = 0.5 * (left.q + right.q);
     std::optional<double> before;
     for (const double side : {-1.0, 1.0}) {
         const double room = std::abs(side < 0.0 ? at - from.q : to.q - at);
         const double away = std::min(beside_bifurcation * std::abs(span), 0.5 * room);
-        if (away < least_beside * std::abs(span))
-            continue;  // the bifurcation is at a row, and the other side has to do
+        // A count that changes beside a row, however near it is looked at, was another one at that row itself.
+        if (away < least_beside * std::abs(span)) return "at a row itself, where no eigenvalue passes zero";
         const auto point = solve_between(from, to, at + side * std::copysign(away, span));
         linalg::Vector b = linalg::duplicate(*mode);
         linalg::copy(*mode, b);
