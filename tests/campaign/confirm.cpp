@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "consistency.hpp"
 #include "core/text.hpp"
 #include "shape_checks.hpp"
 
@@ -189,6 +190,7 @@ Verdict confirm_inversion(const io::Result& result) {
 
 Verdict confirm(const io::Result& result) {
     if (!result.end || result.steps.size() < 2) return {false, "no path"};
+    if (std::string wrong = inconsistency(result); !wrong.empty()) return {false, std::move(wrong)};
     switch (result.end->reason) {
         case StopReason::done: return confirm_done(result);
         case StopReason::limit_point: return confirm_limit_point(result);

@@ -10,6 +10,7 @@
 ///                     or a facet passes a mirror with the air before it, in the last row or soon after it, the last step drawn out
 ///   inverted_element  the least det F, sampled at corners, mid nodes and centres of the cells, is next to nothing
 ///   step_limit        so many rows there are
+/// and only of rows without a contradiction (consistency.hpp).
 ///   diverged          never: whatever ends so is a find
 #include <string>
 

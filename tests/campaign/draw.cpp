@@ -1,6 +1,7 @@
 #include "draw.hpp"
 
 #include <fstream>
+#include <initializer_list>
 #include <stdexcept>
 
 #include "draw_parts.hpp"
@@ -18,9 +19,10 @@ std::string table_name(const Number& number) {
 }
 
 Drawn attempt(Dice& dice, const Number& number, const std::filesystem::path& folder) {
-    const Shape shape = draw_shape(dice);
+    Shape shape = draw_shape(dice);
     const Stuff stuff = draw_material(dice, shape);
-    const Load load = draw_load(dice, shape, stuff);
+    const Load load =
+        number.index % 4 == 3 ? draw_motion_or_tiny_load(dice, shape, stuff) : draw_load(dice, shape, stuff);
     Drawn drawn{shape.family, stuff.law, load.kind, {}, {}, shape.table_text, 0};
     const std::string place = (folder / "drawn.yaml").string() + ":1:1";
     std::vector<design::Override> overrides{{"model", shape.model, place}};
@@ -29,7 +31,8 @@ Drawn attempt(Dice& dice, const Number& number, const std::filesystem::path& fol
         std::ofstream{folder / drawn.table} << shape.table_text;
         overrides.push_back({"geometry.profile", drawn.table, place});
     }
-    for (const Settings* settings : {&shape.settings, &stuff.settings, &load.settings})
+    for (const Settings* settings :
+         std::initializer_list<const Settings*>{&shape.settings, &stuff.settings, &load.settings})
         for (const auto& [key, value] : *settings) overrides.push_back({key, value, place});
     const design::Design design =
         design::read_design("family: " + shape.family + "\n", place, geometry::catalogue_keys(), overrides);

@@ -35,6 +35,10 @@ struct Load {
 };
 [[nodiscard]] Load draw_load(Dice& dice, const Shape& shape, const Stuff& stuff);
 
+/// A face moved out or in by up to a few millimetres, of a block on one to four cells across; or loads so small that the response is
+/// linear. May change the shape's settings.
+[[nodiscard]] Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const Stuff& stuff);
+
 [[nodiscard]] std::string mm(double value);
 [[nodiscard]] std::string kPa(double value);
 [[nodiscard]] std::string number(double value);

@@ -181,6 +181,32 @@ Stuff draw_material(Dice& dice, const Shape& shape) {
     return stuff;
 }
 
+Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const Stuff& stuff) {
+    if (!shape.pulled.empty() && dice.chance(0.65)) {
+        double largest_mm = 2;
+        if (shape.family == "rod") {  // from pads to rods
+            const double length = dice.between_logs(2, 60);
+            largest_mm = 0.1 * length;
+            shape.settings.emplace_back("geometry.length", mm(length));
+            shape.settings.emplace_back("mesh.size", mm(std::max(length, 4.0) / dice.whole(1, 4)));
+        }
+        const double way = (dice.chance(0.5) ? 1 : -1) * largest_mm * dice.between_logs(1e-4, 1);
+        const std::string along = shape.model == "axisymmetric" || dice.chance(0.7) ? "axis" : "x";
+        return {"small motion",
+                {{"loads", "{" + shape.pulled.front() + ": {displacement: " + mm(way) + ", along: " + along + "}}"}}};
+    }
+    const double p = (dice.chance(0.5) ? 1 : -1) * stuff.mu_kPa / shape.slenderness * dice.between_logs(1e-12, 1e-8);
+    const std::string pressure = "{pressure: " + kPa(p) + "}";
+    if (!shape.cavities.empty() && shape.family != "two-spheres")
+        return {
+            "tiny load",
+            {{"loads", shape.cavities.size() == 1 ? "{cavity: " + pressure + "}"
+                                                  : "{cavities: {" + shape.cavities.front() + ": " + pressure + "}}"}}};
+    if (!shape.pressed.empty())
+        return {"tiny load", {{"loads", "{" + dice.one_of(shape.pressed) + ": " + pressure + "}"}}};
+    return draw_load(dice, shape, stuff);
+}
+
 Load draw_load(Dice& dice, const Shape& shape, const Stuff& stuff) {
     const double p = stuff.mu_kPa / shape.slenderness * dice.between_logs(least_load, largest_load);
     const bool on_cavity = !shape.cavities.empty() && !dice.chance(0.12);

@@ -1,0 +1,38 @@
+#include "consistency.hpp"
+
+#include <gtest/gtest.h>
+
+namespace soft::campaign {
+namespace {
+
+/// What is wrong with rows whose loads have done `work_J` where the rubber stores 1 J, `more` of them than three.
+std::string wrong_with(double stretch, double work_J, int more = 0,
+                       solution::StopReason end = solution::StopReason::done) {
+    model::Case model;
+    model.path.stages.resize(1);
+    std::vector<solution::Step> rows;
+    for (const double share : {0.0, 0.5, 1.0}) {
+        solution::Step step;
+        step.load_factor = share;
+        step.max_stretch = 1 + share * (stretch - 1);
+        step.energies = {.stored_J = share * share, .load_work_J = share * share * work_J, .tangent_J = {}};
+        rows.push_back(step);
+    }
+    rows.insert(rows.end(), static_cast<std::size_t>(more), solution::Step{rows.back()});
+    return inconsistency(model, rows, end);
+}
+
+TEST(Consistency, FindsEnergiesThatDiffer) {
+    EXPECT_EQ(wrong_with(2, 1.009), "");
+    EXPECT_EQ(wrong_with(2, 1.02), "the energies differ by 1.961 %");
+    EXPECT_EQ(wrong_with(2, -1), "the energies differ by 200 %");
+}
+
+TEST(Consistency, FindsLinearResponsesThatTakeManyRows) {
+    EXPECT_EQ(wrong_with(1 + 1e-9, 1), "");
+    EXPECT_EQ(wrong_with(1 + 1e-9, 1, 20), "a linear response takes 23 rows");
+    EXPECT_EQ(wrong_with(1 + 1e-9, 1, 0, solution::StopReason::step_limit), "a linear response ends as step_limit");
+}
+
+}  // namespace
+}  // namespace soft::campaign
