@@ -79,12 +79,17 @@ public:
     /// Remembers what the solver needs to go on from the step last appended. Nothing to do in memory. Errors as append.
     void remember(const solution::Checkpoint& checkpoint);
 
+    /// `rows`, a writer in memory for the same case and options, replaces the steps appended so far; nothing is appended after
+    /// it. FILE becomes, by renaming, the whole result of them and `end`, and stays locked: it can be called again, and finish()
+    /// returns the last one. A target that is no regular file is written at finish() only.
+    void publish(ResultWriter rows, const solution::PathEnd& end);
+
     /// False where FILE has been removed, or replaced by another file, since the writer made it: steps appended since then
     /// are in no file that can be opened. finish() makes FILE anew.
     [[nodiscard]] bool is_in_place() const;
 
-    /// Writes path and end. Returns the whole result; on disk it is also FILE. Call it once, nothing after it. Throws Error
-    /// (internal) without a step: read_result() would refuse the file.
+    /// Writes path and end (those of publish(), where it was called). Returns the whole result; on disk it is also FILE. Call it
+    /// once, nothing after it. Throws Error (internal) without a step: read_result() would refuse the file.
     std::vector<std::byte> finish(const solution::PathEnd& end);
 
 private:

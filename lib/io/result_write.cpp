@@ -136,6 +136,8 @@ struct ResultWriter::State {
     fs::path file;                            ///< empty: in memory only
     std::optional<core::AtomicFile> unnamed;  ///< until the first step
     std::optional<Tail> journal;              ///< open until finish(), where the file can be appended to
+    std::vector<std::byte> published;
+    bool was_in_place = true;  ///< at every publish()
 };
 
 ResultWriter::ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options) {
@@ -198,12 +200,29 @@ void ResultWriter::remember(const solution::Checkpoint& checkpoint) {
     if (state_->journal) state_->append_record(RecordKind::checkpoint, encode_checkpoint(checkpoint));
 }
 
-bool ResultWriter::is_in_place() const { return !state_->journal || state_->unnamed || state_->journal->is_in_place(); }
+void ResultWriter::publish(ResultWriter rows, const solution::PathEnd& end) {
+    state_->published = rows.finish(end);
+    if (!state_->journal) return;
+    state_->was_in_place = is_in_place();
+    core::AtomicFile whole{state_->file};
+    static_cast<void>(whole.write(state_->published));
+    // Locked before it has its name, so that no other solve takes the file in between.
+    state_->journal.emplace(state_->file, ::fcntl(whole.descriptor(), F_DUPFD_CLOEXEC, 0));
+    whole.commit();
+    state_->unnamed.reset();
+}
+
+bool ResultWriter::is_in_place() const {
+    return !state_->journal || state_->unnamed || (state_->was_in_place && state_->journal->is_in_place());
+}
 
 std::vector<std::byte> ResultWriter::finish(const solution::PathEnd& end) {
     const QuietErrors quiet;
-    state_->image.finish(end);
-    std::vector<std::byte> bytes = sealed_bytes(state_->image);
+    std::vector<std::byte> bytes = std::move(state_->published);
+    if (bytes.empty()) {
+        state_->image.finish(end);
+        bytes = sealed_bytes(state_->image);
+    }
     if (!state_->file.empty()) write_whole(state_->file, bytes);
     state_->journal.reset();
     return bytes;

@@ -165,7 +165,7 @@ void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::s
     script.add("stable" + n, blocks.stable, stroke + " notitle");
     script.add("unstable" + n, blocks.unstable, stroke + " dashtype (8,6) notitle");
     script.add("bars" + n, blocks.bars, "with xyerrorbars linewidth 1 pointtype 0" + colour + " notitle");
-    script.add("constants" + n, blocks.constants, filled + " linecolor rgb '#E69F00' notitle");
+    script.add("constants" + n, blocks.constants, std::string{filled} + " linecolor rgb '#E69F00' notitle");
     script.add("constants_bars" + n, blocks.constants_bars,
                "with xyerrorbars linewidth 2 pointtype 0 linecolor rgb '#E69F00' notitle");
     script.add("markers" + n, blocks.markers,
