@@ -66,11 +66,11 @@ void InterruptNotice::set(std::string_view line) {
     slot_in_use.store(free);
 }
 
-std::string interrupted_text(const std::string& output, int rows, const model::Case& model) {
+std::string interrupted_text(const std::string& output, int rows, std::string_view obstacle) {
     if (output == "-") return "nothing is saved; with -o FILE each row is saved as it is found";
     if (rows == 0) return "no row was found yet, " + output + " is as it was";
     const std::string saved = output + " holds " + core::counted(rows, "row") + ": ";
-    if (model.dynamics) return saved + "`postprocess " + output + "` reads them; a motion in time cannot be resumed";
+    if (!obstacle.empty()) return saved + "`postprocess " + output + "` reads them; " + std::string{obstacle};
     return saved + "`solve --resume " + output + "` goes on, `postprocess " + output + "` reads them";
 }
 

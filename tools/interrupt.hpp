@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "cli.hpp"
-#include "model/case.hpp"
 
 namespace soft::cli {
 
@@ -26,7 +25,7 @@ private:
     bool active_;
 };
 
-/// How a solve with `rows` rows in `output` ("-": stdout) can be continued.
-[[nodiscard]] std::string interrupted_text(const std::string& output, int rows, const model::Case& model);
+/// How a solve with `rows` rows in `output` ("-": stdout) can be continued; `obstacle`: why it cannot, empty where it can.
+[[nodiscard]] std::string interrupted_text(const std::string& output, int rows, std::string_view obstacle);
 
 }  // namespace soft::cli

@@ -27,6 +27,11 @@ Input read_input_on_first_rank(const std::string& name, int rank) {
     return input;
 }
 
+double of_first_rank(double value) {
+    MPI_Bcast(&value, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+    return value;
+}
+
 ExitCode on_all_ranks(int rank, int size, const std::function<ExitCode()>& body) {
     if (size == 1) return body();
     // An error on all ranks at once is told by the first; one on another rank alone waits to see that the first is silent.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -15,9 +16,9 @@
 #include "linalg/profile.hpp"
 #include "material_summary.hpp"
 #include "ranks.hpp"
+#include "solve_accuracy.hpp"
 #include "solve_changes.hpp"
 #include "solve_summary.hpp"
-#include "solver/accuracy.hpp"
 #include "solver/path.hpp"
 
 namespace soft::cli {
@@ -46,8 +47,8 @@ Task read_task(const SolveOptions& options, int rank) {
         for (const io::Provenance& stage : task.from.file.provenance)
             if (stage.tool == solve_about().tool && stage.command_line.find(" --tolerance") != std::string::npos)
                 throw Error(ExitCode::bad_input, task.input.source,
-                            "was begun with --tolerance, whose rows are known when all meshes are solved",
-                            "solve the case again with --tolerance");
+                            "was begun with --tolerance, which cannot be resumed",
+                            "solve the case again with --tolerance; postprocess reads the rows that it has");
         task.changed = task.from.changed_design;
     } else {
         task.from.file = io::read_case_file(task.input.bytes, task.input.source);
@@ -65,43 +66,34 @@ void check_motion(const SolveOptions& options, const model::Case& model) {
                     "leave it out and compare with a finer mesh (mesh.refine) and shorter steps (dynamics.accuracy)");
 }
 
-io::ResultWriter make_writer(const SolveOptions& options, const Task& task) {
+/// `output`: "-" for one in memory.
+io::ResultWriter new_writer(const SolveOptions& options, const Task& task, const std::string& output) {
     const io::Given given{task.input.bytes, task.input.source, task.from.file.model};
-    if (task.resumes) return io::ResultWriter::resume(task.output, given);
     const About& about = solve_about();
     const io::Provenance provenance{std::string{about.tool}, std::string{version()}, std::string{revision()},
                                     library_lines(about), options.common.command_line};
     const io::ResultOptions result{io::parse_fields_policy(options.fields), task.changed};
-    if (task.output == "-") return {given, provenance, result};
-    return {task.output, given, provenance, result};
+    if (output == "-") return {given, provenance, result};
+    return {output, given, provenance, result};
 }
 
-/// Solves the path again on finer meshes and writes its rows with their error bars.
-void judge(assembly::System& system, std::vector<solver::RowState> rows, double tolerance, io::ResultWriter* writer,
-           Console& console, SolveSummary& summary) {
-    const solver::Log say = [&](const std::string& line) { console.say(line); };
-    const solver::Accuracy accuracy =
-        solver::refine_path(system, std::move(rows), summary.end, {.tolerance = tolerance}, say);
-    summary.end.newton_iterations += accuracy.newton_iterations;
-    summary.end.factorizations += accuracy.factorizations;
-    summary.accuracy = {tolerance,         accuracy.reached,  accuracy.level,
-                        accuracy.unknowns, accuracy.has_bars, accuracy.obstacle};
-    summary.last = accuracy.rows.back().step;
-    if (writer == nullptr) return;
-    // Finer meshes keep the numbers of the points they were made from.
-    const std::size_t points = system.input().mesh.points.size();
-    for (const solver::RowState& row : accuracy.rows)
-        writer->append(row.step, std::span(row.displacement_m).first(3 * points),
-                       std::span(row.pressure_Pa).first(row.pressure_Pa.empty() ? 0 : points));
+io::ResultWriter make_writer(const SolveOptions& options, const Task& task) {
+    const io::Given given{task.input.bytes, task.input.source, task.from.file.model};
+    if (task.resumes) return io::ResultWriter::resume(task.output, given);
+    return new_writer(options, task, task.output);
 }
 
 /// Follows the path; the first rank has a writer.
-SolveSummary follow(assembly::System& system, const Task& task, std::optional<double> tolerance,
-                    io::ResultWriter* writer, Console& console, InterruptNotice& notice) {
+SolveSummary follow(assembly::System& system, const Task& task, const SolveOptions& options, io::ResultWriter* writer,
+                    Console& console, InterruptNotice& notice) {
+    const auto begin = std::chrono::steady_clock::now();
     const model::Case& model = task.from.file.model;
     SolveSummary summary;
     Progress progress{model};
     RemainingTime remaining;
+    const std::string_view no_resume = model.dynamics      ? "a motion in time cannot be resumed"
+                                       : options.tolerance ? "a run with --tolerance cannot be resumed"
+                                                           : "";
     const auto report = [&](const solution::Step& step, double share) {
         console.progress(share, step_text(step, model) + remaining.text(share));
     };
@@ -120,18 +112,14 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         if (system.has_symmetric_tangent()) summary.energy.add(step);
         return progress.advance(step);
     };
-    std::vector<solver::RowState> rows;  // kept for --tolerance, whose curve is written when all is known
+    std::vector<solver::RowState> rows;  // kept for --tolerance
     const auto sink = [&](const solution::Step& step, Vec x) {
-        if (tolerance) {
-            if (writer != nullptr) report(step, count(step));
-            return;
-        }
         const auto fields = system.gather_fields(x);
         if (writer == nullptr) return;
         const linalg::Timed timed(linalg::Phase::writing);
         writer->append(step, fields.displacement_m, fields.pressure_Pa);
         report(step, count(step));
-        notice.set(interrupted_text(task.output, summary.steps, model));
+        notice.set(interrupted_text(task.output, summary.steps, no_resume));
     };
     const solver::RowSink keep_row = [&](const solver::RowState& row) { rows.push_back(row); };
     const auto keep = [&](const solution::Checkpoint& checkpoint) {
@@ -145,13 +133,13 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
         console.say("goes on from row " + std::to_string(from.checkpoint->rows - 1) + ", " +
                     step_text(from.steps.back(), model));
     for (const solution::Step& step : from.steps) remaining.begin_at(count(step));
-    notice.set(interrupted_text(task.output, summary.steps, model));
+    notice.set(interrupted_text(task.output, summary.steps, no_resume));
     const solver::Listeners listeners{
         sink,
-        task.output == "-" || tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep),
+        task.output == "-" || options.tolerance ? solver::CheckpointSink() : solver::CheckpointSink(keep),
         log,
         contact_check(system),
-        tolerance ? keep_row : solver::RowSink(),
+        options.tolerance ? keep_row : solver::RowSink(),
         [&](int row, const std::string& control) {
             if (summary.controls.empty() || summary.controls.back().second != control)
                 summary.controls.emplace_back(row, control);
@@ -161,7 +149,9 @@ SolveSummary follow(assembly::System& system, const Task& task, std::optional<do
                       : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
     --summary.steps;  // the undeformed state is no step
     summary.unknowns = system.dofs().total;
-    if (tolerance) judge(system, std::move(rows), *tolerance, writer, console, summary);
+    if (options.tolerance)
+        judge(system, std::move(rows), *options.tolerance, seconds_since(begin),
+              {writer, [&] { return new_writer(options, task, "-"); }}, console, summary);
     return summary;
 }
 
@@ -173,8 +163,7 @@ SolveSummary solve_once(const Task& task, const SolveOptions& options, std::opti
     if (writer != nullptr) writer->emplace(make_writer(options, task));
     const double start_s = seconds_since(begin);
     console.say(start_line(system.dofs().total, task.from.file.model.mesh.dimension));
-    SolveSummary summary =
-        follow(system, task, options.tolerance, writer != nullptr ? &**writer : nullptr, console, notice);
+    SolveSummary summary = follow(system, task, options, writer != nullptr ? &**writer : nullptr, console, notice);
     summary.start_s = start_s;
     return summary;
 }
@@ -191,10 +180,11 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
     if (task.output == "-" && stdout_is_file())
         console.warn(
             "stdout is a file, which is written at the end: a run that is interrupted is lost; with -o FILE each row is saved");
-    InterruptNotice notice{solve_about().tool, first ? options.common.verbosity : Verbosity::quiet};
+    std::optional<InterruptNotice> notice{std::in_place, solve_about().tool,
+                                          first ? options.common.verbosity : Verbosity::quiet};
     const double read_s = seconds_since(begin);
     std::optional<io::ResultWriter> writer;
-    SolveSummary summary = solve_once(task, options, first ? &writer : nullptr, console, notice);
+    SolveSummary summary = solve_once(task, options, first ? &writer : nullptr, console, *notice);
     summary.ranks = session.size();
     summary.start_s += read_s;
     if (first) {
@@ -213,7 +203,8 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
             if (!line.empty()) console.say(line);
         console.say(summary_line(summary, model));
         for (const std::string& line : profile_lines(summary)) console.say(line);
-        if (summary.accuracy && !summary.accuracy->met()) console.warn(accuracy_line(*summary.accuracy));
+        if (summary.accuracy)
+            for (const std::string& line : accuracy_lines(*summary.accuracy)) console.warn(line);
         const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
         if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99))
             console.warn(*advice);
@@ -233,6 +224,11 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
             json["materials"] = materials_json(model, text.effective_yaml);
             write_json(options.common.json, json);
         }
+    }
+    // What was caught is passed on, so that a shell's loop ends too.
+    if (summary.accuracy && summary.accuracy->caught_signal != 0) {
+        notice.reset();  // what is saved has been said
+        std::raise(summary.accuracy->caught_signal);
     }
     const bool wrong = !model.dynamics && of_first_rank(summary.energy.problem().empty() ? 0 : 1) != 0;
     if (wrong) return ExitCode::check_failed;

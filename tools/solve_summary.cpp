@@ -208,6 +208,7 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
                             {"level", accuracy.level},
                             {"finest_unknowns", accuracy.unknowns}};
         if (accuracy.has_bars) json["accuracy"]["reached"] = accuracy.reached;
+        json["accuracy"]["doubts"] = accuracy.doubts;
     }
     json["bifurcations"] = nlohmann::ordered_json::array();
     for (const auto& bifurcation : summary.end.bifurcations) {
@@ -223,12 +224,16 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
     return json;
 }
 
-std::string accuracy_line(const AccuracySummary& accuracy) {
+std::vector<std::string> accuracy_lines(const AccuracySummary& accuracy) {
     const auto percent = [](double share) { return core::rounded_text(100 * share, 3) + " %"; };
-    return "the tolerance of " + percent(accuracy.asked) + " is missed: " +
-           (accuracy.has_bars ? "the error bars of the load reach " + percent(accuracy.reached)
-                              : "there are no error bars") +
-           "; " + accuracy.obstacle;
+    std::vector<std::string> lines;
+    if (!accuracy.met())
+        lines.push_back("the tolerance of " + percent(accuracy.asked) + " is missed: " +
+                        (accuracy.has_bars ? "the error bars of the load reach " + percent(accuracy.reached)
+                                           : "there are no error bars") +
+                        "; " + accuracy.obstacle);
+    for (const std::string& doubt : accuracy.doubts) lines.push_back("the error bars are less reliable: " + doubt);
+    return lines;
 }
 
 std::vector<std::string> limit_lines(const SolveSummary& summary, const model::Case& model) {

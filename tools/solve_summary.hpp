@@ -21,7 +21,9 @@ struct AccuracySummary {
     int level = 0;                  ///< how often the cells of the reported curve's mesh were halved
     long long unknowns = 0;         ///< of the finest mesh
     bool has_bars = false;
-    std::string obstacle;  ///< why no finer mesh was tried
+    std::string obstacle;             ///< why no finer mesh was tried
+    std::vector<std::string> doubts;  ///< why the bars are less reliable
+    int caught_signal = 0;            ///< that has ended the refinement
     [[nodiscard]] bool met() const { return has_bars && reached <= asked; }
 };
 
@@ -72,8 +74,9 @@ struct MemoryRange {
 /// A table: what, calls, seconds, part of the whole; then the memory. Empty without --profile.
 [[nodiscard]] std::vector<std::string> profile_lines(const SolveSummary& summary);
 
-/// "the tolerance of 0.1 % is missed: the error bars reach 0.3 %; the next mesh would have ..."
-[[nodiscard]] std::string accuracy_line(const AccuracySummary& accuracy);
+/// What to warn of: "the tolerance of 0.1 % is missed: the error bars reach 0.3 %; the next mesh would have ...", and why the bars are
+/// less reliable.
+[[nodiscard]] std::vector<std::string> accuracy_lines(const AccuracySummary& accuracy);
 
 /// One line a limit point of the load, of the first few: "limit point at 44.339 kPa, elongation 13.44 mm, volume 45.7 mL". Not of
 /// one at which the path ends, which the end names.

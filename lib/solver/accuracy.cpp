@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "mesh/single_cells.hpp"
 #include "solver/error_bar.hpp"
 #include "solver/refined_path.hpp"
 
@@ -18,8 +20,13 @@ using Rows = std::vector<RowState>;
 /// Below this part of the largest load errors are no longer relative to the load itself.
 constexpr double small_load = 0.1;
 
-/// How much more a bar counts where its rates are assumed (ErrorBar::settled), when it is asked whether a fourth mesh is needed.
-constexpr double doubt = 2;
+/// Of the cells, from which on a mesh counts as one with a single cell through its walls.
+constexpr double single_cells = 0.1;
+
+/// Of the rows, from which on it is reported that their differences fall at no order.
+constexpr double without_order = 0.25;
+
+std::string percent(double share) { return core::rounded_text(100 * share, 3) + " %"; }
 
 void require_refinable(const model::Case& input, const solution::Step& step) {
     for (const auto type : input.mesh.cell_types)
@@ -70,6 +77,7 @@ struct Measure {
 /// Rows of the levels around the reported one; empty where there is none.
 struct Around {
     const Rows &finer, &before, &earlier;
+    Walls walls;
 };
 
 std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, const Around& around) {
@@ -83,7 +91,7 @@ std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, cons
         if (!around.before.empty()) rows.back().before = measure.point(around.before[i].step);
         if (!around.earlier.empty()) rows.back().earlier = measure.point(around.earlier[i].step);
     }
-    return error_bars(rows);
+    return error_bars(rows, around.walls);
 }
 
 /// Puts the bars into the reported rows; those of the first measure.
@@ -103,31 +111,57 @@ std::vector<ErrorBar> set_bars(Rows& reported, const Around& around) {
     return first;
 }
 
-/// `unsettled`: the factor of bars that stand on assumed rates.
-double largest_relative_bar(const Rows& rows, const std::vector<ErrorBar>& bars, double unsettled) {
+double max_relative_bar(const Rows& rows, const std::vector<ErrorBar>& bars) {
     double largest_load = 0, worst = 0;
     for (const RowState& row : rows) largest_load = std::max(largest_load, std::abs(row.step.pressure_Pa));
     if (!(largest_load > 0.0)) return 0;
     for (std::size_t i = 0; i < rows.size(); ++i)
-        worst = std::max(worst, bars[i].load * (bars[i].settled ? 1 : unsettled) /
-                                    std::max(std::abs(rows[i].step.pressure_Pa), small_load * largest_load));
+        worst = std::max(worst, bars[i].load / std::max(std::abs(rows[i].step.pressure_Pa), small_load * largest_load));
     return worst;
 }
 
-/// All rows on a finer level; a sentence about the row that failed, if one did.
+/// Of a mesh, the given one or a finer one.
+Walls walls_of(const model::Case& input, int level) {
+    std::vector<std::string> held;
+    for (const model::Support& support : input.supports) held.push_back(support.face);
+    return level == 0 && mesh::single_cell_share(input.mesh, held) >= single_cells ? Walls::single_cell
+                                                                                   : Walls::resolved;
+}
+
+std::vector<std::string> doubts_of(int level, Walls walls, const std::vector<ErrorBar>& bars) {
+    if (level == 0) {
+        std::vector<std::string> doubts{
+            "they stand on two meshes, which show no order of convergence; a smaller "
+            "--tolerance solves a third one"};
+        if (walls == Walls::single_cell)
+            doubts.emplace_back("the mesh has one cell through its walls; use two or more");
+        return doubts;
+    }
+    const auto rows = static_cast<double>(bars.size());
+    const auto without = std::ranges::count_if(bars, [](const ErrorBar& bar) { return !bar.settled; });
+    if (static_cast<double>(without) < without_order * rows) return {};
+    return {"the differences of the meshes fall at no order at " + std::to_string(without) + " of " +
+            core::counted(bars.size(), "row")};
+}
+
+/// All rows on a finer level; why they are not all, if so.
 struct Solved {
     Rows rows;
     std::string failure;
+    bool interrupted = false;
 };
 
-Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end, RefinedPath::Keep keep,
-                  Accuracy& counts) {
+Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end, const RefinementListeners& listeners,
+                  RefinedPath::Keep keep, Accuracy& counts) {
     Solved solved;
     RefinedPath path(level.system, level.refined);
     for (std::size_t i = 0; i < coarse.size() && solved.failure.empty(); ++i) {
-        auto row = path.solve(coarse[i], place_of(coarse, i, end), keep);
+        solved.interrupted = listeners.is_interrupted && listeners.is_interrupted(i);
+        auto row = solved.interrupted ? std::nullopt : path.solve(coarse[i], place_of(coarse, i, end), keep);
         if (row)
             solved.rows.push_back(std::move(*row));
+        else if (solved.interrupted)
+            solved.failure = "the refinement was interrupted";
         else
             solved.failure = "row " + std::to_string(i) + " does not converge on the mesh with " +
                              std::to_string(level.system.dofs().total) + " unknowns";
@@ -172,8 +206,6 @@ void move_points(const Rows& rows, solution::PathEnd& end) {
         bifurcation.at = moved(bifurcation.at.step, rows[static_cast<std::size_t>(bifurcation.at.step)].step, 0.0);
 }
 
-std::string percent(double share) { return core::rounded_text(100 * share, 3) + " %"; }
-
 std::string bound_text(std::int64_t needed, std::int64_t bound) {
     return "the next mesh would have about " + std::to_string(needed) + " unknowns, more than the bound of " +
            std::to_string(bound);
@@ -181,52 +213,71 @@ std::string bound_text(std::int64_t needed, std::int64_t bound) {
 
 }  // namespace
 
+namespace {
+
+/// Why a mesh finer than those that were solved is needed.
+std::string reason_of(const Accuracy& result, double tolerance) {
+    if (!result.has_bars) return "error bars need the same rows on a second mesh";
+    return "the error bars of the load reach " + percent(result.reached) + ", " + percent(tolerance) + " is requested";
+}
+
+void report_curve(const RefinementListeners& listeners, const Accuracy& result, const solution::PathEnd& end) {
+    if (!listeners.curve) return;
+    solution::PathEnd moved_end = end;
+    if (result.level > 0) move_points(result.rows, moved_end);
+    listeners.curve(result, moved_end);
+}
+
+}  // namespace
+
 Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end, const AccuracyTarget& target,
-                     const Log& log) {
+                     const RefinementListeners& listeners) {
     const model::Case& input = given.input();
     require_refinable(input, rows.front().step);
     const bool solid = input.mesh.dimension == 3;
     const std::int64_t bound = solid ? target.largest_unknowns_3d : target.largest_unknowns_2d, growth = solid ? 8 : 4;
     Accuracy result;
     result.unknowns = given.dofs().total;
+    result.rows = std::move(rows);
+    report_curve(listeners, result, end);
     const model::Case* coarse = &input;
     std::unique_ptr<Level> level;
-    Rows earlier, before, finer = std::move(rows);  // the reported rows lie between the last two
-    for (;;) {
+    Rows earlier, before, finer;  // the reported rows lie between the last two
+    while (!result.has_bars || result.reached > target.tolerance) {
         const std::int64_t needed = growth * result.unknowns;
-        if (needed > bound) result.obstacle = bound_text(needed, bound);
-        if (!result.obstacle.empty()) break;
+        if (needed > bound) {
+            result.obstacle = bound_text(needed, bound);
+            break;
+        }
         auto next = std::make_unique<Level>(*coarse, given.comm());
-        const bool last = growth * next->system.dofs().total > bound;  // nothing is carried on from there
-        const auto keep = last ? RefinedPath::Keep::values : RefinedPath::Keep::fields;
-        Solved solved = solve_rows(*next, finer, end, keep, result);
+        const std::int64_t unknowns = next->system.dofs().total;
+        if (listeners.next)
+            listeners.next({result.has_bars ? result.level + 2 : 1, unknowns, result.unknowns, result.rows.size(),
+                            reason_of(result, target.tolerance)});
+        const bool last = growth * unknowns > bound;  // nothing is carried on from there
+        Solved solved = solve_rows(*next, result.has_bars ? finer : result.rows, end, listeners,
+                                   last ? RefinedPath::Keep::values : RefinedPath::Keep::fields, result);
         result.obstacle = solved.failure;
+        result.interrupted = solved.interrupted;
         if (!result.obstacle.empty()) break;
         if (result.has_bars) {  // one level on
             earlier = std::move(before);
-            before = std::move(result.rows);
+            before = std::exchange(result.rows, std::move(finer));
             ++result.level;
         }
-        result.rows = std::move(finer);
         finer = std::move(solved.rows);
-        result.unknowns = next->system.dofs().total;
-        const std::vector<ErrorBar> bars = set_bars(result.rows, {finer, before, earlier});
+        result.unknowns = unknowns;
+        const Walls walls = walls_of(input, result.level);
+        const std::vector<ErrorBar> bars = set_bars(result.rows, {finer, before, earlier, walls});
         result.has_bars = true;
-        result.reached = largest_relative_bar(result.rows, bars, 1);
-        if (log)
-            log("mesh " + std::to_string(result.level) + ", judged by one with " + std::to_string(result.unknowns) +
-                " unknowns: error bars up to " + percent(result.reached));
-        // Beyond level 1 the bars look back at two levels; a fourth mesh of a solid has 512 times the unknowns.
-        const bool doubts =
-            result.level == 1 && !solid && largest_relative_bar(result.rows, bars, doubt) > target.tolerance;
-        const bool sure = result.level > 0 && !doubts;
-        const bool next_fits = growth * result.unknowns <= bound;
-        if (result.reached <= target.tolerance && (sure || !next_fits)) break;
+        result.reached = max_relative_bar(result.rows, bars);
+        result.doubts = doubts_of(result.level, walls, bars);
+        result.finer.clear();
+        for (const RowState& row : finer) result.finer.push_back(row.step);
+        report_curve(listeners, result, end);
         level = std::move(next);
         coarse = &level->input;
     }
-    if (!result.has_bars) result.rows = std::move(finer);
-    if (result.has_bars && result.reached <= target.tolerance) result.obstacle.clear();  // a mesh more was but a check
     if (result.level > 0) move_points(result.rows, end);
     return result;
 }

@@ -9,10 +9,13 @@ namespace {
 /// How many times smaller differences get from level to level: the slowest part, one between, and that of second-order cells
 /// where the solution is smooth.
 constexpr double slow = 5.0 / 3, middle = 4, fast = 16;
-constexpr double safety = 1.2;  ///< of three meshes
+constexpr double safety = 1.2;              ///< of three meshes
+constexpr double single_cell_safety = 1.5;  ///< of two meshes, the coarse one with one cell through its walls
 /// Of the neighbourhood's error, where the row's own is smaller.
 constexpr double least_share = 0.5;
 constexpr double neighbourhood = 0.25;  ///< of the path's length, either way
+/// Weight of the farthest of the neighbours, whose differences bound the errors of two meshes.
+constexpr double least_weight = 0.1;
 /// Of two levels' differences over a neighbourhood that fall at known rates.
 constexpr double least_correlation = 0.8, slowest_settled = 1.25, fastest_settled = 2 * fast;
 constexpr double nearest_start =
@@ -151,9 +154,24 @@ bool three_levels_agree(const std::vector<Scaled>& path, std::size_t i) {
            (settled(path, i, &Scaled::before, &Scaled::d) && settled(path, i, &Scaled::earlier, &Scaled::before));
 }
 
-double expected_error(const std::vector<Scaled>& path, std::size_t i, const LevelRow& row) {
+/// Range of the differences nearby, zero included, relative to the distance from the start.
+double range_nearby(const std::vector<Scaled>& path, std::size_t i) {
+    double low = 0, high = 0;
+    const double width = neighbourhood * path.back().along;
+    for_neighbours(path, i, [&](const Scaled& row, double, double scale) {
+        const double distance = width > 0 ? std::abs(row.along - path[i].along) / width : 0;
+        const double relative = (1 - (1 - least_weight) * distance) * row.d * scale;
+        low = std::min(low, relative);
+        high = std::max(high, relative);
+    });
+    return high - low;
+}
+
+double expected_error(const std::vector<Scaled>& path, std::size_t i, const LevelRow& row, Walls walls) {
     const Scaled& at = path[i];
-    if (!row.before) return still_to_come(slow) * std::abs(at.d);
+    if (!row.before)
+        return (walls == Walls::single_cell ? single_cell_safety : 1) * still_to_come(slow) *
+               std::max(std::abs(at.d), range_nearby(path, i) * at.from_start);
     double error = std::max(std::abs(of_two_parts(at.before, at.d)), still_to_come(fast) * std::abs(at.d));
     if (row.earlier && !three_levels_agree(path, i))
         error = std::max(error, std::abs(of_three_parts(at.earlier, at.before, at.d)));
@@ -188,11 +206,11 @@ double shift(double c, double own, double other, double curvature) {
 
 }  // namespace
 
-std::vector<ErrorBar> error_bars(std::span<const LevelRow> rows) {
+std::vector<ErrorBar> error_bars(std::span<const LevelRow> rows, Walls walls) {
     if (rows.empty()) return {};
     const Ranges ranges = ranges_of(rows);
     std::vector<Scaled> path = scaled(rows, ranges);
-    for (std::size_t i = 0; i < path.size(); ++i) path[i].error = expected_error(path, i, rows[i]);
+    for (std::size_t i = 0; i < path.size(); ++i) path[i].error = expected_error(path, i, rows[i], walls);
     std::vector<ErrorBar> bars;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Scaled& at = path[i];

@@ -22,12 +22,12 @@ struct Judged {
     solution::PathEnd end;
 };
 
-Judged judge(const model::Case& input, const AccuracyTarget& target) {
+Judged judge(const model::Case& input, const AccuracyTarget& target, const RefinementListeners& listeners = {}) {
     assembly::System system(input, PETSC_COMM_WORLD);
     Judged judged;
     judged.end = follow_path(system, {.step = [](const solution::Step&, Vec) {},
                                       .row = [&](const RowState& row) { judged.given.push_back(row); }});
-    judged.accuracy = refine_path(system, judged.given, judged.end, target, {});
+    judged.accuracy = refine_path(system, judged.given, judged.end, target, listeners);
     return judged;
 }
 
@@ -60,20 +60,21 @@ double largest_error(const std::vector<RowState>& rows) {
 
 TEST(Accuracy, BarsOfTheSphereCoverTheClosedFormAtEveryRow) {
     for (const double wanted : {0.5, 1e-3, 1e-4}) {  // levels 0, 1, 2
-        const auto input = inflated_sphere(1, 2);
+        const auto input = wanted == 0.5 ? inflated_sphere(2, 2) : inflated_sphere(1, 2);
         const auto [accuracy, given, end] = judge(input, wanted == 0.5 ? two_meshes(input, wanted) : tolerance(wanted));
         ASSERT_TRUE(accuracy.has_bars);
         EXPECT_TRUE(accuracy.obstacle.empty()) << accuracy.obstacle;
         EXPECT_LE(accuracy.reached, wanted);
         ASSERT_EQ(accuracy.rows.size(), given.size());
-        double bars = 0, errors = 0;
+        std::vector<double> ratios;
         for (const auto& row : accuracy.rows) {
             const double error = row.step.pressure_Pa - sample_mu_Pa * sphere_pressure(inner_stretch(row.step));
             EXPECT_LE(std::abs(error), *row.step.pressure_error_Pa) << accuracy.level << ' ' << row.step.pressure_Pa;
-            bars += *row.step.pressure_error_Pa * *row.step.pressure_error_Pa;
-            errors += error * error;
+            ratios.push_back(*row.step.pressure_error_Pa / std::abs(error));
         }
-        EXPECT_LT(std::sqrt(bars / errors), 3) << accuracy.level;
+        std::ranges::nth_element(ratios, ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2));
+        // The median. Bars of two meshes assume the slowest order, 2.3 times too slow here, and take the range of their neighbours.
+        EXPECT_LT(ratios[ratios.size() / 2], accuracy.level == 0 ? 5 : 3) << accuracy.level;
     }
 }
 
@@ -101,43 +102,66 @@ TEST(Accuracy, RowsOfTheGivenMeshStayAsTheyWere) {
     }
 }
 
-// Two meshes may hide what is not in its rate yet: where a third one fits, the given mesh is never the reported one.
-TEST(Accuracy, TakesAThirdMeshWhereItFits) {
-    EXPECT_EQ(judge(inflated_sphere(1, 2), tolerance(0.5)).accuracy.level, 1);
-}
-
-/// The grid of the sphere laid out as a tube of 3 mm of rubber round 20 mm, held at both ends: one layer of cells, and corners.
-model::Case held_tube(int cells, double length_m) {
-    auto input = sphere_case(1, cells);
-    for (auto& p : input.mesh.points) {
-        const double radius = std::hypot(p[0], p[1]), angle = std::atan2(p[0], p[1]);
-        p = {length_m * angle * 2 / std::numbers::pi, 0.01 + 0.3 * (radius - 0.01), 0};
+TEST(Accuracy, StopsAtTheFirstMeshWhoseBarsMeetTheTolerance) {
+    const auto input = inflated_sphere(1, 2);
+    for (const double wanted : {0.5, 0.05, 1e-3, 1e-4}) {
+        std::vector<double> reached;
+        const auto [accuracy, given, end] =
+            judge(input, tolerance(wanted), {.curve = [&](const Accuracy& so_far, const solution::PathEnd&) {
+                      if (so_far.has_bars) reached.push_back(so_far.reached);
+                  }});
+        ASSERT_FALSE(reached.empty());
+        for (std::size_t i = 0; i + 1 < reached.size(); ++i) EXPECT_GT(reached[i], wanted);
+        EXPECT_LE(reached.back(), wanted);
+        EXPECT_EQ(accuracy.level + 1, static_cast<int>(reached.size()));
     }
-    input.model_fraction = 1;
-    input.symmetry_planes = {};
-    input.supports = {{"axis", {true, true, false}}, {"symmetry_x", {true, true, false}}};
-    const double hole = std::numbers::pi * 1e-4;
-    input.cavities[0].openings = {{"symmetry_x", hole, {-1, 0, 0}}, {"axis", hole, {1, 0, 0}}};
-    input.path.stages[0].until = {{"volume_ratio", 1.3}};
-    return input;
 }
 
-// The first differences are of opposite sign: bars of three meshes are believed where they are half of what is asked for.
-TEST(Accuracy, TakesAFourthMeshWhereTheRatesAreAssumed) {
-    const auto input = held_tube(4, 0.02);
-    const std::int64_t three_meshes = 4 * assembly::System(refined(input), PETSC_COMM_WORLD).dofs().total;
-    const auto three = judge(input, {.tolerance = 1e-12, .largest_unknowns_2d = three_meshes});
-    ASSERT_EQ(three.accuracy.level, 1);
-    const double reached = three.accuracy.reached;
-    EXPECT_EQ(judge(input, tolerance(2.02 * reached)).accuracy.level, 1);
-    const auto four = judge(input, tolerance(1.01 * reached));
-    EXPECT_EQ(four.accuracy.level, 2);
-    EXPECT_LT(four.accuracy.reached, reached);
-    EXPECT_TRUE(four.accuracy.obstacle.empty());
-    // Where no fourth mesh fits, three are enough.
-    const auto stopped = judge(input, {.tolerance = 1.01 * reached, .largest_unknowns_2d = three_meshes});
-    EXPECT_EQ(stopped.accuracy.level, 1);
-    EXPECT_TRUE(stopped.accuracy.obstacle.empty());
+TEST(Accuracy, NamesTheMeshThatIsSolvedNextAndWhy) {
+    std::vector<NextMesh> meshes;
+    const auto [accuracy, given, end] =
+        judge(inflated_sphere(1, 2), tolerance(1e-3), {.next = [&](const NextMesh& next) { meshes.push_back(next); }});
+    ASSERT_EQ(meshes.size(), static_cast<std::size_t>(accuracy.level) + 1);
+    EXPECT_EQ(meshes.back().unknowns, accuracy.unknowns);
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        EXPECT_EQ(meshes[i].level, static_cast<int>(i) + 1);
+        EXPECT_EQ(meshes[i].rows, given.size());
+        EXPECT_GT(meshes[i].unknowns, 3 * meshes[i].unknowns_before);
+    }
+    EXPECT_EQ(meshes[0].reason, "error bars need the same rows on a second mesh");
+    EXPECT_TRUE(meshes[1].reason.ends_with(", 0.1 % is requested")) << meshes[1].reason;
+}
+
+TEST(Accuracy, KeepsTheLastCurveWhenItIsInterrupted) {
+    const auto input = inflated_sphere(1, 2);
+    for (const int mesh : {1, 2}) {
+        std::vector<int> bars;  // of each curve so far: rows with a bar
+        int level = 0;
+        const auto [accuracy, given, end] = judge(
+            input, tolerance(1e-9),
+            {.next = [&](const NextMesh& next) { level = next.level; },
+             .curve =
+                 [&](const Accuracy& so_far, const solution::PathEnd& so_far_end) {
+                     EXPECT_EQ(so_far_end.limit_points.size(), 1u);
+                     bars.push_back(static_cast<int>(std::ranges::count_if(
+                         so_far.rows, [](const RowState& row) { return row.step.pressure_error_Pa.has_value(); })));
+                 },
+             .is_interrupted = [&](std::size_t row) { return level == mesh && row == 3; }});
+        EXPECT_TRUE(accuracy.interrupted);
+        EXPECT_EQ(accuracy.obstacle, "the refinement was interrupted");
+        EXPECT_EQ(accuracy.has_bars, mesh == 2);
+        EXPECT_EQ(accuracy.rows.size(), given.size());
+        const int rows = static_cast<int>(given.size());
+        EXPECT_EQ(bars, mesh == 1 ? std::vector<int>({0}) : std::vector<int>({0, rows}));
+    }
+}
+
+TEST(Accuracy, DoubtsTheBarsOfTwoMeshesAndOfOneCellThroughTheWall) {
+    const auto doubts = [](const model::Case& input) { return judge(input, two_meshes(input, 1e-9)).accuracy.doubts; };
+    EXPECT_EQ(doubts(inflated_sphere(2, 2)).size(), 1u);
+    ASSERT_EQ(doubts(inflated_sphere(1, 2)).size(), 2u);
+    EXPECT_EQ(doubts(inflated_sphere(1, 2))[1], "the mesh has one cell through its walls; use two or more");
+    EXPECT_TRUE(judge(inflated_sphere(2, 4), tolerance(1e-5)).accuracy.doubts.empty());
 }
 
 // Halved cells have less than four times the unknowns: what is kept of a mesh goes by those it has, not by the four times.
@@ -209,7 +233,7 @@ TEST(Accuracy, RefusesCellsOfFirstOrder) {
     mesh::add_cell(input.mesh, mesh::CellType::quad4, second.cell_nodes(0).first(4), 0);
     assembly::System system(input, PETSC_COMM_WORLD);
     solution::PathEnd end;
-    EXPECT_THROW(static_cast<void>(refine_path(system, {RowState{}}, end, {}, {})), Error);
+    EXPECT_THROW(static_cast<void>(refine_path(system, {RowState{}}, end, {})), Error);
 }
 
 }  // namespace

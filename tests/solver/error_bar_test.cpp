@@ -53,13 +53,14 @@ Quality quality(const std::vector<LevelRow>& rows, const ErrorOfRow& error) {
 /// Errors grow with the load and bend on the way.
 double shape(double m) { return 1e-3 * m * (1 + 0.5 * m); }
 
-TEST(ErrorBar, OfTwoMeshesCoversEveryRateAndIsAtMostTwiceAndAThirdTooWide) {
+TEST(ErrorBar, OfTwoMeshesCoversEveryRateAndIsAtMostThreeTimesTooWide) {
     for (const double rate : {0.75, 0.9, 1.0, 1.5, 2.0, 3.0, 4.0})
         for (const double sign : {1.0, -1.0}) {
             const ErrorOfRow error = [=](double m, double h) { return sign * shape(m) * std::pow(h, rate); };
             const Quality q = quality(rows_of(error), error);
             EXPECT_GT(q.least, 1.01) << rate;
-            EXPECT_LT(q.largest, 2.36) << rate;
+            EXPECT_LT(q.width, 3) << rate;
+            EXPECT_LT(q.largest, 3) << rate;
         }
 }
 
@@ -93,20 +94,54 @@ TEST(ErrorBar, GoesOnWhereTheErrorPassesThroughZero) {
             const ErrorOfRow error = [=](double m, double h) { return 1e-3 * m * std::cos(5 * m) * std::pow(h, rate); };
             const Quality q = quality(rows_of(error, levels), error);
             EXPECT_GT(q.least, 1.0) << rate;
-            EXPECT_LT(q.width, 3) << rate;
+            EXPECT_LT(q.width, levels == Levels::two ? 6 : 3) << rate;  // of two meshes: the range of both signs
         }
 }
 
-/// Two parts of opposite sign and different shape, which may nearly cancel in the difference over a whole neighbourhood: the
-/// known limit of two meshes.
-TEST(ErrorBar, OfPartsThatNearlyCancelIsAtLeastHalfTheError) {
+/// Parts of opposite sign and different shape: where the curves of the two meshes cross, the error is not zero.
+TEST(ErrorBar, CoversTheErrorWhereTheCurvesOfTwoMeshesCross) {
     for (double share = 0.1; share < 3; share *= 1.5) {
         const ErrorOfRow error = [=](double m, double h) {
             return shape(m) * ((1 - 1.5 * m) * h * h * h * h - share * (1 + m) * h * h);
         };
         const Quality q = quality(rows_of(error), error);
-        EXPECT_GT(q.least, 0.5) << share;
-        EXPECT_LT(q.width, 3) << share;
+        EXPECT_GT(q.least, 1) << share;
+        EXPECT_LT(q.width, 4) << share;
+    }
+}
+
+/// The measured differences of the closed tube with one cell through its wall (designs/verification/tube.yaml, 4 mm): across the
+/// curve from the first mesh to the second, and the error against the fourth mesh and as much again as it differs from the third,
+/// in 1e-4 of the ranges.
+TEST(ErrorBar, OfASingleCellThroughTheWallCoversTheMeasuredErrorsOfATube) {
+    struct Measured {
+        double load, measure, difference, error;
+    };
+    const std::vector<Measured> measured{
+        {0.022, 0.001, -0.41, -0.42}, {0.185, 0.010, -2.66, -2.62}, {0.508, 0.055, -3.80, -3.02},
+        {0.718, 0.126, -2.54, -0.78}, {0.853, 0.220, -0.94, 1.36},  {0.945, 0.349, 0.13, 2.10},
+        {0.992, 0.515, 0.11, 1.05},   {1.000, 0.629, -0.28, -0.13}, {0.982, 0.795, -0.98, -2.35},
+        {0.955, 0.877, -0.81, -2.96}, {0.931, 0.927, -0.27, -2.48}, {0.904, 0.978, 0.40, -1.59}};
+    std::vector<LevelRow> rows{{{0, 0}, {0, 0}, {}, {}, {1, 0.03}}};
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        const Measured& before = measured[i > 0 ? i - 1 : 0];
+        const Measured& after = measured[std::min(i + 1, measured.size() - 1)];
+        const CurvePoint at{measured[i].load, measured[i].measure};
+        const CurvePoint tangent{after.load - before.load, after.measure - before.measure};
+        const double cosine = tangent.measure / std::hypot(tangent.load, tangent.measure);
+        const double sine = tangent.load / std::hypot(tangent.load, tangent.measure);
+        const double d = 1e-4 * measured[i].difference;
+        rows.push_back({at, {at.load - cosine * d, at.measure + sine * d}, {}, {}, tangent});
+    }
+    const auto bars = error_bars(rows, Walls::single_cell), resolved = error_bars(rows);
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        const CurvePoint& tangent = rows[i + 1].tangent;
+        const double length = std::hypot(tangent.load, tangent.measure);
+        const bool flat = std::abs(tangent.measure) > 0.3 * length;
+        const double error =
+            1e-4 * std::abs(measured[i].error) / std::abs(flat ? tangent.measure : tangent.load) * length;
+        EXPECT_GT(flat ? bars[i + 1].load : bars[i + 1].measure, error) << i;
+        EXPECT_NEAR(bars[i + 1].load / resolved[i + 1].load, 1.5, 0.1) << i;
     }
 }
 

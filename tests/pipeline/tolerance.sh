@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# shellcheck disable=SC2016  # the commands expand their own variables
+# `solve --tolerance` stops at the first mesh whose error bars meet the tolerance, names the mesh that it solves next, and keeps the
+# curve known so far when it is interrupted or killed.
+#   tolerance.sh BIN CMAKE
+. "$(dirname "${BASH_SOURCE[0]}")/check.sh"
+runs 'mesh-gen -q designs/tube.yaml --set mesh.size=3mm -o case.h5'
+runs 'solve -q case.h5 -o plain.h5 && postprocess -q plain.h5 -o plain.csv'
+meshes() { grep -c 'solves .* rows on mesh' "$seen/err"; }
+prints() { local text; while read -r text; do if like "$text" "$1"; then return; fi; done <"$seen/err"; return 1; }   # PATTERN: a line of stderr
+
+run 'solve case.h5 --tolerance 50% -o k.h5'
+claim "a wide tolerance is met" exits 0
+claim "by one finer mesh" [ "$(meshes)" = 1 ]
+claim "which is named with its reason and its size" prints 'solve: error bars need the same rows on a second mesh; solves * rows on mesh 1 (all cells halved, * unknowns, roughly *)'
+claim "its bars are called less reliable" prints 'solve: warning: the error bars are less reliable: they stand on two meshes, *'
+claim "and one cell through the wall is named" prints 'solve: warning: the error bars are less reliable: the mesh has one cell through its walls; *'
+run 'solve case.h5 --tolerance 0.6% -o k.h5 --json k.json'
+claim "a narrow one too" exits 0
+claim "by more meshes" within "$(meshes)" 2 3
+claim "the last one is solved since the bars were too wide" prints 'solve: the error bars of the load reach * %, 0.6 % is requested; solves * rows on mesh * times, *'
+
+interrupts() {   # SIGNAL MESH WHERE: solve gets the signal when it begins that mesh
+    run ": >log; env --default-signal=INT solve case.h5 --tolerance 0.0001% $3 2>log & pid=\$!
+         until grep -q 'on mesh $2 ' log || ! kill -0 \$pid 2>&-; do sleep 0.05; done; kill -$1 \$pid; wait \$pid"
+    cp log "$seen/err"
+}
+columns() { head -n 1 "$1" | tr , '\n'; }
+for where in '-o k.h5' '>k.h5'; do
+    for signal in KILL TERM INT; do
+        if [ "$signal$where" = 'KILL>k.h5' ]; then continue; fi   # nothing is written before the end
+        rm -f k.h5
+        interrupts $signal 1 "$where"
+        runs 'postprocess -q k.h5 -o k.csv'
+        claim "$signal $where: the curve of the given mesh is kept" cmp k.csv plain.csv
+        interrupts $signal 2 "$where"
+        if [ $signal != KILL ]; then
+            claim "$signal $where: it reports what it has" prints 'solve: warning: the tolerance of 0.0001 % is missed: the error bars of the load reach * %; the refinement was interrupted'
+            claim "$signal $where: it ends by the signal" exits $((128 + $(kill -l $signal)))
+        fi
+        runs 'postprocess -q k.h5 -o k.csv'
+        claim "$signal $where: its error bars are kept" grep -qx pressure_error_kPa <(columns k.csv)
+        claim "$signal $where: with all rows" [ "$(wc -l <k.csv)" = "$(wc -l <plain.csv)" ]
+    done
+done
+refuses 65 'solve: k.h5: is finished, there is nothing to resume; postprocess reads it' 'solve -q --resume k.h5'
