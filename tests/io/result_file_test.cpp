@@ -1,8 +1,13 @@
 #include "io/result_file.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <span>
 
 #include "example_case.hpp"
 #include "io/hdf5_write.hpp"
@@ -59,6 +64,37 @@ TEST(ResultFile, KeepsTheErrorsOfRowsThatHaveThem) {
     const Result result = read_result(writer.finish(example_end()), "result.h5");
     ASSERT_EQ(result.steps.size(), 3U);
     for (int i = 0; i < 3; ++i) expect_equal(result.steps[static_cast<std::size_t>(i)], step_with_errors(i));
+}
+
+/// As `solve --tolerance` does: rows without errors, then the same rows with them, each a whole result in a file that stays taken.
+TEST(ResultFile, IsWholeAfterEachPublishAndStaysTaken) {
+    const auto file = std::filesystem::temp_directory_path() / ("published-" + std::to_string(::getpid()) + ".h5");
+    const auto image = section_image();
+    const model::Case solved = section_case();
+    const Given given{image, "case.h5", solved};
+    const auto read = [&] {
+        std::ifstream stream(file, std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        const auto bytes = std::as_bytes(std::span(text));
+        return read_result(std::vector<std::byte>(bytes.begin(), bytes.end()), "result.h5");
+    };
+    ResultWriter writer{file, given, example_provenance("solve"), {}};
+    for (int i = 0; i < 3; ++i) writer.append(example_step(i), example_displacement(i), example_pressure(i));
+    EXPECT_FALSE(read().end.has_value());
+    for (const int rows : {3, 2}) {
+        ResultWriter finer{given, example_provenance("solve"), {}};
+        for (int i = 0; i < rows; ++i) finer.append(step_with_errors(i), example_displacement(i), example_pressure(i));
+        writer.publish(std::move(finer), example_end());
+        const Result result = read();
+        EXPECT_TRUE(result.end.has_value());
+        ASSERT_EQ(result.steps.size(), static_cast<std::size_t>(rows));
+        expect_equal(result.steps[1], step_with_errors(1));
+        EXPECT_TRUE(writer.is_in_place());
+        EXPECT_THROW(ResultWriter(file, given, example_provenance("solve"), {}), Error);
+    }
+    EXPECT_EQ(read_result(writer.finish({}), "result.h5").steps.size(), 2U);
+    EXPECT_EQ(read().steps.size(), 2U);
+    std::filesystem::remove(file);
 }
 
 TEST(ResultFile, RefusesErrorsThatAreNone) {
