@@ -100,7 +100,7 @@ void draw_fits(const std::vector<fit::Ranked>& ranked, const std::vector<fit::Te
         script += "set title '" + std::string{fit::name_of(panel.mode)} +
                   "'\nset ylabel 'nominal stress (kPa)'\nplot " + panel.measured + panel.lines + "\n";
     for (const Panel& panel : panels)
-        script += "set title ''\nset ylabel 'law less test (kPa)'\nplot " + panel.residuals +
+        script += "set title ''\nset ylabel 'residual, law minus test (kPa)'\nplot " + panel.residuals +
                   ", 0 with lines linecolor rgb "
                   "'#808080' notitle\n";
     post::run_gnuplot(script + "unset multiplot\n", file);

@@ -23,7 +23,7 @@ nlohmann::ordered_json comparison_json(const post::Curve& curve, const Compariso
                         {"points", error.points},
                         {"left_out", error.left_out},
                         {"mean", error.mean},
-                        {"mean_size", error.mean_size},
+                        {"mean_absolute", error.mean_absolute},
                         {"rms", error.rms},
                         {"largest", error.largest},
                         {"largest_line", comparison.measured.lines[error.largest_row]},

@@ -218,7 +218,8 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         if (const std::string problem = summary.energy.problem(); !problem.empty())
             model.dynamics ? console.insist(problem) : console.error(problem);
         for (const std::string& option : session.unused_options())
-            console.warn("PETSc has no use for option -" + option + ": misspelt, or not of the solver in use");
+            console.warn("unused option of PETSc: -" + option +
+                         "; it is misspelt, or the solver in use has no such option");
         if (!options.common.json.empty()) {
             auto json = summary_json(summary, model);
             json["materials"] = materials_json(model, text.effective_yaml);

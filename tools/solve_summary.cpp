@@ -279,8 +279,9 @@ std::string stability_line(const SolveSummary& summary) {
         return "the state at the end is unstable at its load, as states are from row " +
                std::to_string(*summary.first_unstable_row) + " on: it is stable where the " +
                (summary.controls.empty() ? "controlled quantity" : summary.controls.back().second) + " is controlled";
-    return "the state at the end is unstable, as states are from row " + std::to_string(*summary.first_unstable_row) +
-           " on: a body that is let go leaves it; path.branch: follow shows where to";
+    return "the state at the end is unstable, as are the states from row " +
+           std::to_string(*summary.first_unstable_row) +
+           " on: a perturbed actuator leaves it; path.branch: follow shows where to";
 }
 
 std::string step_text(const solution::Step& step, const model::Case& model) {

@@ -19,7 +19,7 @@ struct Entry {
 };
 constexpr std::array entries{
     Entry{Measure::displacement, "displacement", "mean displacement of a face along a direction", length},
-    Entry{Measure::bend, "bend", "angle by which a face bends away from another one, about a direction", angle},
+    Entry{Measure::bend, "bend", "bending angle of a face against another one, about a direction", angle},
     Entry{Measure::twist, "twist", "mean angle by which a face turns about an axis through the origin", angle},
     Entry{Measure::radial, "radial", "mean change of a face's distance from an axis through the origin", length},
     Entry{Measure::rotation, "rotation", "component of a face's mean rotation vector, its orientation", angle},

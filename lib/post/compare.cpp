@@ -38,7 +38,7 @@ ErrorSummary summarise(const Path& path, const Series& of, const Series& at) {
     double squares = 0, mean_value = 0, spread = 0;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         sum.mean += errors[i] / n;
-        sum.mean_size += std::abs(errors[i]) / n;
+        sum.mean_absolute += std::abs(errors[i]) / n;
         squares += errors[i] * errors[i];
         mean_value += values[i] / n;
     }
@@ -97,12 +97,13 @@ std::vector<ErrorSummary> compare(const Curve& curve, const Measured& measured) 
 }
 
 std::string csv_text(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors) {
-    std::string text = "quantity,unit,at_equal,points,left_out,mean,mean_size,rms,largest,largest_line,measured,r2\n";
+    std::string text =
+        "quantity,unit,at_equal,points,left_out,mean,mean_absolute,rms,largest,largest_line,measured,r2\n";
     for (const ErrorSummary& error : errors) {
         const Column& of = curve.columns[error.of];
         std::vector<std::string> cells{of.quantity, of.unit, curve.columns[error.at].quantity,
                                        std::to_string(error.points), std::to_string(error.left_out)};
-        for (const double value : {error.mean, error.mean_size, error.rms, error.largest})
+        for (const double value : {error.mean, error.mean_absolute, error.rms, error.largest})
             cells.push_back(core::number_text(value));
         cells.push_back(std::to_string(measured.lines[error.largest_row]));
         cells.push_back(core::number_text(measured.find(error.of)->values[error.largest_row]));
@@ -120,9 +121,10 @@ std::vector<std::string> summary_lines(const Curve& curve, const Measured& measu
     lines.push_back(measured.source + ": " + core::join(origins));
     for (const ErrorSummary& error : errors) {
         const Column& of = curve.columns[error.of];
-        lines.push_back(name_of(curve, error) + ": mean error " + with_unit(of, error.mean, 3) + " (of its size " +
-                        with_unit(of, error.mean_size, 3) + "), RMS " + with_unit(of, error.rms, 3) + ", largest " +
-                        with_unit(of, error.largest, 3) + " at " + place_text(curve, measured, error) +
+        lines.push_back(name_of(curve, error) + ": mean error " + with_unit(of, error.mean, 3) +
+                        ", mean absolute error " + with_unit(of, error.mean_absolute, 3) + ", RMS " +
+                        with_unit(of, error.rms, 3) + ", largest " + with_unit(of, error.largest, 3) + " at " +
+                        place_text(curve, measured, error) +
                         (error.r2 ? ", R2 " + core::rounded_text(*error.r2, 4) : "") + "; " + points_text(error));
     }
     return lines;

@@ -43,7 +43,7 @@ run 'postprocess -q result.h5 --compare off.csv --max-error 1.5kPa --junit verdi
 claim "the largest error fails" exits 1
 claim "in one line" says 'postprocess: the largest error of pressure at equal elongation is -2 kPa at elongation * mm (off.csv:4), allowed is 1.5 kPa'
 claim "the mean is 0" within "$(column mean errors.csv | head -n 1)" -1e-4 1e-4
-claim "of size 4/3" within "$(column mean_size errors.csv | head -n 1)" 1.3332 1.3334
+claim "of size 4/3" within "$(column mean_absolute errors.csv | head -n 1)" 1.3332 1.3334
 claim "the RMS is the root of 2" within "$(column rms errors.csv | head -n 1)" 1.4141 1.4143
 claim "a failure for CI" grep -q 'failures="1"' verdict.xml
 runs 'tail -n +2 off.csv | tr "," "\t" > bare.tsv && postprocess -q result.h5 --compare bare.tsv --columns pressure=1:kPa,elongation=2:mm --max-error 2.01kPa'

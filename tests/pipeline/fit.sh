@@ -6,7 +6,7 @@ cp -R "$here/../fit/data" data
 
 runs 'fit-material data/dragon-skin-20.csv --law yeoh --notice "ODbL 1.0" -o yeoh.yaml --json yeoh.json --plot fit.svg'
 claim 'the picture is one' grep -q '</svg>' fit.svg
-claim 'it shows the residuals' grep -q 'law less test' fit.svg
+claim 'it shows the residuals' grep -q 'residual, law minus test' fit.svg
 claim 'the notice is kept' grep -q '^# ODbL 1.0$' yeoh.yaml
 claim 'the hash is that of the file' grep -q "$(sha256sum data/dragon-skin-20.csv | cut -d' ' -f1)" yeoh.yaml
 claim 'the summary names the law' has yeoh yeoh.json fits 0 law

@@ -97,7 +97,7 @@ TEST(Compare, GivesMeanRmsAndLargestOfKnownErrors) {
     EXPECT_EQ(pressure.points, 3u);
     EXPECT_EQ(pressure.left_out, 1u);
     EXPECT_NEAR(pressure.mean, 0, 1e-4);
-    EXPECT_NEAR(pressure.mean_size, 4.0 / 3, 1e-4);
+    EXPECT_NEAR(pressure.mean_absolute, 4.0 / 3, 1e-4);
     EXPECT_NEAR(pressure.rms, std::sqrt(2.0), 1e-4);
     EXPECT_NEAR(pressure.largest, 2, 1e-4);
     EXPECT_EQ(pressure.largest_row, 0u);
