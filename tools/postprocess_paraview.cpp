@@ -35,11 +35,12 @@ public:
         cli::write_output(file.string(), bytes, cli::Content::binary);
     }
 
-    /// What ParaView's clock shows: the time of a motion; the leading load in its unit where it grows from step to step, as ParaView
-    /// sorts by time; else the number of the step.
+    /// What ParaView's clock shows: the time of a motion; the leading load in its unit where it never turns back, as ParaView sorts
+    /// by time; else the number of the step.
     struct Clock {
         std::string text;
         const post::Column* column = nullptr;  ///< nullptr: the step
+        double sign = 1;                       ///< of a load that grows downwards, as one that pulls, -1
     };
     [[nodiscard]] Clock clock() const {
         for (const post::Source source : {post::Source::time, post::Source::load}) {
@@ -48,12 +49,15 @@ public:
             std::vector<double> values;
             for (const std::int64_t row : shown_.result.fields.steps())
                 values.push_back(found->values.at(static_cast<std::size_t>(row)));
+            const double sign = values.back() < values.front() ? -1 : 1;
+            for (double& value : values) value *= sign;
             if (std::ranges::adjacent_find(values, std::greater_equal<>{}) != values.end()) continue;
             std::string name = found->quantity;
             std::ranges::replace(name, '_', ' ');
-            return {name + (found->unit.empty() ? "" : " in " + found->unit), &*found};
+            return {(sign < 0 ? "negative " : "") + name + (found->unit.empty() ? "" : " in " + found->unit), &*found,
+                    sign};
         }
-        return {"number of the step, as the load falls in between", nullptr};
+        return {"number of the step, as the load turns back in between"};
     }
 
     /// FILE.pvd, and FILE/step-0000.vtu and so on beside it. Returns how many steps of an earlier result were removed.
@@ -71,7 +75,8 @@ public:
             const std::string name = view::numbered_name(view::step_numbering, number);
             vtu(row, folder / name);
             written.insert(number);
-            const double time = ticks.column != nullptr ? ticks.column->values.at(number) : static_cast<double>(row);
+            const double time =
+                ticks.column != nullptr ? ticks.sign * ticks.column->values.at(number) : static_cast<double>(row);
             entries.push_back({time, (file.stem() / name).generic_string()});
         }
         cli::write_output(file.string(), view::pvd_text(entries));  // after them: it names whole files only

@@ -131,6 +131,8 @@ std::vector<double> frame_parameters(const post::Path& path, const Shown& shown)
         std::ranges::any_of(curve.columns, [](const post::Column& c) { return c.source == post::Source::time; });
     std::vector<double> loads;
     for (const std::size_t row : path.rows()) loads.push_back(load->values[row]);
+    const double sign = loads.back() < loads.front() ? -1 : 1;
+    for (double& value : loads) value *= sign;
     // The parameter of a motion is time.
     const bool grows = !moves && std::ranges::adjacent_find(loads, std::greater_equal<>{}) == loads.end();
     std::vector<double> parameters;
@@ -138,7 +140,7 @@ std::vector<double> frame_parameters(const post::Path& path, const Shown& shown)
         const double share = static_cast<double>(k) / static_cast<double>(count - 1);
         double s = share * path.length();
         if (grows && k > 0 && k + 1 < count) {
-            const double value = loads.front() + share * (loads.back() - loads.front());
+            const double value = sign * (loads.front() + share * (loads.back() - loads.front()));
             const auto found = path.crossings(static_cast<std::size_t>(load - curve.columns.begin()), value);
             if (!found.empty()) s = found.front();
         }
