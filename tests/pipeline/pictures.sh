@@ -42,8 +42,9 @@ claim "which is told" grep -qx "postprocess: frames/: $frames steps; 1 frame of 
 claim "what is not ours stays" rm frames/frame-99.png frames/notes.txt
 claim "nothing else is there" [ "$(find frames -type f | wc -l)" -eq "$frames" ]
 if [ -n "$(type -P ffmpeg)" ]; then
-    runs 'postprocess ring.h5 --animate film.gif 2>&1 | tail -n 1 && postprocess ring.h5 --animate film.mp4 --quiet'
-    claim "frames between the steps" grep -qx 'postprocess: film.gif: 36 frames' "$seen/out"
+    runs 'postprocess ring.h5 --animate film.gif 2>said && postprocess ring.h5 --animate film.mp4 --quiet'
+    claim "frames between the steps" grep -qx 'postprocess: film.gif: 36 frames' said
+    rm said
     claim "a GIF" [ "$(head -c 6 film.gif)" = GIF89a ]
     claim "an MP4" [ "$(head -c 8 film.mp4 | tail -c 4)" = ftyp ]
 fi
