@@ -32,7 +32,7 @@ refuses 64 "postprocess: --at: the curve has no 'pressur'; it has pressure, elon
 refuses 64 "postprocess: --at elongation: '5' has no unit, *; write for example 5 mm" 'postprocess --at elongation=5 result.h5'
 refuses 64 "solve: 'x' behind -- is no option of PETSc; *" 'solve case.h5 -- x'
 refuses 66 "solve: -options_file none.txt: cannot be opened" 'solve case.h5 -- -options_file none.txt'
-refuses 64 "solve: PETSc: has no solver *; see *" 'solve case.h5 -- -pc_type magic'
+refuses 64 "solve: PETSc: has no solver *; see *" 'solve -q case.h5 -- -pc_type magic'
 # a bad --set: its form is usage, its value is input
 refuses 64 "mesh-gen: --set wall: no '=' in it; write --set key.path=value, *" 'mesh-gen --set wall designs/tube.yaml'
 refuses 64 "solve: --set wall: no '=' in it; write --set key.path=value, *" 'solve --set wall case.h5'
@@ -84,7 +84,7 @@ refuses 65 "mesh-gen: <stdin>:*:*: not YAML: *" 'mesh-gen - < edited.yaml'
 edit 's/family: tube/family: tub/'
 refuses 65 "mesh-gen: edited.yaml:*:9: family: no family is called 'tub'; did you mean 'tube'[?]" 'mesh-gen edited.yaml'
 edit 's/fixed: fixed}/}/'
-refuses 65 'solve: supports: nothing holds the body against *; hold a face *' 'mesh-gen -q edited.yaml | solve'
+refuses 65 'solve: supports: nothing holds the body against *; hold a face *' 'mesh-gen -q edited.yaml | solve -q'
 refuses 65 'mesh-gen: <stdin>: *empty; *' 'mesh-gen'
 refuses 65 'mesh-gen: case.h5:1:1: not UTF-8 text; *' 'mesh-gen case.h5'
 
@@ -105,7 +105,7 @@ for tool in solve postprocess; do
     refuses 65 "$tool: damaged.h5: *; *" "$tool damaged.h5"
 done
 refuses 65 'postprocess: case.h5: a case without solution; run solve on it' 'postprocess case.h5'
-refuses 65 'solve: result.h5:/path: already holds a solution; give solve the case from mesh-gen' 'solve result.h5'
+refuses 65 'solve: result.h5:/path: already holds a solution; give solve the case from mesh-gen' 'solve -q result.h5'
 refuses 65 'postprocess: --at pressure=99kPa: the path does not reach it; it goes from 0 to * kPa' 'postprocess --at pressure=99kPa result.h5'
 
 # 66: an input that cannot be opened
