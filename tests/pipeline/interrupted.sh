@@ -2,7 +2,7 @@
 # shellcheck disable=SC2016  # the commands expand their own variables
 # What solve prints at its start, and when it is interrupted.   interrupted.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
-runs 'mesh-gen -q designs/tube.yaml --set solver.step_accuracy=1e-7 -o case.h5'
+runs 'mesh-gen -q designs/tube.yaml --set solver.step_accuracy=1e-9 -o case.h5'
 runs 'mesh-gen -q designs/bellows-inflation.yaml -o motion.h5'
 prints() { grep -q -- "$1" "$seen/err"; }
 
@@ -26,6 +26,7 @@ claim "nor is a device" not prints "$lost"
 interrupted() {
     # A shell starts what is in its background with INT ignored; env gives it back.
     line="solve ${*:2} under $1"
+    : >"$seen/err"   # the shell in the background empties it later
     env --default-signal=INT,TERM solve "${@:2}" 2>"$seen/err" >out.h5 &
     local victim=$!
     until grep -qE ' % |goes on from' "$seen/err" || { [ "$2" = -q ] && [ -s k.h5 ]; } || ! kill -0 $victim; do sleep 0.02; done
