@@ -72,10 +72,13 @@ io::Result whole_result(const fs::path& file) {
 void add_curve(const io::Result& result, const fs::path& table, const sweep::Sweep& sweep, sweep::Outcome& outcome) {
     const post::Curve curve = post::make_curve(result.model, result.steps);
     if (!is_there(table)) cli::write_output(table.string(), post::csv_text(curve));
-    outcome.outputs = sweep::outputs_of(sweep, curve, result.end->limit_points);
+    sweep::Outputs outputs = sweep::outputs_of(sweep, curve, result.end->limit_points);
+    outcome.outputs = std::move(outputs.cells);
     for (const post::Column& column : curve.columns) outcome.columns.push_back(column.name);
     outcome.stop_reason = solution::name(result.end->reason);
     if (outcome.exit_code != static_cast<int>(ExitCode::ok)) outcome.error = result.end->detail;
+    for (const std::string& reason : outputs.missing)
+        outcome.error.append(outcome.error.empty() ? "" : "; ").append(reason);
 }
 
 sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::Planned& design) {

@@ -7,10 +7,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <set>
 #include <system_error>
 
 #include "cli.hpp"
 #include "core/text.hpp"
+#include "geometry/build.hpp"
 #include "geometry/family.hpp"
 #include "library_versions.hpp"
 #include "sweep_folder.hpp"
@@ -99,8 +102,44 @@ ExitCode write_results(const SweepPlanOptions& options, const sweep::Sweep& swee
     return failed + open > 0 ? ExitCode::stopped_early : ExitCode::ok;
 }
 
+/// The columns of a curve depend on loads, outputs and cavities, not on lengths and moduli: one design of each combination of words
+/// and listed values stands for the others.
+std::vector<std::string> listed_values(const sweep::Sweep& sweep, const sweep::Planned& design) {
+    std::vector<std::string> values;
+    for (std::size_t f = 0; f < sweep.factors.size(); ++f)
+        if (std::holds_alternative<sweep::Choices>(sweep.factors[f].values)) values.push_back(design.values[f]);
+    return values;
+}
+
+/// Refuses what no curve of the sweep has, before anything is computed. A design that cannot be meshed is left to its row.
+void check_requests(const sweep::Sweep& sweep, const sweep::Plan& plan, const std::vector<sweep::State>& states) {
+    std::set<std::vector<std::string>> seen;
+    std::optional<Error> refusal;
+    for (std::size_t d = 0; d < states.size(); ++d) {
+        const sweep::Planned& row = plan.designs[d];
+        if (states[d] != sweep::State::waiting || seen.contains(listed_values(sweep, row))) continue;
+        std::optional<post::Curve> curve;
+        try {
+            curve = sweep::unsolved_curve(
+                geometry::build_case(design::read_design(row.design_yaml, row.id, geometry::catalogue_keys(), {})));
+        } catch (const Error& error) {
+            if (error.code() != ExitCode::bad_input) throw;
+            continue;
+        }
+        seen.insert(listed_values(sweep, row));
+        try {
+            sweep::check_requests(sweep, *curve);
+            return;
+        } catch (const Error& error) {
+            if (!refusal) refusal = error;
+        }
+    }
+    if (refusal) throw Error(*refusal);
+}
+
 ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, const sweep::Plan& plan) {
     const std::vector<sweep::State> states = states_in(options.folder, plan);
+    check_requests(sweep, plan, states);
     if (options.prepare) write_designs(options.folder, plan, states);
     const std::vector<std::string> waiting = sweep::waiting_ids(plan, states);
     if (!options.waiting.empty())
@@ -135,7 +174,8 @@ ExitCode sweep_plan(const SweepPlanOptions& options) {
     const std::string programs = options.programs.empty()
                                      ? std::string{cli::version()} + " " + std::string{cli::revision()}
                                      : text_of(core::read_file(options.programs, max_programs));
-    const sweep::Plan plan = sweep::make_plan(sweep, {design, source, geometry::catalogue_keys(), programs});
+    const sweep::Plan plan =
+        sweep::make_plan(sweep, {design, source, geometry::catalogue_keys(), programs, geometry::check_geometry});
     return options.results ? write_results(options, sweep, plan) : write_plan(options, sweep, plan);
 }
 

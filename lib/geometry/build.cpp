@@ -235,6 +235,13 @@ std::vector<std::string> warnings_of(const design::Design& design, const model::
     return warnings;
 }
 
+void check_geometry(const design::Design& design) {
+    const Family& family = family_named(design.family);
+    if (family.keys.faces_of_file) return;
+    const Body body = family.build(design.values);
+    if (!std::holds_alternative<ReadyMesh>(body.sweep)) refuse_too_many(body, design.values);
+}
+
 model::Case build_case(const design::Design& design) { return build_with_figures(design).model; }
 
 Built build_with_figures(const design::Design& design) {

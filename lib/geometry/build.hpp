@@ -10,6 +10,10 @@ namespace soft::geometry {
 
 [[nodiscard]] model::Case build_case(const design::Design& design);
 
+/// What the family refuses of the values, and too many cells, without a mesh. Families whose shape stands in a file are not
+/// checked: that would take as long as the mesh.
+void check_geometry(const design::Design& design);
+
 /// The same, with what the file of an imported surface has in it.
 struct Built {
     model::Case model;

@@ -15,33 +15,58 @@ bool is_wanted(const Sweep& sweep, const post::Column& column) {
     return std::ranges::find(sweep.outputs, column.name, &Written::text) != sweep.outputs.end();
 }
 
-/// The rows `curve` has at a place, all columns in the order of the curve; none where the path does not come there.
-std::optional<std::vector<double>> row_at(const Written& place, const post::Curve& curve,
-                                          std::span<const solution::LimitPoint> limit_points) {
+std::vector<post::Request> requests_of(const Written& place, const post::Curve& curve) {
+    try {
+        return post::parse_requests(place.text, curve);
+    } catch (const Error& error) {
+        throw Error(ExitCode::bad_input, place.place + ": at", error.what());
+    }
+}
+
+bool is_named_place(const Written& place) { return place.text == "end" || place.text == "limit"; }
+
+struct Row {
+    std::optional<std::vector<double>> values;  ///< all columns in the order of the curve
+    std::string missing;                        ///< why there are none
+};
+
+Row row_at(const Written& place, const post::Curve& curve, std::span<const solution::LimitPoint> limit_points) {
     const auto row = [&curve](std::size_t r) {
         std::vector<double> values;
         for (const post::Column& column : curve.columns) values.push_back(column.values.at(r));
         return values;
     };
-    if (place.text == "end") return curve.row_count() == 0 ? std::nullopt : std::optional{row(curve.row_count() - 1)};
-    if (place.text == "limit")
-        return limit_points.empty() ? std::nullopt
-                                    : std::optional{row(static_cast<std::size_t>(limit_points.front().step))};
-    std::vector<post::Request> requests;
-    try {
-        requests = post::parse_requests(place.text, curve);
-    } catch (const Error& error) {
-        throw Error(ExitCode::bad_input, place.place + ": at", error.what());
+    if (curve.row_count() == 0) return {std::nullopt, "at " + place.text + ": the path has no rows"};
+    if (place.text == "end") return {row(curve.row_count() - 1), ""};
+    if (place.text == "limit") {
+        if (limit_points.empty()) return {std::nullopt, "at limit: the path has no limit point"};
+        return {row(static_cast<std::size_t>(limit_points.front().step)), ""};
     }
     try {
-        const post::Curve there = post::rows_at(curve, requests);
+        const post::Curve there = post::rows_at(curve, requests_of(place, curve));
         std::vector<double> values;
         for (const post::Column& column : there.columns) values.push_back(column.values.front());
-        return values;
+        return {values, ""};
     } catch (const Error& error) {
-        if (error.code() != ExitCode::bad_input) throw Error(ExitCode::bad_input, place.place + ": at", error.what());
-        return std::nullopt;  // not reached
+        const std::string_view reason = error.what();
+        constexpr std::string_view option = "--at ";
+        if (!reason.starts_with(option)) throw;  // a place that no curve has
+        return {std::nullopt, "at " + std::string{reason.substr(option.size())}};
     }
+}
+
+/// Text of a value or a unit as part of a name.
+std::string name_part(std::string_view text) {
+    std::string name;
+    for (const char c : text) {
+        const bool is_plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+        if (is_plain) name += c;
+        if (c == '.') name += 'p';
+        if (c == '-') name += "minus";
+        if (c == '%') name += "percent";
+        if (c == '/') name += "_per_";
+    }
+    return name;
 }
 
 }  // namespace
@@ -71,19 +96,56 @@ bool is_final(int exit_code) noexcept {
     return std::ranges::any_of(finals, [exit_code](ExitCode code) { return static_cast<int>(code) == exit_code; });
 }
 
-std::vector<Cell> outputs_of(const Sweep& sweep, const post::Curve& curve,
-                             std::span<const solution::LimitPoint> limit_points) {
-    std::vector<Cell> cells;
+std::string column_at(const std::string& column, const std::string& place, const post::Curve& curve) {
+    const std::size_t equals = place.find('=');
+    if (equals == std::string::npos) return column + "_at_" + place;
+    const std::string quantity{core::trimmed(std::string_view{place}.substr(0, equals))};
+    const core::QuantityParts value = core::quantity_parts(place.substr(equals + 1));
+    const post::Column* named = curve.find(quantity);
+    const bool is_load = named != nullptr && named->source == post::Source::load;
+    const std::string number = name_part(value.number), unit = name_part(value.unit);
+    const bool runs_together = !unit.empty() && unit.front() >= '0' && unit.front() <= '9';  // "3 1/m"
+    return column + "_at_" + (is_load ? "" : quantity + "_") + number + (runs_together ? "_" : "") + unit;
+}
+
+Outputs outputs_of(const Sweep& sweep, const post::Curve& curve, std::span<const solution::LimitPoint> limit_points) {
+    Outputs outputs;
     for (const Written& place : sweep.at) {
-        const auto values = row_at(place, curve, limit_points);
+        const auto [values, missing] = row_at(place, curve, limit_points);
+        if (!values) outputs.missing.push_back(missing);
         const std::string asked = place.text.substr(0, place.text.find('='));
         for (std::size_t c = 0; c < curve.columns.size(); ++c) {
             const post::Column& column = curve.columns[c];
             if (!is_wanted(sweep, column) || (sweep.outputs.empty() && column.quantity == asked)) continue;
-            cells.push_back({column.name + "@" + place.text, values ? std::optional{(*values)[c]} : std::nullopt});
+            outputs.cells.push_back(
+                {column_at(column.name, place.text, curve), values ? std::optional{(*values)[c]} : std::nullopt});
         }
     }
-    return cells;
+    return outputs;
+}
+
+post::Curve unsolved_curve(const model::Case& model) {
+    solution::Step step;
+    step.outputs.assign(model.outputs.size(), 0);
+    if (model.loads.size() > 1) step.pressures_Pa.assign(model.loads.size(), 0);
+    const std::size_t cavities = model::measured_cavities(model).size();
+    if (cavities > 0) step.volume_m3 = 0;
+    if (cavities > 1) step.volumes_m3.assign(cavities, 0);
+    if (model.dynamics) step.motion = solution::Step::Motion{};
+    step.energies = solution::Step::Energies{};
+    step.extremes = solution::Step::Extremes{};
+    return post::make_curve(model, {&step, 1});
+}
+
+void check_requests(const Sweep& sweep, const post::Curve& curve) {
+    for (const Written& place : sweep.at)
+        if (!is_named_place(place)) static_cast<void>(requests_of(place, curve));
+    std::vector<std::string> known;
+    for (const post::Column& column : curve.columns) known.push_back(column.name);
+    for (const Written& output : sweep.outputs)
+        if (std::ranges::find(known, output.text) == known.end())
+            throw Error(ExitCode::bad_input, output.place + ": outputs",
+                        "no curve has a column " + core::quoted(output.text), core::did_you_mean(output.text, known));
 }
 
 }  // namespace soft::sweep

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "core/files.hpp"
 #include "core/hash.hpp"
@@ -50,6 +51,7 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
     std::vector<design::Override> settings = settings_of(sweep, values);
     Planned row;
     row.values = std::move(values);
+    std::optional<std::string> refusal;
     try {
         design::Design design = design::read_design(basis.design_text, basis.design_source, basis.families, settings);
         std::string content = design.effective_yaml;
@@ -64,9 +66,16 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
         }
         row.id = address(content, basis);
         row.design_yaml = std::move(design.effective_yaml);
+        row.geometry_refused = true;
+        if (basis.check_geometry) basis.check_geometry(design);
+        row.geometry_refused = false;
     } catch (const Error& error) {
         if (error.code() != ExitCode::bad_input) throw;
-        row.refusal = error.what();
+        refusal = error.what();
+    }
+    if (refusal) {
+        row.design_yaml.clear();
+        row.refusal = *refusal;
         std::string content{basis.design_text};
         for (const design::Override& setting : settings)
             content.append("\n").append(setting.path).append("=").append(setting.value);
@@ -75,7 +84,9 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
     return row;
 }
 
-bool is_about(const std::string& refusal, const Written& value) { return refusal.starts_with(value.place + ":"); }
+bool is_about(const Planned& row, const Written& value) {
+    return !row.geometry_refused && row.refusal.starts_with(value.place + ":");
+}
 
 /// A value that no design can have is a fault of the file, not of a design.
 void check_choices(const Sweep& sweep, const Plan& plan) {
@@ -87,7 +98,7 @@ void check_choices(const Sweep& sweep, const Plan& plan) {
             bool possible = false;
             for (const Planned& row : plan.designs) {
                 if (row.values[f] != choice.text) continue;
-                if (!is_about(row.refusal, choice)) possible = true;
+                if (!is_about(row, choice)) possible = true;
                 if (refused == nullptr) refused = &row;
             }
             if (refused != nullptr && !possible) throw Error(ExitCode::bad_input, "", refused->refusal);
@@ -103,7 +114,7 @@ void check_ends(const Sweep& sweep, const Basis& basis, const Planned& sound) {
             std::vector<std::string> values = sound.values;
             values[f] = end.text;
             const Planned row = planned(sweep, basis, std::move(values));
-            if (is_about(row.refusal, end)) throw Error(ExitCode::bad_input, "", row.refusal);
+            if (is_about(row, end)) throw Error(ExitCode::bad_input, "", row.refusal);
         }
     }
 }

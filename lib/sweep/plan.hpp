@@ -1,5 +1,6 @@
 #pragma once
 /// The designs of a sweep, each checked, with an address made of its content. Held by sweep/plan_test.
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@ struct Basis {
     std::string_view design_source;  ///< file, for errors and for files the design names
     std::span<const design::FamilyKeys> families;
     std::string_view programs;  ///< versions of the programs that will run it; part of the address
+    /// Refuses a geometry, with Error(bad_input); it is a row of the plan, whatever its values.
+    std::function<void(const design::Design&)> check_geometry = {};
 };
 
 struct Planned {
@@ -24,6 +27,7 @@ struct Planned {
     std::vector<std::string> values;  ///< one a factor, as a design would have them
     std::string design_yaml;          ///< effective; files it names by their whole path; empty where refused
     std::string refusal;              ///< one line; empty where nothing is wrong with it
+    bool geometry_refused = false;    ///< by Basis::check_geometry rather than by the keys of the design
 };
 
 struct Plan {

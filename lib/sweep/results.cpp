@@ -32,6 +32,17 @@ std::string common_unit(const Plan& plan, std::size_t factor) {
     return unit;
 }
 
+/// "kg/m^3" as part of a name: "kg_per_m3".
+std::string unit_name(const std::string& unit) {
+    std::string name;
+    for (const char c : unit) {
+        if (c == '/') name += "_per_";
+        if (c == '%') name += "percent";
+        if (std::string_view{"/%^. *"}.find(c) == std::string_view::npos) name += c;
+    }
+    return name;
+}
+
 /// Header and cells of the factors.
 class FactorColumns {
 public:
@@ -39,7 +50,8 @@ public:
         for (std::size_t f = 0; f < sweep.factors.size(); ++f) {
             units_.push_back(common_unit(plan, f));
             std::string name = sweep.factors[f].path;
-            if (!units_[f].empty()) name.append("_").append(units_[f]);
+            std::ranges::replace(name, '.', '_');
+            if (!units_[f].empty()) name.append("_").append(unit_name(units_[f]));
             header_.append(",").append(cell(name));
         }
     }

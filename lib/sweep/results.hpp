@@ -2,8 +2,8 @@
 /// The tables of a sweep as comma-separated text (RFC 4180, lines ended by '\n'), one row a design. Held by
 /// sweep/results_test.
 ///
-/// Columns of a factor: its key path, with the unit behind it (geometry.cap_mm) and numbers below where all its values have
-/// the same; else the values as written.
+/// Columns of a factor: its key path with _ for each dot, with the unit behind it (geometry_cap_mm) and numbers below where all its
+/// values have the same; else the values as written. Columns of outputs: outcome.hpp, column_at.
 #include <span>
 #include <string>
 #include <vector>

@@ -49,11 +49,11 @@ claim "nothing is printed but messages" [ ! -s "$seen/out" ]
 claim "they tell how far it is" grep -q '^sweep: 2 of 4 designs, [0-9.]* .* left$' "$seen/err"
 table=$folder/rods/results.csv
 claim "a row a design" [ "$(wc -l <"$table")" -eq 5 ]
-claim "its columns" [ "$(head -n 1 "$table")" = 'id,geometry.width_mm,material.mu_kPa,pressure_kPa@end,elongation_mm@end,stop_reason,exit_code,error' ]
+claim "its columns" [ "$(head -n 1 "$table")" = 'id,geometry_width_mm,material_mu_kPa,pressure_kPa_at_end,elongation_mm_at_end,stop_reason,exit_code,error' ]
 for row in 1 2 3 4; do
-    stretch=$(cell elongation_mm@end $row "$table" | awk '{ printf "%.15g", 1 + $1 / 100 }')
+    stretch=$(cell elongation_mm_at_end $row "$table" | awk '{ printf "%.15g", 1 + $1 / 100 }')
     claim "row $row is done" [ "$(cell stop_reason $row "$table"),$(cell exit_code $row "$table")" = done,0 ]
-    pull=$(awk -v l="$stretch" -v mu="$(cell material.mu_kPa $row "$table")" 'BEGIN { print mu * (l * l - 1 / l) }')
+    pull=$(awk -v l="$stretch" -v mu="$(cell material_mu_kPa $row "$table")" 'BEGIN { print mu * (l * l - 1 / l) }')
     claim "row $row: the pull is mu (l^2 - 1/l)" within "$pull" 99.9999 100.0001
 done
 id=$(cell id 1 "$table")
@@ -70,7 +70,7 @@ claim "the table is the same" cmp first.csv "$table"
 sed -i 's/\[pressure_kPa, elongation_mm\]/[stretch_p99]/; s/steps: 2/steps: 3/' rods.yaml
 runs "$sweep rods.yaml"
 claim "only what is new is computed" grep -q ' 6 designs, 2 to compute ' "$seen/err"
-claim "other outputs need no new computation" [ -n "$(cell stretch_p99@end 1 "$table")" ]
+claim "other outputs need no new computation" [ -n "$(cell stretch_p99_at_end 1 "$table")" ]
 sed -i 's/\[stretch_p99\]/[pressure_kPa, elongation_mm]/; s/steps: 3/steps: 2/' rods.yaml
 
 # kill -9 of everything, somewhere in the middle
@@ -107,23 +107,37 @@ cat >tubes.yaml <<'END'
 design: designs/tube.yaml
 vary: {geometry.inner_radius: [7 mm, 12 mm]}
 set: {mesh.size: 3 mm, path.control: pressure}
-at: [limit, volume=15mL]
+at: [limit, volume=15mL, volume=9L]
 END
 runs "$sweep tubes.yaml"
 table=$folder/tubes/results.csv
 claim "two designs are two rows" [ "$(wc -l <"$table")" -eq 3 ]
 claim "an early end is a row with its reason" [ "$(cell stop_reason 1 "$table"),$(cell exit_code 1 "$table")" = limit_point,2 ]
-claim "and its outputs" within "$(cell pressure_kPa@limit 1 "$table")" 44 45
-claim "and so is what the mesher refuses" grep -q ',refused,65,.*inner_radius' "$table"
+claim "and its outputs" within "$(cell pressure_kPa_at_limit 1 "$table")" 44 45
+claim "and so is what the geometry refuses" grep -q ',refused,65,.*inner_radius' "$table"
+claim "a place that the path does not reach has its reason" grep -q 'limit_point,2,".*at volume=9000mL: the path does not reach it; it goes from' "$table"
+runs "$sweep tubes.yaml --dry-run --folder dry"
+claim "a dry run counts what the geometry refuses" says 'sweep: 2 designs: 1 waiting, 0 done, 1 refused'
 runs "$sweep tubes.yaml"
 claim "what failed is not tried again" grep -q ' 2 designs, 0 to compute ' "$seen/err"
 
-# Long sweeps give a worker several designs, which one mesh-gen meshes
-runs 'sweep-plan tubes.yaml --folder several --prepare -o plan.csv'
+# Long sweeps give a worker several designs, which one mesh-gen meshes. One of these is refused by its mesh: nothing holds the face.
+cat designs/rod.yaml - >pulled.yaml <<'END'
+  pull: {face: fixed, along: x, measure: force}
+END
+cat >pulls.yaml <<'END'
+design: pulled.yaml
+vary: {outputs.pull.face: [fixed, end]}
+set: {mesh.size: 50 mm}
+END
+runs "$sweep pulls.yaml"
+table=$folder/pulls/results.csv
+claim "what the mesh refuses is a row" grep -q ',end,.*,refused,65,.*outputs.pull' "$table"
+runs 'sweep-plan pulls.yaml --folder several --prepare -o plan.csv'
 ids=$(sed '1d; s/,.*//' plan.csv | xargs)
 runs "$sweep-design several $ids"
-claim "each is told" [ "$(cut -d ' ' -f 2 "$seen/out" | xargs)" = '2 65' ]
-runs 'sweep-plan tubes.yaml --folder several --results -o results.csv'
+claim "each is told" [ "$(cut -d ' ' -f 2 "$seen/out" | xargs)" = '0 65' ]
+runs 'sweep-plan pulls.yaml --folder several --results -o results.csv'
 claim "together they give what they give alone" cmp <(cut -d, -f 2- "$table" | sed 's/[0-9a-f]*\.yaml//') <(cut -d, -f 2- results.csv | sed 's/[0-9a-f]*\.yaml//')
 claim "nothing else is left" [ -z "$(ls -A several/.part)" ]
 
@@ -210,6 +224,9 @@ faulty "2:25: geometry.widht: unknown key; did you mean 'width'[?]" 'design: des
 faulty "2:31: geometry.width: '9' has no unit*" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm, 9]}\n'
 faulty "3:18: mesh.size: *" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\nset: {mesh.size: 3 kPa}\n'
 faulty "1:1: vary: missing; *" 'design: designs/rod.yaml\n'
+faulty "3:5: at: *the curve has no 'elongatoin'*" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\nat: elongatoin=5mm\n'
+faulty "3:5: at: *'5 kPa' is a pressure*" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\nat: elongation=5 kPa\n'
+faulty "3:11: outputs: no curve has a column 'elongation_m'; did you mean 'elongation_mm'[?]" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\noutputs: [elongation_m]\n'
 printf 'design: absent.yaml\nvary: {geometry.width: [8 mm]}\n' >bad.yaml
 refuses 66 "sweep: bad.yaml:1:9: design: absent.yaml is not there; *" "$sweep bad.yaml"
 refuses 66 "sweep: absent.yaml: *" "$sweep absent.yaml"

@@ -25,32 +25,67 @@ double value(const std::vector<Cell>& cells, const std::string& column) {
 
 TEST(OutputsOf, AreTheCurveWhereItIsAsked) {
     const auto cells =
-        outputs_of(asking("at: [growth=500mm, end]\noutputs: [pressure_kPa, growth_mm]\n"), sphere(), {});
+        outputs_of(asking("at: [growth=500mm, end]\noutputs: [pressure_kPa, growth_mm]\n"), sphere(), {}).cells;
     ASSERT_EQ(cells.size(), 4u);
     // between rows the curve is a cubic: 1e-5 of the closed form
-    EXPECT_NEAR(value(cells, "pressure_kPa@growth=500mm") * 1000, post::test::sphere_pressure_Pa(1.5), 1e-5);
-    EXPECT_NEAR(value(cells, "growth_mm@growth=500mm"), 500, 1e-6);
-    EXPECT_DOUBLE_EQ(value(cells, "pressure_kPa@end") * 1000, post::test::sphere_pressure_Pa(2.0));
+    EXPECT_NEAR(value(cells, "pressure_kPa_at_growth_500mm") * 1000, post::test::sphere_pressure_Pa(1.5), 1e-5);
+    EXPECT_NEAR(value(cells, "growth_mm_at_growth_500mm"), 500, 1e-6);
+    EXPECT_DOUBLE_EQ(value(cells, "pressure_kPa_at_end") * 1000, post::test::sphere_pressure_Pa(2.0));
 }
 
 TEST(OutputsOf, OfALimitPointIsItsRow) {
     const std::vector<solution::LimitPoint> limits{{16, 0, std::nullopt, {}}};  // stretch 1.8
-    const auto cells = outputs_of(asking("at: limit\noutputs: growth_mm\n"), sphere(), limits);
-    EXPECT_NEAR(value(cells, "growth_mm@limit"), 800, 1e-9);
+    const auto cells = outputs_of(asking("at: limit\noutputs: growth_mm\n"), sphere(), limits).cells;
+    EXPECT_NEAR(value(cells, "growth_mm_at_limit"), 800, 1e-9);
 }
 
-TEST(OutputsOf, WhereThePathDoesNotComeThereIsNoValue) {
-    const auto cells = outputs_of(asking("at: [growth=5m, limit]\noutputs: pressure_kPa\n"), sphere(), {});
-    ASSERT_EQ(cells.size(), 2u);
+TEST(OutputsOf, WhereThePathDoesNotComeThereIsNoValueButAReason) {
+    const auto [cells, missing] =
+        outputs_of(asking("at: [growth=5m, limit, end]\noutputs: pressure_kPa\n"), sphere(), {});
+    ASSERT_EQ(cells.size(), 3u);
     EXPECT_FALSE(cells[0].value);
     EXPECT_FALSE(cells[1].value);
+    EXPECT_TRUE(cells[2].value);
+    EXPECT_EQ(missing,
+              (std::vector<std::string>{"at growth=5000mm: the path does not reach it; it goes from 0 to 1000 mm",
+                                        "at limit: the path has no limit point"}));
+}
+
+TEST(ColumnAt, IsANameThatAScriptCanUse) {
+    const post::Curve curve = sphere();  // its load is a pressure
+    EXPECT_EQ(column_at("elongation_mm", "pressure=20kPa", curve), "elongation_mm_at_20kPa");
+    EXPECT_EQ(column_at("elongation_mm", "pressure=20 kPa", curve), "elongation_mm_at_20kPa");
+    EXPECT_EQ(column_at("pressure_kPa", "growth=-2.5mm", curve), "pressure_kPa_at_growth_minus2p5mm");
+    EXPECT_EQ(column_at("pressure_kPa", "ratio=50%", curve), "pressure_kPa_at_ratio_50percent");
+    EXPECT_EQ(column_at("pressure_kPa", "bend=3 1/m", curve), "pressure_kPa_at_bend_3_1_per_m");
+    EXPECT_EQ(column_at("pressure_kPa", "limit", curve), "pressure_kPa_at_limit");
+}
+
+TEST(CheckRequests, RefusesBeforeASolveWhatNoCurveOfTheCaseHas) {
+    const post::Curve curve = unsolved_curve(post::test::sample_case({"growth"}));
+    const auto refusal = [&](const std::string& rest) -> std::string {
+        try {
+            check_requests(asking(rest), curve);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ExitCode::bad_input);
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal("at: [growth=5mm, volume=2mL, pressure=3kPa, limit, end]\noutputs: [volume_mL, load_work_mJ]\n"),
+              "");
+    EXPECT_EQ(refusal("at: [end, grwth=5mm]\n").substr(0, 16), "s.yaml:3:11: at:");
+    EXPECT_NE(refusal("at: growth=5kPa\n").find("'5kPa' is a pressure"), std::string::npos);
+    EXPECT_NE(refusal("at: growth=5\n").find("has no unit"), std::string::npos);
+    EXPECT_EQ(refusal("outputs: [growth_m]\n"),
+              "s.yaml:3:11: outputs: no curve has a column 'growth_m'; did you mean 'growth_mm'?");
 }
 
 TEST(OutputsOf, WithoutNamesAllColumnsButTheStepAndWhatIsAskedFor) {
-    const auto cells = outputs_of(asking("at: growth=500mm\n"), sphere(), {});
+    const auto cells = outputs_of(asking("at: growth=500mm\n"), sphere(), {}).cells;
     EXPECT_EQ(cells.size(), sphere().columns.size() - 2);
     for (const Cell& cell : cells)
-        EXPECT_TRUE(cell.column != "step@growth=500mm" && cell.column != "growth_mm@growth=500mm");
+        EXPECT_TRUE(cell.column != "step_at_growth_500mm" && cell.column != "growth_mm_at_growth_500mm");
 }
 
 TEST(OutputsOf, RefusesAQuantityThatTheCurveCannotHaveAtItsPlace) {

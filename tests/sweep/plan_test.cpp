@@ -94,6 +94,19 @@ TEST(Plan, ACombinationThatIsRefusedIsARowWithItsReason) {
     EXPECT_NE(plan.designs[1].id, plan.designs[0].id);
 }
 
+TEST(Plan, WhatTheGeometryRefusesIsARowEvenWhereItIsAListedValue) {
+    const std::vector<design::FamilyKeys> families{design::sample::pipe()};
+    const Sweep sweep = read_sweep("design: pipe.yaml\nvary: {geometry.wall: [2 mm, 3 mm]}\n", "s.yaml");
+    const auto refuse_thick = [](const design::Design& design) {
+        if (design.values.number("geometry.wall") > 0.0025) throw design.values.refuse("geometry.wall", "does not fit");
+    };
+    const Plan plan = make_plan(sweep, {design_text, "pipe.yaml", families, "v1", refuse_thick});
+    ASSERT_EQ(plan.designs.size(), 2u);
+    EXPECT_EQ(plan.designs[0].refusal, "");
+    EXPECT_EQ(plan.designs[1].refusal, "s.yaml:2:30: geometry.wall: does not fit");
+    EXPECT_TRUE(plan.designs[1].design_yaml.empty());
+}
+
 TEST(Plan, WhatNoDesignCanHaveIsAFaultOfTheFileAtItsPlace) {
     EXPECT_EQ(plan_refusal("geometry.wal: [2 mm, 3 mm]"),
               "s.yaml:2:23: geometry.wal: unknown key; did you mean 'wall'?");

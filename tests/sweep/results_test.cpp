@@ -21,7 +21,7 @@ Outcome done(const std::string& column) {
 
 TEST(PlanCsv, HasARowADesignWithItsStateAndSettings) {
     EXPECT_EQ(plan_csv(sweep, plan, std::vector<State>{State::done, State::refused}),
-              "id,state,geometry.wall_mm,material.law,settings,refusal\n"
+              "id,state,geometry_wall_mm,material_law,settings,refusal\n"
               "aa,done,2,yeoh,--set 'geometry.wall=2 mm' --set material.law=yeoh,\n"
               "bb,refused,3,yeoh,--set geometry.wall=3mm --set material.law=yeoh,\"s.yaml:2:3: a, \"\"b\"\"; c\"\n");
 }
@@ -36,23 +36,23 @@ TEST(WaitingIds, AreThoseThatWaitEachOnce) {
 }
 
 TEST(ResultsCsv, FailedDesignsAreRowsWithTheirReason) {
-    const std::vector<Outcome> outcomes{done("pressure_kPa@end"),
+    const std::vector<Outcome> outcomes{done("pressure_kPa_at_end"),
                                         {.exit_code = 65, .stop_reason = "refused", .error = "a, b"}};
     EXPECT_EQ(results_csv(sweep, plan, outcomes),
-              "id,geometry.wall_mm,material.law,pressure_kPa@end,stop_reason,exit_code,error\n"
+              "id,geometry_wall_mm,material_law,pressure_kPa_at_end,stop_reason,exit_code,error\n"
               "aa,2,yeoh,0.1,done,0,\n"
               "bb,3,yeoh,,refused,65,\"a, b\"\n");
 }
 
 TEST(ResultsCsv, WhatIsNotComputedHasNoExitCode) {
-    const std::vector<Outcome> outcomes{done("pressure_kPa@end"), {.stop_reason = "not_computed"}};
+    const std::vector<Outcome> outcomes{done("pressure_kPa_at_end"), {.stop_reason = "not_computed"}};
     EXPECT_NE(results_csv(sweep, plan, outcomes).find("\nbb,3,yeoh,,not_computed,,\n"), std::string::npos);
 }
 
 TEST(ResultsCsv, ValuesOfDifferentUnitsStayAsTheyAreWritten) {
     const Plan mixed{{{"aa", {"2 mm", "yeoh"}, "x", ""}, {"bb", {"0.3 cm", "yeoh"}, "x", ""}}};
     const std::string text = plan_csv(sweep, mixed, std::vector<State>(2));
-    EXPECT_EQ(text.substr(0, text.find('\n')), "id,state,geometry.wall,material.law,settings,refusal");
+    EXPECT_EQ(text.substr(0, text.find('\n')), "id,state,geometry_wall,material_law,settings,refusal");
     EXPECT_NE(text.find("aa,waiting,2 mm,"), std::string::npos);
 }
 
