@@ -15,7 +15,7 @@ namespace soft::design {
 namespace {
 
 constexpr std::size_t longest_document = std::size_t{1} << 20;
-constexpr int most_nodes = 20000;
+constexpr int most_nodes = 100000;
 constexpr std::size_t deepest = 16;
 
 /// Where marks of yaml-cpp (from 0) stand for the user.

@@ -7,6 +7,7 @@
 #include "core/text.hpp"
 #include "post/gnuplot.hpp"
 #include "post/plot_data.hpp"
+#include "post/plot_style.hpp"
 
 namespace soft::post {
 namespace {
@@ -38,17 +39,6 @@ std::string axis_label(const Curve& curve, const Column& column) {
     text += column.quantity;
     std::replace(text.begin(), text.end(), '_', ' ');  // "load factor"
     return gnuplot_text(column.unit.empty() ? text : text + " (" + column.unit + ")");
-}
-
-/// SVG and PDF scale; the PNG has twice the pixels so that it prints well.
-std::string terminal(PictureFormat format) {
-    switch (format) {
-        case PictureFormat::svg: return "set terminal svg size 800,560 font 'Helvetica,15' background rgb 'white'\n";
-        case PictureFormat::pdf: return "set terminal pdfcairo size 16cm,11.2cm font 'Helvetica,11' linewidth 1.2\n";
-        case PictureFormat::png: break;
-    }
-    return "if (strstrt(GPVAL_TERMINALS, 'pngcairo')) set terminal pngcairo size 1600,1120 font 'Sans,26' linewidth 2;"
-           " else set terminal png size 1600,1120 font 'Sans,26' linewidth 2\n";
 }
 
 template <class Wanted>
@@ -140,8 +130,7 @@ std::string from_zero(const char* range, std::span<const std::array<double, 2>> 
 std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest& request, PictureFormat format) {
     return terminal(format) + "set encoding utf8\n" + "set xlabel " + axis_label(curve, curve.columns[axes.x]) +
            " noenhanced\n" + "set ylabel " + axis_label(curve, curve.columns[axes.y]) + " noenhanced\n" +
-           "set grid linecolor rgb '#b0b0b0' linewidth 0.5\nset border 3 linewidth 1\nset tics nomirror out\n"
-           "set bars 0.5\n" +
+           axes_style() + "set bars 0.5\n" +
            (axes.colour ? std::string{path_palette} +
                               ("set cblabel " + axis_label(curve, curve.columns[*axes.colour]) + " noenhanced\n")
                         : std::string{}) +
