@@ -5,6 +5,7 @@
 
 #include "consistency.hpp"
 #include "core/text.hpp"
+#include "post/curve.hpp"
 #include "shape_checks.hpp"
 
 namespace soft::campaign {
@@ -46,15 +47,15 @@ std::optional<double> way(const io::Result& result, std::int64_t from, std::int6
     return std::sqrt(sum);
 }
 
-/// Of the last row; nullopt for what no row has.
+/// Of the last row, SI; but for numbers of rows and ratios the column of the curve. nullopt for what no row has.
 std::optional<double> value_of(const io::Result& result, const std::string& quantity) {
     const Step &first = result.steps.front(), &last = result.steps.back();
-    if (quantity == "pressure") return last.pressure_Pa;
     if (quantity == "steps") return static_cast<double>(result.steps.size() - 1);
     if (quantity == "volume_ratio" && last.volume_m3) return *last.volume_m3 / *first.volume_m3;
-    for (std::size_t i = 0; i < result.model.outputs.size(); ++i)
-        if (result.model.outputs[i].name == quantity) return last.outputs[i];
-    return std::nullopt;
+    const post::Curve curve = post::make_curve(result.model, result.steps);
+    const post::Column* column = curve.find(quantity);
+    if (column == nullptr || column->role != post::Role::coordinate) return std::nullopt;
+    return column->values.back() * column->SI_per_unit;
 }
 
 Verdict confirm_done(const io::Result& result) {
