@@ -29,6 +29,12 @@ std::string lengths(const Point& p) {
     return "[" + number(mm * p[0]) + " mm, " + number(mm * p[1]) + " mm, " + number(mm * p[2]) + " mm]";
 }
 
+std::string quoted_yaml(const std::string& word) {
+    std::string text{"'"};
+    for (const char c : word) text.append(c == '\'' ? 2 : 1, c);
+    return text + "'";
+}
+
 std::string area_text(double area_m2) { return number(mm * mm * area_m2, 4) + " mm^2"; }
 
 /// "x", "-y" or "[0.6, 0.8, 0]".
@@ -108,7 +114,7 @@ void divide(const Patch& patch, double longest_m, std::vector<Patch>& all) {
 }
 
 std::vector<Patch> patches(const PartDescription& part) {
-    constexpr double share_of_extent = 1.0 / 40;
+    constexpr double share_of_extent = 1.0 / 12;
     std::vector<Patch> all;
     for (std::size_t f = 0; f < part.faces.size(); ++f)
         for (const std::size_t t : part.faces[f].facets) {
@@ -135,10 +141,28 @@ std::array<double, 2> middle_of(const std::vector<std::array<double, 2>>& places
                                      [&](const auto& at) { return std::hypot(at[0] - mean[0], at[1] - mean[1]); });
 }
 
-std::string label(std::size_t face, const std::array<double, 2>& at) {
-    const std::string x = number(at[0], 6);
-    return "<circle cx='" + x + "' cy='" + number(at[1], 6) + "' r='9' fill='white' stroke='black'/><text x='" + x +
-           "' y='" + number(at[1] + 4, 6) + "'>" + std::to_string(face) + "</text>\n";
+/// The circle is dashed where the face lies behind another.
+std::string label(std::size_t face, const std::array<double, 2>& at, bool is_behind) {
+    const std::string x = number(at[0], 6), dashes = is_behind ? " stroke-dasharray='2'" : "";
+    return "<circle cx='" + x + "' cy='" + number(at[1], 6) + "' r='9' fill='white' stroke='black'" + dashes +
+           "/><text x='" + x + "' y='" + number(at[1] + 4, 6) + "'>" + std::to_string(face) + "</text>\n";
+}
+
+/// A triangle of the picture and the face it belongs to.
+struct Shown {
+    std::array<std::array<double, 2>, 3> corners;
+    std::size_t face;
+};
+
+bool holds(const std::array<std::array<double, 2>, 3>& corners, const std::array<double, 2>& at) {
+    bool left = true, right = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto &a = corners[k], &b = corners[(k + 1) % 3];
+        const double side = (b[0] - a[0]) * (at[1] - a[1]) - (b[1] - a[1]) * (at[0] - a[0]);
+        left = left && side >= 0;
+        right = right && side <= 0;
+    }
+    return left || right;
 }
 
 /// One view, its middle at `middle` px, the part 360 px wide at most.
@@ -166,21 +190,33 @@ std::string drawn(const PartDescription& part, const View& view, std::array<doub
     }
     std::ranges::stable_sort(order, {}, &Drawn::depth);
     std::string svg;
+    std::vector<Shown> shown;
     std::vector<std::vector<std::array<double, 2>>> seen(part.faces.size());  // middles of patches
     for (const Drawn& one : order) {
         std::string points;
         std::array<double, 2> mean{};
-        for (const Point& p : one.patch->corners) {
-            const auto at = place(p);
-            points += number(at[0], 6) + "," + number(at[1], 6) + " ";
+        std::array<std::array<double, 2>, 3> triangle{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto at = place(one.patch->corners[k]);
+            triangle[k] = {at[0], at[1]};
+            points += number(at[0], 5) + "," + number(at[1], 5) + " ";
             for (std::size_t d = 0; d < 2; ++d) mean[d] += at[d] / 3;
         }
         const std::string fill = colour(one.patch->face, one.light);
-        svg += "<polygon points='" + points + "' fill='" + fill + "' stroke='" + fill + "' stroke-width='0.6'/>\n";
+        svg += "<polygon points='" + points + "' fill='" + fill + "' stroke='" + fill + "'/>\n";
         seen[one.patch->face].push_back(mean);
+        shown.push_back({triangle, one.patch->face});
     }
+    const auto foremost = [&](const std::array<double, 2>& at) {
+        const auto found = std::ranges::find_if(shown.rbegin(), shown.rend(),
+                                                [&](const Shown& one) { return holds(one.corners, at); });
+        return found == shown.rend() ? part.faces.size() : found->face;
+    };
     for (std::size_t f = 0; f < seen.size(); ++f)
-        if (!seen[f].empty()) svg += label(f + 1, middle_of(seen[f]));
+        if (!seen[f].empty()) {
+            const auto at = middle_of(seen[f]);
+            svg += label(f + 1, at, foremost(at) != f);
+        }
     return svg;
 }
 
@@ -203,7 +239,7 @@ std::string description_yaml(const PartDescription& part) {
             "# no closed cavity; for an open one: cavity: {point: [x, y, z] on its wall, up_to: the face around its "
             "opening}\n";
     for (const std::string& repair : part.surface.repairs) text += "# repaired: " + repair + "\n";
-    text += "family: imported\ngeometry:\n  file: \"" + part.file + "\"\n";
+    text += "family: imported\ngeometry:\n  file: " + quoted_yaml(part.file) + "\n";
     if (!part.unit.empty()) text += "  unit: " + part.unit + "\n";
     if (std::ranges::any_of(part.faces, [](const PartFace& face) { return face.rule.has_value(); }))
         text += "  faces:\n";
@@ -220,7 +256,7 @@ std::string description_yaml(const PartDescription& part) {
 
 std::string numbered_faces_svg(const PartDescription& part) {
     return "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 800 420' width='1600' height='840' text-anchor='middle' "
-           "font-family='sans-serif' font-size='11'>\n<rect width='800' height='420' fill='white'/>\n" +
+           "font-family='sans-serif' font-size='11' stroke-width='0.6'>\n<rect width='800' height='420' fill='white'/>\n" +
            drawn(part, view_from({1, -1.6, 0.9}), {200, 200}) + drawn(part, view_from({-1, 1.6, -0.9}), {600, 200}) +
            "<text x='200' y='410'>from +x, -y, +z</text><text x='600' y='410'>from -x, +y, -z</text>\n</svg>\n";
 }

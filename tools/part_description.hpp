@@ -18,7 +18,7 @@ struct PartDescription {
 /// Box, volume and closed cavities as comments; `family: imported` with a rule for each face that one rule selects.
 [[nodiscard]] std::string description_yaml(const PartDescription& part);
 
-/// Two opposite views, faces numbered as in the design; numbers of faces behind others are drawn over them.
+/// Two opposite views, faces numbered as in the design; numbers of faces behind others have a dashed circle.
 [[nodiscard]] std::string numbered_faces_svg(const PartDescription& part);
 
 /// Whether the lengths may be in another unit; empty where they look right.
