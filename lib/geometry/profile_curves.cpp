@@ -42,7 +42,7 @@ private:
 /// Rows [first, end) of a loop as a spline; true if it is nowhere far from the straight edges. An axis or a plane of
 /// symmetry is straight.
 bool becomes_spline(std::vector<ProfileRow>& rows, std::size_t first, std::size_t end, FoundCurves& found) {
-    constexpr double tolerance = 1e-3;  // of the length of the curve
+    constexpr double tolerance = 1e-2;  // of the length of the curve
     const std::string& tag = rows[first].tag;
     if (tag == meshing::axis_face || tag == meshing::symmetry_x_face || tag == meshing::symmetry_y_face) return false;
     const Edges edges{rows};

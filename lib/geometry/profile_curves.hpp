@@ -31,7 +31,7 @@ struct FoundCurves {
 
 /// A curve drawn as many short straight edges would require cells as short. Six or more edges of one tag that follow each other, that
 /// state no curve, turn by at most 15 degrees at each point and are at most four times as long as their neighbours become one
-/// spline through the same points, if it differs from the edges by at most 1/1000 of its length. `rows` is one closed loop, which may
+/// spline through the same points, if it differs from the edges by at most 1/100 of its length. `rows` is one closed loop, which may
 /// then start at another row.
 void recognise_curves(std::vector<ProfileRow>& rows, FoundCurves& found);
 

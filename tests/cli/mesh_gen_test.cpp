@@ -46,7 +46,7 @@ TEST(MeshGen, ADescribedPartIsTheBeginningOfADesign) {
     EXPECT_EQ(described.code, 0) << described.err;
     for (const char* line :
          {"# bar.obj: x from 0 to 40 mm, y from 0 to 10 mm, z from 0 to 10 mm; volume 3.68 mL, surface 2152 mm^2",
-          "# closed cavity `cavity`: 0.32 mL about [20 mm, 5 mm, 5 mm]",
+          "# closed cavity `cavity`: 320 mm^3 about [20 mm, 5 mm, 5 mm]",
           "{plane: {x: 0 mm}}   # plane, normal -x, 100 mm^2", "{plane: {x: 40 mm}}   # plane, normal x, 100 mm^2"})
         EXPECT_NE(described.out.find(line), std::string::npos) << line << described.out;
     EXPECT_NE(run(folder, "cat bar.svg").out.find(">12</text>"), std::string::npos);
