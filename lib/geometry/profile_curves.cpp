@@ -128,7 +128,7 @@ void recognise_curves(std::vector<ProfileRow>& rows, FoundCurves& found) {
         first = end;
     }
     if (found.edges == found_before) rows = as_given;
-    count_coarse_curves(rows, found);
+    count_coarse_curves(as_given, found);
 }
 
 std::vector<std::string> notes_of(const FoundCurves& found, std::string_view source) {
