@@ -17,6 +17,8 @@ constexpr std::size_t forward_rows = 2, backward_rows = 3;
 /// How far a path that runs back may be beside its earlier states, in lengths run back and of the whole path; and how far it has
 /// to run back, in lengths of the whole path.
 constexpr double beside_the_run = 0.05, beside_the_path = 2e-3, shortest_run = 0.02;
+/// In lengths of the whole path: a path that has turned twice, as where one cell after another snaps, goes on along its first part.
+constexpr double alongside = 0.02;
 
 double dot(const Sketch& a, const Sketch& b) {
     double sum = 0;
@@ -95,9 +97,13 @@ public:
 
     /// The nearest state on the segments before `index` whose direction is along (`sense` 1) or against (-1) that of the state.
     [[nodiscard]] std::optional<Match> match(std::size_t index, double sense) const {
+        return match(index, sense, index - std::min<std::size_t>(index, 1));
+    }
+    /// On the first `segments` alone.
+    [[nodiscard]] std::optional<Match> match(std::size_t index, double sense, std::size_t segments) const {
         std::optional<Match> best;
         const VisitedState& state = states_[index];
-        for (std::size_t i = 0; i + 2 <= index; ++i) {
+        for (std::size_t i = 0; i < segments; ++i) {
             const Segment segment{states_[i], states_[i + 1]};
             const double near = best ? std::min(best->distance, segment.chord) : segment.chord;
             const double reach = near + segment.chord;
@@ -143,6 +149,8 @@ std::optional<Return> backward_return(const Path& path, std::size_t last) {
     if (last + 1 - first < backward_rows || run < shortest_run * path.length() ||
         end->distance > std::min(beside_the_run * run, beside_the_path * path.length()))
         return std::nullopt;
+    const auto along = path.match(last, 1.0, end->segment);  // before the part that it passes in the opposite direction
+    if (along && along->distance < alongside * path.length()) return std::nullopt;
     return Return{Return::Sense::backward, end->segment, first};
 }
 

@@ -36,7 +36,8 @@ struct Return {
 
 /// Nothing where the last of the states, in the order of the path, lies on no earlier part of it. forward: the last two states do,
 /// to the accuracy of the cubic. backward: the last three or more, over a fiftieth of the path's length or more, within 0.2 % of that
-/// length and a twentieth of the length run back: a state that differs in one cell alone from the earlier one counts as the same.
+/// length and a twentieth of the length run back: a state that differs in one cell alone from the earlier one counts as the same; not
+/// where they also lie beside a part that the path has passed in their own direction.
 [[nodiscard]] std::optional<Return> find_return(std::span<const VisitedState> states);
 
 }  // namespace soft::solver

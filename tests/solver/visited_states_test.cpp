@@ -77,6 +77,15 @@ TEST(VisitedStates, AFoldInWhichOnePartGoesOnIsNoReversal) {
     EXPECT_FALSE(first_found(path, Return::Sense::backward));
 }
 
+// Two folds one after the other, at each of which one cell of very many snaps: the path goes on behind them.
+TEST(VisitedStates, APathThatTurnsTwiceGoesOn) {
+    std::vector<VisitedState> path;
+    for (int i = 0; i <= 50; ++i) path.push_back(state_at(i, 0, 0));
+    for (int i = 1; i <= 9; ++i) path.push_back(state_at(50 - i, 0, std::numbers::pi, 0.4));
+    for (int i = 1; i <= 20; ++i) path.push_back(state_at(41 + i, 0, 0, 0.45));
+    EXPECT_FALSE(first_found(path, Return::Sense::backward));
+}
+
 TEST(VisitedStates, SketchesKeepDistances) {
     const auto input = sphere_case(2, 4);
     const assembly::System system(input, PETSC_COMM_WORLD);

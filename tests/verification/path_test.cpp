@@ -175,10 +175,10 @@ TEST(Plate, FoldsInWhichOneCellSnapsAreFollowed) {
                dense = run_design("plate.yaml", with_accuracy("1e-5"));
     EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);  // its maximum, with stretches beyond the limit
     EXPECT_GT(dense.steps.size(), 3 * run.steps.size());
-    ASSERT_GE(run.end.bifurcations.size(), 2u);
-    ASSERT_GE(dense.end.bifurcations.size(), 2u);
+    ASSERT_GE(run.end.limit_points.size(), 2u);
+    ASSERT_GE(dense.end.limit_points.size(), 2u);
     for (std::size_t i = 1; i <= 2; ++i) {  // the folds are the last ones
-        const auto &fold = run.end.bifurcations.rbegin()[i - 1].at, &same = dense.end.bifurcations.rbegin()[i - 1].at;
+        const auto &fold = run.end.limit_points.rbegin()[i - 1], &same = dense.end.limit_points.rbegin()[i - 1];
         EXPECT_NEAR(fold.pressure_Pa / same.pressure_Pa, 1.0, 1e-5);
         EXPECT_NEAR(fold.outputs[0] / same.outputs[0], 1.0, 1e-5);
     }
