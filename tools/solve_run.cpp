@@ -103,7 +103,7 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
         if (!step.stable && !summary.first_unstable_row) summary.first_unstable_row = summary.steps;
         if (!step.stable_under_control.value_or(step.stable)) summary.gave_way = true;
         summary.largest_stretch_p99 = std::max(summary.largest_stretch_p99, step.stretch_p99);
-        if (step.min_jacobian < fields::crushed_jacobian && !summary.first_crushed_row)
+        if (fields::is_crushed_at_a_point(step) && !summary.first_crushed_row)
             summary.first_crushed_row = summary.steps;
         summary.least_jacobian = std::min(summary.least_jacobian, step.min_jacobian);
         if (step.max_stretch > summary.most_stretched.max_stretch) summary.most_stretched = step;

@@ -134,6 +134,11 @@ void check_maximum(const model::Case& solved, const Reached& path, Warnings& war
 
 }  // namespace
 
+bool is_crushed_at_a_point(const solution::Step& row) {
+    constexpr double same_stretch = 1e-6;
+    return row.min_jacobian < crushed_jacobian && row.max_stretch > (1 + same_stretch) * row.stretch_p99;
+}
+
 std::vector<std::string> warnings_at(const model::Case& solved, const Reached& reached, solution::StopReason end) {
     Warnings warnings;
     if (solved.dynamics) return warnings;

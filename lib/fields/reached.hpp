@@ -25,6 +25,9 @@ struct Reached {
 /// Of rubber that keeps its volume no state, but what a mesh cannot resolve: shipped designs stay above 0.75.
 inline constexpr double crushed_jacobian = 0.5;
 
+/// Whether the row's least det F is that of a few points: of a state that is the same everywhere it is what the loads ask for.
+[[nodiscard]] bool is_crushed_at_a_point(const solution::Step& row);
+
 /// stretch    a principal stretch, exceeded in 1 % of the rubber, beyond the law's first limit in tension (Drucker's stability,
 ///            material/stability.hpp: in whichever mode it comes first), or beyond what small strains are; of a body that has
 ///            given way or whose path has ended early also where less of the rubber is beyond that limit: a rubber that

@@ -110,5 +110,17 @@ TEST(Reached, AGoalThatTheFullLoadDoesNotReachIsTold) {
     EXPECT_TRUE(warnings_at(solved, reached, solution::StopReason::done).empty());
 }
 
+// A block that is pressed together as a whole has the same stretch everywhere; at a held edge it is larger than in 99 % of the rubber.
+TEST(Reached, ABlockThatIsCompressedAsAWholeIsNotCrushedAtAPoint) {
+    solution::Step row;
+    row.min_jacobian = 0.3;
+    row.max_stretch = row.stretch_p99 = 1.2;
+    EXPECT_FALSE(is_crushed_at_a_point(row));
+    row.max_stretch = 1.5;
+    EXPECT_TRUE(is_crushed_at_a_point(row));
+    row.min_jacobian = 0.8;
+    EXPECT_FALSE(is_crushed_at_a_point(row));
+}
+
 }  // namespace
 }  // namespace soft::fields
