@@ -34,6 +34,12 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
          .meaning = "target edge length of a cell",
          .min = 0,
          .min_open = true},
+        {.path = "mesh.quality",
+         .kind = Kind::choice,
+         .fallback = "normal",
+         .meaning =
+             "cells where mesh.size is auto: draft has half as many along every length, fine one and a half times as many",
+         .choices = {"draft", "normal", "fine"}},
         {.path = "mesh.formulation",
          .kind = Kind::choice,
          .fallback = "mixed",

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -25,7 +24,6 @@ constexpr double atmosphere_low_Pa = 101e3, atmosphere_high_Pa = 101.6e3;
 constexpr double least_bulk_ratio = 20.0;
 
 std::string pressure_text(double value_Pa) { return core::quantity_text(value_Pa, core::Dimension::pressure); }
-std::string length_text(double value_m) { return core::quantity_text(value_m, core::Dimension::length); }
 
 void check_material(const model::Material& material, double mu_Pa, std::vector<std::string>& warnings) {
     const double young_Pa = 3.0 * mu_Pa;
@@ -175,26 +173,6 @@ void check_damping(const Design& design, std::vector<std::string>& warnings) {
                            "mesh.formulation: displacement damps both");
 }
 
-/// The thinnest part that the family's keys name.
-struct Wall {
-    std::string path;
-    double thickness_m;
-};
-std::optional<Wall> thinnest_wall(const Values& values) {
-    std::optional<Wall> thinnest;
-    const auto consider = [&](const char* path, double thickness_m) {
-        if (!thinnest || thickness_m < thinnest->thickness_m) thinnest = Wall{path, thickness_m};
-    };
-    const bool plane = values.text("model") == "plane-strain";  // the thickness is not meshed
-    for (const char* path : {"geometry.wall", "geometry.thickness", "geometry.cap"})
-        if (values.has(path) && !(plane && std::string_view{path} == "geometry.thickness"))
-            consider(path, values.number(path));
-    if (values.has("geometry.outer_radius") && values.has("geometry.inner_radius"))
-        consider("geometry.outer_radius - geometry.inner_radius",
-                 values.number("geometry.outer_radius") - values.number("geometry.inner_radius"));
-    return thinnest;
-}
-
 }  // namespace
 
 std::string first_order_simplices_lock() {
@@ -216,13 +194,6 @@ std::vector<std::string> plausibility(const Design& design) {
     check_locking(design, warnings);
     check_damping(design, warnings);
     check_units(design, warnings);
-    if (!design.values.has("mesh.size")) return warnings;
-    const double size_m = design.values.number("mesh.size");
-    const std::optional<Wall> wall = thinnest_wall(design.values);
-    const bool several = design.values.has("mesh.through_wall") && design.values.count("mesh.through_wall") > 1;
-    if (wall && !several && wall->thickness_m > 0 && size_m > wall->thickness_m)
-        warnings.push_back("mesh.size: " + length_text(size_m) + " is more than the wall, " + wall->path + " = " +
-                           length_text(wall->thickness_m) + "; one cell through it is coarse");
     return warnings;
 }
 

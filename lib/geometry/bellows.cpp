@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "geometry/bellows_shape.hpp"
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/strip.hpp"
@@ -18,14 +19,21 @@ struct Counts {
     int through, bend, straight, crest_land, trough_land, below_neck, above_neck, neck, disc, disc_radial, core;
 };
 
+bool is_section(const design::Values& values) { return model_of(values) == Model::axisymmetric; }
+
+CellSize cells_of(const BellowsShape& shape, const design::Values& values) {
+    return {values, (is_section(values) ? 0.5 : 1) * shape.wall_m};
+}
+
 Counts counts_of(const BellowsShape& shape, const design::Values& values) {
-    const double size_m = values.number("mesh.size");
+    const CellSize size = cells_of(shape, values);
     constexpr int least_bend = 2;  // a half bend turns by about 84 degrees
-    const auto cells = [&](double length_m, int least = 1) { return meshing::divisions(length_m, size_m, least); };
+    const auto cells = [&](double length_m, int least = 1) { return size.along(length_m, least); };
     // Between the bends the state changes slowly along the wall: longer cells cost no accuracy there (measured).
     constexpr double straight_stretch = 1.2;
+    const bool is_sharp = shape.fillet_m < 0.25 * shape.wall_m;  // two cells are badly shaped in so sharp a bend
     constexpr int least_through = 3;  // two leave the bends 0.6 % too soft, whatever their grading (measured)
-    return {.through = cells_through_wall(values, shape.wall_m, least_through),
+    return {.through = size.through(shape.wall_m, is_section(values) || is_sharp ? least_through : 2, least_through),
             .bend = cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, least_bend),
             .straight = cells(shape.straight_m / straight_stretch),
             .crest_land = cells(shape.crest_land_m),
@@ -206,12 +214,25 @@ design::Key land_key(std::string_view name, std::string_view meaning) {
     return key;
 }
 
+/// Of the paper's bellows: cells of 1.5 walls miss 0.6 %, of two walls 3.7 %; one cell through the wall 4.4 %, two 0.1 %.
+std::vector<std::string> coarse_mesh(const design::Values& values) {
+    constexpr double most_walls = 1.65;
+    constexpr int least_through = 2;
+    const BellowsShape shape = shape_of(values);
+    const CellSize size = cells_of(shape, values);
+    std::vector<std::string> warnings = size.too_long(is_section(values) ? 2 * most_walls : most_walls);
+    for (std::string& few : size.too_few(counts_of(shape, values).through, least_through))
+        warnings.push_back(std::move(few));
+    return warnings;
+}
+
 Body build(const design::Values& values) {
     const double bore_m = values.number("geometry.bore_radius");
     Body body;
     body.section = Drawing{values}.draw();
     add_strip_sector(body, values);
-    body.sweep = Revolution{values.count("mesh.sectors")};
+    body.warnings = coarse_mesh(values);
+    body.sweep = Revolution{sectors(values)};
     body.axis = {-1, 0, 0};  // the inlet lies at the lower x
     const model::Opening bore{"inlet", std::numbers::pi * bore_m * bore_m, {-1, 0, 0}};
     body.cavities = {{"cavity", "cavity", {"cavity_end"}, {bore}}};
@@ -240,16 +261,25 @@ Family bellows() {
         length_key("crest_radius", "19 mm", "outermost radius of the rubber"),
         length_key("bore_radius", "2.5 mm", "innermost radius of the rubber: of the bore and of the troughs"),
         length_key("wall", "3 mm", "thickness of the wall"),
-        length_key("fillet", "0.25 mm", "inner radius of every bend; its outer radius is fillet + wall"),
+        derived_key("fillet",
+                    "inner radius of every bend; its outer radius is fillet + wall; auto: a twelfth of the wall"),
         land_key("crest_land", "straight length of every crest along x, besides its bends"),
         land_key("trough_land",
                  "straight length of every trough between two convolutions; where both lands are half the "
                  "pitch less wall and two fillets, the walls stand upright: square convolutions"),
         std::move(last_crest),
-        length_key("end_disc.length", "6 mm", "from the plane of the last trough to the outer face, at both ends"),
-        length_key("end_disc.radius", "14.5 mm", "radius of both discs"),
-        length_key("neck.length", "1 mm", "between disc and outer wall"),
-        length_key("neck.radius", "7 mm", "radius of the neck; must meet the straight part of the outer wall"),
+        derived_key(
+            "end_disc.length",
+            "from the plane of the last trough to the outer face, at both ends; auto: two walls, or what the neck needs"),
+        derived_key("end_disc.radius",
+                    "radius of both discs; auto: crest_radius less 1.5 walls, at least a wall more than the neck"),
+        derived_key(
+            "neck.length",
+            "between disc and outer wall; auto: a third of the wall, or what keeps the disc clear of the first crest"),
+        derived_key(
+            "neck.radius",
+            "radius of the neck; must meet the straight part of the outer wall; auto: bore_radius and 1.5 walls, moved "
+            "onto that part"),
         strip_angle_key(),
         strip_material_key()};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
@@ -261,7 +291,7 @@ Family bellows() {
         "  cavity: {pressure: 30 kPa, sealed: true}   # sealed: also on the bore's plug and the end disc\n"
         "outputs:\n"
         "  elongation: {face: inlet, along: axis}     # area mean of the displacement\n";
-    keys.mesh = {size_key("1.5 mm"), through_wall_key(), sectors_key()};
+    keys.mesh = {size_key(), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }
 

@@ -9,8 +9,6 @@
 namespace soft::geometry {
 namespace {
 
-std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
-
 BellowsShape read(const design::Values& values) {
     const auto length = [&](std::string_view key) { return values.number("geometry." + std::string{key}); };
     BellowsShape s{};
@@ -19,13 +17,9 @@ BellowsShape read(const design::Values& values) {
     s.crest_m = length("crest_radius");
     s.bore_m = length("bore_radius");
     s.wall_m = length("wall");
-    s.fillet_m = length("fillet");
+    s.fillet_m = length_or(values, "fillet", s.wall_m / 12);
     s.crest_land_m = length("crest_land");
     s.trough_land_m = length("trough_land");
-    s.disc_length_m = length("end_disc.length");
-    s.disc_radius_m = length("end_disc.radius");
-    s.neck_length_m = length("neck.length");
-    s.neck_radius_m = length("neck.radius");
     return s;
 }
 
@@ -59,6 +53,12 @@ void derive_wall(BellowsShape& s, const design::Values& values, const char* cres
 void derive_neck(BellowsShape& s, const design::Values& values) {
     const double lowest_m = s.on_wall(s.outer_offset_m(), 0)[1],
                  highest_m = s.on_wall(s.outer_offset_m(), s.straight_m)[1];
+    constexpr double inside = 0.1;  // of the straight part, from its ends
+    const double margin_m = inside * (highest_m - lowest_m);
+    s.neck_radius_m = length_or(values, "neck.radius",
+                                std::clamp(s.bore_m + 1.5 * s.wall_m, lowest_m + margin_m, highest_m - margin_m));
+    s.disc_radius_m =
+        length_or(values, "end_disc.radius", std::max(s.crest_m - 1.5 * s.wall_m, s.neck_radius_m + s.wall_m));
     if (!(s.neck_radius_m > lowest_m && s.neck_radius_m < highest_m))
         throw values.refuse("geometry.neck.radius",
                             length_text(s.neck_radius_m) + " does not meet the straight part of the outer wall",
@@ -71,9 +71,11 @@ void derive_neck(BellowsShape& s, const design::Values& values) {
     s.neck_at_m = (s.neck_radius_m - lowest_m) / s.along[1];
     s.neck_corner = s.on_wall(s.outer_offset_m(), s.neck_at_m);
     s.neck_corner[1] = s.neck_radius_m;
-    s.disc_corner = {s.neck_corner[0] - s.neck_length_m, s.neck_radius_m};
     // The wall may lean over the neck: the disc must stay clear of the first crest.
     const double crest_edge_m = s.half_m - s.fillet_m - s.wall_m;
+    s.neck_length_m =
+        length_or(values, "neck.length", std::max(s.wall_m / 3, s.neck_corner[0] - crest_edge_m + s.wall_m / 6));
+    s.disc_corner = {s.neck_corner[0] - s.neck_length_m, s.neck_radius_m};
     if (!(s.disc_corner[0] < crest_edge_m))
         throw values.refuse("geometry.neck.length",
                             length_text(s.neck_length_m) + " lets the first crest touch the disc",
@@ -84,6 +86,9 @@ void derive_neck(BellowsShape& s, const design::Values& values) {
 /// blocks there is flatter than about 130 degrees with the paper's proportions.
 void derive_fork(BellowsShape& s, const design::Values& values) {
     const double height_m = s.neck_radius_m - s.bore_m;
+    constexpr double room = 1.5;  // of the length that the neck and the cells behind it need
+    s.disc_length_m =
+        length_or(values, "end_disc.length", std::max(2 * s.wall_m, room * (0.22 * height_m - s.disc_corner[0])));
     const double back_m = std::min(0.22 * height_m, 0.2 * s.disc_length_m), down_m = 0.27 * height_m;
     s.fork = {s.neck_corner[0] - back_m, s.neck_radius_m - down_m};
     s.below_corner = {s.disc_corner[0] - 0.6 * back_m, s.fork[1]};

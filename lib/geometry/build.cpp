@@ -222,16 +222,17 @@ Solid mesh_body(const Body& body, const design::Values& values) {
     return solid;
 }
 
-std::vector<std::string> warnings_of(const design::Design& design, const model::Case& built) {
+std::vector<std::string> warnings_of(const design::Design& design, const Built& built) {
     std::vector<std::string> warnings = design.warnings;
+    warnings.insert(warnings.end(), built.mesh_warnings.begin(), built.mesh_warnings.end());
     const auto locks = [](mesh::CellType type) {
         return type == mesh::CellType::triangle3 || type == mesh::CellType::tet4;
     };
     const bool told = design.values.has("mesh.cells") && design.values.text("mesh.cells") == "simplices";
-    if (!told && std::ranges::any_of(built.mesh.cell_types, locks))
+    if (!told && std::ranges::any_of(built.model.mesh.cell_types, locks))
         warnings.push_back((design.values.has("geometry.file") ? "geometry.file: " : "mesh.order: ") +
                            design::first_order_simplices_lock());
-    for (std::string& warning : case_warnings(design, built)) warnings.push_back(std::move(warning));
+    for (std::string& warning : case_warnings(design, built.model)) warnings.push_back(std::move(warning));
     return warnings;
 }
 
@@ -269,7 +270,7 @@ Built build_with_figures(const design::Design& design) {
     result.solver = design.solver;
     result.dynamics = design.dynamics;
     result.mesh = std::move(solid.mesh);
-    return {std::move(result), body.part, body.notes};
+    return {std::move(result), body.part, body.notes, body.warnings};
 }
 
 }  // namespace soft::geometry

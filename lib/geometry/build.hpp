@@ -14,16 +14,17 @@ namespace soft::geometry {
 /// checked: that would take as long as the mesh.
 void check_geometry(const design::Design& design);
 
-/// The same, with what the file of an imported surface has in it.
+/// The same, with what the file of an imported surface has in it, notes and the warnings of a coarse mesh.
 struct Built {
     model::Case model;
     std::optional<PartFigures> part;
     std::vector<std::string> notes;  ///< how the shape was read
+    std::vector<std::string> mesh_warnings;
 };
 [[nodiscard]] Built build_with_figures(const design::Design& design);
 
-/// The design's warnings, and what only the case shows: first-order simplices that a file has brought, case_warnings.
-[[nodiscard]] std::vector<std::string> warnings_of(const design::Design& design, const model::Case& built);
+/// The design's warnings, and what only the case shows: a coarse mesh, first-order simplices that a file has brought, case_warnings.
+[[nodiscard]] std::vector<std::string> warnings_of(const design::Design& design, const Built& built);
 
 /// The mesh alone, with what the sweep made of it; build_case adds the physics.
 struct Solid {

@@ -49,7 +49,7 @@ Body build(const design::Values& values) {
     Body body = body_of_profile(values, across);
     const double thickness_m = values.number("geometry.thickness");
     body.sweep = meshing::Extrusion{thickness_m,
-                                    meshing::divisions(thickness_m, values.number("mesh.size")),
+                                    profile_cells(body.outline, values).along(thickness_m),
                                     {low_end},
                                     {high_end},
                                     meshing::Extrusion::Along::z};
@@ -87,7 +87,7 @@ Family extruded() {
                     "  cavity: {pressure: 20 kPa}\n"
                     "outputs:\n"
                     "  rise: {face: top, along: y}\n";
-    keys.mesh = profile_mesh_keys("2 mm");
+    keys.mesh = profile_mesh_keys();
     keys.faces_of_file = faces_of_file;
     return {std::move(keys), build};
 }

@@ -65,6 +65,7 @@ struct Body {
     std::optional<PartFigures> part = {};               ///< of the file whose surface was meshed
     std::vector<std::string> notes = {};                ///< what the user should know of how the shape was read
     std::vector<model::Support> supports;               ///< that belong to the shape, besides symmetry planes and axis
+    std::vector<std::string> warnings = {};             ///< of a mesh that is coarse for the shape
 };
 
 struct Family {

@@ -54,13 +54,21 @@ Reach reach_of(const design::Values& values) {
 }
 
 /// Rubber, fibres, rubber; at its bounds the layer has lines of the mesh.
-std::vector<WallLayer> wall_layers(const TubeShape& shape, const Layer& layer, int cells, Reach reach) {
+std::vector<WallLayer> wall_layers(const TubeShape& shape, const Layer& layer, Division wall, Reach reach) {
     std::vector<WallLayer> layers;
+    double inner_m = shape.inner_m;
     const auto add = [&](double begin, double end, const char* region) {
         if (!(begin < end)) return;
         const double outer_m = end < 1 ? shape.inner_m + end * shape.wall_m() : shape.outer_m;
-        layers.push_back({outer_m, std::max(1, static_cast<int>(std::lround((end - begin) * cells))), region,
+        // Cells that grow with the radius have a share of the wall by the logarithm of the radii.
+        const double share =
+            wall.grading == 1 ? end - begin : std::log(outer_m / inner_m) / std::log(shape.outer_m / shape.inner_m);
+        const int cells = std::max(1, static_cast<int>(std::lround(share * wall.cells)));
+        layers.push_back({outer_m,
+                          {cells, wall.grading == 1 ? 1 : std::pow(outer_m / inner_m, 1 - 1.0 / cells)},
+                          region,
                           reach == Reach::whole_length ? region : "rubber"});
+        inner_m = outer_m;
     };
     add(0, layer.begin, "rubber");
     add(layer.begin, layer.end, fiber_region);
@@ -77,8 +85,10 @@ Body round_tube(const design::Values& values, const TubeShape& shape, const std:
         throw values.refuse(strip_thickness_key, "a round tube has no flat wall",
                             "geometry.strip.angle, or geometry.flat larger than 0");
     Body body;
-    body.section = tube_section(shape, values.number("mesh.size"), layers);
-    body.sweep = Revolution{values.count("mesh.sectors")};
+    const CellSize size = tube_cells(shape, values);
+    body.section = tube_section(shape, size, layers);
+    body.warnings = tube_warnings(shape, size, size.through_ring(shape.inner_m, shape.outer_m));
+    body.sweep = Revolution{sectors(values)};
     body.cavities = {{"cavity", "cavity", {}, {}}};
     lay_fibers(body, values);
     add_strip_sector(body, values);
@@ -98,13 +108,13 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
     const double flat_m = values.number(flat_key), strip_m = values.number(strip_thickness_key);
     if (!(strip_m < flat_m))
         throw values.refuse(strip_thickness_key, not_smaller(strip_m, "flat", flat_m), smaller_than(flat_m));
-    const double size_m = values.number("mesh.size");
-    const int eighth = (values.count("mesh.sectors") + 1) / 2, cap = cells_through_wall(values, shape.cap_m);
-    const HalfRoundCells cells{eighth, cells_through_wall(values, flat_m), size_m};
+    constexpr int own_through = 2;
+    const CellSize size = tube_cells(shape, values);
+    const HalfRoundCells cells{(sectors(values) + 1) / 2, size.through(flat_m, own_through), size.length_m()};
     const meshing::Capped along{shape.length_m,
                                 shape.cap_m,
-                                cap,
-                                meshing::divisions(shape.length_m - 2 * shape.cap_m, size_m),
+                                size.through(shape.cap_m, own_through),
+                                size.along(shape.length_m - 2 * shape.cap_m),
                                 "fixed",
                                 "inlet",
                                 reach_of(values) == Reach::whole_length
@@ -131,7 +141,8 @@ Body half_tube(const design::Values& values, const TubeShape& shape, const std::
 Body build(const design::Values& values) {
     const TubeShape shape = tube_shape(values);
     const std::vector<WallLayer> layers =
-        wall_layers(shape, checked_layer(values), cells_through_wall(values, shape.wall_m()), reach_of(values));
+        wall_layers(shape, checked_layer(values), tube_cells(shape, values).through_ring(shape.inner_m, shape.outer_m),
+                    reach_of(values));
     return values.number(flat_key) > 0 ? half_tube(values, shape, layers) : round_tube(values, shape, layers);
 }
 

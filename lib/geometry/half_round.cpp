@@ -31,7 +31,7 @@ public:
                     {core_m, shape.inner_m, meshing::divisions(shape.inner_m - core_m, cells.size_m)}};
         double from_m = shape.inner_m;
         for (const WallLayer& layer : layers_) {
-            columns_.push_back({from_m, layer.outer_m, layer.cells});
+            columns_.push_back({from_m, layer.outer_m, layer.through.cells});
             from_m = layer.outer_m;
         }
         add_rows();

@@ -193,11 +193,10 @@ mesh::Mesh of_wished_order(mesh::Mesh mesh, const design::Values& values) {
 }
 
 std::vector<design::Key> surface_mesh_keys() {
-    design::Key size = size_key("auto"), through_wall = through_wall_key(), grading = grading_key("4");
-    size.meaning = "of a surface: longest edge of a cell; auto: a twentieth of the part";
-    size.choices = {"auto"};
-    through_wall.meaning = "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone";
-    through_wall.fallback = "2";
+    design::Key size = size_key(), through_wall = through_wall_key(), grading = grading_key("4");
+    size.meaning = "of a surface: longest edge of a cell; auto: a twentieth of the part, by mesh.quality";
+    through_wall.meaning =
+        "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone; auto: 2, or 1 and 3 by mesh.quality";
     grading.meaning =
         "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
     return {size, through_wall, grading};
@@ -239,7 +238,7 @@ Body build_part(const design::Values& values) {
 
 void refuse_part_keys(const design::Values& values) {
     static const std::map<std::string, std::string> defaults = [] {  // a template states them
-        std::map<std::string, std::string> all{{"geometry.symmetry", "none"}};
+        std::map<std::string, std::string> all{{"geometry.symmetry", "none"}, {"mesh.quality", "normal"}};
         for (const design::Key& key : surface_mesh_keys()) all[key.path] = key.fallback;
         return all;
     }();

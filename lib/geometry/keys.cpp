@@ -19,22 +19,61 @@ design::Key length_key(std::string_view name, std::string_view fallback, std::st
             .min_open = true};
 }
 
-design::Key size_key(std::string_view fallback) {
-    return {.path = "mesh.size",
-            .kind = design::Kind::length,
-            .fallback = std::string{fallback},
-            .meaning = "target edge length of a cell",
-            .min = 0,
-            .min_open = true};
+design::Key derived_key(std::string_view name, std::string_view meaning) {
+    design::Key key = length_key(name, "auto", meaning);
+    key.choices = {"auto"};
+    return key;
+}
+
+double length_or(const design::Values& values, std::string_view name, double derived_m) {
+    const double stated_m = values.number("geometry." + std::string{name});
+    return stated_m > 0 ? stated_m : derived_m;
+}
+
+std::vector<design::Key> radii_keys(Radii usual, std::string_view inner, std::string_view outer) {
+    const auto with_default = [](std::string_view meaning, double usual_m, double ratio, const char* other) {
+        return std::string{meaning} + "; auto: " + core::rounded_text(ratio, 3) + " times " + other + ", or " +
+               length_text(usual_m) + " where that is auto too";
+    };
+    const double ratio = usual.outer_m / usual.inner_m;
+    return {derived_key("inner_radius", with_default(inner, usual.inner_m, 1 / ratio, "outer_radius")),
+            derived_key("outer_radius", with_default(outer, usual.outer_m, ratio, "inner_radius"))};
+}
+
+Radii radii_of(const design::Values& values, Radii usual) {
+    const double ratio = usual.outer_m / usual.inner_m, inner_m = values.number("geometry.inner_radius"),
+                 outer_m = values.number("geometry.outer_radius");
+    const Radii radii{inner_m > 0   ? inner_m
+                      : outer_m > 0 ? outer_m / ratio
+                                    : usual.inner_m,
+                      outer_m > 0   ? outer_m
+                      : inner_m > 0 ? inner_m * ratio
+                                    : usual.outer_m};
+    if (!(radii.inner_m < radii.outer_m))
+        throw values.refuse("geometry.inner_radius", not_smaller(radii.inner_m, "outer_radius", radii.outer_m),
+                            smaller_than(radii.outer_m));
+    return radii;
+}
+
+design::Key size_key() {
+    return {
+        .path = "mesh.size",
+        .kind = design::Kind::length,
+        .fallback = "auto",
+        .meaning = "target edge length of a cell; auto: from the shape and mesh.quality, the same cells in every scale",
+        .min = 0,
+        .min_open = true,
+        .choices = {"auto"}};
 }
 
 design::Key through_wall_key() {
     return {.path = "mesh.through_wall",
             .kind = design::Kind::count,
-            .fallback = "0",
-            .meaning = "cells through the wall; 0 = by mesh.size",
+            .fallback = "auto",
+            .meaning = "cells through the wall; auto: by mesh.size, or from the shape and mesh.quality",
             .min = 0,
-            .max = 1000};
+            .max = 1000,
+            .choices = {"auto"}};
 }
 
 design::Key sectors_key() {
@@ -42,10 +81,11 @@ design::Key sectors_key() {
     // paper's bellows differs from its axisymmetric curve by 0.9, 0.3 and 0.1 % with 3, 4 and 5 (fourth order).
     return {.path = "mesh.sectors",
             .kind = design::Kind::count,
-            .fallback = "5",
-            .meaning = "cells around a quarter turn of a solid of revolution",
+            .fallback = "auto",
+            .meaning = "cells around a quarter turn of a solid of revolution; auto: 5, or 3 and 8 by mesh.quality",
             .min = 2,
-            .max = 1000};
+            .max = 1000,
+            .choices = {"auto"}};
 }
 
 design::Key grading_key(std::string_view fallback) {
@@ -60,11 +100,6 @@ design::Key grading_key(std::string_view fallback) {
 void refuse_too_many_cells(const design::Values& values, double cells) {
     if (cells > most_cells)
         throw values.refuse("mesh.size", "it would take " + core::rounded_text(cells, 2) + " cells", "a larger size");
-}
-
-int cells_through_wall(const design::Values& values, double wall_m, int least) {
-    const int wished = values.count("mesh.through_wall");
-    return wished > 0 ? wished : meshing::divisions(wall_m, values.number("mesh.size"), least);
 }
 
 std::vector<std::string> listed(const std::string& text) {

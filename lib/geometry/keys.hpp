@@ -17,8 +17,21 @@ inline constexpr int several_lines = 2;
 /// A positive length under "geometry."
 [[nodiscard]] design::Key length_key(std::string_view name, std::string_view fallback, std::string_view meaning);
 
+/// A length under "geometry." that follows from others unless it is stated: its default is the word auto.
+[[nodiscard]] design::Key derived_key(std::string_view name, std::string_view meaning);
+/// Its value: `derived_m` where the design leaves it at auto.
+[[nodiscard]] double length_or(const design::Values& values, std::string_view name, double derived_m);
+
+/// Keys geometry.inner_radius and outer_radius: where one is stated, the other follows by their ratio; where none is, both are those
+/// given here. values.refuse(...) where the inner one is not smaller.
+struct Radii {
+    double inner_m, outer_m;
+};
+[[nodiscard]] std::vector<design::Key> radii_keys(Radii usual, std::string_view inner, std::string_view outer);
+[[nodiscard]] Radii radii_of(const design::Values& values, Radii usual);
+
 /// mesh.size and mesh.through_wall, in every family.
-[[nodiscard]] design::Key size_key(std::string_view fallback);
+[[nodiscard]] design::Key size_key();
 [[nodiscard]] design::Key through_wall_key();
 
 /// mesh.sectors, for bodies of revolution.
@@ -30,9 +43,6 @@ inline constexpr int several_lines = 2;
 /// A slip in mesh.size must not fill the memory before anybody can say so: throws Error beyond 5 million cells.
 inline constexpr double most_cells = 5e6;
 void refuse_too_many_cells(const design::Values& values, double cells);
-
-/// Cells through a wall: mesh.through_wall where it is not 0, else by mesh.size but no fewer than `least`.
-[[nodiscard]] int cells_through_wall(const design::Values& values, double wall_m, int least = 1);
 
 /// "12 mm"
 [[nodiscard]] std::string length_text(double length_m);

@@ -1,6 +1,7 @@
 /// A plane panel with straight sides, drawn in (x, y): corners (0, 0), (length, rise), (length, rise + end_height),
 /// (0, height). In plane strain 1 m deep; the solid is z = 0 .. thickness.
 #include "core/units.hpp"
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
 
@@ -29,7 +30,7 @@ Shape checked_shape(const design::Values& values) {
 }
 
 /// Columns side by side, from x = 0 to the end; the first carries the patch where there is one.
-meshing::Section section_of(const Shape& shape, int across, double size_m) {
+meshing::Section section_of(const Shape& shape, int across, const CellSize& size) {
     std::vector<double> cuts{0};
     if (shape.patch_m > 0 && shape.patch_m < shape.length_m) cuts.push_back(shape.patch_m);
     cuts.push_back(shape.length_m);
@@ -39,7 +40,7 @@ meshing::Section section_of(const Shape& shape, int across, double size_m) {
     add_line(s, {high, low}, across, {"fixed"});
     for (std::size_t i = 1; i < cuts.size(); ++i) {
         const bool last = i + 1 == cuts.size(), patch = i == 1 && shape.patch_m > 0;
-        const int along = meshing::divisions(cuts[i] - cuts[i - 1], size_m);
+        const int along = size.along(cuts[i] - cuts[i - 1]);
         const int next_low = add_point(s, shape.bottom(cuts[i])), next_high = add_point(s, shape.top(cuts[i]));
         add_line(s, {low, next_low}, along, {"bottom"});
         add_line(s, {next_low, next_high}, across, last ? Names{"end"} : Names{});
@@ -53,11 +54,14 @@ meshing::Section section_of(const Shape& shape, int across, double size_m) {
 
 Body build(const design::Values& values) {
     const Shape shape = checked_shape(values);
-    const double size_m = values.number("mesh.size"), thickness_m = values.number("geometry.thickness");
+    const double thickness_m = values.number("geometry.thickness"),
+                 height_m = std::max(shape.height_m, shape.end_height_m);
+    constexpr double along = 11.5;
+    const CellSize size{values, std::sqrt(shape.length_m * height_m) / along};
     Body body;
-    body.section = section_of(shape, cells_through_wall(values, std::max(shape.height_m, shape.end_height_m)), size_m);
-    body.sweep = meshing::Extrusion{
-        thickness_m, meshing::divisions(thickness_m, size_m), {"left"}, {"right"}, meshing::Extrusion::Along::z};
+    body.section = section_of(shape, size.through(height_m, 0, size.is_stated() ? 1 : 4), size);
+    body.sweep =
+        meshing::Extrusion{thickness_m, size.along(thickness_m), {"left"}, {"right"}, meshing::Extrusion::Along::z};
     return body;
 }
 
@@ -92,7 +96,7 @@ Family panel() {
         "  deflection: {face: end, along: y}\n";
     design::Key across = through_wall_key();
     across.meaning = "cells between bottom and top; 0 = by mesh.size";
-    keys.mesh = {size_key("4 mm"), std::move(across)};
+    keys.mesh = {size_key(), std::move(across)};
     return {std::move(keys), build};
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/text.hpp"
+#include "geometry/cell_size.hpp"
 #include "geometry/keys.hpp"
 #include "meshing/body_mesher.hpp"
 #include "meshing/section.hpp"
@@ -93,9 +94,6 @@ void put_on_planes(mesh::Mesh& mesh, const std::array<bool, 3>& cut) {
     }
 }
 
-/// The wanted length of cells where the design leaves it open: about 20 along the part.
-double usual_size_m(const surface::BodySurface& surface) { return surface.extent_m() / 20; }
-
 }  // namespace
 
 double file_unit_m(const std::string& unit) {
@@ -150,9 +148,12 @@ MeshedPart mesh_part(const meshing::Part& part, const design::Values& values) {
             throw values.refuse(first, "no facet of the surface is there",
                                 "look at the coordinates in the program the part was drawn with");
         }
-    const double given_m = values.number("mesh.size"), most_m = given_m > 0 ? given_m : usual_size_m(part.surface);
+    constexpr int own_along = 20, own_through = 2;
+    const double most_m = CellSize{values, part.surface.extent_m() / own_along}.length_m();
+    const int through = values.text("mesh.through_wall") == "auto" ? scaled_count(values, own_through)
+                                                                   : values.count("mesh.through_wall");
     const surface::WallSizes sizes(walls, bends(part.surface),
-                                   {most_m / values.number("mesh.grading"), most_m, values.count("mesh.through_wall")});
+                                   {most_m / values.number("mesh.grading"), most_m, through});
     result.mesh = meshing::mesh_inside({part.surface, faces, part.origin}, sizes);
     put_on_planes(result.mesh, cut);
     return result;

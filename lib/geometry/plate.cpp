@@ -1,6 +1,9 @@
 /// A flat plate. Rectangular: x = 0 .. length, y = 0 .. width, z = 0 .. thickness; half: y = 0 is the middle plane;
 /// quarter: x = 0 too (a plate that bends has no symmetry plane across its thickness). Round: the axis x runs through
 /// the thickness, x = 0 is the bottom.
+#include <algorithm>
+
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
 #include "meshing/box_grid.hpp"
@@ -9,24 +12,29 @@
 namespace soft::geometry {
 namespace {
 
+constexpr double most_length = 2.2;  ///< of cells over the normal ones: at twice their length the curve misses 1 %
+
 Body round_plate(const design::Values& values) {
     const double radius_m = values.number("geometry.radius"), thickness_m = values.number("geometry.thickness");
+    constexpr int along = 10;
+    const CellSize size{values, radius_m / along};
     Body body;
     body.section = meshing::rectangle({thickness_m,
                                        radius_m,
-                                       cells_through_wall(values, thickness_m),
-                                       meshing::divisions(radius_m, values.number("mesh.size")),
+                                       size.through(thickness_m, model_of(values) == Model::axisymmetric ? 4 : 2),
+                                       size.along(radius_m),
                                        {meshing::axis_face},
                                        {"top"},
                                        {"rim", "edges"},
                                        {"bottom"}});
+    body.warnings = size.too_long(most_length);
     const double grading = values.number("mesh.grading");
     for (meshing::Curve& curve : body.section.curves)  // shorter toward the rim, as in the rectangular plate
         if (curve.faces == std::vector<std::string>{"top"})
             curve.grading = 1 / grading;
         else if (curve.faces == std::vector<std::string>{"bottom"})
             curve.grading = grading;
-    body.sweep = Revolution{values.count("mesh.sectors")};
+    body.sweep = Revolution{sectors(values)};
     return body;
 }
 
@@ -47,8 +55,13 @@ Body rectangular_plate(const design::Values& values) {
     plate.borders = {{{cut_x ? plane_x : meshing::Border{"edge_x0", true}, {"edge_x1", true}},
                       {cut_y ? plane_y : meshing::Border{"edge_y0", true}, {"edge_y1", true}},
                       {{{"bottom"}, {"top"}}}}};
-    const meshing::Spacing spacing{
-        values.number("mesh.size"), {1, 1, cells_through_wall(values, thickness_m)}, values.number("mesh.grading")};
+    constexpr int along = 20;
+    constexpr double thin = 0.05;
+    const double extent_m = std::max(values.number("geometry.length"), values.number("geometry.width"));
+    const CellSize size{values, extent_m / along};
+    const meshing::Spacing spacing{size.length_m(),
+                                   {1, 1, size.through(thickness_m, thickness_m < thin * extent_m ? 1 : 2)},
+                                   values.number("mesh.grading")};
     refuse_too_many_cells(values, cells_of_boxes(plate, spacing));
 
     Body body;
@@ -57,6 +70,7 @@ Body rectangular_plate(const design::Values& values) {
     for (const char* name : {"edge_x0", "edge_x1", "edge_y0", "edge_y1"})
         if (const auto one = ready.mesh.facet_sets.find(name); one != ready.mesh.facet_sets.end())
             edges.insert(edges.end(), one->second.begin(), one->second.end());
+    body.warnings = size.too_long(most_length);
     body.sweep = std::move(ready);
     body.symmetry_planes = {cut_x, cut_y, false};
     body.fraction = (cut_x ? 0.5 : 1.0) * (cut_y ? 0.5 : 1.0);
@@ -91,7 +105,7 @@ Family plate() {
         "  bottom: {pressure: 5 kPa}     # pushes the plate up\n"
         "outputs:\n"
         "  deflection: {face: top, along: normal}\n";
-    keys.mesh = {size_key("5 mm"), through_wall_key(), sectors_key(), grading_key("16")};
+    keys.mesh = {size_key(), through_wall_key(), sectors_key(), grading_key("16")};
     return {std::move(keys), build};
 }
 

@@ -1,7 +1,9 @@
 /// A bending finger: a row of chambers with slots between them, joined by a channel, over a base that stretches less. All
 /// corners sharp. x from the held end, z up from the lower face, y = 0 in the middle; the half model is y >= 0.
 #include <algorithm>
+#include <cmath>
 
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
 #include "meshing/box_grid.hpp"
@@ -54,18 +56,24 @@ void check(const Shape& s, const design::Values& values) {
 
 Shape checked_shape(const design::Values& values) {
     const auto length = [&](const char* key) { return values.number(std::string{"geometry."} + key); };
+    const double height_m = length("height"), width_m = length("width"),
+                 bridge_m = length_or(values, "bridge", 0.25 * height_m);
+    const double channel_width_m =
+        length_or(values, "channel.width", std::min(0.25 * width_m, width_m - 2 * length("side")));
+    const double channel_height_m =
+        length_or(values, "channel.height", std::min(0.5 * bridge_m, height_m - length("roof")));
     const Shape shape{.chambers = values.count("geometry.chambers"),
                       .chamber_m = length("chamber_length"),
                       .gap_m = length("gap"),
-                      .half_width_m = 0.5 * length("width"),
-                      .height_m = length("height"),
+                      .half_width_m = 0.5 * width_m,
+                      .height_m = height_m,
                       .wall_m = length("wall"),
                       .side_m = length("side"),
                       .roof_m = length("roof"),
                       .base_m = length("base"),
-                      .bridge_m = length("bridge"),
-                      .channel_half_width_m = 0.5 * length("channel.width"),
-                      .channel_height_m = length("channel.height"),
+                      .bridge_m = bridge_m,
+                      .channel_half_width_m = 0.5 * channel_width_m,
+                      .channel_height_m = channel_height_m,
                       .root_m = length("root"),
                       .tip_m = length("tip"),
                       .layer_m = length("layer.thickness")};
@@ -105,12 +113,18 @@ Body build(const design::Values& values) {
     boxes.borders[2][0] = {"bottom"};
     // Of two chambers on 2, 2, 2 cells a third one along x moves the bend by 0.65 %, along y by 0.62 %, along z by 0.01 %;
     // on 3, 3, 2 a grading of 8 in place of 4 by 0.58 % (measured).
-    const int through = values.count("mesh.through_wall");
+    constexpr double share = 0.196850393700787;
+    const double chamber_m = std::cbrt(shape.chamber_m * 2 * shape.half_width_m * shape.height_m);
+    const CellSize size{values, share * chamber_m};
+    constexpr int own_through = 3;
+    const int stated = values.count("mesh.through_wall"),
+              through = stated > 0 ? stated : scaled_count(values, own_through);
     const meshing::Spacing spacing{
-        values.number("mesh.size"), {through, through, std::max(1, through - 1)}, values.number("mesh.grading")};
+        size.length_m(), {through, through, std::max(1, through - 1)}, values.number("mesh.grading")};
     refuse_too_many_cells(values, cells_of_boxes(boxes, spacing));
 
     Body body;
+    body.warnings = size.too_few(through, own_through);  // two: 1.2 %
     body.sweep = ReadyMesh{mesh_of_boxes(boxes, spacing), model::Kinematics::solid};
     body.cavities = {{cavity_face, cavity_face, {}, {}}};  // closed: the supply line is not modelled
     body.symmetry_planes = {false, half, false};
@@ -135,22 +149,31 @@ std::vector<design::Key> geometry_keys() {
         .kind = design::Kind::text,
         .fallback = "paper",
         .meaning = "of the layer: a name below `materials`, paper (copy paper of 6.5 GPa; measure yours), or rubber"};
-    return {std::move(chambers),
-            length_key("chamber_length", "8 mm", "of a chamber along x, outside"),
-            length_key("gap", "1 mm", "width of the free slots between chambers, along x"),
-            length_key("width", "16 mm", "along y, outside; half models hold the half y >= 0"),
-            length_key("height", "16 mm", "of the chambers above the base, outside"),
-            length_key("wall", "1.5 mm", "of the chambers toward the slots, across x"),
-            length_key("side", "2 mm", "of the chambers' sides, across y"),
-            length_key("roof", "2 mm", "of the chambers' roofs"),
-            length_key("base", "3 mm", "solid below the cavities, from z = 0"),
-            length_key("bridge", "4 mm", "height above the base of the blocks across the slots, of root and of tip"),
-            length_key("channel.width", "4 mm", "along y, of the channel on the base that joins the cavities"),
-            length_key("channel.height", "2 mm", "of the channel; lower than the bridge, which covers it"),
-            length_key("root", "8 mm", "solid length before the first chamber, from the held face x = 0"),
-            length_key("tip", "3 mm", "solid length after the last chamber"),
-            std::move(layer),
-            std::move(material)};
+    return {
+        std::move(chambers),
+        length_key("chamber_length", "8 mm", "of a chamber along x, outside"),
+        length_key("gap", "1 mm", "width of the free slots between chambers, along x"),
+        length_key("width", "16 mm", "along y, outside; half models hold the half y >= 0"),
+        length_key("height", "16 mm", "of the chambers above the base, outside"),
+        length_key("wall", "1.5 mm", "of the chambers toward the slots, across x"),
+        length_key("side", "2 mm", "of the chambers' sides, across y"),
+        length_key("roof", "2 mm", "of the chambers' roofs"),
+        length_key("base", "3 mm", "solid below the cavities, from z = 0"),
+        derived_key(
+            "bridge",
+            "height above the base of the blocks across the slots, of root and of tip; auto: a quarter of the height"),
+        derived_key(
+            "channel.width",
+            "along y, of the channel on the base that joins the cavities; auto: a quarter of the width, at most that of "
+            "the cavities"),
+        derived_key(
+            "channel.height",
+            "of the channel; lower than the bridge, which covers it; auto: half the bridge, at most the height of the "
+            "cavities"),
+        length_key("root", "8 mm", "solid length before the first chamber, from the held face x = 0"),
+        length_key("tip", "3 mm", "solid length after the last chamber"),
+        std::move(layer),
+        std::move(material)};
 }
 
 }  // namespace
@@ -173,11 +196,11 @@ Family pneunet() {
     // Copy paper: Young's modulus 6.5 GPa, Poisson's ratio 0.2, as in the Soft Robotics Toolkit's model of this actuator.
     keys.materials = {{"paper", "{law: neo-hookean, mu: 2.708 GPa, kappa: 3.611 GPa, density: 750 kg/m^3}"}};
     design::Key least = through_wall_key();
-    least.fallback = "3";
     least.meaning =
-        "least number of cells between neighbouring planes of the body, through walls and across slots; one fewer along z";
+        "least number of cells between neighbouring planes of the body, through walls and across slots; one fewer along z; auto: 3, "
+        "or 2 and 5 by mesh.quality";
     least.min = 1;
-    keys.mesh = {size_key("2.5 mm"), std::move(least), grading_key("8")};
+    keys.mesh = {size_key(), std::move(least), grading_key("8")};
     return {std::move(keys), build};
 }
 

@@ -315,8 +315,11 @@ Body body_of_profile(const design::Values& values, Across across) {
         names.emplace_back(cavity_face);
     refuse_common_walls(outline, values, names);
     for (const std::string& name : names) body.cavities.push_back({name, name, {}, {}});
-    outline.size_m = cell_sizes(outline, {values.number("mesh.size"), values.count("mesh.through_wall"),
-                                          values.number("mesh.grading"), held_faces(values)});
+    constexpr int own_through = 3;
+    const int stated = values.count("mesh.through_wall");
+    outline.size_m = cell_sizes(
+        outline, {profile_cells(outline, values).length_m(), stated > 0 ? stated : scaled_count(values, own_through),
+                  values.number("mesh.grading"), held_faces(values)});
     body.symmetry_planes = {has_tag(outline, meshing::symmetry_x_face), has_tag(outline, meshing::symmetry_y_face),
                             false};
     for (const bool cut : body.symmetry_planes) body.fraction *= cut ? 0.5 : 1.0;
@@ -336,15 +339,25 @@ design::Key file_key(Across across) {
             .most = several_lines};
 }
 
-std::vector<design::Key> profile_mesh_keys(std::string_view size) {
-    return {size_key(size),
-            {.path = "mesh.through_wall",
-             .kind = design::Kind::count,
-             .fallback = "3",
-             .meaning = "cells through the thinnest part of a wall, at least",
-             .min = 1,
-             .max = 100},
-            grading_key("4")};
+CellSize profile_cells(const meshing::Outline& outline, const design::Values& values) {
+    meshing::PlanePoint low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+    for (const meshing::Loop& loop : outline.loops)
+        for (const meshing::OutlineEdge& edge : loop)
+            for (const meshing::PlanePoint& p : edge.points)
+                for (std::size_t d = 0; d < 2; ++d) {
+                    low[d] = std::min(low[d], p[d]);
+                    high[d] = std::max(high[d], p[d]);
+                }
+    constexpr double along = 8.5;  // walls and corners have shorter ones
+    return {values, std::sqrt((high[0] - low[0]) * (high[1] - low[1])) / along};
+}
+
+std::vector<design::Key> profile_mesh_keys() {
+    design::Key least = through_wall_key();
+    least.meaning = "cells through the thinnest part of a wall, at least; auto: 3, or 2 and 5 by mesh.quality";
+    least.min = 1;
+    least.max = 100;
+    return {size_key(), std::move(least), grading_key("4")};
 }
 
 }  // namespace soft::geometry

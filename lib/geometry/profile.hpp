@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "meshing/outline.hpp"
 
@@ -36,8 +37,11 @@ inline constexpr const char* profile_key = "geometry.profile";
 /// geometry.cavities makes of several tags) without openings, planes of symmetry.
 [[nodiscard]] Body body_of_profile(const design::Values& values, Across across);
 
+/// The longest cells: without mesh.size by the extents of the section.
+[[nodiscard]] CellSize profile_cells(const meshing::Outline& outline, const design::Values& values);
+
 /// Keys mesh.* of both.
-[[nodiscard]] std::vector<design::Key> profile_mesh_keys(std::string_view size);
+[[nodiscard]] std::vector<design::Key> profile_mesh_keys();
 [[nodiscard]] design::Key file_key(Across across);
 
 }  // namespace soft::geometry

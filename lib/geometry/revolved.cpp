@@ -38,7 +38,7 @@ design::FileFaces faces_of_file(const std::string& file, std::string_view place)
 Body build(const design::Values& values) {
     Body body = body_of_profile(values, across);
     for (model::Cavity& cavity : body.cavities) cavity.openings = plugs(body.outline, cavity.wall);
-    body.sweep = Revolution{values.count("mesh.sectors")};
+    body.sweep = Revolution{sectors(values)};
     return body;
 }
 
@@ -67,7 +67,7 @@ Family revolved() {
                     "  cavity: {pressure: 20 kPa}\n"
                     "outputs:\n"
                     "  elongation: {face: tip, along: x}\n";
-    keys.mesh = profile_mesh_keys("2 mm");
+    keys.mesh = profile_mesh_keys();
     keys.mesh.push_back(sectors_key());
     keys.faces_of_file = faces_of_file;
     return {std::move(keys), build};

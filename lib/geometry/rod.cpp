@@ -1,5 +1,8 @@
 /// A box from the origin: x = 0 .. length, y = 0 .. width, z = 0 .. height.
 /// Half: y = 0 is the middle plane; quarter: z = 0 too.
+#include <cmath>
+
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
 
@@ -7,23 +10,26 @@ namespace soft::geometry {
 namespace {
 
 Body build(const design::Values& values) {
-    const double length_m = values.number("geometry.length"), size_m = values.number("mesh.size");
+    const double length_m = values.number("geometry.length");
     const Model model = model_of(values);
     const bool cut_y = model != Model::solid, cut_z = model == Model::quarter;
     const double width_m = values.number("geometry.width") / (cut_y ? 2 : 1);
     const double height_m = values.number("geometry.height") / (cut_z ? 2 : 1);
+    constexpr int across = 2;  // of the whole width and height
+    const CellSize size{values, std::sqrt(values.number("geometry.width") * values.number("geometry.height")) / across};
+    const auto least = [&](bool cut) { return size.is_stated() || cut ? 1 : across; };
 
     Body body;
     body.section = meshing::rectangle({length_m,
                                        height_m,
-                                       meshing::divisions(length_m, size_m),
-                                       cells_through_wall(values, height_m),
+                                       size.along(length_m),
+                                       size.through(height_m, 0, least(cut_z)),
                                        {cut_z ? meshing::symmetry_z_face : "bottom"},
                                        {"end"},
                                        {"top"},
                                        {"fixed"}});
     body.sweep = meshing::Extrusion{
-        width_m, meshing::divisions(width_m, size_m), {cut_y ? meshing::symmetry_y_face : "left"}, {"right"}};
+        width_m, size.along(width_m, least(cut_y)), {cut_y ? meshing::symmetry_y_face : "left"}, {"right"}};
     body.symmetry_planes = {false, cut_y, cut_z};
     body.fraction = (cut_y ? 0.5 : 1.0) * (cut_z ? 0.5 : 1.0);
     return body;
@@ -47,7 +53,7 @@ Family rod() {
         "  end: {pressure: -50 kPa}      # negative pulls; per deformed area\n"
         "outputs:\n"
         "  elongation: {face: end, along: axis}\n";
-    keys.mesh = {size_key("5 mm"), through_wall_key()};
+    keys.mesh = {size_key(), through_wall_key()};
     return {std::move(keys), build};
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/units.hpp"
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/fiber_keys.hpp"
 #include "geometry/keys.hpp"
@@ -39,10 +41,13 @@ struct Shape {
 
 Shape checked_shape(const design::Values& values) {
     const auto number = [&](const char* key) { return values.number(std::string{"geometry."} + key); };
-    const double outer_m = number("outer_radius"), bore_m = number("bore_radius"), wall_m = number("wall");
+    const double outer_m = number("outer_radius"), length_m = number("length");
+    const double bore_m = length_or(values, "bore_radius", outer_m / 4),
+                 core_m = length_or(values, "core", outer_m / 6), wall_m = length_or(values, "wall", outer_m / 6),
+                 cap_m = length_or(values, "cap", 0.25 * std::min(outer_m, length_m));
     const double jacket_m = number("jacket.thickness");
-    Shape shape{values.count("geometry.chambers"), number("length"), number("cap"), number("web"), {}, jacket_m > 0};
-    const double inside_m = bore_m + number("core"), outside_m = outer_m - wall_m;
+    Shape shape{values.count("geometry.chambers"), length_m, cap_m, number("web"), {}, jacket_m > 0};
+    const double inside_m = bore_m + core_m, outside_m = outer_m - wall_m;
     if (!(inside_m < outside_m))
         throw values.refuse("geometry.wall", length_text(wall_m) + " leaves no chamber between core and wall",
                             outer_m > inside_m
@@ -70,21 +75,28 @@ struct Counts {
 };
 
 Counts counts_of(const Shape& shape, const design::Values& values) {
-    constexpr int least_around = 3;  // a chamber's arc, as a curved beam
-    const double size_m = values.number("mesh.size"), middle_m = 0.5 * (shape.radii_m[1] + shape.radii_m[2]);
+    // A chamber's arc, as a curved beam; cells turn by about 27 degrees, or their quadratic sides miss the circle.
+    const auto turns = [](double angle_rad) {
+        return static_cast<int>(std::lround(angle_rad / (27 * std::numbers::pi / 180)));
+    };
+    constexpr int own_through = 2, least_along = 6;
+    constexpr double share = 0.85;  // of the radius
+    const double middle_m = 0.5 * (shape.radii_m[1] + shape.radii_m[2]), outer_m = shape.radii_m.back();
+    const double between_m = shape.length_m - 2 * shape.cap_m;
+    const CellSize size{values, std::min(share * outer_m, between_m / least_along)};
     Counts n{{},
-             meshing::divisions(middle_m * shape.chamber_rad(), size_m, least_around),
-             cells_through_wall(values, middle_m * shape.web_rad),
-             cells_through_wall(values, shape.cap_m),
-             meshing::divisions(shape.length_m - 2 * shape.cap_m, size_m)};
-    const double outer_m = shape.radii_m.back(), wall_m = outer_m - shape.radii_m[chamber_ring + 1];
-    const int through = cells_through_wall(values, wall_m);
+             size.along(middle_m * shape.chamber_rad(), size.is_stated() ? 3 : std::max(3, turns(shape.chamber_rad()))),
+             size.through(middle_m * shape.web_rad, std::max(own_through, turns(shape.web_rad))),
+             size.through(shape.cap_m, own_through),
+             size.along(between_m)};
+    const double wall_m = outer_m - shape.radii_m[chamber_ring + 1];
+    const int through = size.through(wall_m, own_through);
     for (std::size_t ring = 0; ring + 1 < shape.radii_m.size(); ++ring) {
         const double width_m = shape.radii_m[ring + 1] - shape.radii_m[ring];
         n.rings.push_back(
-            ring == chamber_ring ? meshing::divisions(width_m, size_m)
+            ring == chamber_ring ? size.along(width_m)
             : ring < chamber_ring
-                ? cells_through_wall(values, width_m)
+                ? size.through(width_m, own_through)
                 : std::max(1, static_cast<int>(std::lround(through * width_m / wall_m))));  // jacket included
     }
     return n;
@@ -138,6 +150,8 @@ Body build(const design::Values& values) {
     const Counts n = counts_of(shape, values);
     refuse_too_many_cells(values, cells_of(shape, n));
     Body body;
+    const int through = std::accumulate(n.rings.begin() + chamber_ring + 1, n.rings.end(), 0);  // jacket included
+    body.warnings = CellSize{values, shape.radii_m.back()}.too_few(through, 2);                 // one: 3 %
     body.sweep =
         ReadyMesh{meshing::capped(section_of(shape, n), {shape.length_m, shape.cap_m, n.cap, n.along, "fixed", "end"},
                                   chamber_prefix),
@@ -176,16 +190,17 @@ std::vector<design::Key> geometry_keys() {
                          .kind = design::Kind::text,
                          .fallback = meshing::rubber_region,
                          .meaning = "of the jacket: a name below `materials`, or rubber"};
-    std::vector<design::Key> keys{std::move(chambers),
-                                  length_key("length", "40 mm", "along x, from the held face x = 0; caps included"),
-                                  length_key("outer_radius", "12 mm", "of the body"),
-                                  length_key("bore_radius", "3 mm", "of the open bore along the axis"),
-                                  length_key("core", "2 mm", "between bore and chambers"),
-                                  length_key("wall", "2 mm", "between chambers and outer face, jacket included"),
-                                  std::move(web),
-                                  length_key("cap", "3 mm", "thickness of each cap"),
-                                  std::move(jacket),
-                                  std::move(material)};
+    std::vector<design::Key> keys{
+        std::move(chambers),
+        length_key("length", "40 mm", "along x, from the held face x = 0; caps included"),
+        length_key("outer_radius", "12 mm", "of the body"),
+        derived_key("bore_radius", "of the open bore along the axis; auto: a quarter of outer_radius"),
+        derived_key("core", "between bore and chambers; auto: a sixth of outer_radius"),
+        derived_key("wall", "between chambers and outer face, jacket included; auto: a sixth of outer_radius"),
+        std::move(web),
+        derived_key("cap", "thickness of each cap; auto: a quarter of outer_radius, at most of the length"),
+        std::move(jacket),
+        std::move(material)};
     const FiberDefaults defaults{
         "85 deg", "; steep ones keep the body from swelling, so that it lengthens and bends instead", "0 MPa"};
     for (design::Key& key : fiber_keys(jacket_fibers, defaults)) keys.push_back(std::move(key));
@@ -215,7 +230,7 @@ Family segment() {
         "  bend: {face: end, measure: bend, reference: fixed, along: y}      # away from chamber_1\n"
         "  sideways: {face: end, measure: bend, reference: fixed, along: z}\n"
         "  elongation: {face: end, along: axis}\n";
-    keys.mesh = {size_key("3 mm"), through_wall_key()};
+    keys.mesh = {size_key(), through_wall_key()};
     return {std::move(keys), build};
 }
 

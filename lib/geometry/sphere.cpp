@@ -1,5 +1,6 @@
 /// A thick spherical shell about the origin. Every model is cut at x = 0: with this symmetry plane nothing else need be
 /// held to keep the shell from drifting along its axis.
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
 
@@ -8,27 +9,27 @@
 namespace soft::geometry {
 namespace {
 
+constexpr Radii usual{10e-3, 20e-3};
+
 Body build(const design::Values& values) {
-    const double inner_m = values.number("geometry.inner_radius"), outer_m = values.number("geometry.outer_radius");
-    if (!(inner_m < outer_m))
-        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m),
-                            smaller_than(outer_m));
-    constexpr int least_around = 4;  // per quarter turn, as for mesh.sectors
-    const int through = cells_through_wall(values, outer_m - inner_m);
-    const int around =
-        meshing::divisions(0.25 * std::numbers::pi * (inner_m + outer_m), values.number("mesh.size"), least_around);
+    const auto [inner_m, outer_m] = radii_of(values, usual);
+    constexpr int least_around = 4;  // per quarter turn
+    const CellSize size{values, ring_cell_m(inner_m, outer_m)};
+    const Division through = size.through_ring(inner_m, outer_m);
+    const int around = size.along(0.25 * std::numbers::pi * (inner_m + outer_m), least_around);
 
     Body body;
     meshing::Section& s = body.section;
     const int centre = add_point(s, {0, 0});
     const int a = add_point(s, {inner_m, 0}), b = add_point(s, {outer_m, 0});
     const int c = add_point(s, {0, outer_m}), d = add_point(s, {0, inner_m});
-    add_line(s, {a, b}, through, {meshing::axis_face});
+    add_graded_line(s, {a, b}, through.cells, through.grading, {meshing::axis_face});
     add_arc(s, {b, c}, centre, around, {"outer"});
-    add_line(s, {c, d}, through, {meshing::symmetry_x_face});
+    add_graded_line(s, {c, d}, through.cells, 1 / through.grading, {meshing::symmetry_x_face});
     add_arc(s, {d, a}, centre, around, {"cavity"});
     add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
-    body.sweep = Revolution{values.count("mesh.sectors")};
+    body.warnings = too_few_through_ring(size, inner_m, outer_m, through, most_of_sphere);
+    body.sweep = Revolution{sectors(values)};
     body.cavities = {{"cavity", "cavity", {}, {}}};
     body.symmetry_planes = {true, false, false};
     body.fraction = 0.5;
@@ -42,9 +43,8 @@ Family sphere() {
     design::FamilyKeys keys;
     keys.name = "sphere";
     keys.summary = "a thick spherical shell, inflated";
-    keys.geometry = {
-        length_key("inner_radius", "10 mm", "radius of the cavity"),
-        length_key("outer_radius", "20 mm", "radius of the outer face; every model holds the half x >= 0")};
+    keys.geometry =
+        radii_keys(usual, "radius of the cavity", "radius of the outer face; every model holds the half x >= 0");
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"cavity", "outer"};
     keys.defaults =
@@ -52,7 +52,7 @@ Family sphere() {
         "loads:\n"
         "  cavity: {pressure: 100 kPa}\n"
         "outputs: {}                     # the cavity's volume is in every curve\n";
-    keys.mesh = {size_key("2.5 mm"), through_wall_key(), sectors_key()};
+    keys.mesh = {size_key(), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }
 

@@ -1,4 +1,5 @@
 #include "geometry/strip.hpp"
+#include "geometry/cell_size.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -51,7 +52,7 @@ void add_strip_sector(Body& body, const design::Values& values) {
         throw values.refuse(
             angle_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0",
             "model: solid or half");
-    const double step_rad = std::numbers::pi / values.count("mesh.sectors"), steps = angle_rad / step_rad;
+    const double step_rad = std::numbers::pi / sectors(values), steps = angle_rad / step_rad;
     if (std::abs(steps - std::round(steps)) > 1e-9 * steps)
         throw values.refuse(angle_key, "the strip's edges do not lie between cells",
                             "a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) +

@@ -8,10 +8,12 @@ namespace {
 
 Body build(const design::Values& values) {
     const TubeShape shape = tube_shape(values);
-    const WallLayer wall{shape.outer_m, cells_through_wall(values, shape.wall_m())};
+    const CellSize size = tube_cells(shape, values);
+    const WallLayer wall{shape.outer_m, size.through_ring(shape.inner_m, shape.outer_m)};
     Body body;
-    body.section = tube_section(shape, values.number("mesh.size"), {&wall, 1});
-    body.sweep = Revolution{values.count("mesh.sectors")};
+    body.warnings = tube_warnings(shape, size, wall.through);
+    body.section = tube_section(shape, size, {&wall, 1});
+    body.sweep = Revolution{sectors(values)};
     body.cavities = {{"cavity", "cavity", {}, {}}};
     return body;
 }

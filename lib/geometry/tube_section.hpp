@@ -5,6 +5,7 @@
 #include <string>
 
 #include "design/design.hpp"
+#include "geometry/cell_size.hpp"
 #include "meshing/section.hpp"
 
 namespace soft::geometry {
@@ -22,12 +23,20 @@ struct TubeShape {
 
 struct WallLayer {
     double outer_m;  ///< outer radius; the inner one is that of the layer before, or of the cavity
-    int cells;
+    Division through;
     std::string region = "rubber";      ///< between the caps
     std::string cap_region = "rubber";  ///< where the layer runs through the caps
 };
 
+/// Of a section or a solid: the latter is meshed with longer cells.
+[[nodiscard]] CellSize tube_cells(const TubeShape& shape, const design::Values& values);
+
+/// Of a coarse mesh.
+[[nodiscard]] std::vector<std::string> tube_warnings(const TubeShape& shape, const CellSize& size,
+                                                     const Division& through);
+
 /// From inside to outside; the last layer ends at shape.outer_m. Faces "fixed", "inlet", "cavity", "outer" and the axis.
-[[nodiscard]] meshing::Section tube_section(const TubeShape& shape, double size_m, std::span<const WallLayer> layers);
+[[nodiscard]] meshing::Section tube_section(const TubeShape& shape, const CellSize& size,
+                                            std::span<const WallLayer> layers);
 
 }  // namespace soft::geometry

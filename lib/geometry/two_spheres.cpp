@@ -1,5 +1,8 @@
 /// Two thick spherical shells apart, side by side on the axis x, each as the half beside its own plane of symmetry: left
 /// of x = -gap/2 and right of x = gap/2. What they share is at most their gas.
+#include <algorithm>
+
+#include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
 
@@ -7,6 +10,8 @@
 
 namespace soft::geometry {
 namespace {
+
+constexpr Radii usual{10e-3, 11e-3};
 
 constexpr std::array<const char*, 2> plane_faces{"plane_left", "plane_right"};
 
@@ -17,36 +22,32 @@ struct Half {
     const char *wall, *outside, *plane;  ///< faces; the cells are the region `wall`
 };
 
-struct Counts {
-    int through, around;
-};
-
-void add_half(meshing::Section& s, const Half& half, Counts n) {
+void add_half(meshing::Section& s, const Half& half, Division through, int around) {
     const auto at = [&](double x, double r) { return add_point(s, {half.plane_m + half.sign * x, r}); };
     const int centre = at(0, 0);
     const int a = at(half.inner_m, 0), b = at(half.outer_m, 0), c = at(0, half.outer_m), d = at(0, half.inner_m);
-    add_line(s, {a, b}, n.through, {meshing::axis_face});
-    add_arc(s, {b, c}, centre, n.around, {half.outside});
-    add_line(s, {c, d}, n.through, {half.plane});
-    add_arc(s, {d, a}, centre, n.around, {half.wall});
+    add_graded_line(s, {a, b}, through.cells, through.grading, {meshing::axis_face});
+    add_arc(s, {b, c}, centre, around, {half.outside});
+    add_graded_line(s, {c, d}, through.cells, 1 / through.grading, {half.plane});
+    add_arc(s, {d, a}, centre, around, {half.wall});
     add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}}, half.wall);
 }
 
 Body build(const design::Values& values) {
-    const double inner_m = values.number("geometry.inner_radius"), outer_m = values.number("geometry.outer_radius");
-    if (!(inner_m < outer_m))
-        throw values.refuse("geometry.inner_radius", not_smaller(inner_m, "outer_radius", outer_m),
-                            smaller_than(outer_m));
+    const auto [inner_m, outer_m] = radii_of(values, usual);
     constexpr int least_around = 4;  // per quarter turn, as for mesh.sectors
-    const double wall_m = outer_m - inner_m, right_wall_m = wall_m * values.number("geometry.right_scale");
+    const double right_m = inner_m + (outer_m - inner_m) * values.number("geometry.right_scale");
     const double half_gap_m = 0.5 * values.number("geometry.gap");
     // The same cells on both: a difference of their meshes would be an imperfection of its own.
-    const Counts n{cells_through_wall(values, wall_m), meshing::divisions(0.25 * std::numbers::pi * (inner_m + outer_m),
-                                                                          values.number("mesh.size"), least_around)};
+    const double thin_m = std::min(outer_m, right_m), thick_m = std::max(outer_m, right_m);
+    const CellSize size{values, ring_cell_m(inner_m, thin_m)};
+    const Division through = size.through_ring(inner_m, thick_m);
+    const int around = size.along(0.25 * std::numbers::pi * (inner_m + outer_m), least_around);
 
     Body body;
-    add_half(body.section, {-half_gap_m, -1, inner_m, outer_m, "left", "outer_left", plane_faces[0]}, n);
-    add_half(body.section, {half_gap_m, 1, inner_m, inner_m + right_wall_m, "right", "outer_right", plane_faces[1]}, n);
+    add_half(body.section, {-half_gap_m, -1, inner_m, outer_m, "left", "outer_left", plane_faces[0]}, through, around);
+    add_half(body.section, {half_gap_m, 1, inner_m, right_m, "right", "outer_right", plane_faces[1]}, through, around);
+    body.warnings = too_few_through_ring(size, inner_m, thick_m, through, most_of_sphere);
     body.sweep = Revolution{};
     // Each cavity goes on beyond its plane; the plug that stands for that pushes on a face held against it.
     const double hole_m2 = std::numbers::pi * inner_m * inner_m;
@@ -70,10 +71,10 @@ Family two_spheres() {
                             .min = 0,
                             .max = 10,
                             .min_open = true};
-    keys.geometry = {length_key("inner_radius", "10 mm", "radius of both cavities"),
-                     length_key("outer_radius", "11 mm",
-                                "radius of the outer faces; the model holds the outward half of each shell"),
-                     length_key("gap", "10 mm", "between the two planes of symmetry"), std::move(right_scale)};
+    keys.geometry = radii_keys(usual, "radius of both cavities",
+                               "radius of the outer faces; the model holds the outward half of each shell");
+    keys.geometry.push_back(length_key("gap", "10 mm", "between the two planes of symmetry"));
+    keys.geometry.push_back(std::move(right_scale));
     keys.models = {"axisymmetric"};
     keys.faces = {"left", "right", "outer_left", "outer_right", plane_faces[0], plane_faces[1]};
     keys.cavities = {"left", "right"};
@@ -84,7 +85,7 @@ Family two_spheres() {
         "    left: {volume_ratio: 10}    # of both volumes together\n"
         "    right: {shares: left}\n"
         "outputs: {}                     # the volumes are in every curve\n";
-    keys.mesh = {size_key("0.5 mm"), through_wall_key()};
+    keys.mesh = {size_key(), through_wall_key()};
     return {std::move(keys), build};
 }
 

@@ -18,7 +18,10 @@ namespace {
 
 using mesh::Index;
 
-double unit_scale(const Outline& outline) { return std::exp2(-std::round(std::log2(extent_m(outline)))); }
+/// To unit size, and there to the digits that no change of scale touches: what gmsh decides by the last digits, such as which of
+/// two equal triangles is joined to a third, must be the same for a part in millimetres and in metres.
+double unit_scale(const Outline& outline) { return 1 / extent_m(outline); }
+double without_rounding(double unit_coordinate) { return std::ldexp(std::round(std::ldexp(unit_coordinate, 40)), -40); }
 
 /// The outline told to gmsh, and which of its curves belong to which edge.
 class Description {
@@ -54,7 +57,7 @@ public:
 
 private:
     int point(PlanePoint place) {
-        gmsh_.add_point(++points_, {place[0] * scale_, place[1] * scale_});
+        gmsh_.add_point(++points_, {without_rounding(place[0] * scale_), without_rounding(place[1] * scale_)});
         return points_;
     }
     int next(const Part& part) {
@@ -148,10 +151,10 @@ mesh::Mesh mesh_once(const Outline& outline, const Size& size_m, FreeCells cells
     const Description description{gmsh, outline, scale};
     const bool quads = cells == FreeCells::quadrilaterals;
     const double factor = (quads ? 2 : 1) * scale;
-    gmsh.mesh_freely(quads ? GmshSession::Free::quadrilaterals : GmshSession::Free::triangles,
-                     [&](std::array<double, 2> place) {
-                         return factor * size_m({place[0] / scale, place[1] / scale});
-                     });
+    gmsh.mesh_freely(
+        quads ? GmshSession::Free::quadrilaterals : GmshSession::Free::triangles, [&](std::array<double, 2> place) {
+            return static_cast<double>(static_cast<float>(factor * size_m({place[0] / scale, place[1] / scale})));
+        });
     Fetched fetched{gmsh, outline, scale};
     for (std::size_t c = 0; c < description.curves().size(); ++c)
         fetched.add_sides(static_cast<int>(c) + 1, description.curves()[c]);

@@ -37,8 +37,8 @@ int add_line(Section& section, Ends ends, int cells, std::vector<std::string> fa
     return add_arc(section, ends, Curve::straight, cells, std::move(faces));
 }
 
-int add_graded_line(Section& section, Ends ends, int cells, double grading) {
-    const int line = add_line(section, ends, cells);
+int add_graded_line(Section& section, Ends ends, int cells, double grading, std::vector<std::string> faces) {
+    const int line = add_line(section, ends, cells, std::move(faces));
     section.curves.back().grading = grading;
     return line;
 }
@@ -76,7 +76,9 @@ double cell_count(const Section& section) {
 
 int divisions(double length_m, double size_m, int least) {
     constexpr double most = 100000;  // far beyond what can be solved, and safe to convert to int
-    return std::max(least, static_cast<int>(std::lround(std::min(length_m / size_m, most))));
+    constexpr double rounding =
+        1e-9;  // a half must not become one number of cells in millimetres and another in metres
+    return std::max(least, static_cast<int>(std::lround(std::min(length_m / size_m + rounding, most))));
 }
 
 Section rectangle(const Rectangle& shape) {

@@ -51,7 +51,7 @@ struct Ends {
     int end;
 };
 int add_line(Section& section, Ends ends, int cells, std::vector<std::string> faces = {});
-int add_graded_line(Section& section, Ends ends, int cells, double grading);
+int add_graded_line(Section& section, Ends ends, int cells, double grading, std::vector<std::string> faces = {});
 int add_arc(Section& section, Ends ends, int centre, int cells, std::vector<std::string> faces = {});
 
 /// The outline may run either way round (mirrored ends do); it is stored counter-clockwise.

@@ -314,7 +314,7 @@ TEST(Imported, FirstOrderSimplicesOfAFileAreSaidToLock) {
     const std::string text = design::template_yaml(sample::family("imported").keys);
     const auto locks = [&](const std::vector<design::Override>& sets) {
         const auto design = design::read_design(text, source, catalogue_keys(), sets);
-        const auto warnings = warnings_of(design, build_case(design));
+        const auto warnings = warnings_of(design, build_with_figures(design));
         return std::ranges::any_of(warnings,
                                    [](const std::string& w) { return w.starts_with("geometry.file: first-order"); });
     };

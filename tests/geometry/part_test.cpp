@@ -252,7 +252,7 @@ TEST(Part, ItsEffectiveDesignReadsBackTheSameAndAnOddUnitIsAsked) {
     const std::string metres =
         part_text(file.path, ", unit: m, faces: {fixed: {plane: {x: 0 mm}}, tip: {plane: {x: 30 m}}}", usual);
     const design::Design large = read_part(metres, {{"mesh.size", "5 m"}});
-    const auto warnings = warnings_of(large, build_case(large));
+    const auto warnings = warnings_of(large, build_with_figures(large));
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0], "geometry.unit: the part is 30 m long; are the file's lengths in m?");
 }

@@ -247,7 +247,7 @@ TEST(Pneunet, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
         }
     }
     try {
-        (void)sample::solid("pneunet", "half", {{"geometry.roof", "15 mm"}});
+        (void)sample::solid("pneunet", "half", {{"geometry.roof", "15 mm"}, {"geometry.channel.height", "2 mm"}});
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(std::string{error.what()},

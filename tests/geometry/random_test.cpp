@@ -25,7 +25,8 @@ std::string drawn(const design::Key& key, Dice& dice) {
     }
     const double usual =
         key.choices.empty() || key.kind != design::Kind::choice ? sample::number_of(key, key.fallback) : 0;
-    if (!key.choices.empty() && (key.kind == design::Kind::choice || dice.chance(0.5))) return dice.one_of(key.choices);
+    if (!key.choices.empty() && (key.kind == design::Kind::choice || dice.chance(key.fallback == "auto" ? 0.8 : 0.5)))
+        return dice.one_of(key.choices);
     switch (key.kind) {
         case design::Kind::length: {
             const double base = usual > 0 ? usual : 5e-3;
@@ -90,8 +91,9 @@ Drawn drawn_design(const design::FamilyKeys& keys, Dice& dice) {
     const bool plane = model == "axisymmetric" || model == "plane-strain";
     for (const design::Key& key : keys.mesh) {
         if (key.path == "mesh.size")
-            design.overrides.push_back(
-                {key.path, millimetres(dice.scaled(sample::number_of(key, key.fallback), 1.5) * (plane ? 1 : 1.7))});
+            design.overrides.push_back(plane && dice.chance(0.5)
+                                           ? design::Override{key.path, millimetres(dice.between_logs(0.7e-3, 5e-3))}
+                                           : design::Override{"mesh.quality", plane ? "normal" : "draft"});
         if (key.path == "mesh.through_wall" && !plane) design.overrides.push_back({key.path, "1"});
         if (key.path == "mesh.sectors") design.overrides.push_back({key.path, "3"});
     }

@@ -79,6 +79,8 @@ inline design::Values values(const std::string& name, const std::string& model, 
     for (const design::Key& key : keys.geometry) add(key);
     for (const design::Key& key : keys.mesh) add(key);
     result.set("model", {0, model, "test", true});
+    const auto quality = changes.find("mesh.quality");
+    result.set("mesh.quality", {0, quality == changes.end() ? "normal" : quality->second, "test", true});
     const auto cells = changes.find("mesh.cells"), order = changes.find("mesh.order");
     result.set("mesh.cells", {0, cells == changes.end() ? "auto" : cells->second, "test", true});
     const std::string power = order == changes.end() ? "2" : order->second;
