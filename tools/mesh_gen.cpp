@@ -64,9 +64,11 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
         design::read_design(input.text(), input.source, geometry::catalogue_keys(), overrides);
     const geometry::Built built = geometry::build_with_figures(design);
     const model::Case& model = built.model;
-    const std::vector<std::string> warnings = geometry::warnings_of(design, model);
-    for (const std::string& warning : warnings) console.warn(warning);
     const cli::MeshSummary summary = cli::inspect(built);
+    std::vector<std::string> warnings = geometry::warnings_of(design, built);
+    if (std::string large = cli::memory_warning(summary.unknowns, model.mesh.dimension); !large.empty())
+        warnings.push_back(std::move(large));
+    for (const std::string& warning : warnings) console.warn(warning);
     if (options.task == cli::Task::build) {
         const io::Provenance provenance{std::string{about.tool}, std::string{cli::version()},
                                         std::string{cli::revision()}, cli::library_lines(about),

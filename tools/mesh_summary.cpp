@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -130,6 +131,18 @@ MeshSummary inspect(const geometry::Built& built) {
         summary.part->file.volume_m3 /= model.model_fraction;  // of the whole body, as everywhere
     }
     return summary;
+}
+
+std::string memory_warning(std::size_t unknowns, int dimension) {
+    constexpr std::size_t many = 1000000;
+    if (unknowns <= many) return {};
+    // Of the direct solver, measured: solids of 91,281 unknowns 0.88 GB, of 445,471 5.6 GB; a section of 136,000 0.29 GB.
+    const double n = static_cast<double>(unknowns);
+    const double memory_GB = dimension == 3 ? 0.88 * std::pow(n / 91281, 1.17) : 0.29 * std::pow(n / 136000, 1.08);
+    return "mesh: " + std::to_string(unknowns) + " unknowns; the solve will need about " +
+           core::rounded_text(memory_GB, 2) + " GB of memory; " +
+           (dimension == 3 ? "larger cells, a half or quarter model, or solver.preconditioner: multigrid"
+                           : "larger cells (mesh.size, mesh.quality: draft)");
 }
 
 std::vector<std::string> summary_lines(const MeshSummary& summary) {

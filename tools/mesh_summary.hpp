@@ -39,6 +39,9 @@ struct MeshSummary {
 [[nodiscard]] MeshSummary inspect(const geometry::Built& built);
 
 /// Two lines for a person; one more where there are sharp inner corners, two more where a part was meshed.
+/// A warning where the solve will need much memory: above a million unknowns; empty below.
+[[nodiscard]] std::string memory_warning(std::size_t unknowns, int dimension);
+
 [[nodiscard]] std::vector<std::string> summary_lines(const MeshSummary& summary);
 /// SI, units in the names.
 [[nodiscard]] nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings);

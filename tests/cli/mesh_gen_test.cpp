@@ -194,6 +194,15 @@ TEST(MeshGen, CheckCountsItsWarnings) {
     EXPECT_TRUE(holds(outcome.err, "t.yaml: valid, 2 warnings\n")) << outcome.err;
 }
 
+TEST(MeshGen, WarnsOfTheMemoryOfAMillionUnknowns) {
+    Folder folder;
+    const Outcome large = run(
+        folder, "mesh-gen --template rod > r.yaml && mesh-gen --check r.yaml --set mesh.size=0.6mm --set mesh.order=2");
+    EXPECT_EQ(large.code, 0);
+    EXPECT_TRUE(holds(large.err, "unknowns; the solve will need about ")) << large.err;
+    EXPECT_FALSE(holds(run(folder, "mesh-gen --check r.yaml --set mesh.size=1mm").err, "the solve will need"));
+}
+
 TEST(MeshGen, CheckAndExplainWriteNoCase) {
     Folder folder;
     ASSERT_EQ(run(folder, "mesh-gen --template bellows > b.yaml").code, 0);
