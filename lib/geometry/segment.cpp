@@ -75,9 +75,9 @@ struct Counts {
 };
 
 Counts counts_of(const Shape& shape, const design::Values& values) {
-    // A chamber's arc, as a curved beam; cells turn by about 27 degrees, or their quadratic sides miss the circle.
+    // A chamber's arc, as a curved beam; cells turn by less than 29 degrees: by 30 their quadratic sides miss its area by 1.6e-4.
     const auto turns = [](double angle_rad) {
-        return static_cast<int>(std::lround(angle_rad / (27 * std::numbers::pi / 180)));
+        return static_cast<int>(std::ceil(angle_rad / (29 * std::numbers::pi / 180)));
     };
     constexpr int own_through = 2, least_along = 6;
     constexpr double share = 0.85;  // of the radius

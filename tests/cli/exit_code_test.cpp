@@ -52,8 +52,8 @@ TEST_F(ExitCodes, BadInputIs65) {
     expect_refusal(folder_, "mesh-gen < /dev/null", 65, "the design is empty");
     expect_refusal(folder_, "head -c 3000 /dev/urandom | mesh-gen", 65, "<stdin>:");
     expect_refusal(folder_, "yes | mesh-gen", 65, "");  // an endless design
-    expect_refusal(folder_, "mesh-gen --set geometry.inner_radius=12mm tube.yaml -o x.h5", 65,
-                   "--set geometry.inner_radius: 12 mm is not smaller than");
+    expect_refusal(folder_, "mesh-gen --set geometry.cap=80mm tube.yaml -o x.h5", 65,
+                   "--set geometry.cap: 80 mm is not smaller than");
     EXPECT_FALSE(fs::exists(folder_ / "x.h5"));
 }
 

@@ -105,7 +105,7 @@ TEST(MeshGen, OfSeveralDesignsOneThatIsRefusedDoesNotStopTheOthers) {
     Folder folder;
     const Outcome outcome = run(
         folder,
-        "mesh-gen --template tube > a.yaml && sed 's/inner_radius: .*/inner_radius: 1 m/' a.yaml > b.yaml && "
+        "mesh-gen --template tube > a.yaml && sed 's/cap: .*/cap: 1 m/' a.yaml > b.yaml && "
         "cp a.yaml c.yaml && mesh-gen -q a.yaml absent.yaml b.yaml c.yaml --output-folder cases; code=$?; ls cases; exit $code");
     EXPECT_EQ(outcome.code, 66) << outcome.err;
     EXPECT_EQ(outcome.out, "a.h5\nc.h5\n");
