@@ -46,8 +46,8 @@ TEST_F(ExitCodes, UsageIs64) {
 }
 
 TEST_F(ExitCodes, BadInputIs65) {
-    expect_refusal(folder_, "sed 's/cap: 5 mm/cap: 5/' tube.yaml | mesh-gen", 65, "<stdin>:");
-    expect_refusal(folder_, "sed 's/cap: 5 mm/cpa: 5/' tube.yaml > x.yaml; mesh-gen x.yaml", 65,
+    expect_refusal(folder_, "sed 's/cap: auto/cap: 5/' tube.yaml | mesh-gen", 65, "<stdin>:");
+    expect_refusal(folder_, "sed 's/cap: auto/cpa: 5/' tube.yaml > x.yaml; mesh-gen x.yaml", 65,
                    "geometry.cpa: unknown key; did you mean 'cap'?");
     expect_refusal(folder_, "mesh-gen < /dev/null", 65, "the design is empty");
     expect_refusal(folder_, "head -c 3000 /dev/urandom | mesh-gen", 65, "<stdin>:");
