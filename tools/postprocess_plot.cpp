@@ -43,7 +43,8 @@ std::vector<post::PlotSeries> plot_series(const PlotOptions& options, const io::
 void draw_plot(const PlotOptions& options, std::span<const post::PlotSeries> series, const post::Measured* measured,
                const std::string& title) {
     if (options.file.empty()) return;
-    post::draw_plot(series, measured, {series.size() == 1 ? title : "", options.x, options.y, options.colour}, options.file);
+    post::draw_plot(series, measured, {series.size() == 1 ? title : "", options.x, options.y, options.colour},
+                    options.file);
 }
 
 }  // namespace soft

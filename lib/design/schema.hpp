@@ -42,7 +42,8 @@ struct Key {
     bool min_open = false;                  ///< the value must be greater than min
     std::vector<std::string> choices = {};  ///< for Kind::choice; for a number, quantity or faces: words
                                             ///< allowed in its place ("incompressible"), read as 0 or none
-    int most = 1;  ///< of a text: 1 is a single line, else several are allowed too; of a number or quantity: 1 is a single value, else one or a list of up to `most`
+    int most =
+        1;  ///< of a text: 1 is a single line, else several are allowed too; of a number or quantity: 1 is a single value, else one or a list of up to `most`
 };
 
 }  // namespace soft::design

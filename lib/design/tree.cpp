@@ -34,7 +34,7 @@ struct Places {
 /// Builds the tree from parser events. yaml-cpp's own nodes would hide duplicate keys and expand aliases.
 class TreeBuilder final : public YAML::EventHandler {
 public:
-    explicit TreeBuilder(const Places& places) : places_(places) {}
+    TreeBuilder(const Places& places, std::string_view text) : places_(places), text_(text) {}
 
     Node take() { return std::move(root_); }
 
@@ -53,8 +53,11 @@ public:
                   const std::string& value) override {
         check(mark, tag, anchor);
         // An escape such as "\n" gives what check_characters has refused in the text; names go into messages, tables and paths.
+        // The lines of a block scalar are no escapes; keys that do not take several lines refuse them (checks.cpp).
         std::string visible = value;
-        std::ranges::replace(visible, '\t', ' ');
+        const bool is_block = value.find('\n') != std::string::npos && begins_block(mark);
+        std::ranges::replace_if(
+            visible, [&](char c) { return c == '\t' || (is_block && c == '\n'); }, ' ');
         if (core::one_line(visible, visible.size()) != visible)
             refuse(places_.at(mark), "", "a control character in " + core::quoted(value), "write letters and blanks");
         Node node;
@@ -81,6 +84,15 @@ private:
 
     [[noreturn]] void refuse_anchor(const YAML::Mark& mark) const {
         refuse(places_.at(mark), "", "anchors and aliases are not part of " + places_.a_kind(), "write the value out");
+    }
+
+    /// Whether the scalar at this mark is written below "|" or ">".
+    [[nodiscard]] bool begins_block(const YAML::Mark& mark) const {
+        std::size_t at = 0;
+        for (int line = 0; line < mark.line && at < text_.size(); ++line)
+            at = std::min(text_.find('\n', at), text_.size() - 1) + 1;
+        at += static_cast<std::size_t>(std::max(mark.column, 0));
+        return at < text_.size() && (text_[at] == '|' || text_[at] == '>');
     }
 
     void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
@@ -142,6 +154,7 @@ private:
     }
 
     const Places& places_;
+    std::string_view text_;
     Node root_;
     std::vector<Frame> stack_;
     int nodes_ = 0;
@@ -179,7 +192,7 @@ Node parse(std::string_view text, const Places& places) {
     // yaml-cpp 0.7 takes a quote that is never closed for closed at the end of the file; a document end within it is
     // refused.
     std::istringstream stream{std::string{text} + "\n...\n"};
-    TreeBuilder builder{places};
+    TreeBuilder builder{places, text};
     try {
         YAML::Parser parser{stream};
         while (parser.HandleNextDocument(builder)) {}

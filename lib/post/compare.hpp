@@ -25,8 +25,8 @@ struct ErrorSummary {
     std::size_t points = 0;      ///< in the common range
     std::size_t left_out = 0;
     double mean = 0, mean_absolute = 0, rms = 0;  ///< in the unit of column `of`
-    double largest = 0;                       ///< with its sign
-    std::size_t largest_row = 0;              ///< of the measured rows
+    double largest = 0;                           ///< with its sign
+    std::size_t largest_row = 0;                  ///< of the measured rows
     std::optional<double> r2 = {};
 };
 

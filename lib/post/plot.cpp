@@ -129,8 +129,8 @@ std::string from_zero(const char* range, std::span<const std::array<double, 2>> 
 
 std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest& request, PictureFormat format) {
     return terminal(format) + "set encoding utf8\n" + "set xlabel " + axis_label(curve, curve.columns[axes.x]) +
-           " noenhanced\n" + "set ylabel " + axis_label(curve, curve.columns[axes.y]) + " noenhanced\n" +
-           axes_style() + "set bars 0.5\n" +
+           " noenhanced\n" + "set ylabel " + axis_label(curve, curve.columns[axes.y]) + " noenhanced\n" + axes_style() +
+           "set bars 0.5\n" +
            (axes.colour ? std::string{path_palette} +
                               ("set cblabel " + axis_label(curve, curve.columns[*axes.colour]) + " noenhanced\n")
                         : std::string{}) +

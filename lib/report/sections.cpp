@@ -111,8 +111,8 @@ std::string comparison_section(const Content& content) {
         const post::Column& of = content.curve.columns[error.of];
         const post::Column& at = content.curve.columns[error.at];
         rows.push_back({{of.quantity, at.quantity, std::to_string(error.points), std::to_string(error.left_out),
-                         with_unit(of, error.mean, 3), with_unit(of, error.mean_absolute, 3), with_unit(of, error.rms, 3),
-                         with_unit(of, error.largest, 3),
+                         with_unit(of, error.mean, 3), with_unit(of, error.mean_absolute, 3),
+                         with_unit(of, error.rms, 3), with_unit(of, error.largest, 3),
                          with_unit(at, content.measured->find(error.at)->values[error.largest_row], 4),
                          error.r2 ? core::rounded_text(*error.r2, 4) : ""}});
     }

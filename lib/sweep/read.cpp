@@ -34,6 +34,8 @@ void check_keys(const Node& map, const std::vector<std::string>& known, const st
 Written single(const Node& node, const std::string& path, const std::string& example) {
     if (node.kind != Node::Kind::scalar || core::trimmed(node.text).empty())
         refuse(node.place, path, "a single value is needed here", "write for example " + example);
+    if (core::trimmed(node.text).find('\n') != std::string_view::npos)
+        refuse(node.place, path, "several lines where one value is needed", "write for example " + example);
     return {std::string{core::trimmed(node.text)}, node.place};
 }
 

@@ -27,10 +27,6 @@ TEST(Plausibility, AModulusInTheWrongUnitIsNoticed) {
     expect_warning({{"material.mu", "164.4 MPa"}}, "material:", "unusual for a silicone");
 }
 
-TEST(Plausibility, AWallThinnerThanACellIsNoticed) {
-    expect_warning({{"mesh.size", "4 mm"}}, "mesh.size:", "geometry.wall = 3 mm");
-}
-
 TEST(Plausibility, APressureFarAboveTheModulusIsNoticed) {
     expect_warning({{"loads.cavity.pressure", "30 MPa"}}, "loads.cavity.pressure:", "far above");
 }

@@ -28,11 +28,11 @@ claim "--quiet leaves the exit code" exits 2
 claim "and nothing else" quiet
 
 # The pressure of a long neo-Hookean ring has no maximum but an asymptote, mu ln(B/A) = 113.9534 kPa
-run "mesh-gen -q designs/ring.yaml --set \"path={control: auto}\" | solve --json ring.json -o ring.h5"
+run "mesh-gen -q designs/ring.yaml --set mesh.quality=fine --set \"path={control: auto}\" | solve --json ring.json -o ring.h5"
 claim "a load beyond an asymptote ends as one beyond a maximum" exits 2
 claim "with its own words" has 'the load asked for is never reached: it tends to *' ring.json detail
 claim "at the end of patience, a stretch of 10, or soon after" within "$(postprocess -q ring.h5 | column stretch_p99 /dev/stdin | tail -n 1)" 10 60
-claim "near the asymptote and below it" within "$(postprocess -q ring.h5 | column pressure_kPa /dev/stdin | tail -n 1)" 113.9 113.9535
+claim "at the asymptote, to the error of the mesh" within "$(postprocess -q ring.h5 | column pressure_kPa /dev/stdin | tail -n 1)" 113.9 113.954
 
 # What rounding leaves of a residual is no reason to end: far stretched rubber, and change of volume read from positions
 bladder='mesh-gen -q designs/revolved.yaml --set "material={law: yeoh, c1: 20 kPa, c2: 1.5 kPa, c3: 8 Pa}" --set loads.cavity.pressure=400kPa --set mesh.size=4mm --set mesh.through_wall=2'

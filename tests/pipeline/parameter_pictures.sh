@@ -10,11 +10,11 @@ for family in $(mesh-gen --list | awk '{print $1}'); do
         two-spheres) continue ;;   # no solid to cut
         revolved | extruded | imported) continue ;;   # shapes of files
     esac
-    # Keys with a unit by default; `same` is a length by default another's.
+    # Keys with a unit by default; `same` and `auto` are lengths that follow from others.
     keys=$(mesh-gen --template "$family" | mesh-gen --explain - | awk '
         /^[a-z]/ {inside = /^geometry:/; next} !inside {next}
         {depth = int(match($0, /[^ ]/) / 2); path[depth] = $1; sub(/:$/, "", path[depth]); name = path[1]; for (i = 2; i <= depth; ++i) name = name "." path[i]}
-        $3 ~ /^(mm|deg)$/ || $2 == "same" {print name}' | sort)
+        $3 ~ /^(mm|deg)$/ || $2 == "same" || $2 == "auto" {print name}' | sort)
     claim "$family: every length and angle is drawn" [ -z "$(comm -23 <(echo "$keys") <(names 3 "$family"))" ]
     comm -23 <(echo "$keys") <(names 3 "$family") | sed "s/^/not drawn: $family /"
 done

@@ -126,6 +126,8 @@ TEST(Plan, NoAddressLeadsOutOfTheFolder) {
         EXPECT_FALSE(is_address(id)) << id;
     EXPECT_NE(plan_refusal("name: [\"ok\", \"a\\n../../evil,waiting,x\"]").find("a control character"),
               std::string::npos);
+    EXPECT_NE(plan_refusal("name: |\n    a\n    ../../evil,waiting,x").find("several lines where one value is needed"),
+              std::string::npos);
 }
 
 TEST(Plan, SettingsAreWhatMeshGenTakes) {
