@@ -253,7 +253,7 @@ int GmshSession::import_cad(const std::string& path) {
 std::string GmshSession::type_of(int dimension, int tag) const {
     char* words = nullptr;
     gmsh_->call(gmsh_->get_type, dimension, tag, &words);
-    const std::string type = words != nullptr ? words : "";
+    std::string type = words != nullptr ? words : "";
     gmsh_->free(words);
     return type;
 }
