@@ -35,7 +35,7 @@ inline constexpr double softening = 3.0;
 /// ... or when its direction changes this much less over a step, per unit of the other control.
 inline constexpr double straighter = 0.5;
 /// ... where it changes by more than so many times step_accuracy: less is straight already, and under tiny loads rounding.
-inline constexpr double straight = 1e-3;
+inline constexpr double straight_enough = 1e-3;
 /// Under a load that the user controls: where steps are shorter than this part of the load, a maximum so many lengths of the last step
 /// away is passed by arc length, to locate it.
 inline constexpr double short_step_of_load = 0.02, steps_to_a_maximum = 10.0;

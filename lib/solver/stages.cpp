@@ -248,7 +248,7 @@ void PathFollower::soften() {
     const Constraint other = softer_control();
     const bool softer = linalg::norm(last_->tangent.x) > softening * first_slope_;
     const double bend = bend_under(control_);
-    if (!softer && !(bend > settings_.step_accuracy * straight && bend_under(other) < straighter * bend)) return;
+    if (!softer && !(bend > settings_.step_accuracy * straight_enough && bend_under(other) < straighter * bend)) return;
     change_control(other, softer ? "the body softens" : "the path is straighter there");
 }
 
