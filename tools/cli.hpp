@@ -11,7 +11,7 @@
 ///   }
 ///   int main(int argc, char** argv) { return cli::run_guarded(argc, argv, parse, solve); }
 ///
-/// stdout carries data only; messages go to stderr. Held by tests/cli.
+/// stdout carries data only; messages go to stderr. Tested by tests/cli.
 #include <cstdlib>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>

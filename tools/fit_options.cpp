@@ -42,7 +42,7 @@ fit::StrainRange range_of(const std::string& text) {
         throw Error(ExitCode::usage, "--range", core::quoted(text) + " has no colon", "for example --range 0:110%");
     if (colon > 0) range.least = value(text.substr(0, colon));
     if (colon + 1 < text.size()) range.most = value(text.substr(colon + 1));
-    if (range.most > fit::largest_ratio && std::isfinite(range.most) && !text.ends_with('%'))
+    if (range.most > fit::max_ratio && std::isfinite(range.most) && !text.ends_with('%'))
         throw Error(ExitCode::usage, "--range", core::quoted(text) + " looks like percentages, and holds plain ratios",
                     "write 0:110% or 0:1.1");
     if (!(range.least < range.most))

@@ -1,5 +1,5 @@
 #pragma once
-/// The command line of fit-material. Held by tests/pipeline/fit.sh.
+/// The command line of fit-material. Tested by tests/pipeline/fit.sh.
 #include <optional>
 #include <string>
 #include <vector>

@@ -11,7 +11,7 @@
 namespace soft::cli {
 namespace {
 
-constexpr std::size_t most_laws = 3;  // more lines hide each other
+constexpr std::size_t max_laws = 3;  // more lines hide each other
 constexpr int samples = 200;
 constexpr int panel_width = 520, height = 640;
 
@@ -59,7 +59,7 @@ Panel panel_of(fit::Mode mode, const std::vector<fit::Ranked>& ranked, const std
             shortest = std::min(shortest, test.stretch[i]);
         }
     panel.data = block(id, measured);
-    for (std::size_t law = 0; law < std::min(most_laws, ranked.size()); ++law) {
+    for (std::size_t law = 0; law < std::min(max_laws, ranked.size()); ++law) {
         const fit::Fit& fitted = ranked[law].fit;
         std::string curve, residual;
         for (int i = 0; i <= samples; ++i) {

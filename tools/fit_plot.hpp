@@ -1,6 +1,6 @@
 #pragma once
 /// Picture of fits: data as points and laws as lines above, residuals below, one panel a mode.
-/// Held by tests/pipeline/fit.sh.
+/// Tested by tests/pipeline/fit.sh.
 #include <filesystem>
 #include <vector>
 

@@ -24,7 +24,7 @@ Json tests_json(const fit::Fit& fitted) {
                         {"source", test.source},
                         {"rows", test.rows},
                         {"rmse_kPa", test.rmse_Pa / 1e3},
-                        {"largest_kPa", test.largest_Pa / 1e3},
+                        {"max_kPa", test.max_Pa / 1e3},
                         {"r2", test.r2}});
         if (test.offset_Pa) list.back()["offset_kPa"] = *test.offset_Pa / 1e3;
     }
@@ -63,12 +63,12 @@ Json fit_summary(const std::vector<fit::Ranked>& ranked, const std::vector<fit::
                                 {"covariance", fitted.covariance},
                                 {"rows", fitted.rows},
                                 {"rmse_kPa", fitted.rmse_Pa / 1e3},
-                                {"largest_kPa", fitted.largest_Pa / 1e3},
+                                {"max_kPa", fitted.max_Pa / 1e3},
                                 {"r2", fitted.r2},
-                                {"largest_relative_error",
-                                 fitted.largest_relative_error ? Json(*fitted.largest_relative_error) : Json(nullptr)},
+                                {"max_relative_error",
+                                 fitted.max_relative_error ? Json(*fitted.max_relative_error) : Json(nullptr)},
                                 {"aicc", fitted.aicc},
-                                {"largest_I1", fitted.largest_I1},
+                                {"max_I1", fitted.max_I1},
                                 {"condition", fitted.condition},
                                 {"stable", fitted.stable},
                                 {"unstable", limits_json(fitted)},

@@ -1,5 +1,5 @@
 #pragma once
-/// The --json of fit-material: one entry a law, constants in SI with errors and covariance. Held by tests/pipeline/fit.sh.
+/// The --json of fit-material: one entry a law, constants in SI with errors and covariance. Tested by tests/pipeline/fit.sh.
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 

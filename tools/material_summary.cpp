@@ -26,8 +26,8 @@ nlohmann::ordered_json materials_json(const model::Case& model, std::string_view
         if (const auto fitted = design::fitted_material(effective_yaml, material.source))
             json["fit"] = {{"name", text_or_null(fitted->name)},
                            {"range", fitted->range},
-                           {"largest_I1", fitted->largest_I1},
-                           {"largest_error", text_or_null(fitted->largest_error)}};
+                           {"max_I1", fitted->max_I1},
+                           {"max_error", text_or_null(fitted->max_error)}};
         list.push_back(std::move(json));
     }
     return list;

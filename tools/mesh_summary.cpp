@@ -68,7 +68,7 @@ surface::WallFigures walls_of(const model::Case& model) {
 }
 
 nlohmann::ordered_json walls_json(const surface::WallFigures& walls) {
-    return {{"least_m", walls.least.thickness_m}, {"least_place_m", walls.least.place}, {"median_m", walls.median_m}};
+    return {{"min_m", walls.least.thickness_m}, {"min_place_m", walls.least.place}, {"median_m", walls.median_m}};
 }
 
 std::string volume_text(double volume_m3) { return core::quantity_text(volume_m3, core::Dimension::volume); }
@@ -125,7 +125,7 @@ MeshSummary inspect(const geometry::Built& built) {
     summary.notes = built.notes;
     summary.cavities = surface::check_cavities(model);
     for (const surface::CavityReport& cavity : summary.cavities)
-        summary.wall_places.push_back(model::place_text(model.kinematics, cavity.smallest_wall_place));
+        summary.wall_places.push_back(model::place_text(model.kinematics, cavity.min_wall_place));
     if (built.part) {
         summary.part = MeshSummary::Part{*built.part, walls_of(model)};
         summary.part->file.volume_m3 /= model.model_fraction;  // of the whole body, as everywhere
@@ -151,8 +151,8 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
     for (std::size_t i = 0; i < summary.cavities.size(); ++i) {
         const surface::CavityReport& cavity = summary.cavities[i];
         shape += ", " + cavity.name + " " + volume_text(cavity.volume_m3);
-        if (cavity.smallest_wall_m)
-            shape += ", smallest wall " + core::quantity_text(*cavity.smallest_wall_m, core::Dimension::length) +
+        if (cavity.min_wall_m)
+            shape += ", smallest wall " + core::quantity_text(*cavity.min_wall_m, core::Dimension::length) +
                      " at " + summary.wall_places[i];
     }
     shape += ", worst scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
@@ -174,9 +174,9 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
     for (const surface::CavityReport& cavity : summary.cavities) {
         nlohmann::ordered_json one = {
             {"name", cavity.name}, {"volume_m3", cavity.volume_m3}, {"surface_triangles", cavity.triangles}};
-        if (cavity.smallest_wall_m) {
-            one["smallest_wall_m"] = *cavity.smallest_wall_m;
-            one["smallest_wall_place_m"] = cavity.smallest_wall_place;
+        if (cavity.min_wall_m) {
+            one["min_wall_m"] = *cavity.min_wall_m;
+            one["min_wall_place_m"] = cavity.min_wall_place;
         }
         cavities.push_back(std::move(one));
     }

@@ -262,9 +262,9 @@ std::string numbered_faces_svg(const PartDescription& part) {
 }
 
 std::string unit_warning(const PartDescription& part) {
-    constexpr double smallest_m = 2e-3, inch_over_mm = 25.4;
+    constexpr double min_m = 2e-3, inch_over_mm = 25.4;
     const double extent_m = part.surface.extent_m();
-    if (part.unit.empty() || part.unit == "in" || extent_m >= smallest_m) return {};
+    if (part.unit.empty() || part.unit == "in" || extent_m >= min_m) return {};
     return part.file + ": the part is " + core::quantity_text(extent_m, core::Dimension::length) +
            " long; are its lengths inches? `unit: in` makes it " +
            core::quantity_text(inch_over_mm * extent_m, core::Dimension::length);

@@ -26,7 +26,7 @@ nlohmann::ordered_json comparison_json(const post::Curve& curve, const Compariso
                         {"mean_absolute", error.mean_absolute},
                         {"rms", error.rms},
                         {"largest", error.largest},
-                        {"largest_line", comparison.measured.lines[error.largest_row]},
+                        {"max_line", comparison.measured.lines[error.max_row]},
                         {"r2", error.r2 ? nlohmann::ordered_json(*error.r2) : nlohmann::ordered_json(nullptr)}});
     }
     return list;
@@ -64,7 +64,7 @@ void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgeme
         {"rows", verdict.rows},
         {"differing_rows", verdict.differing_rows},
         {"covered", verdict.covered},
-        {"largest_share_of_allowed", std::isfinite(verdict.nearest_miss) ? nlohmann::ordered_json(verdict.nearest_miss)
+        {"max_share_of_allowed", std::isfinite(verdict.nearest_miss) ? nlohmann::ordered_json(verdict.nearest_miss)
                                                                          : nlohmann::ordered_json(nullptr)}};
     if (!verdict.agrees())
         judgement.failure = post::failure_text(verdict, golden);

@@ -1,5 +1,5 @@
 #pragma once
-/// --check and --compare: verdicts on the path of a result. Held by tests/pipeline/checks.sh.
+/// --check and --compare: verdicts on the path of a result. Tested by tests/pipeline/checks.sh.
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>

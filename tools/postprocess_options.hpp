@@ -1,5 +1,5 @@
 #pragma once
-/// What the user asks of postprocess. Held by tests/pipeline (postprocess_checks.sh, plots.sh, reports.sh).
+/// What the user asks of postprocess. Tested by tests/pipeline (postprocess_checks.sh, plots.sh, reports.sh).
 #include <optional>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// Pictures of the body, films and files for ParaView. Held by tests/pipeline/pictures.sh.
+/// Pictures of the body, films and files for ParaView. Tested by tests/pipeline/pictures.sh.
 #include <cstdint>
 #include <filesystem>
 #include <span>

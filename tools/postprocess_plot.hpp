@@ -1,5 +1,5 @@
 #pragma once
-/// --plot: the result, those to be drawn beside it, and measured points. Held by tests/pipeline/checks.sh.
+/// --plot: the result, those to be drawn beside it, and measured points. Tested by tests/pipeline/checks.sh.
 #include "io/result_file.hpp"
 #include "post/curve.hpp"
 #include "post/measured.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// --report: the page about a result. Held by tests/report.
+/// --report: the page about a result. Tested by tests/report.
 #include <optional>
 
 #include "postprocess_checks.hpp"

@@ -39,10 +39,10 @@ nlohmann::ordered_json fit_json(const io::Result& result) {
     double stretch = 1;
     for (const solution::Step& step : result.steps) stretch = std::max(stretch, step.stretch_p99);
     nlohmann::ordered_json json = {{"name", nullptr},        {"law", fitted->law},
-                                   {"range", fitted->range}, {"largest_I1", fitted->largest_I1},
+                                   {"range", fitted->range}, {"max_I1", fitted->max_I1},
                                    {"stretch_p99", stretch}, {"within", fitted->holds(stretch)}};
     if (!fitted->name.empty()) json["name"] = fitted->name;
-    if (!fitted->largest_error.empty()) json["largest_error"] = fitted->largest_error;
+    if (!fitted->max_error.empty()) json["max_error"] = fitted->max_error;
     if (const auto advice = design::fit_advice(design, stretch)) json["advice"] = *advice;
     return json;
 }
@@ -50,7 +50,7 @@ nlohmann::ordered_json fit_json(const io::Result& result) {
 std::string fit_line(const nlohmann::ordered_json& fit) {
     return "material: " + (fit["name"].is_null() ? "" : fit["name"].get<std::string>() + ", ") +
            fit["law"].get<std::string>() + " fitted over " + fit["range"].get<std::string>() + " of strain" +
-           (fit.contains("largest_error") ? ", stress within " + fit["largest_error"].get<std::string>() : "") +
+           (fit.contains("max_error") ? ", stress within " + fit["max_error"].get<std::string>() : "") +
            "; the rubber reaches a stretch of " + core::rounded_text(fit["stretch_p99"].get<double>(), 3);
 }
 

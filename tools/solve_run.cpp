@@ -102,10 +102,10 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
         if (!summary.first) summary.first = step;
         if (!step.stable && !summary.first_unstable_row) summary.first_unstable_row = summary.steps;
         if (!step.stable_under_control.value_or(step.stable)) summary.gave_way = true;
-        summary.largest_stretch_p99 = std::max(summary.largest_stretch_p99, step.stretch_p99);
+        summary.max_stretch_p99 = std::max(summary.max_stretch_p99, step.stretch_p99);
         if (fields::is_crushed_at_a_point(step) && !summary.first_crushed_row)
             summary.first_crushed_row = summary.steps;
-        summary.least_jacobian = std::min(summary.least_jacobian, step.min_jacobian);
+        summary.min_jacobian = std::min(summary.min_jacobian, step.min_jacobian);
         if (step.max_stretch > summary.most_stretched.max_stretch) summary.most_stretched = step;
         ++summary.steps;
         // A stress without an energy has no balance.
@@ -206,13 +206,13 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         if (summary.accuracy)
             for (const std::string& line : accuracy_lines(*summary.accuracy)) console.warn(line);
         const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
-        if (const auto advice = design::fit_advice(text.effective_yaml, summary.largest_stretch_p99))
+        if (const auto advice = design::fit_advice(text.effective_yaml, summary.max_stretch_p99))
             console.warn(*advice);
         if (summary.first && summary.last)
             for (const std::string& line : fields::warnings_at(
                      model,
-                     {*summary.first, *summary.last, summary.largest_stretch_p99, summary.most_stretched,
-                      summary.gave_way, summary.end.limit_points, summary.first_crushed_row, summary.least_jacobian},
+                     {*summary.first, *summary.last, summary.max_stretch_p99, summary.most_stretched,
+                      summary.gave_way, summary.end.limit_points, summary.first_crushed_row, summary.min_jacobian},
                      summary.end.reason))
                 console.warn(line);
         if (const std::string problem = summary.energy.problem(); !problem.empty())

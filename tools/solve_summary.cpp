@@ -134,9 +134,9 @@ std::string start_line(long long unknowns, int dimension) {
 }
 
 std::string RemainingTime::text(double share) const {
-    constexpr double least_s = 3, least_share = 0.01;  // before there is no saying
+    constexpr double min_s = 3, min_share = 0.01;  // before there is no saying
     const double spent_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    if (spent_s < least_s || share - begin_ < least_share || share >= 1) return {};
+    if (spent_s < min_s || share - begin_ < min_share || share >= 1) return {};
     const double left_s = spent_s * (1 - share) / (share - begin_);
     constexpr double minute = 60, hour = 3600;
     const auto whole = [](double value) { return core::rounded_text(std::max(1.0, std::round(value)), 4); };

@@ -33,10 +33,10 @@ struct SolveSummary {
     std::optional<int> first_unstable_row;
     bool gave_way = false;                              ///< a row is unstable under the control in use
     std::vector<std::pair<int, std::string>> controls;  ///< of a static path, each with the first row that it finds
-    double largest_stretch_p99 = 1;                     ///< of all rows
+    double max_stretch_p99 = 1;                     ///< of all rows
     solution::Step most_stretched;                      ///< the row with the largest max_stretch
     std::optional<int> first_crushed_row;
-    double least_jacobian = 1;
+    double min_jacobian = 1;
     std::optional<AccuracySummary> accuracy;
     long long unknowns = 0;
     int steps = 0;  ///< rows of the path after the undeformed state

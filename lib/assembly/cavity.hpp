@@ -9,7 +9,7 @@
 /// Enclosed volume [m^3] of the WHOLE actuator: wall and inner faces, openings closed by flat plugs (a cone to the rim's
 /// centre in solids; nothing to add in a section, where a flat plug sweeps no r^2 dx). The planes of symmetry pass
 /// through the origin, so they add nothing to 1/3 int x.n da.
-/// Held by assembly/system_test.
+/// Tested by assembly/system_test.
 #include <vector>
 
 #include "assembly/dof_map.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// The circle that fits weighted points in a plane best, as A (u^2 + v^2) + B u + C v + D = 0 with B^2 + C^2 - 4 A D = 1 and the
 /// least sum of squares: a straight line (A = 0) is nothing special, and points on an arc are met exactly.
-/// Source: V. Pratt, Computer Graphics 21 (1987) 145. Held by assembly/face_shape_test.
+/// Source: V. Pratt, Computer Graphics 21 (1987) 145. Tested by assembly/face_shape_test.
 #include <array>
 #include <span>
 #include <vector>

@@ -5,7 +5,7 @@
 /// cheap), owns a contiguous range of unknowns and assembles its own cells.
 /// A pressure unknown is p / pressure_scale, with pressure_scale = shear modulus / cell size, so that the rows of
 /// force and of volume have entries of like size and one norm serves both.
-/// Held by assembly/system_test.
+/// Tested by assembly/system_test.
 #include <span>
 #include <vector>
 

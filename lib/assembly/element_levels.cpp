@@ -17,7 +17,7 @@ using mesh::Index;
 
 /// Of automatic: what an iteration of Newton's method gains, and twice the iterations that 1e-8 took on the worst mesh measured.
 constexpr double newton_gain = 1e-6;
-constexpr int most_iterations = 200;
+constexpr int max_iterations = 200;
 
 /// How a node follows from vertices; a vertex follows from itself.
 struct Weights {
@@ -178,9 +178,9 @@ linalg::ElementLevels make_element_levels(const System& system) {
 model::LinearSettings choose_linear(model::LinearSettings wanted, const model::Case& input, PetscInt unknowns) {
     const bool second_order =
         std::ranges::all_of(input.mesh.cell_types, [](mesh::CellType type) { return mesh::topology(type).order == 2; });
-    const bool large = unknowns > largest_factorised && input.mesh.dimension == 3 && second_order;
+    const bool large = unknowns > max_factorised && input.mesh.dimension == 3 && second_order;
     if (wanted.method != model::LinearMethod::automatic || !large) return wanted;
-    return {model::LinearMethod::krylov, model::Preconditioner::multigrid, newton_gain, most_iterations};
+    return {model::LinearMethod::krylov, model::Preconditioner::multigrid, newton_gain, max_iterations};
 }
 
 void equip(linalg::LinearSolver& solver, const System& system, Mat K) {

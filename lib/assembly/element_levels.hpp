@@ -1,6 +1,6 @@
 #pragma once
 /// The levels of the multigrid of second-order elements (linalg/multigrid.hpp): which unknowns are displacements, how they follow
-/// from those of the vertices, and the mass of the pressures. Held by assembly/element_levels_test.
+/// from those of the vertices, and the mass of the pressures. Tested by assembly/element_levels_test.
 #include "assembly/system.hpp"
 #include "linalg/linear_solver.hpp"
 
@@ -15,7 +15,7 @@ namespace soft::assembly {
 /// tangent and one right-hand side to 1e-8 (CPU s and GiB, LDL^T : multigrid): bulky, a box of 119k 29 : 11 s, 1.8 : 0.8; slender,
 /// the bellows of 446k 51 : 101 s, 4.6 : 3.1. Up to here LDL^T, which knows the stability too, is fast enough or the faster;
 /// beyond it a bulky body's factor passes 12 GiB (N^(4/3)).
-inline constexpr PetscInt largest_factorised = 500000;
+inline constexpr PetscInt max_factorised = 500000;
 
 /// The settings that so many unknowns of a case are solved with: automatic becomes multigrid, to a tolerance with which Newton's
 /// method gains six digits an iteration; what is chosen stays.

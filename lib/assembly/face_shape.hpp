@@ -7,7 +7,7 @@
 ///   curvature: 1 / radius of the circle that fits the points, seen along d, best (assembly/circle_fit.hpp). Positive where the
 ///              face, followed along its longest undeformed side toward growing x (y, z), turns in the positive sense about d:
 ///              then curvature x length is the bend of its end. Of arcs of less than a whole turn.
-/// Derivatives by first-order perturbation of the eigenvectors, derived here. Held by assembly/face_shape_test.
+/// Derivatives by first-order perturbation of the eigenvectors, derived here. Tested by assembly/face_shape_test.
 #include <vector>
 
 #include "core/tensor.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// How much of each load acts: the numbers that multiply a case's loads. One entry a load, in the order of the case.
-/// Held by assembly/system_test.
+/// Tested by assembly/system_test.
 #include <vector>
 
 #include "model/case.hpp"

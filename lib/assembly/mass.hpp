@@ -5,7 +5,7 @@
 ///               vanish or turn negative in second-order ones
 /// Pressure unknowns have none; held and moved components have no row. Collective.
 /// Source: Hinton, Rock and Zienkiewicz, Earthquake Engineering and Structural Dynamics 4 (1976) 245 (lumping).
-/// Held by assembly/mass_test.
+/// Tested by assembly/mass_test.
 #include "assembly/system.hpp"
 
 namespace soft::assembly {

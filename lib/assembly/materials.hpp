@@ -1,5 +1,5 @@
 #pragma once
-/// The rubbers of a case, checked against what the elements can run. Held by assembly/system_test.
+/// The rubbers of a case, checked against what the elements can run. Tested by assembly/system_test.
 #include "model/rubber.hpp"
 
 namespace soft::assembly {

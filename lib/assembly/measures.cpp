@@ -159,16 +159,16 @@ StretchSummary System::stretches(Vec x) {
         const double energy =
             std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
         summary.stored_energy_J += point.weight_m3 * energy;
-        summary.largest_energy_J_m3 = std::max(summary.largest_energy_J_m3, energy);
+        summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energy);
         if (mine.back().stretch <= own.stretch) return;
         own.stretch = mine.back().stretch;
-        summary.largest_at_m = position_of(place);
+        summary.max_at_m = position_of(place);
     });
     MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, comm_);
     MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, comm_);
-    MPI_Allreduce(MPI_IN_PLACE, &summary.largest_energy_J_m3, 1, MPI_DOUBLE, MPI_MAX, comm_);
+    MPI_Allreduce(MPI_IN_PLACE, &summary.max_energy_J_m3, 1, MPI_DOUBLE, MPI_MAX, comm_);
     MPI_Allreduce(&own, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
-    MPI_Bcast(summary.largest_at_m.data(), 3, MPI_DOUBLE, most.rank, comm_);
+    MPI_Bcast(summary.max_at_m.data(), 3, MPI_DOUBLE, most.rank, comm_);
 
     int size = 1;
     MPI_Comm_size(comm_, &size);

@@ -9,7 +9,7 @@ namespace {
 using Velocity = std::array<double, 3>;
 
 /// What is left of a motion beyond those before it, below which it is one of them.
-constexpr double least_independent_part = 1e-8;
+constexpr double min_independent_part = 1e-8;
 
 /// Velocity of a point at `r` from the middle in the rigid motion `number`: translations first, then rotations about x, y, z.
 Velocity velocity(int number, const Velocity& r) {
@@ -63,7 +63,7 @@ std::vector<linalg::Vector> rigid_motions(const System& system) {
         const double size = linalg::norm(motion);
         for (const auto& before : motions) linalg::add(motion, -linalg::dot(before, motion), before);
         const double left = linalg::norm(motion);
-        if (!(left > least_independent_part * size)) continue;
+        if (!(left > min_independent_part * size)) continue;
         SOFT_PETSC(VecScale(motion, 1.0 / left));
         motions.push_back(std::move(motion));
     }

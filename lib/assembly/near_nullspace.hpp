@@ -8,7 +8,7 @@
 namespace soft::assembly {
 
 /// Orthonormal, the rotations about the middle of the points; a motion that the supports take away altogether is left out.
-/// Held by assembly/near_nullspace_test.
+/// Tested by assembly/near_nullspace_test.
 [[nodiscard]] std::vector<linalg::Vector> rigid_motions(const System& system);
 
 /// Gives K, a matrix of the system, the rigid motions as its near-nullspace. K keeps them alive.

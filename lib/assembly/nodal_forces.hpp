@@ -1,7 +1,7 @@
 #pragma once
 /// What does not depend on the state: means over faces, and forces that stay fixed in space.
 /// Every rank gets the whole vector. Entries of moved components keep their negative number (dof_map.hpp).
-/// Held by assembly/system_test, assembly/loads_test.
+/// Tested by assembly/system_test, assembly/loads_test.
 #include <array>
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 /// The pattern of a system's matrices: unknowns that share a cell. Counted exactly before anything is stored, for at a million
-/// unknowns a hash of the entries would take more memory than the matrix. Held by assembly/pattern_test.
+/// unknowns a hash of the entries would take more memory than the matrix. Tested by assembly/pattern_test.
 #include "assembly/dof_map.hpp"
 
 namespace soft::assembly {

@@ -1,5 +1,5 @@
 #pragma once
-/// Two unit vectors across an axis, right-handed with it. Held by assembly/loads_test, assembly/face_shape_test.
+/// Two unit vectors across an axis, right-handed with it. Tested by assembly/loads_test, assembly/face_shape_test.
 #include <array>
 #include <cmath>
 

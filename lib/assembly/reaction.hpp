@@ -6,7 +6,7 @@
 /// over the nodes a of the face; d direction, x_a deformed position, c centroid of the undeformed whole face, n copies of the
 /// face in the whole actuator (model/face_symmetry.hpp). So the forces of all held faces together are the resultant of
 /// the loads, as exactly as the equations are solved.
-/// Derived here. Held by assembly/reaction_test and the verification suite (group Reactions).
+/// Derived here. Tested by assembly/reaction_test and the verification suite (group Reactions).
 #include <span>
 #include <vector>
 

@@ -89,12 +89,12 @@ int free_mode(std::vector<Row> rows, std::size_t modes) {
         }
     }
     int free = -1;
-    double largest_share = visible;
+    double max_share = visible;
     for (std::size_t m = 0; m < modes && basis.size() < modes; ++m) {
         double share = 1.0;
         for (const auto& unit : basis) share -= unit[m] * unit[m];
-        if (share > largest_share) {
-            largest_share = share;
+        if (share > max_share) {
+            max_share = share;
             free = static_cast<int>(m);
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
 /// Does a connected part of the body move freely? Its rigid motions are tested against the held components; a motion
-/// that no support sees makes the stiffness singular. Derived here. Held by assembly/rigid_motion_test.
+/// that no support sees makes the stiffness singular. Derived here. Tested by assembly/rigid_motion_test.
 #include <optional>
 #include <string>
 

@@ -4,7 +4,7 @@
 ///         round to A(face) about the axis, seen in the plane across it;
 ///   twist: atan2(sum w (X x x).e, sum w X.x), X and x across the axis e, w = int N_a dA: a rigid turn by any angle is
 ///         found exactly, and the middle of a deformed face by least squares.
-/// Angles in (-pi, pi]; of a section in plane strain, per metre of depth, about z. Derived here. Held by assembly/loads_test.
+/// Angles in (-pi, pi]; of a section in plane strain, per metre of depth, about z. Derived here. Tested by assembly/loads_test.
 #include <array>
 #include <span>
 #include <vector>

@@ -3,7 +3,7 @@
 ///   R(x, levels) = internal forces - sum over the loads of level x force(x),    K = dR/dx,
 /// with pressure x force per unit pressure for the pressure loads, dead forces for tractions and body forces, and
 /// prescribed displacements that enter through the cells (and facets) they move. Collective over the communicator.
-/// Held by assembly/system_test, assembly/loads_test (Taylor remainders, rank independence) and the verification suite.
+/// Tested by assembly/system_test, assembly/loads_test (Taylor remainders, rank independence) and the verification suite.
 #include <optional>
 #include <span>
 #include <variant>
@@ -34,9 +34,9 @@ struct StretchSummary {
     double p99 = 1;  ///< largest principal stretch exceeded in 1 % of the volume
     double largest = 1;
     double min_jacobian = 1;
-    Vector3 largest_at_m{};          ///< undeformed place of the largest stretch; a section's x, r, 0
+    Vector3 max_at_m{};          ///< undeformed place of the largest stretch; a section's x, r, 0
     double stored_energy_J = 0;      ///< of the modelled part
-    double largest_energy_J_m3 = 0;  ///< per undeformed volume, at an integration point
+    double max_energy_J_m3 = 0;  ///< per undeformed volume, at an integration point
 };
 
 /// A direction of the load levels, and the vector that gets -dR/d(direction).

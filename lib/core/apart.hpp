@@ -1,6 +1,6 @@
 #pragma once
 /// Work of libraries that may crash, loop or ask for all memory on a bad file: in a process of its own. What it prints goes
-/// nowhere. Held by core/apart_test.
+/// nowhere. Tested by core/apart_test.
 #include <chrono>
 #include <functional>
 #include <optional>

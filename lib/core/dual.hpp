@@ -1,7 +1,7 @@
 #pragma once
 /// Second-order forward automatic differentiation in N variables: value, gradient and Hessian in one pass.
 /// f(x + d) = v + g.d + 1/2 d.H d. The kernels use N = 3 (I1, I2, J); N = 9 in F is the oracle of the tests.
-/// Held by core/dual_test (against closed-form derivatives).
+/// Tested by core/dual_test (against closed-form derivatives).
 #include <array>
 #include <cmath>
 

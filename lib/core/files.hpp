@@ -1,6 +1,6 @@
 #pragma once
 /// Bytes in and out: whole files, pipes, and files that appear under their name only when they are whole.
-/// Held by core/files_test.
+/// Tested by core/files_test.
 #include <cstddef>
 #include <filesystem>
 #include <limits>

@@ -1,7 +1,7 @@
 #pragma once
 /// Four doubles computed side by side: the arithmetic of the compiler's vector types, on whatever vectors the processor has.
 /// Arrays of numbers at many points lie component by component ([component][point]) with rows of padded(points) numbers, so
-/// that every load is whole. Held by core/lanes_test.
+/// that every load is whole. Tested by core/lanes_test.
 #include <cstring>
 
 namespace soft {

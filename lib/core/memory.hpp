@@ -1,5 +1,5 @@
 #pragma once
-/// What is said where memory ends, and a look ahead for libraries that crash or hang there. Held by tests/faults/memory.sh.
+/// What is said where memory ends, and a look ahead for libraries that crash or hang there. Tested by tests/faults/memory.sh.
 #include <cstddef>
 
 #include "core/error.hpp"

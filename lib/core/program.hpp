@@ -1,5 +1,5 @@
 #pragma once
-/// Another program as a function: arguments and text in, bytes out. No shell in between. Held by core/program_test.
+/// Another program as a function: arguments and text in, bytes out. No shell in between. Tested by core/program_test.
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 #pragma once
 /// Products of matrices as small as those of a cell. Own code because a BLAS built for one thread (libopenblas0-serial) shares
 /// its buffers between the threads of a program that calls it from several, without a word: its products are then wrong.
-/// Held by core/small_product_test.
+/// Tested by core/small_product_test.
 namespace soft {
 
 /// Row-major, rows one behind the other.

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int p_of[3] = {0, 0, 1}, q_of[3] = {1, 2, 2};
 /// Jacobi converges quadratically: a 3x3 needs four or five sweeps.
-constexpr int most_sweeps = 20;
+constexpr int max_sweeps = 20;
 
 /// Turns the plane (p, q) so that S_pq vanishes.
 void rotate(Tensor& S, Tensor& V, int p, int q) {
@@ -31,7 +31,7 @@ void rotate(Tensor& S, Tensor& V, int p, int q) {
 
 Spectral spectral_form(const Tensor& symmetric) {
     Tensor S = symmetric, V = identity_tensor;
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    for (int sweep = 0; sweep < max_sweeps; ++sweep) {
         const double off = std::abs(S[1]) + std::abs(S[2]) + std::abs(S[5]);
         if (off <= 1e-17 * (std::abs(S[0]) + std::abs(S[4]) + std::abs(S[8]))) break;
         for (int k = 0; k < 3; ++k) rotate(S, V, p_of[k], q_of[k]);

@@ -1,6 +1,6 @@
 #pragma once
 /// Second-order 3x3 tensors as plain arrays, row by row: F[3 i + J] = F_iJ. Templated on the number so that the same
-/// body runs on double and on dual numbers (the test oracle). Held by core/tensor_test.
+/// body runs on double and on dual numbers (the test oracle). Tested by core/tensor_test.
 #include <array>
 #include <cmath>
 #include <cstddef>

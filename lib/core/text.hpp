@@ -1,6 +1,6 @@
 #pragma once
 /// Small pieces of text: numbers in their shortest exact form, one-line messages, "did you mean". Independent of the
-/// locale throughout. Held by core/text_test.
+/// locale throughout. Tested by core/text_test.
 #include <concepts>
 #include <cstddef>
 #include <optional>

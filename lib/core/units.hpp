@@ -1,7 +1,7 @@
 #pragma once
 /// Quantities as people write them ("3 mm", "40kPa", "1080 kg/m^3", "30 deg") to SI and back. Decimal prefixes are
 /// applied to the decimal text, so "0.1644 MPa" and "164400 Pa" are the same double. Independent of the locale; nan
-/// and inf are refused. Held by core/units_test.
+/// and inf are refused. Tested by core/units_test.
 #include <string>
 #include <string_view>
 #include <variant>

@@ -1,5 +1,5 @@
 #pragma once
-/// One value against its Key: parsing, units, range, choices, faces. Private to the room. Held by design/read_test.
+/// One value against its Key: parsing, units, range, choices, faces. Private to the module. Tested by design/read_test.
 #include <map>
 #include <string>
 #include <string_view>

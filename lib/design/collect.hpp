@@ -1,5 +1,5 @@
 #pragma once
-/// A tree against a schema: every key known, every value checked, defaults filled in. Private to the room.
+/// A tree against a schema: every key known, every value checked, defaults filled in. Private to the module.
 #include <map>
 #include <span>
 #include <string>

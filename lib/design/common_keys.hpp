@@ -1,6 +1,6 @@
 #pragma once
 /// The keys every design shares, declared once (geometry.* comes from the family, constants from the law).
-/// Private to the room.
+/// Private to the module.
 #include <string>
 #include <vector>
 

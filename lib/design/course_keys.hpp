@@ -1,6 +1,6 @@
 #pragma once
 /// How a load goes with time, and what feeds a cavity: the keys `course` and `line` of a load, which only a dynamic design
-/// has. Private to the room. `load` is the path of the load, "loads.cavity". Held by design/dynamics_test.
+/// has. Private to the module. `load` is the path of the load, "loads.cavity". Tested by design/dynamics_test.
 #include <string>
 
 #include "design/collect.hpp"

@@ -21,7 +21,7 @@ constexpr std::array integrator_words{Word<Integrator>{"generalized-alpha", Inte
 
 constexpr const char *duration_path = "dynamics.duration", *integrator_path = "dynamics.integrator",
                      *radius_path = "dynamics.spectral_radius";
-constexpr double least_hht_radius = 0.5;  // alpha = (1 - rho) / (1 + rho) <= 1/3
+constexpr double min_hht_radius = 0.5;  // alpha = (1 - rho) / (1 + rho) <= 1/3
 
 Key time_key(std::string path, std::string word, std::string meaning) {
     return {.path = std::move(path),
@@ -75,8 +75,8 @@ void check_integrator(const model::Dynamics& dynamics, std::string_view formulat
         throw values.refuse(
             integrator_path, "an explicit integrator has no equation for the pressure unknowns of mixed cells",
             "mesh: {formulation: displacement} or f-bar with a finite kappa, or an implicit integrator");
-    if (dynamics.integrator == Integrator::hht && dynamics.spectral_radius < least_hht_radius)
-        throw values.refuse(radius_path, "hht is stable from " + core::rounded_text(least_hht_radius, 2) + " on only",
+    if (dynamics.integrator == Integrator::hht && dynamics.spectral_radius < min_hht_radius)
+        throw values.refuse(radius_path, "hht is stable from " + core::rounded_text(min_hht_radius, 2) + " on only",
                             "a larger radius, or integrator: generalized-alpha");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The keys of `dynamics`, and what a dynamic design cannot have. Private to the room. Held by design/dynamics_test.
+/// The keys of `dynamics`, and what a dynamic design cannot have. Private to the module. Tested by design/dynamics_test.
 #include <optional>
 #include <span>
 #include <string_view>

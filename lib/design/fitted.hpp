@@ -13,14 +13,14 @@ struct FittedMaterial {
     std::string name;  ///< of the library; empty for constants of one's own
     std::string law;
     std::string range;          ///< "4.46:109.091 %", of engineering strain
-    std::string largest_error;  ///< "4.2 %" of the stress, at 20 % of strain and beyond; empty where it is not stated
-    double largest_I1 = 3;      ///< of the data
+    std::string max_error;  ///< "4.2 %" of the stress, at 20 % of strain and beyond; empty where it is not stated
+    double max_I1 = 3;      ///< of the data
 
     /// Whether a principal stretch lies within the data: the I1 of a stretch l is at least l^2 + 2/l, that of uniaxial tension.
-    [[nodiscard]] bool holds(double stretch) const { return stretch * stretch + 2.0 / stretch <= largest_I1; }
+    [[nodiscard]] bool holds(double stretch) const { return stretch * stretch + 2.0 / stretch <= max_I1; }
 };
 
-/// Of one section of the design, "material" or "materials.<name>"; nullopt for one without fit.largest_I1.
+/// Of one section of the design, "material" or "materials.<name>"; nullopt for one without fit.max_I1.
 [[nodiscard]] std::optional<FittedMaterial> fitted_material(std::string_view effective_yaml,
                                                             std::string_view section = "material");
 

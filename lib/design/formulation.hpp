@@ -1,6 +1,6 @@
 #pragma once
-/// Which formulation goes with which order, cells and compressibility. Private to the room.
-/// Held by design/formulation_test. What the cells of the finished mesh allow is checked in element/reference_cell (why_not).
+/// Which formulation goes with which order, cells and compressibility. Private to the module.
+/// Tested by design/formulation_test. What the cells of the finished mesh allow is checked in element/reference_cell (why_not).
 #include "design/design.hpp"
 
 namespace soft::design {

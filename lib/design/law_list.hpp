@@ -1,6 +1,6 @@
 #pragma once
 /// The table of the laws for people: `mesh-gen --list-materials` and the section of the README that a test holds to it.
-/// Held by cli/material_list_test.
+/// Tested by cli/material_list_test.
 #include <string>
 
 namespace soft::design {

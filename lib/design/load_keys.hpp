@@ -1,5 +1,5 @@
 #pragma once
-/// The keys of a load, in `loads` and in a stage. Private to the room. `load` is the path of the load, "loads.cavity" or
+/// The keys of a load, in `loads` and in a stage. Private to the module. `load` is the path of the load, "loads.cavity" or
 /// "path.stages.vent.loads.cavity".
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 /// What the keys under `loads` mean: a cavity (`cavity` where there is one, else by name under `cavities`), gravity, or a
-/// face. Private to the room. Held by design/load_test, design/cavity_test.
+/// face. Private to the module. Tested by design/load_test, design/cavity_test.
 #include <span>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// The loads of a design: gas in a cavity, a pressure, a dead traction or a prescribed motion of a face, gravity.
-/// Private to the room. Held by design/load_test, design/cavity_test.
+/// Private to the module. Tested by design/load_test, design/cavity_test.
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
-/// What is known of choices that lock: how much too stiff they are. Private to the room. The warnings of a design quote
-/// this table, nothing else does. Held by design/plausibility_test.
+/// What is known of choices that lock: how much too stiff they are. Private to the module. The warnings of a design quote
+/// this table, nothing else does. Tested by design/plausibility_test.
 #include <array>
 #include <string_view>
 

@@ -62,8 +62,8 @@ const MaterialSet* widest(const std::vector<MaterialSet>& sets, std::string_view
     return found;
 }
 
-double largest_I1_of(const MaterialSet& set) {
-    const Node& limit = *find_path(set.block, "fit.largest_I1");
+double max_I1_of(const MaterialSet& set) {
+    const Node& limit = *find_path(set.block, "fit.max_I1");
     return ratio_of(limit.text, limit.place);
 }
 
@@ -183,15 +183,15 @@ void names_to_materials(Node& root) {
 
 std::optional<FittedMaterial> fitted_material(std::string_view effective_yaml, std::string_view section) {
     const Node root = parse_yaml(effective_yaml, "/design");
-    const Node* limit = find_path(root, std::string{section} + ".fit.largest_I1");
+    const Node* limit = find_path(root, std::string{section} + ".fit.max_I1");
     if (limit == nullptr) return std::nullopt;
     const Node& material = *find_path(root, section);
     const Node& fit = *find(material, "fit");
     return FittedMaterial{.name = text_of(fit, "name"),
                           .law = text_of(material, "law"),
                           .range = text_of(fit, "range"),
-                          .largest_error = text_of(fit, "largest_error"),
-                          .largest_I1 = ratio_of(limit->text, limit->place)};
+                          .max_error = text_of(fit, "max_error"),
+                          .max_I1 = ratio_of(limit->text, limit->place)};
 }
 
 std::optional<std::string> fit_advice(std::string_view effective_yaml, double stretch) {
@@ -208,8 +208,8 @@ std::optional<std::string> fit_advice(std::string_view effective_yaml, double st
         return "material: " + reached + ", beyond the data its constants were fitted to (" + fitted->range +
                " of strain)" + take;
     const bool fits_whole_test =
-        fitted->law == usual_law && better != nullptr && largest_I1_of(*widest(sets, usual_law)) == fitted->largest_I1;
-    if (better != nullptr && !fits_whole_test && largest_I1_of(*better) < fitted->largest_I1)
+        fitted->law == usual_law && better != nullptr && max_I1_of(*widest(sets, usual_law)) == fitted->max_I1;
+    if (better != nullptr && !fits_whole_test && max_I1_of(*better) < fitted->max_I1)
         return "material: " + reached + ", well within the data its constants were fitted to" + take + " alone";
     return std::nullopt;
 }

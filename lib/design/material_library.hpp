@@ -3,11 +3,11 @@
 ///   material: dragon-skin-20                                      Yeoh's law over the whole test
 ///   material: {name: dragon-skin-20, range: 110 %, law: yeoh}     the narrowest range that covers this engineering strain
 /// A set of constants is a fit over a range of strain. A name alone is one law, whatever the loads: the Yeoh set over the whole
-/// test, with the rising term (material/yeoh.hpp) and signs that keep it stable at every stretch; fit.largest_error says how
+/// test, with the rising term (material/yeoh.hpp) and signs that keep it stable at every stretch; fit.max_error says how
 /// close it is. `range` chooses another set; neo-hookean without a range is that of 300 %. solve and postprocess warn where the
 /// stretch leaves the data (fit_advice). Other keys of the material (kappa, density, a constant) stand beside `name` and win
 /// over the set's.
-/// Private to the room but for design/fitted.hpp. Held by design/material_library_test.
+/// Private to the module but for design/fitted.hpp. Tested by design/material_library_test.
 #include <span>
 #include <string>
 #include <string_view>

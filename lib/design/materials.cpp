@@ -105,18 +105,18 @@ void add_fit_keys(Schema& schema, const Written& written) {
     const Node* fit = find(written.material, "fit");
     if (fit == nullptr) return;
     const std::string fit_path = at(written.section, "fit");
-    static const std::vector<std::string> texts = {"name", "range", "largest_error", "rmse_kPa", "r2",      "stress",
+    static const std::vector<std::string> texts = {"name", "range", "max_error", "rmse_kPa", "r2",      "stress",
                                                    "rows", "flags", "source",        "sha256",   "protocol"};
     schema.names[fit_path] = texts;
     for (const Member& member : fit->members) {
         const std::string path = at(fit_path, member.key);
         if (std::ranges::find(texts, member.key) != texts.end())
             schema.keys.push_back({.path = path, .kind = Kind::text, .meaning = "of the data behind the constants"});
-        if (member.key == "largest_I1")
+        if (member.key == "max_I1")
             schema.keys.push_back(
                 {.path = path, .kind = Kind::ratio, .meaning = "where the data end; solve warns beyond", .min = 3});
     }
-    schema.names[fit_path].emplace_back("largest_I1");
+    schema.names[fit_path].emplace_back("max_I1");
 }
 
 void add_law_keys(Schema& schema, const Written& written, const material::LawInfo& law, Examples& examples,

@@ -1,6 +1,6 @@
 #pragma once
 /// The materials of a design, `material` and those by name below `materials`: their keys come from material::laws(), the one table of the laws; nothing of a law is repeated
-/// here. Private to the room. Held by design/material_test.
+/// here. Private to the module. Tested by design/material_test.
 #include <map>
 #include <string>
 #include <vector>

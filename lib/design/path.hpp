@@ -1,5 +1,5 @@
 #pragma once
-/// The path of a design: how it is controlled, where it ends, and its stages. Private to the room. Held by design/path_test.
+/// The path of a design: how it is controlled, where it ends, and its stages. Private to the module. Tested by design/path_test.
 #include <span>
 #include <string>
 #include <vector>

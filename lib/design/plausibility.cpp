@@ -21,7 +21,7 @@ constexpr double pressure_over_modulus = 10.0, pressure_under_modulus = 1e-5;
 // Around one standard atmosphere, 101.325 kPa.
 constexpr double atmosphere_low_Pa = 101e3, atmosphere_high_Pa = 101.6e3;
 // Below this Poisson's ratio is under 0.475 and the change of volume shows.
-constexpr double least_bulk_ratio = 20.0;
+constexpr double min_bulk_ratio = 20.0;
 
 std::string pressure_text(double value_Pa) { return core::quantity_text(value_Pa, core::Dimension::pressure); }
 
@@ -36,7 +36,7 @@ void check_material(const model::Material& material, double mu_Pa, std::vector<s
                            " is softer than any gel or harder than steel; is the unit right?");
     if (!main || !material.bulk_modulus_Pa) return;
     const double ratio = *material.bulk_modulus_Pa / mu_Pa;
-    if (ratio < least_bulk_ratio)
+    if (ratio < min_bulk_ratio)
         warnings.push_back("material.kappa: only " + core::rounded_text(ratio, 3) +
                            " times the shear modulus, the rubber is visibly compressible");
 }
@@ -129,7 +129,7 @@ std::string too_stiff(LockingChoice choice) {
     return core::rounded_text(locking_factor(choice), 2) + " times too stiff on " + std::string{locking_measured_on};
 }
 
-double largest_bulk_ratio(const Design& design) {
+double max_bulk_ratio(const Design& design) {
     const auto ratio_of = [](const model::Material& material) {
         return material.bulk_modulus_Pa.value_or(0) / material::initial_shear_modulus_Pa(model::make_rubber(material));
     };
@@ -145,7 +145,7 @@ void check_locking(const Design& design, std::vector<std::string>& warnings) {
     if (says("mesh.cells", "simplices") && says("mesh.order", "1"))
         warnings.push_back("mesh.cells: " + first_order_simplices_lock());
     if (!says("mesh.formulation", "displacement")) return;
-    const double ratio = largest_bulk_ratio(design);
+    const double ratio = max_bulk_ratio(design);
     const auto choice =
         says("mesh.order", "1") ? LockingChoice::first_order_displacement : LockingChoice::second_order_displacement;
     if (ratio > locking_bulk_ratio)

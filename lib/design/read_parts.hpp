@@ -1,5 +1,5 @@
 #pragma once
-/// The steps of reading, shared by read_design, template_yaml and explain_design. Private to the room.
+/// The steps of reading, shared by read_design, template_yaml and explain_design. Private to the module.
 #include <span>
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 /// The parts of a design whose keys depend on what is written: supports and outputs (loads: loads.hpp; path: path.hpp;
 /// material: materials.hpp). Each adds its keys to the schema from the tree, and is made typed from the checked items.
-/// Private to the room.
+/// Private to the module.
 #include <map>
 #include <span>
 #include <string>

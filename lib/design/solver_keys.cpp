@@ -122,9 +122,9 @@ std::vector<Key> step_keys(const model::SolverSettings& defaults) {
             "solver.predictor", predictor_words, defaults.predictor,
             "where a step starts: on the cubic through the last two states, on the tangent of the last, or at the last"),
         share("solver.first_step", defaults.first_step, "first step as a share of the full load"),
-        number("solver.largest_step", defaults.largest_step,
+        number("solver.max_step", defaults.max_step,
                "longest step as a share of the path so far; 0 leaves it to the solver", 0, 1),
-        share("solver.smallest_step", defaults.smallest_step,
+        share("solver.min_step", defaults.min_step,
               "a step cut below this share of the first step ends the path (of an arc length: a thousandth of it)"),
         count("solver.wanted_iterations", defaults.wanted_iterations,
               "Newton iterations a step aims at, iteration-adaptive", 100),
@@ -168,8 +168,8 @@ model::SolverSettings solver_of(const Values& values) {
     solver.steps = meant(step_words, "solver.steps");
     solver.predictor = meant(predictor_words, "solver.predictor");
     solver.first_step = values.number("solver.first_step");
-    solver.largest_step = values.number("solver.largest_step");
-    solver.smallest_step = values.number("solver.smallest_step");
+    solver.max_step = values.number("solver.max_step");
+    solver.min_step = values.number("solver.min_step");
     solver.wanted_iterations = values.count("solver.wanted_iterations");
     solver.step_limit = values.count("solver.step_limit");
     solver.step_accuracy = values.number("solver.step_accuracy");

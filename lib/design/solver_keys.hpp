@@ -1,5 +1,5 @@
 #pragma once
-/// The keys of `solver`. Private to the room. Held by design/solver_test.
+/// The keys of `solver`. Private to the module. Tested by design/solver_test.
 #include <vector>
 
 #include "design/design.hpp"

@@ -15,7 +15,7 @@ namespace soft::design {
 namespace {
 
 constexpr std::size_t longest_document = std::size_t{1} << 20;
-constexpr int most_nodes = 100000;
+constexpr int max_nodes = 100000;
 constexpr std::size_t deepest = 16;
 
 /// Where marks of yaml-cpp (from 0) stand for the user.
@@ -100,8 +100,8 @@ private:
         const bool ordinary = tag.empty() || tag == "?" || tag == "!";  // plain and quoted scalars
         if (!ordinary)
             refuse(places_.at(mark), "", "tags are not part of " + places_.a_kind(), "leave out " + core::quoted(tag));
-        if (++nodes_ > most_nodes)
-            refuse(places_.at(mark), "", "more than " + std::to_string(most_nodes) + " values",
+        if (++nodes_ > max_nodes)
+            refuse(places_.at(mark), "", "more than " + std::to_string(max_nodes) + " values",
                    places_.a_kind() + " is a page of text");
     }
 

@@ -1,7 +1,7 @@
 #pragma once
 /// A YAML document as a plain tree that remembers where everything stood. Only what designs need: maps with plain
 /// keys, lists, single values; anchors, aliases, tags and further documents are refused. For this room and for sweep.
-/// Held by design/tree_test.
+/// Tested by design/tree_test.
 #include <string>
 #include <string_view>
 #include <vector>

@@ -11,17 +11,17 @@ namespace soft::design {
 namespace {
 
 constexpr double standard_gravity_m_s2 = 9.80665;
-constexpr double most_gravities = 50.0;  // a centrifuge or a shaker is told by its user
+constexpr double max_gravities = 50.0;  // a centrifuge or a shaker is told by its user
 // Foamed silicone to rubber filled with metal.
 constexpr double lightest_kg_m3 = 100.0, heaviest_kg_m3 = 5000.0;
 /// No one winds fibres as steep as this from the axis; angles up to a quarter turn are, in radians.
-constexpr double largest_mistaken_rad = std::numbers::pi / 2;
+constexpr double max_mistaken_rad = std::numbers::pi / 2;
 
 void check_gravity(const Design& design, std::vector<std::string>& warnings) {
     for (const Design::BodyForceRequest& force : design.body_forces) {
         const std::string path = "loads." + force.name + ".acceleration: ",
                           size = core::quantity_text(force.acceleration_m_s2, core::Dimension::acceleration);
-        if (std::abs(force.acceleration_m_s2) > most_gravities * standard_gravity_m_s2)
+        if (std::abs(force.acceleration_m_s2) > max_gravities * standard_gravity_m_s2)
             warnings.push_back(path + size + " is " +
                                core::rounded_text(std::abs(force.acceleration_m_s2) / standard_gravity_m_s2, 3) +
                                " times gravity; is the unit right (9.81 m/s^2)?");
@@ -42,7 +42,7 @@ void check_angles(const Values& values, std::vector<std::string>& warnings) {
     for (const char* path : {"geometry.fibers.angle", "geometry.jacket.fibers.angle", "material.angle"}) {
         if (!values.has(path) || !values.given(path)) continue;
         const double degrees = values.number(path) * 180 / std::numbers::pi;
-        if (degrees > 0 && degrees <= largest_mistaken_rad)
+        if (degrees > 0 && degrees <= max_mistaken_rad)
             warnings.push_back(std::string{path} + ": " + core::rounded_text(degrees, 3) +
                                " deg is along the axis; if it is in radians, write " + core::rounded_text(degrees, 3) +
                                " rad (" + core::rounded_text(degrees * 180 / std::numbers::pi, 3) + " deg)");

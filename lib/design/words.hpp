@@ -1,5 +1,5 @@
 #pragma once
-/// Words of a choice and the enumerators they mean: one table each, for the key and for the typed value. Private to the room.
+/// Words of a choice and the enumerators they mean: one table each, for the key and for the typed value. Private to the module.
 #include <algorithm>
 #include <array>
 #include <string>

@@ -1,11 +1,11 @@
 #pragma once
-/// The equations of motion of a case (motion.hpp) at a state, for the integrators; internal to the room.
+/// The equations of motion of a case (motion.hpp) at a state, for the integrators; internal to the module.
 ///   r = M a + C v + R(x, levels(t, p)),      C = mass_damping M + stiffness_damping K0
 /// K0 is the displacement block of the undeformed tangent: pressure rows hold undamped, so that damping leaves an
 /// incompressible body incompressible; of mixed cells it has no volumetric part (design/plausibility warns).
 /// Lines: the gas behind the resistance of load k has mass m_k and pressure p_k = P(V_k(x), m_k);
 ///   dm_k/dt = rho (source_k(t) - p_k) / resistance_k.
-/// Held by dynamics/dynamics_test.
+/// Tested by dynamics/dynamics_test.
 #include <span>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The central difference method, and how long an explicit step may be; internal to the room.
+/// The central difference method, and how long an explicit step may be; internal to the module.
 /// Central difference with the velocity in the middle of the step (lumped mass, so that no system is solved):
 ///   v(1/2) = v0 + h/2 a0,   x1 = x0 + h v(1/2),   a1 = M^-1 (-R(x1, t1) - C v(1/2)),   v1 = v(1/2) + h/2 a1
 /// (the part mass_damping M of C is taken at v1, which costs nothing and keeps the order).
@@ -8,7 +8,7 @@
 ///   Heun, explicit Euler: the longest step in which the stability function R(h s) of the mode's roots s does not exceed
 ///   exp(h / duration). Both amplify an undamped mode at any step, by about (w h)^4 / 8 and (w h)^2 / 2 a step: the bound lets
 ///   the highest mode grow e-fold by the end of the motion.
-/// Held by dynamics/dynamics_test.
+/// Tested by dynamics/dynamics_test.
 #include "dynamics/implicit.hpp"
 
 namespace soft::dynamics {

@@ -1,5 +1,5 @@
 #pragma once
-/// Implicit integrators of our own, one stage solver under both; internal to the room. Held by dynamics/dynamics_test.
+/// Implicit integrators of our own, one stage solver under both; internal to the module. Tested by dynamics/dynamics_test.
 ///
 /// Generalised alpha, in the form of Arnold and Bruels, Multibody System Dynamics 18 (2007) 185: the equations of motion hold
 /// at the end of the step, an auxiliary w takes the averages,

@@ -17,7 +17,7 @@ namespace {
 
 /// Adaptive steps: the first of the shortest change of the loads; after a kink of the step before it.
 constexpr double first_share = 1e-3, share_after_kink = 0.1;
-constexpr double growth_without_estimate = 2.0, largest_growth = 2.0, smallest_shrink = 0.3, rejection = 1.5;
+constexpr double growth_without_estimate = 2.0, max_growth = 2.0, min_shrink = 0.3, rejection = 1.5;
 /// The size of the motion is at least this part of the linear response.
 constexpr double size_share = 0.1;
 /// Steps until generalised alpha goes on, see the header: as many as its estimate of the error needs.
@@ -25,7 +25,7 @@ constexpr int steps_of_starter = 3;
 /// Explicit steps: of the stable one, which is estimated again and again because stretching stiffens: more often where it has
 /// changed by more than the larger of two shares since the last time, less often where by less than the smaller.
 constexpr double stable_share = 0.9;
-constexpr int first_steps_between_estimates = 4, most_steps_between_estimates = 50;
+constexpr int first_steps_between_estimates = 4, max_steps_between_estimates = 50;
 constexpr double much_change = 0.03, little_change = 0.01;
 /// A step the user has chosen is kept up to this part of the stable one: room for what stiffens before the next estimate.
 constexpr double nearly_unstable = 0.97;
@@ -150,7 +150,7 @@ void MotionFollower::choose_first_step() {
 /// An explicit step of our own follows the stable one; that of the user is shortened where the body has become too stiff for it.
 void MotionFollower::update_stable_step() {
     const double before_s = std::exchange(stable_step_s_, stable_->estimate(last_));
-    if (!(stable_step_s_ > settings_.smallest_step * first_step_s_))  // or is no number
+    if (!(stable_step_s_ > settings_.min_step * first_step_s_))  // or is no number
         return finish(
             StopReason::diverged,
             "the stable step has fallen to " + short_text(stable_step_s_) + " s at " + short_text(last_.time_s) +
@@ -162,7 +162,7 @@ void MotionFollower::update_stable_step() {
     else if (change > much_change)
         between_estimates_ = std::max(between_estimates_ / 4, 1);
     else if (change < little_change)
-        between_estimates_ = std::min(between_estimates_ * 2, most_steps_between_estimates);
+        between_estimates_ = std::min(between_estimates_ * 2, max_steps_between_estimates);
     next_estimate_ = steps_ + between_estimates_;
     const double own = coarse(stable_share * stable_step_s_);
     const bool keeps = is_constant() && (rows_ == 0 || dynamics_.step_s <= nearly_unstable * stable_step_s_);
@@ -217,7 +217,7 @@ void MotionFollower::advance() {
     if (is_adaptive() && error && *error > rejection * dynamics_.accuracy) {
         log("step of " + short_text(h) + " s errs by " + short_text(*error) + " of the motion: taken again");
         adapt(error, h);
-        if (step_s_ < settings_.smallest_step * first_step_s_)
+        if (step_s_ < settings_.min_step * first_step_s_)
             finish(StopReason::diverged,
                    "no step is short enough for dynamics.accuracy at " + short_text(last_.time_s) + " s");
         return;
@@ -284,7 +284,7 @@ void MotionFollower::adapt(std::optional<double> error, double step_s) {
     double factor = growth_without_estimate;
     if (error) {
         factor = 0.9 * std::pow(dynamics_.accuracy / std::max(*error, 1e-15), 1.0 / (order_ + 1));
-        factor = std::clamp(factor, smallest_shrink, largest_growth);
+        factor = std::clamp(factor, min_shrink, max_growth);
     }
     step_s_ = coarse(factor * step_s);
     first_step_s_ = std::max(first_step_s_, step_s);

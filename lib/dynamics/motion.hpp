@@ -9,10 +9,10 @@
 /// A row of the path is a converged step: time, energies and work in Step::motion, tangent_* the derivatives by time,
 /// load_factor = t / duration, `stable` always true; row 0 is rest. Rows are finite. Ends: done; inverted_element; diverged (the
 /// step became too short; the motion leaves the range of numbers; explicit steps whose kinetic energy is ten times the loads'
-/// work, or whose stable length has fallen below solver.smallest_step of the first); self_contact; step_limit.
+/// work, or whose stable length has fallen below solver.min_step of the first); self_contact; step_limit.
 /// Sources: PETSc's TS has the implicit Euler, generalised-alpha, ARKIMEX, Rosenbrock-W and Runge-Kutta methods; central
 /// difference: Belytschko, Liu and Moran, Nonlinear Finite Elements for Continua and Structures (2000) 6.2.
-/// Held by dynamics/dynamics_test and the verification suite.
+/// Tested by dynamics/dynamics_test and the verification suite.
 #include "solver/path.hpp"
 
 namespace soft::dynamics {

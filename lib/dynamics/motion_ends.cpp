@@ -39,7 +39,7 @@ void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
     log("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
         core::counted(failure.iterations, "iteration") + ", residual " + short_text(failure.residual) +
         ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
-    if (step_s_ >= settings_.smallest_step * first_step_s_) return;
+    if (step_s_ >= settings_.min_step * first_step_s_) return;
     const std::string place = solver::place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
     if (inverted)
         return finish(StopReason::inverted_element,
@@ -59,7 +59,7 @@ std::optional<std::string> MotionFollower::impossible(const solution::Step& step
                                          : "give a shorter dynamics.step, or generalized-alpha";
     if (!is_finite(step))
         return "the motion grows without bound: " + when + "it has left the range of numbers; " + remedy;
-    const double given = largest_work_J_ / input_.model_fraction;
+    const double given = max_work_J_ / input_.model_fraction;
     if (explicit_ && is_free_of_stress_ && given > 0.0 && step.max_stretch > visible_stretch &&
         step.motion->kinetic_energy_J > energy_from_nowhere * given)
         return "the motion grows without bound: " + when + "its energy is " +

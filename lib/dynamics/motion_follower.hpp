@@ -1,5 +1,5 @@
 #pragma once
-/// The state machine behind integrate_motion (motion.hpp), internal to the room: motion.cpp begins, takes steps, chooses
+/// The state machine behind integrate_motion (motion.hpp), internal to the module: motion.cpp begins, takes steps, chooses
 /// their length and ends, motion_ends.cpp says how it fails, motion_rows.cpp keeps the energies and writes rows.
 ///
 /// Steps: constant (Dynamics::step_s), by the stable step (explicit), else by the local error of x,
@@ -87,7 +87,7 @@ private:
     double stable_step_s_ = 0;
     int between_estimates_ = 0, next_estimate_ = 0;                     // of it, in steps
     double size_ = 0;                                                   // of the motion
-    double load_work_J_ = 0, damping_work_J_ = 0, largest_work_J_ = 0;  // of the modelled part
+    double load_work_J_ = 0, damping_work_J_ = 0, max_work_J_ = 0;  // of the modelled part
     int rows_ = 0, steps_ = 0, iterations_since_row_ = 0, factorizations_at_row_ = 0;
     bool is_free_of_stress_ = true;  // the undeformed body
     bool finished_ = false;

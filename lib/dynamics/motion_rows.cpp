@@ -23,7 +23,7 @@ void MotionFollower::keep_energies(const MotionState& from, const MotionState& t
     SOFT_PETSC(VecPointwiseMult(change, equations_.mask(), change));
     SOFT_PETSC(VecWAXPY(force, 1.0, from.load_force, to.load_force));
     load_work_J_ += 0.5 * linalg::dot(force, change);
-    largest_work_J_ = std::max(largest_work_J_, std::abs(load_work_J_));
+    max_work_J_ = std::max(max_work_J_, std::abs(load_work_J_));
     if (!equations_.has_damping()) return;
     SOFT_PETSC(VecZeroEntries(force));
     equations_.add_damping(force, 0.5, from.v);

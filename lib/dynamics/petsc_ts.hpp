@@ -1,11 +1,11 @@
 #pragma once
-/// PETSc's TS on the equations of motion in first-order form, y = (x, v, masses of the lines); internal to the room.
+/// PETSc's TS on the equations of motion in first-order form, y = (x, v, masses of the lines); internal to the module.
 ///   implicit Euler (TSBEULER), Rosenbrock-W (TSROSW ra34pw2):  F(t, y, dy/dt) = 0 with
 ///       dx/dt - v = 0 (pressure unknowns: their rows of R),   M dv/dt + C v + R = 0,   dm/dt - flow = 0
 ///   Heun (TSRK 2a: c = 0, 1, b = 1/2, 1/2), explicit Euler (TSEULER):  dy/dt = G(t, y) by the lumped mass.
 /// TS takes single steps; their length, failed steps and the size of errors (without pressures) are the caller's. A linear
 /// solve eliminates dv = s dx - r: one factorisation of K + s C + s^2 M. Options -ts_* reach TS.
-/// Held by dynamics/dynamics_test.
+/// Tested by dynamics/dynamics_test.
 #include <exception>
 
 #include <petscts.h>

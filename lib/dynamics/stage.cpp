@@ -122,8 +122,8 @@ bool StageSolver::solve_linear(Vec b, std::span<const LineRow> rows, Vec dx, std
 double StageSolver::force_scale(const assembly::Evaluation& evaluation, Vec inertia) {
     const double scale =
         std::max({evaluation.force_scale, linalg::norm(equations_.load_force()), linalg::norm(inertia)});
-    largest_scale_ = std::max(largest_scale_, scale);
-    return std::max(scale, vanishing_forces * largest_scale_);
+    max_scale_ = std::max(max_scale_, scale);
+    return std::max(scale, vanishing_forces * max_scale_);
 }
 
 bool StageSolver::is_rounding(double residual_N, Vec x, const assembly::LoadLevels& levels) {

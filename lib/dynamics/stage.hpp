@@ -4,7 +4,7 @@
 /// and that obeys the equations of motion. What makes a stage of every implicit integrator, and the one factorisation of
 ///   J = K + by_velocity C + by_acceleration M
 /// it needs, bordered by the pressures behind the lines (newton.hpp): J d = b, J b_k = f_k, dx = d + sum dp_k b_k.
-/// Internal to the room. Held by dynamics/dynamics_test.
+/// Internal to the module. Tested by dynamics/dynamics_test.
 #include "dynamics/equations.hpp"
 #include "linalg/linear_solver.hpp"
 #include "linalg/small_matrix.hpp"
@@ -85,7 +85,7 @@ private:
     std::vector<linalg::Vector> columns_, gradients_;
     assembly::Evaluation evaluation_;  // of the state as it stands
     bool factor_is_of_stage_ = false;
-    double largest_scale_ = 0;
+    double max_scale_ = 0;
 };
 
 }  // namespace soft::dynamics

@@ -1,6 +1,6 @@
 #pragma once
 /// The share f(t) of a load in a dynamic case (model::TimeCourse), f = 0 before time 0.
-/// Held by dynamics/time_course_test.
+/// Tested by dynamics/time_course_test.
 #include <vector>
 
 #include "model/case.hpp"

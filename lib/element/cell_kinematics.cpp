@@ -182,7 +182,7 @@ void map_points(const ReferenceCell& cell, const CellInput& in, CellPoints& poin
 template void map_points<true>(const ReferenceCell&, const CellInput&, CellPoints&);
 template void map_points<false>(const ReferenceCell&, const CellInput&, CellPoints&);
 
-double least_jacobian(const ReferenceCell& cell, const CellPoints& points) {
+double min_jacobian(const ReferenceCell& cell, const CellPoints& points) {
     double least = points.jacobian.front();
     for (int q = 0; q < cell.points; ++q) {
         if (std::isnan(points.jacobian[q])) return 0.0;  // no state of a body either

@@ -54,7 +54,7 @@ namespace detail {
 template <bool Axisymmetric>
 void map_points(const ReferenceCell& cell, const CellInput& in, CellPoints& points);
 
-[[nodiscard]] double least_jacobian(const ReferenceCell& cell, const CellPoints& points);
+[[nodiscard]] double min_jacobian(const ReferenceCell& cell, const CellPoints& points);
 
 /// The pressure functions at a node, scaled.
 void pressure_functions_at(const ReferenceCell& cell, std::span<const double> X, int node, double scale_Pa,

@@ -67,7 +67,7 @@ void add_contraction(const ReferenceCell& cell, const Tensor& T, double weight, 
 
 FBarState f_bar_state(const ReferenceCell& cell, const CellPoints& points) {
     FBarState state;
-    state.min_jacobian = least_jacobian(cell, points);  // a mean that is positive may hide an inverted corner
+    state.min_jacobian = min_jacobian(cell, points);  // a mean that is positive may hide an inverted corner
     for (int q = 0; q < cell.points; ++q) {
         state.volume[q] = points.volume[q];
         state.F[q] = points.law.gradient(q);
@@ -81,8 +81,8 @@ FBarState f_bar_state(const ReferenceCell& cell, const CellPoints& points) {
 template <bool Axisymmetric>
 void assemble_f_bar(const ReferenceCell& cell, const FBarState& state, Wanted wanted, CellOutput& out) {
     CellPoints& points = out.points;
-    std::array<Terms, most_f_bar_points> terms;
-    std::array<PointResponse, most_f_bar_points> answers;
+    std::array<Terms, max_f_bar_points> terms;
+    std::array<PointResponse, max_f_bar_points> answers;
     double power = 0, c = 0;  // int t dV, int (b/9 - t/3) dV
     for (int q = 0; q < cell.points; ++q) {
         answers[q] = points.law.response(q);

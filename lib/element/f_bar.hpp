@@ -15,7 +15,7 @@
 ///   A*_iJkL = A' - (Q h + h Q)/3 + (b/9 + tau) Q_iJ Q_kL + (t/3 - tau) Q_iL Q_kJ
 ///   B = int (h/3 - (b/9) Q) : grad dV,   c = int (b/9 - t/3) dV.
 /// Sources: Simo, Taylor, Pister, CMAME 51 (1985) 177; Elguedj et al., CMAME 197 (2008) 2732; the second variation in
-/// this form is derived here. Held by element/f_bar_test and element/matrix_test.
+/// this form is derived here. Tested by element/f_bar_test and element/matrix_test.
 #include <array>
 #include <cmath>
 
@@ -23,7 +23,7 @@
 
 namespace soft::element::detail {
 
-inline constexpr int most_f_bar_points = 8;  // hex8
+inline constexpr int max_f_bar_points = 8;  // hex8
 
 /// A law that may be run with F-bar (LawInfo::f_bar): one with an energy that is a function of the finite F.
 template <class L>
@@ -31,9 +31,9 @@ concept FBarLaw = !material::StressLaw<L> && !std::same_as<L, material::LinearEl
 
 /// Kinematics of a cell's points.
 struct FBarState {
-    std::array<double, most_f_bar_points> volume{};  ///< reference volume
-    std::array<double, most_f_bar_points> jacobian{};
-    std::array<Tensor, most_f_bar_points> F{};
+    std::array<double, max_f_bar_points> volume{};  ///< reference volume
+    std::array<double, max_f_bar_points> jacobian{};
+    std::array<Tensor, max_f_bar_points> F{};
     double reference_volume = 0, current_volume = 0;  ///< V, v
     double min_jacobian = 1;
 

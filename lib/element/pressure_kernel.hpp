@@ -6,7 +6,7 @@
 ///   V = the facet's share of the enclosed volume [m^3]: -1/3 int x.n da (solid), int pi r^2 dx (axisymmetric),
 ///       -1/2 int x.n ds per unit depth (plane strain); sums to the volume over a closed wall; dV = exact derivative.
 /// x current positions, component-major (dimension x nodes). Axisymmetric integrals carry 2 pi r.
-/// Source: divergence theorem and Nanson's formula. Held by element/pressure_kernel_test.
+/// Source: divergence theorem and Nanson's formula. Tested by element/pressure_kernel_test.
 #include <span>
 #include <vector>
 

@@ -2,7 +2,7 @@
 /// Mass matrix of a cell's pressure functions in the reference configuration, in the scale of the pressure unknowns:
 ///   M_st = integral of phi_s phi_t dV  [Pa^2 m^3 with phi = scale x basis; 2 pi R included]
 /// The Schur complement of an incompressible solid of shear modulus mu is like M / mu (Boffi, Brezzi, Fortin, Mixed Finite Element
-/// Methods (2013) 8.5). Held by element/pressure_mass_test.
+/// Methods (2013) 8.5). Tested by element/pressure_mass_test.
 #include "element/cell_kinematics.hpp"
 
 namespace soft::element {

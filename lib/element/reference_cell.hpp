@@ -12,7 +12,7 @@
 /// stiffness of the undistorted cell exactly (degree 2 (k - 1)) in sections of unit depth and solids; with the factor
 /// 2 pi R of bodies of revolution that degree keeps the order of convergence (Ciarlet, The Finite Element Method for
 /// Elliptic Problems (1978), 4.1). Every one leaves the rigid motions alone without stiffness: element/rank_test.
-/// Sources: Boffi, Brezzi, Fortin, Mixed Finite Element Methods (2013) 8.6-8.8. Held by element/reference_cell_test,
+/// Sources: Boffi, Brezzi, Fortin, Mixed Finite Element Methods (2013) 8.6-8.8. Tested by element/reference_cell_test,
 /// element/solid_kernel_test; orders by assembly/manufactured_test, stability by assembly/inf_sup_test.
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 ///   R_u = int P(F, p) : grad(du) dV,   R_p = int dp (Theta(J) - p / K) dV,
 ///   stiffness = derivative of (R_u, R_p) by (u, p); symmetric, except for a law that has no energy.
 /// In F-bar form P and F are those of element/f_bar.hpp. Kinematics and numbering: element/cell_kinematics.hpp.
-/// Held by element/solid_kernel_test and element/matrix_test (every law in every cell and form: Taylor remainders,
+/// Tested by element/solid_kernel_test and element/matrix_test (every law in every cell and form: Taylor remainders,
 /// symmetry, rigid motion, constant gradients), element/rank_test, element/f_bar_test.
 #include <stdexcept>
 
@@ -28,7 +28,7 @@ void integrate(const ReferenceCell& cell, const material::Rubber<L>& rubber, con
                material::Wanted wanted, CellOutput& out) {
     constexpr auto kind = material::StressLaw<L> ? TangentKind::full : TangentKind::symmetric;
     map_points<Axisymmetric>(cell, in, out.points);
-    out.min_jacobian = least_jacobian(cell, out.points);
+    out.min_jacobian = min_jacobian(cell, out.points);
     if (!(out.min_jacobian > 0.0)) return;  // the caller reports the cell; an energy of J <= 0 has no meaning
     if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
     material::respond(rubber, cell.form, wanted, out.points.law);

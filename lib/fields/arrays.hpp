@@ -1,6 +1,6 @@
 #pragma once
 /// All fields of a step as named arrays, for ParaView. Tensors have nine components, row by row, in the mesh's
-/// coordinates (of a section x, r, hoop); directions belong to the current configuration. Held by fields/arrays_test.
+/// coordinates (of a section x, r, hoop); directions belong to the current configuration. Tested by fields/arrays_test.
 #include <vector>
 
 #include "fields/step_fields.hpp"

@@ -18,7 +18,7 @@ void EnergyBalance::add(const solution::Step& row) {
     const Energies gain{now.work_J - first_->work_J, now.stored_J - first_->stored_J, now.kinetic_J - first_->kinetic_J,
                         now.damping_J - first_->damping_J};
     for (const double part : {gain.work_J, gain.stored_J, gain.kinetic_J, gain.damping_J})
-        largest_J_ = std::max(largest_J_, std::abs(part));
+        max_J_ = std::max(max_J_, std::abs(part));
     const double gap_J = std::abs(gain.work_J - gain.stored_J - gain.kinetic_J - gain.damping_J);
     if (!(gap_J > gap_J_)) return;
     gap_J_ = gap_J;
@@ -27,7 +27,7 @@ void EnergyBalance::add(const solution::Step& row) {
 }
 
 std::optional<double> EnergyBalance::error() const {
-    return largest_J_ > 0 ? std::optional{gap_J_ / largest_J_} : std::nullopt;
+    return max_J_ > 0 ? std::optional{gap_J_ / max_J_} : std::nullopt;
 }
 
 std::string EnergyBalance::problem() const {

@@ -1,7 +1,7 @@
 #pragma once
 /// Whether the rows of a path keep their energy: work of the loads = stored + kinetic + taken by damping, all since the first row.
 /// The difference is that of the worst row, over the largest of the four that any row has. Along a static path only the first two
-/// are there. A law that is a stress without an energy has no balance. Held by fields/energy_balance_test,
+/// are there. A law that is a stress without an energy has no balance. Tested by fields/energy_balance_test,
 /// Pipeline.AnEarlyEndKeepsTheStepsReached and Pipeline.AMotionInTimeKeepsItsEnergyAndItsRows.
 #include <optional>
 #include <string>
@@ -26,7 +26,7 @@ private:
     };
     std::optional<Energies> first_;
     Energies worst_;
-    double largest_J_ = 0, gap_J_ = 0;
+    double max_J_ = 0, gap_J_ = 0;
     int rows_ = 0, worst_row_ = 0;
     bool moves_ = false;
 };

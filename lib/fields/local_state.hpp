@@ -4,7 +4,7 @@
 ///   F = sum_a stretch_a n_a (x) N_a,   stretch_a^2 the eigenvalues of b = F F^T, n_a its eigenvectors
 ///   von Mises = sqrt(3/2 dev sigma : dev sigma),   pressure = - tr sigma / 3 (positive in compression)
 /// Components are those of the mesh's coordinates: (x, y, z); of a section (x, r, hoop), of plane strain (x, y, z).
-/// Source: Holzapfel, Nonlinear Solid Mechanics (2000), 2.6, 3.2. Held by fields/local_state_test.
+/// Source: Holzapfel, Nonlinear Solid Mechanics (2000), 2.6, 3.2. Tested by fields/local_state_test.
 #include <array>
 
 #include "core/tensor.hpp"

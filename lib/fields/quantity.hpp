@@ -1,6 +1,6 @@
 #pragma once
 /// The scalar fields that people look at, by name. One table feeds options, colour bars and the report.
-/// Held by fields/quantity_test.
+/// Tested by fields/quantity_test.
 #include <span>
 #include <string_view>
 #include <vector>

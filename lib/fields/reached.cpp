@@ -15,7 +15,7 @@ namespace {
 using Warnings = std::vector<std::string>;
 
 /// Hooke's law errs by as much as the strain is large.
-constexpr double largest_small_stretch = 1.1;
+constexpr double max_small_stretch = 1.1;
 /// Of the goal: nearer is there.
 constexpr double met = 1e-6;
 
@@ -39,7 +39,7 @@ std::string unstable_text(const model::Material& material, const std::vector<mat
 void check_law(const model::Material& material, double stretch, Warnings& warnings) {
     const std::string rubber = material.source + ": the rubber is stretched to " + core::rounded_text(stretch, 3);
     if (is_small_strain(material)) {
-        if (stretch > largest_small_stretch)
+        if (stretch > max_small_stretch)
             warnings.push_back(rubber + "; small strains (" + material.law +
                                ") hold to about 1.05, a law of finite strain "
                                "(neo-hookean) goes on");
@@ -54,7 +54,7 @@ void check_law(const model::Material& material, double stretch, Warnings& warnin
 void check_softening(const model::Case& solved, const model::Material& material, const Reached& reached,
                      Warnings& warnings) {
     const solution::Step& row = reached.most_stretched;
-    if (is_small_strain(material) || !limits_below(material, reached.largest_stretch_p99).empty()) return;
+    if (is_small_strain(material) || !limits_below(material, reached.max_stretch_p99).empty()) return;
     const auto passed = limits_below(material, row.max_stretch);
     if (passed.empty()) return;
     const std::string where =
@@ -110,7 +110,7 @@ void check_crushed(const model::Case& solved, const Reached& path, Warnings& war
     if (!path.first_crushed_row || !std::ranges::all_of(solved.materials, keeps_volume)) return;
     warnings.push_back(
         "from row " + std::to_string(*path.first_crushed_row) +
-        " on the mesh presses rubber that keeps its volume to " + core::rounded_text(path.least_jacobian, 2) +
+        " on the mesh presses rubber that keeps its volume to " + core::rounded_text(path.min_jacobian, 2) +
         " of it at a point (min_J), as beside a held edge or a sharp corner: maxima and turns of the curve from "
         "there on may be the mesh's own; round or free that edge, compare another mesh.size, or ask for error "
         "bars (--tolerance)");
@@ -121,12 +121,12 @@ void check_maximum(const model::Case& solved, const Reached& path, Warnings& war
     const model::Stage& stage = solved.path.stages.at(static_cast<std::size_t>(path.last.stage));
     if (stage.supplies.empty() || stage.supplies.front().what != model::Prescription::pressure) return;
     const double asked_Pa = stage.supplies.front().value, sense = asked_Pa < 0 ? -1 : 1;
-    double largest_Pa = 0;
+    double max_Pa = 0;
     for (const solution::LimitPoint& point : path.limit_points)
-        largest_Pa = std::max(largest_Pa, sense * point.pressure_Pa);
-    if (!(largest_Pa > 0) || largest_Pa >= std::abs(asked_Pa) || sense * path.last.pressure_Pa >= largest_Pa) return;
+        max_Pa = std::max(max_Pa, sense * point.pressure_Pa);
+    if (!(max_Pa > 0) || max_Pa >= std::abs(asked_Pa) || sense * path.last.pressure_Pa >= max_Pa) return;
     warnings.push_back("loads." + solved.loads.front().name + ": " +
-                       core::quantity_text(sense * largest_Pa, core::Dimension::pressure) +
+                       core::quantity_text(sense * max_Pa, core::Dimension::pressure) +
                        " is the largest pressure that the body bears on its way to " +
                        core::quantity_text(asked_Pa, core::Dimension::pressure) +
                        "; behind that maximum it gives way, and the path has ended there");
@@ -146,7 +146,7 @@ std::vector<std::string> warnings_at(const model::Case& solved, const Reached& r
     for (const model::Material& material : solved.materials)
         if (std::ranges::find(seen, material.source) == seen.end()) {
             seen.push_back(material.source);
-            check_law(material, reached.largest_stretch_p99, warnings);
+            check_law(material, reached.max_stretch_p99, warnings);
             if (reached.gave_way || end == solution::StopReason::diverged || end == solution::StopReason::step_limit)
                 check_softening(solved, material, reached, warnings);
         }

@@ -1,6 +1,6 @@
 #pragma once
 /// What can be said against a static path only when it has been followed: laws used beyond where they hold, goals
-/// that the loads do not reach. Plain warnings, one line each. Held by fields/reached_test and
+/// that the loads do not reach. Plain warnings, one line each. Tested by fields/reached_test and
 /// Pipeline.MisleadingDesignsAreNamed.
 #include <optional>
 #include <span>
@@ -14,12 +14,12 @@ namespace soft::fields {
 
 struct Reached {
     solution::Step first, last;  ///< rows of the path
-    double largest_stretch_p99 = 1;
+    double max_stretch_p99 = 1;
     solution::Step most_stretched;  ///< the row with the largest stretch at a point
     bool gave_way = false;          ///< a row is not stable
     std::span<const solution::LimitPoint> limit_points = {};
     std::optional<int> first_crushed_row = {};  ///< with det F below crushed_jacobian at a point
-    double least_jacobian = 1;
+    double min_jacobian = 1;
 };
 
 /// Of rubber that keeps its volume no state, but what a mesh cannot resolve: shipped designs stay above 0.75.

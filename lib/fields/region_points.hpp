@@ -1,6 +1,6 @@
 #pragma once
 /// Nodes as the regions see them: where two rubbers meet, stress and stretch jump, so a node on the interface carries
-/// one value for each region. Fields at nodes are arrays over these region points. Held by fields/step_fields_test.
+/// one value for each region. Fields at nodes are arrays over these region points. Tested by fields/step_fields_test.
 #include <cstdint>
 #include <span>
 #include <vector>

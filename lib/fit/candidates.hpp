@@ -1,7 +1,7 @@
 #pragma once
 /// The laws that can be fitted. The stress of each is linear in its first constants and depends on at most one shape
 /// constant a term: P = sum_j c_j P_j(l; shape_j). What is linear is solved exactly; only the shapes are searched
-/// (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Held by fit/fit_test.
+/// (variable projection: Golub and Pereyra, SIAM J. Numer. Anal. 10 (1973) 413). Tested by fit/fit_test.
 #include <optional>
 #include <span>
 #include <string_view>

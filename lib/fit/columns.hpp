@@ -1,6 +1,6 @@
 #pragma once
-/// Which columns of a table are strain and stress, in which measure and unit. Private to the room.
-/// Held by fit/test_data_test.
+/// Which columns of a table are strain and stress, in which measure and unit. Private to the module.
+/// Tested by fit/test_data_test.
 #include <string>
 
 #include "fit/test_data.hpp"

@@ -18,7 +18,7 @@ namespace {
 
 // The sum of squares is flat at its minimum: these ends leave the shapes exact to about half the digits or better.
 constexpr double function_tolerance = 1e-15, gradient_tolerance = 1e-13, step_tolerance = 1e-11;
-constexpr int most_iterations = 150;
+constexpr int max_iterations = 150;
 // Where the search stops this near to a bound, it may have stalled on the way along it.
 constexpr double pinned_bound = 0.02;
 constexpr double same_exponent = 1e-3;
@@ -84,7 +84,7 @@ void search(const Candidate& candidate, const Rows& rows, Signs signs, std::vect
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
     options.logging_type = ceres::SILENT;
-    options.max_num_iterations = most_iterations;
+    options.max_num_iterations = max_iterations;
     options.function_tolerance = function_tolerance;
     options.gradient_tolerance = gradient_tolerance;
     options.parameter_tolerance = step_tolerance;

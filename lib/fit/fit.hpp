@@ -3,7 +3,7 @@
 /// Least squares of the nominal stress, all rows of all tests together. What is linear is solved exactly (bounded.hpp); the
 /// shapes are searched by Ceres, a maintained least-squares library with bounds on the unknowns, from several starts
 /// (of ogden: the best of a dense list of exponents in every pattern of signs), so that the result does not depend on
-/// the unit, the order of the rows or a guess. Held by fit/fit_test, fit/treloar_test.
+/// the unit, the order of the rows or a guess. Tested by fit/fit_test, fit/treloar_test.
 #include <optional>
 #include <span>
 #include <string>
@@ -35,7 +35,7 @@ struct Settings {
 };
 
 /// Unbounded, an offset would absorb the error of the law.
-inline constexpr double largest_offset_Pa = 10e3;
+inline constexpr double max_offset_Pa = 10e3;
 
 struct Constant {
     std::string name;  ///< "mu", of several terms "mu 1", "mu 2", ...
@@ -49,7 +49,7 @@ struct TestQuality {
     Mode mode = Mode::uniaxial;
     std::string source;
     std::size_t rows = 0;
-    double rmse_Pa = 0, largest_Pa = 0;  ///< of the nominal stress, without weights
+    double rmse_Pa = 0, max_Pa = 0;  ///< of the nominal stress, without weights
     double r2 = 0;
     std::optional<double> offset_Pa = {};
 };
@@ -61,17 +61,17 @@ struct Fit {
     std::vector<double> covariance;  ///< of `list`, by rows [SI]
     std::vector<TestQuality> tests;
     std::size_t rows = 0;
-    double rmse_Pa = 0, largest_Pa = 0, r2 = 0;
+    double rmse_Pa = 0, max_Pa = 0, r2 = 0;
     /// Largest error of the nominal stress relative to the measured one, of rows at 20 % of strain and beyond (below it the zero
     /// of the load cell counts); nullopt where there are none.
-    std::optional<double> largest_relative_error = {};
+    std::optional<double> max_relative_error = {};
     double aicc = 0;        ///< n ln(weighted sum of squares / n) + 2 k + 2 k (k+1)/(n-k-1)
-    double largest_I1 = 3;  ///< of the data: beyond it the law is a guess
+    double max_I1 = 3;  ///< of the data: beyond it the law is a guess
     double condition = 1;   ///< of the Jacobian with columns of length 1
     std::vector<material::StabilityLimit>
         limits;           ///< first unstable stretch of each mode, looked for beyond the data too
-    bool stable = false;  ///< up to largest_I1, in every mode
-    /// unstable:<mode>@<stretch> (up to largest_I1), mu0<=0, at-bound, ill-conditioned (condition > 1e4), offset>10% (of
+    bool stable = false;  ///< up to max_I1, in every mode
+    /// unstable:<mode>@<stretch> (up to max_I1), mu0<=0, at-bound, ill-conditioned (condition > 1e4), offset>10% (of
     /// the stress at e = 0.25), signs-constrained, terms:<n> (fewer than asked for are of use)
     std::vector<std::string> flags;
 

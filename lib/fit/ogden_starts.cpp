@@ -6,15 +6,15 @@
 namespace soft::fit {
 namespace {
 
-constexpr int most_terms = material::Ogden::most_terms;
+constexpr int max_terms = material::Ogden::max_terms;
 /// Exponents of each sign by the number of terms: at most about 10 000 sets.
-constexpr std::array<int, most_terms> list_lengths{60, 36, 20, 12};
+constexpr std::array<int, max_terms> list_lengths{60, 36, 20, 12};
 constexpr double least = 0.1, most = 11.0;  // within the bounds of the search
 /// Two columns nearer to each other than this are one: the products hold half the digits.
-constexpr double least_pivot = 1e-9;
+constexpr double min_pivot = 1e-9;
 
-using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_terms, most_terms>;
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_terms, 1>;
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_terms, max_terms>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_terms, 1>;
 
 std::vector<double> exponents(int length) {
     std::vector<double> list;
@@ -49,7 +49,7 @@ struct Search {
                 G(i, j) = products(at, static_cast<Eigen::Index>(chosen[static_cast<std::size_t>(j)]));
         }
         const Eigen::LDLT<Small> factors(G);
-        if (!(factors.vectorD().minCoeff() > least_pivot)) return;
+        if (!(factors.vectorD().minCoeff() > min_pivot)) return;
         const SmallVector c = factors.solve(b);
         if (signs == Signs::stable && !(c.minCoeff() >= 0.0)) return;
         const double gain = b.dot(c);

@@ -10,12 +10,12 @@
 namespace soft::fit {
 namespace {
 
-constexpr double largest_condition = 1e4;   // beyond it constants trade off against each other
+constexpr double max_condition = 1e4;   // beyond it constants trade off against each other
 constexpr double offset_strain = 0.25;      // where an offset is compared with the stress
-constexpr double least_error_strain = 0.2;  // smaller strains carry the zero of the load cell
-constexpr double largest_offset_share = 0.1;
+constexpr double min_error_strain = 0.2;  // smaller strains carry the zero of the load cell
+constexpr double max_offset_share = 0.1;
 constexpr double invariant_tolerance = 1e-9;  // of I1 at the end of the data, computed another way
-constexpr double least_scan = 0.3;            // as material::usual_range
+constexpr double min_scan = 0.3;            // as material::usual_range
 
 /// Stretch of the mode at which I1 has a value above 3, in tension or compression, by bisection.
 double stretch_of_invariant(Mode mode, double I1, material::Sense sense) {
@@ -80,18 +80,18 @@ void add_errors(const Solution& solution, const std::vector<TestCurve>& tests, c
                 fit.nominal_stress_Pa(test.mode, test.stretch[i]) + quality.offset_Pa.value_or(0) - test.nominal_Pa[i];
             sums.add(residual, test.nominal_Pa[i]);
             all.add(residual, test.nominal_Pa[i]);
-            if (std::abs(test.stretch[i] - 1.0) >= least_error_strain && test.nominal_Pa[i] != 0.0)
-                fit.largest_relative_error =
-                    std::max(fit.largest_relative_error.value_or(0), std::abs(residual / test.nominal_Pa[i]));
+            if (std::abs(test.stretch[i] - 1.0) >= min_error_strain && test.nominal_Pa[i] != 0.0)
+                fit.max_relative_error =
+                    std::max(fit.max_relative_error.value_or(0), std::abs(residual / test.nominal_Pa[i]));
         }
         quality.rmse_Pa = sums.rmse();
-        quality.largest_Pa = sums.largest;
+        quality.max_Pa = sums.largest;
         quality.r2 = sums.r2();
         fit.tests.push_back(quality);
     }
     fit.rows = all.rows;
     fit.rmse_Pa = all.rmse();
-    fit.largest_Pa = all.largest;
+    fit.max_Pa = all.largest;
     fit.r2 = all.r2();
     const double n = static_cast<double>(all.rows);
     const double k = static_cast<double>(solution.projection.A.cols()) + static_cast<double>(solution.q.size()) + 1.0;
@@ -127,9 +127,9 @@ void add_stability(Fit& fit) {
     }
     fit.stable = true;
     if (signs_suffice(fit)) return;
-    const double end = fit.largest_I1 * (1.0 + invariant_tolerance);
+    const double end = fit.max_I1 * (1.0 + invariant_tolerance);
     const material::StretchRange range{
-        std::min(least_scan, stretch_of_invariant(Mode::uniaxial, end, material::Sense::compression)),
+        std::min(min_scan, stretch_of_invariant(Mode::uniaxial, end, material::Sense::compression)),
         std::max(material::usual_range.most, stretch_of_invariant(Mode::uniaxial, end, material::Sense::tension))};
     fit.limits = material::stability_limits(*rubber, range);
     for (const material::StabilityLimit& limit : fit.limits) {
@@ -153,10 +153,10 @@ void add_flags(const Solution& solution, const std::vector<TestCurve>& tests, Fi
     if (solution.at_search_bound || std::find(free.begin(), free.end(), false) != free.end())
         fit.flags.emplace_back("at-bound");
     if (solution.signs == Signs::stable) fit.flags.emplace_back("signs-constrained");
-    if (!(fit.condition <= largest_condition)) fit.flags.emplace_back("ill-conditioned");
+    if (!(fit.condition <= max_condition)) fit.flags.emplace_back("ill-conditioned");
     for (std::size_t t = 0; t < tests.size(); ++t)
         if (fit.tests[t].offset_Pa &&
-            std::abs(*fit.tests[t].offset_Pa) > largest_offset_share * std::abs(stress_at_offset_strain(tests[t])))
+            std::abs(*fit.tests[t].offset_Pa) > max_offset_share * std::abs(stress_at_offset_strain(tests[t])))
             fit.flags.emplace_back("offset>10%");
 }
 
@@ -165,7 +165,7 @@ void add_flags(const Solution& solution, const std::vector<TestCurve>& tests, Fi
 Fit describe(const Solution& solution, const std::vector<TestCurve>& tests, const Rows& rows) {
     Fit fit;
     fit.candidate = solution.candidate;
-    fit.largest_I1 = rows.largest_I1;
+    fit.max_I1 = rows.max_I1;
     add_list(solution, rows, fit);
     add_errors(solution, tests, rows, fit);
     add_covariance(solution, rows, fit);

@@ -1,5 +1,5 @@
 #pragma once
-/// What a fit is worth: errors of the rows, of the constants, and stability. Private to the room. Held by fit/fit_test.
+/// What a fit is worth: errors of the rows, of the constants, and stability. Private to the module. Tested by fit/fit_test.
 #include "fit/separable.hpp"
 
 namespace soft::fit {

@@ -2,7 +2,7 @@
 /// All laws on the same tests, the best first: those stable up to the largest I1 of the data before the others, each by
 /// AICc (Hurvich and Tsai, Biometrika 76 (1989) 297), which punishes constants. Residuals along a curve are correlated, so
 /// AICc favours more constants than a fair count of independent rows would: a small difference decides nothing. Where there
-/// are two modes or more, each is also predicted from the others, which says more. Held by fit/rank_test.
+/// are two modes or more, each is also predicted from the others, which says more. Tested by fit/rank_test.
 #include "fit/fit.hpp"
 
 namespace soft::fit {

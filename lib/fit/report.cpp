@@ -97,7 +97,7 @@ std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, c
     for (const TestQuality& test : fit.tests) {
         text += "# " + std::string{name_of(test.mode)} + ", " + std::to_string(test.rows) + " rows: RMSE " +
                 core::rounded_text(test.rmse_Pa / kilo, 4) + " kPa, largest " +
-                core::rounded_text(test.largest_Pa / kilo, 4) + " kPa, R2 " + core::rounded_text(test.r2, 6);
+                core::rounded_text(test.max_Pa / kilo, 4) + " kPa, R2 " + core::rounded_text(test.r2, 6);
         if (test.offset_Pa) text += ", offset " + core::rounded_text(*test.offset_Pa / kilo, 4) + " kPa";
         text += "\n";
     }
@@ -105,11 +105,11 @@ std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, c
     text += "material:\n" + line("  law", std::string{fit.candidate.law}) + constants(fit) +
             line("  kappa", "incompressible") + "  fit:\n";
     text += line("    range", yaml_text(range_text(tests)), "engineering strain of the data");
-    text += line("    largest_I1", core::rounded_text(fit.largest_I1, digits), "beyond it the law is a guess");
+    text += line("    max_I1", core::rounded_text(fit.max_I1, digits), "beyond it the law is a guess");
     text += line("    rmse_kPa", core::rounded_text(fit.rmse_Pa / kilo, 4));
     text += line("    r2", core::rounded_text(fit.r2, 8));
-    if (fit.largest_relative_error)
-        text += line("    largest_error", yaml_text(percent_text(*fit.largest_relative_error)),
+    if (fit.max_relative_error)
+        text += line("    max_error", yaml_text(percent_text(*fit.max_relative_error)),
                      "of the stress, at 20 % of strain and beyond");
     text += line("    stress", yaml_text(stress_text(tests)));
     text += line("    rows", std::to_string(fit.rows));

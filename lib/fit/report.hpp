@@ -1,6 +1,6 @@
 #pragma once
 /// A fit as the `material:` block of a design, with units, errors behind # and what it rests on under `fit:`.
-/// Held by fit/report_test; that mesh-gen takes it by tests/pipeline/fit.sh.
+/// Tested by fit/report_test; that mesh-gen takes it by tests/pipeline/fit.sh.
 #include <string>
 
 #include "fit/rank.hpp"

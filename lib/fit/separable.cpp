@@ -11,23 +11,23 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Exponents beyond these differ from their neighbours by less than the noise (small) or overflow at long stretches.
-constexpr double least_exponent = 0.05, most_exponent = 12.0;
+constexpr double min_exponent = 0.05, max_exponent = 12.0;
 /// exp(-8) of the largest I1 from the pole, or 3000 times beyond the data: past either end the data tell nothing.
-constexpr double most_q = 8.0;
+constexpr double max_q = 8.0;
 /// ln b of yeoh-5: a modulus that rises and levels off below a strain of about 30 % shows slack or the zero of the load cell.
-constexpr double most_log_rise = 1.0;
+constexpr double max_log_rise = 1.0;
 constexpr double near_bound = 1e-6;
 /// The first modulus of a law that asks for a positive one, in S: small against any rubber, and not 0.
-constexpr double least_modulus = 1e-6;
+constexpr double min_modulus = 1e-6;
 /// Central differences in q of smooth parts: error of order step^2, of rounding 1e-16 / step.
 constexpr double slope_step = 1e-5;
 
 /// b of yeoh-5 runs from 1/max(I1 - 3), below which the term is no other than those of c1 and c2 in the data, to its upper
 /// end; in data of small strains over a factor of e.
-double log_rise_width(const Rows& rows) { return std::max(1.0, most_log_rise + std::log(rows.largest_I1 - 3.0)); }
-double rise_at(const Rows& rows, double q) { return std::exp(q * log_rise_width(rows)) / (rows.largest_I1 - 3.0); }
+double log_rise_width(const Rows& rows) { return std::max(1.0, max_log_rise + std::log(rows.max_I1 - 3.0)); }
+double rise_at(const Rows& rows, double q) { return std::exp(q * log_rise_width(rows)) / (rows.max_I1 - 3.0); }
 
-double largest_stress(const std::vector<TestCurve>& tests) {
+double max_stress(const std::vector<TestCurve>& tests) {
     double largest = 0;
     for (const TestCurve& test : tests)
         for (const double stress : test.nominal_Pa) largest = std::max(largest, std::abs(stress));
@@ -62,9 +62,9 @@ Bounds bounds_of(const Candidate& candidate, const Rows& rows, Signs signs) {
     Bounds bounds{Eigen::VectorXd::Constant(n + offsets, -infinity), Eigen::VectorXd::Constant(n + offsets, infinity)};
     if (signs == Signs::stable) bounds.low.head(n).setZero();
     const bool asks_for_positive = candidate.law != "mooney-rivlin" && candidate.law != "ogden";
-    if (signs == Signs::stable && asks_for_positive) bounds.low[0] = least_modulus;
-    bounds.low.tail(offsets).setConstant(-largest_offset_Pa / rows.scale_Pa);
-    bounds.high.tail(offsets).setConstant(largest_offset_Pa / rows.scale_Pa);
+    if (signs == Signs::stable && asks_for_positive) bounds.low[0] = min_modulus;
+    bounds.low.tail(offsets).setConstant(-max_offset_Pa / rows.scale_Pa);
+    bounds.high.tail(offsets).setConstant(max_offset_Pa / rows.scale_Pa);
     return bounds;
 }
 
@@ -84,8 +84,8 @@ Eigen::VectorXd offset_column(const Rows& rows, std::size_t test) {
 
 Rows rows_of(const std::vector<TestCurve>& tests, const Settings& settings) {
     Rows rows;
-    rows.scale_Pa = largest_stress(tests);
-    rows.largest_I1 = largest_invariant(tests);
+    rows.scale_Pa = max_stress(tests);
+    rows.max_I1 = max_invariant(tests);
     rows.test_count = tests.size();
     rows.offset = settings.offset;
     const std::vector<Place> places = sorted_places(tests);
@@ -108,8 +108,8 @@ Rows rows_of(const std::vector<TestCurve>& tests, const Settings& settings) {
 
 SearchBounds search_bounds(const Candidate& candidate, double start) {
     if (candidate.law == "yeoh") return {0.0, 1.0};
-    if (candidate.law != "ogden") return {-most_q, most_q};
-    return start > 0.0 ? SearchBounds{least_exponent, most_exponent} : SearchBounds{-most_exponent, -least_exponent};
+    if (candidate.law != "ogden") return {-max_q, max_q};
+    return start > 0.0 ? SearchBounds{min_exponent, max_exponent} : SearchBounds{-max_exponent, -min_exponent};
 }
 
 bool is_at_search_bound(const Candidate& candidate, double q) {
@@ -118,15 +118,15 @@ bool is_at_search_bound(const Candidate& candidate, double q) {
 }
 
 double shape_of(const Candidate& candidate, const Rows& rows, double q) {
-    if (candidate.law == "gent") return (1.0 + std::exp(q)) * (rows.largest_I1 - 3.0);
-    if (candidate.law == "arruda-boyce") return std::sqrt((1.0 + std::exp(q)) * rows.largest_I1 / 3.0);
+    if (candidate.law == "gent") return (1.0 + std::exp(q)) * (rows.max_I1 - 3.0);
+    if (candidate.law == "arruda-boyce") return std::sqrt((1.0 + std::exp(q)) * rows.max_I1 / 3.0);
     if (candidate.law == "yeoh") return rise_at(rows, q);
     return q;
 }
 
 double shape_slope(const Candidate& candidate, const Rows& rows, double q) {
-    if (candidate.law == "gent") return std::exp(q) * (rows.largest_I1 - 3.0);
-    if (candidate.law == "arruda-boyce") return std::exp(q) * rows.largest_I1 / 6.0 / shape_of(candidate, rows, q);
+    if (candidate.law == "gent") return std::exp(q) * (rows.max_I1 - 3.0);
+    if (candidate.law == "arruda-boyce") return std::exp(q) * rows.max_I1 / 6.0 / shape_of(candidate, rows, q);
     if (candidate.law == "yeoh") return rise_at(rows, q) * log_rise_width(rows);
     return 1.0;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// The rows of all tests, and the parts P_j of a candidate on them. Private to the room. Held by fit/fit_test.
+/// The rows of all tests, and the parts P_j of a candidate on them. Private to the module. Tested by fit/fit_test.
 ///   weighted residual of row i:  w_i (sum_j c_j P_j(l_i; shape_j) + offset_t - s_i) / S,    S = largest |s|
 /// with w^2 = weight of the test times that of the row. Rows are sorted by mode and stretch, so that sums do not depend on
 /// their order, and S makes the numbers independent of the unit of stress. The search runs over q, one a shape:
@@ -22,7 +22,7 @@ struct Rows {
     std::size_t test_count = 0;
     Eigen::VectorXd weight, target;  ///< w, w s/S
     double scale_Pa = 1;             ///< S
-    double largest_I1 = 3;
+    double max_I1 = 3;
     Offset offset = Offset::none;
     Eigen::MatrixXd mix = {};  ///< applied to every column where it is not empty (condensed.hpp)
 };

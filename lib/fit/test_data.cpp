@@ -56,7 +56,7 @@ std::vector<Point> points_of(const table::Table& table, const Columns& columns, 
     std::vector<Point> points;
     for (std::size_t i = 0; i < strains.size(); ++i) {
         const std::size_t line = table.lines[i];
-        if (!unit_stated && strains[i] > largest_ratio)
+        if (!unit_stated && strains[i] > max_ratio)
             refuse(table, line, "a strain of " + core::number_text(strains[i]) + " looks like a percentage",
                    "give --strain-unit % (or --strain-unit 1)");
         const double stretch = stretch_of(strains[i], columns.strain_measure);
@@ -146,7 +146,7 @@ double first_invariant(Mode mode, double l) {
     return 3.0;
 }
 
-double largest_invariant(const std::vector<TestCurve>& tests) {
+double max_invariant(const std::vector<TestCurve>& tests) {
     double largest = 3.0;
     for (const TestCurve& test : tests)
         for (const double stretch : test.stretch) largest = std::max(largest, first_invariant(test.mode, stretch));

@@ -3,7 +3,7 @@
 ///   stretch l = 1 + e = exp(ln-strain), in the direction of the pull (equibiaxial: of both)
 ///   nominal stress P = force / undeformed area = sigma / l (incompressible), the natural weight: a force over a fixed
 ///   area has a nearly uniform noise, and sigma = P l would weigh long stretches by l^2.
-/// Held by fit/test_data_test.
+/// Tested by fit/test_data_test.
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -34,7 +34,7 @@ struct TestCurve {
 };
 
 /// A strain of 12 is past what any rubber bears, and a small percentage: a plain ratio beyond it is taken for a slip.
-inline constexpr double largest_ratio = 12.0;
+inline constexpr double max_ratio = 12.0;
 
 /// Engineering strains that take part, both ends included.
 struct StrainRange {
@@ -80,6 +80,6 @@ struct ReadSettings {
 [[nodiscard]] double first_invariant(Mode mode, double stretch);
 
 /// Largest I1 of the rows: how far a law is known.
-[[nodiscard]] double largest_invariant(const std::vector<TestCurve>& tests);
+[[nodiscard]] double max_invariant(const std::vector<TestCurve>& tests);
 
 }  // namespace soft::fit

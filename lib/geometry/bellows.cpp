@@ -27,14 +27,14 @@ CellSize cells_of(const BellowsShape& shape, const design::Values& values) {
 
 Counts counts_of(const BellowsShape& shape, const design::Values& values) {
     const CellSize size = cells_of(shape, values);
-    constexpr int least_bend = 2;  // a half bend turns by about 84 degrees
+    constexpr int min_bend = 2;  // a half bend turns by about 84 degrees
     const auto cells = [&](double length_m, int least = 1) { return size.along(length_m, least); };
     // Between the bends the state changes slowly along the wall: longer cells cost no accuracy there (measured).
     constexpr double straight_stretch = 1.2;
     const bool is_sharp = shape.fillet_m < 0.25 * shape.wall_m;  // two cells are badly shaped in so sharp a bend
-    constexpr int least_through = 3;  // two leave the bends 0.6 % too soft, whatever their grading (measured)
-    return {.through = size.through(shape.wall_m, is_section(values) || is_sharp ? least_through : 2, least_through),
-            .bend = cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, least_bend),
+    constexpr int min_through = 3;  // two leave the bends 0.6 % too soft, whatever their grading (measured)
+    return {.through = size.through(shape.wall_m, is_section(values) || is_sharp ? min_through : 2, min_through),
+            .bend = cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, min_bend),
             .straight = cells(shape.straight_m / straight_stretch),
             .crest_land = cells(shape.crest_land_m),
             .trough_land = cells(shape.trough_land_m),
@@ -216,12 +216,12 @@ design::Key land_key(std::string_view name, std::string_view meaning) {
 
 /// Of the paper's bellows: cells of 1.5 walls miss 0.6 %, of two walls 3.7 %; one cell through the wall 4.4 %, two 0.1 %.
 std::vector<std::string> coarse_mesh(const design::Values& values) {
-    constexpr double most_walls = 1.65;
-    constexpr int least_through = 2;
+    constexpr double max_walls = 1.65;
+    constexpr int min_through = 2;
     const BellowsShape shape = shape_of(values);
     const CellSize size = cells_of(shape, values);
-    std::vector<std::string> warnings = size.too_long(is_section(values) ? 2 * most_walls : most_walls);
-    for (std::string& few : size.too_few(counts_of(shape, values).through, least_through))
+    std::vector<std::string> warnings = size.too_long(is_section(values) ? 2 * max_walls : max_walls);
+    for (std::string& few : size.too_few(counts_of(shape, values).through, min_through))
         warnings.push_back(std::move(few));
     return warnings;
 }

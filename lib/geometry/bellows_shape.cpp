@@ -34,11 +34,11 @@ void derive_wall(BellowsShape& s, const design::Values& values, const char* cres
         throw values.refuse("geometry.pitch", length_text(s.pitch_m) + " lets neighbouring convolutions overlap",
                             larger_than(2 * bend_m + lands_m) + " = 2 (fillet + wall)" +
                                 (lands_m > 0 ? " + crest_land + trough_land" : ""));
-    const double least_rise_m = std::sqrt(std::max(0.0, apart_m * apart_m - half_m * half_m));
-    const double least_crest_m = s.bore_m + 2 * bend_m + least_rise_m;
-    if (!(s.crest_m > least_crest_m))
+    const double min_rise_m = std::sqrt(std::max(0.0, apart_m * apart_m - half_m * half_m));
+    const double min_crest_m = s.bore_m + 2 * bend_m + min_rise_m;
+    if (!(s.crest_m > min_crest_m))
         throw values.refuse(crest_key, length_text(s.crest_m) + " leaves no straight wall between trough and crest",
-                            larger_than(least_crest_m));
+                            larger_than(min_crest_m));
     s.trough_centre_m = s.bore_m + bend_m;
     s.crest_centre_m = s.crest_m - bend_m;
     const double rise_m = s.crest_centre_m - s.trough_centre_m;
@@ -93,12 +93,12 @@ void derive_fork(BellowsShape& s, const design::Values& values) {
     s.fork = {s.neck_corner[0] - back_m, s.neck_radius_m - down_m};
     s.below_corner = {s.disc_corner[0] - 0.6 * back_m, s.fork[1]};
     // The disc must reach past both, or its cells have no room.
-    const double least_m = -s.disc_corner[0] + back_m;
-    if (!(s.disc_length_m > least_m))
+    const double min_m = -s.disc_corner[0] + back_m;
+    if (!(s.disc_length_m > min_m))
         throw values.refuse(
             "geometry.end_disc.length",
             length_text(s.disc_length_m) + " is too short for the neck of " + length_text(s.neck_length_m),
-            larger_than(least_m));
+            larger_than(min_m));
 }
 
 }  // namespace

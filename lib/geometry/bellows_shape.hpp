@@ -4,7 +4,7 @@
 /// described in its own frame: trough centre at x = 0, crest centre at x = half_m, mirrored for the way down. Crests and
 /// troughs may go on straight along x before they turn (lands); walls that stand upright then make square convolutions. The
 /// crests' radius may change evenly from the first convolution to the last.
-/// Held by geometry/bellows_test (volumes in closed form).
+/// Tested by geometry/bellows_test (volumes in closed form).
 #include <cmath>
 #include <vector>
 

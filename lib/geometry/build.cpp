@@ -158,7 +158,7 @@ Solid swept(const Body& body, const design::Values& values) {
 mesh::Mesh refined(const mesh::Mesh& mesh, const design::Values& values) {
     const int times = values.has("mesh.refine") ? values.count("mesh.refine") : 0;
     const double cells = std::ldexp(static_cast<double>(mesh.cell_count()), times * mesh.dimension);
-    if (cells > most_cells)
+    if (cells > max_cells)
         throw values.refuse("mesh.refine", "it would take " + core::rounded_text(cells, 2) + " cells",
                             "a smaller number");
     return mesh::refine(mesh, times);

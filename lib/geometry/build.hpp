@@ -1,7 +1,7 @@
 #pragma once
 /// Design -> case: family -> section -> model -> cells -> named faces, supports, cavities, loads and outputs.
 /// Throws Error(bad_input) for values that do not fit together and for faces the chosen model does not have.
-/// Held by geometry/build_test.
+/// Tested by geometry/build_test.
 #include "design/design.hpp"
 #include "geometry/family.hpp"
 #include "model/case.hpp"

@@ -15,13 +15,13 @@ namespace soft::geometry {
 namespace {
 
 /// From a valve in a chip to an arm; beyond, a unit is wrong more often than not.
-constexpr double smallest_m = 2e-3, largest_m = 3;
+constexpr double min_m = 2e-3, max_m = 3;
 /// Surroundings from a bell jar to a kilometre of water.
-constexpr double least_ambient_Pa = 1e3, most_ambient_Pa = 10e6;
+constexpr double min_ambient_Pa = 1e3, max_ambient_Pa = 10e6;
 /// Densities of gases at room temperature relative to air: hydrogen 0.07, sulphur hexafluoride 5.1.
-constexpr double least_density_ratio = 0.05, most_density_ratio = 6.0;
+constexpr double min_density_ratio = 0.05, max_density_ratio = 6.0;
 /// A balloon grows a thousandfold; a supply line holds no more than a thousand times its actuator.
-constexpr double most_gas_ratio = 1e3;
+constexpr double max_gas_ratio = 1e3;
 /// Of a direction: less is rounding.
 constexpr double across = 1e-9;
 
@@ -29,12 +29,12 @@ using Warnings = std::vector<std::string>;
 
 void check_size(const design::Design& design, const model::Case& built, Warnings& warnings) {
     const double extent_m = model::extent_m(built.mesh);
-    if (extent_m >= smallest_m && extent_m <= largest_m) return;
+    if (extent_m >= min_m && extent_m <= max_m) return;
     const std::string text = core::quantity_text(extent_m, core::Dimension::length);
     if (design.values.has("geometry.unit"))
         warnings.push_back("geometry.unit: the part is " + text + " long; are the file's lengths in " +
                            design.values.text("geometry.unit") + "?" +
-                           (extent_m < smallest_m ? " In inches it would be `unit: in`" : ""));
+                           (extent_m < min_m ? " In inches it would be `unit: in`" : ""));
     else
         warnings.push_back("geometry: the body is " + text +
                            " long; soft actuators are 2 mm to 3 m, are its units right?");
@@ -102,7 +102,7 @@ double gas_volume_m3(const model::Case& built, const model::PressureLoad& load) 
 }
 
 /// The largest gas mass of the path's stages.
-double largest_mass_kg(const model::Case& built, std::size_t load) {
+double max_mass_kg(const model::Case& built, std::size_t load) {
     double mass_kg = 0;
     for (const model::Stage& stage : built.path.stages)
         if (load < stage.supplies.size() && stage.supplies[load].what == model::Prescription::mass)
@@ -118,24 +118,24 @@ void check_gas(const model::Case& built, Warnings& warnings) {
         const model::Gas &gas = load.gas, air;
         const double air_density = air.ambient_density_kg_m3 * gas.ambient_Pa / air.ambient_Pa;
         const double density_ratio = gas.ambient_density_kg_m3 / air_density;
-        if (gas.ambient_Pa < least_ambient_Pa || gas.ambient_Pa > most_ambient_Pa)
+        if (gas.ambient_Pa < min_ambient_Pa || gas.ambient_Pa > max_ambient_Pa)
             warnings.push_back(
                 path + "gas.ambient: " + text(gas.ambient_Pa, core::Dimension::pressure) +
                 " is no usual pressure of the surroundings (1 kPa to 10 MPa, absolute); is the unit right "
                 "(101.325 kPa)?");
-        else if (density_ratio < least_density_ratio || density_ratio > most_density_ratio)
+        else if (density_ratio < min_density_ratio || density_ratio > max_density_ratio)
             warnings.push_back(path + "gas.density: " + text(gas.ambient_density_kg_m3, core::Dimension::density) +
                                " is the density of no gas at " + text(gas.ambient_Pa, core::Dimension::pressure) +
                                " and room temperature; air has " + text(air_density, core::Dimension::density));
         const double cavity_m3 = built.kinematics == model::Kinematics::plane_strain ? 0.0 : gas_volume_m3(built, load);
         if (!(cavity_m3 > 0)) continue;
-        if (gas.dead_volume_m3 > most_gas_ratio * cavity_m3)
+        if (gas.dead_volume_m3 > max_gas_ratio * cavity_m3)
             warnings.push_back(path + "gas.dead_volume: " + text(gas.dead_volume_m3, core::Dimension::volume) +
                                " is more than a thousand times the cavity, " +
                                text(cavity_m3, core::Dimension::volume) + "; is the unit right?");
-        const double mass_kg = largest_mass_kg(built, i),
+        const double mass_kg = max_mass_kg(built, i),
                      content_kg = gas.ambient_density_kg_m3 * (cavity_m3 + gas.dead_volume_m3);
-        if (mass_kg > most_gas_ratio * content_kg)
+        if (mass_kg > max_gas_ratio * content_kg)
             warnings.push_back(path + "mass: " + text(mass_kg, core::Dimension::mass) +
                                " is more than a thousand times the gas at ambient pressure, " +
                                text(content_kg, core::Dimension::mass) + "; is the unit right?");

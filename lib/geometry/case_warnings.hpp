@@ -10,7 +10,7 @@
 ///     gas         surroundings below 1 kPa or beyond 10 MPa, a density of no gas at that pressure, a dead volume or a mass
 ///                 beyond a thousand times what the undeformed cavity holds
 ///     parts       a mesh from a file whose cells hang together in several parts that share no node
-/// Held by geometry/case_warnings_test and Pipeline.MisleadingDesignsAreNamed.
+/// Tested by geometry/case_warnings_test and Pipeline.MisleadingDesignsAreNamed.
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Keys of the fibres that a family lays into a part of its body, below a place such as "geometry.fibers": angle, families, k1, k2
-/// (material/fibers.hpp). Held by geometry/fiber_tube_test and geometry/segment_test.
+/// (material/fibers.hpp). Tested by geometry/fiber_tube_test and geometry/segment_test.
 #include <string>
 #include <vector>
 

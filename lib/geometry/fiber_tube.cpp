@@ -22,7 +22,7 @@ constexpr const char *flat_key = "geometry.flat", *strip_thickness_key = "geomet
                      *caps_key = "geometry.fibers.caps";
 
 /// A layer thinner than this part of the wall would need cells of its own thickness to be more than a line.
-constexpr double least_share = 0.01;
+constexpr double min_share = 0.01;
 
 struct Layer {
     double begin, end;  ///< fractions of the wall, from inside
@@ -41,9 +41,9 @@ Layer checked_layer(const design::Values& values) {
             path, "the layer from " + text(layer.begin) + " to " + text(layer.end) + " is empty or runs inwards",
             "[inner, outer], inner smaller than outer");
     for (const double share : {layer.begin, layer.end - layer.begin, 1 - layer.end})
-        if (share > 0 && share < least_share)
+        if (share > 0 && share < min_share)
             throw values.refuse(path, "a part of the wall is " + text(share) + " of it thick",
-                                "0, or at least " + text(least_share));
+                                "0, or at least " + text(min_share));
     return layer;
 }
 

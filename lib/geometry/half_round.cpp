@@ -64,8 +64,8 @@ private:
         };
         for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
             constexpr double rounding = 1e-9;
-            const double to_m = depth_m(layer), least_m = rounding * shape_.flat_m;
-            if (shape_.strip_m > 0 && from_m + least_m < strip_m && strip_m < to_m - least_m) add(strip_m, layer);
+            const double to_m = depth_m(layer), min_m = rounding * shape_.flat_m;
+            if (shape_.strip_m > 0 && from_m + min_m < strip_m && strip_m < to_m - min_m) add(strip_m, layer);
             add(to_m, layer);
         }
     }

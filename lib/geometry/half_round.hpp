@@ -1,7 +1,7 @@
 #pragma once
 /// The section of a closed half tube: a half ring over a flat wall. Coordinates (y, z); the ring's centre lies at the origin, the
 /// flat wall from z = -flat up to the floor z = 0 of the cavity, as wide as the ring. The wall's layers run all round: from the
-/// ring straight down its sides and, in the same shares of the flat wall's thickness, across it. Held by geometry/fiber_tube_test.
+/// ring straight down its sides and, in the same shares of the flat wall's thickness, across it. Tested by geometry/fiber_tube_test.
 #include <span>
 
 #include "geometry/tube_section.hpp"

@@ -98,7 +98,7 @@ design::Key grading_key(std::string_view fallback) {
 }
 
 void refuse_too_many_cells(const design::Values& values, double cells) {
-    if (cells > most_cells)
+    if (cells > max_cells)
         throw values.refuse("mesh.size", "it would take " + core::rounded_text(cells, 2) + " cells", "a larger size");
 }
 

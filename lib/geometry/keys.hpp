@@ -41,7 +41,7 @@ struct Radii {
 [[nodiscard]] design::Key grading_key(std::string_view fallback);
 
 /// A slip in mesh.size must not fill the memory before anybody can say so: throws Error beyond 5 million cells.
-inline constexpr double most_cells = 5e6;
+inline constexpr double max_cells = 5e6;
 void refuse_too_many_cells(const design::Values& values, double cells);
 
 /// "12 mm"

@@ -1,6 +1,6 @@
 #pragma once
 /// What acts on the body and what is measured, on its faces: directions asked for in words become vectors.
-/// Private to the room. Held by geometry/build_test, geometry/loading_test.
+/// Private to the module. Tested by geometry/build_test, geometry/loading_test.
 #include "design/design.hpp"
 #include "geometry/build.hpp"
 #include "geometry/family.hpp"

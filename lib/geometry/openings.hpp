@@ -1,6 +1,6 @@
 #pragma once
 /// The holes of a cavity whose wall is a set of outer sides of a mesh: where the wall ends, a plug would sit.
-/// Held by geometry/imported_test.
+/// Tested by geometry/imported_test.
 #include <array>
 #include <vector>
 

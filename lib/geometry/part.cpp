@@ -149,11 +149,11 @@ MeshedPart mesh_part(const meshing::Part& part, const design::Values& values) {
                                 "look at the coordinates in the program the part was drawn with");
         }
     constexpr int own_along = 20, own_through = 2;
-    const double most_m = CellSize{values, part.surface.extent_m() / own_along}.length_m();
+    const double max_m = CellSize{values, part.surface.extent_m() / own_along}.length_m();
     const int through = values.text("mesh.through_wall") == "auto" ? scaled_count(values, own_through)
                                                                    : values.count("mesh.through_wall");
     const surface::WallSizes sizes(walls, bends(part.surface),
-                                   {most_m / values.number("mesh.grading"), most_m, through});
+                                   {max_m / values.number("mesh.grading"), max_m, through});
     result.mesh = meshing::mesh_inside({part.surface, faces, part.origin}, sizes);
     put_on_planes(result.mesh, cut);
     return result;

@@ -1,6 +1,6 @@
 #pragma once
 /// A part of a surface or CAD file as a design asks for it: its faces named by rules, cut at planes of symmetry, filled with cells.
-/// Held by geometry/part_test.
+/// Tested by geometry/part_test.
 #include "design/design.hpp"
 #include "meshing/part_file.hpp"
 #include "surface/body_walls.hpp"

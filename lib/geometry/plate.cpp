@@ -12,7 +12,7 @@
 namespace soft::geometry {
 namespace {
 
-constexpr double most_length = 2.2;  ///< of cells over the normal ones: at twice their length the curve misses 1 %
+constexpr double max_length = 2.2;  ///< of cells over the normal ones: at twice their length the curve misses 1 %
 
 Body round_plate(const design::Values& values) {
     const double radius_m = values.number("geometry.radius"), thickness_m = values.number("geometry.thickness");
@@ -27,7 +27,7 @@ Body round_plate(const design::Values& values) {
                                        {"top"},
                                        {"rim", "edges"},
                                        {"bottom"}});
-    body.warnings = size.too_long(most_length);
+    body.warnings = size.too_long(max_length);
     const double grading = values.number("mesh.grading");
     for (meshing::Curve& curve : body.section.curves)  // shorter toward the rim, as in the rectangular plate
         if (curve.faces == std::vector<std::string>{"top"})
@@ -70,7 +70,7 @@ Body rectangular_plate(const design::Values& values) {
     for (const char* name : {"edge_x0", "edge_x1", "edge_y0", "edge_y1"})
         if (const auto one = ready.mesh.facet_sets.find(name); one != ready.mesh.facet_sets.end())
             edges.insert(edges.end(), one->second.begin(), one->second.end());
-    body.warnings = size.too_long(most_length);
+    body.warnings = size.too_long(max_length);
     body.sweep = std::move(ready);
     body.symmetry_planes = {cut_x, cut_y, false};
     body.fraction = (cut_x ? 0.5 : 1.0) * (cut_y ? 0.5 : 1.0);

@@ -8,7 +8,7 @@
 ///   via_x, via_r  of an arc: a point on it between its ends, in the unit of their headings
 ///   loop          a number or word; rows of another loop go round a hole
 /// Rows of a spline that follow each other with the same tag are one smooth curve. (Columns rather than a second file: a
-/// fault then has one place, its row, and a spreadsheet holds the whole shape.) Held by geometry/profile_test.
+/// fault then has one place, its row, and a spreadsheet holds the whole shape.) Tested by geometry/profile_test.
 #include <string>
 #include <string_view>
 #include <vector>

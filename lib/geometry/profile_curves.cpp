@@ -20,12 +20,12 @@ public:
     explicit Edges(const std::vector<ProfileRow>& rows) : rows_(rows) {}
 
     /// Whether edge `e` continues the one before as points of one curve do: the same tag, a small turn, a similar length.
-    [[nodiscard]] bool continues(std::size_t e, double largest_turn_rad = small_turn_rad) const {
-        constexpr double largest_ratio = 4;
+    [[nodiscard]] bool continues(std::size_t e, double max_turn_rad = small_turn_rad) const {
+        constexpr double max_ratio = 4;
         const std::size_t before = (e + rows_.size() - 1) % rows_.size();
         if (!rows_[e].may_curve || !rows_[before].may_curve || rows_[e].tag != rows_[before].tag) return false;
         const double ratio = length(along(e)) / length(along(before));
-        return turn_rad(e) <= largest_turn_rad && ratio <= largest_ratio && ratio * largest_ratio >= 1;
+        return turn_rad(e) <= max_turn_rad && ratio <= max_ratio && ratio * max_ratio >= 1;
     }
     [[nodiscard]] double turn_rad(std::size_t e) const {
         const meshing::PlanePoint in = along((e + rows_.size() - 1) % rows_.size()), out = along(e);

@@ -26,14 +26,14 @@ meshing::Section section_of(double inner_m, double outer_m, Division through, in
 
 Body build(const design::Values& values) {
     const auto [inner_m, outer_m] = radii_of(values, usual);
-    constexpr int least_around = 4;  // as for a quarter of the sphere's meridian
+    constexpr int min_around = 4;  // as for a quarter of the sphere's meridian
     const CellSize size{values, ring_cell_m(inner_m, outer_m)};
     const Division through = size.through_ring(inner_m, outer_m);
     const bool solid = model_of(values) == Model::solid;
 
     Body body;
     body.section =
-        section_of(inner_m, outer_m, through, size.along(0.25 * std::numbers::pi * (inner_m + outer_m), least_around));
+        section_of(inner_m, outer_m, through, size.along(0.25 * std::numbers::pi * (inner_m + outer_m), min_around));
     body.warnings = too_few_through_ring(size, inner_m, outer_m, through, most_of_cylinder);
     body.symmetry_planes = {true, true, false};
     body.fraction = 0.25;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char *jacket_region = "jacket", *jacket_material = "geometry.jacket.material",
                      *jacket_fibers = "geometry.jacket.fibers";
-constexpr int most_chambers = 4;
+constexpr int max_chambers = 4;
 
 constexpr const char* chamber_prefix = "chamber_";
 std::string chamber_name(int k) { return chamber_prefix + std::to_string(k + 1); }
@@ -79,11 +79,11 @@ Counts counts_of(const Shape& shape, const design::Values& values) {
     const auto turns = [](double angle_rad) {
         return static_cast<int>(std::ceil(angle_rad / (29 * std::numbers::pi / 180)));
     };
-    constexpr int own_through = 2, least_along = 6;
+    constexpr int own_through = 2, min_along = 6;
     constexpr double share = 0.85;  // of the radius
     const double middle_m = 0.5 * (shape.radii_m[1] + shape.radii_m[2]), outer_m = shape.radii_m.back();
     const double between_m = shape.length_m - 2 * shape.cap_m;
-    const CellSize size{values, std::min(share * outer_m, between_m / least_along)};
+    const CellSize size{values, std::min(share * outer_m, between_m / min_along)};
     Counts n{{},
              size.along(middle_m * shape.chamber_rad(), size.is_stated() ? 3 : std::max(3, turns(shape.chamber_rad()))),
              size.through(middle_m * shape.web_rad, std::max(own_through, turns(shape.web_rad))),
@@ -175,7 +175,7 @@ std::vector<design::Key> geometry_keys() {
         .meaning =
             "chambers around the axis, called chamber_1, ...; the first lies in direction z, the second toward -y",
         .min = 2,
-        .max = most_chambers};
+        .max = max_chambers};
     design::Key web{.path = "geometry.web",
                     .kind = design::Kind::angle,
                     .fallback = "30 deg",
@@ -217,7 +217,7 @@ Family segment() {
     keys.models = {"solid"};
     keys.faces = {"fixed", "end", "outer", "bore"};
     keys.cavities.clear();
-    for (int k = 0; k < most_chambers; ++k) {
+    for (int k = 0; k < max_chambers; ++k) {
         keys.faces.push_back(chamber_name(k));
         keys.cavities.push_back(chamber_name(k));
     }

@@ -13,10 +13,10 @@ constexpr Radii usual{10e-3, 20e-3};
 
 Body build(const design::Values& values) {
     const auto [inner_m, outer_m] = radii_of(values, usual);
-    constexpr int least_around = 4;  // per quarter turn
+    constexpr int min_around = 4;  // per quarter turn
     const CellSize size{values, ring_cell_m(inner_m, outer_m)};
     const Division through = size.through_ring(inner_m, outer_m);
-    const int around = size.along(0.25 * std::numbers::pi * (inner_m + outer_m), least_around);
+    const int around = size.along(0.25 * std::numbers::pi * (inner_m + outer_m), min_around);
 
     Body body;
     meshing::Section& s = body.section;

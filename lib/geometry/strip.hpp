@@ -1,6 +1,6 @@
 #pragma once
 /// A side of a body of revolution that is of another material, so that the body bends under pressure: keys geometry.strip.angle
-/// and geometry.strip.material. Held by geometry/bellows_test and geometry/fiber_tube_test.
+/// and geometry.strip.material. Tested by geometry/bellows_test and geometry/fiber_tube_test.
 #include <string>
 
 #include "geometry/family.hpp"

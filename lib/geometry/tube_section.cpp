@@ -48,8 +48,8 @@ CellSize tube_cells(const TubeShape& shape, const design::Values& values) {
 
 std::vector<std::string> tube_warnings(const TubeShape& shape, const CellSize& size, const Division& through) {
     // Longer cells miss the bend at the caps: 0.7 % of the elongation at four times the normal length, 8 % at nine times.
-    constexpr double most_length = 4.2;
-    std::vector<std::string> warnings = size.too_long(most_length);
+    constexpr double max_length = 4.2;
+    std::vector<std::string> warnings = size.too_long(max_length);
     for (std::string& few : too_few_through_ring(size, shape.inner_m, shape.outer_m, through, most_of_cylinder))
         warnings.push_back(std::move(few));
     return warnings;

@@ -1,6 +1,6 @@
 #pragma once
 /// The section of a closed tube about x: two caps and the wall between them, in layers that run from end to end. Shared by
-/// the families tube (one layer) and fiber-tube. Held by geometry/family_test and geometry/fiber_tube_test.
+/// the families tube (one layer) and fiber-tube. Tested by geometry/family_test and geometry/fiber_tube_test.
 #include <span>
 #include <string>
 

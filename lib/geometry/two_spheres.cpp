@@ -35,14 +35,14 @@ void add_half(meshing::Section& s, const Half& half, Division through, int aroun
 
 Body build(const design::Values& values) {
     const auto [inner_m, outer_m] = radii_of(values, usual);
-    constexpr int least_around = 4;  // per quarter turn, as for mesh.sectors
+    constexpr int min_around = 4;  // per quarter turn, as for mesh.sectors
     const double right_m = inner_m + (outer_m - inner_m) * values.number("geometry.right_scale");
     const double half_gap_m = 0.5 * values.number("geometry.gap");
     // The same cells on both: a difference of their meshes would be an imperfection of its own.
     const double thin_m = std::min(outer_m, right_m), thick_m = std::max(outer_m, right_m);
     const CellSize size{values, ring_cell_m(inner_m, thin_m)};
     const Division through = size.through_ring(inner_m, thick_m);
-    const int around = size.along(0.25 * std::numbers::pi * (inner_m + outer_m), least_around);
+    const int around = size.along(0.25 * std::numbers::pi * (inner_m + outer_m), min_around);
 
     Body body;
     add_half(body.section, {-half_gap_m, -1, inner_m, outer_m, "left", "outer_left", plane_faces[0]}, through, around);

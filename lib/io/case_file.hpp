@@ -1,6 +1,6 @@
 #pragma once
 /// The case as an HDF5 file image (schema: lib/io/README.md). What is written here reads back equal in every field,
-/// and equal input gives equal bytes. Held by io/case_file_test, io/damage_test.
+/// and equal input gives equal bytes. Tested by io/case_file_test, io/damage_test.
 #include <cstddef>
 #include <span>
 #include <string>

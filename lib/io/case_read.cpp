@@ -48,9 +48,9 @@ std::vector<mesh::Facet> read_facets(const GroupReader& group, const std::string
     const auto pairs = group.array<std::int64_t>(name, {any, 2});
     std::vector<mesh::Facet> facets(pairs.size() / 2);
     for (std::size_t i = 0; i < facets.size(); ++i) {
-        constexpr std::int64_t most_facets = 6;  // of any cell; check_case knows the cell's own number
+        constexpr std::int64_t max_facets = 6;  // of any cell; check_case knows the cell's own number
         const std::int64_t local = pairs[2 * i + 1];
-        if (local < 0 || local >= most_facets)
+        if (local < 0 || local >= max_facets)
             throw group.refuse(name + "[" + std::to_string(i) + "]", "no cell has a facet " + std::to_string(local));
         facets[i] = {pairs[2 * i], static_cast<int>(local)};
     }

@@ -1,5 +1,5 @@
 #pragma once
-/// What the checks of a case share: the case, how to speak of its file, and how to refuse. Internal to the room.
+/// What the checks of a case share: the case, how to speak of its file, and how to refuse. Internal to the module.
 #include <array>
 #include <cmath>
 #include <set>

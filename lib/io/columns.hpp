@@ -1,5 +1,5 @@
 #pragma once
-/// Lists of structs as columns and back. Internal to the room.
+/// Lists of structs as columns and back. Internal to the module.
 #include <array>
 #include <cstdint>
 #include <string>

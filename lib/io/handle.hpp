@@ -1,5 +1,5 @@
 #pragma once
-/// Scoped HDF5 identifiers, and a scope in which HDF5 prints nothing. Internal to the room: no public header
+/// Scoped HDF5 identifiers, and a scope in which HDF5 prints nothing. Internal to the module: no public header
 /// includes this one.
 #include <hdf5.h>
 

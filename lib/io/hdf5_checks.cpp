@@ -9,10 +9,10 @@ namespace soft::io {
 namespace {
 
 /// Deflate turns one byte into at most 1032 (zlib technical notes); nothing honest declares more than it stores.
-constexpr std::uint64_t largest_expansion = 1032;
-constexpr std::uint64_t largest_dataset = std::uint64_t{1} << 32;
+constexpr std::uint64_t max_expansion = 1032;
+constexpr std::uint64_t max_dataset = std::uint64_t{1} << 32;
 /// HDF5 holds a whole chunk in memory however little of it is used; ours have 1 MiB.
-constexpr std::uint64_t largest_chunk = std::uint64_t{1} << 26;
+constexpr std::uint64_t max_chunk = std::uint64_t{1} << 26;
 
 std::string shape_text(const Shape& shape) {
     if (shape.empty()) return "a single value";
@@ -22,7 +22,7 @@ std::string shape_text(const Shape& shape) {
 }
 
 constexpr std::size_t memory_to_start = std::size_t{16} << 20;
-constexpr std::size_t most_for_a_dataset = std::size_t{128} << 20;  // a largest chunk, packed and unpacked
+constexpr std::size_t max_for_a_dataset = std::size_t{128} << 20;  // a largest chunk, packed and unpacked
 
 void check_filters(const Place& place, hid_t properties) {
     const int filters = H5Pget_nfilters(properties);
@@ -63,7 +63,7 @@ std::string hdf5_reason() {
         },
         &found);
     // Without memory there is none for a reason either. A damaged file asks for more than any machine has.
-    if (found.no_memory || found.text.empty()) core::require_memory(most_for_a_dataset);
+    if (found.no_memory || found.text.empty()) core::require_memory(max_for_a_dataset);
     return found.text.empty() ? "no reason given" : core::one_line(found.text);
 }
 
@@ -87,7 +87,7 @@ std::vector<hsize_t> checked_shape(const Place& place, const Shape& expected) {
 std::uint64_t checked_bytes(const Place& place, const std::vector<hsize_t>& shape, std::size_t element_size) {
     std::uint64_t bytes = element_size;
     for (const hsize_t extent : shape) {
-        if (extent != 0 && bytes > largest_dataset / extent) throw place.refuse("is declared too large");
+        if (extent != 0 && bytes > max_dataset / extent) throw place.refuse("is declared too large");
         bytes *= extent;
     }
     return bytes;
@@ -112,8 +112,8 @@ void check_storage(const Place& place, std::uint64_t bytes, std::size_t element_
             std::vector<hsize_t> chunk(H5S_MAX_RANK);
             const int rank = H5Pget_chunk(properties.get(), H5S_MAX_RANK, chunk.data());
             chunk.resize(static_cast<std::size_t>(std::max(rank, 0)));
-            if (checked_bytes(place, chunk, element_size) > largest_chunk) throw place.refuse("has chunks too large");
-            if (bytes > stored * largest_expansion)
+            if (checked_bytes(place, chunk, element_size) > max_chunk) throw place.refuse("has chunks too large");
+            if (bytes > stored * max_expansion)
                 throw place.refuse("is declared larger than its stored data can be");
             return;
         }

@@ -1,5 +1,5 @@
 #pragma once
-/// What is checked of a dataset before a byte of it is read or memory for it is asked. Internal to the room.
+/// What is checked of a dataset before a byte of it is read or memory for it is asked. Internal to the module.
 #include <cstddef>
 #include <cstdint>
 #include <span>

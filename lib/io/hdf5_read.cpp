@@ -15,8 +15,8 @@
 namespace soft::io {
 namespace {
 
-constexpr hsize_t most_links = 10000;
-constexpr std::size_t most_attribute_bytes = std::size_t{1} << 16;
+constexpr hsize_t max_links = 10000;
+constexpr std::size_t max_attribute_bytes = std::size_t{1} << 16;
 
 template <class T>
 constexpr std::string_view type_words = "";
@@ -127,11 +127,11 @@ GroupReader GroupReader::group(const std::string& name) const {
 std::vector<std::string> GroupReader::names() const {
     H5G_info_t info{};
     if (H5Gget_info(group_.get(), &info) < 0) throw refuse("", "cannot be listed: " + hdf5_reason());
-    if (info.nlinks > most_links) throw refuse("", "has too many members");
+    if (info.nlinks > max_links) throw refuse("", "has too many members");
     std::vector<std::string> found;
     const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
         auto& names = *static_cast<std::vector<std::string>*>(list);
-        if (names.size() >= most_links) return -1;
+        if (names.size() >= max_links) return -1;
         names.emplace_back(name);
         return 0;
     };
@@ -264,7 +264,7 @@ std::string GroupReader::text_attribute(const char* name) const {
     const std::size_t width = H5Tget_size(type.get());
     const SpaceHandle space{H5Aget_space(attribute.get())};
     // An attribute lives in an object header, which cannot exceed 64 KiB.
-    if (H5Sget_simple_extent_npoints(space.get()) != 1 || width > most_attribute_bytes)
+    if (H5Sget_simple_extent_npoints(space.get()) != 1 || width > max_attribute_bytes)
         throw place.refuse("is not one short text");
     std::vector<char> characters(width);
     if (H5Aread(attribute.get(), type.get(), characters.data()) < 0)

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading typed datasets from a file that is not trusted. Internal to the room. Every failure is
+/// Reading typed datasets from a file that is not trusted. Internal to the module. Every failure is
 /// Error (bad_input, "case.h5:/mesh/points/tip", problem, remedy).
 #include <cstddef>
 #include <cstdint>

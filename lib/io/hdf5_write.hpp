@@ -1,5 +1,5 @@
 #pragma once
-/// Writing typed, described datasets. Internal to the room. All throw Error (internal) when HDF5 refuses.
+/// Writing typed, described datasets. Internal to the module. All throw Error (internal) when HDF5 refuses.
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 /// Steps and checkpoints as payloads of records behind the HDF5 data (image.hpp): how a running `solve -o` keeps them.
 /// Layout: 64-bit integers and doubles, little endian, in the order of the tables in journal.cpp; lists with their length
-/// first. All doubles are finite. Held by io/journal_test.
+/// first. All doubles are finite. Tested by io/journal_test.
 #include <cstddef>
 #include <span>
 #include <string_view>

@@ -1,5 +1,5 @@
 #pragma once
-/// Rows of the path and points on it as columns. Internal to the room.
+/// Rows of the path and points on it as columns. Internal to the module.
 #include <optional>
 #include <span>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-/// /path: the rows of the equilibrium path as columns, its end, and /modes. Internal to the room.
+/// /path: the rows of the equilibrium path as columns, its end, and /modes. Internal to the module.
 #include <span>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The result file: the case as it was given plus /path, /modes, /fields and /provenance/<solver> (schema: lib/io/README.md).
-/// Held by io/result_file_test, io/damage_test.
+/// Tested by io/result_file_test, io/damage_test.
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

@@ -13,7 +13,7 @@ void check_not_negative(const Checker& check, double value, const std::string& p
 void check_solver(const Checker& check) {
     const model::SolverSettings& solver = check.model().solver;
     const std::string place = "/control/solver/";
-    constexpr int most_threads = 256;
+    constexpr int max_threads = 256;
     check.require(solver.residual_tolerance > 0 && solver.residual_tolerance < 1, place + "residual_tolerance",
                   "must lie between 0 and 1");
     check.require(solver.linear.tolerance > 0 && solver.linear.tolerance < 1, place + "linear_tolerance",
@@ -22,12 +22,12 @@ void check_solver(const Checker& check) {
     check.require(solver.linear.iteration_limit >= 1, place + "linear_limit", "must be at least 1");
     check.require(solver.wanted_iterations >= 1, place + "wanted_iterations", "must be at least 1");
     check.require(solver.step_limit >= 1, place + "step_limit", "must be at least 1");
-    check.require(solver.threads >= 1 && solver.threads <= most_threads, place + "threads",
+    check.require(solver.threads >= 1 && solver.threads <= max_threads, place + "threads",
                   "must lie between 1 and 256");
     check.require_positive(solver.first_step, place + "first_step");
-    check.require_positive(solver.smallest_step, place + "smallest_step");
+    check.require_positive(solver.min_step, place + "min_step");
     check.require_positive(solver.step_accuracy, place + "step_accuracy");
-    check_not_negative(check, solver.largest_step, place + "largest_step");
+    check_not_negative(check, solver.max_step, place + "max_step");
 }
 
 /// What a motion in time needs of the rest of the case.
@@ -47,11 +47,11 @@ void check_dynamics(const Checker& check) {
     if (!check.model().dynamics) return;
     const model::Dynamics& dynamics = *check.model().dynamics;
     const std::string place = "/control/dynamics/";
-    constexpr double least_hht_radius = 0.5;  // below it the method is not stable
+    constexpr double min_hht_radius = 0.5;  // below it the method is not stable
     check.require_positive(dynamics.duration_s, place + "duration");
     check_not_negative(check, dynamics.step_s, place + "step");
     check.require_positive(dynamics.accuracy, place + "accuracy");
-    const double least = dynamics.integrator == model::Integrator::hht ? least_hht_radius : 0;
+    const double least = dynamics.integrator == model::Integrator::hht ? min_hht_radius : 0;
     check.require(dynamics.spectral_radius >= least && dynamics.spectral_radius <= 1, place + "spectral_radius",
                   "must lie between 0 and 1, of hht between 1/2 and 1");
     check_not_negative(check, dynamics.mass_damping_1_s, place + "mass_damping");

@@ -28,9 +28,9 @@ constexpr std::array solver_numbers{
                                 &SolverSettings::residual_tolerance},
     NumberEntry<SolverSettings>{"first_step", "1", "fraction of the full load in the linear response",
                                 &SolverSettings::first_step},
-    NumberEntry<SolverSettings>{"largest_step", "1", "fraction of the path; 0: chosen by the solver",
-                                &SolverSettings::largest_step},
-    NumberEntry<SolverSettings>{"smallest_step", "1", "fraction of the first step", &SolverSettings::smallest_step},
+    NumberEntry<SolverSettings>{"max_step", "1", "fraction of the path; 0: chosen by the solver",
+                                &SolverSettings::max_step},
+    NumberEntry<SolverSettings>{"min_step", "1", "fraction of the first step", &SolverSettings::min_step},
     NumberEntry<SolverSettings>{"step_accuracy", "1", "wanted relative error of the predictor",
                                 &SolverSettings::step_accuracy},
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// How a case is solved (/control/solver, /control/dynamics) and how loads go with time (course). Internal to the room.
+/// How a case is solved (/control/solver, /control/dynamics) and how loads go with time (course). Internal to the module.
 #include <cstdint>
 #include <vector>
 

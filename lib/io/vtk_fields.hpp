@@ -1,6 +1,6 @@
 #pragma once
 /// Fields for ParaView in a copy of the file: /VTKHDF/PointData and /VTKHDF/CellData (schema: lib/io/README.md).
-/// Held by io/vtk_fields_test and tests/pipeline/paraview.sh.
+/// Tested by io/vtk_fields_test and tests/pipeline/paraview.sh.
 #include <cstddef>
 #include <span>
 #include <string_view>

@@ -2,7 +2,7 @@
 /// Adds dense square blocks, as those of cells, to an AIJ matrix whose pattern holds them, without the search of MatSetValues for
 /// every entry: where an entry lies in its row is looked up once (two bytes an entry). Sums run in the order of the calls, as
 /// with MatSetValues: the same bytes. Rows of other ranks go through MatSetValues, so assembly has to follow as usual.
-/// Held by linalg/block_entries_test.
+/// Tested by linalg/block_entries_test.
 #include <cstdint>
 
 #include "linalg/petsc.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// LDL^T (Bunch and Kaufman's pivots) or LU of a dense matrix, by LAPACK. Internal to the room. Held by linalg/substructures_test.
+/// LDL^T (Bunch and Kaufman's pivots) or LU of a dense matrix, by LAPACK. Internal to the module. Tested by linalg/substructures_test.
 #include <vector>
 
 #include "linalg/factors.hpp"

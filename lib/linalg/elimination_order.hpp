@@ -1,5 +1,5 @@
 #pragma once
-/// The order in which a direct solver eliminates unknowns. Internal to the room. Held by linalg/elimination_order_test.
+/// The order in which a direct solver eliminates unknowns. Internal to the module. Tested by linalg/elimination_order_test.
 #include <vector>
 
 #include "linalg/matrix_rows.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// Factors of one rank's part of a matrix up to the unknowns that it shares, by a MUMPS of its own (dmumps_c, as PETSc's solves
-/// give no way between condensing and expanding). Internal to the room. Held by linalg/substructures_test.
+/// give no way between condensing and expanding). Internal to the module. Tested by linalg/substructures_test.
 #include <memory>
 #include <span>
 #include <vector>

@@ -10,7 +10,7 @@
 ///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: that factorisation, whatever the iterations. CHOLMOD's LL^T fails (a value)
 ///       where K is not positive definite: beyond a limit point, and for any K with pressure unknowns.
 ///   krylov: the preconditioner of the settings; jacobian_free: the same, for an operator that the caller gives.
-/// Held by linalg/linear_solver_test, solver/linear_methods_test.
+/// Tested by linalg/linear_solver_test, solver/linear_methods_test.
 #include <memory>
 #include <optional>
 #include <vector>

@@ -8,7 +8,7 @@
 /// No near-nullspace is needed: the vertices carry the rigid motions.
 /// Sources: the regularised saddle point, Benzi, Golub and Liesen, Acta Numerica 14 (2005) 10 and 12; the bulk modulus between
 /// that makes it independent of the mesh, Fortin and Glowinski, Augmented Lagrangian Methods (1983); second order by way of first,
-/// Shaidurov, Multigrid Methods for Finite Elements (1995). Held by linalg/multigrid_test, solver/linear_methods_test.
+/// Shaidurov, Multigrid Methods for Finite Elements (1995). Tested by linalg/multigrid_test, solver/linear_methods_test.
 #include <memory>
 #include <vector>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What all uses of MUMPS share. Internal to the room.
+/// What all uses of MUMPS share. Internal to the module.
 #include <algorithm>
 #include <array>
 

@@ -1,10 +1,10 @@
 #pragma once
-/// What stands behind the names of model::LinearSettings in PETSc: the preconditioner of a Krylov solver. Internal to the room.
+/// What stands behind the names of model::LinearSettings in PETSc: the preconditioner of a Krylov solver. Internal to the module.
 ///   factorisations: MUMPS LDL^T or LU, SuperLU_DIST LU, CHOLMOD LL^T, as the preconditioner of flexible GMRES
 ///   asm_*: PCASM, the restricted additive Schwarz method, one block a rank with one layer of overlap (Cai and Sarkis 1999)
 ///   boomeramg: hypre (Henson and Yang 2002)       gamg: PETSc's smoothed aggregation (Vanek, Mandel and Brezina 1996)
 ///   multigrid: linalg/multigrid.hpp, which LinearSolver::set_levels attaches
-/// Held by linalg/linear_solver_test and solver/linear_methods_test.
+/// Tested by linalg/linear_solver_test and solver/linear_methods_test.
 #include <initializer_list>
 
 #include "linalg/linear_solver.hpp"

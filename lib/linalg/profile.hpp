@@ -1,7 +1,7 @@
 #pragma once
 /// Where the time of a run goes, by PETSc's own log: its events, and ours beside them. Nothing is kept unless start_profile()
 /// was called; a Timed then costs two readings of the clock.
-/// Held by linalg/profile_test.
+/// Tested by linalg/profile_test.
 #include <string>
 #include <vector>
 

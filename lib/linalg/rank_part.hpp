@@ -1,6 +1,6 @@
 #pragma once
 /// A rank's part of a matrix on several ranks: its interior I, which no other rank touches, and the shared unknowns T that the
-/// interior couples with. Internal to the room. Held by linalg/substructures_test.
+/// interior couples with. Internal to the module. Tested by linalg/substructures_test.
 #include <vector>
 
 #include "linalg/factors.hpp"

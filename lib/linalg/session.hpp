@@ -11,7 +11,7 @@ public:
     /// without mpirun skips the launcher's daemons, which cost 0.3 s. PETSc's signal handler stays off: with a closed
     /// pipe it can hang. A petscrc in the working or home folder is not read: it would change results unseen. What PETSc
     /// prints (-log_view, -help) goes to stderr. Throws core::out_of_memory() where the address space that is left is too little
-    /// for MPI and BLAS to start. Held by tests/faults/memory.sh.
+    /// for MPI and BLAS to start. Tested by tests/faults/memory.sh.
     explicit Session(const std::vector<std::string>& options);
     ~Session();
     Session(const Session&) = delete;

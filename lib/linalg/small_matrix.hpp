@@ -1,7 +1,7 @@
 #pragma once
 /// Dense matrices of a few rows, such as the border (a row and column a free supply, and one for the constraint): LAPACK on
 /// plain vectors.
-/// Held by linalg/small_matrix_test.
+/// Tested by linalg/small_matrix_test.
 #include <optional>
 #include <vector>
 

@@ -15,7 +15,7 @@ namespace {
 
 static_assert(sizeof(PetscInt) == sizeof(int), "CHOLMOD's functions for int are used");
 
-constexpr double least_diagonal = 1e-6;
+constexpr double min_diagonal = 1e-6;
 
 }  // namespace
 
@@ -95,7 +95,7 @@ double SparseLdlt::Parts::bounded_diagonal(const MatrixRows& rows, PetscInt row)
         const double other = diagonal[static_cast<std::size_t>(rows.columns[k])];
         if (other > 0.0) schur += rows.values[k] * rows.values[k] / other;
     }
-    return std::min(own, -least_diagonal * schur);
+    return std::min(own, -min_diagonal * schur);
 }
 
 SparseLdlt::SparseLdlt(Mat K) : parts_(std::make_unique<Parts>()) {

@@ -9,7 +9,7 @@
 /// iterations of LinearSolver have to correct, which tells a factor that is not good enough.
 /// Only the triangle above the diagonal is read, as by MUMPS.
 /// Of a matrix on several ranks each rank factorises the whole: the same sums in the same order whenever a message comes, as a
-/// code that shares the work does not promise, and for these matrices sooner done. Held by linalg/sparse_ldlt_test and, on two
+/// code that shares the work does not promise, and for these matrices sooner done. Tested by linalg/sparse_ldlt_test and, on two
 /// ranks, tests/faults/same_bytes.sh.
 #include <memory>
 

@@ -82,7 +82,7 @@ std::unique_ptr<Substructures> Substructures::of(Mat K, Symmetry symmetry, std::
     if (size == 1) return nullptr;
     parts->layout = layout_of(K, parts->ranks);
     const auto& layout = parts->layout;
-    const bool useful = !layout.shared.empty() && layout.shared.size() <= most_shared_unknowns &&
+    const bool useful = !layout.shared.empty() && layout.shared.size() <= max_shared_unknowns &&
                         !layout.interior.empty() && !layout.touched.empty();
     if (!all_agree(useful, parts->ranks)) return nullptr;
     parts->all_touched = gather_all(layout.touched, MPIU_INT, parts->ranks);

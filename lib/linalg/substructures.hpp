@@ -8,9 +8,9 @@
 /// has: their pressures are held by their own cells. They are ordered by nested dissection (linalg/elimination_order).
 /// Beside a MUMPS that all ranks share: no message while a rank factorises, a halved ordering, and the same sums in the same order
 /// however messages come, so that two runs have the same digits. S grows with the ranks: for few of them, as many as keep
-/// G below `most_shared_unknowns`. Source: Przemieniecki, AIAA J. 1 (1963) 138; Smith, Bjorstad and Gropp, Domain
+/// G below `max_shared_unknowns`. Source: Przemieniecki, AIAA J. 1 (1963) 138; Smith, Bjorstad and Gropp, Domain
 /// Decomposition (1996) 4.1; inertia adds up (Haynsworth, Linear Algebra Appl. 1 (1968) 73).
-/// Held by linalg/substructures_test (on one, two and three ranks) and Pipeline.TwoRanksGiveTheCurveOfOne.
+/// Tested by linalg/substructures_test (on one, two and three ranks) and Pipeline.TwoRanksGiveTheCurveOfOne.
 #include <memory>
 #include <vector>
 
@@ -21,7 +21,7 @@ namespace soft::linalg {
 class Substructures final : public Factors {
 public:
     /// S takes 8 MB for a thousand.
-    static constexpr PetscInt most_shared_unknowns = 3000;
+    static constexpr PetscInt max_shared_unknowns = 3000;
 
     /// nullptr on one rank, and where the ranks share no unknown or too many. `order` is that in which this rank's interior is
     /// eliminated: made where it is empty, so that LU after LDL^T has it already.

@@ -1,6 +1,6 @@
 #pragma once
 /// The laws by name: what each takes, and how a design's constants become the law the elements run.
-/// Held by material/catalogue_test.
+/// Tested by material/catalogue_test.
 #include <optional>
 #include <span>
 #include <string>

@@ -2,7 +2,7 @@
 /// From derivatives by (I1, I2, J) to derivatives by F, at one point (T = double) or several side by side (T = Lanes):
 ///   P = W1 dI1/dF + W2 dI2/dF + WJ cof F,   A = sum_ab W_ab dIa (x) dIb + sum_a W_a d2Ia/dF2
 ///   dI1/dF = 2 F, dI2/dF = 2 (I1 F - F C), dJ/dF = cof F; second derivatives in index form in the code.
-/// Reference configuration, Pa. Source: derived here. Held by material/derivative_test and material/law_test against
+/// Reference configuration, Pa. Source: derived here. Tested by material/derivative_test and material/law_test against
 /// differentiation in the nine components of F, by material/point_batch_test for T = Lanes.
 #include <array>
 #include <utility>

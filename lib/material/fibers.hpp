@@ -3,7 +3,7 @@
 ///   W = sum over families k1/(2 k2) [exp(k2 (I4 - 1)^2) - 1] where I4 = a0 . C a0 > 1, else 0,
 ///   a0 = cos(angle) e1 +- sin(angle) e2 in the fibre frame (e1 the axis x; e2 the hoop direction, or y).
 /// Per undeformed volume; I4 is the full, not the isochoric, invariant: the squared stretch of the fibre. One family (+ only)
-/// twists a tube. Source: Holzapfel, Gasser, Ogden, J. Elasticity 61 (2000) 1, eqs. 63-65. Held by material/fiber_test.
+/// twists a tube. Source: Holzapfel, Gasser, Ogden, J. Elasticity 61 (2000) 1, eqs. 63-65. Tested by material/fiber_test.
 #include <cmath>
 
 namespace soft::material {

@@ -1,7 +1,7 @@
 #pragma once
 /// Neo-Hookean rubber with one or two families of fibres as a law of its own: W = mu/2 (I1bar - 3) + the energy of
 /// material/fibers.hpp. mu, k1 [Pa], k2 [-] > 0, angle [rad].
-/// Source: Holzapfel, Gasser, Ogden, J. Elasticity 61 (2000) 1, eqs. 63-65. Held by material/law_test.
+/// Source: Holzapfel, Gasser, Ogden, J. Elasticity 61 (2000) 1, eqs. 63-65. Tested by material/law_test.
 #include "material/fibers.hpp"
 #include "material/invariants.hpp"
 #include "material/parameter.hpp"

@@ -10,11 +10,11 @@ namespace soft::material {
 namespace {
 
 /// A root is as good as rounding allows after this many halvings of a bracket 2 % wide.
-constexpr int most_halvings = 200;
+constexpr int max_halvings = 200;
 /// The bracket is sought in steps of this factor, up to a factor of about 50 either way: beyond, no rubber is in
 /// equilibrium.
 constexpr double search_factor = 1.02;
-constexpr int most_search_steps = 200;
+constexpr int max_search_steps = 200;
 
 Tensor gradient_of(Mode mode, double stretch, double lateral) {
     switch (mode) {
@@ -63,7 +63,7 @@ Lateral lateral_stress(const Rubber<L>& rubber, Mode mode, double stretch, doubl
 template <class L>
 double root_between(const Rubber<L>& rubber, Mode mode, double stretch, double negative, double positive) {
     double t = 0.5 * (negative + positive);
-    for (int i = 0; i < most_halvings; ++i) {
+    for (int i = 0; i < max_halvings; ++i) {
         const Lateral at = lateral_stress(rubber, mode, stretch, t);
         if (at.stress_Pa == 0.0) return t;
         (at.stress_Pa < 0.0 ? negative : positive) = t;
@@ -84,7 +84,7 @@ std::optional<double> free_lateral(const Rubber<L>& rubber, Mode mode, double st
     if (here == 0.0) return start;
     for (int side : {here > 0.0 ? -1 : 1, here > 0.0 ? 1 : -1}) {  // tension is relieved by a smaller t
         double before = start;
-        for (int i = 1; i <= most_search_steps; ++i) {
+        for (int i = 1; i <= max_search_steps; ++i) {
             const double t = start * std::pow(search_factor, side * i);
             const double stress = lateral_stress(rubber, mode, stretch, t).stress_Pa;
             if (!std::isfinite(stress)) break;
@@ -161,7 +161,7 @@ std::optional<double> stretch_at(const AnyRubber& rubber, Mode mode, double cauc
     double low = range.least, high = range.most;
     const auto first = excess(low), last = excess(high);
     if (!first || !last || *first > 0.0 || *last < 0.0) return std::nullopt;
-    for (int i = 0; i < most_halvings; ++i) {
+    for (int i = 0; i < max_halvings; ++i) {
         const double middle = 0.5 * (low + high);
         if (middle == low || middle == high) break;
         const auto value = excess(middle);

@@ -7,7 +7,7 @@
 /// An incompressible rubber has t from Theta = 0 and its pressure from the free side, both exact. Otherwise t is the root of
 /// the lateral stress nearest to the t of no change of volume. Pa. Small strain has one stress: for linear-elastic the
 /// Cauchy stress here is P, and incompressible means tr e = 0. A kraken rubber at l = 1 is not free of stress.
-/// Source: Treloar, The Physics of Rubber Elasticity (1975), 4-5. Held by material/homogeneous_test.
+/// Source: Treloar, The Physics of Rubber Elasticity (1975), 4-5. Tested by material/homogeneous_test.
 #include <optional>
 
 #include "core/tensor.hpp"

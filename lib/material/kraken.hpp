@@ -3,7 +3,7 @@
 /// mu = 2 C1 and kappa = 2 D1. It derives from no energy (no 1/J on the B term), so its tangent is not symmetric, and the
 /// undeformed body carries the stress mu I: free of load it first shrinks by about mu/(3 kappa) in each direction.
 /// In F: P = kappa (J - 1) cof F + mu J F. Source: MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot
-/// Simulations (2022), Eq. 2. Held by material/law_test.
+/// Simulations (2022), Eq. 2. Tested by material/law_test.
 #include <array>
 
 #include "material/invariants.hpp"

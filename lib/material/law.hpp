@@ -15,7 +15,7 @@
 /// without an energy (Kraken).
 /// A new law is a header with such a struct, its LawInfo and `from`, and its name in `LawList` below.
 /// Source: two-field form of Sussman and Bathe, Comput. Struct. 26 (1987) 357, with Theta for J - 1 (derived here).
-/// Held by material/law_test (every law: stress-free reference, frame indifference, P = dW/dF, A = dP/dF).
+/// Tested by material/law_test (every law: stress-free reference, frame indifference, P = dW/dF, A = dP/dF).
 #include <concepts>
 #include <optional>
 #include <tuple>

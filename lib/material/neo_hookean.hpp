@@ -1,6 +1,6 @@
 #pragma once
 /// Neo-Hookean rubber: W = mu/2 (I1bar - 3). mu [Pa] is the initial shear modulus, any mu > 0; stable everywhere.
-/// The paper's C1 is mu/2. Source: Treloar, Trans. Faraday Soc. 39 (1943) 241. Held by material/law_test.
+/// The paper's C1 is mu/2. Source: Treloar, Trans. Faraday Soc. 39 (1943) 241. Tested by material/law_test.
 #include "material/invariants.hpp"
 #include "material/parameter.hpp"
 

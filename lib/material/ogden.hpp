@@ -2,7 +2,7 @@
 /// Ogden rubber of 1 to 4 terms in the isochoric principal stretches: W = sum_i mu_i/alpha_i (l1^a_i + l2^a_i + l3^a_i - 3).
 /// mu_i [Pa], alpha_i not 0; initial shear modulus sum mu_i alpha_i / 2 > 0. alpha = 2 alone is neo-Hookean, (2, -2)
 /// Mooney-Rivlin. Stable for every stretch where mu_i alpha_i > 0 for all i. Source: Ogden, Proc. R. Soc. A 326 (1972)
-/// 565. Held by material/law_test; equal stretches by material/ogden_test.
+/// 565. Tested by material/law_test; equal stretches by material/ogden_test.
 #include <array>
 #include <cmath>
 
@@ -13,11 +13,11 @@
 namespace soft::material {
 
 struct Ogden {
-    static constexpr int most_terms = 4;
+    static constexpr int max_terms = 4;
     struct Term {
         double mu_Pa = 0, alpha = 1;
     };
-    std::array<Term, most_terms> terms{};
+    std::array<Term, max_terms> terms{};
     int count = 0;
 
     template <class T>
@@ -45,12 +45,12 @@ struct Ogden {
                 .parameters = {{.name = "mu",
                                 .meaning = "one a term; the initial shear modulus is half the sum of mu_i alpha_i",
                                 .example = "[0.63 MPa, 0.0012 MPa, -0.01 MPa]",
-                                .most = most_terms},
+                                .most = max_terms},
                                {.name = "alpha",
                                 .quantity = Quantity::ratio,
                                 .meaning = "exponent of each term, not 0",
                                 .example = "[1.3, 5, -2]",
-                                .most = most_terms}}};
+                                .most = max_terms}}};
     }
     /// Throws Error (bad_input) for lists of different lengths, an exponent of 0 or a modulus that is not positive.
     static Ogden from(const Constants& constants) {
@@ -61,7 +61,7 @@ struct Ogden {
                         "mu has " + std::to_string(mu.size()) + " values and alpha " + std::to_string(alpha.size()),
                         "write one exponent for each modulus");
         Ogden law;
-        for (std::size_t i = 0; i < mu.size() && i < most_terms; ++i) {
+        for (std::size_t i = 0; i < mu.size() && i < max_terms; ++i) {
             if (alpha[i] == 0.0)
                 throw Error(ExitCode::bad_input, "alpha", "an exponent of 0 gives no energy", "leave the term out");
             law.terms[i] = {mu[i], alpha[i]};

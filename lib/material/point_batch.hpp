@@ -1,7 +1,7 @@
 #pragma once
 /// The law at many points at once: what response.hpp says of one point, with the kinematics and the chain rules on vectors of
 /// points and only the law's own slopes one after the other. Component c of point q lies at [c * stride + q].
-/// Held by material/point_batch_test (every law against response.hpp) and, through the elements, by element/matrix_test.
+/// Tested by material/point_batch_test (every law against response.hpp) and, through the elements, by element/matrix_test.
 #include <span>
 #include <vector>
 

@@ -6,7 +6,7 @@
 /// The quotient is computed without cancellation for any two stretches, equal ones included: with half the distance
 /// d = (e_b - e_a)/2 it is (r d/tanh(2 d) - T)/(l_a l_b)^2, T = (tau_a + tau_b)/2 and r = (tau_b - tau_a)/(2 d), and r is
 /// the mean of W's second derivative between the two states (three-point Gauss, exact to rounding for small d).
-/// Source: Holzapfel, Nonlinear Solid Mechanics (2000), 6.180; the quotient is derived here. Held by material/law_test.
+/// Source: Holzapfel, Nonlinear Solid Mechanics (2000), 6.180; the quotient is derived here. Tested by material/law_test.
 #include <array>
 #include <cmath>
 

@@ -4,7 +4,7 @@
 /// mu, kappa [Pa] are the shear and bulk moduli. For small strains under large rotations only: in compression the stress
 /// vanishes again as the stretch goes to 0, its uniaxial maximum is at a stretch of 3^-1/2. The constraint tr E = 0 is
 /// not J = 1, so there is no incompressible form. Source: Bonet and Wood, Nonlinear Continuum Mechanics (2008), 6.3.
-/// Held by material/law_test.
+/// Tested by material/law_test.
 #include "material/invariants.hpp"
 #include "material/parameter.hpp"
 

@@ -17,7 +17,7 @@ using Matrix = std::array<std::array<double, 3>, 3>;
 
 /// Steps of the search over a factor of e in stretch: one finds limits that come and go within half a per cent.
 constexpr double steps_per_unit = 200.0;
-constexpr int most_bisections = 60;
+constexpr int max_bisections = 60;
 
 enum class Increments { isochoric, all };
 
@@ -76,7 +76,7 @@ Matrix stiffness_at(const Rubber<L>& rubber, const Stretches& stretch) {
 /// the trace and the determinant of the form in the plane; the latter is the sum of the cofactors over 3. Written so, the
 /// products of stiffnesses of one sign only add, and none is lost beside one larger by sixteen decades, as powers of long
 /// stretches are.
-double least_work(const Matrix& matrix, Increments increments) {
+double min_work(const Matrix& matrix, Increments increments) {
     const auto at = [&](int a, int b) { return 0.5 * (matrix[a][b] + matrix[b][a]); };
     if (increments == Increments::isochoric) {
         const double sides = at(0, 1) + at(1, 2) + at(2, 0);
@@ -114,7 +114,7 @@ template <class L>
 Verdict verdict_at(const Rubber<L>& rubber, Mode mode, double stretch) {
     const auto stretches = stretches_of(rubber, mode, stretch);
     if (!stretches) return Verdict::no_state;
-    const double work = least_work(stiffness_at(rubber, *stretches), increments_of(rubber));
+    const double work = min_work(stiffness_at(rubber, *stretches), increments_of(rubber));
     if (!std::isfinite(work)) return Verdict::no_state;
     return work > 0.0 ? Verdict::stable : Verdict::unstable;
 }
@@ -131,7 +131,7 @@ std::optional<double> first_unstable(const Rubber<L>& rubber, Mode mode, double 
             stable = unstable;
             continue;
         }
-        for (int k = 0; k < most_bisections; ++k) {
+        for (int k = 0; k < max_bisections; ++k) {
             const double middle = 0.5 * (stable + unstable);
             (verdict_at(rubber, mode, std::exp(middle)) == Verdict::stable ? stable : unstable) = middle;
         }

@@ -9,7 +9,7 @@
 /// that turn the principal axes are not looked at. Small strain is stable by construction, and fibres only add to the
 /// stability of their matrix, which alone is looked at. Past its limit a rubber softens: a result there is not unique.
 /// Sources: Drucker, J. Appl. Mech. 26 (1959) 101; Reinisch, ASCE 1st Conf. (1976), after which finite element codes check
-/// rubber. Held by material/stability_test (closed-form limits of Mooney-Rivlin and Saint Venant-Kirchhoff).
+/// rubber. Tested by material/stability_test (closed-form limits of Mooney-Rivlin and Saint Venant-Kirchhoff).
 #include <string>
 #include <vector>
 

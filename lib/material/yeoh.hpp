@@ -3,7 +3,7 @@
 /// number. The initial shear modulus is 2 c1 > 0. The last term is the exponential one of Yeoh's paper with its factor written
 /// as a share of the linear term, so that dW/dI1 rises by a from c1 as 1 - exp(-b x): rubber whose modulus first rises and
 /// then levels off. It is left out where a = 0. Stable at every stretch where c2, c3 and a are not negative: dW/dI1 is positive
-/// and does not fall. Source: Yeoh, Rubber Chem. Technol. 66 (1993) 754. Held by material/law_test and
+/// and does not fall. Source: Yeoh, Rubber Chem. Technol. 66 (1993) 754. Tested by material/law_test and
 /// material/homogeneous_test.
 #include <cmath>
 

@@ -8,7 +8,7 @@
 /// barycentric coordinates (W. Gordon and C. Hall, Numer. Math. 21 (1973) 109, in the form for simplices of J. Hesthaven and
 /// T. Warburton, Nodal Discontinuous Galerkin Methods (2008), 6.1). Wedges: triangles, then edges along zeta.
 /// On a corner, edge or side only the nodes there matter, so neighbours agree up to the order of a side's two directions.
-/// Held by mesh/arcs_test and mesh/refine_test.
+/// Tested by mesh/arcs_test and mesh/refine_test.
 #include <span>
 #include <vector>
 

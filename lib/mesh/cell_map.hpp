@@ -1,7 +1,7 @@
 #pragma once
 /// The map from the reference cell to the mesh, X(xi) = sum N_a(xi) X_a, with the Lagrange shape functions of the cell's
 /// own nodes. For mesh checks and geometry; the element kernels tabulate the same functions.
-/// Held by mesh/quality_test.
+/// Tested by mesh/quality_test.
 #include <array>
 #include <vector>
 

@@ -3,7 +3,7 @@
 /// Reference cells: lines, quadrilaterals and hexahedra [-1, 1]^d; triangles and tetrahedra the unit simplex;
 /// wedges unit triangle x [-1, 1], all with positive orientation (det dX/dxi > 0 in a sound mesh).
 /// Source of the order: VTK 9 cell headers (vtkBiQuadraticQuad, vtkTriQuadraticHexahedron, vtkBiQuadraticQuadraticWedge).
-/// Held by mesh/cell_type_test.
+/// Tested by mesh/cell_type_test.
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 /// Sharp re-entrant corners of a body: points of a section's boundary, edges of a solid's, where the two sides of the surface
 /// enclose more than 220 degrees of the body. There the exact strain is singular: the largest stretch grows without limit on
-/// finer meshes, and energies and displacements converge in less than the cells' order. Held by mesh/inner_corners_test.
+/// finer meshes, and energies and displacements converge in less than the cells' order. Tested by mesh/inner_corners_test.
 #include <cstddef>
 
 #include "mesh/mesh.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// Quadrature on the reference cells. Weights sum to the cell's reference volume.
-/// Held by mesh/shape_test (monomials up to the stated degree against their exact integrals).
+/// Tested by mesh/shape_test (monomials up to the stated degree against their exact integrals).
 #include <array>
 #include <vector>
 

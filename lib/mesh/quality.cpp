@@ -23,7 +23,7 @@ Samples samples_of(CellType type) {
 struct Range {
     double least = std::numeric_limits<double>::infinity();
     double most = -std::numeric_limits<double>::infinity();
-    Point least_at{};
+    Point min_at{};
 };
 
 Range range_of(const Mesh& mesh, Index cell, const Samples& samples) {
@@ -33,7 +33,7 @@ Range range_of(const Mesh& mesh, Index cell, const Samples& samples) {
         range.most = std::max(range.most, map.determinant);
         if (map.determinant < range.least) {
             range.least = map.determinant;
-            range.least_at = map.position;
+            range.min_at = map.position;
         }
     }
     return range;
@@ -61,7 +61,7 @@ Quality quality(const Mesh& mesh) {
         const Range range = range_of(mesh, cell, table->second);
         const double value = scaled(range);
         sum += value;
-        if (value < result.min_scaled_jacobian || cell == 0) result = {value, 0, cell, range.least_at};
+        if (value < result.min_scaled_jacobian || cell == 0) result = {value, 0, cell, range.min_at};
     }
     if (mesh.cell_count() > 0) result.mean_scaled_jacobian = sum / static_cast<double>(mesh.cell_count());
     if (!(result.min_scaled_jacobian > 0))

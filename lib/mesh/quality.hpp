@@ -1,7 +1,7 @@
 #pragma once
 /// How well the cells are shaped: scaled Jacobian = least over largest det dX/dxi of a cell, over its reference nodes
 /// (corners, mid nodes, centres). 1 for a parallelepiped, 0 when a corner is flat, below 0 when the cell is turned
-/// inside out somewhere. Held by mesh/quality_test.
+/// inside out somewhere. Tested by mesh/quality_test.
 #include "core/error.hpp"
 #include "mesh/mesh.hpp"
 

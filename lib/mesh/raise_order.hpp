@@ -1,7 +1,7 @@
 #pragma once
 /// First order <-> second order on the same cells: line2/line3, triangle3/6, quad4/9, tet4/10, hex8/27, wedge6/18.
 /// Regions, facet sets (a cell keeps its number and its sides theirs) and point sets are carried over; points keep their
-/// numbers when the order is raised. Held by mesh/raise_order_test.
+/// numbers when the order is raised. Tested by mesh/raise_order_test.
 #include "mesh/mesh.hpp"
 
 namespace soft::mesh {

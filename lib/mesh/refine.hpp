@@ -4,7 +4,7 @@
 /// Tetrahedra: four at the corners, four from the octahedron between them, cut along the diagonal from the middle of edge
 /// 0-2 to that of 1-3; the children are numbered so that repeated refinement gives at most three shapes of a tetrahedron
 /// (J. Bey, Tetrahedral grid refinement, Computing 55, 1995).
-/// Held by mesh/refine_test.
+/// Tested by mesh/refine_test.
 #include <span>
 #include <vector>
 

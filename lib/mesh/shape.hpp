@@ -1,7 +1,7 @@
 #pragma once
 /// Lagrange shape functions of every cell and facet type on its reference cell (mesh/cell_type.hpp has the coordinates):
 /// N_a(node b) = delta_ab. The one set of them: elements, mesh checks and surfaces all use it.
-/// Held by mesh/shape_test (nodal values, reproduction of polynomials, gradients).
+/// Tested by mesh/shape_test (nodal values, reproduction of polynomials, gradients).
 #include <array>
 #include <span>
 #include <vector>

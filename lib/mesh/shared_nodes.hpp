@@ -1,5 +1,5 @@
 #pragma once
-/// New nodes on edges and sides, found once however many cells ask for them. Private to the room.
+/// New nodes on edges and sides, found once however many cells ask for them. Private to the module.
 #include <array>
 #include <cstdint>
 #include <span>

@@ -3,7 +3,7 @@
 /// quad9 -> 2 triangle6, hex27 -> 6 tet10, wedge18 -> 3 tet10 (first order likewise without mid nodes). Every
 /// quadrilateral side is cut along the diagonal from its corner with the smallest number, so neighbours match.
 /// Source: J. Dompierre et al., How to subdivide pyramids, prisms and hexahedra into tetrahedra (1999); the mid nodes of
-/// the diagonals are the mid-face and centre nodes. Held by mesh/split_test.
+/// the diagonals are the mid-face and centre nodes. Tested by mesh/split_test.
 #include "mesh/mesh.hpp"
 
 namespace soft::mesh {

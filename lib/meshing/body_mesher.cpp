@@ -184,14 +184,14 @@ void name_facets(mesh::Mesh& mesh, const surface::BodySurface& body, const std::
 }  // namespace
 
 mesh::Mesh mesh_inside(const MeshedBody& body, const surface::SizeAt& size_m) {
-    constexpr std::size_t most_points =
+    constexpr std::size_t max_points =
         200000;  // on the surface; a million tetrahedra or more inside, which no run solves
     constexpr int attempts = 3;
     const surface::Creases creases = creases_of(body.surface, body.faces);
     double factor = 1;
     for (int attempt = 0; attempt < attempts; ++attempt, factor *= 0.7) {
         const Remeshed remeshed = remesh(
-            body.surface, creases, [&](const mesh::Point& p) { return factor * size_m(p); }, body.origin, most_points);
+            body.surface, creases, [&](const mesh::Point& p) { return factor * size_m(p); }, body.origin, max_points);
         for (const auto filling : {GmshSession::Filling::delaunay, GmshSession::Filling::hxt}) {
             std::optional<mesh::Mesh> mesh;
             try {

@@ -4,7 +4,7 @@
 /// 79, 2009), and the mid nodes of outer edges move onto the file's surface and its creases where the cells stay sound. One
 /// region, "rubber"; facet sets are the faces. The same bytes each time.
 /// Error(bad_input) with file and remedy where the sizes ask for too many cells or no sound mesh is found.
-/// Held by geometry/part_test.
+/// Tested by geometry/part_test.
 #include "mesh/mesh.hpp"
 #include "surface/named_faces.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Bodies made of boxes, meshed by hexahedra on one grid. The sides of the boxes are the grid's planes; between neighbouring
 /// planes the cells get shorter toward those planes on which a re-entrant edge of the body lies: the stress is singular there,
-/// and even cells converge no faster than their size. Held by meshing/box_grid_test.
+/// and even cells converge no faster than their size. Tested by meshing/box_grid_test.
 #include <array>
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// A section drawn out along x with a cap at both ends: what it calls a chamber is hollow between the caps.
-/// Held by geometry/segment_test and geometry/fiber_tube_test (volumes in closed form).
+/// Tested by geometry/segment_test and geometry/fiber_tube_test (volumes in closed form).
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// gmsh, loaded when a mesh is made and no earlier: with it come ninety libraries (CAD, windows, images), and looking up their
-/// symbols costs more than everything else a program does to start. Private to the room.
-/// Held by meshing/section_mesher_test.
+/// symbols costs more than everything else a program does to start. Private to the module.
+/// Tested by meshing/section_mesher_test.
 #include <array>
 #include <cstddef>
 #include <functional>

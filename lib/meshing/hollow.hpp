@@ -1,6 +1,6 @@
 #pragma once
 /// Rooms in a meshed block: cells are taken away, and the sides that this lays bare get a name.
-/// Held by geometry/segment_test.
+/// Tested by geometry/segment_test.
 #include <functional>
 #include <string>
 

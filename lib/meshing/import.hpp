@@ -9,7 +9,7 @@
 /// Throws Error(cannot_open), and Error(bad_input) that names the element for: a side element that is no outer side of a
 /// cell, a cell that is inside out, two cells in one place, a cell in two groups, an unknown node; and for plane meshes
 /// that are not at a constant z, mixed orders, and files that are no such mesh.
-/// Held by meshing/import_test.
+/// Tested by meshing/import_test.
 #include <filesystem>
 #include <string>
 

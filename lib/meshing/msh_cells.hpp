@@ -1,5 +1,5 @@
 #pragma once
-/// Gmsh's node order and ours. Private to the room. Held by meshing/import_test.
+/// Gmsh's node order and ours. Private to the module. Tested by meshing/import_test.
 #include <vector>
 
 #include "meshing/msh_file.hpp"

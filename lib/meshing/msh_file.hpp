@@ -1,7 +1,7 @@
 #pragma once
 /// What stands in a Gmsh .msh file, version 2.2 or 4.1, ASCII or binary, as it stands there. Read by hand rather than by
 /// gmsh: a spoilt file gets its line named, and cannot bring down the program.
-/// Source: Gmsh reference manual, 'MSH file format'. Held by meshing/import_test, whose files gmsh writes.
+/// Source: Gmsh reference manual, 'MSH file format'. Tested by meshing/import_test, whose files gmsh writes.
 #include <filesystem>
 #include <map>
 #include <optional>

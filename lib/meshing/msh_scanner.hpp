@@ -1,5 +1,5 @@
 #pragma once
-/// Numbers and lines of a .msh file, as text or as bytes. Private to the room; see msh_file.hpp.
+/// Numbers and lines of a .msh file, as text or as bytes. Private to the module; see msh_file.hpp.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -77,12 +77,12 @@ public:
         return checked(value);
     }
 
-    /// A number of things that take at least `least_bytes` each: a spoilt count must not fill the memory.
-    std::size_t sound(std::size_t count, std::size_t least_bytes) const {
-        if (count > left() / least_bytes) truncated();
+    /// A number of things that take at least `min_bytes` each: a spoilt count must not fill the memory.
+    std::size_t sound(std::size_t count, std::size_t min_bytes) const {
+        if (count > left() / min_bytes) truncated();
         return count;
     }
-    std::size_t count(std::size_t least_bytes) { return sound(number<std::size_t>(), least_bytes); }
+    std::size_t count(std::size_t min_bytes) { return sound(number<std::size_t>(), min_bytes); }
 
     /// Past the given words, which must come next but for blanks.
     void expect(std::string_view words) {

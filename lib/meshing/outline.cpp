@@ -98,12 +98,12 @@ std::optional<OutlineFault> point_twice(const Outline& outline, double near_m) {
 
 /// Every piece is compared with every other: a second or two for the most.
 std::optional<OutlineFault> too_many(const Outline& outline) {
-    constexpr std::size_t most_pieces = 20000;
+    constexpr std::size_t max_pieces = 20000;
     const std::vector<OutlinePiece> pieces = pieces_of(outline);
-    if (pieces.size() <= most_pieces) return std::nullopt;
+    if (pieces.size() <= max_pieces) return std::nullopt;
     std::string problem{"more than "};  // with operator+ g++ 12 warns of an overlap that is none
-    problem.append(std::to_string(most_pieces)).append(" straight pieces, up to ten to a span of a spline");
-    return OutlineFault{edge_of(outline, pieces[most_pieces]).row, problem, "draw the outline with fewer points"};
+    problem.append(std::to_string(max_pieces)).append(" straight pieces, up to ten to a span of a spline");
+    return OutlineFault{edge_of(outline, pieces[max_pieces]).row, problem, "draw the outline with fewer points"};
 }
 
 std::optional<OutlineFault> meeting(const Outline& outline, double near_m) {

@@ -1,6 +1,6 @@
 #pragma once
 /// A section of any shape: closed loops of lines, arcs and splines. Plain data, its geometry and what makes it unsound; no
-/// mesher in it (outline_mesher.hpp). Coordinates [m] as in section.hpp. Held by meshing/outline_test.
+/// mesher in it (outline_mesher.hpp). Coordinates [m] as in section.hpp. Tested by meshing/outline_test.
 #include <cstddef>
 #include <functional>
 #include <optional>

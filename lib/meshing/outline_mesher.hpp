@@ -7,7 +7,7 @@
 /// Where cells are still poor, they are made shorter and the mesh is generated again.
 /// The outline must be sound (fault_of). Error(bad_input) with the place where no mesh without inverted cells is found. Error(internal) when gmsh fails, Error(cannot_open) when it cannot be loaded.
 /// gmsh keeps one state per process: calls from several threads must not overlap.
-/// Held by meshing/outline_mesher_test.
+/// Tested by meshing/outline_mesher_test.
 #include "mesh/mesh.hpp"
 #include "meshing/outline.hpp"
 

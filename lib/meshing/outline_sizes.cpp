@@ -10,7 +10,7 @@ namespace soft::meshing {
 namespace {
 
 /// A cell turns by no more than this along an edge: two of the quadratic sides of a quarter turn miss it by 5e-5.
-constexpr double largest_turn_rad = std::numbers::pi / 4;
+constexpr double max_turn_rad = std::numbers::pi / 4;
 
 struct Seed {
     PlanePoint place;
@@ -41,7 +41,7 @@ private:
         const OutlinePiece& piece = pieces_[number];
         const PlanePoint along = minus(piece.end, piece.start);
         const double piece_m = length(along);
-        constexpr double least_step = 1e-3;  // of the side: a slip in through_wall must not take forever
+        constexpr double min_step = 1e-3;  // of the side: a slip in through_wall must not take forever
         const PlanePoint inward{-along[1] / piece_m, along[0] / piece_m};
         const auto size_at = [&](double share) {
             const PlanePoint at{piece.start[0] + share * along[0], piece.start[1] + share * along[1]};
@@ -53,7 +53,7 @@ private:
         };
         constexpr double middle = 0.5;  // a side shorter than two cells is looked at there alone
         if (piece_m < 2 * size_at(middle)) return;
-        for (double share = least_step; share < 1;) share += std::max(2 * size_at(share) / piece_m, least_step);
+        for (double share = min_step; share < 1;) share += std::max(2 * size_at(share) / piece_m, min_step);
     }
 
     /// The wall goes on behind the axis and the planes of symmetry.
@@ -96,7 +96,7 @@ private:
             const double turn_rad =
                 std::abs(std::atan2(cross(before, after), before[0] * after[0] + before[1] * after[1]));
             const double bend_m = 0.5 * (length(before) + length(after));
-            if (turn_rad > 0) add(line[i], bend_m * largest_turn_rad / turn_rad);
+            if (turn_rad > 0) add(line[i], bend_m * max_turn_rad / turn_rad);
         }
         double edge_m = 0;
         for (std::size_t i = 0; i + 1 < line.size(); ++i) edge_m += length(minus(line[i + 1], line[i]));

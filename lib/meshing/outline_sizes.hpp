@@ -1,7 +1,7 @@
 #pragma once
 /// How long the cells of a freely meshed outline should be: `size_m`, but shorter where a wall is thin, where an edge bends
 /// or is short, toward re-entrant corners and where a held face ends. From each such place the length grows at the same
-/// rate, so that neighbours differ little. Held by meshing/outline_mesher_test.
+/// rate, so that neighbours differ little. Tested by meshing/outline_mesher_test.
 #include <string>
 #include <vector>
 

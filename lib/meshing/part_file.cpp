@@ -16,7 +16,7 @@
 namespace soft::meshing {
 namespace {
 
-constexpr std::size_t most_facets = 2000000;  // some gigabytes and minutes
+constexpr std::size_t max_facets = 2000000;  // some gigabytes and minutes
 
 core::Bytes bytes_of(const std::vector<double>& numbers) {
     const auto bytes = std::as_bytes(std::span{numbers});
@@ -59,7 +59,7 @@ surface::FacetSoup joined(std::span<const double> corners) {
 
 surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
     constexpr core::ApartLimits limits{.wall = std::chrono::minutes{5}};      // parts take seconds
-    static_cast<void>(core::read_regular_file(path, surface::largest_file));  // says why it cannot be opened
+    static_cast<void>(core::read_regular_file(path, surface::max_file));  // says why it cannot be opened
     const core::ApartEnd end = core::done_apart([&] { return bytes_of(cad_numbers(path.string())); }, limits);
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         throw Error(ExitCode::bad_input, path.string(), problem, remedy);
@@ -92,9 +92,9 @@ Part read_part(const std::filesystem::path& path, const std::string& unit, doubl
     const surface::SoupOrigin origin =
         cad ? surface::SoupOrigin{path.string()} : surface::SoupOrigin{path.string(), unit, unit_m};
     surface::FacetSoup soup = cad ? triangles_of_cad(path) : surface::read_soup(path);
-    if (soup.facets.size() > most_facets)
+    if (soup.facets.size() > max_facets)
         throw Error(ExitCode::bad_input, origin.name,
-                    std::to_string(soup.facets.size()) + " facets are more than " + std::to_string(most_facets),
+                    std::to_string(soup.facets.size()) + " facets are more than " + std::to_string(max_facets),
                     "export the body with a coarser tolerance");
     return {origin, surface::body_surface(std::move(soup), origin)};
 }

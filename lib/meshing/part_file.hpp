@@ -1,7 +1,7 @@
 #pragma once
 /// A part of a surface file (STL, OBJ) or of a CAD file (STEP): its closed surface and what was found on reading it.
 /// CAD is taken as triangles that turn by 5.6 degrees each (radii come out 0.1 % short at the middle of a triangle).
-/// Held by geometry/part_test.
+/// Tested by geometry/part_test.
 #include <filesystem>
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Faces that lie apart but carry one name in the file. Held by geometry/imported_test.
+/// Faces that lie apart but carry one name in the file. Tested by geometry/imported_test.
 #include "mesh/mesh.hpp"
 
 namespace soft::meshing {

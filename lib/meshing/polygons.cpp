@@ -40,7 +40,7 @@ std::optional<std::size_t> flat_corner(const Polygons& mesh, const Cell& cell) {
 }
 
 /// Smallest sine of the angles of the straight-sided cell; negative where it is not convex.
-double smallest_sine(const Polygons& mesh, const Cell& cell) {
+double min_sine(const Polygons& mesh, const Cell& cell) {
     double smallest = 1;
     for (std::size_t i = 0; i < cell.size(); ++i) {
         const PlanePoint here = corner(mesh, cell[i]);
@@ -61,7 +61,7 @@ std::array<Cell, 2> cut(const Polygons& mesh, const Cell& ring) {
                                     }()};
     const std::array<Cell, 2> late{Cell(ring.begin(), ring.end() - 1), Cell{ring[0], ring[last - 1], ring[last]}};
     const auto worst = [&](const std::array<Cell, 2>& pair) {
-        return std::min(smallest_sine(mesh, pair[0]), smallest_sine(mesh, pair[1]));
+        return std::min(min_sine(mesh, pair[0]), min_sine(mesh, pair[1]));
     };
     return worst(late) > worst(early) ? late : early;
 }

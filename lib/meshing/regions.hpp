@@ -1,5 +1,5 @@
 #pragma once
-/// Regions of a mesh by name. Held by meshing/box_grid_test and geometry/segment_test.
+/// Regions of a mesh by name. Tested by meshing/box_grid_test and geometry/segment_test.
 #include <cstdint>
 #include <string>
 

@@ -3,7 +3,7 @@
 /// no mesher in it. Coordinates [m]: (x, r) for a body of revolution about x, (x, z) for a box that is drawn out along y, (x, y) for
 /// plane strain and what is drawn out along z.
 /// A curve carries its number of cells; blocks that share it agree by construction, and opposite sides of a block must
-/// have equal numbers (checked). Held by meshing/section_mesher_test.
+/// have equal numbers (checked). Tested by meshing/section_mesher_test.
 #include <array>
 #include <initializer_list>
 #include <string>

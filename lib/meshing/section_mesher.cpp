@@ -220,14 +220,14 @@ private:
 
 /// gmsh takes points nearer to each other than 1e-8 of unit size for one and ends the program; so short an edge is a slip anyway.
 void refuse_short_curves(const Section& section) {
-    constexpr double least_share = 1e-6;
+    constexpr double min_share = 1e-6;
     const auto [low_x, high_x] = std::ranges::minmax(section.points, {}, [](const PlanePoint& p) { return p[0]; });
     const auto [low_y, high_y] = std::ranges::minmax(section.points, {}, [](const PlanePoint& p) { return p[1]; });
     const double extent_m = std::max(high_x[0] - low_x[0], high_y[1] - low_y[1]);
     for (const Curve& curve : section.curves) {
         const double edge_m = length(minus(section.points[static_cast<std::size_t>(curve.end)],
                                            section.points[static_cast<std::size_t>(curve.start)]));
-        if (!(edge_m >= least_share * extent_m))
+        if (!(edge_m >= min_share * extent_m))
             throw Error(ExitCode::bad_input, "geometry",
                         "an edge of the section is " + core::quantity_text(edge_m, core::Dimension::length) +
                             " long, less than a millionth of the section's " +

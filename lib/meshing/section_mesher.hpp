@@ -5,7 +5,7 @@
 /// the curves' faces. Throws std::logic_error for an unsound section, Error(bad_input) for one with an edge shorter than a millionth of
 /// its extent, Error(internal) when gmsh fails, Error(cannot_open) when it cannot be loaded.
 /// gmsh keeps one state per process: calls from several threads must not overlap.
-/// Held by meshing/section_mesher_test.
+/// Tested by meshing/section_mesher_test.
 #include "mesh/mesh.hpp"
 #include "meshing/section.hpp"
 

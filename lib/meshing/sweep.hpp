@@ -1,7 +1,7 @@
 #pragma once
 /// Section -> solid. Every node of a body of revolution lies on its true circle.
 /// Facet sets are swept along (sets on the axis vanish); cut planes become the sets symmetry_y and symmetry_z.
-/// Held by meshing/sweep_test.
+/// Tested by meshing/sweep_test.
 #include <string>
 #include <vector>
 

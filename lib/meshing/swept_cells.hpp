@@ -1,5 +1,5 @@
 #pragma once
-/// Cells between copies of a section, layer after layer. Internal to the room: meshing/sweep.hpp says what comes out. Held by
+/// Cells between copies of a section, layer after layer. Internal to the module: meshing/sweep.hpp says what comes out. Held by
 /// meshing/sweep_test.
 #include <algorithm>
 #include <array>

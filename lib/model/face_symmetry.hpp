@@ -1,7 +1,7 @@
 #pragma once
 /// How a face of the mesh and its mirror images make one face of the whole actuator. A plane of symmetry that the face meets,
 /// without lying in it, mirrors the face onto itself: the whole face is twice as large. A face apart from the plane has an
-/// image of its own, which is another face. Held by assembly/reaction_test.
+/// image of its own, which is another face. Tested by assembly/reaction_test.
 #include <array>
 #include <string>
 

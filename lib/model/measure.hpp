@@ -1,5 +1,5 @@
 #pragma once
-/// What an output measures on its face, and in which units it is written. Held by assembly/reaction_test, assembly/face_shape_test, assembly/loads_test.
+/// What an output measures on its face, and in which units it is written. Tested by assembly/reaction_test, assembly/face_shape_test, assembly/loads_test.
 #include <array>
 #include <span>
 #include <string_view>

@@ -1,5 +1,5 @@
 #pragma once
-/// Places of the body for messages, in the letters of its kinematics. Held by surface/report_test and fields/reached_test.
+/// Places of the body for messages, in the letters of its kinematics. Tested by surface/report_test and fields/reached_test.
 #include <string>
 
 #include "model/case.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-/// From a case's material (law name and constants) to the law itself. Held by assembly/system_test, design/material_test.
+/// From a case's material (law name and constants) to the law itself. Tested by assembly/system_test, design/material_test.
 #include "material/catalogue.hpp"
 #include "model/case.hpp"
 

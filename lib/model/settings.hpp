@@ -53,8 +53,8 @@ struct SolverSettings {
     StepRule steps = StepRule::error_adaptive;
     Predictor predictor = Predictor::cubic;
     double first_step = 0.02;   ///< first step, fraction of the full load in the linear response
-    double largest_step = 0.0;  ///< 0: chosen by the solver; else a bound on the step as a fraction of the path so far
-    double smallest_step = 1e-4;  ///< a step cut below this part of the first ends the path; of an arc, a thousandth
+    double max_step = 0.0;  ///< 0: chosen by the solver; else a bound on the step as a fraction of the path so far
+    double min_step = 1e-4;  ///< a step cut below this part of the first ends the path; of an arc, a thousandth
     int wanted_iterations = 5;    ///< of a step, steps iteration_adaptive
     int step_limit = 1000;        ///< stop_reason step_limit beyond
     double step_accuracy = 2e-3;  ///< wanted relative error of the predictor; smaller = denser steps

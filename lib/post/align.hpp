@@ -1,5 +1,5 @@
 #pragma once
-/// Places on a path for the rows of a table that follows it. Held by post/golden_test.
+/// Places on a path for the rows of a table that follows it. Tested by post/golden_test.
 #include <span>
 #include <vector>
 

@@ -30,7 +30,7 @@ ErrorSummary summarise(const Path& path, const Series& of, const Series& at) {
         errors.push_back(*here - of.values[row]);
         values.push_back(of.values[row]);
         if (errors.size() == 1 || std::abs(errors.back()) > std::abs(sum.largest))
-            sum.largest = errors.back(), sum.largest_row = row;
+            sum.largest = errors.back(), sum.max_row = row;
     }
     sum.points = errors.size();
     sum.left_out = of.values.size() - errors.size();
@@ -55,8 +55,8 @@ std::string with_unit(const Column& column, double value, int digits = 4) {
 std::string place_text(const Curve& curve, const Measured& measured, const ErrorSummary& error) {
     const Series& at = *measured.find(error.at);
     const Column& column = curve.columns[error.at];
-    return column.quantity + " " + with_unit(column, at.values[error.largest_row]) + " (" + measured.source + ":" +
-           std::to_string(measured.lines[error.largest_row]) + ")";
+    return column.quantity + " " + with_unit(column, at.values[error.max_row]) + " (" + measured.source + ":" +
+           std::to_string(measured.lines[error.max_row]) + ")";
 }
 
 std::string points_text(const ErrorSummary& error) {
@@ -98,15 +98,15 @@ std::vector<ErrorSummary> compare(const Curve& curve, const Measured& measured) 
 
 std::string csv_text(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors) {
     std::string text =
-        "quantity,unit,at_equal,points,left_out,mean,mean_absolute,rms,largest,largest_line,measured,r2\n";
+        "quantity,unit,at_equal,points,left_out,mean,mean_absolute,rms,largest,max_line,measured,r2\n";
     for (const ErrorSummary& error : errors) {
         const Column& of = curve.columns[error.of];
         std::vector<std::string> cells{of.quantity, of.unit, curve.columns[error.at].quantity,
                                        std::to_string(error.points), std::to_string(error.left_out)};
         for (const double value : {error.mean, error.mean_absolute, error.rms, error.largest})
             cells.push_back(core::number_text(value));
-        cells.push_back(std::to_string(measured.lines[error.largest_row]));
-        cells.push_back(core::number_text(measured.find(error.of)->values[error.largest_row]));
+        cells.push_back(std::to_string(measured.lines[error.max_row]));
+        cells.push_back(core::number_text(measured.find(error.of)->values[error.max_row]));
         cells.push_back(error.r2 ? core::number_text(*error.r2) : "");
         text += core::join(cells, ",") + "\n";
     }

@@ -6,7 +6,7 @@
 /// common range); where the path takes it several times, the nearest place counts. Per point, not per length of the curve:
 ///   mean = sum e_i / n,   mean absolute = sum |e_i| / n,   RMS = sqrt(sum e_i^2 / n),
 ///   R2 = 1 - sum e_i^2 / sum (m_i - mean m)^2 over the same points m_i; none where all are equal.
-/// Held by post/compare_test.
+/// Tested by post/compare_test.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -26,14 +26,14 @@ struct ErrorSummary {
     std::size_t left_out = 0;
     double mean = 0, mean_absolute = 0, rms = 0;  ///< in the unit of column `of`
     double largest = 0;                           ///< with its sign
-    std::size_t largest_row = 0;                  ///< of the measured rows
+    std::size_t max_row = 0;                  ///< of the measured rows
     std::optional<double> r2 = {};
 };
 
 /// Error (bad_input) where no measured point lies on the path.
 [[nodiscard]] std::vector<ErrorSummary> compare(const Curve& curve, const Measured& measured);
 
-/// CSV, one line an ErrorSummary: quantity, unit, at_equal, points, left_out, mean, mean_absolute, rms, largest, largest_line,
+/// CSV, one line an ErrorSummary: quantity, unit, at_equal, points, left_out, mean, mean_absolute, rms, largest, max_line,
 /// measured (there), r2 (empty where there is none).
 [[nodiscard]] std::string csv_text(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors);
 

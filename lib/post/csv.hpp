@@ -1,6 +1,6 @@
 #pragma once
 /// The curve as comma-separated text, lines ended by '\n'. Numbers are the shortest text that reads back to the same
-/// double. Held by post/csv_test.
+/// double. Tested by post/csv_test.
 #include <span>
 #include <string>
 

@@ -6,7 +6,7 @@
 /// pressure_error_kPa (traction_, load_factor_) and <output>_error_mm or _deg ..., of a dynamic case kinetic_energy_mJ,
 /// stored_energy_mJ, load_work_mJ and damping_work_mJ, then stretch_p99, max_stretch, min_J, stable, of a static path stable_under_control. On demand: of a static case
 /// stored_energy_mJ and load_work_mJ, and max_stretch_x_mm ... (the undeformed place of max_stretch), max_energy_density_kJ_m3.
-/// What a case does not have (an output, a cavity volume) is left out, never filled with zeros. Held by post/curve_test.
+/// What a case does not have (an output, a cavity volume) is left out, never filled with zeros. Tested by post/curve_test.
 #include <cstddef>
 #include <optional>
 #include <span>

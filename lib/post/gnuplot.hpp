@@ -1,5 +1,5 @@
 #pragma once
-/// The program gnuplot as a function: script in, picture out. No shell in between. Held by post/gnuplot_test.
+/// The program gnuplot as a function: script in, picture out. No shell in between. Tested by post/gnuplot_test.
 #include <filesystem>
 #include <string>
 #include <string_view>

@@ -9,7 +9,7 @@
 /// A row agrees in a column where |found - golden| <= atol + rtol max(|golden|, 1e-3 largest |golden| of the column).
 /// Between two rows of the path, values that the solver does not follow (stretches, energies, error bars) are granted the
 /// difference between smooth and straight interpolation besides. `stable` and `stage` may be those of either row (at a row,
-/// also those of its neighbours). `step` is not compared. Held by post/golden_test.
+/// also those of its neighbours). `step` is not compared. Tested by post/golden_test.
 #include <cstddef>
 #include <optional>
 #include <span>

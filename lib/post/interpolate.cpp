@@ -55,7 +55,7 @@ struct Speeds {
     enum class Directions { both, second, none } directions = Directions::both;
 };
 
-constexpr double largest_ratio = 2;  // of a speed to the chord; beyond, the directions do not enclose it
+constexpr double max_ratio = 2;  // of a speed to the chord; beyond, the directions do not enclose it
 constexpr double parallel =
     1e-10;  // sin^2 of the angle between directions; below, their rounding decides on the speeds
 
@@ -69,7 +69,7 @@ Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_
     const double determinant = 1 - cosine * cosine;
     if (!(determinant > parallel)) return {chord, chord};
     const Speeds speeds{(a - b * cosine) / determinant, (b - a * cosine) / determinant};
-    const auto sound = [&](double v) { return v * largest_ratio > chord && v < chord * largest_ratio; };  // not for nan
+    const auto sound = [&](double v) { return v * max_ratio > chord && v < chord * max_ratio; };  // not for nan
     return sound(speeds.start) && sound(speeds.end) ? speeds : Speeds{chord, chord};
 }
 
@@ -80,7 +80,7 @@ Speeds first_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) 
     const Speeds straight{chord, chord, Speeds::Directions::none};
     if (!(chord > 0 && norm > 0)) return straight;
     const double cosine = metric.along(row_b, row_a, row_b) / (norm * chord), speed = chord / cosine;
-    if (!(cosine * largest_ratio > 1)) return straight;
+    if (!(cosine * max_ratio > 1)) return straight;
     for (std::size_t i = 0; i < metric.columns.size(); ++i) {
         const Column& column = *metric.columns[i];
         const double d = (column.values[row_b] - column.values[row_a]) * metric.inverse_range[i];

@@ -18,7 +18,7 @@
 /// v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order; derived here). Where u1 is not within 60 degrees
 /// of the chord, or a coordinate would turn back on the way, it is a straight line.
 /// Of a motion the parameter is time itself, and the slopes, which are derivatives by time, stand for themselves: the cubic
-/// through two rows meets values and velocities. Held by post/interpolate_test and post/followers_test.
+/// through two rows meets values and velocities. Tested by post/interpolate_test and post/followers_test.
 #include <span>
 #include <vector>
 

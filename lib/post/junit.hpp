@@ -1,6 +1,6 @@
 #pragma once
 /// Verdicts in the XML that continuous integration reads (the JUnit format as Jenkins, GitLab and others take it).
-/// Held by post/junit_test.
+/// Tested by post/junit_test.
 #include <span>
 #include <string>
 

@@ -3,7 +3,7 @@
 ///
 /// A quantity of the curve (pressure, elongation, volume ...) is the column that --columns names; else the free one whose header
 /// says so, in any letter case; else, where neither load nor time or nothing else was found, the only column in a unit of its
-/// kind, if the curve has one quantity of that kind as well. Held by post/compare_test.
+/// kind, if the curve has one quantity of that kind as well. Tested by post/compare_test.
 #include <cstddef>
 #include <span>
 #include <string>

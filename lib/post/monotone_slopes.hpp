@@ -3,7 +3,7 @@
 /// rows, at both ends of the cubic through the four nearest (of the parabola where there are three, or where the values turn
 /// within the four and may have a kink). Where an interval would not be monotone they are cut down: to three times the smaller
 /// secant (de Boor and Swartz 1977), to 0 at an extremum. The interpolant of a smooth monotone function is of third order, beside
-/// an extremum of second. Held by post/interpolate_test.
+/// an extremum of second. Tested by post/interpolate_test.
 #include <span>
 #include <vector>
 

@@ -3,7 +3,7 @@
 /// unstable part dashed, converged steps as markers, limit points as filled triangles and bifurcations as filled squares with
 /// their value (plot_labels.hpp), the errors of the mesh (`solve --tolerance`) and of the constants as bands with bars, measured points
 /// as crosses. Paths differ in their markers, so nothing depends on colour unless a third quantity is asked for; the colours are those of Okabe and Ito (2008), told apart by all eyes.
-/// Held by post/plot_test.
+/// Tested by post/plot_test.
 #include <filesystem>
 #include <optional>
 #include <span>

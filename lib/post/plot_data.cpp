@@ -158,7 +158,7 @@ void add_labelled(const Column& x, const Column& y, const solution::LimitPoint& 
 
 }  // namespace
 
-Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t most_markers) {
+Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t max_markers) {
     Blocks blocks;
     const Curve& curve = series.curve;
     const Column& x = curve.columns[axes.x];
@@ -167,7 +167,7 @@ Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t m
     sample_line(curve, path, axes, blocks);
     blocks.band = band_outline(curve, path, axes, blocks.edges);
     if (series.band) add_constants(*series.band, path, axes, blocks);
-    add_markers(curve, axes, most_markers, blocks);
+    add_markers(curve, axes, max_markers, blocks);
     for (const solution::LimitPoint& limit : series.end.limit_points)
         add_labelled(x, y, limit, blocks.limits, blocks.labels);
     for (const solution::Bifurcation& branch : series.end.bifurcations)

@@ -23,8 +23,8 @@ struct Blocks {
     std::vector<PlotLabel> labels;              ///< of both
 };
 
-/// Markers are thinned out to about `most_markers`.
-[[nodiscard]] Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t most_markers);
+/// Markers are thinned out to about `max_markers`.
+[[nodiscard]] Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t max_markers);
 
 /// Measured values of both columns; empty where one was not measured.
 [[nodiscard]] std::string point_block(const Measured& measured, const PlotAxes& axes);

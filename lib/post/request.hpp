@@ -1,5 +1,5 @@
 #pragma once
-/// The path where it has given values: `postprocess --at elongation=40mm,80mm`. Held by post/request_test.
+/// The path where it has given values: `postprocess --at elongation=40mm,80mm`. Tested by post/request_test.
 #include <span>
 #include <string>
 #include <string_view>

@@ -4,7 +4,7 @@
 /// with measured data where there are any, the materials with their range, the design, provenance and licences.
 /// No reader of the page fetches anything, and no text of the design can act in it: all of it is escaped, and the page's
 /// Content-Security-Policy lets only the one script run whose SHA-256 it names and nothing be loaded but data within the page.
-/// The same result gives the same bytes. Held by report/report_test and tests/report/browser (headless Chromium).
+/// The same result gives the same bytes. Tested by report/report_test and tests/report/browser (headless Chromium).
 #include <span>
 #include <string>
 #include <vector>

@@ -113,7 +113,7 @@ std::string comparison_section(const Content& content) {
         rows.push_back({{of.quantity, at.quantity, std::to_string(error.points), std::to_string(error.left_out),
                          with_unit(of, error.mean, 3), with_unit(of, error.mean_absolute, 3),
                          with_unit(of, error.rms, 3), with_unit(of, error.largest, 3),
-                         with_unit(at, content.measured->find(error.at)->values[error.largest_row], 4),
+                         with_unit(at, content.measured->find(error.at)->values[error.max_row], 4),
                          error.r2 ? core::rounded_text(*error.r2, 4) : ""}});
     }
     return "<h2>Comparison with measured data</h2>\n" +

@@ -1,6 +1,6 @@
 #pragma once
 /// What the solver must remember to go on from a row of the path as if it had never stopped. Plain data that io keeps
-/// behind each row of a running `solve -o`. Held by io/journal_test and pipeline Resume.
+/// behind each row of a running `solve -o`. Tested by io/journal_test and pipeline Resume.
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -112,11 +112,11 @@ std::vector<ErrorBar> set_bars(Rows& reported, const Around& around) {
 }
 
 double max_relative_bar(const Rows& rows, const std::vector<ErrorBar>& bars) {
-    double largest_load = 0, worst = 0;
-    for (const RowState& row : rows) largest_load = std::max(largest_load, std::abs(row.step.pressure_Pa));
-    if (!(largest_load > 0.0)) return 0;
+    double max_load = 0, worst = 0;
+    for (const RowState& row : rows) max_load = std::max(max_load, std::abs(row.step.pressure_Pa));
+    if (!(max_load > 0.0)) return 0;
     for (std::size_t i = 0; i < rows.size(); ++i)
-        worst = std::max(worst, bars[i].load / std::max(std::abs(rows[i].step.pressure_Pa), small_load * largest_load));
+        worst = std::max(worst, bars[i].load / std::max(std::abs(rows[i].step.pressure_Pa), small_load * max_load));
     return worst;
 }
 
@@ -235,7 +235,7 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
     const model::Case& input = given.input();
     require_refinable(input, rows.front().step);
     const bool solid = input.mesh.dimension == 3;
-    const std::int64_t bound = solid ? target.largest_unknowns_3d : target.largest_unknowns_2d, growth = solid ? 8 : 4;
+    const std::int64_t bound = solid ? target.max_unknowns_3d : target.max_unknowns_2d, growth = solid ? 8 : 4;
     Accuracy result;
     result.unknowns = given.dofs().total;
     result.rows = std::move(rows);

@@ -20,7 +20,7 @@ namespace soft::solver {
 
 struct AccuracyTarget {
     double tolerance = 1e-3;
-    std::int64_t largest_unknowns_2d = 1'500'000, largest_unknowns_3d = 400'000;  ///< of the finest mesh
+    std::int64_t max_unknowns_2d = 1'500'000, max_unknowns_3d = 400'000;  ///< of the finest mesh
 };
 
 struct Accuracy {

@@ -5,7 +5,7 @@
 ///   load_factor: c = lambda        pressure: c = the unknown pressure of a supply [Pa]
 ///   volume: c = volume of a load's cavities [m^3]       output: c = an output [m or rad]
 ///   arc: c = t . (x - x0)          projected length along a unit direction t from a state x0 (cylindrical: no load term)
-/// Held by solver/solver_test.
+/// Tested by solver/solver_test.
 #include <cstddef>
 #include <string_view>
 #include <vector>

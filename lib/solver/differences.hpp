@@ -5,7 +5,7 @@
 ///   jacobian:  v -> (R(x + h v) - R(x)) / h as a matrix without entries
 /// Every unknown has its own scale s: a displacement the mean distance of two nodes, a pressure the shear modulus. A quotient
 /// moves no unknown by more than about 1e-7 of it: the rounding of R leaves 1e-9 of K, the curvature of R 1e-7 (derived here).
-/// Held by solver/differences_test.
+/// Tested by solver/differences_test.
 #include <exception>
 
 #include "assembly/system.hpp"

@@ -12,12 +12,12 @@ constexpr double slow = 5.0 / 3, middle = 4, fast = 16;
 constexpr double safety = 1.2;              ///< of three meshes
 constexpr double single_cell_safety = 1.5;  ///< of two meshes, the coarse one with one cell through its walls
 /// Of the neighbourhood's error, where the row's own is smaller.
-constexpr double least_share = 0.5;
+constexpr double min_share = 0.5;
 constexpr double neighbourhood = 0.25;  ///< of the path's length, either way
 /// Weight of the farthest of the neighbours, whose differences bound the errors of two meshes.
-constexpr double least_weight = 0.1;
+constexpr double min_weight = 0.1;
 /// Of two levels' differences over a neighbourhood that fall at known rates.
-constexpr double least_correlation = 0.8, slowest_settled = 1.25, fastest_settled = 2 * fast;
+constexpr double min_correlation = 0.8, slowest_settled = 1.25, fastest_settled = 2 * fast;
 constexpr double nearest_start =
     0.02;  ///< of the ranges: nearer to the start differences are not taken relative to less
 
@@ -129,7 +129,7 @@ bool settled(const std::vector<Scaled>& path, std::size_t i, double Scaled::*bef
         products += w * row.*d * row.*before;
     });
     const double norm = std::sqrt(squares), norm_before = std::sqrt(squares_before);
-    return products >= least_correlation * norm * norm_before && norm_before >= slowest * norm &&
+    return products >= min_correlation * norm * norm_before && norm_before >= slowest * norm &&
            norm_before <= fastest_settled * norm;
 }
 
@@ -160,7 +160,7 @@ double range_nearby(const std::vector<Scaled>& path, std::size_t i) {
     const double width = neighbourhood * path.back().along;
     for_neighbours(path, i, [&](const Scaled& row, double, double scale) {
         const double distance = width > 0 ? std::abs(row.along - path[i].along) / width : 0;
-        const double relative = (1 - (1 - least_weight) * distance) * row.d * scale;
+        const double relative = (1 - (1 - min_weight) * distance) * row.d * scale;
         low = std::min(low, relative);
         high = std::max(high, relative);
     });
@@ -214,7 +214,7 @@ std::vector<ErrorBar> error_bars(std::span<const LevelRow> rows, Walls walls) {
     std::vector<ErrorBar> bars;
     for (std::size_t i = 0; i < path.size(); ++i) {
         const Scaled& at = path[i];
-        const double error = std::max(at.error, least_share * error_nearby(path, i) * at.from_start);
+        const double error = std::max(at.error, min_share * error_nearby(path, i) * at.from_start);
         const double c = error + solved_to * at.from_start;
         bars.push_back({shift(c, at.sine, at.cosine, at.curvature) * ranges.load,
                         shift(c, at.cosine, at.sine, at.curvature) * ranges.measure,

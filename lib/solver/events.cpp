@@ -18,7 +18,7 @@ constexpr int bifurcation_solves = 30;
 /// Inverse iterations for the mode: the eigenvalue that passes zero is by far the least there.
 constexpr int mode_iterations = 3;
 /// Of the step: how far before and behind a bifurcation its eigenvalue is looked at.
-constexpr double beside_bifurcation = 0.05, least_beside = 1e-6;
+constexpr double beside_bifurcation = 0.05, min_beside = 1e-6;
 /// Cosine between the mode at the bifurcation and on either side.
 constexpr double same_mode = 0.9;
 /// Of the distance between the rows on both sides: states that stay so far apart are those of two branches.
@@ -191,7 +191,7 @@ std::string PathFollower::object_to_bifurcation(const PathPoint& from, const Pat
         const double room = std::abs(side < 0.0 ? at - from.q : to.q - at);
         const double away = std::min(beside_bifurcation * std::abs(span), 0.5 * room);
         // A count that changes beside a row, however near it is looked at, was another one at that row itself.
-        if (away < least_beside * std::abs(span)) return "at a row itself, where no eigenvalue passes zero";
+        if (away < min_beside * std::abs(span)) return "at a row itself, where no eigenvalue passes zero";
         const auto point = solve_between(from, to, at + side * std::copysign(away, span));
         linalg::Vector b = linalg::duplicate(*mode);
         linalg::copy(*mode, b);

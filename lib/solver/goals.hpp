@@ -1,5 +1,5 @@
 #pragma once
-/// Where a stage is to end: its loads in place, and whatever `until` asks for. Held by solver/solver_test.
+/// Where a stage is to end: its loads in place, and whatever `until` asks for. Tested by solver/solver_test.
 #include <optional>
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 /// The last two converged states with their tangents, and the cubic through them: predictor of the next state and
 /// interpolant between the two.
 ///   y(q) = h00 y0 + h10 h y0' + h01 y1 + h11 h y1',  h = q1 - q0, evaluated at s = (q - q0)/h (s > 1 extrapolates).
-/// q is the controlled quantity. With one state only, the tangent line. Held by solver/solver_test.
+/// q is the controlled quantity. With one state only, the tangent line. Tested by solver/solver_test.
 #include <optional>
 
 #include "solver/newton.hpp"

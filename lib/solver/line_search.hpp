@@ -4,7 +4,7 @@
 ///   secant: until the residual along the correction, g(length) = dx . R(x + length dx, loads of the whole correction), is at
 ///       most half of g(0); the secant method on g, which may go beyond 1 (Matthies and Strang 1979; Crisfield 1991 9.2)
 ///   none: 1
-/// All of them halve while det F <= 0 somewhere. Held by solver/line_search_test.
+/// All of them halve while det F <= 0 somewhere. Tested by solver/line_search_test.
 #include <functional>
 
 #include "model/settings.hpp"

@@ -14,7 +14,7 @@
 /// where strains below 1e-6 or so drown: a predictor that is exact to that is not corrected.
 /// A Krylov solve that reaches its limit gives an inexact correction; the direction of the path may take ten times the limit.
 /// Source: Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991) 9.3; Allgower and Georg,
-/// Introduction to Numerical Continuation Methods (2003) 10.4. Held by solver/solver_test, solver/supply_test,
+/// Introduction to Numerical Continuation Methods (2003) 10.4. Tested by solver/solver_test, solver/supply_test,
 /// solver/newton_methods_test, solver/linear_methods_test, solver/corner_test, solver/motion_test, solver/tiny_load_test.
 #include <functional>
 #include <optional>

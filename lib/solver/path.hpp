@@ -18,7 +18,7 @@
 /// is stated, at that volume or mass where these are. Step::stable_under_control: the same where the control is the load factor
 /// or the arc length; under volume or output control the tangent is positive definite where the controlled quantity is held and
 /// the load adapts, so that a state beyond a pressure maximum can be stable under control alone.
-/// Held by solver/solver_test, solver/branch_test and the verification suite (sphere, tube, bellows, two spheres).
+/// Tested by solver/solver_test, solver/branch_test and the verification suite (sphere, tube, bellows, two spheres).
 #include <functional>
 #include <optional>
 #include <string>

@@ -2,7 +2,7 @@
 /// may turn by more than a right angle, and the load may turn round; then no step along the direction before the corner goes on.
 /// Beyond it the path is that of another piece of the law, along +-K^-1 f with the K of the far side, in the sense that leads away
 /// from the corner and stays in that piece (paths of piecewise linear maps: Allgower and Georg, Introduction to Numerical
-/// Continuation Methods (2003) 12). Held by solver/corner_test.
+/// Continuation Methods (2003) 12). Tested by solver/corner_test.
 #include <algorithm>
 #include <cmath>
 

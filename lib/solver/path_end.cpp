@@ -15,7 +15,7 @@ constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
 /// Times path.stretch_limit: no rubber is stretched so far. There a load whose rise falls with this power of the unknowns, or a
 /// higher one, is taken to go on so; what is still to come must be less than this part of what is left. Looked at over steps long
 /// enough for a power to be seen.
-constexpr double far_beyond = 10.0, least_power = 0.5, reachable = 0.5, growth_for_a_power = 0.02;
+constexpr double far_beyond = 10.0, min_power = 0.5, reachable = 0.5, growth_for_a_power = 0.02;
 /// det F.
 constexpr double crushed = 0.05;
 
@@ -51,7 +51,7 @@ bool PathFollower::is_out_of_reach() {
     const double rise = rise_of(*last_), before = rise_of(*before_);
     const double log_growth = std::log(linalg::norm(last_->state.x) / linalg::norm(before_->state.x));
     const double power = std::log(before / rise) / log_growth, mean = gain / log_growth;
-    return rise > 0.0 && rise < mean && mean < before && power > least_power && rise / power < reachable * left;
+    return rise > 0.0 && rise < mean && mean < before && power > min_power && rise / power < reachable * left;
 }
 
 std::string PathFollower::return_text() const {

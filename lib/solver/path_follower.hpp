@@ -1,5 +1,5 @@
 #pragma once
-/// The state machine behind follow_path (path.hpp), internal to the room. One concern a file: path.cpp begins and ends,
+/// The state machine behind follow_path (path.hpp), internal to the module. One concern a file: path.cpp begins and ends,
 /// stages.cpp begins and ends stages and changes the control, path_step.cpp takes steps and mends failed ones,
 /// path_points.cpp measures states and writes rows, path_work.cpp sums the work of the loads, events.cpp locates limit points, bifurcations and contact,
 /// path_corner.cpp goes round corners of bodies with fibres, path_end.cpp ends paths that do not reach their load, path_resume.cpp

@@ -29,7 +29,7 @@ constexpr double flat_load = 0.1;
 /// says nothing about the step.
 constexpr double equilibrium_margin = 10.0;
 /// Step changes from one step to the next.
-constexpr double largest_growth = 2.5, growth_of_linear_steps = 100.0, smallest_shrink = 0.3, smallest_retake = 0.1,
+constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1,
                  cut_after_failure = 0.4;
 /// Newton iterations beyond which the step does not grow.
 constexpr int many_iterations = 7;
@@ -163,11 +163,11 @@ bool PathFollower::is_too_long(const Aim& aimed, double missed, double taken) {
     if (settings_.steps != model::StepRule::error_adaptive || !squared) return false;
     const double error = missed * missed;
     const bool kink = rejected_curve_error_ && error > error_at_a_kink * *rejected_curve_error_;
-    const double shorter = std::max(0.9 * std::sqrt(settings_.step_accuracy / error), smallest_retake);
+    const double shorter = std::max(0.9 * std::sqrt(settings_.step_accuracy / error), min_retake);
     if (error <= coarse_curve * settings_.step_accuracy || kink) return false;
     if (is_first_try(shorter * taken))
         first_step_ = coarse(shorter * taken);
-    else if (std::abs(shorter * taken / first_step_) < settings_.smallest_step)
+    else if (std::abs(shorter * taken / first_step_) < settings_.min_step)
         return false;
     log("row " + std::to_string(rows_) + ": step of " + short_text(taken) +
         " is too long for the curve (predictor error " + short_text(missed) + "): taken again");
@@ -274,13 +274,13 @@ void PathFollower::adapt_step(double predictor_error, double order) {
         case model::StepRule::error_adaptive: {  // the error goes with the power order + 1 of the step
             double factor = std::pow(settings_.step_accuracy / std::max(predictor_error, 1e-12), 1.0 / order);
             const bool is_linear = newton_result_.iterations == 0 && newton_result_.within_rounding;
-            factor = std::clamp(0.9 * factor, smallest_shrink, is_linear ? growth_of_linear_steps : largest_growth);
+            factor = std::clamp(0.9 * factor, min_shrink, is_linear ? growth_of_linear_steps : max_growth);
             if (newton_result_.iterations > many_iterations) factor = std::min(factor, 0.7);
             step_ = coarse(factor * taken);
         }
     }
-    if (settings_.largest_step > 0.0) {
-        const double bound = settings_.largest_step * std::abs(last_->q);
+    if (settings_.max_step > 0.0) {
+        const double bound = settings_.max_step * std::abs(last_->q);
         step_ = std::clamp(step_, -bound, bound);
     }
 }
@@ -307,7 +307,7 @@ void PathFollower::handle_failure() {
     const double failed = step_;
     step_ = next;
     if (is_first_try(step_)) first_step_ = step_;
-    const double share = std::abs(step_ / first_step_) / settings_.smallest_step;
+    const double share = std::abs(step_ / first_step_) / settings_.min_step;
     const bool too_short = share < 1.0;
     const bool may_be_corner = system_.has_fibers() && newton_result_.end != NewtonEnd::not_finite &&
                                (failures_ >= failures_before_corner || too_short);

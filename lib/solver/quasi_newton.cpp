@@ -5,13 +5,13 @@ namespace soft::solver {
 namespace {
 
 /// Cosine of the angle between s and y that a pair has at least: below it the tangent is not positive along s, or y is rounding.
-constexpr double least_cosine = 1e-8;
+constexpr double min_cosine = 1e-8;
 
 }  // namespace
 
 void SecantUpdates::add(linalg::Vector s, linalg::Vector y) {
     const double product = linalg::dot(s, y);
-    if (!(product > least_cosine * linalg::norm(s) * linalg::norm(y))) return;
+    if (!(product > min_cosine * linalg::norm(s) * linalg::norm(y))) return;
     pairs_.push_back({std::move(s), std::move(y), 1.0 / product});
 }
 

@@ -4,7 +4,7 @@
 ///   H <- (I - rho s y^T) H (I - rho y s^T) + rho s s^T,     so that H y = s,
 /// applied by the two loops of Nocedal (1980) without a matrix. A pair whose y . s is not positive is left out, so that H keeps
 /// the inertia of K0 (also of a saddle point: with such pairs the box of newton_methods_test takes twice the iterations).
-/// Source: Matthies and Strang, Int. J. Numer. Meth. Eng. 14 (1979) 1613. Held by solver/quasi_newton_test.
+/// Source: Matthies and Strang, Int. J. Numer. Meth. Eng. 14 (1979) 1613. Tested by solver/quasi_newton_test.
 #include <functional>
 #include <vector>
 

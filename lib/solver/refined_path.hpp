@@ -7,7 +7,7 @@
 /// body nearest to where the coarse one was, which exists at limit points and on branches alike. The last row of a stage
 /// holds instead what the stage ended by (its load factor or an `until`). Levels of the loads are measured from the finer
 /// body's own state at the end of the stage before.
-/// Held by solver/accuracy_test and the verification suite.
+/// Tested by solver/accuracy_test and the verification suite.
 #include <optional>
 
 #include "mesh/refine.hpp"

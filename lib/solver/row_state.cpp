@@ -130,7 +130,7 @@ double read_stretches(assembly::System& system, Vec x, solution::Step& step) {
     step.stretch_p99 = stretch.p99;
     step.max_stretch = stretch.largest;
     step.min_jacobian = stretch.min_jacobian;
-    step.extremes = {stretch.largest_at_m, stretch.largest_energy_J_m3};
+    step.extremes = {stretch.max_at_m, stretch.max_energy_J_m3};
     return stretch.stored_energy_J;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// What a converged state says of itself, and a row of the path with its fields, free of the numbering of unknowns: what
-/// carries a row to another mesh. Held by solver/solver_test, solver/accuracy_test.
+/// carries a row to another mesh. Tested by solver/solver_test, solver/accuracy_test.
 #include <vector>
 
 #include "solution/path.hpp"
@@ -42,7 +42,7 @@ enum class FromTangent { along_the_path, of_another_stage };
 
 /// Work of the loads [J], modelled part, on the way between two points that have been read: Simpson's rule of the power along
 /// the cubic with both tangents, so that its error falls with the fourth power of the step. Prescribes the motions of `to`.
-/// Held by solver/work_test.
+/// Tested by solver/work_test.
 [[nodiscard]] double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to,
                                   FromTangent of_from);
 

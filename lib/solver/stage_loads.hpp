@@ -5,7 +5,7 @@
 ///   volume:        V - V(lambda) = 0                                     over the larger of the two volumes of the stage
 ///   mass, closed:  p - P(V, m(lambda)) = 0,  P = a [(m / (rho (V + D)))^n - 1]      over a
 /// a ambient pressure, rho ambient density, D dead volume, n exponent of the gas (model::Gas); a closed supply keeps its
-/// mass. Source: polytropic change of an ideal gas. Held by solver/stage_loads_test.
+/// mass. Source: polytropic change of an ideal gas. Tested by solver/stage_loads_test.
 #include <vector>
 
 #include "assembly/system.hpp"

@@ -104,13 +104,13 @@ double PathFollower::controlled_value(const PathPoint& point, double arc_length)
 
 /// Volumes that change by less than this part of themselves over the whole stage are lost in rounding: such a path is straight, and
 /// followed by its load factor.
-constexpr double least_volume_change = 1e-6;
+constexpr double min_volume_change = 1e-6;
 
 void PathFollower::leave_volume_control_of_tiny_loads(const PathPoint& by_load) {
     if (control_.kind != ConstraintKind::volume || !loads_->free_supplies().empty()) return;
     const double volume_m3 = by_load.load_volumes_m3[control_.index],
                  slope = by_load.load_volume_slopes[control_.index];
-    if (std::abs(slope / by_load.tangent.load_factor) < least_volume_change * std::abs(volume_m3))
+    if (std::abs(slope / by_load.tangent.load_factor) < min_volume_change * std::abs(volume_m3))
         control_ = {ConstraintKind::load_factor};
 }
 

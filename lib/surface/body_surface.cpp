@@ -24,7 +24,7 @@ namespace {
 
 using CgalPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
-constexpr double largest_coordinate = 1e30;  // products of several stay finite
+constexpr double max_coordinate = 1e30;  // products of several stay finite
 
 std::string ending_of(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -159,7 +159,7 @@ bool is_surface_file(const std::filesystem::path& path) {
 }
 
 FacetSoup read_soup(const std::filesystem::path& path) {
-    const core::Bytes bytes = core::read_regular_file(path, largest_file);
+    const core::Bytes bytes = core::read_regular_file(path, max_file);
     return read_soup(std::string{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path);
 }
 
@@ -175,7 +175,7 @@ FacetSoup read_soup(std::string content, const std::filesystem::path& path) {
     for (const CgalPoint& p : points) soup.points.push_back({p.x(), p.y(), p.z()});
     for (const mesh::Point& p : soup.points)
         for (const double component : p)
-            if (!(std::abs(component) <= largest_coordinate))
+            if (!(std::abs(component) <= max_coordinate))
                 throw Error(ExitCode::bad_input, path.string(),
                             std::isfinite(component) ? "a coordinate is out of range" : "a coordinate is no number",
                             "export the body again");

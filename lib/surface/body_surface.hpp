@@ -5,7 +5,7 @@
 ///                inside out: what is outside and what is a cavity follows from how the shells lie in each other
 ///     refused    holes (number, place and length of the rim), edges with more than two facets, facets that cut each other,
 ///                several bodies
-/// Held by surface/body_surface_test.
+/// Tested by surface/body_surface_test.
 #include <array>
 #include <filesystem>
 #include <string>
@@ -42,7 +42,7 @@ struct FacetSoup {
 };
 
 /// Longer files are refused unread; more than two million facets as ASCII STL.
-inline constexpr std::size_t largest_file = std::size_t{1} << 29;
+inline constexpr std::size_t max_file = std::size_t{1} << 29;
 
 /// STL (ASCII or binary) or OBJ by the ending, in upper or lower case. Error(cannot_open); Error(bad_input) for what is no such
 /// file or holds no facets.

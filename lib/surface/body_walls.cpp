@@ -59,7 +59,7 @@ mesh::Point place_in(const Facet& facet, std::size_t number) {
 
 std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vector<std::array<int, 3>>& triangles) {
     constexpr double places = 20000;  // a few seconds; a bellows of 100 mm gets one every 2 mm
-    constexpr double least_cosine = 0.5;
+    constexpr double min_cosine = 0.5;
     Triangles surface{points, triangles, {}, points, {}};
     std::vector<Facet> facets;
     double area = 0;
@@ -78,7 +78,7 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
         for (std::size_t number = 0; share >= 0.5; share -= 1, ++number) {
             const mesh::Point place = place_in(facet, number);
             const auto hit = tree.first_hit(place, inward, static_cast<int>(f));
-            if (hit && dot(facets[static_cast<std::size_t>(hit->facet)].normal, inward) >= least_cosine)
+            if (hit && dot(facets[static_cast<std::size_t>(hit->facet)].normal, inward) >= min_cosine)
                 found.push_back({place, hit->distance_m});
         }
     }
@@ -111,19 +111,19 @@ WallFigures figures(std::vector<Wall> walls) {
 
 /// Walls of about the same size share a tree: the nearest of each decides.
 struct WallSizes::Classes {
-    double most_m = 0;
+    double max_m = 0;
     std::map<int, std::unique_ptr<Search::Tree>> trees;  ///< size = most / step^number
     static constexpr double step = 1.1;
 };
 
 WallSizes::WallSizes(const std::vector<Wall>& walls, const std::vector<Bend>& bends, const SizeBounds& bounds) {
     auto classes = std::make_shared<Classes>();
-    classes->most_m = bounds.most_m;
+    classes->max_m = bounds.max_m;
     const auto add = [&](const mesh::Point& place, double wished_m) {
-        const double size_m = std::max(bounds.least_m, wished_m);
-        if (size_m >= bounds.most_m) return;
+        const double size_m = std::max(bounds.min_m, wished_m);
+        if (size_m >= bounds.max_m) return;
         auto& tree =
-            classes->trees[static_cast<int>(std::round(std::log(bounds.most_m / size_m) / std::log(Classes::step)))];
+            classes->trees[static_cast<int>(std::round(std::log(bounds.max_m / size_m) / std::log(Classes::step)))];
         if (!tree) tree = std::make_unique<Search::Tree>();
         tree->insert({place[0], place[1], place[2]});
     };
@@ -135,10 +135,10 @@ WallSizes::WallSizes(const std::vector<Wall>& walls, const std::vector<Bend>& be
 }
 
 double WallSizes::operator()(const mesh::Point& place) const {
-    double size_m = classes_->most_m;
+    double size_m = classes_->max_m;
     for (const auto& [number, tree] : classes_->trees) {
         const Search search(*tree, {place[0], place[1], place[2]}, 1);
-        const double own_m = classes_->most_m * std::pow(Classes::step, -number);
+        const double own_m = classes_->max_m * std::pow(Classes::step, -number);
         size_m = std::min(size_m, own_m + growth * std::sqrt(search.begin()->second));
     }
     return size_m;

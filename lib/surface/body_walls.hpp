@@ -1,6 +1,6 @@
 #pragma once
 /// How thick a body is, seen from its surface, and how long the cells of its mesh may be.
-/// Held by surface/body_walls_test.
+/// Tested by surface/body_walls_test.
 #include <memory>
 #include <vector>
 
@@ -34,10 +34,10 @@ struct WallFigures {
 /// Of at least one wall.
 [[nodiscard]] WallFigures figures(std::vector<Wall> walls);
 
-/// min over the walls and bends of (thickness / cells through it, or radius; no less than least_m, no more than most_m) +
+/// min over the walls and bends of (thickness / cells through it, or radius; no less than min_m, no more than max_m) +
 /// growth x distance. Those of about the same size (10 %) are one.
 struct SizeBounds {
-    double least_m, most_m;
+    double min_m, max_m;
     int through_wall;  ///< 0: the walls do not matter
 };
 class WallSizes {

@@ -1,6 +1,6 @@
 #pragma once
 /// Questions about surfaces that CGAL answers (Polygon Mesh Processing, AABB tree, box intersection; exact predicates).
-/// Held by surface/report_test and surface/contact_test.
+/// Tested by surface/report_test and surface/contact_test.
 #include <array>
 #include <memory>
 #include <optional>

@@ -10,7 +10,7 @@
 /// Where the two sides of one wall cross, its cells are inside out: nothing touches, and no state beyond is one of the body. Where
 /// a cell is inside out at a plane, so that rubber and not air is between, nothing is said; det F tells.
 /// A section of 300 facets takes 0.2 ms, a solid of 5000 some 30 ms, three times that where much overlaps.
-/// Held by surface/contact_test and surface/no_contact_test.
+/// Tested by surface/contact_test and surface/no_contact_test.
 #include <array>
 #include <memory>
 #include <optional>

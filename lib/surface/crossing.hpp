@@ -1,6 +1,6 @@
 #pragma once
 /// Do two facets cross, and where? Judged on their pieces (surface/divided.hpp) with exact predicates.
-/// Private to the room. Held by surface/contact_test.
+/// Private to the module. Tested by surface/contact_test.
 #include <optional>
 
 #include "surface/divided.hpp"

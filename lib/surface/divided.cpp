@@ -11,7 +11,7 @@ namespace {
 
 using mesh::Point;
 
-constexpr int most_parts = 4;
+constexpr int max_parts = 4;
 constexpr int fine_parts_of_a_line = 64, fine_parts_of_a_side = 16;
 
 void divide_line(int parts, Division& division) {
@@ -56,7 +56,7 @@ Division divide(mesh::CellType facet, Fineness fineness) {
     const mesh::CellTopology& cell = mesh::topology(facet);
     const bool straight = cell.order == 1 && cell.shape != mesh::Shape::quadrilateral;
     const int fine = cell.dimension == 1 ? fine_parts_of_a_line : fine_parts_of_a_side;
-    const int parts = straight ? 1 : fineness == Fineness::fine ? fine : most_parts;
+    const int parts = straight ? 1 : fineness == Fineness::fine ? fine : max_parts;
     Division division;
     division.corners = cell.dimension == 1 ? 2 : 3;
     if (cell.shape == mesh::Shape::line) divide_line(parts, division);
@@ -103,7 +103,7 @@ NormalCone DividedFacets::normals(const DividedShape& shape, std::size_t f) cons
     const Division& how = division(f);
     const auto at = points(shape, f);
     NormalCone cone;
-    std::array<Vector, 2 * most_parts * most_parts> units;
+    std::array<Vector, 2 * max_parts * max_parts> units;
     std::size_t count = 0;
     for (const auto& piece : how.pieces) {
         Vector n = normal(piece_corners(at, piece), how.corners);

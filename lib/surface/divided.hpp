@@ -3,7 +3,7 @@
 /// cut into 4 segments, a side into 4 x 4 quadrilaterals of two triangles (4 x 4 triangles); their chords stray from the
 /// curved facet by 1/16 of its rise. Where that is more than a wall is thick (one that is stretched tenfold and more), the
 /// fine division tells whether its two sides cross: 64 segments or 16 x 16, 1/4096 or 1/256 of the rise. Neighbours match: equal points of the reference edge are points of both.
-/// Held by surface/contact_test.
+/// Tested by surface/contact_test.
 #include <map>
 #include <span>
 #include <vector>

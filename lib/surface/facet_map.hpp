@@ -1,6 +1,6 @@
 #pragma once
 /// A facet's true shape: the Lagrange map of its nodes. An edge of a section is drawn out along z, so that sections and
-/// solids are one case to geometry. Held by surface/facet_map_test.
+/// solids are one case to geometry. Tested by surface/facet_map_test.
 #include <array>
 #include <cmath>
 #include <span>

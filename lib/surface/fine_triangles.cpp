@@ -12,7 +12,7 @@ namespace {
 
 /// An arc whose middle is this part of its chord away from the chord turns by 8 times as much: 15 degrees.
 constexpr double bent = 0.033;
-constexpr int most_halvings =
+constexpr int max_halvings =
     6;  // a facet is no more than 90 degrees of a circle, and the deviation no less than 1e-4 of it
 
 struct Corner {
@@ -163,7 +163,7 @@ private:
 Triangles fine_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets, double deviation_m) {
     Refiner refiner(mesh, deviation_m);
     for (std::size_t f = 0; f < facets.size(); ++f) refiner.add(facets[f], static_cast<int>(f));
-    for (int time = 0; time < most_halvings && refiner.halve(); ++time) {}
+    for (int time = 0; time < max_halvings && refiner.halve(); ++time) {}
     return refiner.take();
 }
 

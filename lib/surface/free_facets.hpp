@@ -1,6 +1,6 @@
 #pragma once
 /// The surface of a body that is really there: the boundary of the mesh without the cuts through the whole actuator.
-/// Held by surface/wall_test and surface/contact_test.
+/// Tested by surface/wall_test and surface/contact_test.
 #include <array>
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Creases: where two facets of the surface meet, the rubber of the cells between them fills an angle. Beyond a full turn the
 /// crease is closed and the two walls have passed through each other, although they cross nowhere else near by.
-/// Private to the room. Held by surface/hinges_test and surface/contact_test.
+/// Private to the module. Tested by surface/hinges_test and surface/contact_test.
 #include <array>
 #include <span>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// Where rubber has passed through itself because cells are inside out, the surface crosses itself as well, but no walls meet:
-/// between its two sides is no air. Held by surface/contact_test and surface/no_contact_test.
+/// between its two sides is no air. Tested by surface/contact_test and surface/no_contact_test.
 #include <array>
 #include <span>
 

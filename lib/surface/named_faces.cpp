@@ -24,8 +24,8 @@ Vector unit_normal(const BodySurface& surface, std::size_t t) {
 }
 
 bool is_sharp(const BodySurface& surface, const std::array<std::size_t, 2>& sides) {
-    static const double least_cosine = std::cos(sharp_rad);
-    return dot(unit_normal(surface, sides[0]), unit_normal(surface, sides[1])) < least_cosine;
+    static const double min_cosine = std::cos(sharp_rad);
+    return dot(unit_normal(surface, sides[0]), unit_normal(surface, sides[1])) < min_cosine;
 }
 
 /// Triangles that hang together with `start`; `closed` edges and triangles are not passed.

@@ -1,5 +1,5 @@
 #pragma once
-/// Faces of a body's surface by where they are: facets of the file that fulfil a rule. Held by surface/named_faces_test.
+/// Faces of a body's surface by where they are: facets of the file that fulfil a rule. Tested by surface/named_faces_test.
 #include <array>
 #include <map>
 #include <optional>

@@ -1,5 +1,5 @@
 #pragma once
-/// The nearest place of a set of triangles, or of segments (CGAL AABB tree). Held by surface/remesh_test.
+/// The nearest place of a set of triangles, or of segments (CGAL AABB tree). Tested by surface/remesh_test.
 #include <array>
 #include <memory>
 #include <optional>

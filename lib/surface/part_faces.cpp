@@ -103,16 +103,16 @@ private:
     void keep_planes(const std::vector<std::vector<std::size_t>>& regions) {
         constexpr double larger = 4;
         static const double smooth = std::cos(sharp_rad);
-        std::vector<double> areas, largest_beside(regions.size());
+        std::vector<double> areas, max_beside(regions.size());
         for (const auto& facets : regions) areas.push_back(area(facets));
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (const std::size_t next : around_[f])
                 if (region_[next] != region_[f] && dot(facets_[f].normal, facets_[next].normal) > smooth)
-                    largest_beside[region_[f]] = std::max(largest_beside[region_[f]], areas[region_[next]]);
+                    max_beside[region_[f]] = std::max(max_beside[region_[f]], areas[region_[next]]);
         const std::vector<std::size_t> all = region_;
         std::ranges::fill(region_, none);
         for (std::size_t r = 0; r < regions.size(); ++r) {
-            if (areas[r] < larger * largest_beside[r]) continue;
+            if (areas[r] < larger * max_beside[r]) continue;
             PartFace face;
             face.shape = PartFace::Shape::plane;
             face.facets = regions[r];

@@ -130,13 +130,13 @@ private:
     /// Whether the triangle lies on the surface of the file, on the right side, to what its size allows.
     enum class Where { everywhere, in_the_middle };
     [[nodiscard]] bool fits(const std::array<Point, 3>& t, double size_m, Where where = Where::everywhere) const {
-        constexpr double share = 0.05, least_cosine = 0.5;
+        constexpr double share = 0.05, min_cosine = 0.5;
         const Vector n = area_vector(t);
         const double area = norm(n);
         if (!(area > 0)) return false;
         const auto near = [&](const Point& p) {
             const auto place = original_.within(p, share * size_m);
-            return place && dot(normals_[static_cast<std::size_t>(place->element)], n) >= least_cosine * area;
+            return place && dot(normals_[static_cast<std::size_t>(place->element)], n) >= min_cosine * area;
         };
         const Point centre{(t[0][0] + t[1][0] + t[2][0]) / 3, (t[0][1] + t[1][1] + t[2][1]) / 3,
                            (t[0][2] + t[1][2] + t[2][2]) / 3};

@@ -3,7 +3,7 @@
 /// the surface (M. Botsch and L. Kobbelt, A remeshing approach to multiresolution modeling, SGP 2004), none of it where it would
 /// leave the surface of the file by more than a twentieth of the size or turn a triangle over. So a bend that is tighter than a
 /// cell is long keeps short edges across it, long ones along it. Creases stay edges, their ends and crossings stay points.
-/// Held by surface/remesh_test.
+/// Tested by surface/remesh_test.
 #include <array>
 #include <functional>
 #include <vector>

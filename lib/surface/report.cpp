@@ -42,9 +42,9 @@ CavityReport inspect(const model::Case& model, const model::Cavity& cavity) {
     if (checks.intersecting) report.self_intersection = meeting_place(surface, *checks.intersecting);
     report.faceted_volume_m3 = checks.volume_m3;
     report.volume_m3 = enclosed_volume_m3(model, cavity_facets(model, cavity), model.mesh.points);
-    if (const auto wall = smallest_wall(model, cavity)) {
-        report.smallest_wall_m = wall->thickness_m;
-        report.smallest_wall_place = wall->place;
+    if (const auto wall = min_wall(model, cavity)) {
+        report.min_wall_m = wall->thickness_m;
+        report.min_wall_place = wall->place;
     }
     return report;
 }

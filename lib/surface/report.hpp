@@ -1,7 +1,7 @@
 #pragma once
 /// Is each cavity of a case a sound vessel? Closed, oriented, free of self-intersection, its volume, its thinnest wall.
 /// The checks see the whole actuator with wall, inner faces and plugs (CGAL); nothing here is needed to solve.
-/// Held by surface/report_test.
+/// Tested by surface/report_test.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -21,8 +21,8 @@ struct CavityReport {
     std::optional<mesh::Point> self_intersection;  ///< where two parts of the surface meet
     double faceted_volume_m3 = 0;                  ///< of the triangles, by CGAL; 0 unless closed
     double volume_m3 = 0;                          ///< of the second-order surface, by quadrature
-    std::optional<double> smallest_wall_m;
-    mesh::Point smallest_wall_place{};
+    std::optional<double> min_wall_m;
+    mesh::Point min_wall_place{};
 };
 
 /// One report a cavity, whatever it finds. Plane strain has no closed surface: no report.

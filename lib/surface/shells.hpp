@@ -1,6 +1,6 @@
 #pragma once
 /// Triangles that share points -> closed sheets with their normals out of the body (CGAL Polygon Mesh Processing).
-/// Private to the room. Held by surface/body_surface_test.
+/// Private to the module. Tested by surface/body_surface_test.
 #include <string>
 
 #include "surface/body_surface.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 /// A solid's surface as a file for other programs: STL (binary, in mm) or OBJ (text, in mm) by the ending.
-/// Held by surface/body_surface_test.
+/// Tested by surface/body_surface_test.
 #include <filesystem>
 
 #include "core/error.hpp"

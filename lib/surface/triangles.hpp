@@ -1,6 +1,6 @@
 #pragma once
 /// Surfaces as plain triangles: what the geometric checks (CGAL) work on. Second-order facets are divided at their own
-/// nodes, so neighbours match without new points. Held by surface/triangles_test.
+/// nodes, so neighbours match without new points. Tested by surface/triangles_test.
 #include <array>
 #include <vector>
 

@@ -6,7 +6,7 @@
 /// In a solid each rim (free edges of the facet set that do not lie on a symmetry plane) is closed by a cone with its
 /// apex c at the mean of the rim's nodes, projected onto the symmetry planes: cap = 1/6 int c.(y x dy), exact for a flat
 /// opening of any outline. The sum is divided by the model's fraction: the whole actuator's volume.
-/// Source: divergence theorem. Held by surface/volume_test.
+/// Source: divergence theorem. Tested by surface/volume_test.
 #include <span>
 #include <vector>
 

@@ -88,9 +88,9 @@ private:
     }
 
     [[nodiscard]] std::optional<double> trace(Point from, Vector d, int skip) const {
-        constexpr int most_reflections = 8;
+        constexpr int max_reflections = 8;
         double length = 0;
-        for (int leg = 0; leg <= most_reflections; ++leg) {
+        for (int leg = 0; leg <= max_reflections; ++leg) {
             std::optional<RayTree::Hit> hit = tree_->first_hit(from, d, skip);
             if (hit) hit->distance_m = on_curved_facet(boundary_map(hit->facet), from, d, hit->distance_m);
             std::size_t plane = 3;
@@ -137,7 +137,7 @@ WallThickness search(const WallProbe& probe, std::size_t facet, FacetPoint xi, W
 
 }  // namespace
 
-std::optional<WallThickness> smallest_wall(const model::Case& model, const model::Cavity& cavity) {
+std::optional<WallThickness> min_wall(const model::Case& model, const model::Cavity& cavity) {
     const WallProbe probe(model, cavity);
     std::optional<WallThickness> best;
     std::size_t best_facet = 0;

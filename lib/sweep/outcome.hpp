@@ -1,5 +1,5 @@
 #pragma once
-/// What became of a design of a sweep. Held by sweep/outcome_test.
+/// What became of a design of a sweep. Tested by sweep/outcome_test.
 #include <optional>
 #include <span>
 #include <string>

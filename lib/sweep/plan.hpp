@@ -1,5 +1,5 @@
 #pragma once
-/// The designs of a sweep, each checked, with an address made of its content. Held by sweep/plan_test.
+/// The designs of a sweep, each checked, with an address made of its content. Tested by sweep/plan_test.
 #include <functional>
 #include <span>
 #include <string>

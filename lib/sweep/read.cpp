@@ -120,7 +120,7 @@ Range range_of(const Node& node, const std::string& path, Method method) {
     const Node* steps = design::find(node, "steps");
     if (method == Method::grid)
         range.steps = static_cast<int>(whole_number(needed(node, "steps", {path + ".steps", node.place}, "5"),
-                                                    path + ".steps", {2, most_designs}));
+                                                    path + ".steps", {2, max_designs}));
     else if (steps != nullptr)
         refuse(steps->place, path + ".steps", "only a grid has steps",
                "leave it out; samples says how many designs there are");
@@ -192,9 +192,9 @@ void check_size(const Sweep& sweep, const std::string& place) {
     if (sweep.method != Method::grid) return;
     double designs = 1;
     for (const Factor& factor : sweep.factors) designs *= level_count(factor);
-    if (designs > most_designs)
+    if (designs > max_designs)
         refuse(place, "vary", "the grid has " + core::rounded_text(designs, 3) + " designs",
-               "at most " + std::to_string(most_designs) + "; fewer steps, or method: latin-hypercube");
+               "at most " + std::to_string(max_designs) + "; fewer steps, or method: latin-hypercube");
 }
 
 }  // namespace
@@ -217,7 +217,7 @@ Sweep read_sweep(std::string_view text, std::string_view source) {
                    "write method: random or method: latin-hypercube, or leave it out");
     if (sweep.method != Method::grid)
         sweep.samples = static_cast<int>(
-            whole_number(needed(root, "samples", {"samples", top}, "100"), "samples", {1, most_designs}));
+            whole_number(needed(root, "samples", {"samples", top}, "100"), "samples", {1, max_designs}));
     if (const Node* seed = design::find(root, "seed"))
         sweep.seed = static_cast<std::uint64_t>(whole_number(*seed, "seed", {0, std::numeric_limits<long>::max()}));
     const Node& vary = needed(root, "vary", {"vary", top}, "{geometry.wall: [2 mm, 3 mm]}");

@@ -1,6 +1,6 @@
 #pragma once
 /// Points of the unit cube [0, 1)^d, the same on every machine for the same seed: the standard fixes the numbers of
-/// std::mt19937_64, but not what its distributions make of them, so that these are here. Held by sweep/sampling_test.
+/// std::mt19937_64, but not what its distributions make of them, so that these are here. Tested by sweep/sampling_test.
 #include <cstdint>
 #include <vector>
 

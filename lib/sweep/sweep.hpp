@@ -1,5 +1,5 @@
 #pragma once
-/// A sweep: one design, which of its keys vary and how, read from YAML. Held by sweep/read_test.
+/// A sweep: one design, which of its keys vary and how, read from YAML. Tested by sweep/read_test.
 ///
 ///     design: tube.yaml                    # from this file's folder
 ///     method: latin-hypercube              # grid | random | latin-hypercube
@@ -61,7 +61,7 @@ struct Sweep {
 };
 
 /// More are refused: the plan is kept in memory.
-inline constexpr int most_designs = 100000;
+inline constexpr int max_designs = 100000;
 
 /// Errors (bad_input, "file:line:column: key: problem; remedy"): no YAML, unknown keys with the nearest known one, what is
 /// missing, what the method does not have, ends without or with different units. Whether a design has the keys that vary,

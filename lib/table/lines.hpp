@@ -1,5 +1,5 @@
 #pragma once
-/// Text to lines, lines to cells. Internal. Held by table/read_test.
+/// Text to lines, lines to cells. Internal. Tested by table/read_test.
 #include <string_view>
 #include <vector>
 

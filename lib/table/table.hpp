@@ -1,5 +1,5 @@
 #pragma once
-/// Tables as people and instruments write them: CSV with any usual delimiter. Held by table/read_test, table/values_test.
+/// Tables as people and instruments write them: CSV with any usual delimiter. Tested by table/read_test, table/values_test.
 ///
 /// What is understood: of ; tab | , and runs of blanks the one that makes the most lines rows of numbers (the first of equals;
 /// where none does, the first that gives most lines the same number of cells); quotes as in RFC 4180; a decimal comma where

@@ -1,5 +1,5 @@
 #pragma once
-/// A picture for each step: in a folder, or as a film. Held by view/animation_test.
+/// A picture for each step: in a folder, or as a film. Tested by view/animation_test.
 #include <filesystem>
 #include <functional>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// From where a body is looked at: a parallel projection, so that a scale bar holds all over the picture.
 /// x of the model (the axis of bodies of revolution) runs to the right in the front view, y up, z towards the eye. The
-/// eye goes round y by the azimuth (towards +x) and up by the elevation. Held by view/camera_test.
+/// eye goes round y by the azimuth (towards +x) and up by the elevation. Tested by view/camera_test.
 #include <string>
 #include <string_view>
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The colour bar of a picture as lines of a gnuplot script: its ticks can be told from each other, and numbers and
-/// label stay inside the picture however long they are. Held by view/colour_bar_test.
+/// label stay inside the picture however long they are. Tested by view/colour_bar_test.
 #include <string>
 #include <string_view>
 #include <vector>

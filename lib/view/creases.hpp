@@ -1,5 +1,5 @@
 #pragma once
-/// The edges of a surface that the eye follows. For view/skin.hpp and view/picture.hpp. Held by view/skin_test.
+/// The edges of a surface that the eye follows. For view/skin.hpp and view/picture.hpp. Tested by view/skin_test.
 #include <cstdint>
 #include <span>
 #include <vector>

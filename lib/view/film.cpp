@@ -18,12 +18,12 @@ namespace soft::view {
 
 namespace {
 
-constexpr double least_mp4_rate = 10;  // players jump badly in films of fewer frames a second
+constexpr double min_mp4_rate = 10;  // players jump badly in films of fewer frames a second
 
 /// Bytes for the table of contents of an MP4, which then stands before the pictures, as players in browsers like it.
 /// At most 40 bytes a frame in its lists (sizes, times, key frames, chunks), and some 1100 besides.
 std::size_t contents_room(std::size_t count, double rate) {
-    const double frames = (static_cast<double>(count) / rate + 1) * std::max(rate, least_mp4_rate);
+    const double frames = (static_cast<double>(count) / rate + 1) * std::max(rate, min_mp4_rate);
     return 4096 + 48 * static_cast<std::size_t>(std::ceil(frames) + 2);
 }
 
@@ -36,7 +36,7 @@ std::vector<std::string> film_arguments(FilmFormat format, const std::string& pi
         "-hide_banner", "-loglevel", "error", "-f", pictures_format, "-framerate", core::rounded_text(rate, 6),
         "-i",           "pipe:0"};
     const std::vector<std::string> mp4{
-        "-vf",        stay + ",fps=" + core::rounded_text(std::max(rate, least_mp4_rate), 6),
+        "-vf",        stay + ",fps=" + core::rounded_text(std::max(rate, min_mp4_rate), 6),
         "-c:v",       "libx264",
         "-pix_fmt",   "yuv420p",
         "-crf",       "18",

@@ -1,7 +1,7 @@
 #pragma once
 /// Pictures one after the other -> a film in memory, by the program ffmpeg. No file has a name while it works, so
 /// nothing stays behind whatever ends the program, and no name is taken for a protocol, an option or a pattern.
-/// Held by view/film_test.
+/// Tested by view/film_test.
 #include <span>
 #include <string_view>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Folders with a file for each step: frame-0000.png, step-0012.vtu. Held by view/numbered_files_test.
+/// Folders with a file for each step: frame-0000.png, step-0012.vtu. Tested by view/numbered_files_test.
 #include <cstddef>
 #include <filesystem>
 #include <set>

@@ -1,7 +1,7 @@
 #pragma once
 /// The deformed body in colour: skin, palette, light, the undeformed outline, title, scale bar and colour bar, as PNG.
 /// Body and outline are drawn here (view/raster.hpp), text and bars by the program gnuplot, which needs no display.
-/// Held by view/picture_test.
+/// Tested by view/picture_test.
 #include <filesystem>
 #include <optional>
 #include <span>

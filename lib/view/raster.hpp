@@ -1,7 +1,7 @@
 #pragma once
 /// A picture in memory that knows depth: triangles hide what lies behind them to the pixel, which sorting polygons by
 /// their distance, as plotting programs do, cannot promise for thin walls close together. Positions in pixels, x to the
-/// right, y up from the lower left corner, depth growing towards the eye. Held by view/raster_test.
+/// right, y up from the lower left corner, depth growing towards the eye. Tested by view/raster_test.
 #include <array>
 #include <cstdint>
 #include <span>

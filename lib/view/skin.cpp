@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 using Ids = std::vector<std::int32_t>;
 
-constexpr int most_segments = 16;
+constexpr int max_segments = 16;
 
 bool is_section(const model::Case& model) { return model.mesh.dimension == 2; }
 bool is_turned(const model::Case& model, const SkinOptions& options) {
@@ -28,7 +28,7 @@ bool is_turned(const model::Case& model, const SkinOptions& options) {
 
 void check(const SkinOptions& options) {
     const auto refuse = [](const char* what, const char* range) { throw Error(ExitCode::usage, "skin", what, range); };
-    if (options.segments < 1 || options.segments > most_segments) refuse("segments are out of range", "from 1 to 16");
+    if (options.segments < 1 || options.segments > max_segments) refuse("segments are out of range", "from 1 to 16");
     if (options.sectors < 3 || options.sectors > 3600) refuse("sectors are out of range", "from 3 to 3600");
     if (!(options.turn_rad > 0) || options.turn_rad > 2 * pi)
         refuse("the turn is out of range", "above 0, at most 360 degrees");

@@ -10,7 +10,7 @@
 ///     vertex x_v = A_placement(v) x_base(v)
 /// Second-order sides are divided into `segments` pieces along each edge by their own shape functions, so curved sides
 /// stay smooth (the chords stray from the curve by 1/segments^2 of its rise). Neighbours share bases: the surface has
-/// no cracks within a region. Lengths in m. Held by view/skin_test.
+/// no cracks within a region. Lengths in m. Tested by view/skin_test.
 #include <array>
 #include <cstdint>
 #include <span>

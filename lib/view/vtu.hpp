@@ -1,7 +1,7 @@
 #pragma once
 /// Fields as XML files of VTK: .vtu (UnstructuredGrid, reference positions; displacement_m moves them) and .pvd, which
 /// lists a series in time. Points are region points (fields/region_points.hpp), so that jumps between rubbers stay
-/// sharp. Numbers are doubles in base64. Source: the VTK file formats document (VTK 9). Held by view/vtu_test and
+/// sharp. Numbers are doubles in base64. Source: the VTK file formats document (VTK 9). Tested by view/vtu_test and
 /// tests/pipeline/paraview.sh.
 #include <filesystem>
 #include <span>

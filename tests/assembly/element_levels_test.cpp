@@ -119,11 +119,11 @@ TEST(ElementLevels, AutomaticIsMultigridForLargeSolidsOfSecondOrderAlone) {
         return settings.method == model::LinearMethod::krylov &&
                settings.preconditioner == model::Preconditioner::multigrid;
     };
-    EXPECT_TRUE(is_multigrid(choose_linear({}, box, largest_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, box, largest_factorised)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, section, largest_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({}, first_order, largest_factorised + 1)));
-    EXPECT_FALSE(is_multigrid(choose_linear({.method = model::LinearMethod::mumps_ldlt}, box, largest_factorised + 1)));
+    EXPECT_TRUE(is_multigrid(choose_linear({}, box, max_factorised + 1)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, box, max_factorised)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, section, max_factorised + 1)));
+    EXPECT_FALSE(is_multigrid(choose_linear({}, first_order, max_factorised + 1)));
+    EXPECT_FALSE(is_multigrid(choose_linear({.method = model::LinearMethod::mumps_ldlt}, box, max_factorised + 1)));
 }
 
 TEST(ElementLevels, FirstOrderCellsAreRefused) {

@@ -113,7 +113,7 @@ std::vector<double> times(const Dense& A, const std::vector<double>& x) {
 }
 
 /// Least eigenvalue of S q = lambda M q off the constant, which is moved to `above`. 0 where S has another null vector.
-double least_eigenvalue(Dense S, const Dense& M, const std::vector<double>& constant, double above) {
+double min_eigenvalue(Dense S, const Dense& M, const std::vector<double>& constant, double above) {
     const auto weight = times(M, constant);
     const double volume = dot(weight.data(), constant.data(), S.size);
     for (int i = 0; i < S.size; ++i)
@@ -156,7 +156,7 @@ double inf_sup_constant(mesh::Mesh mesh, model::Kinematics kinematics) {
     const Dense S = schur_complement(K, pressures);
     const auto unseen = times(S, constant), seen = times(M, constant);
     EXPECT_LT(std::abs(*std::ranges::max_element(unseen)), 1e-9 * *std::ranges::max_element(seen) / sample_mu_Pa);
-    return std::sqrt(sample_mu_Pa * least_eigenvalue(S, M, constant, 1.0 / sample_mu_Pa));
+    return std::sqrt(sample_mu_Pa * min_eigenvalue(S, M, constant, 1.0 / sample_mu_Pa));
 }
 
 struct Pair {

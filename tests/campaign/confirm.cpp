@@ -21,7 +21,7 @@ constexpr double flat = 0.35;
 /// Growth of the load for a growth of the displacements by themselves, of what is left of it: less never gets there.
 constexpr double asymptotic = 1e-3;
 /// Far beyond the stretch limit: of what is left, what a load may still rise by whose rise falls with this power or a higher one.
-constexpr double far_beyond = 10, least_power = 0.4, reachable = 0.6;
+constexpr double far_beyond = 10, min_power = 0.4, reachable = 0.6;
 /// det F of a cell that is about to turn inside out.
 constexpr double flattened = 0.2;
 /// How far, in parts of the body, the last step may be drawn out until walls touch.
@@ -152,7 +152,7 @@ Verdict confirm_limit_point(const io::Result& result) {
     const double power = std::log(before / last) / std::log((*all - ways[0] / 2) / (*all - ways[0] - ways[1] / 2)) - 1,
                  to_come = last * *all / power;
     const bool far = result.steps.back().stretch_p99 > far_beyond * result.model.path.stretch_limit;
-    if (controlled == factors && far && left > 0 && last > 0 && power > least_power && to_come < reachable * left)
+    if (controlled == factors && far && left > 0 && last > 0 && power > min_power && to_come < reachable * left)
         return {true, "the load tends to " + text(factors[n - 1] + to_come) + " of the full one"};
     const double slope = slope_at_the_end(values, ways);
     return {slope <= flat, "slope at the last row " + text(slope) + " of that two rows before"};
@@ -183,7 +183,7 @@ Verdict confirm_self_contact(const io::Result& result) {
 Verdict confirm_inversion(const io::Result& result) {
     const auto last = result.fields.read(static_cast<std::int64_t>(result.steps.size()) - 1);
     if (!last) return {false, "no fields are stored"};
-    const double least = ShapeChecks{result.model}.least_det_F(last->displacement_m);
+    const double least = ShapeChecks{result.model}.min_det_F(last->displacement_m);
     return {least <= flattened, "least det F " + text(least)};
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// Is the reason true for which a path says that it has ended? Judged by the rows and the fields of the last ones alone,
-/// without the solver's tangent, events or contact search. Held by Pipeline.ACampaignConfirmsWhyPathsEnd, which plants
+/// without the solver's tangent, events or contact search. Tested by Pipeline.ACampaignConfirmsWhyPathsEnd, which plants
 /// false reasons.
 ///   done              the last stage's loads are in place, or a value that it was to end at
 ///   limit_point       the load, at full length one, passes a maximum within the rows and the path comes to path.stretch_limit behind

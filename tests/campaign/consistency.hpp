@@ -3,7 +3,7 @@
 ///   energies    work of the loads and stored energy of a static path differ by no more than 1 % of the largest of them
 ///   motions     a face that is moved lies between where it was and where it is to be, at the end of a path that is done there
 ///   tiny loads  a body that nowhere stretches by 1e-6 behaves linearly: its path is done, and within a few rows
-/// Held by campaign/consistency_test.
+/// Tested by campaign/consistency_test.
 #include <span>
 #include <string>
 

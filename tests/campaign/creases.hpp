@@ -2,7 +2,7 @@
 /// Where two facets of the surface meet, rubber fills an angle about their common edge (their common node, of a section), the air
 /// the rest of the turn. A crease closes where no air is left; at a mirror, where none is left between a facet and its image.
 /// Curved facets are taken as they are, at several points of each edge: a crease of second-order cells closes between the nodes.
-/// Held by campaign/shape_checks_test.
+/// Tested by campaign/shape_checks_test.
 #include <span>
 #include <vector>
 

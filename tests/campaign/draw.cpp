@@ -10,7 +10,7 @@
 namespace soft::campaign {
 namespace {
 
-constexpr int most_attempts = 100;
+constexpr int max_attempts = 100;
 /// Nodes: a path then takes a second or two.
 constexpr std::size_t most_of_a_section = 2500, most_of_a_solid = 1500;
 
@@ -48,7 +48,7 @@ Drawn attempt(Dice& dice, const Number& number, const std::filesystem::path& fol
 Drawn draw(const Number& number, const std::filesystem::path& folder) {
     Dice dice{number.seed * 1'000'003U + static_cast<std::uint32_t>(number.index)};
     std::string last;
-    for (int refused = 0; refused < most_attempts; ++refused) {
+    for (int refused = 0; refused < max_attempts; ++refused) {
         try {
             Drawn drawn = attempt(dice, number, folder);
             drawn.refused = refused;

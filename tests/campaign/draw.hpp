@@ -1,6 +1,6 @@
 #pragma once
 /// Designs drawn at random over all families of the catalogue, all laws and all kinds of load, whose loads go far beyond
-/// what most bodies bear: their paths run to their limit. Each fourth is a motion or a tiny load instead, whose answer is known. Held by Pipeline.ACampaignConfirmsWhyPathsEnd.
+/// what most bodies bear: their paths run to their limit. Each fourth is a motion or a tiny load instead, whose answer is known. Tested by Pipeline.ACampaignConfirmsWhyPathsEnd.
 #include <cstdint>
 #include <filesystem>
 #include <string>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double softest_kPa = 10, hardest_kPa = 1000;  // initial shear modulus: gels to filled grades
 /// Full pressure over modulus / slenderness, about the largest that a thin neo-Hookean shell bears; it mostly is less.
-constexpr double least_load = 0.1, largest_load = 30;
+constexpr double min_load = 0.1, max_load = 30;
 
 std::string list(const std::vector<double>& values) {
     std::vector<std::string> texts;
@@ -183,14 +183,14 @@ Stuff draw_material(Dice& dice, const Shape& shape) {
 
 Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const Stuff& stuff) {
     if (!shape.pulled.empty() && dice.chance(0.65)) {
-        double largest_mm = 2;
+        double max_mm = 2;
         if (shape.family == "rod") {  // from pads to rods
             const double length = dice.between_logs(2, 60);
-            largest_mm = 0.1 * length;
+            max_mm = 0.1 * length;
             shape.settings.emplace_back("geometry.length", mm(length));
             shape.settings.emplace_back("mesh.size", mm(std::max(length, 4.0) / dice.whole(1, 4)));
         }
-        const double way = (dice.chance(0.5) ? 1 : -1) * largest_mm * dice.between_logs(1e-4, 1);
+        const double way = (dice.chance(0.5) ? 1 : -1) * max_mm * dice.between_logs(1e-4, 1);
         const std::string along = shape.model == "axisymmetric" || dice.chance(0.7) ? "axis" : "x";
         return {"small motion",
                 {{"loads", "{" + shape.pulled.front() + ": {displacement: " + mm(way) + ", along: " + along + "}}"}}};
@@ -208,7 +208,7 @@ Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const Stuff& stuff) {
 }
 
 Load draw_load(Dice& dice, const Shape& shape, const Stuff& stuff) {
-    const double p = stuff.mu_kPa / shape.slenderness * dice.between_logs(least_load, largest_load);
+    const double p = stuff.mu_kPa / shape.slenderness * dice.between_logs(min_load, max_load);
     const bool on_cavity = !shape.cavities.empty() && !dice.chance(0.12);
     Load load = on_cavity || (shape.pressed.empty() && shape.pulled.empty()) ? cavity_load(dice, shape, p)
                                                                              : face_load(dice, shape, p);

@@ -190,7 +190,7 @@ std::string ShapeChecks::contact(std::span<const double> u, std::span<const doub
     return creases_.close(moved(before).points, now.points) ? "a crease closes" : "";
 }
 
-double ShapeChecks::least_det_F(std::span<const double> u) const {
+double ShapeChecks::min_det_F(std::span<const double> u) const {
     const mesh::Mesh now = moved(u);
     double least = std::numeric_limits<double>::infinity();
     for (mesh::Index c = 0; c < now.cell_count(); ++c) {

@@ -1,6 +1,6 @@
 #pragma once
 /// What the deformed mesh of a case shows by itself: walls that meet, cells that are flattened. Plain and slow; made for
-/// tests, of other parts than the solver's own search. Held by campaign/shape_checks_test,
+/// tests, of other parts than the solver's own search. Tested by campaign/shape_checks_test,
 /// Pipeline.ACampaignConfirmsWhyPathsEnd.
 #include <array>
 #include <set>
@@ -21,7 +21,7 @@ public:
     /// row before.
     [[nodiscard]] std::string contact(std::span<const double> u, std::span<const double> before) const;
     /// At corners, mid nodes and centres of the cells.
-    [[nodiscard]] double least_det_F(std::span<const double> u) const;
+    [[nodiscard]] double min_det_F(std::span<const double> u) const;
     /// Longest side of the undeformed body's box.
     [[nodiscard]] double extent_m() const { return extent_m_; }
 

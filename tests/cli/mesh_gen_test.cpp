@@ -141,7 +141,7 @@ TEST(MeshGen, TheSummaryHoldsTheVolumesOfTheClosedForm) {
     const double outside = std::numbers::pi * 0.01 * 0.01 * 0.1, inside = std::numbers::pi * 0.007 * 0.007 * 0.09;
     EXPECT_NEAR(json.at("rubber_volume_m3").get<double>(), outside - inside, 1e-9 * outside);
     EXPECT_NEAR(json.at("cavities").at(0).at("volume_m3").get<double>(), inside, 1e-9 * inside);
-    EXPECT_NEAR(json.at("cavities").at(0).at("smallest_wall_m").get<double>(), 0.003, 1e-6);
+    EXPECT_NEAR(json.at("cavities").at(0).at("min_wall_m").get<double>(), 0.003, 1e-6);
     EXPECT_GT(json.at("min_scaled_jacobian").get<double>(), 0.0);
     EXPECT_TRUE(holds(outcome.err, "rubber 17.5")) << outcome.err;
     EXPECT_FALSE(json.contains("mass_kg"));  // without a density

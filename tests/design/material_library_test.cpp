@@ -65,7 +65,7 @@ TEST(MaterialLibrary, ANameAloneIsOneLawOverTheWholeTestThatIsStableAtEveryStret
         for (const MaterialSet& set : material_sets(file)) widest = std::max(widest, set.strain);
         const FittedMaterial fitted = fitted_material(design.effective_yaml).value();
         EXPECT_TRUE(fitted.holds(1.0 + 0.995 * widest)) << file.name;  // the last row is before the range's end
-        EXPECT_FALSE(fitted.largest_error.empty()) << file.name;
+        EXPECT_FALSE(fitted.max_error.empty()) << file.name;
         // dW/dI1 = c1 + 2 c2 x + 3 c3 x^2 + a (1 - exp(-b x)) is positive and does not fall: stable in every mode.
         for (const auto& [name, values] : design.material.constants)
             EXPECT_GE(values.at(0), 0.0) << file.name << " " << name;
@@ -151,7 +151,7 @@ TEST(MaterialLibrary, AStretchBeyondTheDataIsReportedAndForAStatedRangeANarrower
     EXPECT_TRUE(holds(advice("{name: dragon-skin-20, range: 300 %}", 1.5), "range: 110 %"));
     EXPECT_TRUE(holds(advice("{name: dragon-skin-20, range: 300 %}", 4.5), "range: 897.7 %"));
     EXPECT_EQ(advice("{law: neo-hookean, mu: 1 kPa}", 9.0), "");
-    EXPECT_TRUE(holds(advice("{law: neo-hookean, mu: 1 kPa, fit: {largest_I1: 5.3, range: '0:110 %'}}", 3.0),
+    EXPECT_TRUE(holds(advice("{law: neo-hookean, mu: 1 kPa, fit: {max_I1: 5.3, range: '0:110 %'}}", 3.0),
                       "beyond the data"));
 }
 

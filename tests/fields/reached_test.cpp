@@ -14,7 +14,7 @@ model::Case tube_of(const std::string& law, std::map<std::string, std::vector<do
 
 Reached stretched_to(double stretch) {
     Reached reached;
-    reached.largest_stretch_p99 = stretch;
+    reached.max_stretch_p99 = stretch;
     return reached;
 }
 
@@ -46,7 +46,7 @@ TEST(Reached, ALawPassedAtOnePlaceIsToldWhereTheBodyGaveWay) {
     EXPECT_TRUE(holds(warnings_at(solved, reached, solution::StopReason::done),
                       "at one place (x = 5 mm, y = 12 mm, z = 0 mm) the rubber is stretched to 2; mooney-rivlin"));
     EXPECT_TRUE(warnings_at(tube_of("neo-hookean", {{"mu", {1e5}}}), reached, solution::StopReason::done).empty());
-    reached.largest_stretch_p99 = 2.0;  // said once
+    reached.max_stretch_p99 = 2.0;  // said once
     EXPECT_TRUE(
         holds(warnings_at(solved, reached, solution::StopReason::done), "material: the rubber is stretched to 2;"));
 }
@@ -66,7 +66,7 @@ TEST(Reached, RubberThatIsCrushedThoughItKeepsItsVolumeIsTold) {
     model::Case solved = tube_of("neo-hookean", {{"mu", {1e5}}});
     Reached reached;
     reached.first_crushed_row = 7;
-    reached.least_jacobian = 0.31;
+    reached.min_jacobian = 0.31;
     EXPECT_TRUE(holds(warnings_at(solved, reached, solution::StopReason::limit_point),
                       "from row 7 on the mesh presses rubber that keeps its volume to 0.31 of it"));
     solved.materials[0].bulk_modulus_Pa = 2e5;  // a foam may be

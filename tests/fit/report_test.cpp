@@ -18,7 +18,7 @@ TEST(Report, ConstantsCarryUnitsErrorsAndWhatTheyRestOn) {
                       {.command_line = "fit-material x", .notice = "ODbL 1.0\nMarechal", .protocol = "ASTM D412"});
     for (const char* words :
          {"# ODbL 1.0\n# Marechal\n", "material:\n  law: yeoh\n  c1: ", " kPa   # +- ", "  kappa: incompressible\n",
-          "  fit:\n    range: '4.46:109.091 %'", "    rmse_kPa: ", "    r2: ", "    largest_error: '", "    rows: 47\n",
+          "  fit:\n    range: '4.46:109.091 %'", "    rmse_kPa: ", "    r2: ", "    max_error: '", "    rows: 47\n",
           "    stress: 'engineering'\n", "    sha256: '", "    protocol: 'ASTM D412'\n"})
         EXPECT_TRUE(holds(yaml, words)) << words << "\n" << yaml;
 }

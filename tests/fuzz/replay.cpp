@@ -13,7 +13,7 @@
 namespace {
 
 constexpr std::chrono::seconds longest{10};
-constexpr long most_kib = 1L << 20;
+constexpr long max_kib = 1L << 20;
 
 long peak_kib() {
     rusage usage{};
@@ -28,7 +28,7 @@ std::string fault_of(const std::filesystem::path& file) {
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     if (fault) return *fault;
     if (took > longest) return "takes " + std::to_string(took.count()) + " s";
-    if (peak_kib() > most_kib) return "takes " + std::to_string(peak_kib()) + " KiB";
+    if (peak_kib() > max_kib) return "takes " + std::to_string(peak_kib()) + " KiB";
     return {};
 }
 

@@ -144,7 +144,7 @@ TEST_P(RandomDesigns, BecomeSoundMeshesOrAreRefusedWithTheReason) {
     EXPECT_GT(meshed, count() / 10);
     std::cout << GetParam() << ": " << meshed << " meshed, " << refused << " refused, smallest scaled Jacobian "
               << least << "\n";
-    RecordProperty("smallest_scaled_jacobian", core::number_text(least));
+    RecordProperty("min_scaled_jacobian", core::number_text(least));
 }
 
 std::vector<std::string> drawing_families() {

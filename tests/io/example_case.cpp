@@ -130,8 +130,8 @@ model::Case section_case() {
                     .steps = model::StepRule::iteration_adaptive,
                     .predictor = model::Predictor::tangent,
                     .first_step = 0.05,
-                    .largest_step = 0.25,
-                    .smallest_step = 2e-5,
+                    .max_step = 0.25,
+                    .min_step = 2e-5,
                     .wanted_iterations = 7,
                     .step_limit = 77,
                     .step_accuracy = 0.004};

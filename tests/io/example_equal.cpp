@@ -80,8 +80,8 @@ void expect_equal(const model::SolverSettings& left, const model::SolverSettings
     EXPECT_EQ(left.predictor, right.predictor);
     EXPECT_EQ(left.wanted_iterations, right.wanted_iterations);
     EXPECT_EQ(left.first_step, right.first_step);
-    EXPECT_EQ(left.largest_step, right.largest_step);
-    EXPECT_EQ(left.smallest_step, right.smallest_step);
+    EXPECT_EQ(left.max_step, right.max_step);
+    EXPECT_EQ(left.min_step, right.min_step);
     EXPECT_EQ(left.step_limit, right.step_limit);
     EXPECT_EQ(left.step_accuracy, right.step_accuracy);
 }

@@ -1,38 +1,38 @@
-# Checks the arrows of the house.  awk -f check.awk arrows.txt FILE...   with FILEs named lib/<room>/...
-# (headers, sources and the rooms' CMakeLists.txt). Prints "file:line: what is wrong; what would be right" for each
+# Checks the arrows of the house.  awk -f check.awk dependencies.txt FILE...   with FILEs named lib/<module>/...
+# (headers, sources and the modules' CMakeLists.txt). Prints "file:line: what is wrong; what would be right" for each
 # violation and exits 1 if there was one, 2 if it was given nothing to check.
 
 function violation(place, text) { print place ": " text; violations++ }
-function room_of(path,  part) { split(path, part, "/"); return part[2] }
+function module_of(path,  part) { split(path, part, "/"); return part[2] }
 
 # ---- the table
 FILENAME == ARGV[1] {
     sub(/#.*/, "")
     if ($0 !~ /:/) next
     kind = $1; name = $2; sub(/:$/, "", name)
-    if (kind == "room") known[name] = 1; else headers[++header_count] = name
+    if (kind == "module") known[name] = 1; else headers[++header_count] = name
     for (i = 3; i <= NF; i++) allowed[kind, name, $i] = 1
     next
 }
 
 FNR == 1 {
-    file = FILENAME; room = room_of(file); in_list = 0; uses = 0; files++
-    if (!(room in known)) violation(file, "room " room " is not in tests/layers/arrows.txt; add its arrows there")
+    file = FILENAME; module = module_of(file); in_list = 0; uses = 0; files++
+    if (!(module in known)) violation(file, "module " module " is not in tests/layers/dependencies.txt; add its arrows there")
 }
 
-# ---- USES lists of the rooms' CMakeLists.txt
+# ---- USES lists of the modules' CMakeLists.txt
 file ~ /CMakeLists\.txt$/ {
     sub(/#.*/, "")
-    if ($0 ~ /soft_room[ \t]*\(/) in_list = 1
+    if ($0 ~ /soft_module[ \t]*\(/) in_list = 1
     if (in_list) {
         text = $0; ends = text ~ /\)/; gsub(/[()]/, " ", text)
         count = split(text, word, " ")
         for (i = 1; i <= count; i++) {
             if (word[i] ~ /^(SOURCES|USES|LIBRARIES)$/) { uses = word[i] == "USES"; continue }
             if (!uses) continue
-            declared[room, word[i]] = 1
-            if (!((("room" SUBSEP room) SUBSEP word[i]) in allowed))
-                violation(file ":" FNR, "USES " word[i] " is no arrow of room " room "; see tests/layers/arrows.txt")
+            declared[module, word[i]] = 1
+            if (!((("module" SUBSEP module) SUBSEP word[i]) in allowed))
+                violation(file ":" FNR, "USES " word[i] " is no arrow of module " module "; see tests/layers/dependencies.txt")
         }
         if (ends) in_list = uses = 0
     }
@@ -48,21 +48,21 @@ file ~ /CMakeLists\.txt$/ {
     if (header ~ /\// && target in known) {
         includes++
         edge_count++; from[edge_count] = file; to[edge_count] = "lib/" header; at[edge_count] = place
-        if (target != room) {
-            if (!(("room", room, target) in allowed))
-                violation(place, "room " room " may not include " header "; see tests/layers/arrows.txt")
-            if (!((room, target) in included)) included[room, target] = place
+        if (target != module) {
+            if (!(("module", module, target) in allowed))
+                violation(place, "module " module " may not include " header "; see tests/layers/dependencies.txt")
+            if (!((module, target) in included)) included[module, target] = place
         }
     } else if (header ~ /(^|\/)(\.\.|tools)\//) {
-        violation(place, header " leads out of lib/; nobody includes tools, and paths start at a room")
+        violation(place, header " leads out of lib/; nobody includes tools, and paths start at a module")
     } else if (quoted) {
-        violation(place, "\"" header "\" does not start with a room; write \"room/file.hpp\"")
+        violation(place, "\"" header "\" does not start with a module; write \"module/file.hpp\"")
     }
     for (i = 1; i <= header_count; i++)
         if (index(header, headers[i]) == 1) {
             reached[file, headers[i]] = 1
-            if (!(("header", headers[i], room) in allowed))
-                violation(place, "room " room " may not see <" header ">; see tests/layers/arrows.txt")
+            if (!(("header", headers[i], module) in allowed))
+                violation(place, "module " module " may not see <" header ">; see tests/layers/dependencies.txt")
         }
 }
 
@@ -75,14 +75,14 @@ END {
             for (i = 1; i <= header_count; i++)
                 if ((to[e], headers[i]) in reached && !((from[e], headers[i]) in reached)) {
                     reached[from[e], headers[i]] = 1; changed = 1
-                    if (!(("header", headers[i], room_of(from[e])) in allowed))
+                    if (!(("header", headers[i], module_of(from[e])) in allowed))
                         violation(at[e], "reaches <" headers[i] "...> through " to[e] "; keep it out of that header")
                 }
     } while (changed)
     for (pair in included) {
         split(pair, p, SUBSEP)
-        if (("room", p[1], p[2]) in allowed && !(pair in declared))
-            violation(included[pair], "includes room " p[2] ", which lib/" p[1] "/CMakeLists.txt does not name; add it to USES")
+        if (("module", p[1], p[2]) in allowed && !(pair in declared))
+            violation(included[pair], "includes module " p[2] ", which lib/" p[1] "/CMakeLists.txt does not name; add it to USES")
     }
     printf "%d files, %d includes between files of lib, %d violations\n", files, includes, violations
     exit violations > 0

@@ -5,15 +5,15 @@ here=$(cd "$(dirname "$0")" && pwd)
 
 check() {   # in TREE
     (cd "$1" && find lib -name '*.hpp' -o -name '*.cpp' -o -name CMakeLists.txt | sort |
-        xargs awk -f "$here/check.awk" "$here/arrows.txt")
+        xargs awk -f "$here/check.awk" "$here/dependencies.txt")
 }
 
 clean_tree() {
     rm -rf "${work:?}/lib"
     mkdir -p "$work/lib/core" "$work/lib/mesh" "$work/lib/io" "$work/lib/geometry" "$work/lib/post" || exit 1
-    echo 'soft_room(core)' >"$work/lib/core/CMakeLists.txt"
-    printf 'soft_room(mesh SOURCES mesh.cpp\n          USES core)   # one arrow\n' >"$work/lib/mesh/CMakeLists.txt"
-    echo 'soft_room(io SOURCES file.cpp USES mesh LIBRARIES soft_hdf5)' >"$work/lib/io/CMakeLists.txt"
+    echo 'soft_module(core)' >"$work/lib/core/CMakeLists.txt"
+    printf 'soft_module(mesh SOURCES mesh.cpp\n          USES core)   # one arrow\n' >"$work/lib/mesh/CMakeLists.txt"
+    echo 'soft_module(io SOURCES file.cpp USES mesh LIBRARIES soft_hdf5)' >"$work/lib/io/CMakeLists.txt"
     printf '#include <vector>\n' >"$work/lib/core/error.hpp"
     printf '#include "core/error.hpp"\n' >"$work/lib/mesh/mesh.hpp"
     printf '#include "mesh/mesh.hpp"\n#include "core/error.hpp"\n' >"$work/lib/mesh/mesh.cpp"
@@ -37,13 +37,13 @@ self_check() {
     check "$work" >/dev/null || { echo "the clean tree is refused:"; check "$work"; failed=1; }
 
     echo '#include "mesh/mesh.hpp"' >>"$work/lib/core/error.hpp"
-    expect_found 'lib/core/error.hpp:2: room core may not include mesh/mesh.hpp'
+    expect_found 'lib/core/error.hpp:2: module core may not include mesh/mesh.hpp'
     echo '#  include <gmsh.h>' >>"$work/lib/mesh/mesh.cpp"
-    expect_found 'room mesh may not see <gmsh.h>'
+    expect_found 'module mesh may not see <gmsh.h>'
     echo '#include <H5Cpp.h>' >>"$work/lib/mesh/mesh.hpp"
-    expect_found 'room mesh may not see <H5Cpp.h>'
+    expect_found 'module mesh may not see <H5Cpp.h>'
     echo '#include <CLI/CLI.hpp>' >>"$work/lib/io/file.cpp"
-    expect_found 'room io may not see <CLI/CLI.hpp>'
+    expect_found 'module io may not see <CLI/CLI.hpp>'
     echo '#include <hdf5.h>' >"$work/lib/io/file.hpp"   # allowed there, but io's reader would drag it along
     echo '#include "io/file.hpp"' >"$work/lib/post/curve.cpp"
     expect_found 'lib/post/curve.cpp:1: reaches <hdf5...> through lib/io/file.hpp'
@@ -52,13 +52,13 @@ self_check() {
     echo '#include "../mesh/mesh.hpp"' >>"$work/lib/io/file.cpp"
     expect_found '../mesh/mesh.hpp leads out of lib/'
     echo '#include "file.hpp"' >>"$work/lib/io/file.cpp"
-    expect_found 'does not start with a room'
+    expect_found 'does not start with a module'
     echo '#include "core/error.hpp"' >>"$work/lib/io/file.cpp"
     expect_found 'lib/io/CMakeLists.txt does not name; add it to USES'
-    echo 'soft_room(core USES mesh)' >"$work/lib/core/CMakeLists.txt"
-    expect_found 'USES mesh is no arrow of room core'
-    mkdir "$work/lib/attic" && echo 'soft_room(attic)' >"$work/lib/attic/CMakeLists.txt"
-    expect_found 'room attic is not in tests/layers/arrows.txt'
+    echo 'soft_module(core USES mesh)' >"$work/lib/core/CMakeLists.txt"
+    expect_found 'USES mesh is no arrow of module core'
+    mkdir "$work/lib/attic" && echo 'soft_module(attic)' >"$work/lib/attic/CMakeLists.txt"
+    expect_found 'module attic is not in tests/layers/dependencies.txt'
     [ "$failed" -eq 0 ] && echo "every planted violation was found"
     exit "$failed"
 }

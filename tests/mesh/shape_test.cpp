@@ -79,7 +79,7 @@ double exact_monomial(Shape shape, int i, int j, int k) {
 TEST(Quadrature, IntegratesMonomialsOfItsDegreeExactly) {
     struct Claim {
         Shape shape;
-        int dimension, largest_degree;
+        int dimension, max_degree;
     };
     for (const auto& [shape, dimension, largest] :
          {Claim{Shape::line, 1, 7}, Claim{Shape::quadrilateral, 2, 7}, Claim{Shape::hexahedron, 3, 7},

@@ -43,7 +43,7 @@ claim 'a resumed result is as long as an uninterrupted one' [ "$(stat -c %s part
 runs 'solve named.h5 --set path.until.elongation=10mm --set "material={name: dragon-skin-20, range: 300 %}" -q -o wide.h5; postprocess wide.h5 --json wide.json > wide.csv'
 claim 'a range that is stated stays, and a narrower set is advised' grep -q 'range: 110 %} was fitted there' "$seen/err"
 claim 'the summary holds the range' has '4.46:300 %' wide.json material_fit range
-runs 'sed "s/largest_I1: .*/largest_I1: 3.0001/" own.yaml | mesh-gen - --set path.until.elongation=10mm | solve 2> solve.err | postprocess > beyond.csv'
+runs 'sed "s/max_I1: .*/max_I1: 3.0001/" own.yaml | mesh-gen - --set path.until.elongation=10mm | solve 2> solve.err | postprocess > beyond.csv'
 claim 'solve warns beyond the data' grep -q 'beyond the data its constants were fitted to' solve.err
 claim 'so does postprocess' grep -q 'beyond the data its constants were fitted to' "$seen/err"
 

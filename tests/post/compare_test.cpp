@@ -100,7 +100,7 @@ TEST(Compare, GivesMeanRmsAndLargestOfKnownErrors) {
     EXPECT_NEAR(pressure.mean_absolute, 4.0 / 3, 1e-4);
     EXPECT_NEAR(pressure.rms, std::sqrt(2.0), 1e-4);
     EXPECT_NEAR(pressure.largest, 2, 1e-4);
-    EXPECT_EQ(pressure.largest_row, 0u);
+    EXPECT_EQ(pressure.max_row, 0u);
     const double a = p25_kPa - 2, b = p50_kPa + 1, c = 1, mean = (a + b + c) / 3;
     EXPECT_NEAR(*pressure.r2, 1 - 6 / ((a - mean) * (a - mean) + (b - mean) * (b - mean) + (c - mean) * (c - mean)),
                 1e-6);

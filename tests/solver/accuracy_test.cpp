@@ -46,11 +46,11 @@ AccuracyTarget tolerance(double value) { return {.tolerance = value}; }
 
 /// Room for one finer mesh, not for two: the given mesh itself is then what is reported.
 AccuracyTarget two_meshes(const model::Case& input, double value) {
-    return {.tolerance = value, .largest_unknowns_2d = 4 * assembly::System(input, PETSC_COMM_WORLD).dofs().total};
+    return {.tolerance = value, .max_unknowns_2d = 4 * assembly::System(input, PETSC_COMM_WORLD).dofs().total};
 }
 
 /// Largest |p - exact p| of the rows, and by how much of it a bar falls short at most.
-double largest_error(const std::vector<RowState>& rows) {
+double max_error(const std::vector<RowState>& rows) {
     double largest = 0;
     for (const auto& row : rows)
         largest =
@@ -83,7 +83,7 @@ TEST(Accuracy, FinerMeshesAreNearerToTheClosedFormAndSoIsTheLimitPoint) {
     const auto coarse = judge(input, two_meshes(input, 0.5)), fine = judge(input, tolerance(1e-3));
     EXPECT_EQ(coarse.accuracy.level, 0);
     ASSERT_GE(fine.accuracy.level, 1);
-    EXPECT_LT(largest_error(fine.accuracy.rows), 0.2 * largest_error(coarse.accuracy.rows));
+    EXPECT_LT(max_error(fine.accuracy.rows), 0.2 * max_error(coarse.accuracy.rows));
     ASSERT_EQ(fine.end.limit_points.size(), 1u);
     EXPECT_EQ(fine.end.limit_points[0].step, coarse.end.limit_points[0].step);
     const auto off = [](const Judged& judged) {
@@ -170,7 +170,7 @@ TEST(Accuracy, GoesOnToAMeshThatJustFits) {
     const auto unknowns = [](const model::Case& of) { return assembly::System(of, PETSC_COMM_WORLD).dofs().total; };
     const std::int64_t bound = 4 * unknowns(halved);
     ASSERT_LT(bound, 16 * unknowns(input));
-    const auto judged = judge(input, {.tolerance = 1e-12, .largest_unknowns_2d = bound});
+    const auto judged = judge(input, {.tolerance = 1e-12, .max_unknowns_2d = bound});
     EXPECT_EQ(judged.accuracy.level, 1);
     EXPECT_FALSE(judged.accuracy.obstacle.empty());
 }
@@ -213,9 +213,9 @@ TEST(Accuracy, SaysWhichBoundStopsIt) {
     const auto one = judge(inflated_sphere(1, 2), bound);
     EXPECT_TRUE(one.accuracy.has_bars);
     EXPECT_EQ(one.accuracy.level, 0);
-    EXPECT_NE(one.accuracy.obstacle.find(std::to_string(bound.largest_unknowns_2d)), std::string::npos)
+    EXPECT_NE(one.accuracy.obstacle.find(std::to_string(bound.max_unknowns_2d)), std::string::npos)
         << one.accuracy.obstacle;
-    const auto none = judge(inflated_sphere(1, 2), {.tolerance = 1e-9, .largest_unknowns_2d = 10});
+    const auto none = judge(inflated_sphere(1, 2), {.tolerance = 1e-9, .max_unknowns_2d = 10});
     EXPECT_FALSE(none.accuracy.has_bars);
     EXPECT_EQ(none.accuracy.rows.size(), none.given.size());
     EXPECT_FALSE(none.accuracy.obstacle.empty());

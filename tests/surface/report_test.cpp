@@ -42,7 +42,7 @@ TEST(CheckCavities, AcceptsASoundBoxAndReportsItsNumbers) {
     EXPECT_EQ(reports[0].triangles, 6u * 8u);
     EXPECT_NEAR(reports[0].volume_m3, 2.16, 1e-13);
     EXPECT_NEAR(reports[0].faceted_volume_m3, 2.16, 1e-13);
-    EXPECT_NEAR(reports[0].smallest_wall_m.value(), 0.9, 1e-12);  // z = 0.9 .. 1.8
+    EXPECT_NEAR(reports[0].min_wall_m.value(), 0.9, 1e-12);  // z = 0.9 .. 1.8
 }
 
 TEST(CheckCavities, AcceptsASphereWhoseFacetsCutItsVolume) {
@@ -58,7 +58,7 @@ TEST(CheckCavities, AcceptsAHollowRing) {
     ring.centre_r = 5;
     const auto reports = check_cavities(test::annulus_section(ring, 32));
     EXPECT_NEAR(reports.at(0).volume_m3, 10 * std::pow(std::numbers::pi, 2), 1e-3);
-    EXPECT_NEAR(reports[0].smallest_wall_m.value(), 1, 1e-4);
+    EXPECT_NEAR(reports[0].min_wall_m.value(), 1, 1e-4);
 }
 
 TEST(CheckCavities, RefusesAHoleWithItsPlace) {
@@ -178,7 +178,7 @@ TEST(InspectCavities, ReportsWhatCheckCavitiesRefuses) {
     ASSERT_EQ(reports.size(), 1u);
     EXPECT_FALSE(reports[0].closed);
     EXPECT_TRUE(reports[0].open_place.has_value());
-    EXPECT_TRUE(reports[0].smallest_wall_m.has_value());
+    EXPECT_TRUE(reports[0].min_wall_m.has_value());
 }
 
 }  // namespace

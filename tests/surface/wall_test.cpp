@@ -7,7 +7,7 @@
 namespace soft::surface {
 namespace {
 
-WallThickness thinnest(const model::Case& model) { return smallest_wall(model, model.cavities.front()).value(); }
+WallThickness thinnest(const model::Case& model) { return min_wall(model, model.cavities.front()).value(); }
 
 TEST(SmallestWall, OfABoxIsItsThinnestSide) {
     test::BoxLines lines;

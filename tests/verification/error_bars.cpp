@@ -36,7 +36,7 @@ Run run_with_bars(const std::string& design, const std::vector<std::string>& set
     const std::int64_t bound = 2 * system.dofs().total * (levels == 1 ? growth : growth * growth);
     const auto accuracy =
         solver::refine_path(system, std::move(rows), run.end,
-                            {.tolerance = 1e-12, .largest_unknowns_2d = bound, .largest_unknowns_3d = bound});
+                            {.tolerance = 1e-12, .max_unknowns_2d = bound, .max_unknowns_3d = bound});
     if (!accuracy.has_bars) throw std::runtime_error(design + ": no error bars: " + accuracy.obstacle);
     for (const auto& row : accuracy.rows) run.steps.push_back(row.step);
     run.mesh = std::to_string(run.model.mesh.cell_count()) + " cells" + (mesh == Mesh::halved ? ", halved once" : "");
@@ -173,7 +173,7 @@ std::vector<JudgedCase> judged_cases() {
 
 /// What a list of bars comes to.
 struct Score {
-    double largest_error = 0, largest_bar = 0;  ///< relative to the largest value of the curve
+    double max_error = 0, max_bar = 0;  ///< relative to the largest value of the curve
     double least = 1e300;                       ///< bar over error
     double width = 0;                           ///< root mean squares
     double median = 0;                          ///< of bar over error
@@ -186,8 +186,8 @@ Score score_of(const std::vector<Judged>& found) {
     for (const Judged& j : found) largest = std::max(largest, std::abs(j.truth));
     for (const Judged& j : found) {
         const double error = std::abs(j.ours - j.truth);
-        score.largest_error = std::max(score.largest_error, error / largest);
-        score.largest_bar = std::max(score.largest_bar, j.bar / largest);
+        score.max_error = std::max(score.max_error, error / largest);
+        score.max_bar = std::max(score.max_bar, j.bar / largest);
         score.least = std::min(score.least, j.bar / error);
         score.covered += j.bar >= error ? 1 : 0;
         bars += j.bar * j.bar;
@@ -235,8 +235,8 @@ Outcome solve_case(const JudgedCase& judged) {
              .mesh = name,
              .seconds = seconds});
         outcome.tables.back().lines.push_back({name, std::to_string(found.size()),
-                                               core::rounded_text(100 * score.largest_error, 3),
-                                               core::rounded_text(100 * score.largest_bar, 3),
+                                               core::rounded_text(100 * score.max_error, 3),
+                                               core::rounded_text(100 * score.max_bar, 3),
                                                core::rounded_text(score.least, 3), core::rounded_text(score.width, 3)});
     }
     return outcome;

@@ -8,7 +8,7 @@
 ///   int s_theta,x r^2 dr = 0 (nothing turns the ends).
 /// Sources: universal solution of Ericksen and Rivlin, see Ogden, Non-linear Elastic Deformations (1984), 5.3; the stress of
 /// the fibres is that of Holzapfel, Gasser, Ogden, J. Elasticity 61 (2000) 1, derived here from W by hand.
-/// Held by formula_test: without fibres it is closed_tube; thin, with stiff fibres, the magic angle.
+/// Tested by formula_test: without fibres it is closed_tube; thin, with stiff fibres, the magic angle.
 #include <functional>
 
 namespace soft::verification {

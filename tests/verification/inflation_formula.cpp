@@ -72,7 +72,7 @@ double hoop_stress_Pa(const Pulls& pulls, double hoop_stretch, double radial_str
 }
 
 TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double inner_stretch,
-                      double largest_axial_stretch) {
+                      double max_axial_stretch) {
     // Axial force of the wall less that of the pressure on the caps, over pi; sigma_r = -p + int (sigma_t - sigma_r) dr/r.
     // With 2 sigma_z = (2 sigma_z - sigma_t - sigma_r) + (sigma_t + sigma_r) and equilibrium, int (sigma_t + sigma_r) r dr
     // = p a^2, so the balance 2 int sigma_z r dr = p a^2 reads int (2 s_z - s_t - s_r) r dr = 0: no pressure in it.
@@ -86,7 +86,7 @@ TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double
             },
             inner_m, outer_m);
     };
-    const double lz = root_of(surplus, 0.7, largest_axial_stretch);
+    const double lz = root_of(surplus, 0.7, max_axial_stretch);
     return {cylinder_pressure_Pa(pulls, {inner_m, outer_m, lz}, inner_stretch), lz};
 }
 

@@ -42,7 +42,7 @@ struct TubeState {
     double pressure_Pa, axial_stretch;
 };
 [[nodiscard]] TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double inner_stretch,
-                                    double largest_axial_stretch = 3.0);
+                                    double max_axial_stretch = 3.0);
 
 /// The state of two spheres of one gas: one has hardly grown, the other is beyond its limit.
 struct PairState {

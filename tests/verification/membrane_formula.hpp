@@ -4,7 +4,7 @@
 ///     dr/dR = l1 cos phi,  dz/dR = -l1 sin phi,  T1' = (T2 - T1) l1 cos phi / r,  sin phi = p r / (2 T1),
 /// the last by the balance of forces along the axis of the part within r; tensions T1 = mu h (l1/l2 - 1/(l1 l2)^3), T2 likewise.
 /// Source: J. E. Adkins and R. S. Rivlin, Phil. Trans. R. Soc. A 244 (1952) 505; W. H. Yang and W. W. Feng, J. Appl. Mech. 37
-/// (1970) 1002. Runge-Kutta from the apex, the pressure by bisection. Held by verification/formula_test against Hencky's
+/// (1970) 1002. Runge-Kutta from the apex, the pressure by bisection. Tested by verification/formula_test against Hencky's
 /// series for small strains.
 namespace soft::verification {
 

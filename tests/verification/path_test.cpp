@@ -126,7 +126,7 @@ std::vector<std::size_t> along_cavity(const Run& run) {
 
 /// The least deformed distance between two places of the cavity's wall that are `apart_m` or more from each other along
 /// the undeformed wall.
-double least_gap_m(const Run& run, double apart_m) {
+double min_gap_m(const Run& run, double apart_m) {
     const auto now = deformed_points(run);
     const auto chain = along_cavity(run);
     std::vector<double> along_m{0};
@@ -148,7 +148,7 @@ TEST(BellowsUnderVacuum, EndsWhereTheFoldsOfTheCavityMeetOnAnyMesh) {
         EXPECT_EQ(each->end.reason, solution::StopReason::self_contact);
         EXPECT_NE(each->end.detail.find("the face cavity touches itself at x = "), std::string::npos)
             << each->end.detail;
-        EXPECT_LT(least_gap_m(*each, apart_m), 0.05 * cell_m);
+        EXPECT_LT(min_gap_m(*each, apart_m), 0.05 * cell_m);
     }
     EXPECT_NEAR(finer.pressure_kPa() / run.pressure_kPa(), 1, 5e-3);
     EXPECT_NEAR(finer.output_mm() / run.output_mm(), 1, 2e-3);

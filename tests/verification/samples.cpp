@@ -35,7 +35,7 @@ struct Sample {
 };
 
 struct Measure {
-    double mean_kPa = 0, largest_kPa = 0, mean_percent = 0, largest_percent = 0;
+    double mean_kPa = 0, max_kPa = 0, mean_percent = 0, max_percent = 0;
 };
 
 /// At 20 strains evenly spaced up to the sample's, or to where the path ends; between rows the difference of stress is
@@ -55,8 +55,8 @@ Measure measure(const Run& run, const Sample& sample, double mu_Pa) {
         const double error = std::abs((1 - along) * difference(row - 1) + along * difference(row));
         m.mean_kPa += error / points;
         m.mean_percent += 100 * error / exact_kPa(l) / points;
-        m.largest_kPa = std::max(m.largest_kPa, error);
-        m.largest_percent = std::max(m.largest_percent, 100 * error / exact_kPa(l));
+        m.max_kPa = std::max(m.max_kPa, error);
+        m.max_percent = std::max(m.max_percent, 100 * error / exact_kPa(l));
     }
     return m;
 }
@@ -76,8 +76,8 @@ Outcome compare(const std::string& problem, const Sample& sample) {
         const auto m = measure(run, sample, mu);
         table.lines.push_back({law.name, printed_number(100 * (l - 1)), printed_number(-run.pressure_kPa()),
                                printed_number(1e-3 * mu * (l * l - std::pow(l, -sample.compression))),
-                               short_number(m.mean_kPa), short_number(m.largest_kPa), short_number(m.mean_percent),
-                               short_number(m.largest_percent), std::string(solution::name(run.end.reason))});
+                               short_number(m.mean_kPa), short_number(m.max_kPa), short_number(m.mean_percent),
+                               short_number(m.max_percent), std::string(solution::name(run.end.reason))});
     }
     return {{}, {table}};
 }

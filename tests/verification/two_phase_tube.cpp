@@ -20,8 +20,8 @@ double locking_stretch(const GentTube& tube) { return std::sqrt(tube.jm + 2); }
 }  // namespace
 
 EvenTube even_tube(const GentTube& tube, double inner_stretch) {
-    const double largest_axial = std::min(3.0, 0.999 * std::sqrt(tube.jm + 3 - inner_stretch * inner_stretch));
-    const auto state = closed_tube(pulls_of(tube), tube.inner_m, tube.outer_m, inner_stretch, largest_axial);
+    const double max_axial = std::min(3.0, 0.999 * std::sqrt(tube.jm + 3 - inner_stretch * inner_stretch));
+    const auto state = closed_tube(pulls_of(tube), tube.inner_m, tube.outer_m, inner_stretch, max_axial);
     const double lz = state.axial_stretch;
     const Cylinder cylinder{tube.inner_m, tube.outer_m, lz};
     const double energy_J_m = integral(

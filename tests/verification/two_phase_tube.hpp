@@ -28,7 +28,7 @@ struct Coexistence {
 };
 
 /// The pressure at which energy - pressure x volume is the same in both parts. `maximum` and `minimum`: the inner stretches
-/// of the pressure's extrema. Held by formula_test: the areas that the line cuts from the curve p(V) are equal.
+/// of the pressure's extrema. Tested by formula_test: the areas that the line cuts from the curve p(V) are equal.
 [[nodiscard]] Coexistence coexistence(const GentTube& tube, double maximum, double minimum);
 
 }  // namespace soft::verification

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Every test that a header of lib/ names as its own ("Held by room/name_test") exists.
-#   held_by.sh SOURCE_DIR
+# Every test that a header of lib/ names as its own ("Tested by module/name_test") exists.
+#   tested_by.sh SOURCE_DIR
 cd "$1" || exit 1
 named=$(grep -rhoE '[a-z_]+/[a-z_]+_test\b' lib --include='*.hpp' | sort -u)
 [ -n "$named" ] || { echo "no header names a test"; exit 1; }
