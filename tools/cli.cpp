@@ -244,7 +244,7 @@ std::string command_line_of(const std::vector<std::string>& words) {
     return line;
 }
 
-ExitCode telling_errors(std::string_view tool, std::string_view command_line, const std::function<ExitCode()>& body) {
+ExitCode report_errors(std::string_view tool, std::string_view command_line, const std::function<ExitCode()>& body) {
     try {
         return body();
     } catch (const Error& error) {
@@ -266,7 +266,7 @@ int guarded(int argc, char** argv, const std::function<ExitCode()>& body) {
     std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is seen as EPIPE by core::write_all
     std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files (ulimit -f) is seen as EFBIG
     const std::string tool = argc > 0 ? bare_name(argv[0]) : std::string{"soft"};
-    return static_cast<int>(telling_errors(tool, command_line_of(argc, argv), body));
+    return static_cast<int>(report_errors(tool, command_line_of(argc, argv), body));
 }
 
 }  // namespace soft::cli

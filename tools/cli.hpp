@@ -90,7 +90,7 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 [[nodiscard]] int guarded(int argc, char** argv, const std::function<ExitCode()>& body);
 
 /// The part of it that tells errors; for one piece of work of several. `command_line` stands in requests to report.
-[[nodiscard]] ExitCode telling_errors(std::string_view tool, std::string_view command_line,
+[[nodiscard]] ExitCode report_errors(std::string_view tool, std::string_view command_line,
                                       const std::function<ExitCode()>& body);
 
 /// "mesh-gen 'my tube.yaml' -o t.h5": quoted so that it can be pasted into a shell.

@@ -12,12 +12,12 @@ namespace soft::cli {
 namespace {
 
 /// nullopt: none. The length -1 stands for that on the way.
-std::optional<solver::Touch> from_first_rank(const std::optional<solver::Touch>& found, MPI_Comm comm) {
+std::optional<solver::ContactEvent> from_first_rank(const std::optional<solver::ContactEvent>& found, MPI_Comm comm) {
     std::array<int, 2> head{-1, 0};
     if (found) head = {static_cast<int>(found->text.size()), static_cast<int>(found->reason)};
     MPI_Bcast(head.data(), 2, MPI_INT, 0, comm);
     if (head[0] < 0) return std::nullopt;
-    solver::Touch touch{found ? found->text : "", static_cast<solution::StopReason>(head[1])};
+    solver::ContactEvent touch{found ? found->text : "", static_cast<solution::StopReason>(head[1])};
     touch.text.resize(static_cast<std::size_t>(head[0]));
     MPI_Bcast(touch.text.data(), head[0], MPI_CHAR, 0, comm);
     return touch;
@@ -33,7 +33,7 @@ solver::ContactCheck contact_check(assembly::System& system) {
     const auto finder = rank == 0 ? std::make_shared<const surface::ContactFinder>(system.input()) : nullptr;
     return [&system, finder](Vec x) {
         const auto fields = system.gather_fields(x);
-        std::optional<solver::Touch> found;
+        std::optional<solver::ContactEvent> found;
         const linalg::Timed timed(linalg::Phase::contact);
         if (finder)
             if (auto contact = finder->find(fields.displacement_m))

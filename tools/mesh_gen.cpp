@@ -166,7 +166,7 @@ ExitCode mesh_gen(const cli::MeshGenOptions& options) {
     ExitCode first = ExitCode::ok;
     for (const cli::MeshGenOptions& one : all) {
         const ExitCode code =
-            cli::telling_errors(about.tool, one.common.command_line, [&one] { return run_task(one); });
+            cli::report_errors(about.tool, one.common.command_line, [&one] { return run_task(one); });
         if (first == ExitCode::ok) first = code;
     }
     return first;

@@ -10,7 +10,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "mesh/cell_map.hpp"
-#include "model/place.hpp"
+#include "model/location.hpp"
 #include "surface/triangles.hpp"
 
 namespace soft::cli {
@@ -125,7 +125,7 @@ MeshSummary inspect(const geometry::Built& built) {
     summary.notes = built.notes;
     summary.cavities = surface::check_cavities(model);
     for (const surface::CavityReport& cavity : summary.cavities)
-        summary.wall_places.push_back(model::place_text(model.kinematics, cavity.min_wall_place));
+        summary.wall_places.push_back(model::location_text(model.kinematics, cavity.min_wall_place));
     if (built.part) {
         summary.part = MeshSummary::Part{*built.part, walls_of(model)};
         summary.part->file.volume_m3 /= model.model_fraction;  // of the whole body, as everywhere

@@ -12,14 +12,14 @@ namespace soft {
 namespace {
 
 /// The point's coordinates by the names of the curve's columns.
-nlohmann::ordered_json place_json(const post::Curve& curve, const solution::LimitPoint& point) {
+nlohmann::ordered_json location_json(const post::Curve& curve, const solution::LimitPoint& point) {
     nlohmann::ordered_json json = {{"step", point.step}};
     for (const post::Column& column : curve.columns)
         if (const auto value = post::value_at(column, point)) json[column.name] = *value;
     return json;
 }
 
-std::string place_line(const nlohmann::ordered_json& place) {
+std::string location_line(const nlohmann::ordered_json& place) {
     std::vector<std::string> words;
     for (const auto& [name, value] : place.items())
         if (name != "step" && value.is_number_float())
@@ -76,9 +76,9 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
     json["newton_iterations"] = result.end->newton_iterations;
     json["factorizations"] = result.end->factorizations;
     for (const solution::LimitPoint& limit : result.end->limit_points)
-        json["limit_points"].push_back(place_json(curve, limit));
+        json["limit_points"].push_back(location_json(curve, limit));
     for (const solution::Bifurcation& bifurcation : result.end->bifurcations) {
-        json["bifurcations"].push_back(place_json(curve, bifurcation.at));
+        json["bifurcations"].push_back(location_json(curve, bifurcation.at));
         json["bifurcations"].back()["modes"] = bifurcation.modes;
         json["bifurcations"].back()["mode_stored"] = !bifurcation.mode.empty();
     }
@@ -92,8 +92,8 @@ std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
     std::vector<std::string> lines{core::counted(json["rows"].get<std::size_t>(), "row") + " of " +
                                    core::counted(json["steps"].get<std::size_t>(), "step") + "; path: " + reason +
                                    (detail.empty() ? "" : " (" + detail + ")")};
-    for (const auto& limit : json["limit_points"]) lines.push_back("limit point: " + place_line(limit));
-    for (const auto& branch : json["bifurcations"]) lines.push_back("bifurcation: " + place_line(branch));
+    for (const auto& limit : json["limit_points"]) lines.push_back("limit point: " + location_line(limit));
+    for (const auto& branch : json["bifurcations"]) lines.push_back("bifurcation: " + location_line(branch));
     if (const auto& fit = json["material_fit"]; !fit.is_null()) lines.push_back(fit_line(fit));
     return lines;
 }

@@ -30,7 +30,7 @@ ExitCode solve_one(const SolveOptions& options) {
 }
 
 /// What went wrong may have left the libraries half way.
-bool spoils_process(ExitCode code) { return code == ExitCode::internal || code == ExitCode::io_error; }
+bool is_fatal(ExitCode code) { return code == ExitCode::internal || code == ExitCode::io_error; }
 
 constexpr std::size_t max_batch_line = std::size_t{1} << 20;  // bytes
 
@@ -64,7 +64,7 @@ ExitCode solve_batch(const SolveOptions& batch) {
             return run_solve(*options, session);
         };
         const ExitCode code =
-            telling_errors(solve_about().tool, std::string{solve_about().tool} + " " + line, solve_line);
+            report_errors(solve_about().tool, std::string{solve_about().tool} + " " + line, solve_line);
         if (first == ExitCode::ok) first = code;
         const ProcessTimes now = process_times();
         const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
@@ -73,7 +73,7 @@ ExitCode solve_batch(const SolveOptions& batch) {
                                        now.user_s - before.user_s, now.system_s - before.system_s, wall.count());
         const auto bytes = std::as_bytes(std::span(answer).first(static_cast<std::size_t>(size)));
         if (core::write_all(STDOUT_FILENO, bytes, "<stdout>") == core::Delivery::reader_left) break;
-        if (spoils_process(code)) break;
+        if (is_fatal(code)) break;
         before = now;
     }
     return first;

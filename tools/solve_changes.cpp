@@ -17,7 +17,7 @@ void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& chan
     for (const design::ScaledLoad& change : changes) {
         changed.push_back(loads.at(change.index));
         for (auto& component : changed.back().*vector_of) component = scaled(component, change.factor);
-        if constexpr (requires(Load load) { load.course; }) changed.back().course = change.course;
+        if constexpr (requires(Load load) { load.time_function; }) changed.back().time_function = change.time_function;
     }
     loads = std::move(changed);
 }

@@ -38,7 +38,7 @@ std::string output_text(const model::Output& output, double value) {
 
 /// Load, outputs and volume of a row or of a point on the path.
 template <class Place>
-std::string place_text(const Place& place, const model::Case& model) {
+std::string location_text(const Place& place, const model::Case& model) {
     std::string text = load_text(place.pressure_Pa, model);
     for (std::size_t i = 0; i < place.outputs.size(); ++i)
         text += ", " + output_text(model.outputs[i], place.outputs[i]);
@@ -240,7 +240,7 @@ std::vector<std::string> limit_lines(const SolveSummary& summary, const model::C
     constexpr std::size_t most = 6;
     std::vector<std::string> lines;
     for (const solution::LimitPoint& point : summary.end.limit_points)
-        if (point.step < summary.steps) lines.push_back("limit point at " + place_text(point, model));
+        if (point.step < summary.steps) lines.push_back("limit point at " + location_text(point, model));
     if (lines.size() > most) {
         const std::size_t more = lines.size() - most;
         lines.resize(most);
@@ -256,7 +256,7 @@ std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const m
                                         ? "another branch leaves the path"
                                         : std::to_string(bifurcation.modes) + " modes leave the path at once";
         lines.push_back(
-            "bifurcation at " + place_text(bifurcation.at, model) + ": " + leaving +
+            "bifurcation at " + location_text(bifurcation.at, model) + ": " + leaving +
             (bifurcation.mode.empty() ? "; no mode of it is stored" : "; its mode is in the file (/modes)"));
     }
     return lines;
@@ -288,7 +288,7 @@ std::string step_text(const solution::Step& step, const model::Case& model) {
     const auto& stages = model.path.stages;
     const std::string stage = stages.size() > 1 ? stages[static_cast<std::size_t>(step.stage)].name + ": " : "";
     const std::string time = step.motion ? time_text(step.motion->time_s) + ", " : "";
-    return time + stage + place_text(step, model);
+    return time + stage + location_text(step, model);
 }
 
 namespace {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "cli.hpp"
-#include "core/apart.hpp"
+#include "core/subprocess.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
 #include "io/result_file.hpp"
@@ -163,9 +163,9 @@ std::vector<sweep::Outcome> unpacked(const core::Bytes& bytes) {
 }
 
 /// In a process of its own; no result where it fails.
-core::ApartEnd packed_apart(const fs::path& folder, const sweep::Sweep& sweep, Designs designs) {
+core::SubprocessEnd packed_apart(const fs::path& folder, const sweep::Sweep& sweep, Designs designs) {
     try {
-        return core::done_apart([&] { return packed(outcomes_of(folder, sweep, designs)); }, {std::chrono::hours{24}});
+        return core::run_in_subprocess([&] { return packed(outcomes_of(folder, sweep, designs)); }, {std::chrono::hours{24}});
     } catch (const Error& error) {
         return {std::nullopt, error.what()};
     }
@@ -184,7 +184,7 @@ std::vector<sweep::Outcome> outcomes_in(const fs::path& folder, const sweep::Swe
     const Designs designs{plan.designs};
     const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
     const std::size_t parts = std::clamp<std::size_t>(designs.size() / 2, 1, most);
-    std::vector<std::pair<Designs, std::future<core::ApartEnd>>> at_work;
+    std::vector<std::pair<Designs, std::future<core::SubprocessEnd>>> at_work;
     for (std::size_t part = 0, from = 0; part < parts; ++part) {
         const std::size_t to = designs.size() * (part + 1) / parts;
         const Designs share = designs.subspan(from, to - from);

@@ -8,7 +8,7 @@ namespace soft {
 namespace {
 
 constexpr int columns_at_once = 8;
-static_assert(columns_at_once - 1 == room_behind_product);
+static_assert(columns_at_once - 1 == gemm_padding);
 
 /// Vectors as wide as the registers of the processor: wider ones are taken apart in memory, six times slower on AVX2.
 struct FourNumbers {

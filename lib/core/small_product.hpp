@@ -11,10 +11,10 @@ struct MatrixView {
 };
 
 /// Numbers behind the last one of B that are read, whatever they are.
-inline constexpr int room_behind_product = 7;
+inline constexpr int gemm_padding = 7;
 
 /// C = A^T B: C[i][j] = sum over d < depth of A[d][i] B[d][j]. Rows of C lie `next` numbers apart; nothing between them is
-/// touched. The sum of an entry runs in the order of d. B has room_behind_product numbers of room behind it.
+/// touched. The sum of an entry runs in the order of d. B has gemm_padding numbers of room behind it.
 void transposed_product(int depth, MatrixView A, MatrixView B, double* C, int next);
 
 }  // namespace soft

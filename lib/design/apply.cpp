@@ -3,7 +3,7 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
-#include "design/course_keys.hpp"
+#include "design/time_function_keys.hpp"
 #include "design/dynamics_keys.hpp"
 #include "design/load_keys.hpp"
 #include "design/load_names.hpp"
@@ -101,7 +101,7 @@ std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& w
         if (was.text((*same)->path + ".along") != values.text(load.path + ".along"))
             throw values.refuse(load.path + ".along", "the direction is built into the case", remedy);
         loads.push_back({static_cast<std::size_t>(same - own.begin()),
-                         values.number(load.value) / was.number((*same)->value), course_of(values, load.path)});
+                         values.number(load.value) / was.number((*same)->value), time_function_of(values, load.path)});
     }
     return loads;
 }

@@ -17,7 +17,7 @@ struct Schema {
     std::vector<Key> keys;
     std::map<std::string, std::vector<std::string>> names;
     FaceNames faces;
-    bool dynamic = false;  ///< loads have a course in time
+    bool dynamic = false;  ///< loads have a time_function in time
 };
 
 /// In the order of schema.keys. The first fault in document order is thrown, missing keys after those.

@@ -235,7 +235,7 @@ const std::vector<SectionNote>& section_notes() {
         {"supports", "component: face or [face, face]; fixed holds all components, x, y, z or r one"},
         {"loads",
          "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: {pressure}, "
-         "{traction, along}, {force, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also course: {kind: ramp, rise | "
+         "{traction, along}, {force, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also time_function: {kind: ramp, rise | "
          "step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
         {"path",
          "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},

@@ -93,7 +93,7 @@ struct Design {
         std::string face;
         double size;
         std::string along;
-        model::TimeCourse course = {};
+        model::TimeFunction time_function = {};
         Spread spread = Spread::per_area;
     };
     std::vector<TractionRequest> tractions;
@@ -102,7 +102,7 @@ struct Design {
         std::string name;
         double acceleration_m_s2;
         std::string along;
-        model::TimeCourse course = {};
+        model::TimeFunction time_function = {};
     };
     std::vector<BodyForceRequest> body_forces;
     /// A component of a face's displacement, along: axis | x | y | z | r | normal
@@ -148,7 +148,7 @@ inline constexpr std::string_view main_region = "rubber";
 struct ScaledLoad {
     std::size_t index;  ///< into the case's list; one that is not listed is taken away
     double factor;
-    model::TimeCourse course = {};  ///< in place of the case's
+    model::TimeFunction time_function = {};  ///< in place of the case's
 };
 struct SolveChanges {
     model::Material material;

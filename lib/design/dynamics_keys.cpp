@@ -47,7 +47,7 @@ void check_path_keys(const DynamicParts& parts, const Values& values) {
         const std::string& path = item.key.path;
         if (path.starts_with("path.stages."))
             throw values.refuse(path, "a path in time has no stages",
-                                "give the load a course, or leave out dynamics.duration");
+                                "give the load a time_function, or leave out dynamics.duration");
         if (path.starts_with("path.until.") && path != "path.until.steps")
             throw values.refuse(path, "a path in time ends after its duration, or after steps", remedy);
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "design/course_keys.hpp"
+#include "design/time_function_keys.hpp"
 #include "design/load_keys.hpp"
 #include "design/load_names.hpp"
 #include "design/materials.hpp"
@@ -82,7 +82,7 @@ LoadEntry add_cavity(Schema& schema, const NamedLoad& load, const Node& defaults
     const std::string_view value = only_one_of(load, words);
     schema.names[load.path] = words;
     if (value == "shares") {
-        std::vector<std::string> own = {"sealed", "plug_thrust", "gas", "acts_on", "course", "line"};
+        std::vector<std::string> own = {"sealed", "plug_thrust", "gas", "acts_on", "time_function", "line"};
         refuse_keys(load, own, "a cavity that shares its gas has no supply of its own", "leave it out");
         schema.keys.push_back(shares_key(load.path, schema.faces.cavities));
         return entry_of(load, LoadKind::shared_gas, value);
@@ -169,7 +169,7 @@ model::PressureLoad pressure_load(const LoadEntry& entry, const Values& values) 
     load.targets = {entry.name};
     load.shape = values.text(entry.path + ".acts_on") == "undeformed" ? model::LoadShape::undeformed
                                                                       : model::LoadShape::deformed;
-    load.course = course_of(values, entry.path);
+    load.time_function = time_function_of(values, entry.path);
     load.line = line_of(values, entry.path);
     if (entry.kind != LoadKind::gas) return load;
     load.sealed = values.text(entry.path + ".sealed") == "true";
@@ -210,13 +210,13 @@ LoadSlot take(const LoadEntry& entry, double value, Loads& loads, const Values& 
         case LoadKind::traction:
             check_direction(values, entry.path + ".along");
             loads.tractions.push_back({entry.name, value, values.text(entry.path + ".along"),
-                                       course_of(values, entry.path),
+                                       time_function_of(values, entry.path),
                                        is_force(entry) ? Design::Spread::whole_face : Design::Spread::per_area});
             return {entry.kind, loads.tractions.size() - 1, value};
         case LoadKind::gravity:
             require_density(values, entry.value);
             loads.body_forces.push_back(
-                {entry.name, value, values.text(entry.path + ".along"), course_of(values, entry.path)});
+                {entry.name, value, values.text(entry.path + ".along"), time_function_of(values, entry.path)});
             return {entry.kind, loads.body_forces.size() - 1, value};
         case LoadKind::motion:
             check_direction(values, entry.path + ".along");
@@ -239,7 +239,7 @@ std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Nod
     std::vector<LoadEntry> entries;
     for (const NamedLoad& load : named_loads(root, "loads", schema.faces)) {
         if (!schema.dynamic)
-            refuse_keys(load, std::vector<std::string>{"course", "line"}, "a static path does not go with time",
+            refuse_keys(load, std::vector<std::string>{"time_function", "line"}, "a static path does not go with time",
                         "add dynamics: {duration: 1 s}, or leave it out");
         switch (load.target) {
             case LoadTarget::cavity: entries.push_back(add_cavity(schema, load, defaults)); break;

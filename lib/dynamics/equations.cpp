@@ -78,7 +78,7 @@ void MotionEquations::check_stage() const {
     for (std::size_t load = 0; load < input_.loads.size(); ++load)
         if (stage.supplies.at(load).what != model::Prescription::pressure)
             refuse("loads." + input_.loads[load].name, "a motion prescribes pressures alone",
-                   "give a pressure with its course in time, or a line that feeds the cavity");
+                   "give a pressure with its time_function in time, or a line that feeds the cavity");
     for (const double level : stage.motions)
         if (level != 0.0)
             refuse("loads", "a motion does not prescribe displacements that change", "move the body by forces");
@@ -113,36 +113,36 @@ assembly::LoadLevels MotionEquations::shared_levels(Share&& share) const {
     const auto& stage = input_.path.stages[0];
     assembly::LoadLevels levels = assembly::no_loads(input_);
     for (std::size_t i = 0; i < input_.loads.size(); ++i)
-        levels.pressures_Pa[i] = stage.supplies[i].value * share(input_.loads[i].course);
+        levels.pressures_Pa[i] = stage.supplies[i].value * share(input_.loads[i].time_function);
     for (std::size_t i = 0; i < input_.tractions.size(); ++i)
-        levels.tractions[i] = stage.tractions.at(i) * share(input_.tractions[i].course);
+        levels.tractions[i] = stage.tractions.at(i) * share(input_.tractions[i].time_function);
     for (std::size_t i = 0; i < input_.body_forces.size(); ++i)
-        levels.body_forces[i] = stage.body_forces.at(i) * share(input_.body_forces[i].course);
+        levels.body_forces[i] = stage.body_forces.at(i) * share(input_.body_forces[i].time_function);
     return levels;
 }
 
 assembly::LoadLevels MotionEquations::levels(double time_s, std::span<const double> line_pressures_Pa) const {
     assembly::LoadLevels levels =
-        shared_levels([&](const model::TimeCourse& course) { return share_at(course, dynamics_.duration_s, time_s); });
+        shared_levels([&](const model::TimeFunction& time_function) { return share_at(time_function, dynamics_.duration_s, time_s); });
     for (std::size_t k = 0; k < lines_.size(); ++k) levels.pressures_Pa[lines_[k].load] = line_pressures_Pa[k];
     return levels;
 }
 
 assembly::LoadLevels MotionEquations::rates(double time_s, std::span<const double> line_rates) const {
     assembly::LoadLevels rates = shared_levels(
-        [&](const model::TimeCourse& course) { return share_rate(course, dynamics_.duration_s, time_s); });
+        [&](const model::TimeFunction& time_function) { return share_rate(time_function, dynamics_.duration_s, time_s); });
     for (std::size_t k = 0; k < lines_.size(); ++k) rates.pressures_Pa[lines_[k].load] = line_rates[k];
     return rates;
 }
 
 assembly::LoadLevels MotionEquations::full_levels() const {
-    return shared_levels([](const model::TimeCourse&) { return 1.0; });
+    return shared_levels([](const model::TimeFunction&) { return 1.0; });
 }
 
 std::vector<double> MotionEquations::kink_times() const {
     std::vector<double> times;
-    (void)shared_levels([&](const model::TimeCourse& course) {
-        const auto more = kinks(course, dynamics_.duration_s);
+    (void)shared_levels([&](const model::TimeFunction& time_function) {
+        const auto more = kinks(time_function, dynamics_.duration_s);
         times.insert(times.end(), more.begin(), more.end());
         return 0.0;
     });
@@ -154,8 +154,8 @@ std::vector<double> MotionEquations::kink_times() const {
 
 double MotionEquations::shortest_change_s() const {
     double shortest = dynamics_.duration_s;
-    (void)shared_levels([&](const model::TimeCourse& course) {
-        shortest = std::min(shortest, dynamics::shortest_change_s(course, dynamics_.duration_s));
+    (void)shared_levels([&](const model::TimeFunction& time_function) {
+        shortest = std::min(shortest, dynamics::shortest_change_s(time_function, dynamics_.duration_s));
         return 0.0;
     });
     return shortest;
@@ -186,7 +186,7 @@ double MotionEquations::conductance(std::size_t k) const {
 
 double MotionEquations::mass_flow(std::size_t k, double time_s, double pressure_Pa) const {
     const Line& line = lines_.at(k);
-    const double share = share_at(input_.loads[line.load].course, dynamics_.duration_s, time_s);
+    const double share = share_at(input_.loads[line.load].time_function, dynamics_.duration_s, time_s);
     return conductance(k) * (share * line.source_Pa - pressure_Pa);
 }
 

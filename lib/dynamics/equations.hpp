@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "assembly/mass.hpp"
-#include "dynamics/time_course.hpp"
+#include "dynamics/time_function.hpp"
 #include "solver/stage_loads.hpp"
 
 namespace soft::dynamics {
@@ -45,7 +45,7 @@ public:
     [[nodiscard]] assembly::LoadLevels levels(double time_s, std::span<const double> line_pressures_Pa) const;
     /// d levels/dt; `line_rates` of the pressures behind the lines [Pa/s].
     [[nodiscard]] assembly::LoadLevels rates(double time_s, std::span<const double> line_rates) const;
-    /// Levels at share 1 of every course, sources in the cavities.
+    /// Levels at share 1 of every time_function, sources in the cavities.
     [[nodiscard]] assembly::LoadLevels full_levels() const;
     [[nodiscard]] std::vector<double> kink_times() const;
     [[nodiscard]] double shortest_change_s() const;

@@ -4,7 +4,7 @@
 ///   dm/dt = ambient density (source(t) - p) / resistance,  p = P(V(x), m)      of a supply with a line (stage_loads.hpp)
 /// with R of assembly/system.hpp and M the mass matrix of the displacements (assembly/mass.hpp; consistent, lumped for explicit
 /// integrators). Pressure unknowns of mixed cells have no mass: their rows hold at all times, and explicit integrators refuse
-/// them. Levels are those of the case's only stage times the share of each load's course at t.
+/// them. Levels are those of the case's only stage times the share of each load's time_function at t.
 ///
 /// A row of the path is a converged step: time, energies and work in Step::motion, tangent_* the derivatives by time,
 /// load_factor = t / duration, `stable` always true; row 0 is rest. Rows are finite. Ends: done; inverted_element; diverged (the

@@ -40,7 +40,7 @@ void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
         core::counted(failure.iterations, "iteration") + ", residual " + short_text(failure.residual) +
         ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
     if (step_s_ >= settings_.min_step * first_step_s_) return;
-    const std::string place = solver::place_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
+    const std::string place = solver::location_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
     if (inverted)
         return finish(StopReason::inverted_element,
                       "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " + place + " at " +

@@ -139,7 +139,7 @@ template <bool Axisymmetric, TangentKind Kind>
 void sum_stiffness(const ReferenceCell& cell, double inverse_bulk_modulus, CellOutput& out) {
     const int n = cell.nodes, dim = cell.dimension, size = cell.dofs();
     const CellPoints& points = out.points;
-    out.product.resize(static_cast<std::size_t>(3) * cell.points * size + room_behind_product);
+    out.product.resize(static_cast<std::size_t>(3) * cell.points * size + gemm_padding);
     for (int i = 0; i < dim; ++i) {
         const int first = Kind == TangentKind::symmetric ? i : 0, columns = size - first * n;
         const int depth = directions_of<Axisymmetric>(dim, i) * cell.points;

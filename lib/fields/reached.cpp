@@ -6,7 +6,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "material/stability.hpp"
-#include "model/place.hpp"
+#include "model/location.hpp"
 #include "model/rubber.hpp"
 
 namespace soft::fields {
@@ -58,7 +58,7 @@ void check_softening(const model::Case& solved, const model::Material& material,
     const auto passed = limits_below(material, row.max_stretch);
     if (passed.empty()) return;
     const std::string where =
-        row.extremes ? " (" + model::place_text(solved.kinematics, row.extremes->stretch_at_m) + ")" : "";
+        row.extremes ? " (" + model::location_text(solved.kinematics, row.extremes->stretch_at_m) + ")" : "";
     warnings.push_back(
         material.source + ": at one place" + where + " the rubber is stretched to " +
         core::rounded_text(row.max_stretch, 3) + "; " + unstable_text(material, passed) +

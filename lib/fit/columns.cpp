@@ -39,12 +39,12 @@ bool is_displacement(std::string_view title) {
 }
 bool is_force(std::string_view title) { return !is_stress(title) && holds_any(title, {"force", "load", "kraft"}); }
 
-std::string place_of(const Table& table) {
+std::string location_of(const Table& table) {
     return table.source + ":" + std::to_string(table.headings.empty() ? table.lines.front() : table.header_line);
 }
 
 Error refusal(const Table& table, const std::string& problem, const std::string& remedy) {
-    return {ExitCode::bad_input, place_of(table), problem, remedy};
+    return {ExitCode::bad_input, location_of(table), problem, remedy};
 }
 
 std::vector<std::string> quoted_titles(const Table& table) {

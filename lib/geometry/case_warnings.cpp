@@ -8,7 +8,7 @@
 #include "core/units.hpp"
 #include "mesh/quality.hpp"
 #include "model/cavity_surface.hpp"
-#include "model/place.hpp"
+#include "model/location.hpp"
 #include "surface/volume.hpp"
 
 namespace soft::geometry {
@@ -179,7 +179,7 @@ void check_quality(const model::Case& built, Warnings& warnings) {
     if (quality.min_scaled_jacobian >= poor) return;
     warnings.push_back(
         "mesh: worst scaled Jacobian " + core::rounded_text(quality.min_scaled_jacobian, 2) + " at " +
-        model::place_text(built.kinematics, quality.worst_place_m) +
+        model::location_text(built.kinematics, quality.worst_place_m) +
         "; below 0.1 stresses in the cell are unreliable and steps may fail; use a smaller mesh.size or a "
         "gentler shape there");
 }

@@ -54,7 +54,7 @@ void add_body_forces(model::Case& result, const design::Design& design, const Me
             if (meshed.body.anchoring == Anchoring::middle_planes && i > 0)
                 throw design.values.refuse(path, "nothing holds the body against its weight", "leave gravity out");
         }
-        result.body_forces.push_back({request.name, acceleration, request.course});
+        result.body_forces.push_back({request.name, acceleration, request.time_function});
     }
 }
 
@@ -243,7 +243,7 @@ void add_loads(model::Case& result, const design::Design& design, const Meshed& 
                 ? 0
                 : whole_area_m2(meshed.solid, {place + ".along", request.face, request.along}, traction, design.values);
         for (double& component : traction) component *= area_m2 > 0 ? request.size / area_m2 : request.size;
-        result.tractions.push_back({request.face, traction, request.course, area_m2});
+        result.tractions.push_back({request.face, traction, request.time_function, area_m2});
     }
     add_body_forces(result, design, meshed);
     add_motions(result, design, meshed);

@@ -67,7 +67,7 @@ private:
 /// Cavities, pressures, tractions, body forces, prescribed motions and outputs.
 void check_loads(const Checker& check);
 /// Of row `load` of the group `loads`.
-void check_course(const Checker& check, const model::TimeCourse& course, const std::string& loads, std::size_t load);
+void check_time_function(const Checker& check, const model::TimeFunction& time_function, const std::string& loads, std::size_t load);
 /// Stages, and how the path is followed.
 void check_path(const Checker& check);
 /// Of the solver and of dynamics; after check_path.

@@ -80,10 +80,10 @@ GroupReader::GroupReader(hid_t file, const Origin& origin)
 }
 
 Error GroupReader::refuse(std::string_view item, std::string_view problem) const {
-    return {ExitCode::bad_input, place_of(item), problem, origin_->remedy};
+    return {ExitCode::bad_input, location_of(item), problem, origin_->remedy};
 }
 
-std::string GroupReader::place_of(std::string_view item) const {
+std::string GroupReader::location_of(std::string_view item) const {
     return origin_->source + ":" + path_ + "/" + std::string{item};
 }
 
@@ -105,7 +105,7 @@ bool GroupReader::has(const std::string& name) const {
 
 void GroupReader::note(const std::string& name) const {
     if (origin_->note.empty()) return;
-    const std::string place = place_of(name).substr(0, origin_->note.size() - 1);
+    const std::string place = location_of(name).substr(0, origin_->note.size() - 1);
     *std::ranges::copy(place, origin_->note.begin()).out = '\0';
 }
 
@@ -153,7 +153,7 @@ DatasetHandle GroupReader::open_dataset(const std::string& name) const {
 template <class T>
 std::vector<T> GroupReader::array(const std::string& name, const Shape& shape) const {
     const DatasetHandle dataset = open_dataset(name);
-    const std::string where = place_of(name);
+    const std::string where = location_of(name);
     const Place place{dataset.get(), *origin_, where};
     require_type<T>(place);
     const std::uint64_t bytes = checked_bytes(place, checked_shape(place, shape), sizeof(T));
@@ -198,7 +198,7 @@ std::vector<std::uint8_t> GroupReader::flags(const std::string& name, const Shap
 /// The fixed-length elements of a text dataset, padding included, and their width.
 GroupReader::TextBytes GroupReader::text_bytes(const std::string& name, const Shape& shape) const {
     const DatasetHandle dataset = open_dataset(name);
-    const std::string where = place_of(name);
+    const std::string where = location_of(name);
     const Place place{dataset.get(), *origin_, where};
     const TypeHandle type{H5Dget_type(dataset.get())};
     require_plain_text(place, type.get());
@@ -226,7 +226,7 @@ std::vector<std::string> GroupReader::texts(const std::string& name, std::int64_
 
 DatasetHandle GroupReader::checked_rows(const std::string& name, const Shape& shape) const {
     DatasetHandle dataset = open_dataset(name);
-    const std::string where = place_of(name);
+    const std::string where = location_of(name);
     const Place place{dataset.get(), *origin_, where};
     require_type<double>(place);
     check_storage(place, checked_bytes(place, checked_shape(place, shape), sizeof(double)), sizeof(double));
@@ -257,7 +257,7 @@ bool GroupReader::has_attribute(const char* name) const { return H5Aexists(group
 
 std::string GroupReader::text_attribute(const char* name) const {
     const AttributeHandle attribute = open_attribute(name);
-    const std::string where = place_of(name);
+    const std::string where = location_of(name);
     const Place place{H5I_INVALID_HID, *origin_, where};
     const TypeHandle type{H5Aget_type(attribute.get())};
     require_plain_text(place, type.get());

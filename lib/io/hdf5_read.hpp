@@ -73,7 +73,7 @@ private:
     [[nodiscard]] TextBytes text_bytes(const std::string& name, const Shape& shape) const;
     [[nodiscard]] DatasetHandle open_dataset(const std::string& name) const;
     [[nodiscard]] AttributeHandle open_attribute(const char* name) const;
-    [[nodiscard]] std::string place_of(std::string_view item) const;
+    [[nodiscard]] std::string location_of(std::string_view item) const;
     void require_finite(std::span<const double> values, const std::string& name) const;
     [[nodiscard]] Error unknown_word(const std::string& name, const std::string& word) const;
 

@@ -67,7 +67,7 @@ void check_pressures(const Checker& check) {
         check.require_positive(gas.exponent, Checker::item("/loads/exponent", i));
         check.require(std::isfinite(gas.dead_volume_m3) && gas.dead_volume_m3 >= 0,
                       Checker::item("/loads/dead_volume", i), "must not be negative");
-        check_course(check, loads[i].course, "/loads", i);
+        check_time_function(check, loads[i].time_function, "/loads", i);
         if (!loads[i].line) continue;
         check.require_positive(loads[i].line->resistance_Pa_s_m3, Checker::item("/loads/line_resistance", i));
         check.require(acts_on_cavities(check.model(), loads[i]), Checker::item("/loads/line_resistance", i),
@@ -83,7 +83,7 @@ void check_forces(const Checker& check) {
             check.require_finite(component, Checker::item("/loads/tractions/traction", i));
         check.require(std::isfinite(input.tractions[i].area_m2) && input.tractions[i].area_m2 >= 0,
                       Checker::item("/loads/tractions/area", i), "must not be negative");
-        check_course(check, input.tractions[i].course, "/loads/tractions", i);
+        check_time_function(check, input.tractions[i].time_function, "/loads/tractions", i);
     }
     check.require_unique(input.body_forces, "/loads/body_forces/name",
                          [](const model::BodyForce& force) { return force.name; });
@@ -93,7 +93,7 @@ void check_forces(const Checker& check) {
         for (const double component : acceleration) check.require_finite(component, place);
         if (input.kinematics == model::Kinematics::axisymmetric)
             check.require(acceleration[1] == 0 && acceleration[2] == 0, place, "does not point along the axis");
-        check_course(check, input.body_forces[i].course, "/loads/body_forces", i);
+        check_time_function(check, input.body_forces[i].time_function, "/loads/body_forces", i);
     }
 }
 

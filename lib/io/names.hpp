@@ -72,11 +72,11 @@ inline constexpr std::array load_shape_names{
     Named{model::LoadShape::deformed, std::string_view{"deformed"}},
     Named{model::LoadShape::undeformed, std::string_view{"undeformed"}},
 };
-inline constexpr std::array course_names{
-    Named{model::Course::ramp, std::string_view{"ramp"}},
-    Named{model::Course::step, std::string_view{"step"}},
-    Named{model::Course::sine, std::string_view{"sine"}},
-    Named{model::Course::table, std::string_view{"table"}},
+inline constexpr std::array time_function_names{
+    Named{model::TimeFunctionKind::ramp, std::string_view{"ramp"}},
+    Named{model::TimeFunctionKind::step, std::string_view{"step"}},
+    Named{model::TimeFunctionKind::sine, std::string_view{"sine"}},
+    Named{model::TimeFunctionKind::table, std::string_view{"table"}},
 };
 inline constexpr std::array newton_names{
     Named{model::NewtonMethod::full, std::string_view{"full"}},

@@ -62,22 +62,22 @@ void check_dynamics(const Checker& check) {
 
 }  // namespace
 
-void check_course(const Checker& check, const model::TimeCourse& course, const std::string& loads, std::size_t load) {
-    const std::string place = loads + "/course/", table = place + "table/time";
+void check_time_function(const Checker& check, const model::TimeFunction& time_function, const std::string& loads, std::size_t load) {
+    const std::string place = loads + "/time_function/", table = place + "table/time";
     const auto own = [&](const char* name) { return Checker::item(place + name, load); };
-    check_not_negative(check, course.time_s, own("rise"));
-    if (course.kind == model::Course::sine)
-        check.require_positive(course.frequency_Hz, own("frequency"));
+    check_not_negative(check, time_function.time_s, own("rise"));
+    if (time_function.kind == model::TimeFunctionKind::sine)
+        check.require_positive(time_function.frequency_Hz, own("frequency"));
     else
-        check_not_negative(check, course.frequency_Hz, own("frequency"));
-    const auto& times = course.times_s;
-    check.require(times.size() == course.shares.size(), table, "must be one a share");
-    check.require(course.kind == model::Course::table || times.empty(), own("kind"),
+        check_not_negative(check, time_function.frequency_Hz, own("frequency"));
+    const auto& times = time_function.times_s;
+    check.require(times.size() == time_function.shares.size(), table, "must be one a share");
+    check.require(time_function.kind == model::TimeFunctionKind::table || times.empty(), own("kind"),
                   "has points of a table and is none");
-    check.require(course.kind != model::Course::table || !times.empty(), own("kind"), "is a table without points");
+    check.require(time_function.kind != model::TimeFunctionKind::table || !times.empty(), own("kind"), "is a table without points");
     for (std::size_t i = 0; i < times.size(); ++i) {
         check_not_negative(check, times[i], table);
-        check.require_finite(course.shares[i], place + "table/share");
+        check.require_finite(time_function.shares[i], place + "table/share");
         check.require(i == 0 || times[i] > times[i - 1], table, "must ascend");
     }
 }

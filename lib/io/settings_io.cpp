@@ -139,21 +139,21 @@ void read_settings(const GroupReader& control, model::Case& model) {
     dynamics.integrator = group.word("integrator", integrator_names);
 }
 
-void write_courses(hid_t loads, const std::vector<model::TimeCourse>& courses) {
+void write_time_functions(hid_t loads, const std::vector<model::TimeFunction>& time_functions) {
     const GroupHandle group =
-        create_group(loads, "course", "how the loads go with time in a dynamic case, one row a load");
+        create_group(loads, "time_function", "how the loads go with time in a dynamic case, one row a load");
     const hid_t id = group.get();
-    write_texts(id, {"kind", "1", words_of(course_names)},
-                column(courses, [](const auto& c) { return std::string{name_of(course_names, c.kind)}; }));
+    write_texts(id, {"kind", "1", words_of(time_function_names)},
+                column(time_functions, [](const auto& c) { return std::string{name_of(time_function_names, c.kind)}; }));
     write_list(id, {"rise", "s", "of a ramp; 0: the whole duration"},
-               column(courses, [](const auto& c) { return c.time_s; }));
-    write_list(id, {"frequency", "1/s", "of a sine"}, column(courses, [](const auto& c) { return c.frequency_Hz; }));
+               column(time_functions, [](const auto& c) { return c.time_s; }));
+    write_list(id, {"frequency", "1/s", "of a sine"}, column(time_functions, [](const auto& c) { return c.frequency_Hz; }));
     std::vector<std::int64_t> owners;
     std::vector<double> times, shares;
-    for (std::size_t i = 0; i < courses.size(); ++i) {
-        owners.insert(owners.end(), courses[i].times_s.size(), extent(i));
-        times.insert(times.end(), courses[i].times_s.begin(), courses[i].times_s.end());
-        shares.insert(shares.end(), courses[i].shares.begin(), courses[i].shares.end());
+    for (std::size_t i = 0; i < time_functions.size(); ++i) {
+        owners.insert(owners.end(), time_functions[i].times_s.size(), extent(i));
+        times.insert(times.end(), time_functions[i].times_s.begin(), time_functions[i].times_s.end());
+        shares.insert(shares.end(), time_functions[i].shares.begin(), time_functions[i].shares.end());
     }
     const GroupHandle table = create_group(id, "table", "points of the tables, one row each, those of a load in a row");
     write_list(table.get(), {"load", "1", "row of kind"}, owners);
@@ -161,13 +161,13 @@ void write_courses(hid_t loads, const std::vector<model::TimeCourse>& courses) {
     write_list(table.get(), {"share", "1", "of the full load"}, shares);
 }
 
-std::vector<model::TimeCourse> read_courses(const GroupReader& loads, std::int64_t count) {
-    const GroupReader group = loads.group("course");
-    const auto kinds = read_words(group, "kind", course_names, count);
+std::vector<model::TimeFunction> read_time_functions(const GroupReader& loads, std::int64_t count) {
+    const GroupReader group = loads.group("time_function");
+    const auto kinds = read_words(group, "kind", time_function_names, count);
     const auto rises = group.array<double>("rise", {count});
     const auto frequencies = group.array<double>("frequency", {count});
-    std::vector<model::TimeCourse> courses;
-    for (std::size_t i = 0; i < kinds.size(); ++i) courses.push_back({kinds[i], rises[i], frequencies[i], {}, {}});
+    std::vector<model::TimeFunction> time_functions;
+    for (std::size_t i = 0; i < kinds.size(); ++i) time_functions.push_back({kinds[i], rises[i], frequencies[i], {}, {}});
     const GroupReader table = group.group("table");
     const auto owners = table.array<std::int64_t>("load", {any});
     const auto times = table.array<double>("time", {extent(owners.size())});
@@ -176,11 +176,11 @@ std::vector<model::TimeCourse> read_courses(const GroupReader& loads, std::int64
         if (owners[i] < 0 || owners[i] >= count)
             throw table.refuse("load[" + std::to_string(i) + "]",
                                "load " + std::to_string(owners[i]) + " does not exist");
-        model::TimeCourse& course = courses[static_cast<std::size_t>(owners[i])];
-        course.times_s.push_back(times[i]);
-        course.shares.push_back(shares[i]);
+        model::TimeFunction& time_function = time_functions[static_cast<std::size_t>(owners[i])];
+        time_function.times_s.push_back(times[i]);
+        time_function.shares.push_back(shares[i]);
     }
-    return courses;
+    return time_functions;
 }
 
 }  // namespace soft::io

@@ -1,5 +1,5 @@
 #pragma once
-/// How a case is solved (/control/solver, /control/dynamics) and how loads go with time (course). Internal to the module.
+/// How a case is solved (/control/solver, /control/dynamics) and how loads go with time (time_function). Internal to the module.
 #include <cstdint>
 #include <vector>
 
@@ -13,8 +13,8 @@ void write_settings(hid_t control, const model::Case& model);
 /// Replaces both in `model`; without the group dynamics the path is static.
 void read_settings(const GroupReader& control, model::Case& model);
 
-/// Creates the group course in `loads`, one row a load.
-void write_courses(hid_t loads, const std::vector<model::TimeCourse>& courses);
-[[nodiscard]] std::vector<model::TimeCourse> read_courses(const GroupReader& loads, std::int64_t count);
+/// Creates the group time_function in `loads`, one row a load.
+void write_time_functions(hid_t loads, const std::vector<model::TimeFunction>& time_functions);
+[[nodiscard]] std::vector<model::TimeFunction> read_time_functions(const GroupReader& loads, std::int64_t count);
 
 }  // namespace soft::io

@@ -42,7 +42,7 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
     const auto exponents = group.array<double>("exponent", {count});
     const auto shapes = read_words(group, "shape", load_shape_names, count);
     const auto resistances = group.array<double>("line_resistance", {count});
-    const auto courses = read_courses(group, count);
+    const auto time_functions = read_time_functions(group, count);
     std::vector<model::PressureLoad> loads;
     for (std::size_t i = 0; i < names.size(); ++i) {
         loads.push_back({names[i],
@@ -50,7 +50,7 @@ std::vector<model::PressureLoad> read_pressures(const GroupReader& group) {
                          sealed[i] == 1,
                          {ambients[i], densities[i], dead_volumes[i], exponents[i]},
                          shapes[i],
-                         courses[i],
+                         time_functions[i],
                          {}});
         loads.back().plug_thrust = thrusts[i] == 1;
         if (resistances[i] != 0) loads.back().line = model::SupplyLine{resistances[i]};
@@ -72,19 +72,19 @@ std::vector<model::TractionLoad> read_tractions(const GroupReader& group) {
     const auto values = group.array<double>("traction", {extent(faces.size()), 3});
     const auto areas =
         group.has("area") ? group.array<double>("area", {extent(faces.size())}) : std::vector(faces.size(), 0.0);
-    const auto courses = read_courses(group, extent(faces.size()));
+    const auto time_functions = read_time_functions(group, extent(faces.size()));
     std::vector<model::TractionLoad> tractions;
     for (std::size_t i = 0; i < faces.size(); ++i)
-        tractions.push_back({faces[i], triple<double>(values, i), courses[i], areas[i]});
+        tractions.push_back({faces[i], triple<double>(values, i), time_functions[i], areas[i]});
     return tractions;
 }
 
 std::vector<model::BodyForce> read_body_forces(const GroupReader& group) {
     const auto names = group.texts("name");
     const auto values = group.array<double>("acceleration", {extent(names.size()), 3});
-    const auto courses = read_courses(group, extent(names.size()));
+    const auto time_functions = read_time_functions(group, extent(names.size()));
     std::vector<model::BodyForce> forces;
-    for (std::size_t i = 0; i < names.size(); ++i) forces.push_back({names[i], triple<double>(values, i), courses[i]});
+    for (std::size_t i = 0; i < names.size(); ++i) forces.push_back({names[i], triple<double>(values, i), time_functions[i]});
     return forces;
 }
 

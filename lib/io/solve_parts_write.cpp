@@ -55,8 +55,8 @@ void write_targets(hid_t loads_group, const std::vector<model::PressureLoad>& lo
 }
 
 template <class Load>
-std::vector<model::TimeCourse> courses_of(const std::vector<Load>& loads) {
-    return column(loads, [](const auto& load) { return load.course; });
+std::vector<model::TimeFunction> time_functions_of(const std::vector<Load>& loads) {
+    return column(loads, [](const auto& load) { return load.time_function; });
 }
 
 void write_pressures(hid_t group, const std::vector<model::PressureLoad>& loads) {
@@ -77,7 +77,7 @@ void write_pressures(hid_t group, const std::vector<model::PressureLoad>& loads)
                 column(loads, [](const auto& l) { return std::string{name_of(load_shape_names, l.shape)}; }));
     write_list(group, {"line_resistance", "Pa.s/m3", "of the tube that fills the cavities in a dynamic case; 0: none"},
                column(loads, [](const auto& l) { return l.line ? l.line->resistance_Pa_s_m3 : 0.0; }));
-    write_courses(group, courses_of(loads));
+    write_time_functions(group, time_functions_of(loads));
     write_targets(group, loads);
 }
 
@@ -89,13 +89,13 @@ void write_forces(hid_t loads_group, const model::Case& model) {
                rows_of_three<double>(tractions, [](const auto& t) { return t.traction_Pa; }), {tractions.size(), 3});
     write_list(dead.get(), {"area", "m2", "of the whole face, of a load that is stated as a force; else 0"},
                column(tractions, [](const auto& t) { return t.area_m2; }));
-    write_courses(dead.get(), courses_of(tractions));
+    write_time_functions(dead.get(), time_functions_of(tractions));
     const auto& forces = model.body_forces;
     const GroupHandle body = create_group(loads_group, "body_forces", "forces on the mass at level 1, one row a load");
     write_texts(body.get(), {"name", "1", "name of the load"}, column(forces, [](const auto& f) { return f.name; }));
     write_list(body.get(), {"acceleration", "m/s2", "force per mass: x, y, z (axisymmetric: x alone)"},
                rows_of_three<double>(forces, [](const auto& f) { return f.acceleration_m_s2; }), {forces.size(), 3});
-    write_courses(body.get(), courses_of(forces));
+    write_time_functions(body.get(), time_functions_of(forces));
 }
 
 void write_motions(hid_t loads_group, const std::vector<model::Motion>& motions) {

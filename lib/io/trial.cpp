@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <new>
 
-#include "core/apart.hpp"
+#include "core/subprocess.hpp"
 #include "core/memory.hpp"
 #include "core/text.hpp"
 
@@ -33,7 +33,7 @@ private:
     void* start_;
 };
 
-core::ApartLimits limits_for(std::size_t image_bytes) {
+core::SubprocessLimits limits_for(std::size_t image_bytes) {
     constexpr std::size_t bytes_a_second = 10'000'000;
     const std::chrono::seconds processor{10 + static_cast<long>(image_bytes / bytes_a_second)};
     return {.wall = 10 * processor, .processor = processor, .memory = (std::size_t{1} << 28) + 64 * image_bytes};
@@ -59,8 +59,8 @@ void try_apart(const Origin& origin, const std::function<void(const Origin& note
     const SharedNote note;
     Origin noted = origin;
     noted.note = note.characters();
-    const core::ApartLimits limits = limits_for(origin.image_bytes);
-    const core::ApartEnd end = core::done_apart([&] { return verdict_of(read, noted); }, limits);
+    const core::SubprocessLimits limits = limits_for(origin.image_bytes);
+    const core::SubprocessEnd end = core::run_in_subprocess([&] { return verdict_of(read, noted); }, limits);
     if (!end.result) {
         core::require_memory(limits.memory);  // where the machine has less, the file is not to blame
         const std::string place = note.text();

@@ -20,7 +20,7 @@ struct Blocks {
     explicit Blocks(Mat K) { SOFT_PETSC(MatMPIAIJGetSeqAIJ(K, &own, &other, &other_columns)); }
 };
 
-PetscInt place_of(const Indices& sorted, PetscInt value) {
+PetscInt location_of(const Indices& sorted, PetscInt value) {
     const auto found = std::ranges::lower_bound(sorted, value);
     return found != sorted.end() && *found == value ? static_cast<PetscInt>(found - sorted.begin()) : -1;
 }
@@ -74,7 +74,7 @@ PartLayout layout_of(Mat K, MPI_Comm ranks) {
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
     // A coupling that the higher rank alone stores would not be seen by the lower one: K is symmetric in its pattern.
     for (const PetscInt unknown : touched)
-        if (const PetscInt place = place_of(layout.shared, unknown); place >= 0) layout.touched.push_back(place);
+        if (const PetscInt place = location_of(layout.shared, unknown); place >= 0) layout.touched.push_back(place);
     return layout;
 }
 
@@ -104,7 +104,7 @@ void PartRows::add_interior_rows(Mat K, const PartLayout& layout) {
     const auto interior = static_cast<PetscInt>(layout.interior.size());
     const Indices touched = numbers_in_whole(layout.touched, layout.shared);
     const auto number_of_touched = [&](PetscInt unknown) {
-        const PetscInt place = place_of(touched, unknown);
+        const PetscInt place = location_of(touched, unknown);
         return place < 0 ? place : interior + place;
     };
     Indices number(at(own.count), -1);  // in the part, of the rank's own unknowns

@@ -42,7 +42,7 @@ Range range_of(const Mesh& mesh, Index cell, const Samples& samples) {
 /// A cell whose largest determinant is not positive is inside out everywhere: its quotient would read as sound.
 double scaled(const Range& range) { return range.most > 0 ? range.least / range.most : -1.0; }
 
-std::string place_text(const Point& p) {
+std::string location_text(const Point& p) {
     std::string text = "(";
     for (std::size_t i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + core::rounded_text(1e3 * p[i], 5);
     return text + ") mm";
@@ -67,7 +67,7 @@ Quality quality(const Mesh& mesh) {
     if (!(result.min_scaled_jacobian > 0))
         throw Error(ExitCode::bad_input, "mesh",
                     "cell " + std::to_string(result.worst_cell) + " is turned inside out at " +
-                        place_text(result.worst_place_m),
+                        location_text(result.worst_place_m),
                     "a smaller mesh.size or a gentler shape");
     return result;
 }

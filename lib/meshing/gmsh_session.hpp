@@ -72,7 +72,7 @@ public:
     void fill(int volume, std::vector<int> surfaces, Filling filling);
 
     /// The number of solids in a CAD file, in mm whatever its unit. The CAD library talks on stdout, and may crash at the program's exit: for a
-    /// process of its own (core/apart.hpp).
+    /// process of its own (core/subprocess.hpp).
     [[nodiscard]] int import_cad(const std::string& path);
     /// Chords to a full turn, and their bounds as shares of the longest side of the box around all.
     struct Chords {

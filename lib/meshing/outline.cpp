@@ -69,7 +69,7 @@ std::vector<PlanePoint> even_polyline(const std::vector<PlanePoint>& points) {
     return line;
 }
 
-std::string place_text(PlanePoint p) {
+std::string location_text(PlanePoint p) {
     std::string text{"("};  // with operator+ g++ 12 warns of an overlap that is none
     return text.append(core::rounded_text(1e3 * p[0], 5))
         .append(", ")
@@ -87,7 +87,7 @@ std::optional<OutlineFault> point_twice(const Outline& outline, double near_m) {
             for (std::size_t i = 0; i + 1 < edge.points.size(); ++i)
                 if (length(minus(edge.points[i + 1], edge.points[i])) < near_m)
                     return OutlineFault{edge.row,
-                                        "the point " + place_text(edge.points[i]) + " stands there twice in a row",
+                                        "the point " + location_text(edge.points[i]) + " stands there twice in a row",
                                         "leave one out; the last point is joined to the first by itself"};
             const bool closed = length(minus(edge.points.front(), edge.points.back())) < near_m;
             if (closed && edge.shape != OutlineEdge::Shape::spline)
@@ -118,7 +118,7 @@ std::optional<OutlineFault> meeting(const Outline& outline, double near_m) {
                 const std::size_t row = edge_of(outline, a).row, other = edge_of(outline, b).row;
                 const std::string whom = row == other ? "itself" : "the one of line " + std::to_string(other);
                 return OutlineFault{
-                    row, "its edge crosses, touches or runs back over " + whom + " near " + place_text(b.start),
+                    row, "its edge crosses, touches or runs back over " + whom + " near " + location_text(b.start),
                     "an outline goes once round the solid"};
             }
         }

@@ -7,7 +7,7 @@
 #include <map>
 #include <span>
 
-#include "core/apart.hpp"
+#include "core/subprocess.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
 #include "core/text.hpp"
@@ -58,9 +58,9 @@ surface::FacetSoup joined(std::span<const double> corners) {
 }
 
 surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
-    constexpr core::ApartLimits limits{.wall = std::chrono::minutes{5}};      // parts take seconds
+    constexpr core::SubprocessLimits limits{.wall = std::chrono::minutes{5}};      // parts take seconds
     static_cast<void>(core::read_regular_file(path, surface::max_file));  // says why it cannot be opened
-    const core::ApartEnd end = core::done_apart([&] { return bytes_of(cad_numbers(path.string())); }, limits);
+    const core::SubprocessEnd end = core::run_in_subprocess([&] { return bytes_of(cad_numbers(path.string())); }, limits);
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         throw Error(ExitCode::bad_input, path.string(), problem, remedy);
     };

@@ -72,9 +72,9 @@ struct Gas {
 /// How a load goes with time in a dynamic case: its level is the value of the (only) stage times the share f(t).
 ///   ramp: f grows from 0 to 1 over `time_s` and stays        step: 1 from the start (t = 0 included)
 ///   sine: sin(2 pi frequency t)                               table: linear between (times_s, shares), held beyond its ends
-enum class Course { ramp, step, sine, table };
-struct TimeCourse {
-    Course kind = Course::ramp;
+enum class TimeFunctionKind { ramp, step, sine, table };
+struct TimeFunction {
+    TimeFunctionKind kind = TimeFunctionKind::ramp;
     double time_s = 0;                    ///< of the ramp; 0: the duration of the path
     double frequency_Hz = 0;              ///< of the sine
     std::vector<double> times_s, shares;  ///< of the table, times ascending
@@ -96,9 +96,9 @@ struct PressureLoad {
     bool sealed = true;                ///< openings are plugged; see assembly/cavity.hpp
     Gas gas;
     LoadShape shape = LoadShape::deformed;
-    TimeCourse course = {};  ///< of its pressure, where the case is dynamic
-    /// Where the case is dynamic: the pressure of the course feeds the cavities through this resistance, and what is in
-    /// them follows the gas law (dead volume included). nullopt: the course is the pressure in the cavity.
+    TimeFunction time_function = {};  ///< of its pressure, where the case is dynamic
+    /// Where the case is dynamic: the pressure of the time_function feeds the cavities through this resistance, and what is in
+    /// them follows the gas law (dead volume included). nullopt: the time_function is the pressure in the cavity.
     std::optional<SupplyLine> line = {};
     bool plug_thrust =
         true;  ///< false: a fixture carries the plugs of a sealed load, the actuator does not feel their thrust
@@ -108,7 +108,7 @@ struct PressureLoad {
 struct TractionLoad {
     std::string face;
     std::array<double, 3> traction_Pa{};  ///< at level 1; axisymmetric: x, r, unused
-    TimeCourse course = {};
+    TimeFunction time_function = {};
     double area_m2 = 0;  ///< of the whole undeformed face, where the design states a force; else 0
 };
 
@@ -116,7 +116,7 @@ struct TractionLoad {
 struct BodyForce {
     std::string name = "gravity";
     std::array<double, 3> acceleration_m_s2{};  ///< at level 1; axisymmetric: x alone
-    TimeCourse course = {};
+    TimeFunction time_function = {};
 };
 
 /// A prescribed displacement of a face; components without a value stay free.

@@ -52,7 +52,7 @@ std::string with_unit(const Column& column, double value, int digits = 4) {
     return core::rounded_text(value, digits) + (column.unit.empty() ? "" : " " + column.unit);
 }
 
-std::string place_text(const Curve& curve, const Measured& measured, const ErrorSummary& error) {
+std::string location_text(const Curve& curve, const Measured& measured, const ErrorSummary& error) {
     const Series& at = *measured.find(error.at);
     const Column& column = curve.columns[error.at];
     return column.quantity + " " + with_unit(column, at.values[error.max_row]) + " (" + measured.source + ":" +
@@ -124,7 +124,7 @@ std::vector<std::string> summary_lines(const Curve& curve, const Measured& measu
         lines.push_back(name_of(curve, error) + ": mean error " + with_unit(of, error.mean, 3) +
                         ", mean absolute error " + with_unit(of, error.mean_absolute, 3) + ", RMS " +
                         with_unit(of, error.rms, 3) + ", largest " + with_unit(of, error.largest, 3) + " at " +
-                        place_text(curve, measured, error) +
+                        location_text(curve, measured, error) +
                         (error.r2 ? ", R2 " + core::rounded_text(*error.r2, 4) : "") + "; " + points_text(error));
     }
     return lines;
@@ -146,7 +146,7 @@ std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, s
                     ""};
         if (std::abs(error.largest) > allowed)
             claim.failure = "the largest error of " + name_of(curve, error) + " is " + with_unit(of, error.largest) +
-                            " at " + place_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);
+                            " at " + location_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);
         else if (error.left_out > 0)
             claim.failure = core::counted(error.left_out, "measured point") + " of " +
                             std::to_string(error.points + error.left_out) + " cannot be held to " +

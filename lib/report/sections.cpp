@@ -18,7 +18,7 @@ std::string with_unit(const post::Column& column, double value, int digits) {
 }
 
 /// "pressure 44.3 kPa, elongation 20 mm": what a limit point or bifurcation says.
-std::string place_text(const post::Curve& curve, const solution::LimitPoint& point) {
+std::string location_text(const post::Curve& curve, const solution::LimitPoint& point) {
     std::vector<std::string> words;
     for (const post::Column& column : curve.columns)
         if (const auto value = post::value_at(column, point))
@@ -61,9 +61,9 @@ std::string summary_section(const Content& content) {
     html += paragraph("The path ended: " + std::string{solution::name(end->reason)} +
                       (end->detail.empty() ? "" : " (" + end->detail + ")") + ".");
     for (const solution::LimitPoint& point : end->limit_points)
-        html += paragraph("Limit point: " + place_text(content.curve, point) + ".");
+        html += paragraph("Limit point: " + location_text(content.curve, point) + ".");
     for (const solution::Bifurcation& branch : end->bifurcations)
-        html += paragraph("Bifurcation: " + place_text(content.curve, branch.at) + ".");
+        html += paragraph("Bifurcation: " + location_text(content.curve, branch.at) + ".");
     return html;
 }
 

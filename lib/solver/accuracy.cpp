@@ -55,7 +55,7 @@ struct Level {
     assembly::System system;
 };
 
-RowPlace place_of(const Rows& rows, std::size_t i, const solution::PathEnd& end) {
+RowPlace location_of(const Rows& rows, std::size_t i, const solution::PathEnd& end) {
     if (i == 0) return RowPlace::first;
     const bool last =
         i + 1 == rows.size() ? end.reason == solution::StopReason::done : rows[i + 1].step.stage != rows[i].step.stage;
@@ -157,7 +157,7 @@ Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end
     RefinedPath path(level.system, level.refined);
     for (std::size_t i = 0; i < coarse.size() && solved.failure.empty(); ++i) {
         solved.interrupted = listeners.is_interrupted && listeners.is_interrupted(i);
-        auto row = solved.interrupted ? std::nullopt : path.solve(coarse[i], place_of(coarse, i, end), keep);
+        auto row = solved.interrupted ? std::nullopt : path.solve(coarse[i], location_of(coarse, i, end), keep);
         if (row)
             solved.rows.push_back(std::move(*row));
         else if (solved.interrupted)

@@ -61,7 +61,7 @@ double next_between(const Sample& a, const Sample& b, std::optional<double>& las
 }  // namespace
 
 /// Halves the step between the last row and `point` down to where the walls just do not touch yet.
-std::optional<Touch> PathFollower::find_contact(PathPoint& point) {
+std::optional<ContactEvent> PathFollower::find_contact(PathPoint& point) {
     if (!listeners_.contact || input_.path.contact == model::Contact::ignore) return std::nullopt;
     const auto look = [&](const PathPoint& at) {
         system_.prescribe(loads_->levels(at.state.load_factor, at.state.pressures_Pa));
@@ -130,7 +130,7 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
                              [&](const Event& a, const Event& b) { return sense * a.point.q < sense * b.point.q; });
     for (auto& event : events) {
         if (event.modes > 0) {
-            solution::Bifurcation bifurcation{place_of(event.point), event.modes, {}};
+            solution::Bifurcation bifurcation{location_of(event.point), event.modes, {}};
             if (event.mode) {
                 system_.prescribe(assembly::no_loads(input_));
                 bifurcation.mode = system_.gather_fields(*event.mode).displacement_m;
@@ -140,7 +140,7 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
             if (take_branch(event)) return true;
             continue;
         }
-        if (event.is_limit_point) end_.limit_points.push_back(place_of(event.point));
+        if (event.is_limit_point) end_.limit_points.push_back(location_of(event.point));
         append(event.point);
         if (ends.empty()) continue;
         finish(StopReason::limit_point, ends + " at " + describe(event.point) +

@@ -51,7 +51,7 @@ using Log = std::function<void(const std::string&)>;
 using CheckpointSink = std::function<void(const solution::Checkpoint&)>;
 
 /// Walls that touch in a state, or one that has passed through itself: inverted_element. In words, "the faces ... at x = ...".
-struct Touch {
+struct ContactEvent {
     std::string text;
     solution::StopReason reason = solution::StopReason::self_contact;
     /// Why the path ends in this state, whose values are given.
@@ -62,7 +62,7 @@ struct Touch {
 };
 
 /// Empty where nothing touches. Collective, the same answer on every rank.
-using ContactCheck = std::function<std::optional<Touch>(Vec x)>;
+using ContactCheck = std::function<std::optional<ContactEvent>(Vec x)>;
 
 /// A row with what it takes to solve it again on another mesh (refined_path.hpp).
 using RowSink = std::function<void(const RowState&)>;

@@ -25,7 +25,7 @@ bool PathFollower::is_past_a_maximum() const {
     return !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
 }
 
-bool PathFollower::is_hopeless() const { return is_past_a_maximum() && stretch_p99_ > input_.path.stretch_limit; }
+bool PathFollower::is_goal_unreachable() const { return is_past_a_maximum() && stretch_p99_ > input_.path.stretch_limit; }
 
 bool PathFollower::is_stalled() const {
     if (settings_.steps == model::StepRule::constant || visited_.size() <= stalled_rows) return false;
@@ -69,7 +69,7 @@ std::string PathFollower::return_text() const {
 bool PathFollower::is_crushed() const { return newton_result_.min_jacobian < crushed; }
 
 void PathFollower::give_up() {
-    const std::string place = place_text(newton_result_.worst_cell, input_);
+    const std::string place = location_text(newton_result_.worst_cell, input_);
     log("no step goes on: smaller cells (mesh.size) would be next");
     if (newton_result_.end == NewtonEnd::inverted)
         return finish(StopReason::inverted_element,

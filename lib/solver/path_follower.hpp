@@ -2,7 +2,7 @@
 /// The state machine behind follow_path (path.hpp), internal to the module. One concern a file: path.cpp begins and ends,
 /// stages.cpp begins and ends stages and changes the control, path_step.cpp takes steps and mends failed ones,
 /// path_points.cpp measures states and writes rows, path_work.cpp sums the work of the loads, events.cpp locates limit points, bifurcations and contact,
-/// path_corner.cpp goes round corners of bodies with fibres, path_end.cpp ends paths that do not reach their load, path_resume.cpp
+/// path_kink.cpp goes round corners of bodies with fibres, path_end.cpp ends paths that do not reach their load, path_resume.cpp
 /// keeps and restores checkpoints.
 #include <optional>
 #include <string>
@@ -106,7 +106,7 @@ private:
 
     // path_end.cpp
     [[nodiscard]] bool is_past_a_maximum() const;
-    [[nodiscard]] bool is_hopeless() const;
+    [[nodiscard]] bool is_goal_unreachable() const;
     /// Whether the last steps are so short that no number of them leads on.
     [[nodiscard]] bool is_stalled() const;
     [[nodiscard]] bool is_out_of_reach();
@@ -116,8 +116,8 @@ private:
     [[nodiscard]] bool is_crushed() const;
     void give_up();
 
-    // path_corner.cpp
-    [[nodiscard]] bool turn_corner(double failed_step);
+    // path_kink.cpp
+    [[nodiscard]] bool pass_kink(double failed_step);
     [[nodiscard]] std::optional<PathTangent> oriented_direction(const State& state);
     [[nodiscard]] bool begins_at_rest() const;
     [[nodiscard]] PathTangent leave_rest(const State& rest, PathTangent slack);
@@ -138,7 +138,7 @@ private:
     [[nodiscard]] bool is_stable_under_control(const PathPoint& point) const;
     /// Along the direction of travel.
     [[nodiscard]] bool load_falls(const PathPoint& point) const { return point.tangent.load_factor * step_ < 0.0; }
-    [[nodiscard]] solution::LimitPoint place_of(const PathPoint& point) const;
+    [[nodiscard]] solution::LimitPoint location_of(const PathPoint& point) const;
     [[nodiscard]] std::string describe(const PathPoint& point) const { return state_text(point, input_); }
     void log(const std::string& line) const {
         if (listeners_.log) listeners_.log(line);
@@ -158,7 +158,7 @@ private:
     [[nodiscard]] double stored_energy_of(PathPoint& point);
 
     // events.cpp
-    [[nodiscard]] std::optional<Touch> find_contact(PathPoint& point);
+    [[nodiscard]] std::optional<ContactEvent> find_contact(PathPoint& point);
     /// Appends what happens between two points in the order of the path; true where the path ends or turns there.
     [[nodiscard]] bool pass_events(const PathPoint& from, const PathPoint& to);
     [[nodiscard]] std::optional<PathPoint> locate_extremum(const PathPoint& from, const PathPoint& to,

@@ -65,7 +65,7 @@ bool PathFollower::is_stable_under_control(const PathPoint& point) const {
     return *point.tangent.unstable_modes == (load_falls(point) ? 1 : 0);
 }
 
-solution::LimitPoint PathFollower::place_of(const PathPoint& point) const {
+solution::LimitPoint PathFollower::location_of(const PathPoint& point) const {
     solution::LimitPoint place{rows_, point.leading, std::nullopt, point.outputs};
     if (!input_.loads.empty() && system_.encloses_volume(0)) place.volume_m3 = point.load_volumes_m3[0];
     return place;

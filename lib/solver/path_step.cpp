@@ -244,7 +244,7 @@ bool PathFollower::arrive(PathPoint point, const Goal* goal) {
         finish(StopReason::limit_point, "the load asked for is never reached: it tends to little more than at " +
                                             describe(*last_) +
                                             ", and the rubber is stretched by more than path.stretch_limit");
-    else if (is_hopeless())
+    else if (is_goal_unreachable())
         finish(StopReason::limit_point,
                "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
                "path.stretch_limit at " +
@@ -311,7 +311,7 @@ void PathFollower::handle_failure() {
     const bool too_short = share < 1.0;
     const bool may_be_corner = system_.has_fibers() && newton_result_.end != NewtonEnd::not_finite &&
                                (failures_ >= failures_before_corner || too_short);
-    if (may_be_corner && turn_corner(failed)) return;
+    if (may_be_corner && pass_kink(failed)) return;
     const bool automatic = stage().control == model::Control::automatic;
     if (control_.kind != ConstraintKind::arc && (too_short || failures_ >= failures_before_other_control ||
                                                  (automatic && control_.kind == ConstraintKind::load_factor))) {

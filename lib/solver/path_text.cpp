@@ -30,7 +30,7 @@ std::string state_text(const PathPoint& point, const model::Case& input) {
     return text;
 }
 
-std::string place_text(mesh::Index cell, const model::Case& input) {
+std::string location_text(mesh::Index cell, const model::Case& input) {
     if (cell < 0) return "somewhere";
     mesh::Point centre{};
     const auto nodes = input.mesh.cell_nodes(cell);

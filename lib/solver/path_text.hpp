@@ -12,6 +12,6 @@ namespace soft::solver {
 [[nodiscard]] std::string state_text(const PathPoint& point, const model::Case& input);
 
 /// "in cell 12 at x = 3.1 mm, r = 2 mm of the undeformed part"
-[[nodiscard]] std::string place_text(mesh::Index cell, const model::Case& input);
+[[nodiscard]] std::string location_text(mesh::Index cell, const model::Case& input);
 
 }  // namespace soft::solver

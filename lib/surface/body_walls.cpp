@@ -41,7 +41,7 @@ Facet facet_of(const std::vector<mesh::Point>& points, const std::array<int, 3>&
 }
 
 /// Evenly spread over a triangle: the plastic number's sequence, folded (M. Roberts, 2018).
-mesh::Point place_in(const Facet& facet, std::size_t number) {
+mesh::Point location_in(const Facet& facet, std::size_t number) {
     constexpr double g = 1.3247179572447460;
     double u = std::fmod(1.0 / 3 + static_cast<double>(number) / g, 1.0),
            v = std::fmod(1.0 / 3 + static_cast<double>(number) / (g * g), 1.0);
@@ -76,7 +76,7 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
         share += places * facet.area / area;
         const Vector inward{-facet.normal[0], -facet.normal[1], -facet.normal[2]};
         for (std::size_t number = 0; share >= 0.5; share -= 1, ++number) {
-            const mesh::Point place = place_in(facet, number);
+            const mesh::Point place = location_in(facet, number);
             const auto hit = tree.first_hit(place, inward, static_cast<int>(f));
             if (hit && dot(facets[static_cast<std::size_t>(hit->facet)].normal, inward) >= min_cosine)
                 found.push_back({place, hit->distance_m});

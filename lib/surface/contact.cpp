@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "model/cavity_surface.hpp"
-#include "model/place.hpp"
+#include "model/location.hpp"
 #include "surface/crossing.hpp"
 #include "surface/free_facets.hpp"
 #include "surface/hinges.hpp"
@@ -270,7 +270,7 @@ private:
             result.text = face + " and " + other + " touch";
         else
             result.text = "the faces " + first + " and " + second + " touch";
-        result.text += " at " + model::place_text(kinematics_, found.place) + " of the undeformed part";
+        result.text += " at " + model::location_text(kinematics_, found.place) + " of the undeformed part";
         return result;
     }
 

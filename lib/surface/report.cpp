@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "model/place.hpp"
+#include "model/location.hpp"
 #include "surface/cgal_queries.hpp"
 #include "surface/triangles.hpp"
 #include "surface/volume.hpp"
@@ -55,11 +55,11 @@ void refuse_unsound(const model::Case& model, const CavityReport& report) {
     };
     if (report.self_intersection)
         refuse(
-            "the cavity's surface meets itself near " + model::place_text(model.kinematics, *report.self_intersection),
+            "the cavity's surface meets itself near " + model::location_text(model.kinematics, *report.self_intersection),
             "parts of the geometry overlap: check its lengths and radii");
     if (!report.closed)
         refuse("the cavity's surface is open near " +
-                   model::place_text(model.kinematics, report.open_place.value_or(mesh::Point{})),
+                   model::location_text(model.kinematics, report.open_place.value_or(mesh::Point{})),
                "its faces must enclose the cavity up to its declared openings");
     if (!report.oriented || !(report.volume_m3 > 0))
         refuse("the cavity's surface is inside out (it encloses rubber)", "name the inner faces of the body");

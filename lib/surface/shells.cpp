@@ -30,7 +30,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Edge = std::pair<std::size_t, std::size_t>;
 
-std::string place_text(const mesh::Point& p, const SoupOrigin& origin) {
+std::string location_text(const mesh::Point& p, const SoupOrigin& origin) {
     const auto number = [&](std::size_t d) {
         return core::rounded_text(p[d], 4) + (origin.unit.empty() ? "" : " ") + origin.unit;
     };
@@ -88,7 +88,7 @@ void refuse_open(const FacetSoup& soup, const SoupOrigin& origin) {
             refuse(origin,
                    counted(static_cast<std::size_t>(crowded), "edge has", "edges have") +
                        " more than two facets, one with " + std::to_string(uses) + " near " +
-                       place_text(middle(soup.points[edge.first], soup.points[edge.second]), origin),
+                       location_text(middle(soup.points[edge.first], soup.points[edge.second]), origin),
                    "join the parts to one body, or part them");
     const auto rims = rims_of(edges);
     if (rims.empty()) return;
@@ -101,7 +101,7 @@ void refuse_open(const FacetSoup& soup, const SoupOrigin& origin) {
     }
     refuse(origin,
            counted(rims.size(), "hole", "holes") + " in the surface, " + (rims.size() > 1 ? "the first " : "") +
-               "near " + place_text(centre, origin) + " with a rim " + core::rounded_text(length, 4) +
+               "near " + location_text(centre, origin) + " with a rim " + core::rounded_text(length, 4) +
                (origin.unit.empty() ? "" : " ") + origin.unit + " long",
            "close the surface where it was drawn; a body is solid, its openings are walls around a channel");
 }
@@ -117,7 +117,7 @@ SurfaceMesh oriented(const FacetSoup& soup, const SoupOrigin& origin) {
             points[before];  // the copies of points in which sheets hang together stand at the end
         refuse(origin,
                "sheets of the surface hang together at a point, or have only one side, near " +
-                   place_text({p.x(), p.y(), p.z()}, origin),
+                   location_text({p.x(), p.y(), p.z()}, origin),
                "join the parts properly, or part them");
     }
     SurfaceMesh mesh;
@@ -144,7 +144,7 @@ void refuse_crossings(const SurfaceMesh& mesh, const SoupOrigin& origin) {
     }
     refuse(origin,
            counted(pairs.size(), "pair of facets cuts", "pairs of facets cut") + " each other, the first near " +
-               place_text(place, origin),
+               location_text(place, origin),
            "unite the overlapping parts where the body was drawn");
 }
 
@@ -211,7 +211,7 @@ std::vector<Sheet> sheets_of(const SurfaceMesh& mesh, const SoupOrigin& origin) 
         const CGAL::Bbox_3& box = sheets[1].box;
         refuse(origin,
                std::to_string(bodies) + " bodies in one file, the second around " +
-                   place_text(
+                   location_text(
                        {(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2},
                        origin),
                "unite them, or put each into a file of its own");

@@ -28,7 +28,7 @@ double between(const Range& range, double share) {
     return std::exp(std::log(range.low) + share * (std::log(range.high) - std::log(range.low)));
 }
 
-std::string place_of(const Factor& factor, const std::string& value) {
+std::string location_of(const Factor& factor, const std::string& value) {
     if (const auto* range = std::get_if<Range>(&factor.values))
         return value == range->to.text ? range->to.place : range->from.place;
     const auto& choices = std::get<Choices>(factor.values);
@@ -39,7 +39,7 @@ std::string place_of(const Factor& factor, const std::string& value) {
 std::vector<design::Override> settings_of(const Sweep& sweep, const std::vector<std::string>& values) {
     std::vector<design::Override> settings = sweep.fixed;
     for (std::size_t f = 0; f < values.size(); ++f)
-        settings.push_back({sweep.factors[f].path, values[f], place_of(sweep.factors[f], values[f])});
+        settings.push_back({sweep.factors[f].path, values[f], location_of(sweep.factors[f], values[f])});
     return settings;
 }
 

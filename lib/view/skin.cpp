@@ -50,9 +50,9 @@ public:
             add_turned_edges();
             if (!closed_) add_cuts();
         } else if (is_section(model_)) {
-            for (mesh::Index cell = 0; cell < model_.mesh.cell_count(); ++cell) place_in(mirrors_, bases_of_cell(cell));
+            for (mesh::Index cell = 0; cell < model_.mesh.cell_count(); ++cell) location_in(mirrors_, bases_of_cell(cell));
         } else {
-            for (const auto& [facet, mirrors] : seen_facets()) place_in(mirrors, bases_of(facet));
+            for (const auto& [facet, mirrors] : seen_facets()) location_in(mirrors, bases_of(facet));
         }
         const auto undeformed = vertex_positions(skin_, base_positions(skin_, model_, places_, {}));
         skin_.creases = creases(skin_.faces, undeformed);
@@ -220,7 +220,7 @@ private:
         }
     }
 
-    void place_in(const std::vector<int>& images, const Side& side) {
+    void location_in(const std::vector<int>& images, const Side& side) {
         for (const int mirrors : images) place(side, mirrors, 0, false);
     }
 

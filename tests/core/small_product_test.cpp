@@ -12,7 +12,7 @@ namespace {
 
 /// With the room behind them that the product wants, of numbers that would spoil it.
 std::vector<double> numbers(int count, double phase) {
-    std::vector<double> values(static_cast<std::size_t>(count + room_behind_product),
+    std::vector<double> values(static_cast<std::size_t>(count + gemm_padding),
                                std::numeric_limits<double>::quiet_NaN());
     for (int i = 0; i < count; ++i) values[static_cast<std::size_t>(i)] = std::sin(1.7 * i + phase);
     return values;

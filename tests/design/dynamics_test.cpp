@@ -1,4 +1,4 @@
-/// Motion in time: its own keys, courses and lines of loads, and what it cannot have.
+/// Motion in time: its own keys, time_functions and lines of loads, and what it cannot have.
 #include <gtest/gtest.h>
 
 #include "sample.hpp"
@@ -66,11 +66,11 @@ TEST(DynamicDesign, EveryIntegratorHasAWord) {
 
 TEST(DynamicDesign, ReadsBackFromItsEffectiveDesign) {
     const std::string text =
-        loaded_design("course: {kind: table, times: [0 s, 50 ms], shares: [0, 1]}, line: {resistance: 0.1 kPa.s/mL}");
+        loaded_design("time_function: {kind: table, times: [0 s, 50 ms], shares: [0, 1]}, line: {resistance: 0.1 kPa.s/mL}");
     const std::string effective = read(text).effective_yaml;
     const Design again = read(effective);
     EXPECT_EQ(again.effective_yaml, effective);
-    EXPECT_EQ(again.loads.at(0).course.times_s, (std::vector{0.0, 0.05}));
+    EXPECT_EQ(again.loads.at(0).time_function.times_s, (std::vector{0.0, 0.05}));
     EXPECT_EQ(again.loads.at(0).line->resistance_Pa_s_m3, 1e8);
     const std::string explained = explain_design(text, "p.yaml", families(), {});
     EXPECT_TRUE(holds(explained, "kind: table")) << explained;
@@ -85,31 +85,31 @@ TEST(DynamicDesign, IsInTheTemplateAsAStaticOne) {
     EXPECT_FALSE(read(text).dynamics.has_value());
 }
 
-TEST(Course, OfEachKindHasItsOwnKeys) {
-    const auto course = [](const std::string& text) { return read(loaded_design(text)).loads.at(0).course; };
-    EXPECT_EQ(read(rubber + cavity + moving).loads.at(0).course.kind, Course::ramp);
-    EXPECT_EQ(course("course: {kind: ramp}").time_s, 0.0);  // the duration
-    EXPECT_EQ(course("course: {rise: 20 ms}").time_s, 0.02);
-    EXPECT_EQ(course("course: {kind: step}").kind, Course::step);
-    EXPECT_EQ(course("course: {kind: sine, frequency: 5 Hz}").frequency_Hz, 5.0);
-    const TimeCourse table = course("course: {kind: table, times: [0 s, 50 ms, 2 s], shares: [0, 1, -0.5]}");
-    EXPECT_EQ(table.kind, Course::table);
+TEST(TimeFunctionKind, OfEachKindHasItsOwnKeys) {
+    const auto time_function = [](const std::string& text) { return read(loaded_design(text)).loads.at(0).time_function; };
+    EXPECT_EQ(read(rubber + cavity + moving).loads.at(0).time_function.kind, TimeFunctionKind::ramp);
+    EXPECT_EQ(time_function("time_function: {kind: ramp}").time_s, 0.0);  // the duration
+    EXPECT_EQ(time_function("time_function: {rise: 20 ms}").time_s, 0.02);
+    EXPECT_EQ(time_function("time_function: {kind: step}").kind, TimeFunctionKind::step);
+    EXPECT_EQ(time_function("time_function: {kind: sine, frequency: 5 Hz}").frequency_Hz, 5.0);
+    const TimeFunction table = time_function("time_function: {kind: table, times: [0 s, 50 ms, 2 s], shares: [0, 1, -0.5]}");
+    EXPECT_EQ(table.kind, TimeFunctionKind::table);
     EXPECT_EQ(table.times_s, (std::vector{0.0, 0.05, 2.0}));
     EXPECT_EQ(table.shares, (std::vector{0.0, 1.0, -0.5}));
 }
 
-TEST(Course, IsThatOfTractionsAndGravityToo) {
+TEST(TimeFunctionKind, IsThatOfTractionsAndGravityToo) {
     const Design design =
         read("family: bar\nmaterial: {law: neo-hookean, mu: 1 MPa, density: 1000 kg/m^3}\n" + moving +
-             "loads: {end: {traction: 1 kPa, along: x, course: {kind: step}}, "
-             "gravity: {acceleration: 9.81 m/s^2, along: -z, course: {kind: sine, frequency: 2 Hz}}}\n");
-    EXPECT_EQ(design.tractions.at(0).course.kind, Course::step);
-    EXPECT_EQ(design.body_forces.at(0).course.frequency_Hz, 2.0);
+             "loads: {end: {traction: 1 kPa, along: x, time_function: {kind: step}}, "
+             "gravity: {acceleration: 9.81 m/s^2, along: -z, time_function: {kind: sine, frequency: 2 Hz}}}\n");
+    EXPECT_EQ(design.tractions.at(0).time_function.kind, TimeFunctionKind::step);
+    EXPECT_EQ(design.body_forces.at(0).time_function.frequency_Hz, 2.0);
     const SolveChanges part =
-        apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.end.course", "{rise: 10 ms}"}});
-    EXPECT_EQ(part.tractions.at(0).course.kind, Course::ramp);
-    EXPECT_EQ(part.tractions.at(0).course.time_s, 0.01);
-    EXPECT_EQ(part.body_forces.at(0).course.kind, Course::sine);
+        apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.end.time_function", "{rise: 10 ms}"}});
+    EXPECT_EQ(part.tractions.at(0).time_function.kind, TimeFunctionKind::ramp);
+    EXPECT_EQ(part.tractions.at(0).time_function.time_s, 0.01);
+    EXPECT_EQ(part.body_forces.at(0).time_function.kind, TimeFunctionKind::sine);
 }
 
 void expect_refused(const std::string& text, std::string_view place, std::string_view remedy) {
@@ -118,25 +118,25 @@ void expect_refused(const std::string& text, std::string_view place, std::string
     EXPECT_TRUE(holds(line, remedy)) << line;
 }
 
-TEST(Course, ThatMakesNoSenseIsRefused) {
-    expect_refused(loaded_design("course: {kind: table, times: [0 s, 1 s], shares: [1]}"),
-                   "course.shares: 1 shares for 2 times", "as many shares as times");
-    expect_refused(loaded_design("course: {kind: table, times: [1 s, 1 s], shares: [1, 2]}"),
-                   "course.times: the times do not ascend", "after");
-    expect_refused(loaded_design("course: {kind: table, times: [-1 s, 1 s], shares: [1, 2]}"),
-                   "course.times: -1 s is out of range", "at least 0");
-    expect_refused(loaded_design("course: {kind: table, shares: [1, 2]}"), "course.times: missing",
+TEST(TimeFunctionKind, ThatMakesNoSenseIsRefused) {
+    expect_refused(loaded_design("time_function: {kind: table, times: [0 s, 1 s], shares: [1]}"),
+                   "time_function.shares: 1 shares for 2 times", "as many shares as times");
+    expect_refused(loaded_design("time_function: {kind: table, times: [1 s, 1 s], shares: [1, 2]}"),
+                   "time_function.times: the times do not ascend", "after");
+    expect_refused(loaded_design("time_function: {kind: table, times: [-1 s, 1 s], shares: [1, 2]}"),
+                   "time_function.times: -1 s is out of range", "at least 0");
+    expect_refused(loaded_design("time_function: {kind: table, shares: [1, 2]}"), "time_function.times: missing",
                    "add times: [0 s, 50 ms]");
-    expect_refused(loaded_design("course: {kind: sine, frequency: 0 Hz}"), "course.frequency: 0 Hz is out of range",
+    expect_refused(loaded_design("time_function: {kind: sine, frequency: 0 Hz}"), "time_function.frequency: 0 Hz is out of range",
                    "more than 0");
-    expect_refused(loaded_design("course: {kind: sine}"), "course.frequency: missing", "add frequency: 5 Hz");
-    expect_refused(loaded_design("course: {kind: sine, frequency: 5 s}"), "'5 s' is a time where a rate is needed", "");
-    expect_refused(loaded_design("course: {kind: step, rise: 1 s}"), "course.rise: a course of kind step has none",
+    expect_refused(loaded_design("time_function: {kind: sine}"), "time_function.frequency: missing", "add frequency: 5 Hz");
+    expect_refused(loaded_design("time_function: {kind: sine, frequency: 5 s}"), "'5 s' is a time where a rate is needed", "");
+    expect_refused(loaded_design("time_function: {kind: step, rise: 1 s}"), "time_function.rise: a time_function of kind step has none",
                    "kind: ramp");
-    expect_refused(loaded_design("course: {frequency: 5 Hz}"), "course.frequency: a course of kind ramp has none",
+    expect_refused(loaded_design("time_function: {frequency: 5 Hz}"), "time_function.frequency: a time_function of kind ramp has none",
                    "kind: sine");
-    expect_refused(loaded_design("course: {kind: jump}"), "course.kind: 'jump' is not a choice", "");
-    expect_refused(loaded_design("course: step"), "loads.cavity.course: a group of keys is needed here", "kind");
+    expect_refused(loaded_design("time_function: {kind: jump}"), "time_function.kind: 'jump' is not a choice", "");
+    expect_refused(loaded_design("time_function: step"), "loads.cavity.time_function: a group of keys is needed here", "kind");
     expect_refused(loaded_design("line: {resistance: 0 Pa.s/mL}"), "line.resistance: 0 Pa.s/mL is out of range",
                    "more than 0");
     expect_refused(loaded_design("line: {resistance: 5 kPa}"),
@@ -147,8 +147,8 @@ TEST(Course, ThatMakesNoSenseIsRefused) {
 }
 
 TEST(DynamicDesign, IsNeededByEverythingThatGoesWithTime) {
-    const std::string course = "loads: {cavity: {pressure: 30 kPa, course: {kind: step}}}\n";
-    expect_refused(rubber + course, "p.yaml:3:36: loads.cavity.course: a static path does not go with time",
+    const std::string time_function = "loads: {cavity: {pressure: 30 kPa, time_function: {kind: step}}}\n";
+    expect_refused(rubber + time_function, "p.yaml:3:36: loads.cavity.time_function: a static path does not go with time",
                    "dynamics: {duration: 1 s}");
     expect_refused(rubber + "loads: {cavity: {pressure: 30 kPa, line: {resistance: 1 Pa.s/mL}}}\n",
                    "loads.cavity.line: a static path", "");
@@ -165,7 +165,7 @@ TEST(DynamicDesign, NeedsADensity) {
 TEST(DynamicDesign, RefusesWhatBelongsToAStaticPath) {
     const auto with = [](const std::string& path) { return rubber + cavity + moving + "path: {" + path + "}\n"; };
     expect_refused(with("stages: {a: {loads: {cavity: {pressure: 1 kPa}}}}"), "path.stages.a",
-                   "give the load a course");
+                   "give the load a time_function");
     expect_refused(with("control: pressure"), "path.control: in time nothing but time", "leave out dynamics.duration");
     expect_refused(with("branch: follow"), "path.branch: a path in time has no branches", "");
     expect_refused(with("until: {elongation: 4 mm}"), "path.until.elongation: a path in time ends after its duration",
@@ -199,12 +199,12 @@ TEST(DynamicDesign, SolveMayMakeAStaticCaseMove) {
     const std::string effective = read(rubber + cavity).effective_yaml;
     const std::vector<Override> changes = {{"dynamics.duration", "0.2 s"},
                                            {"dynamics.step", "1 ms"},
-                                           {"loads.cavity.course", "{kind: step}"},
+                                           {"loads.cavity.time_function", "{kind: step}"},
                                            {"loads.cavity.line.resistance", "1e8 Pa.s/m^3"}};
     const SolveChanges part = apply_overrides(effective, changes);
     EXPECT_EQ(part.dynamics.value().duration_s, 0.2);
     EXPECT_EQ(part.dynamics->step_s, 1e-3);
-    EXPECT_EQ(part.loads.at(0).course.kind, Course::step);
+    EXPECT_EQ(part.loads.at(0).time_function.kind, TimeFunctionKind::step);
     EXPECT_EQ(part.loads.at(0).line.value().resistance_Pa_s_m3, 1e8);
     EXPECT_EQ(part.effective_yaml, read(effective, changes).effective_yaml);
     const SolveChanges still =

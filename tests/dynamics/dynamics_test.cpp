@@ -26,7 +26,7 @@ TEST(Motion, AFreeBodyTakesUpTheMomentumOfItsLoads) {
     input.mesh.facet_sets.clear();
     name_boundary(input.mesh, [](const mesh::Point& p) { return p[0] > 1.0 - 1e-9 ? "end" : "rest"; });
     const std::array<double, 3> traction{0.05 * sample_mu_Pa, 0.03 * sample_mu_Pa, 0.0};
-    input.tractions = {{"end", traction, step_course()}};
+    input.tractions = {{"end", traction, step_time_function()}};
     input.path.stages = {full_load(input, {})};
     input.dynamics = Dynamics{.duration_s = 0.3, .step_s = 0.01};
     assembly::System system(input, PETSC_COMM_WORLD);
@@ -62,7 +62,7 @@ TEST(Motion, AFreeBodyTakesUpTheMomentumOfItsLoads) {
 model::Case breathing_case(double share, double duration) {
     auto input = sphere_case(3, 6);
     input.materials[0].density_kg_m3 = density;
-    input.loads[0].course = step_course();
+    input.loads[0].time_function = step_time_function();
     input.path.stages = {full_load(input, {share * sample_mu_Pa})};
     input.dynamics = Dynamics{.duration_s = duration};
     return input;
@@ -130,7 +130,7 @@ TEST(Motion, WorkAndEnergiesAreThoseOfTheWholeBody) {
 // load at t, 0.06 % and less after 0.6 s (w above 2700 1/s). Steps of 20 ms do not resolve that and damp it.
 TEST(Motion, ASlowRampFollowsTheStaticPath) {
     auto input = breathing_case(0.6, 1.0);
-    input.loads[0].course = ramp_course();
+    input.loads[0].time_function = ramp_time_function();
     for (const double step_s : {0.0, 0.02}) {
         input.dynamics->step_s = step_s;
         const auto moved = move(input);
@@ -153,7 +153,7 @@ TEST(Motion, LoadsNearRoundingMoveTheBody) {
     for (const auto integrator : {Integrator::generalized_alpha, Integrator::hht, Integrator::newmark,
                                   Integrator::implicit_euler, Integrator::ark4, Integrator::rosenbrock}) {
         auto input = breathing_case(0.4, ramp_s);
-        input.loads[0].course = ramp_course();
+        input.loads[0].time_function = ramp_time_function();
         input.dynamics->integrator = integrator;
         input.dynamics->step_s = 5e-8;
         input.path.stages[0].until = {{"steps", 20.0}};
@@ -173,7 +173,7 @@ TEST(Motion, AStepOnAHeavilyDampedBarCreeps) {
     for (const auto integrator : {Integrator::generalized_alpha, Integrator::hht, Integrator::newmark}) {
         for (const double b : {1.0, 0.03})
             for (const double step_s : {0.0, 5e-3}) {
-                auto input = bar_case(24, traction_Pa, step_course());
+                auto input = bar_case(24, traction_Pa, step_time_function());
                 input.dynamics =
                     Dynamics{.integrator = integrator, .duration_s = 5.0, .step_s = step_s, .stiffness_damping_s = b};
                 const auto moved = move(input);
@@ -195,7 +195,7 @@ model::Case line_case(double time_constant_s) {
     auto input = sphere_case(1, 2);
     input.materials[0].density_kg_m3 = density;
     input.materials[0].constants["mu"] = {1e10};  // p / mu of its volume, 1e-5 of its capacity
-    input.loads[0].course = step_course();
+    input.loads[0].time_function = step_time_function();
     input.loads[0].gas.dead_volume_m3 = 2e-6;
     input.path.stages = {full_load(input, {3e4})};
     assembly::System system(input, PETSC_COMM_WORLD);
@@ -267,7 +267,7 @@ TEST(Motion, WhatItCannotRunIsRefused) {
     auto mixed = breathing_case(0.4, 1e-3);
     mixed.dynamics->integrator = Integrator::central_difference;
     refused(mixed, "pressure unknown");
-    auto moving = bar_case(2, 0.0, step_course());
+    auto moving = bar_case(2, 0.0, step_time_function());
     moving.tractions.clear();
     moving.motions = {{"end", {1e-3, std::nullopt, std::nullopt}}};
     moving.path.stages = {full_load(moving, {})};

@@ -39,7 +39,7 @@ const std::vector<Expected>& implicit() {
 /// x = F/K / (1 - (W/w)^2) (sin W t - W/w sin w t).
 double oscillator_error(Integrator integrator, int steps) {
     const double w = oscillator_frequency(integrator), W = 0.6 * w, T = 4.0 / w, strain = 0.01;
-    auto input = bar_case(1, strain * bar_modulus_Pa, sine_course(W / (2.0 * std::numbers::pi)));
+    auto input = bar_case(1, strain * bar_modulus_Pa, sine_time_function(W / (2.0 * std::numbers::pi)));
     input.dynamics = Dynamics{.integrator = integrator, .duration_s = T, .step_s = T / steps};
     const double r = W / w, exact = strain * bar_length_m / (1.0 - r * r) * (std::sin(W * T) - r * std::sin(w * T));
     const auto moved = move(input);
@@ -59,7 +59,7 @@ TEST(Integrators, MeetTheForcedOscillatorWithTheirOrder) {
 
 /// Two cells of rubber at large strain.
 model::Case nonlinear_bar(double duration) {
-    auto input = bar_case(2, 0.4 * bar_modulus_Pa, sine_course(0.25 / duration));
+    auto input = bar_case(2, 0.4 * bar_modulus_Pa, sine_time_function(0.25 / duration));
     input.materials[0].law = "neo-hookean";
     input.dynamics = Dynamics{.duration_s = duration};
     return input;
@@ -105,7 +105,7 @@ TEST(Integrators, AdaptiveStepsMeetTheLimitOfFineOnes) {
 TEST(Integrators, RayleighDampingDecaysAsItsRatioSays) {
     const double w = oscillator_frequency(Integrator::ark4), strain = 0.01, alpha = 0.1 * w, beta = 0.06 / w;
     const double zeta = 0.5 * (alpha / w + beta * w), d = w * std::sqrt(1.0 - zeta * zeta), T = 12.0 / w;
-    auto input = bar_case(1, strain * bar_modulus_Pa, step_course());
+    auto input = bar_case(1, strain * bar_modulus_Pa, step_time_function());
     input.dynamics = Dynamics{.integrator = Integrator::ark4, .duration_s = T, .step_s = T / 400};
     input.dynamics->mass_damping_1_s = alpha;
     input.dynamics->stiffness_damping_s = beta;
@@ -122,7 +122,7 @@ TEST(Integrators, RayleighDampingDecaysAsItsRatioSays) {
 /// What is left of a mode that the step does not resolve (w h = 1000) after `steps`, over its static displacement.
 double unresolved_rest(Integrator integrator, double radius, int steps) {
     const double h = 1000.0 / oscillator_frequency(integrator), strain = 0.01;
-    auto input = bar_case(1, strain * bar_modulus_Pa, step_course());
+    auto input = bar_case(1, strain * bar_modulus_Pa, step_time_function());
     input.dynamics = Dynamics{.integrator = integrator, .duration_s = h * steps, .step_s = h};
     input.dynamics->spectral_radius = radius;
     return std::abs(move(input).end_value() / (strain * bar_length_m) - 1.0);
@@ -142,7 +142,7 @@ TEST(Integrators, GeneralizedAlphaDampsWhatTheStepDoesNotResolve) {
 
 // The trapezoidal work of a force is what average acceleration gives a linear body, to the last digit.
 TEST(Integrators, NewmarkKeepsTheEnergyOfALinearBody) {
-    auto input = bar_case(8, 0.01 * bar_modulus_Pa, step_course());
+    auto input = bar_case(8, 0.01 * bar_modulus_Pa, step_time_function());
     const double T = 40.0 / oscillator_frequency(Integrator::newmark);
     input.dynamics = Dynamics{.integrator = Integrator::newmark, .duration_s = T, .step_s = T / 60};
     double largest = 0;
@@ -183,7 +183,7 @@ TEST(Integrators, EnergyBalancesToTheOrderOfTheStep) {
 TEST(Integrators, ExplicitAndImplicitOnesAgree) {
     const double wave_s = bar_length_m / std::sqrt(bar_modulus_Pa / bar_density);
     const auto end = [&](Integrator integrator, double step_s) {
-        auto input = bar_case(20, 0.2 * bar_modulus_Pa, ramp_course(4.0 * wave_s));
+        auto input = bar_case(20, 0.2 * bar_modulus_Pa, ramp_time_function(4.0 * wave_s));
         input.materials[0].law = "neo-hookean";
         input.dynamics = Dynamics{.integrator = integrator, .duration_s = 6.0 * wave_s, .step_s = step_s};
         return move(input).end_value();
@@ -195,7 +195,7 @@ TEST(Integrators, ExplicitAndImplicitOnesAgree) {
 
 TEST(Integrators, ACentralDifferenceStepBeyondTheStableOneIsRefused) {
     const double limit = 2.0 / oscillator_frequency(Integrator::central_difference);
-    auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_course());
+    auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_time_function());
     input.dynamics =
         Dynamics{.integrator = Integrator::central_difference, .duration_s = 20 * limit, .step_s = 0.999 * limit};
     const auto moved = move(input);
@@ -214,7 +214,7 @@ TEST(Integrators, ACentralDifferenceStepBeyondTheStableOneIsRefused) {
 // Uniaxial strain of this law stiffens: a step that was stable is shortened, and the motion stays bounded.
 TEST(Integrators, TheStepFollowsABodyThatStiffens) {
     const double limit = 2.0 / oscillator_frequency(Integrator::central_difference);
-    auto input = bar_case(1, -0.3 * bar_modulus_Pa, ramp_course());
+    auto input = bar_case(1, -0.3 * bar_modulus_Pa, ramp_time_function());
     input.materials[0].law = "neo-hookean";
     input.dynamics =
         Dynamics{.integrator = Integrator::central_difference, .duration_s = 2000 * limit, .step_s = 0.95 * limit};
@@ -226,7 +226,7 @@ TEST(Integrators, TheStepFollowsABodyThatStiffens) {
 }
 
 TEST(Integrators, ExplicitMotionsOfTooManyStepsEndAtRest) {
-    auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_course());
+    auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_time_function());
     input.dynamics =
         Dynamics{.integrator = Integrator::explicit_euler, .duration_s = 1e4 / oscillator_frequency(Integrator::heun)};
     const auto moved = move(input);  // stable: 2 / (T w^2)
@@ -237,7 +237,7 @@ TEST(Integrators, ExplicitMotionsOfTooManyStepsEndAtRest) {
 
 /// A cell that the loads turn inside out, whatever the step.
 model::Case crushed_bar(Integrator integrator) {
-    auto input = bar_case(1, -20.0 * bar_modulus_Pa, step_course());  // linear elasticity gives way at -1
+    auto input = bar_case(1, -20.0 * bar_modulus_Pa, step_time_function());  // linear elasticity gives way at -1
     input.dynamics = Dynamics{.integrator = integrator, .duration_s = 4.0 / oscillator_frequency(Integrator::newmark)};
     return input;
 }
@@ -265,7 +265,7 @@ TEST(Integrators, AFailedStepIsCutAndTold) {
 // Linear rubber under a traction that grows beyond all numbers: no cell inverts, and the motion leaves their range.
 TEST(Integrators, AnExplicitMotionWithoutBoundEndsAsDivergedWithFiniteRows) {
     for (const auto integrator : {Integrator::heun, Integrator::explicit_euler, Integrator::central_difference}) {
-        auto input = bar_case(1, 1e300, step_course());
+        auto input = bar_case(1, 1e300, step_time_function());
         input.dynamics = Dynamics{.integrator = integrator, .duration_s = 40.0 / oscillator_frequency(integrator)};
         const auto moved = move(input);
         EXPECT_EQ(moved.end.reason, solution::StopReason::diverged) << int(integrator) << moved.end.detail;
@@ -281,7 +281,7 @@ TEST(Integrators, AnExplicitMotionWithoutBoundEndsAsDivergedWithFiniteRows) {
 // A sudden pressure of three moduli stiffens the bar by more than a step allows for: it gains energy from nothing, at det F > 0.
 // A law that carries stress in the undeformed state moves by that alone, and nothing is wrong.
 TEST(Integrators, EnergyFromNothingEndsAnExplicitMotion) {
-    auto input = bar_case(4, -3.0 * bar_modulus_Pa, step_course());
+    auto input = bar_case(4, -3.0 * bar_modulus_Pa, step_time_function());
     input.materials[0].law = "neo-hookean";
     input.dynamics = Dynamics{.integrator = Integrator::central_difference,
                               .duration_s = 40.0 / oscillator_frequency(Integrator::central_difference)};
@@ -289,7 +289,7 @@ TEST(Integrators, EnergyFromNothingEndsAnExplicitMotion) {
     EXPECT_EQ(moved.end.reason, solution::StopReason::diverged) << moved.end.detail;
     EXPECT_NE(moved.end.detail.find("the loads have given"), std::string::npos) << moved.end.detail;
 
-    auto stressed = bar_case(4, 1e-3 * bar_modulus_Pa, step_course());
+    auto stressed = bar_case(4, 1e-3 * bar_modulus_Pa, step_time_function());
     stressed.materials[0].law = "kraken";
     stressed.materials[0].bulk_modulus_Pa = 10.0 * bar_modulus_Pa;
     stressed.dynamics =
@@ -300,7 +300,7 @@ TEST(Integrators, EnergyFromNothingEndsAnExplicitMotion) {
 
 TEST(Integrators, RowsStayWithinTheirNumber) {
     for (const double step_s : {0.0, 1e-5}) {
-        auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_course());
+        auto input = bar_case(1, 0.01 * bar_modulus_Pa, step_time_function());
         input.dynamics = Dynamics{.duration_s = 5e-3, .step_s = step_s};
         input.dynamics->rows = 12;
         const auto moved = move(input);

@@ -28,22 +28,22 @@ inline Moved move(const model::Case& input) {
     return result;
 }
 
-inline model::TimeCourse step_course() {
-    model::TimeCourse course;
-    course.kind = model::Course::step;
-    return course;
+inline model::TimeFunction step_time_function() {
+    model::TimeFunction time_function;
+    time_function.kind = model::TimeFunctionKind::step;
+    return time_function;
 }
 /// time 0: as long as the motion
-inline model::TimeCourse ramp_course(double time_s = 0.0) {
-    model::TimeCourse course;
-    course.time_s = time_s;
-    return course;
+inline model::TimeFunction ramp_time_function(double time_s = 0.0) {
+    model::TimeFunction time_function;
+    time_function.time_s = time_s;
+    return time_function;
 }
-inline model::TimeCourse sine_course(double frequency_Hz) {
-    model::TimeCourse course;
-    course.kind = model::Course::sine;
-    course.frequency_Hz = frequency_Hz;
-    return course;
+inline model::TimeFunction sine_time_function(double frequency_Hz) {
+    model::TimeFunction time_function;
+    time_function.kind = model::TimeFunctionKind::sine;
+    time_function.frequency_Hz = frequency_Hz;
+    return time_function;
 }
 
 inline constexpr double bar_length_m = 0.01, bar_density = 1000.0;
@@ -51,7 +51,7 @@ inline constexpr double bar_modulus_Pa = 1e5;  // of uniaxial strain: kappa + 4/
 
 /// A bar of `cells` quad4 along x in plane strain, 10 mm long, a square of the cell's length high, held against y everywhere:
 /// it moves in x alone, under uniaxial strain. Held at x = 0, a traction of `traction_Pa` at its end, output "elongation" there.
-inline model::Case bar_case(int cells, double traction_Pa, const model::TimeCourse& course) {
+inline model::Case bar_case(int cells, double traction_Pa, const model::TimeFunction& time_function) {
     model::Case input;
     input.kinematics = model::Kinematics::plane_strain;
     input.formulation = model::Formulation::displacement;
@@ -77,7 +77,7 @@ inline model::Case bar_case(int cells, double traction_Pa, const model::TimeCour
     material.bulk_modulus_Pa = 0.6 * bar_modulus_Pa;
     material.density_kg_m3 = bar_density;
     input.materials = {material};
-    input.tractions = {{"end", {traction_Pa, 0, 0}, course}};
+    input.tractions = {{"end", {traction_Pa, 0, 0}, time_function}};
     input.outputs = {{"elongation", "end", {1, 0, 0}}};
     input.path.stages = {full_load(input, {})};
     return input;

@@ -8,7 +8,7 @@
 
 #include "target.hpp"
 
-/// A process that a reader makes for itself (core/apart.hpp) may crash: that is no find.
+/// A process that a reader makes for itself (core/subprocess.hpp) may crash: that is no find.
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
     return pthread_atfork(nullptr, nullptr, [] { __sanitizer_set_death_callback(nullptr); });
 }

@@ -73,7 +73,7 @@ model::Case section_case() {
     model.supports = {{"end_disc", {true, true, false}}, {"inlet", {false, true, false}}};
     model.cavities = {{"main", "cavity", {"end_disc"}, {{"inlet", 1.9634954084936207e-5, {-1, 0, 0}}}},
                       {"annex", "cavity", {}, {}}};
-    const model::TimeCourse table{model::Course::table, 0, 0, {0, 0.05, 0.4}, {0, 1.5, -0.25}};
+    const model::TimeFunction table{model::TimeFunctionKind::table, 0, 0, {0, 0.05, 0.4}, {0, 1.5, -0.25}};
     model.loads = {
         {"supply",
          {"main", "annex"},
@@ -82,10 +82,10 @@ model::Case section_case() {
          model::LoadShape::deformed,
          table,
          model::SupplyLine{2.5e8}},
-        {"outside", {"inlet"}, false, {}, model::LoadShape::undeformed, {model::Course::ramp, 0.125, 0, {}, {}}, {}}};
-    model.tractions = {{"inlet", {-1.5e3, 0, 0}, {model::Course::sine, 0, 12.5, {}, {}}},
+        {"outside", {"inlet"}, false, {}, model::LoadShape::undeformed, {model::TimeFunctionKind::ramp, 0.125, 0, {}, {}}, {}}};
+    model.tractions = {{"inlet", {-1.5e3, 0, 0}, {model::TimeFunctionKind::sine, 0, 12.5, {}, {}}},
                        {"end_disc", {0, 250.0, 0}, table, 4.5e-4}};
-    model.body_forces = {{"gravity", {-9.81, 0, 0}, {model::Course::step, 0, 0, {}, {}}}};
+    model.body_forces = {{"gravity", {-9.81, 0, 0}, {model::TimeFunctionKind::step, 0, 0, {}, {}}}};
     model.motions = {{"inlet", {-2e-3, std::nullopt, std::nullopt}}, {"end_disc", {0.0, 1e-3, std::nullopt}}};
     model.outputs = {{"elongation", "inlet", {-1, 0, 0}},
                      {"bend", "cavity", {0.6, 0.8, 0}, model::Measure::bend, "end_disc"}};

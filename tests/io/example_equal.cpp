@@ -43,7 +43,7 @@ void expect_equal(const mesh::Mesh& left, const mesh::Mesh& right) {
     EXPECT_EQ(left.point_sets, right.point_sets);
 }
 
-void expect_equal(const model::TimeCourse& left, const model::TimeCourse& right) {
+void expect_equal(const model::TimeFunction& left, const model::TimeFunction& right) {
     EXPECT_EQ(left.kind, right.kind);
     EXPECT_EQ(left.time_s, right.time_s);
     EXPECT_EQ(left.frequency_Hz, right.frequency_Hz);
@@ -154,7 +154,7 @@ void expect_equal(const model::Case& left, const model::Case& right) {
         EXPECT_EQ(a.gas.dead_volume_m3, b.gas.dead_volume_m3);
         EXPECT_EQ(a.gas.exponent, b.gas.exponent);
         EXPECT_EQ(a.shape, b.shape);
-        expect_equal(a.course, b.course);
+        expect_equal(a.time_function, b.time_function);
         ASSERT_EQ(a.line.has_value(), b.line.has_value());
         EXPECT_EQ(a.line.value_or(model::SupplyLine{}).resistance_Pa_s_m3,
                   b.line.value_or(model::SupplyLine{}).resistance_Pa_s_m3);
@@ -163,12 +163,12 @@ void expect_equal(const model::Case& left, const model::Case& right) {
         EXPECT_EQ(a.face, b.face);
         EXPECT_EQ(a.traction_Pa, b.traction_Pa);
         EXPECT_EQ(a.area_m2, b.area_m2);
-        expect_equal(a.course, b.course);
+        expect_equal(a.time_function, b.time_function);
     });
     expect_all(left.body_forces, right.body_forces, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.name, b.name);
         EXPECT_EQ(a.acceleration_m_s2, b.acceleration_m_s2);
-        expect_equal(a.course, b.course);
+        expect_equal(a.time_function, b.time_function);
     });
     expect_all(left.motions, right.motions, [](const auto& a, const auto& b) {
         EXPECT_EQ(a.face, b.face);

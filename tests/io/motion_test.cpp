@@ -32,7 +32,7 @@ TEST(DynamicCase, ReadsBackEqualInEveryField) {
     model::Case model = dynamic_case();
     model.dynamics->integrator = model::Integrator::hht;
     model.dynamics->spectral_radius = 0.5;
-    model.loads[0].course = {model::Course::sine, 0, 3.5, {}, {}};
+    model.loads[0].time_function = {model::TimeFunctionKind::sine, 0, 3.5, {}, {}};
     expect_equal(read_case(write_case(model, example_design(), example_provenance("mesh-gen")), "case.h5"), model);
 }
 
@@ -133,24 +133,24 @@ TEST(LoadCourses, LiesAreRefusedWithTheirPlace) {
     expect_refused(
         section_image(),
         {{[](hid_t f) {
-              replace_texts(f, "/loads/course", "kind", Words{"table", "leap"});
+              replace_texts(f, "/loads/time_function", "kind", Words{"table", "leap"});
           },
-          "/loads/course/kind[1]: 'leap'"},
+          "/loads/time_function/kind[1]: 'leap'"},
          {[](hid_t f) {
-              replace_texts(f, "/loads/course", "kind", Words{"step", "ramp"});
+              replace_texts(f, "/loads/time_function", "kind", Words{"step", "ramp"});
           },
-          "/loads/course/kind[0]: has points of a table"},
+          "/loads/time_function/kind[0]: has points of a table"},
          {[](hid_t f) {
-              replace_texts(f, "/loads/course", "kind", Words{"table", "table"});
+              replace_texts(f, "/loads/time_function", "kind", Words{"table", "table"});
           },
-          "/loads/course/kind[1]: is a table without points"},
-         {[](hid_t f) { overwrite(f, "/loads/course/rise", 1, Numbers{-1}); }, "/loads/course/rise[1]"},
-         {[](hid_t f) { overwrite(f, "/loads/tractions/course/frequency", 0, Numbers{0}); },
-          "/loads/tractions/course/frequency[0]: must be positive"},
-         {[](hid_t f) { overwrite(f, "/loads/course/table/load", 0, Integers{2}); }, "/loads/course/table/load[0]"},
-         {[](hid_t f) { overwrite(f, "/loads/tractions/course/table/time", 1, Numbers{0.5}); },
-          "/loads/tractions/course/table/time: must ascend"},
-         {[](hid_t f) { overwrite(f, "/loads/course/table/share", 1, Numbers{nan}); }, "/loads/course/table/share[1]"},
+          "/loads/time_function/kind[1]: is a table without points"},
+         {[](hid_t f) { overwrite(f, "/loads/time_function/rise", 1, Numbers{-1}); }, "/loads/time_function/rise[1]"},
+         {[](hid_t f) { overwrite(f, "/loads/tractions/time_function/frequency", 0, Numbers{0}); },
+          "/loads/tractions/time_function/frequency[0]: must be positive"},
+         {[](hid_t f) { overwrite(f, "/loads/time_function/table/load", 0, Integers{2}); }, "/loads/time_function/table/load[0]"},
+         {[](hid_t f) { overwrite(f, "/loads/tractions/time_function/table/time", 1, Numbers{0.5}); },
+          "/loads/tractions/time_function/table/time: must ascend"},
+         {[](hid_t f) { overwrite(f, "/loads/time_function/table/share", 1, Numbers{nan}); }, "/loads/time_function/table/share[1]"},
          {[](hid_t f) {
               replace_texts(f, "/loads", "shape", Words{"deformed", "bent"});
           },

@@ -47,6 +47,6 @@ claim "too many steps are a reason" has step_limit solve.json stop_reason
 claim "rest alone is in the file" grep -q 'use an implicit integrator; 0 steps,' "$seen/err"
 
 # Steps that lose energy: a warning also with --quiet
-run 'mesh-gen -q designs/plate.yaml --set mesh.size=20mm --set path={} --set material.density=1000kg/m^3 --set "loads={bottom: {pressure: 0.8 kPa, course: {kind: step}}}" --set dynamics.duration=50ms --set dynamics.step=1ms --set dynamics.integrator=implicit-euler | solve -q -o lost.h5'
+run 'mesh-gen -q designs/plate.yaml --set mesh.size=20mm --set path={} --set material.density=1000kg/m^3 --set "loads={bottom: {pressure: 0.8 kPa, time_function: {kind: step}}}" --set dynamics.duration=50ms --set dynamics.step=1ms --set dynamics.integrator=implicit-euler | solve -q -o lost.h5'
 claim "it runs" exits 0
 claim "and warns" says 'solve: warning: the energies do not balance: at row * are kinetic *use a smaller dynamics.accuracy or dynamics.step*'

@@ -132,9 +132,9 @@ TEST(Contact, EndsThePathJustBeforeWallsTouch) {
     assembly::System measuring(input, PETSC_COMM_WORLD);
     const double undeformed = measuring.load_volume(0, measuring.make_vector(), nullptr);
     StopReason seen = StopReason::self_contact;
-    const auto touches = [&](Vec x) -> std::optional<Touch> {
+    const auto touches = [&](Vec x) -> std::optional<ContactEvent> {
         if (measuring.load_volume(0, x, nullptr) > 0.8 * undeformed) return std::nullopt;
-        return Touch{"the walls touch", seen};
+        return ContactEvent{"the walls touch", seen};
     };
     const auto [steps, end, log] = run(input, touches);
     EXPECT_EQ(end.reason, StopReason::self_contact);

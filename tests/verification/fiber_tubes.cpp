@@ -43,7 +43,7 @@ struct Place {
     double X, x, r, angle;
 };
 
-Place place_of(const Run& run, double X, double inner_m, int sectors) {
+Place location_of(const Run& run, double X, double inner_m, int sectors) {
     Place mean{};
     const int nodes = 8 * sectors;  // of a section one
     for (int k = 0; k < std::max(nodes, 1); ++k) {
@@ -63,7 +63,7 @@ Place place_of(const Run& run, double X, double inner_m, int sectors) {
 
 FiberTubeState middle_of(const Run& run, double length_m, double inner_m, int sectors = 0) {
     constexpr double span_m = 10e-3;  // nodes lie there on all meshes used here
-    const auto at = [&](double X) { return place_of(run, X, inner_m, sectors); };
+    const auto at = [&](double X) { return location_of(run, X, inner_m, sectors); };
     const Place left = at(0.5 * length_m - span_m), right = at(0.5 * length_m + span_m);
     return {at(0.5 * length_m).r / inner_m, (right.x - left.x) / (right.X - left.X),
             (right.angle - left.angle) / (right.X - left.X)};

@@ -53,10 +53,10 @@ solver::ContactCheck contact_check(assembly::System& system) {
     if (system.input().path.contact == model::Contact::ignore) return {};
     // std::function copies what it holds; a finder is made once and cannot be copied.
     const auto finder = std::make_shared<const surface::ContactFinder>(system.input());
-    return [&system, finder](Vec x) -> std::optional<solver::Touch> {
+    return [&system, finder](Vec x) -> std::optional<solver::ContactEvent> {
         const auto contact = finder->find(system.gather_fields(x).displacement_m);
         if (!contact) return std::nullopt;
-        return solver::Touch{contact->text, contact->inside_out ? solution::StopReason::inverted_element
+        return solver::ContactEvent{contact->text, contact->inside_out ? solution::StopReason::inverted_element
                                                                 : solution::StopReason::self_contact};
     };
 }

@@ -157,7 +157,7 @@ std::optional<PathPoint> PathFollower::point_along(double step, const PathTangen
     return measure(std::move(guess), std::move(*tangent));
 }
 
-bool PathFollower::turn_corner(double failed_step) {
+bool PathFollower::pass_kink(double failed_step) {
     if (control_.kind != ConstraintKind::arc || !last_->tangent.unstable_modes) return false;
     const int pivots = newton_.confirmed_pivots();
     for (int attempt = 0; attempt < reaches; ++attempt) {

@@ -7,6 +7,6 @@
 namespace soft::model {
 
 /// "x = 12.3 mm, r = 4.5 mm" of a section of revolution, "x = .., y = .." of plane strain, "x = .., y = .., z = .." of a solid.
-[[nodiscard]] std::string place_text(Kinematics kinematics, const mesh::Point& place);
+[[nodiscard]] std::string location_text(Kinematics kinematics, const mesh::Point& place);
 
 }  // namespace soft::model

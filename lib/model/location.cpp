@@ -1,10 +1,10 @@
-#include "model/place.hpp"
+#include "model/location.hpp"
 
 #include "core/text.hpp"
 
 namespace soft::model {
 
-std::string place_text(Kinematics kinematics, const mesh::Point& place) {
+std::string location_text(Kinematics kinematics, const mesh::Point& place) {
     const auto millimetres = [&](std::size_t d) { return core::rounded_text(place[d] * 1e3, 4) + " mm"; };
     const std::string x = "x = " + millimetres(0);
     if (kinematics == Kinematics::axisymmetric) return x + ", r = " + millimetres(1);

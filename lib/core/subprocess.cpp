@@ -1,4 +1,4 @@
-#include "core/apart.hpp"
+#include "core/subprocess.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -35,7 +35,7 @@ void set_limit(int what, std::size_t most) {
 }
 
 /// Of the child: never returns, and runs no handler of exit, in which libraries crash.
-[[noreturn]] void work_and_leave(const std::function<Bytes()>& work, const ApartLimits& limits, int out) {
+[[noreturn]] void work_and_leave(const std::function<Bytes()>& work, const SubprocessLimits& limits, int out) {
     set_limit(RLIMIT_CORE, 0);
     if (limits.processor) set_limit(RLIMIT_CPU, static_cast<std::size_t>(limits.processor->count()));
     if (limits.memory != no_limit) set_limit(RLIMIT_DATA, data_bytes() + limits.memory);
@@ -64,7 +64,7 @@ std::string reason_of(int status) {
 
 }  // namespace
 
-ApartEnd done_apart(const std::function<Bytes()>& work, const ApartLimits& limits) {
+SubprocessEnd run_in_subprocess(const std::function<Bytes()>& work, const SubprocessLimits& limits) {
     std::array<int, 2> pipe{};
     const bool piped = ::pipe(pipe.data()) == 0;
     const pid_t child = piped ? ::fork() : -1;

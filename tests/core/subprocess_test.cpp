@@ -1,5 +1,5 @@
 /// Work in a process of its own: its result, and each way it may come to harm.
-#include "core/apart.hpp"
+#include "core/subprocess.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -22,14 +22,14 @@ Bytes bytes_of(std::string_view text) {
 
 TEST(Apart, TheResultComesBackWhole) {
     const Bytes large(std::size_t{1} << 20, std::byte{7});  // more than a pipe holds
-    const ApartEnd end = done_apart([&] { return large; }, {.wall = seconds{60}});
+    const SubprocessEnd end = run_in_subprocess([&] { return large; }, {.wall = seconds{60}});
     ASSERT_TRUE(end.result.has_value()) << end.reason;
     EXPECT_EQ(*end.result, large);
 }
 
 TEST(Apart, WhatItChangesStaysThere) {
     int here = 1;
-    const ApartEnd end = done_apart(
+    const SubprocessEnd end = run_in_subprocess(
         [&] {
             here = 2;
             return bytes_of(std::to_string(here));
@@ -40,13 +40,13 @@ TEST(Apart, WhatItChangesStaysThere) {
 }
 
 TEST(Apart, AnExceptionIsAFailure) {
-    const ApartEnd end = done_apart([]() -> Bytes { throw "a text"; }, {.wall = seconds{60}});
+    const SubprocessEnd end = run_in_subprocess([]() -> Bytes { throw "a text"; }, {.wall = seconds{60}});
     EXPECT_FALSE(end.result.has_value());
     EXPECT_EQ(end.reason, "it fails");
 }
 
 TEST(Apart, ACrashIsNamed) {
-    const ApartEnd end = done_apart(
+    const SubprocessEnd end = run_in_subprocess(
         []() -> Bytes {
             ::raise(SIGSEGV);
             return {};
@@ -57,7 +57,7 @@ TEST(Apart, ACrashIsNamed) {
 }
 
 TEST(Apart, WhatSleepsIsEndedByTheClock) {
-    const ApartEnd end = done_apart(
+    const SubprocessEnd end = run_in_subprocess(
         []() -> Bytes {
             for (;;) ::pause();
         },
@@ -68,7 +68,7 @@ TEST(Apart, WhatSleepsIsEndedByTheClock) {
 
 TEST(Apart, WhatLoopsIsEndedByItsTimeOfComputing) {
     const auto start = std::chrono::steady_clock::now();
-    const ApartEnd end = done_apart(
+    const SubprocessEnd end = run_in_subprocess(
         []() -> Bytes {
             for (std::atomic<int> i = 0;; ++i) {}
         },
@@ -87,15 +87,15 @@ TEST(Apart, MemoryBeyondTheLimitIsRefused) {
             return {std::byte{static_cast<unsigned char>(taken[size / 2])}};
         };
     };
-    EXPECT_TRUE(done_apart(asks_for(limit / 4), {.wall = seconds{60}, .memory = limit}).result.has_value());
-    const ApartEnd end = done_apart(asks_for(4 * limit), {.wall = seconds{60}, .memory = limit});
+    EXPECT_TRUE(run_in_subprocess(asks_for(limit / 4), {.wall = seconds{60}, .memory = limit}).result.has_value());
+    const SubprocessEnd end = run_in_subprocess(asks_for(4 * limit), {.wall = seconds{60}, .memory = limit});
     EXPECT_FALSE(end.result.has_value());
     EXPECT_NE(end.reason, "");
 }
 
 TEST(Apart, WhatItPrintsGoesNowhere) {
     ::testing::internal::CaptureStderr();
-    static_cast<void>(done_apart(
+    static_cast<void>(run_in_subprocess(
         [] {
             std::fputs("noise\n", stderr);
             return Bytes{};

@@ -1,0 +1,23 @@
+#pragma once
+/// The share f(t) of a load in a dynamic case (model::TimeFunction), f = 0 before time 0.
+/// Tested by dynamics/time_course_test.
+#include <vector>
+
+#include "model/case.hpp"
+
+namespace soft::dynamics {
+
+/// `duration_s` stands in for a ramp without a time of its own. At a jump the value after it.
+[[nodiscard]] double share_at(const model::TimeFunction& time_function, double duration_s, double time_s);
+
+/// df/dt; at a kink the slope after it, 0 for a jump.
+[[nodiscard]] double share_rate(const model::TimeFunction& time_function, double duration_s, double time_s);
+
+/// Times within (0, duration) at which the slope jumps, ascending: a step that spans one loses its order.
+[[nodiscard]] std::vector<double> kinks(const model::TimeFunction& time_function, double duration_s);
+
+/// The shortest time in which the time_function changes by much (a ramp, a quarter of a sine's period, the shortest interval of a
+/// table); the duration for a step.
+[[nodiscard]] double shortest_change_s(const model::TimeFunction& time_function, double duration_s);
+
+}  // namespace soft::dynamics
