@@ -248,7 +248,7 @@ std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Nod
         }
         const LoadKind kind = entries.back().kind;
         if (schema.dynamic && kind != LoadKind::shared_gas && kind != LoadKind::motion)
-            add_course_keys(schema, load.path, load.member->value, examples);
+            add_time_function_keys(schema, load.path, load.member->value, examples);
         examples.try_emplace(entries.back().path + ".pressure", "30 kPa");
         examples.try_emplace(entries.back().path + ".acceleration", "9.81 m/s^2");
         examples.try_emplace(entries.back().path + ".along", kind == LoadKind::gravity ? "-x" : "y");

@@ -72,7 +72,7 @@ void check_table(const Values& values, const std::string& path, const model::Tim
 
 }  // namespace
 
-void add_course_keys(Schema& schema, const std::string& load, const Node& written, Examples& examples) {
+void add_time_function_keys(Schema& schema, const std::string& load, const Node& written, Examples& examples) {
     const std::string path = time_function_path(load);
     schema.keys.push_back(kind_key(path));
     const Node* time_function = find(written, "time_function");

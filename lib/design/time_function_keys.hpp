@@ -10,7 +10,7 @@
 namespace soft::design {
 
 /// `written` is the group of the load. Refuses keys that the kind of course does not have.
-void add_course_keys(Schema& schema, const std::string& load, const Node& written, Examples& examples);
+void add_time_function_keys(Schema& schema, const std::string& load, const Node& written, Examples& examples);
 [[nodiscard]] Key line_key(const std::string& load);
 
 /// The default where the schema has no time_function for this load. Refuses a table whose lists do not fit or do not ascend.

@@ -1,6 +1,6 @@
 #pragma once
 /// The share f(t) of a load in a dynamic case (model::TimeFunction), f = 0 before time 0.
-/// Tested by dynamics/time_course_test.
+/// Tested by dynamics/time_function_test.
 #include <vector>
 
 #include "model/case.hpp"

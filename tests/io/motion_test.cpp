@@ -129,7 +129,7 @@ TEST(DynamicCase, FollowsOneStageOfPressures) {
     EXPECT_THROW(static_cast<void>(write_case(model, example_design(), example_provenance("mesh-gen"))), Error);
 }
 
-TEST(LoadCourses, LiesAreRefusedWithTheirPlace) {
+TEST(LoadTimeFunctions, LiesAreRefusedWithTheirPlace) {
     expect_refused(
         section_image(),
         {{[](hid_t f) {
