@@ -32,14 +32,14 @@ std::string command_line_of(int argc, char** argv) {
     return cli::command_line_of(words);
 }
 
-/// A file opened later must not take the number of a closed standard stream: data would go into it unasked.
-/// The replacement fails when it is used the wrong way round, as a closed stream would.
+/// Opens /dev/null for each closed standard stream. Otherwise a file opened later would get that descriptor and receive messages or
+/// data. The access mode is the opposite of the stream's use, so that using it still fails as on a closed stream.
 void open_missing_streams() {
     for (int stream = 0; stream <= 2; ++stream)
         if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY));
 }
 
-/// Names of files, keys and positions come from anywhere: they must neither steer the terminal nor add lines.
+/// File names and keys in messages are untrusted: core::one_line removes control characters and line breaks.
 void print_error(std::string_view line) {
     std::string text = core::one_line(line, std::string_view::npos);
     text += '\n';
@@ -74,17 +74,17 @@ std::vector<std::string> long_options(const CLI::App& app) {
     throw Error(ExitCode::usage, "", core::one_line(error.what(), 300), help);
 }
 
-/// A shell variable that is not set must not switch a check off.
+/// An empty value, for example from an unset shell variable, would otherwise disable the option without notice.
 void refuse_empty_values(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options())
         for (const std::string& value : option->results())
             if (value.empty())
                 throw Error(ExitCode::usage,
                             option->get_lnames().empty() ? option->get_name() : "--" + option->get_lnames().front(),
-                            "its value is empty", "leave it out, or give one");
+                            "the value is empty", "give a value or omit the option");
 }
 
-bool holds_option(int argc, char** argv, std::string_view name) {
+bool has_option(int argc, char** argv, std::string_view name) {
     for (int i = 1; i < argc && std::string_view{argv[i]} != "--"; ++i) {
         const std::string_view word{argv[i]};
         if (word == name || word.starts_with(std::string{name} + "=")) return true;
@@ -118,9 +118,9 @@ void add_common_options(CLI::App& app, CommonOptions& common, const About& about
         ->type_name("FILE");
     app.add_flag_callback(
         "-q,--quiet", [&common] { common.verbosity = Verbosity::quiet; },
-        "No messages but errors, and warnings that numbers may be wrong");
+        "Print only errors, and warnings that results may be wrong");
     app.add_flag_callback(
-        "-v,--verbose", [&common] { common.verbosity = Verbosity::verbose; }, "More messages");
+        "-v,--verbose", [&common] { common.verbosity = Verbosity::verbose; }, "Print more messages");
     app.add_flag("--version")->description("Print version, git revision and versions of the libraries, and exit");
     app.add_option("--completion")
         ->description("Print a completion script for the shell, and exit")
@@ -130,35 +130,35 @@ void add_common_options(CLI::App& app, CommonOptions& common, const About& about
 }
 
 void add_input(CLI::App& app, std::string& input, const std::string& name, const std::string& help) {
-    app.add_option(name, input, help + "; - or nothing: stdin")->type_name("FILE");
+    app.add_option(name, input, help + "; omitted or -: stdin")->type_name("FILE");
 }
 
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs, const std::string& name, const std::string& help) {
-    app.add_option(name, inputs, help + "; - or nothing: stdin")->type_name("FILE");
+    app.add_option(name, inputs, help + "; omitted or -: stdin")->type_name("FILE");
 }
 
 void add_set_option(CLI::App& app, std::vector<std::string>& overrides) {
-    // One value each: CLI11 would let a list swallow the positional input.
+    // One value per option: otherwise CLI11 would take the positional input as a further value.
     app.add_option("--set", overrides, "Override a value of the design, e.g. --set geometry.wall=2.5mm (repeatable)")
         ->type_name("KEY.PATH=VALUE")
         ->allow_extra_args(false)
         ->take_all();
 }
 
-void at_most_one_of(const CLI::App& app, std::span<const std::string> options) {
+void require_at_most_one(const CLI::App& app, std::span<const std::string> options) {
     const auto given =
         std::count_if(options.begin(), options.end(), [&](const std::string& name) { return app.count(name) > 0; });
     if (given > 1)
-        throw Error(ExitCode::usage, "", core::join(options, " and ") + " exclude each other", "give one of them");
+        throw Error(ExitCode::usage, "", core::join(options, " and ") + " exclude each other", "use one of them");
 }
 
 void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs) {
     namespace fs = std::filesystem;
     const auto is_same = [](const std::string& a, const std::string& b) {
-        std::error_code failed;  // of a file that is not there yet: then the names decide
-        if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;  // /dev/null takes anything
+        std::error_code failed;  // set if a file does not exist yet; then the names are compared
+        if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;  // devices such as /dev/null can be shared
         if (fs::equivalent(a, b, failed) && !failed) return true;
-        const auto whole = [](const std::string& name) {  // empty where the working folder is gone
+        const auto whole = [](const std::string& name) {  // empty if the working folder was removed
             std::error_code gone;
             const fs::path absolute = fs::absolute(name, gone);
             return gone ? fs::path{} : fs::weakly_canonical(absolute, gone);
@@ -172,10 +172,10 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
         for (const NamedFile& before : std::span(outputs).first(i)) {
             if (out.file == "-" && before.file == "-")
                 throw Error(ExitCode::usage, "", before.option + " and " + out.option + " cannot both go to stdout",
-                            "name a file for one");
+                            "write one of them to a file");
             if (is_file(out) && is_file(before) && is_same(out.file, before.file))
                 throw Error(ExitCode::usage, out.option + " " + out.file, "is also the file of " + before.option,
-                            "give each its own");
+                            "use different files");
         }
         for (const NamedFile& in : inputs)
             if (is_file(out) && is_file(in) && is_same(out.file, in.file))
@@ -186,8 +186,8 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 
 bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, char** argv) {
     common.command_line = command_line_of(argc, argv);
-    if (holds_option(argc, argv, "--version")) {  // before CLI11: here --json needs no file
-        print_version(about, holds_option(argc, argv, "--json"));
+    if (has_option(argc, argv, "--version")) {  // before CLI11, because here --json takes no file
+        print_version(about, has_option(argc, argv, "--json"));
         return false;
     }
     try {
@@ -199,7 +199,7 @@ bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, c
         refuse_usage(app, about, error);
     }
     refuse_empty_values(app);
-    at_most_one_of(app, std::vector<std::string>{"--quiet", "--verbose"});
+    require_at_most_one(app, std::vector<std::string>{"--quiet", "--verbose"});
     if (app.count("--completion") > 0)
         write_output("-", bash_completion(app, about));
     else if (app.count("--man") > 0)
@@ -212,7 +212,7 @@ bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, c
     return false;
 }
 
-std::vector<std::string> take_rest(int& argc, char** argv) {
+std::vector<std::string> take_library_options(int& argc, char** argv) {
     for (int i = 1; i < argc; ++i) {
         if (std::string_view{argv[i]} != "--") continue;
         std::vector<std::string> rest(argv + i + 1, argv + argc);
@@ -257,14 +257,14 @@ ExitCode report_errors(std::string_view tool, std::string_view command_line, con
     } catch (const std::exception& error) {
         return report_bug(tool, command_line, error.what());
     } catch (...) {
-        return report_bug(tool, command_line, "an exception of no known type");
+        return report_bug(tool, command_line, "an exception of unknown type");
     }
 }
 
 int guarded(int argc, char** argv, const std::function<ExitCode()>& body) {
     open_missing_streams();
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that leaves is seen as EPIPE by core::write_all
-    std::signal(SIGXFSZ, SIG_IGN);  // a limit on the size of files (ulimit -f) is seen as EFBIG
+    std::signal(SIGPIPE, SIG_IGN);  // core::write_all handles EPIPE instead
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit (ulimit -f) is reported as EFBIG instead
     const std::string tool = argc > 0 ? bare_name(argv[0]) : std::string{"soft"};
     return static_cast<int>(report_errors(tool, command_line_of(argc, argv), body));
 }

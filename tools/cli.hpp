@@ -1,5 +1,5 @@
 #pragma once
-/// The frame every tool stands in: errors to exit codes, the common options, stdin and stdout, messages.
+/// Command-line code shared by all tools: error handling and exit codes, common options, stdin and stdout, messages.
 ///
 ///   std::optional<SolveOptions> parse(int argc, char** argv) {
 ///       SolveOptions options;
@@ -37,59 +37,60 @@ struct Example {
     std::string_view command, meaning;
 };
 
-/// What a tool says of itself in --help, --version, --man.
+/// Description of a tool for --help, --version and --man.
 struct About {
     std::string_view tool;                ///< "mesh-gen"
     std::string_view summary;             ///< one line
     std::vector<Example> examples;        ///< two
-    std::vector<Library> (*libraries)();  ///< with the versions it runs with
+    std::vector<Library> (*libraries)();  ///< names and versions in use at run time
 };
 
 enum class Verbosity { quiet, normal, verbose };
 
 struct CommonOptions {
     std::string output = "-";  ///< file, or "-" for stdout
-    std::string json;          ///< summary goes here; empty: nowhere; "-": stdout
+    std::string json;          ///< file for the summary; empty: none; "-": stdout
     Verbosity verbosity = Verbosity::normal;
-    std::string command_line;  ///< as typed, program by its bare name: for provenance
+    std::string command_line;  ///< as typed, without the folder of the program; for the provenance
 };
 
 /// -o/--output, --quiet, --verbose, --json, --version, --completion, --man.
 void add_common_options(CLI::App& app, CommonOptions& common, const About& about);
-/// The positional input; left empty when it is not given.
+/// Adds the positional input; `input` stays empty when it is not given.
 void add_input(CLI::App& app, std::string& input, const std::string& name, const std::string& help);
 void add_inputs(CLI::App& app, std::vector<std::string>& inputs, const std::string& name, const std::string& help);
 /// --set key.path=value, repeatable.
 void add_set_option(CLI::App& app, std::vector<std::string>& overrides);
 
-/// Error(usage) if more than one of them was given; after parse().
-void at_most_one_of(const CLI::App& app, std::span<const std::string> options);
+/// Throws Error(usage) if more than one of `options` was given. Call after parse().
+void require_at_most_one(const CLI::App& app, std::span<const std::string> options);
 
-/// A file of an option, for check_distinct.
+/// A file and the option that names it, for check_distinct.
 struct NamedFile {
-    std::string option, file;  ///< file: "" and "-" as in the options
+    std::string option, file;  ///< file: "" means none, "-" means stdin or stdout
 };
-/// Error(usage) where an output would overwrite an input or another output, and where two go to stdout. Before any work.
+/// Throws Error(usage) if an output would overwrite an input or another output, or if two outputs go to stdout. Call before any work.
 void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<NamedFile>& outputs);
 
-/// True: the options are filled, go on. False: help, version, completion or man page was printed. Throws Error(usage)
-/// with the nearest option for an unknown one.
+/// True: the options are set. False: help, version, completion or man page was printed and the tool ends. Throws Error(usage);
+/// for an unknown option the error suggests the most similar one.
 [[nodiscard]] bool parse(CLI::App& app, const About& about, CommonOptions& common, int argc, char** argv);
 
-/// What stands behind the first "--", taken off argc/argv: options for a library.
-[[nodiscard]] std::vector<std::string> take_rest(int& argc, char** argv);
+/// Removes the arguments after the first "--" from argc/argv and returns them; they are options of a library (PETSc).
+[[nodiscard]] std::vector<std::string> take_library_options(int& argc, char** argv);
 
-/// Own version and the git revision of the source ("-dirty" if changed, "unknown" outside a clone).
+/// Version of this software and git revision of its source ("-dirty" if modified, "unknown" outside a clone).
 [[nodiscard]] std::string_view version() noexcept;
 [[nodiscard]] std::string_view revision() noexcept;
-/// "gmsh 4.8.4", one a library: for provenance.
+/// "gmsh 4.8.4", one entry per library, for the provenance.
 [[nodiscard]] std::vector<std::string> library_lines(const About& about);
 
-/// Calls `body`; SIGPIPE and SIGXFSZ are ignored and closed standard streams cannot be taken by files. An Error becomes one line
-/// "tool: place: problem; remedy" and its exit code, std::bad_alloc is 74, anything else 70 with a request to report it.
+/// Calls `body` with SIGPIPE and SIGXFSZ ignored and closed standard streams replaced by /dev/null. An Error prints one line
+/// "tool: location: problem; remedy" and returns its exit code; std::bad_alloc returns 74; any other exception returns 70 and asks
+/// the user to report it.
 [[nodiscard]] int guarded(int argc, char** argv, const std::function<ExitCode()>& body);
 
-/// The part of it that tells errors; for one piece of work of several. `command_line` stands in requests to report.
+/// The error handling of guarded(), for a tool that runs several jobs. `command_line` appears in the request to report a bug.
 [[nodiscard]] ExitCode report_errors(std::string_view tool, std::string_view command_line,
                                       const std::function<ExitCode()>& body);
 
@@ -103,7 +104,7 @@ template <class Parse, class Run>
         const auto options = parse_options(argc, argv);
         return options ? run(*options) : ExitCode::ok;
     });
-    // Libraries that ran out of memory half way crash in what they do at exit.
+    // After running out of memory some libraries crash in their exit handlers.
     if (code == static_cast<int>(ExitCode::io_error)) std::_Exit(code);
     return code;
 }
@@ -114,47 +115,47 @@ struct Input {
     [[nodiscard]] std::string_view text() const { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 };
 
-/// The file, or all of stdin for "-" and for nothing; Error(usage) for nothing when stdin is a terminal.
-/// Limit and signature as in core::read_descriptor.
+/// Reads the file `name`, or all of stdin if `name` is "-" or empty. Throws Error(usage) if `name` is empty and stdin is a terminal.
+/// `limit` and `signature` are those of core::read_descriptor.
 [[nodiscard]] Input read_input(const std::string& name, std::size_t limit = core::no_limit,
                                std::string_view signature = {});
-/// A file of HDF5; what is none is cut short.
+/// Reads an HDF5 file; reading stops early if the signature does not match.
 [[nodiscard]] inline Input read_hdf5_input(const std::string& name) {
     return read_input(name, core::no_limit, "\x89HDF\r\n\x1a\n");
 }
 
-/// Bytes: a table is text that somebody has looked at. The reader of designs takes one less and says so.
-inline constexpr std::size_t longest_table = std::size_t{1} << 26, longest_design = (std::size_t{1} << 20) + 1;
+/// Input limits in bytes. The design reader accepts one byte less and reports the excess itself.
+inline constexpr std::size_t max_table_bytes = std::size_t{1} << 26, max_design_bytes = (std::size_t{1} << 20) + 1;
 
 enum class Content { text, binary };
 
-/// Error(usage) if binary data would reach a terminal: call it before the work that makes the data.
+/// Throws Error(usage) if binary data would be written to a terminal. Call before computing the data.
 void check_output(const std::string& name, Content content);
 
-/// Whether stdout is a regular file: what is written to it at the end is lost when the process is ended before.
+/// Whether stdout is a regular file. Data written to it only at the end are lost if the process is interrupted.
 [[nodiscard]] bool stdout_is_file();
 
-/// To the file, whole or not at all, or to stdout for "-". A reader that closed early is not an error.
+/// Writes the file atomically, or to stdout for "-". A reader that closes the pipe early is not an error.
 void write_output(const std::string& name, std::span<const std::byte> bytes, Content content);
 void write_output(const std::string& name, std::string_view text);
-/// Also the folders it is in; nothing where it is there. Error(cannot_create) with the reason.
+/// Creates the folder and its parents if they do not exist. Throws Error(cannot_create) with the reason.
 void make_folder(const std::string& name);
-/// Indented JSON with a final newline.
+/// Writes indented JSON with a final newline.
 void write_json(const std::string& name, const nlohmann::ordered_json& json);
 
-/// While it lives, whatever a library prints to stdout (MUMPS does, from Fortran) goes to stderr: stdout carries data only.
-class StdoutKeptForData {
+/// Redirects stdout to stderr during its lifetime, for libraries that print to stdout (MUMPS, from Fortran): stdout carries data only.
+class StdoutRedirection {
 public:
-    StdoutKeptForData();
-    ~StdoutKeptForData();
-    StdoutKeptForData(const StdoutKeptForData&) = delete;
-    StdoutKeptForData& operator=(const StdoutKeptForData&) = delete;
+    StdoutRedirection();
+    ~StdoutRedirection();
+    StdoutRedirection(const StdoutRedirection&) = delete;
+    StdoutRedirection& operator=(const StdoutRedirection&) = delete;
 
 private:
     int saved_;
 };
 
-/// Messages and progress on stderr. Colour and the moving bar only on a terminal, and no colour under NO_COLOR.
+/// Prints messages and progress to stderr. Colour and the progress bar only on a terminal; no colour if NO_COLOR is set.
 class Console {
 public:
     Console(std::string_view tool, Verbosity verbosity);
@@ -165,9 +166,9 @@ public:
     void say(std::string_view line);     ///< unless --quiet
     void detail(std::string_view line);  ///< with --verbose
     void warn(std::string_view line);    ///< "tool: warning: line", unless --quiet
-    void insist(std::string_view line);  ///< the same with --quiet too: the numbers may be wrong
-    void error(std::string_view line);   ///< "tool: line", with --quiet too
-    /// A bar that is redrawn on a terminal; elsewhere a plain line each tenth of the way. `share` from 0 to 1.
+    void warn_always(std::string_view line);  ///< like warn, also with --quiet: for results that may be wrong
+    void error(std::string_view line);   ///< "tool: line", also with --quiet
+    /// Redraws a progress bar on a terminal; otherwise prints one line per 10 %. `share` is from 0 to 1.
     void progress(double share, std::string_view text);
 
 private:

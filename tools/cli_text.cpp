@@ -14,20 +14,20 @@ struct CodeMeaning {
     std::string_view meaning;
 };
 constexpr std::array exit_codes = {
-    CodeMeaning{ExitCode::ok, "done"},
+    CodeMeaning{ExitCode::ok, "success"},
     CodeMeaning{ExitCode::check_failed,
-                "a comparison or regression check failed, or a result misses its tolerance or its energy balance"},
+                "a comparison or regression check failed, or the result exceeds its tolerance or violates the energy balance"},
     CodeMeaning{ExitCode::stopped_early,
-                "the path ended early for a physical or numerical reason; the steps reached are in the file"},
-    CodeMeaning{ExitCode::usage, "usage: unknown option, bad combination"},
-    CodeMeaning{ExitCode::bad_input, "bad input: refused, with its place"},
+                "the path ended early for a physical or numerical reason; the converged steps are in the file"},
+    CodeMeaning{ExitCode::usage, "usage error: unknown option or invalid combination"},
+    CodeMeaning{ExitCode::bad_input, "invalid input; the message names its location"},
     CodeMeaning{ExitCode::cannot_open, "an input cannot be opened"},
-    CodeMeaning{ExitCode::internal, "an internal error (a bug)"},
+    CodeMeaning{ExitCode::internal, "internal error (a bug)"},
     CodeMeaning{ExitCode::cannot_create, "an output cannot be created"},
     CodeMeaning{ExitCode::io_error, "I/O error (disk full, short read)"},
 };
 
-/// Plain text for roff: no escapes, hyphens that can be copied, no line taken for a request.
+/// Escapes text for roff: backslashes, hyphens (so that options can be copied) and leading dots and apostrophes (requests).
 std::string roff(std::string_view text) {
     std::string escaped;
     for (const char c : text) {
@@ -51,7 +51,7 @@ std::string names_of(const CLI::Option& option) {
     return names;
 }
 
-/// The words a check of kind CLI::IsMember allows: the type name ends in "{rod,plate}".
+/// The values that a CLI::IsMember check allows, from the type name, which ends in "{rod,plate}".
 std::string words_of(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     const auto open = type.find('{'), close = type.rfind('}');
@@ -83,7 +83,7 @@ std::string help_footer(const About& about) {
         const std::string number = std::to_string(static_cast<int>(code));
         text.append("  ").append(number).append(4 - number.size(), ' ').append(meaning).append("\n");
     }
-    text.pop_back();  // CLI11 ends the footer itself
+    text.pop_back();  // CLI11 adds the final newline
     return text;
 }
 
@@ -140,7 +140,7 @@ std::string bash_completion(const CLI::App& app, const About& about) {
                  "; return;;\n";
     }
     std::string script =
-        "# bash completion of " + std::string{about.tool} + ": source this, or put it into /etc/bash_completion.d\n";
+        "# bash completion of " + std::string{about.tool} + ": source this file, or install it in /etc/bash_completion.d\n";
     script += function +
               "() {\n    local word=\"${COMP_WORDS[COMP_CWORD]}\"\n    case \"${COMP_WORDS[COMP_CWORD-1]}\" in\n" +
               cases + "    esac\n";

@@ -1,5 +1,5 @@
 #pragma once
-/// Help footer, man page and shell completion, all from the option tables: an option cannot exist without its text.
+/// Help footer, man page and shell completion, all generated from the option tables, so that every option is documented.
 #include <string>
 
 #include "cli.hpp"

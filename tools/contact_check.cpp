@@ -11,16 +11,16 @@
 namespace soft::cli {
 namespace {
 
-/// nullopt: none. The length -1 stands for that on the way.
+/// Broadcasts the event of rank 0; a text length of -1 encodes nullopt.
 std::optional<solver::ContactEvent> from_first_rank(const std::optional<solver::ContactEvent>& found, MPI_Comm comm) {
     std::array<int, 2> head{-1, 0};
     if (found) head = {static_cast<int>(found->text.size()), static_cast<int>(found->reason)};
     MPI_Bcast(head.data(), 2, MPI_INT, 0, comm);
     if (head[0] < 0) return std::nullopt;
-    solver::ContactEvent touch{found ? found->text : "", static_cast<solution::StopReason>(head[1])};
-    touch.text.resize(static_cast<std::size_t>(head[0]));
-    MPI_Bcast(touch.text.data(), head[0], MPI_CHAR, 0, comm);
-    return touch;
+    solver::ContactEvent event{found ? found->text : "", static_cast<solution::StopReason>(head[1])};
+    event.text.resize(static_cast<std::size_t>(head[0]));
+    MPI_Bcast(event.text.data(), head[0], MPI_CHAR, 0, comm);
+    return event;
 }
 
 }  // namespace
@@ -29,15 +29,15 @@ solver::ContactCheck contact_check(assembly::System& system) {
     if (system.input().path.contact == model::Contact::ignore) return {};
     int rank = 0;
     MPI_Comm_rank(system.comm(), &rank);
-    // std::function copies what it holds; a finder is made once and cannot be copied.
+    // std::function copies its captures, and a ContactFinder cannot be copied: hence the shared_ptr.
     const auto finder = rank == 0 ? std::make_shared<const surface::ContactFinder>(system.input()) : nullptr;
     return [&system, finder](Vec x) {
         const auto fields = system.gather_fields(x);
         std::optional<solver::ContactEvent> found;
-        const linalg::Timed timed(linalg::Phase::contact);
+        const linalg::ScopedTimer timed(linalg::Phase::contact);
         if (finder)
             if (auto contact = finder->find(fields.displacement_m))
-                found = {std::move(contact->text), contact->inside_out ? solution::StopReason::inverted_element
+                found = {std::move(contact->text), contact->is_inverted ? solution::StopReason::inverted_element
                                                                        : solution::StopReason::self_contact};
         return from_first_rank(found, system.comm());
     };

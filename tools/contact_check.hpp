@@ -1,12 +1,12 @@
 #pragma once
-/// Where walls of the body touch, for the solver.
+/// Contact check of a case for the solver.
 #include "assembly/system.hpp"
 #include "solver/path.hpp"
 
 namespace soft::cli {
 
-/// Rank 0 looks (surface::ContactFinder), all ranks get the answer. Empty where the case lets walls pass through each
-/// other. `system` must outlive it.
+/// Rank 0 searches with surface::ContactFinder and broadcasts the result to all ranks. Empty if the case ignores contact.
+/// `system` must outlive the returned function.
 [[nodiscard]] solver::ContactCheck contact_check(assembly::System& system);
 
 }  // namespace soft::cli

@@ -13,7 +13,7 @@
 namespace soft::cli {
 namespace {
 
-/// What the options say as text.
+/// Option values as text, before conversion.
 struct Words {
     std::string input, law = "yeoh", range, strain, stress, weights = "uniform", stability = "enforced", decimal,
                        delimiter;
@@ -40,13 +40,13 @@ fit::StrainRange range_of(const std::string& text) {
     };
     if (colon == std::string::npos)
         throw Error(ExitCode::usage, "--range", core::quoted(text) + " has no colon", "for example --range 0:110%");
-    if (colon > 0) range.least = value(text.substr(0, colon));
-    if (colon + 1 < text.size()) range.most = value(text.substr(colon + 1));
-    if (range.most > fit::max_ratio && std::isfinite(range.most) && !text.ends_with('%'))
-        throw Error(ExitCode::usage, "--range", core::quoted(text) + " looks like percentages, and holds plain ratios",
+    if (colon > 0) range.min = value(text.substr(0, colon));
+    if (colon + 1 < text.size()) range.max = value(text.substr(colon + 1));
+    if (range.max > fit::max_ratio && std::isfinite(range.max) && !text.ends_with('%'))
+        throw Error(ExitCode::usage, "--range", core::quoted(text) + " looks like percentages without a % sign",
                     "write 0:110% or 0:1.1");
-    if (!(range.least < range.most))
-        throw Error(ExitCode::usage, "--range", "its end is not above its start", "for example --range 0:110%");
+    if (!(range.min < range.max))
+        throw Error(ExitCode::usage, "--range", "the end is not above the start", "for example --range 0:110%");
     return range;
 }
 
@@ -57,7 +57,7 @@ std::optional<char> delimiter_of(const std::string& word) {
     if (const auto found = names.find(word); found != names.end()) return found->second;
     if (word.size() == 1) return word.front();
     throw Error(ExitCode::usage, "--delimiter", core::quoted(word) + " is not one character",
-                "one character, or tab, comma, semicolon, blank, bar");
+                "use one character, or tab, comma, semicolon, blank, bar");
 }
 
 /// "planar=2"
@@ -71,14 +71,14 @@ void apply_weight(const std::string& text, std::vector<TestFile>& files) {
     for (TestFile& file : files)
         if (fit::name_of(file.mode) == mode) file.weight = weight, found = true;
     if (!found || !(weight > 0.0))
-        throw Error(ExitCode::usage, "--weight", core::quoted(text) + " is no weight of a mode that is given",
-                    "for example --weight planar=2, more than 0");
+        throw Error(ExitCode::usage, "--weight", core::quoted(text) + " is not a positive weight of a given mode",
+                    "for example --weight planar=2");
 }
 
 std::string row_count_error(const std::string& text) {
     const bool is_count =
         !text.empty() && text.size() < 10 && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-    return is_count ? "" : core::quoted(text) + " is no number of rows; give 0 or more";
+    return is_count ? "" : core::quoted(text) + " is not a number of rows; give 0 or more";
 }
 
 std::vector<TestFile> files_of(const Words& words) {
@@ -88,7 +88,7 @@ std::vector<TestFile> files_of(const Words& words) {
         for (const std::string& name : names) files.push_back({name, mode});
     for (const std::string& weight : words.mode_weights) apply_weight(weight, files);
     if (std::ranges::count_if(files, [](const TestFile& file) { return file.name.empty() || file.name == "-"; }) > 1)
-        throw Error(ExitCode::usage, "-", "stdin can be read once only", "name a file for the other tests");
+        throw Error(ExitCode::usage, "-", "stdin can be read only once", "give files for the other tests");
     return files;
 }
 
@@ -97,7 +97,7 @@ std::optional<double> size_of(const std::string& text, const char* option, core:
     const double size = core::quantity_or_throw(text, dimension, ExitCode::usage, option);
     if (!(size > 0.0))
         throw Error(ExitCode::usage, option, core::quoted(text) + " is not positive",
-                    "the size of the undeformed specimen");
+                    "give the size of the undeformed specimen");
     return size;
 }
 
@@ -107,10 +107,10 @@ fit::Specimen specimen_of(const Words& words) {
     const auto width_m = size_of(words.width, "--width", core::Dimension::length),
                thickness_m = size_of(words.thickness, "--thickness", core::Dimension::length);
     if (width_m.has_value() != thickness_m.has_value())
-        throw Error(ExitCode::usage, width_m ? "--width" : "--thickness", "is one side of the section only",
+        throw Error(ExitCode::usage, width_m ? "--width" : "--thickness", "defines only one side of the cross-section",
                     "give --width and --thickness, or --area");
     if (width_m && specimen.area_m2)
-        throw Error(ExitCode::usage, "--area", "the section is stated twice",
+        throw Error(ExitCode::usage, "--area", "the cross-section is given twice",
                     "give --width and --thickness, or --area");
     if (width_m) specimen.area_m2 = *width_m * *thickness_m;
     return specimen;
@@ -138,7 +138,7 @@ void apply(const Words& words, FitOptions& options) {
         options.settings.weight_floor =
             core::quantity_or_throw(words.weight_floor, core::Dimension::ratio, ExitCode::usage, "--weight-floor");
         if (options.settings.weights != fit::RowWeights::relative)
-            throw Error(ExitCode::usage, "--weight-floor", "needs relative weights", "add --weights relative");
+            throw Error(ExitCode::usage, "--weight-floor", "requires relative weights", "add --weights relative");
         if (!(options.settings.weight_floor > 0.0 && options.settings.weight_floor < 1.0))
             throw Error(ExitCode::usage, "--weight-floor", core::quoted(words.weight_floor) + " is not between 0 and 1",
                         "for example 1%");
@@ -153,7 +153,7 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
     add_input(app, words.input, "TEST", "Uniaxial test data (CSV)");
     for (const fit::Mode mode : {fit::Mode::uniaxial, fit::Mode::equibiaxial, fit::Mode::planar})
         app.add_option("--" + std::string{fit::name_of(mode)}, words.files[mode],
-                       "Data of a test of this mode, fitted with the others (repeatable)")
+                       "Test data of this mode; all tests are fitted together (repeatable)")
             ->type_name("FILE")
             ->allow_extra_args(false)
             ->take_all();
@@ -165,50 +165,50 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
         ->type_name("TITLE");
     app.add_option("--stress-column", options.reading.stress_column, "Column by (part of) its title, or number from 1")
         ->type_name("TITLE");
-    app.add_option("--strain", words.strain, "What the strain is, where the title does not say it")
+    app.add_option("--strain", words.strain, "Strain measure, if the column title does not state it")
         ->check(CLI::IsMember({"engineering", "true", "stretch"}));
-    app.add_option("--stress", words.stress, "What the stress is, where the title does not say it")
+    app.add_option("--stress", words.stress, "Stress measure, if the column title does not state it")
         ->check(CLI::IsMember({"engineering", "true"}));
-    app.add_option("--strain-unit", options.reading.strain_unit, "1 or %; of a displacement mm, in, ...")
+    app.add_option("--strain-unit", options.reading.strain_unit, "Unit of the strain column: 1 or %; for a displacement mm, in, ...")
         ->type_name("UNIT");
     app.add_option("--stress-unit", options.reading.stress_unit,
-                   "Pa, kPa, MPa, N/mm^2, psi, ...; of a force N, lbf, ...")
+                   "Unit of the stress column: Pa, kPa, MPa, N/mm^2, psi, ...; for a force N, lbf, ...")
         ->type_name("UNIT");
     app.add_option("--gauge-length", words.gauge_length,
-                   "The strain's column is a displacement; strain = it / this length")
+                   "The strain column is a displacement; strain = displacement / LENGTH")
         ->type_name("LENGTH");
-    app.add_option("--area", words.area, "The stress's column is a force; stress = it / this undeformed area")
+    app.add_option("--area", words.area, "The stress column is a force; stress = force / AREA (undeformed)")
         ->type_name("AREA");
-    app.add_option("--width", words.width, "With --thickness, in place of --area")->type_name("LENGTH");
-    app.add_option("--thickness", words.thickness, "With --width, in place of --area")->type_name("LENGTH");
-    app.add_option("--delimiter", words.delimiter, "One character, or tab, comma, semicolon, blank, bar")
+    app.add_option("--width", words.width, "With --thickness: replaces --area")->type_name("LENGTH");
+    app.add_option("--thickness", words.thickness, "With --width: replaces --area")->type_name("LENGTH");
+    app.add_option("--delimiter", words.delimiter, "Column delimiter: one character, or tab, comma, semicolon, blank, bar")
         ->type_name("C");
-    app.add_option("--decimal", words.decimal, "How decimals are written, where both could be meant (1,234)")
+    app.add_option("--decimal", words.decimal, "Decimal sign, if the file is ambiguous (1,234)")
         ->check(CLI::IsMember({"point", "comma"}));
-    app.add_option("--skip-rows", options.reading.skipped_rows, "Leave out the first N rows of data")
+    app.add_option("--skip-rows", options.reading.skipped_rows, "Skip the first N rows of data")
         ->type_name("N")
         ->check(row_count_error);
-    app.add_flag("--any-order", words.any_order, "The rows are points in no order, not a pull");
+    app.add_flag("--any-order", words.any_order, "The rows are unordered points, not a loading sequence");
 }
 
 void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
     app.add_option("--law", words.law, "Law to fit (default yeoh): " + core::join(law_names()))->type_name("LAW");
-    app.add_flag("--rank", options.rank, "Fit all laws and print a table, the best first, in place of a material");
-    app.add_option("--range", words.range, "Engineering strains that take part, e.g. 0:110% or :3")
+    app.add_flag("--rank", options.rank, "Fit all laws and print a table, best first, instead of a material");
+    app.add_option("--range", words.range, "Range of engineering strain to fit, e.g. 0:110% or :3")
         ->type_name("FROM:TO");
-    app.add_option("--weights", words.weights, "uniform, or relative: 1/max(s, floor times the largest s)")
+    app.add_option("--weights", words.weights, "uniform, or relative: 1/max(s, floor * largest s), s the stress")
         ->check(CLI::IsMember({"uniform", "relative"}));
     app.add_option("--weight-floor", words.weight_floor, "Floor of relative weights (default 5%)")->type_name("SHARE");
-    app.add_flag("--offset", words.offset, "A constant stress of each test is unknown too, within +-10 kPa");
+    app.add_flag("--offset", words.offset, "Also fit a constant stress offset per test, within +-10 kPa");
     app.add_option("--stability", words.stability,
-                   "enforced: signs that make the law stable, where the free fit is not as far as the data reach; "
-                   "everywhere: these signs in any case; reported: the free fit")
+                   "enforced: constrain the signs of the constants if the free fit is unstable within the data; "
+                   "everywhere: always constrain them; reported: free fit, only report instability")
         ->check(CLI::IsMember({"enforced", "everywhere", "reported"}));
     app.add_option("--plot", options.plot, "Draw data, fits and residuals to FILE.svg, .png or .pdf; needs gnuplot")
         ->type_name("FILE");
-    app.add_option("--notice", options.notice, "Source and licence of the data, a comment in the material")
+    app.add_option("--notice", options.notice, "Source and licence of the data, written as a comment in the material")
         ->type_name("TEXT");
-    app.add_option("--protocol", options.protocol, "How the test was made, kept in the material")->type_name("TEXT");
+    app.add_option("--protocol", options.protocol, "How the test was performed, stored in the material")->type_name("TEXT");
 }
 
 }  // namespace
@@ -216,14 +216,14 @@ void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
 const About& fit_about() {
     static const About about{
         .tool = "fit-material",
-        .summary = "tensile, equibiaxial and planar test data (CSV) to the constants of a law (YAML)",
+        .summary = "fits the constants of a material law (YAML) to tensile, equibiaxial and planar test data (CSV)",
         .examples =
             {{"fit-material dragon-skin-20.csv --law yeoh --range 0:110% --plot fit.svg > material.yaml",
-              "Yeoh's constants over 110 % of strain, and a picture"},
+              "Yeoh constants up to 110 % strain, and a plot"},
              {"fit-material machine.csv --gauge-length 33mm --width 6mm --thickness 3mm --law yeoh-5 > material.yaml",
-              "From displacement and force as a testing machine writes them"},
+              "Displacement and force data of a testing machine"},
              {"fit-material --uniaxial ut.csv --equibiaxial et.csv --planar ps.csv --rank",
-              "All laws on three modes together, the best first"}},
+              "Fits all laws to three modes together, best first"}},
         .libraries = libraries};
     return about;
 }
@@ -236,10 +236,11 @@ std::optional<FitOptions> parse_fit_options(int argc, char** argv) {
     add_fit_options(app, words, options);
     add_common_options(app, options.common, fit_about());
     app.footer(
-        "Stress and strain are found by the titles of their columns (engineering before true); the stress needs a unit, in\n"
-        "its title or by --stress-unit. The fit is least squares of the nominal stress with equal weight of all rows.\n"
+        "Stress and strain columns are found by their titles (engineering before true); the stress needs a unit, in its\n"
+        "title or by --stress-unit. The fit is a least-squares fit of the nominal stress; all rows have equal weight.\n"
         "Flags: unstable:<mode>@<stretch> (Drucker, up to the largest I1 of the data), mu0<=0, at-bound, ill-conditioned,\n"
-        "offset>10%, signs-constrained, terms:<n>. Errors of constants are a lower bound: residuals are correlated.\n\n" +
+        "offset>10%, signs-constrained, terms:<n>. The standard errors of the constants are lower bounds,\n"
+        "because the residuals are correlated.\n\n" +
         app.get_footer());
     if (!parse(app, fit_about(), options.common, argc, argv)) return std::nullopt;
     std::erase_if(words.files, [](const auto& entry) { return entry.second.empty(); });

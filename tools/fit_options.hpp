@@ -27,7 +27,7 @@ struct FitOptions {
 
 [[nodiscard]] const About& fit_about();
 
-/// Errors as cli::parse; Error (usage) for values that cannot be.
+/// Errors as cli::parse; throws Error(usage) for invalid values.
 [[nodiscard]] std::optional<FitOptions> parse_fit_options(int argc, char** argv);
 
 }  // namespace soft::cli

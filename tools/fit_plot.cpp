@@ -11,7 +11,7 @@
 namespace soft::cli {
 namespace {
 
-constexpr std::size_t max_laws = 3;  // more lines hide each other
+constexpr std::size_t max_laws = 3;  // more lines are hard to distinguish
 constexpr int samples = 200;
 constexpr int panel_width = 520, height = 640;
 
@@ -41,12 +41,12 @@ std::string block(const std::string& name, const std::string& data) {
 /// Measured stress, and the residual of each law, of one mode.
 struct Panel {
     fit::Mode mode;
-    std::string data, measured, lines, residuals;  // `data` are gnuplot's blocks
+    std::string data, measured, lines, residuals;  // `data`: gnuplot data blocks
 };
 
-std::string law_name(const fit::Ranked& one) { return std::string{one.fit.candidate.name}; }
+std::string law_name(const fit::RankedFit& one) { return std::string{one.fit.candidate.name}; }
 
-Panel panel_of(fit::Mode mode, const std::vector<fit::Ranked>& ranked, const std::vector<fit::TestCurve>& tests) {
+Panel panel_of(fit::Mode mode, const std::vector<fit::RankedFit>& ranked, const std::vector<fit::TestCurve>& tests) {
     const std::string id{fit::name_of(mode)};
     Panel panel{
         mode, {}, "$" + id + " with points pointtype 6 pointsize 1 linecolor rgb '#202020' title 'test'", {}, {}};
@@ -83,7 +83,7 @@ Panel panel_of(fit::Mode mode, const std::vector<fit::Ranked>& ranked, const std
 
 }  // namespace
 
-void draw_fits(const std::vector<fit::Ranked>& ranked, const std::vector<fit::TestCurve>& tests,
+void draw_fits(const std::vector<fit::RankedFit>& ranked, const std::vector<fit::TestCurve>& tests,
                const std::filesystem::path& file) {
     std::set<fit::Mode> modes;
     for (const fit::TestCurve& test : tests) modes.insert(test.mode);

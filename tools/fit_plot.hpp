@@ -1,5 +1,5 @@
 #pragma once
-/// Picture of fits: data as points and laws as lines above, residuals below, one panel a mode.
+/// Plot of fits: data as points and laws as lines on top, residuals below, one column per mode.
 /// Tested by tests/pipeline/fit.sh.
 #include <filesystem>
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace soft::cli {
 
-/// The first three of `ranked` are drawn. Errors as post::draw_plot.
-void draw_fits(const std::vector<fit::Ranked>& ranked, const std::vector<fit::TestCurve>& tests,
+/// Draws the first three of `ranked`. Errors as post::draw_plot.
+void draw_fits(const std::vector<fit::RankedFit>& ranked, const std::vector<fit::TestCurve>& tests,
                const std::filesystem::path& file);
 
 }  // namespace soft::cli

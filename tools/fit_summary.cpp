@@ -40,7 +40,7 @@ Json limits_json(const fit::Fit& fitted) {
     return list;
 }
 
-Json predictions_json(const fit::Ranked& one) {
+Json predictions_json(const fit::RankedFit& one) {
     Json list = Json::array();
     for (const fit::CrossPrediction& prediction : one.predictions)
         list.push_back({{"mode", fit::name_of(prediction.mode)},
@@ -51,11 +51,11 @@ Json predictions_json(const fit::Ranked& one) {
 
 }  // namespace
 
-Json fit_summary(const std::vector<fit::Ranked>& ranked, const std::vector<fit::TestCurve>& tests) {
+Json fit_summary(const std::vector<fit::RankedFit>& ranked, const std::vector<fit::TestCurve>& tests) {
     Json json;
     for (const fit::TestCurve& test : tests)
         json["data"].push_back({{"source", test.source}, {"mode", fit::name_of(test.mode)}, {"sha256", test.sha256}});
-    for (const fit::Ranked& one : ranked) {
+    for (const fit::RankedFit& one : ranked) {
         const fit::Fit& fitted = one.fit;
         json["fits"].push_back({{"name", fitted.candidate.name},
                                 {"law", fitted.candidate.law},

@@ -1,4 +1,4 @@
-/// hull-volume: a table of points -> how much room their convex hull takes.
+/// hull-volume: computes the volume of the convex hull of a table of points.
 ///     hull-volume workspace.csv
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -19,9 +19,9 @@ using namespace soft;
 std::vector<cli::Library> libraries() { return {{"CGAL", cli::built_with::cgal}}; }
 
 const cli::About about{.tool = "hull-volume",
-                       .summary = "a table of points (CSV) to the volume of their convex hull",
-                       .examples = {{"hull-volume workspace.csv", "of the columns x_mm, y_mm and z_mm"},
-                                    {"hull-volume points.csv --json -", "the number of points and the volume in SI"}},
+                       .summary = "computes the volume of the convex hull of points (CSV)",
+                       .examples = {{"hull-volume workspace.csv", "Convex hull of the columns x_mm, y_mm and z_mm"},
+                                    {"hull-volume points.csv --json -", "Number of points and volume in SI units"}},
                        .libraries = libraries};
 
 struct HullOptions {
@@ -32,7 +32,7 @@ struct HullOptions {
 std::optional<HullOptions> parse_hull_options(int argc, char** argv) {
     HullOptions options;
     CLI::App app;
-    cli::add_input(app, options.input, "TABLE", "CSV with the lengths x, y and z, each with its unit");
+    cli::add_input(app, options.input, "TABLE", "CSV with columns x, y and z with length units");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     cli::check_distinct({{"TABLE", options.input}},
@@ -43,14 +43,14 @@ std::optional<HullOptions> parse_hull_options(int argc, char** argv) {
 std::vector<double> lengths_m(const table::Table& points, const std::string& quantity) {
     const auto found = std::ranges::find(points.headings, quantity, &table::Heading::quantity);
     if (found == points.headings.end() || table::dimension_of(found->unit) != core::Dimension::length)
-        throw Error(ExitCode::bad_input, points.source, "there is no column of the length " + quantity,
-                    "write x_mm,y_mm,z_mm in the first line");
+        throw Error(ExitCode::bad_input, points.source, "there is no column " + quantity + " with a length unit",
+                    "use the header x_mm,y_mm,z_mm");
     return table::values_SI(points, static_cast<std::size_t>(found - points.headings.begin()), found->unit,
                             core::Dimension::length);
 }
 
 ExitCode hull_volume(const HullOptions& options) {
-    const cli::Input input = cli::read_input(options.input, cli::longest_table);
+    const cli::Input input = cli::read_input(options.input, cli::max_table_bytes);
     const table::Table table = table::read_table(input.text(), input.source);
     const std::array columns{lengths_m(table, "x"), lengths_m(table, "y"), lengths_m(table, "z")};
     std::vector<mesh::Point> points;

@@ -13,7 +13,7 @@
 namespace soft::cli {
 namespace {
 
-/// A handler may use what is lock-free and static alone. The line is written to the slot that is not in use.
+/// A signal handler may use only lock-free static data. set() writes the line to the slot that is not in use, then switches slots.
 struct Line {
     std::array<char, 8192> text{};
     std::size_t size = 0;
@@ -27,7 +27,7 @@ constexpr std::array<int, 2> handled{SIGINT, SIGTERM};
 extern "C" void print_and_end(int signal) {
     const Line& line = slots[static_cast<std::size_t>(slot_in_use.load())];
     static_cast<void>(!::write(STDERR_FILENO, line.text.data(), line.size));
-    ::raise(signal);  // SA_RESETHAND has restored its default: the process ends when the handler returns
+    ::raise(signal);  // SA_RESETHAND has restored the default action: the process ends when the handler returns
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ void InterruptNotice::set(std::string_view line) {
     if (!active_) return;
     const int free = 1 - slot_in_use.load();
     Line& slot = slots[static_cast<std::size_t>(free)];
-    // The line of a progress bar is cleared.
+    // Clear the progress bar first.
     const std::string text = (::isatty(STDERR_FILENO) == 1 ? "\r\033[K" : "") + tool_ + ": interrupted; " +
                              core::one_line(line, slot.text.size() / 2) + "\n";
     slot.size = std::min(text.size(), slot.text.size());
@@ -67,11 +67,11 @@ void InterruptNotice::set(std::string_view line) {
 }
 
 std::string interrupted_text(const std::string& output, int rows, std::string_view obstacle) {
-    if (output == "-") return "nothing is saved; with -o FILE each row is saved as it is found";
-    if (rows == 0) return "no row was found yet, " + output + " is as it was";
-    const std::string saved = output + " holds " + core::counted(rows, "row") + ": ";
+    if (output == "-") return "no row is saved; with -o FILE each row is saved as soon as it is computed";
+    if (rows == 0) return "no row was computed yet; " + output + " is unchanged";
+    const std::string saved = output + " contains " + core::counted(rows, "row") + ": ";
     if (!obstacle.empty()) return saved + "`postprocess " + output + "` reads them; " + std::string{obstacle};
-    return saved + "`solve --resume " + output + "` goes on, `postprocess " + output + "` reads them";
+    return saved + "`solve --resume " + output + "` continues, `postprocess " + output + "` reads them";
 }
 
 }  // namespace soft::cli

@@ -1,5 +1,5 @@
 #pragma once
-/// What solve prints when it is interrupted (Ctrl-C, SIGTERM): what of the run is saved and how to go on.
+/// Message of solve when it is interrupted (Ctrl-C, SIGTERM): which results are saved and how to continue.
 /// Tested by tests/pipeline/interrupted.sh.
 #include <string>
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace soft::cli {
 
-/// While it lives, SIGINT and SIGTERM print the line that was set last, "tool: interrupted; ...", to stderr and end the process
-/// as they would without it. Signals that the process was started with as ignored stay ignored. Nothing with Verbosity::quiet.
-/// One at a time.
+/// During its lifetime SIGINT and SIGTERM first print the last line set, "tool: interrupted; ...", to stderr and then end the process
+/// with the default action. Signals that were ignored at start stay ignored. Has no effect with Verbosity::quiet.
+/// At most one instance may exist at a time.
 class InterruptNotice {
 public:
     InterruptNotice(std::string_view tool, Verbosity verbosity);
@@ -25,7 +25,8 @@ private:
     bool active_;
 };
 
-/// How a solve with `rows` rows in `output` ("-": stdout) can be continued; `obstacle`: why it cannot, empty where it can.
+/// Text that says how to continue a solve with `rows` rows in `output` ("-": stdout). `obstacle` says why it cannot be continued;
+/// empty if it can.
 [[nodiscard]] std::string interrupted_text(const std::string& output, int rows, std::string_view obstacle);
 
 }  // namespace soft::cli

@@ -42,18 +42,18 @@ const design::FamilyKeys& family_named(const std::string& name) {
                          [&](const design::FamilyKeys& family) { return family.name == name; });
 }
 
-/// All outer sides of the mesh: of a part, its cuts too.
+/// Writes all boundary facets of the mesh; for a half or quarter model these include the symmetry planes.
 std::string write_surface(const model::Case& model, const std::string& file) {
     if (model.kinematics != model::Kinematics::solid)
-        throw Error(ExitCode::bad_input, file, "a section has no closed surface", "--set model=solid");
-    // A bellows of 100 mm is kept to 0.01 mm: its radii, and with them its volume, to 0.03 %.
+        throw Error(ExitCode::bad_input, file, "an axisymmetric or plane-strain section has no closed surface", "use --set model=solid");
+    // 0.01 mm for a bellows of 100 mm: relative error of radii and volume below 0.03 %.
     constexpr double share_of_extent = 1e-4;
     const surface::Triangles triangles = surface::fine_triangles(model.mesh, mesh::boundary_facets(model.mesh),
                                                                  share_of_extent * model::extent_m(model.mesh));
     cli::write_output(file, surface::surface_file(triangles, file), cli::Content::binary);
     std::string line = file + ": " + std::to_string(triangles.triangles.size()) + " triangles";
     if (model.model_fraction < 1)
-        line += " around 1/" + core::rounded_text(1 / model.model_fraction, 3) + " of the actuator, closed at its cuts";
+        line += " around 1/" + core::rounded_text(1 / model.model_fraction, 3) + " of the actuator, closed at the symmetry planes";
     return line;
 }
 
@@ -86,14 +86,14 @@ ExitCode build(const cli::MeshGenOptions& options, const cli::Input& input,
     return ExitCode::ok;
 }
 
-/// The unit of an STL or OBJ file, from --set geometry.unit=..; nothing else can be set here.
+/// The length unit of an STL or OBJ file, from --set geometry.unit=...; --describe accepts no other override.
 std::string unit_of(const cli::MeshGenOptions& options) {
     std::string unit = "mm";
     for (const std::string& set : options.sets) {
         const design::Override one = design::parse_override(set);
         if (one.path != "geometry.unit")
             throw Error(ExitCode::usage, "--set " + one.path, "--describe reads a part, not a design",
-                        "--set geometry.unit=in is the only one for it");
+                        "set only the unit, for example --set geometry.unit=in");
         unit = one.value;
     }
     return unit;
@@ -102,8 +102,8 @@ std::string unit_of(const cli::MeshGenOptions& options) {
 ExitCode describe(const cli::MeshGenOptions& options) {
     const std::string& file = options.inputs.front();
     if (!meshing::is_part_file(file))
-        throw Error(ExitCode::usage, "--describe", core::quoted(file) + " is no part",
-                    "name a .step, .stl or .obj file");
+        throw Error(ExitCode::usage, "--describe", core::quoted(file) + " is not a part",
+                    "give a .step, .stl or .obj file");
     cli::Console console{about.tool, options.common.verbosity};
     const bool cad = meshing::is_cad_file(file);
     const std::string unit = cad ? "" : unit_of(options);
@@ -115,13 +115,13 @@ ExitCode describe(const cli::MeshGenOptions& options) {
     return ExitCode::ok;
 }
 
-/// A part or a mesh in place of the design that names it.
+/// Rejects a part or mesh file given instead of a design.
 void refuse_part(const std::string& file) {
     const bool part = meshing::is_part_file(file);
     if (!part && !file.ends_with(".msh")) return;
     throw Error(
         ExitCode::bad_input, file, std::string{part ? "a CAD part" : "a mesh"} + ", not a design (YAML)",
-        part ? "use family: imported with geometry.file; `mesh-gen --describe " + file + "` prints one to start from"
+        part ? "use family: imported with geometry.file; `mesh-gen --describe " + file + "` prints a design to start from"
              : "use family: imported with geometry.file");
 }
 
@@ -144,12 +144,12 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
         case cli::Task::check: break;
         case cli::Task::surface:
             if (!surface::is_surface_file(options.surface))
-                throw surface::no_surface_file(options.surface);  // before the mesh is made
+                throw surface::surface_format_error(options.surface);  // before meshing
             break;
         case cli::Task::build: cli::check_output(output, cli::Content::binary); break;
     }
     refuse_part(options.inputs.front());
-    const cli::Input input = cli::read_input(options.inputs.front(), cli::longest_design);
+    const cli::Input input = cli::read_input(options.inputs.front(), cli::max_design_bytes);
     std::vector<design::Override> overrides;
     for (const std::string& set : options.sets) overrides.push_back(design::parse_override(set));
     if (options.task != cli::Task::explain) return build(options, input, overrides);
@@ -158,10 +158,10 @@ ExitCode run_task(const cli::MeshGenOptions& options) {
     return ExitCode::ok;
 }
 
-/// Those that fail are told, the others go on; the exit code is that of the first that has failed.
+/// Reports designs that fail and continues with the others. Returns the exit code of the first failure.
 ExitCode mesh_gen(const cli::MeshGenOptions& options) {
     if (options.folder.empty()) return run_task(options);
-    const std::vector<cli::MeshGenOptions> all = cli::one_by_one(options);
+    const std::vector<cli::MeshGenOptions> all = cli::split_inputs(options);
     cli::make_folder(options.folder);
     ExitCode first = ExitCode::ok;
     for (const cli::MeshGenOptions& one : all) {

@@ -18,11 +18,11 @@ std::vector<Library> libraries() {
 }
 
 const About about{.tool = "mesh-gen",
-                  .summary = "a parametric soft actuator (YAML) to a case (HDF5): mesh, materials, supports and loads",
+                  .summary = "generates a case (HDF5: mesh, materials, supports, loads) from a parametric design (YAML)",
                   .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
-                                "the whole way from design to curve"},
+                                "Complete pipeline from design to curve"},
                                {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
-                                "a design to start from, changed and meshed"}},
+                                "Takes a template, changes it and meshes it"}},
                   .libraries = libraries};
 
 std::vector<std::string> family_names() {
@@ -41,40 +41,40 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     const auto task = [&options](Task chosen) { return [&options, chosen] { options.task = chosen; }; };
     add_inputs(app, options.inputs, "DESIGN", "The design (YAML)");
     app.add_option("--output-folder", options.folder,
-                   "Write FOLDER/NAME.h5 for each NAME.yaml of several designs; one that fails "
-                   "is told, the others go on")
+                   "Write FOLDER/NAME.h5 for each NAME.yaml of several designs; a design that fails is "
+                   "reported and the others continue")
         ->type_name("FOLDER");
-    app.add_flag_callback("--check", task(Task::check), "Validate the design and write nothing");
+    app.add_flag_callback("--check", task(Task::check), "Validate the design without writing a case");
     app.add_flag_callback("--explain", task(Task::explain),
-                          "Print the effective design: what is given, what is a default, what it means");
+                          "Print the effective design: given values, defaults and the meaning of each key");
     app.add_flag_callback("--list", task(Task::list), "Print the actuator families");
     auto* materials = app.add_flag_callback("--list-materials", task(Task::list_materials),
                                             "Print the material laws: energy, parameters, ranges, sources");
     app.add_flag_callback(
            "--markdown", [&options] { options.law_style = design::LawListStyle::markdown; },
-           "Print the laws as the tables of the README")
+           "With --list-materials: print Markdown tables")
         ->needs(materials);
     app.add_option("--template", options.family, "Print a commented, runnable design of the family")
         ->type_name("FAMILY")
         ->check(CLI::IsMember(family_names()));
     app.add_option("--surface", options.surface,
-                   "Write the surface of a solid instead of a case: STL or OBJ by the ending, in mm")
+                   "Write the surface of a solid model instead of a case: STL or OBJ by the extension, in mm")
         ->type_name("FILE");
     auto* describe =
         app.add_flag_callback("--describe", task(Task::describe),
-                              "Print what a part (.step, .stl, .obj) in place of DESIGN holds, as the beginning of a "
-                              "design with its faces");
+                              "Print the contents of a part (.step, .stl, .obj), given instead of DESIGN, as the "
+                              "beginning of a design with its faces");
     app.add_option("--picture", options.picture, "With --describe: write a picture of the numbered faces (SVG)")
         ->type_name("FILE")
         ->needs(describe);
     add_set_option(app, options.sets);
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
-    at_most_one_of(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials", "--template",
+    require_at_most_one(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials", "--template",
                                                  "--output-folder", "--surface", "--describe"});
-    at_most_one_of(app, std::vector<std::string>{"--surface", "--output"});
-    at_most_one_of(app, std::vector<std::string>{"--output-folder", "--output"});
-    at_most_one_of(app, std::vector<std::string>{"--output-folder", "--json"});
+    require_at_most_one(app, std::vector<std::string>{"--surface", "--output"});
+    require_at_most_one(app, std::vector<std::string>{"--output-folder", "--output"});
+    require_at_most_one(app, std::vector<std::string>{"--output-folder", "--json"});
     if (!options.family.empty()) options.task = Task::print_template;
     if (!options.surface.empty()) options.task = Task::surface;
     if (options.inputs.empty()) options.inputs.emplace_back();
@@ -84,21 +84,21 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     return options;
 }
 
-std::vector<MeshGenOptions> one_by_one(const MeshGenOptions& options) {
+std::vector<MeshGenOptions> split_inputs(const MeshGenOptions& options) {
     namespace fs = std::filesystem;
     std::vector<MeshGenOptions> all;
     std::set<std::string> files;
     for (const std::string& input : options.inputs) {
         if (input.empty() || input == "-")
             throw Error(ExitCode::usage, "--output-folder", "a design from stdin has no name",
-                        "name its file, or use -o");
+                        "give its file, or use -o");
         MeshGenOptions& one = all.emplace_back(options);
         one.inputs = {input};
         one.folder.clear();
         one.common.output = (fs::path{options.folder} / fs::path{input}.filename().replace_extension(".h5")).string();
         if (!files.insert(one.common.output).second)
             throw Error(ExitCode::usage, "--output-folder",
-                        "two designs would write " + core::quoted(one.common.output), "call them differently");
+                        "two designs would write " + core::quoted(one.common.output), "rename one of them");
         std::vector<std::string> words{std::string{about.tool}, input, "-o", one.common.output};
         for (const std::string& set : options.sets) words.insert(words.end(), {"--set", set});
         one.common.command_line = command_line_of(words);

@@ -1,5 +1,5 @@
 #pragma once
-/// What mesh-gen was asked for.
+/// Command line of mesh-gen.
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,19 +17,19 @@ struct MeshGenOptions {
     CommonOptions common;
     Task task = Task::build;
     std::vector<std::string> inputs;  ///< one; several only with `folder`
-    std::string folder;               ///< a case for each input goes here; empty: to common.output
+    std::string folder;               ///< output folder, one case per input; empty: write to common.output
     std::string family;
-    std::string picture;  ///< file for the numbered faces of a part that is described; empty: none
-    std::string surface;  ///< file for the body's surface, in place of the case
+    std::string picture;  ///< with --describe: file for the picture of the numbered faces; empty: none
+    std::string surface;  ///< file for the surface of the body, instead of the case
     design::LawListStyle law_style = design::LawListStyle::plain;
     std::vector<std::string> sets;
 };
 
-/// nullopt when help and the like was printed. Error(usage).
+/// nullopt if help, version or the like was printed. Throws Error(usage).
 [[nodiscard]] std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv);
 
-/// One for each input, as `mesh-gen DESIGN -o FOLDER/NAME.h5` would have it, in the provenance too.
-/// Error(usage) where two would write the same file.
-[[nodiscard]] std::vector<MeshGenOptions> one_by_one(const MeshGenOptions& options);
+/// Options for each input, identical to those of `mesh-gen DESIGN -o FOLDER/NAME.h5`, also in the provenance.
+/// Throws Error(usage) if two inputs would write the same file.
+[[nodiscard]] std::vector<MeshGenOptions> split_inputs(const MeshGenOptions& options);
 
 }  // namespace soft::cli

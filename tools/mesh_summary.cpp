@@ -18,36 +18,36 @@ namespace {
 
 std::size_t free_displacements(const model::Case& model) {
     const auto dimension = static_cast<std::size_t>(model.mesh.dimension);
-    std::vector<std::array<bool, 3>> held(model.mesh.points.size());
-    const auto hold = [&](const std::string& name, const std::array<bool, 3>& components) {
+    std::vector<std::array<bool, 3>> fixed(model.mesh.points.size());
+    const auto fix = [&](const std::string& name, const std::array<bool, 3>& components) {
         const auto face = model.mesh.facet_sets.find(name);
         if (face == model.mesh.facet_sets.end()) return;
         for (const mesh::Facet& facet : face->second)
             for (const mesh::Index node : mesh::facet_nodes(model.mesh, facet))
-                for (std::size_t i = 0; i < dimension; ++i) held[static_cast<std::size_t>(node)][i] |= components[i];
+                for (std::size_t i = 0; i < dimension; ++i) fixed[static_cast<std::size_t>(node)][i] |= components[i];
     };
-    for (const model::Support& support : model.supports) hold(support.face, support.fixed);
+    for (const model::Support& support : model.supports) fix(support.face, support.fixed);
     for (const model::Motion& motion : model.motions) {
         const auto& moved = motion.displacement_m;
-        hold(motion.face, {moved[0].has_value(), moved[1].has_value(), moved[2].has_value()});
+        fix(motion.face, {moved[0].has_value(), moved[1].has_value(), moved[2].has_value()});
     }
     std::size_t count = 0;
-    for (const auto& node : held)
+    for (const auto& node : fixed)
         count += dimension - static_cast<std::size_t>(std::count(node.begin(), node.end(), true));
     return count;
 }
 
-/// Linear and discontinuous on quadrilaterals and hexahedra, shared by the corners of all other cells.
+/// Number of pressure unknowns: linear and discontinuous on quadrilaterals and hexahedra, continuous at the vertices of other cells.
 std::size_t pressures(const model::Case& model) {
     if (model.formulation != model::Formulation::mixed) return 0;
     std::size_t count = 0;
     std::set<mesh::Index> corners;
     for (mesh::Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
         const mesh::CellTopology& topology = mesh::topology(model.mesh.cell_type(cell));
-        const bool own = topology.shape == mesh::Shape::quadrilateral || topology.shape == mesh::Shape::hexahedron;
-        if (own) count += static_cast<std::size_t>(topology.dimension) + 1;
+        const bool discontinuous = topology.shape == mesh::Shape::quadrilateral || topology.shape == mesh::Shape::hexahedron;
+        if (discontinuous) count += static_cast<std::size_t>(topology.dimension) + 1;
         const auto nodes = model.mesh.cell_nodes(cell);
-        if (!own) corners.insert(nodes.begin(), nodes.begin() + topology.vertex_count);
+        if (!discontinuous) corners.insert(nodes.begin(), nodes.begin() + topology.vertex_count);
     }
     return count + corners.size();
 }
@@ -61,35 +61,36 @@ std::string cell_type_names(const mesh::Mesh& mesh) {
     return core::join(names);
 }
 
-surface::WallFigures walls_of(const model::Case& model) {
+surface::WallStatistics walls_of(const model::Case& model) {
     const surface::Triangles surface = surface::facet_triangles(model.mesh, boundary_facets(model.mesh));
     std::vector<surface::Wall> walls = surface::walls(surface.points, surface.triangles);
-    return walls.empty() ? surface::WallFigures{} : surface::figures(std::move(walls));
+    return walls.empty() ? surface::WallStatistics{} : surface::wall_statistics(std::move(walls));
 }
 
-nlohmann::ordered_json walls_json(const surface::WallFigures& walls) {
-    return {{"min_m", walls.least.thickness_m}, {"min_place_m", walls.least.place}, {"median_m", walls.median_m}};
+nlohmann::ordered_json walls_json(const surface::WallStatistics& walls) {
+    return {{"min_m", walls.thinnest.thickness_m}, {"min_place_m", walls.thinnest.location}, {"median_m", walls.median_m}};
 }
 
 std::string volume_text(double volume_m3) { return core::quantity_text(volume_m3, core::Dimension::volume); }
 
 std::string length_text(double length_m) { return core::quantity_text(length_m, core::Dimension::length); }
 
-std::string corners_line(const mesh::InnerCorners& corners) {
+std::string corners_line(const mesh::ReentrantCorners& corners) {
     const std::string where =
         corners.length_m > 0 ? length_text(corners.length_m) + " of edges" : std::to_string(corners.count);
-    return "sharp inner corners: " + where + ", cells of " + length_text(corners.cell_m) +
-           " beside them; the largest stretch there only grows on finer meshes, judge by stretch_p99; curves converge slowly, see --tolerance of solve";
+    return "sharp re-entrant corners: " + where + ", cells of " + length_text(corners.cell_m) +
+           " next to them; the largest stretch there grows with refinement, so use stretch_p99; "
+           "curves converge slowly, see solve --tolerance";
 }
 
 std::string part_line(const MeshSummary::Part& part, double volume_m3) {
-    const surface::WallFigures &before = part.file.walls, &after = part.walls;
+    const surface::WallStatistics &before = part.file.walls, &after = part.walls;
     return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " +
            volume_text(part.file.volume_m3) + ", of the mesh " + volume_text(volume_m3) + " (" +
-           core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " %); walls of " +
-           length_text(before.least.thickness_m) + " at least, half of them below " + length_text(before.median_m) +
-           ", of the mesh " + length_text(after.least.thickness_m) + " and " + length_text(after.median_m) +
-           "; cells follow the file's facets, not the smooth body";
+           core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " %); wall thickness at least " +
+           length_text(before.thinnest.thickness_m) + ", median " + length_text(before.median_m) +
+           ", of the mesh " + length_text(after.thinnest.thickness_m) + " and " + length_text(after.median_m) +
+           "; the mesh follows the facets of the file, not a smooth surface";
 }
 
 mesh::Measure measure_of(const model::Case& model) {
@@ -119,16 +120,16 @@ MeshSummary inspect(const geometry::Built& built) {
     summary.points = model.mesh.points.size();
     summary.unknowns = free_displacements(model) + pressures(model);
     summary.quality = mesh::quality(model.mesh);
-    summary.inner_corners = mesh::inner_corners(model.mesh);
+    summary.inner_corners = mesh::find_reentrant_corners(model.mesh);
     summary.rubber_volume_m3 = mesh::measure(model.mesh, measure_of(model)) / model.model_fraction;
     summary.mass_kg = mass_kg(model);
     summary.notes = built.notes;
     summary.cavities = surface::check_cavities(model);
     for (const surface::CavityReport& cavity : summary.cavities)
-        summary.wall_places.push_back(model::location_text(model.kinematics, cavity.min_wall_place));
+        summary.min_wall_locations.push_back(model::location_text(model.kinematics, cavity.min_wall_location));
     if (built.part) {
         summary.part = MeshSummary::Part{*built.part, walls_of(model)};
-        summary.part->file.volume_m3 /= model.model_fraction;  // of the whole body, as everywhere
+        summary.part->file.volume_m3 /= model.model_fraction;  // of the whole actuator, like all volumes of the summary
     }
     return summary;
 }
@@ -136,13 +137,13 @@ MeshSummary inspect(const geometry::Built& built) {
 std::string memory_warning(std::size_t unknowns, int dimension) {
     constexpr std::size_t many = 1000000;
     if (unknowns <= many) return {};
-    // Of the direct solver, measured: solids of 91,281 unknowns 0.88 GB, of 445,471 5.6 GB; a section of 136,000 0.29 GB.
+    // Measured with the direct solver: solids of 91,281 unknowns 0.88 GB, of 445,471 5.6 GB; a section of 136,000 unknowns 0.29 GB.
     const double n = static_cast<double>(unknowns);
     const double memory_GB = dimension == 3 ? 0.88 * std::pow(n / 91281, 1.17) : 0.29 * std::pow(n / 136000, 1.08);
-    return "mesh: " + std::to_string(unknowns) + " unknowns; the solve will need about " +
+    return "mesh: " + std::to_string(unknowns) + " unknowns; solve will need about " +
            core::rounded_text(memory_GB, 2) + " GB of memory; " +
-           (dimension == 3 ? "larger cells, a half or quarter model, or solver.preconditioner: multigrid"
-                           : "larger cells (mesh.size, mesh.quality: draft)");
+           (dimension == 3 ? "use larger cells, a half or quarter model, or solver.preconditioner: multigrid"
+                           : "use larger cells (mesh.size, mesh.quality: draft)");
 }
 
 std::vector<std::string> summary_lines(const MeshSummary& summary) {
@@ -152,10 +153,10 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
         const surface::CavityReport& cavity = summary.cavities[i];
         shape += ", " + cavity.name + " " + volume_text(cavity.volume_m3);
         if (cavity.min_wall_m)
-            shape += ", smallest wall " + core::quantity_text(*cavity.min_wall_m, core::Dimension::length) +
-                     " at " + summary.wall_places[i];
+            shape += ", min. wall " + core::quantity_text(*cavity.min_wall_m, core::Dimension::length) +
+                     " at " + summary.min_wall_locations[i];
     }
-    shape += ", worst scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
+    shape += ", min. scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
     std::vector<std::string> lines{core::one_line(summary.name) + ": " + core::counted(summary.cells, "cell") + " (" +
                                        summary.cell_types + "), " + std::to_string(summary.points) + " points, " +
                                        std::to_string(summary.unknowns) + " unknowns",
@@ -176,7 +177,7 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
             {"name", cavity.name}, {"volume_m3", cavity.volume_m3}, {"surface_triangles", cavity.triangles}};
         if (cavity.min_wall_m) {
             one["min_wall_m"] = *cavity.min_wall_m;
-            one["min_wall_place_m"] = cavity.min_wall_place;
+            one["min_wall_place_m"] = cavity.min_wall_location;
         }
         cavities.push_back(std::move(one));
     }
@@ -193,7 +194,7 @@ nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vecto
                                    {"min_scaled_jacobian", summary.quality.min_scaled_jacobian},
                                    {"mean_scaled_jacobian", summary.quality.mean_scaled_jacobian},
                                    {"worst_cell", summary.quality.worst_cell},
-                                   {"worst_place_m", summary.quality.worst_place_m},
+                                   {"worst_place_m", summary.quality.worst_position_m},
                                    {"warnings", warnings}};
     json["inner_corners"] = {{"count", summary.inner_corners.count},
                              {"length_m", summary.inner_corners.length_m},

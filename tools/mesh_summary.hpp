@@ -1,5 +1,5 @@
 #pragma once
-/// What mesh-gen tells about a case: size, volumes, thinnest wall, quality. The numbers of --json.
+/// Summary that mesh-gen prints of a case: size, volumes, smallest wall thickness, mesh quality. Also the content of --json.
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/build.hpp"
-#include "mesh/inner_corners.hpp"
+#include "mesh/reentrant_corners.hpp"
 #include "mesh/quality.hpp"
 #include "model/case.hpp"
 #include "surface/report.hpp"
@@ -21,29 +21,29 @@ struct MeshSummary {
     std::size_t points = 0;
     std::size_t unknowns = 0;       ///< free displacements and pressures
     double rubber_volume_m3 = 0;    ///< whole actuator
-    std::optional<double> mass_kg;  ///< whole actuator; of materials that all have a density
+    std::optional<double> mass_kg;  ///< whole actuator; set if all materials have a density
     mesh::Quality quality;
-    mesh::InnerCorners inner_corners;
+    mesh::ReentrantCorners inner_corners;
     std::vector<surface::CavityReport> cavities;
-    /// Of a part that came as a surface: the file's figures, and the mesh's walls to compare.
+    /// For a part imported as a surface: figures of the file, and the wall thickness of the mesh for comparison.
     struct Part {
         geometry::PartFigures file;
-        surface::WallFigures walls;
+        surface::WallStatistics walls;
     };
     std::optional<Part> part;
-    std::vector<std::string> notes;        ///< how a drawn shape was read
-    std::vector<std::string> wall_places;  ///< "x = 12.3 mm, r = 4.5 mm" of each cavity's smallest wall
+    std::vector<std::string> notes;        ///< how a drawn outline was interpreted
+    std::vector<std::string> min_wall_locations;  ///< "x = 12.3 mm, r = 4.5 mm": location of the smallest wall of each cavity
 };
 
-/// Refuses a case that cannot be solved: inverted cells, a cavity that is open or meets itself (Error(bad_input)).
+/// Throws Error(bad_input) for a case that cannot be solved: inverted cells, or a cavity surface that is open or intersects itself.
 [[nodiscard]] MeshSummary inspect(const geometry::Built& built);
 
-/// Two lines for a person; one more where there are sharp inner corners, two more where a part was meshed.
-/// A warning where the solve will need much memory: above a million unknowns; empty below.
+/// Warning about the memory that solve will need, for more than a million unknowns; otherwise empty.
 [[nodiscard]] std::string memory_warning(std::size_t unknowns, int dimension);
 
+/// Two lines; one more for sharp re-entrant corners, up to two more for an imported part.
 [[nodiscard]] std::vector<std::string> summary_lines(const MeshSummary& summary);
-/// SI, units in the names.
+/// SI values; the key names contain the units.
 [[nodiscard]] nlohmann::ordered_json summary_json(const MeshSummary& summary, const std::vector<std::string>& warnings);
 
 }  // namespace soft::cli

@@ -81,7 +81,7 @@ std::array<Point, 2> box_of(const surface::BodySurface& surface) {
     return box;
 }
 
-/// A parallel projection: to the right, up, and towards the eye.
+/// Axes of a parallel projection: right, up, and towards the viewer.
 struct View {
     surface::Vector right, up, eye;
 };
@@ -97,7 +97,7 @@ struct Patch {
     std::size_t face;
 };
 
-/// Triangles short enough to be drawn in the order of their depth.
+/// Bisects a triangle until its sides are short enough for drawing in order of depth (painter's algorithm).
 void divide(const Patch& patch, double longest_m, std::vector<Patch>& all) {
     for (std::size_t k = 0; k < 3; ++k) {
         const Point &a = patch.corners[k], &b = patch.corners[(k + 1) % 3], &c = patch.corners[(k + 2) % 3];
@@ -127,34 +127,34 @@ std::vector<Patch> patches(const PartDescription& part) {
 }
 
 std::string colour(std::size_t face, double light) {
-    constexpr double golden_deg = 137.508;  // neighbours in number differ in hue
+    constexpr double golden_deg = 137.508;  // consecutive numbers get clearly different hues
     return "hsl(" + number(std::fmod(golden_deg * static_cast<double>(face), 360), 4) + ",55%," +
            number(45 + 35 * light, 4) + "%)";
 }
 
-/// Of the places, the one nearest to their mean: on the face, also where it goes round a hole.
-std::array<double, 2> middle_of(const std::vector<std::array<double, 2>>& places) {
+/// The position nearest to the mean of `positions`. It lies on the face even if the face surrounds a hole.
+std::array<double, 2> middle_of(const std::vector<std::array<double, 2>>& positions) {
     std::array<double, 2> mean{};
-    for (const auto& at : places)
-        for (std::size_t d = 0; d < 2; ++d) mean[d] += at[d] / static_cast<double>(places.size());
-    return *std::ranges::min_element(places, {},
+    for (const auto& at : positions)
+        for (std::size_t d = 0; d < 2; ++d) mean[d] += at[d] / static_cast<double>(positions.size());
+    return *std::ranges::min_element(positions, {},
                                      [&](const auto& at) { return std::hypot(at[0] - mean[0], at[1] - mean[1]); });
 }
 
-/// The circle is dashed where the face lies behind another.
+/// The circle is dashed if another face hides this one.
 std::string label(std::size_t face, const std::array<double, 2>& at, bool is_behind) {
     const std::string x = number(at[0], 6), dashes = is_behind ? " stroke-dasharray='2'" : "";
     return "<circle cx='" + x + "' cy='" + number(at[1], 6) + "' r='9' fill='white' stroke='black'" + dashes +
            "/><text x='" + x + "' y='" + number(at[1] + 4, 6) + "'>" + std::to_string(face) + "</text>\n";
 }
 
-/// A triangle of the picture and the face it belongs to.
-struct Shown {
+/// A projected triangle and its face.
+struct ProjectedTriangle {
     std::array<std::array<double, 2>, 3> corners;
     std::size_t face;
 };
 
-bool holds(const std::array<std::array<double, 2>, 3>& corners, const std::array<double, 2>& at) {
+bool contains_point(const std::array<std::array<double, 2>, 3>& corners, const std::array<double, 2>& at) {
     bool left = true, right = true;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto &a = corners[k], &b = corners[(k + 1) % 3];
@@ -165,13 +165,13 @@ bool holds(const std::array<std::array<double, 2>, 3>& corners, const std::array
     return left || right;
 }
 
-/// One view, its middle at `middle` px, the part 360 px wide at most.
+/// SVG of one view centred at `middle` [px], at most 360 px wide.
 std::string drawn(const PartDescription& part, const View& view, std::array<double, 2> middle) {
     constexpr double width_px = 360;
     const auto [low, high] = box_of(part.surface);
     const Point centre = surface::along(low, 0.5, surface::along(high, -1, low));
     const double scale = width_px / surface::norm(surface::along(high, -1, low));
-    const auto place = [&](const Point& p) {
+    const auto project = [&](const Point& p) {
         const surface::Vector from = surface::along(p, -1, centre);
         return std::array{middle[0] + scale * dot(from, view.right), middle[1] - scale * dot(from, view.up),
                           dot(from, view.eye)};
@@ -186,18 +186,18 @@ std::string drawn(const PartDescription& part, const View& view, std::array<doub
         const auto& [a, b, c] = patch.corners;
         const surface::Vector normal = cross(surface::along(b, -1, a), surface::along(c, -1, a));
         const double facing = dot(normal, view.eye) / surface::norm(normal);
-        if (facing > 0) order.push_back({place(a)[2] + place(b)[2] + place(c)[2], facing, &patch});
+        if (facing > 0) order.push_back({project(a)[2] + project(b)[2] + project(c)[2], facing, &patch});
     }
     std::ranges::stable_sort(order, {}, &Drawn::depth);
     std::string svg;
-    std::vector<Shown> shown;
-    std::vector<std::vector<std::array<double, 2>>> seen(part.faces.size());  // middles of patches
+    std::vector<ProjectedTriangle> shown;
+    std::vector<std::vector<std::array<double, 2>>> seen(part.faces.size());  // centres of the visible patches per face
     for (const Drawn& one : order) {
         std::string points;
         std::array<double, 2> mean{};
         std::array<std::array<double, 2>, 3> triangle{};
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto at = place(one.patch->corners[k]);
+            const auto at = project(one.patch->corners[k]);
             triangle[k] = {at[0], at[1]};
             points += number(at[0], 5) + "," + number(at[1], 5) + " ";
             for (std::size_t d = 0; d < 2; ++d) mean[d] += at[d] / 3;
@@ -207,15 +207,15 @@ std::string drawn(const PartDescription& part, const View& view, std::array<doub
         seen[one.patch->face].push_back(mean);
         shown.push_back({triangle, one.patch->face});
     }
-    const auto foremost = [&](const std::array<double, 2>& at) {
+    const auto front_face_at = [&](const std::array<double, 2>& at) {
         const auto found = std::ranges::find_if(shown.rbegin(), shown.rend(),
-                                                [&](const Shown& one) { return holds(one.corners, at); });
+                                                [&](const ProjectedTriangle& one) { return contains_point(one.corners, at); });
         return found == shown.rend() ? part.faces.size() : found->face;
     };
     for (std::size_t f = 0; f < seen.size(); ++f)
         if (!seen[f].empty()) {
             const auto at = middle_of(seen[f]);
-            svg += label(f + 1, at, foremost(at) != f);
+            svg += label(f + 1, at, front_face_at(at) != f);
         }
     return svg;
 }
@@ -236,7 +236,7 @@ std::string description_yaml(const PartDescription& part) {
                 lengths(part.surface.shells[s].inside) + "\n";
     if (part.surface.shells.size() == 1)
         text +=
-            "# no closed cavity; for an open one: cavity: {point: [x, y, z] on its wall, up_to: the face around its "
+            "# no closed cavity; for an open one use cavity: {point: [x, y, z] on its wall, up_to: face around its "
             "opening}\n";
     for (const std::string& repair : part.surface.repairs) text += "# repaired: " + repair + "\n";
     text += "family: imported\ngeometry:\n  file: " + quoted_yaml(part.file) + "\n";
@@ -249,7 +249,7 @@ std::string description_yaml(const PartDescription& part) {
                           what = shape_text(face) + ", " + area_text(face.area_m2);
         text += face.rule
                     ? "    " + name + ": " + rule_text(*face.rule) + "   # " + what + "\n"
-                    : "    # " + name + " has no rule of its own: " + what + ", near " + lengths(face.on_face) + "\n";
+                    : "    # " + name + " cannot be selected by a single rule: " + what + ", near " + lengths(face.on_face) + "\n";
     }
     return text;
 }
@@ -266,7 +266,7 @@ std::string unit_warning(const PartDescription& part) {
     const double extent_m = part.surface.extent_m();
     if (part.unit.empty() || part.unit == "in" || extent_m >= min_m) return {};
     return part.file + ": the part is " + core::quantity_text(extent_m, core::Dimension::length) +
-           " long; are its lengths inches? `unit: in` makes it " +
+           " long; if its lengths are in inches, use `unit: in`, which gives " +
            core::quantity_text(inch_over_mm * extent_m, core::Dimension::length);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What a part's surface or CAD file holds, as the beginning of a design (YAML), and a picture with the numbers of its faces.
+/// Description of a surface or CAD file as the beginning of a design (YAML), and a picture of its numbered faces.
 #include <string>
 #include <vector>
 
@@ -9,19 +9,19 @@
 namespace soft::cli {
 
 struct PartDescription {
-    std::string file;  ///< as the user has named it
-    std::string unit;  ///< of an STL or OBJ file; empty: the file states its own
+    std::string file;  ///< as given by the user
+    std::string unit;  ///< length unit of an STL or OBJ file; empty: the file states its unit
     const surface::BodySurface& surface;
     std::vector<surface::PartFace> faces;
 };
 
-/// Box, volume and closed cavities as comments; `family: imported` with a rule for each face that one rule selects.
+/// Bounding box, volume and closed cavities as comments; `family: imported` with a rule for each face that a single rule can select.
 [[nodiscard]] std::string description_yaml(const PartDescription& part);
 
-/// Two opposite views, faces numbered as in the design; numbers of faces behind others have a dashed circle.
+/// SVG with two opposite views; faces are numbered as in the design. Numbers of hidden faces have a dashed circle.
 [[nodiscard]] std::string numbered_faces_svg(const PartDescription& part);
 
-/// Whether the lengths may be in another unit; empty where they look right.
+/// Warning that the lengths may be in another unit; empty if they are plausible.
 [[nodiscard]] std::string unit_warning(const PartDescription& part);
 
 }  // namespace soft::cli

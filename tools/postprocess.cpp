@@ -1,4 +1,4 @@
-/// postprocess: a result -> the curve (CSV), plots, pictures, ParaView files, a report; verdicts on it.
+/// postprocess: writes the curve (CSV), plots, pictures, ParaView files and a report of a result, and checks it.
 ///     postprocess bellows.h5 --at elongation=20mm,40mm,80mm,130mm
 ///     mesh-gen designs/bellows.yaml | solve | postprocess --plot curve.svg > curve.csv
 #include <nlohmann/json.hpp>
@@ -54,7 +54,7 @@ ExitCode postprocess(const PostprocessOptions& options) {
     const post::Curve table = options.at.empty() ? curve : rows_at(curve, options.at);
     const std::optional<Comparison> comparison = compare(options.compare, curve);
     nlohmann::ordered_json json = postprocess_summary(result, curve, table.row_count());
-    const Judgement judgement = judge(options, curve, comparison, json);
+    const CheckReport checks = run_checks(options, curve, comparison, json);
     const auto lines = options.comments ? comments(result, options.common) : std::vector<std::string>{};
     if (options.wants_table)
         cli::write_output(options.common.output, comparison
@@ -63,14 +63,16 @@ ExitCode postprocess(const PostprocessOptions& options) {
     const std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
     draw_plot(options.plot, series, comparison ? &comparison->measured : nullptr, result.model.name);
     make_pictures(options.pictures,
-                  {result, image, curve, table, options.at.empty() ? Shown::Rows::last : Shown::Rows::asked}, console);
+                  {result, image, curve, table,
+                   options.at.empty() ? PictureInput::Rows::last : PictureInput::Rows::requested},
+                  console);
     write_report(options, {.result = result, .curve = curve, .series = series, .material_notes = material_notes(json)},
                  comparison);
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);
     for (const std::string& line : summary_lines(json)) console.say(line);
     if (const auto advice = material_advice(json)) console.warn(*advice);
-    for (const std::string& line : judgement.lines) console.say(line);
-    conclude(options, judgement);
+    for (const std::string& line : checks.lines) console.say(line);
+    finish_checks(options, checks);
     return ExitCode::ok;
 }
 

@@ -32,23 +32,23 @@ nlohmann::ordered_json comparison_json(const post::Curve& curve, const Compariso
     return list;
 }
 
-void judge_comparison(const CompareOptions& options, const post::Curve& curve, const Comparison& comparison,
-                      Judgement& judgement) {
-    judgement.lines = post::summary_lines(curve, comparison.measured, comparison.errors);
+void check_comparison(const CompareOptions& options, const post::Curve& curve, const Comparison& comparison,
+                      CheckReport& checks) {
+    checks.lines = post::summary_lines(curve, comparison.measured, comparison.errors);
     if (options.max_error.empty()) return;
     for (post::Claim& claim : post::check_largest(curve, comparison.measured, comparison.errors, options.max_error)) {
-        if (judgement.failure.empty()) judgement.failure = claim.failure;
-        judgement.claims.push_back(std::move(claim));
+        if (checks.failure.empty()) checks.failure = claim.failure;
+        checks.claims.push_back(std::move(claim));
     }
 }
 
-/// A table cut short still agrees: what is not checked is told.
+/// A truncated table still agrees with the path, so the message reports an incomplete coverage.
 std::string coverage_text(double covered) {
     constexpr double whole = 0.99;
     return covered < whole ? "; it covers " + core::rounded_text(100 * covered, 2) + " % of the path" : "";
 }
 
-void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgement& judgement,
+void check_golden_table(const CheckOptions& options, const post::Curve& curve, CheckReport& checks,
                   nlohmann::ordered_json& summary) {
     const double relative = core::quantity_or_throw(options.rtol, core::Dimension::ratio, ExitCode::usage, "--rtol");
     if (relative < 0) throw Error(ExitCode::usage, "--rtol", core::quoted(options.rtol) + " is negative");
@@ -57,7 +57,7 @@ void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgeme
     const table::Table golden = read_csv(options.file);
     const post::Verdict verdict = post::check_golden(curve, golden, tolerance);
     for (const post::ColumnVerdict& column : verdict.columns)
-        judgement.claims.push_back({column.name + " agrees", post::failure_text(verdict, column, golden)});
+        checks.claims.push_back({column.name + " agrees", post::failure_text(verdict, column, golden)});
     summary["check"] = {
         {"golden", golden.source},
         {"agrees", verdict.agrees()},
@@ -67,9 +67,9 @@ void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgeme
         {"max_share_of_allowed", std::isfinite(verdict.nearest_miss) ? nlohmann::ordered_json(verdict.nearest_miss)
                                                                          : nlohmann::ordered_json(nullptr)}};
     if (!verdict.agrees())
-        judgement.failure = post::failure_text(verdict, golden);
+        checks.failure = post::failure_text(verdict, golden);
     else
-        judgement.lines.push_back(golden.source + ": " + core::counted(verdict.rows, "row") + " of " +
+        checks.lines.push_back(golden.source + ": " + core::counted(verdict.rows, "row") + " of " +
                                   core::counted(verdict.columns.size(), "column") +
                                   " agree; the largest difference is " +
                                   core::rounded_text(100 * verdict.nearest_miss, 2) + " % of what is allowed" +
@@ -79,7 +79,7 @@ void judge_golden(const CheckOptions& options, const post::Curve& curve, Judgeme
 }  // namespace
 
 table::Table read_csv(const std::string& file) {
-    const cli::Input input = cli::read_input(file, cli::longest_table);
+    const cli::Input input = cli::read_input(file, cli::max_table_bytes);
     return table::read_table(input.text(), input.source);
 }
 
@@ -91,21 +91,21 @@ std::optional<Comparison> compare(const CompareOptions& options, const post::Cur
     return Comparison{std::move(measured), std::move(errors)};
 }
 
-Judgement judge(const PostprocessOptions& options, const post::Curve& curve,
+CheckReport run_checks(const PostprocessOptions& options, const post::Curve& curve,
                 const std::optional<Comparison>& comparison, nlohmann::ordered_json& summary) {
-    Judgement judgement;
+    CheckReport checks;
     if (comparison) {
         summary["comparison"] = comparison_json(curve, *comparison);
-        judge_comparison(options.compare, curve, *comparison, judgement);
+        check_comparison(options.compare, curve, *comparison, checks);
     }
-    if (!options.check.file.empty()) judge_golden(options.check, curve, judgement, summary);
-    return judgement;
+    if (!options.check.file.empty()) check_golden_table(options.check, curve, checks, summary);
+    return checks;
 }
 
-void conclude(const PostprocessOptions& options, const Judgement& judgement) {
+void finish_checks(const PostprocessOptions& options, const CheckReport& checks) {
     if (!options.check.junit.empty())
-        cli::write_output(options.check.junit, post::junit_xml("postprocess " + options.input, judgement.claims));
-    if (!judgement.failure.empty()) throw Error(ExitCode::check_failed, "", judgement.failure);
+        cli::write_output(options.check.junit, post::junit_xml("postprocess " + options.input, checks.claims));
+    if (!checks.failure.empty()) throw Error(ExitCode::check_failed, "", checks.failure);
 }
 
 }  // namespace soft

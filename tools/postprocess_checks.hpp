@@ -1,5 +1,5 @@
 #pragma once
-/// --check and --compare: verdicts on the path of a result. Tested by tests/pipeline/checks.sh.
+/// --check and --compare: checks on the path of a result. Tested by tests/pipeline/checks.sh.
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -11,27 +11,28 @@
 
 namespace soft {
 
-/// A table that the user names.
+/// Reads a CSV file given by the user.
 [[nodiscard]] table::Table read_csv(const std::string& file);
 
-/// Measured data, where --compare names some, with what they say of the path.
+/// Measured data of --compare and their errors relative to the path.
 struct Comparison {
     post::Measured measured;
     std::vector<post::ErrorSummary> errors;
 };
+/// nullopt without --compare.
 [[nodiscard]] std::optional<Comparison> compare(const CompareOptions& options, const post::Curve& curve);
 
-/// Whether the result is as it should be.
-struct Judgement {
-    std::vector<std::string> lines;   ///< for people
+/// Outcome of --check and --max-error.
+struct CheckReport {
+    std::vector<std::string> lines;   ///< summary lines
     std::vector<post::Claim> claims;  ///< for --junit
-    std::string failure;              ///< why not, one line; empty where it is
+    std::string failure;              ///< reason of a failure, one line; empty if all checks passed
 };
-/// Adds "comparison" and "check" to the summary.
-[[nodiscard]] Judgement judge(const PostprocessOptions& options, const post::Curve& curve,
+/// Runs the checks and adds "comparison" and "check" to the summary.
+[[nodiscard]] CheckReport run_checks(const PostprocessOptions& options, const post::Curve& curve,
                               const std::optional<Comparison>& comparison, nlohmann::ordered_json& summary);
 
-/// Writes --junit; Error(check_failed) with the reason where there is a failure.
-void conclude(const PostprocessOptions& options, const Judgement& judgement);
+/// Writes the --junit file; throws Error(check_failed) with the reason if a check failed.
+void finish_checks(const PostprocessOptions& options, const CheckReport& checks);
 
 }  // namespace soft

@@ -1,5 +1,5 @@
 #pragma once
-/// What the user asks of postprocess. Tested by tests/pipeline (postprocess_checks.sh, plots.sh, reports.sh).
+/// Command line of postprocess. Tested by tests/pipeline (postprocess_checks.sh, plots.sh, reports.sh).
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,9 +11,9 @@ namespace soft {
 
 struct PlotOptions {
     std::string file;               ///< FILE.svg, .png, .pdf; empty: none
-    std::string x, y;               ///< quantities; empty: what fits the case
+    std::string x, y;               ///< quantities; empty: chosen for the case
     std::string colour;             ///< quantity; empty: none
-    std::vector<std::string> with;  ///< FILE or FILE:LABEL of further results
+    std::vector<std::string> with;  ///< FILE or FILE:LABEL of other results
     std::string band;               ///< table of scripts/uncertainty (CSV); empty: none
 };
 
@@ -27,7 +27,7 @@ struct CheckOptions {
     std::string file;               ///< golden table (CSV); empty: none
     std::string rtol = "1e-3";      ///< a ratio
     std::vector<std::string> atol;  ///< "pressure=5Pa"
-    std::string junit;              ///< verdict as XML
+    std::string junit;              ///< file for the outcome as JUnit XML
 };
 
 struct PostprocessOptions {
@@ -35,9 +35,9 @@ struct PostprocessOptions {
     std::string input;
     std::vector<std::string> at;
     bool comments = false;
-    bool lists_outputs = false;     ///< the columns of RESULT, or of any where none is named
-    std::vector<std::string> also;  ///< columns on demand
-    bool wants_table = true;        ///< false: another product was asked for, and no -o
+    bool lists_outputs = false;     ///< list the columns of RESULT, or all possible columns without RESULT
+    std::vector<std::string> also;  ///< additional columns
+    bool wants_table = true;        ///< false: another output was requested, without -o
     PlotOptions plot;
     CompareOptions compare;
     CheckOptions check;
@@ -47,7 +47,7 @@ struct PostprocessOptions {
 
 [[nodiscard]] const cli::About& postprocess_about();
 
-/// nullopt: help, version or the like was printed. Throws Error(usage).
+/// nullopt if help, version or the like was printed. Throws Error(usage).
 [[nodiscard]] std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** argv);
 
 }  // namespace soft

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 class Exporter {
 public:
-    explicit Exporter(const Shown& shown) : shown_(shown), places_(fields::region_points(shown.result.model.mesh)) {}
+    explicit Exporter(const PictureInput& shown) : shown_(shown), places_(fields::make_region_points(shown.result.model.mesh)) {}
 
     void vtu(std::int64_t row, const fs::path& file) const {
         const Step step(*this, row);
@@ -26,7 +26,7 @@ public:
                                                         fields::state_arrays(model(), step.fields.cells)));
     }
 
-    /// The mesh of the copy has one place for a point, so interfaces get the mean of both sides.
+    /// The mesh in the copy has one value per point, so points on material interfaces get the mean of both sides.
     void copy(std::int64_t row, const fs::path& file) const {
         const Step step(*this, row);
         const auto bytes = io::with_vtk_fields(shown_.image, "the result",
@@ -35,12 +35,12 @@ public:
         cli::write_output(file.string(), bytes, cli::Content::binary);
     }
 
-    /// What ParaView's clock shows: the time of a motion; the leading load in its unit where it never turns back, as ParaView sorts
-    /// by time; else the number of the step.
+    /// Time values of the series: the time of a motion; otherwise the leading load if it is monotonic, since ParaView sorts by time;
+    /// otherwise the step number.
     struct Clock {
         std::string text;
         const post::Column* column = nullptr;  ///< nullptr: the step
-        double sign = 1;                       ///< of a load that grows downwards, as one that pulls, -1
+        double sign = 1;                       ///< -1 if the load decreases, for example for suction
     };
     [[nodiscard]] Clock clock() const {
         for (const post::Source source : {post::Source::time, post::Source::load}) {
@@ -57,10 +57,10 @@ public:
             return {(sign < 0 ? "negative " : "") + name + (found->unit.empty() ? "" : " in " + found->unit), &*found,
                     sign};
         }
-        return {"number of the step, as the load turns back in between"};
+        return {"step number, because the load is not monotonic"};
     }
 
-    /// FILE.pvd, and FILE/step-0000.vtu and so on beside it. Returns how many steps of an earlier result were removed.
+    /// Writes FILE.pvd and FILE/step-0000.vtu etc. Returns the number of removed steps of an earlier result.
     [[nodiscard]] std::size_t series(const fs::path& file, cli::Console& console) const {
         const fs::path folder = file.parent_path() / file.stem();
         view::make_folder(folder, "--paraview " + file.string());
@@ -79,8 +79,8 @@ public:
                 ticks.column != nullptr ? ticks.sign * ticks.column->values.at(number) : static_cast<double>(row);
             entries.push_back({time, (file.stem() / name).generic_string()});
         }
-        cli::write_output(file.string(), view::pvd_text(entries));  // after them: it names whole files only
-        return view::remove_others(folder, view::step_numbering, written);
+        cli::write_output(file.string(), view::pvd_text(entries));  // last, so that it lists only complete files
+        return view::remove_stale_files(folder, view::step_numbering, written);
     }
 
 private:
@@ -93,13 +93,13 @@ private:
             : values(stored_fields(exporter.shown_.result, row)),
               state{values.displacement_m, values.pressure_Pa},
               fields(fields::step_fields(exporter.model(), exporter.places_, state)) {}
-        Step(const Step&) = delete;  // the state looks at the values
+        Step(const Step&) = delete;  // `state` refers to `values`
         Step& operator=(const Step&) = delete;
     };
 
     [[nodiscard]] const model::Case& model() const { return shown_.result.model; }
 
-    const Shown& shown_;
+    const PictureInput& shown_;
     fields::RegionPoints places_;
 };
 
@@ -111,10 +111,10 @@ ParaviewFormat paraview_format(const std::string& file) {
     if (ending == ".vtu") return ParaviewFormat::step;
     if (ending == ".hdf" || ending == ".vtkhdf" || ending == ".h5") return ParaviewFormat::copy;
     throw Error(ExitCode::usage, "--paraview " + file,
-                "ParaView gets .pvd, .vtu or .hdf files (the last also as .vtkhdf or .h5)");
+                "unknown extension; use .pvd, .vtu, .hdf, .vtkhdf or .h5");
 }
 
-void write_paraview(const std::string& file, const Shown& shown, cli::Console& console) {
+void write_paraview(const std::string& file, const PictureInput& shown, cli::Console& console) {
     const Exporter exporter(shown);
     const ParaviewFormat format = paraview_format(file);
     if (format == ParaviewFormat::series) {

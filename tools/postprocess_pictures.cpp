@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int film_width_px = 960, film_height_px = 720;
-constexpr int smooth_segments = 8, smooth_sectors = 120;  // to the eye at 1600 pixels
+constexpr int smooth_segments = 8, smooth_sectors = 120;  // appears smooth at 1600 pixels
 
 std::string field_names() {
     std::vector<std::string> names;
@@ -44,7 +44,7 @@ std::optional<view::Range> range_of(const PictureOptions& options, fields::Quant
     if (options.range.empty()) return std::nullopt;
     const auto comma = options.range.find(',');
     if (comma == std::string::npos)
-        throw Error(ExitCode::usage, "--range", core::quoted(options.range) + " has one end", "LOW,HIGH with units");
+        throw Error(ExitCode::usage, "--range", core::quoted(options.range) + " has only one end", "use LOW,HIGH with units");
     const auto value = [&](std::string_view text) {
         return core::quantity_or_throw(text, dimension_of(quantity), ExitCode::usage, "--range");
     };
@@ -54,8 +54,8 @@ std::optional<view::Range> range_of(const PictureOptions& options, fields::Quant
     return range;
 }
 
-/// Along the axis about which the body is said to bend, so that its plane is seen.
-std::string usual_view(const model::Case& model) {
+/// View along the bending axis of a bend or curvature output, so that the bending plane is visible; otherwise iso.
+std::string default_view(const model::Case& model) {
     constexpr double along = 0.9;  // cosine
     constexpr std::array views{"side", "across", "front"};
     for (const model::Output& output : model.outputs)
@@ -65,11 +65,11 @@ std::string usual_view(const model::Case& model) {
     return "iso";
 }
 
-view::Look look_of(const PictureOptions& options, const model::Case& model) {
-    view::Look look;
+view::PictureStyle look_of(const PictureOptions& options, const model::Case& model) {
+    view::PictureStyle look;
     look.quantity = fields::quantity_from_name(options.field);
     const bool flat = options.section || model.kinematics == model::Kinematics::plane_strain;
-    look.camera = view::camera_from_text(!options.view.empty() ? options.view : flat ? "front" : usual_view(model));
+    look.camera = view::camera_from_text(!options.view.empty() ? options.view : flat ? "front" : default_view(model));
     look.range = range_of(options, look.quantity);
     return look;
 }
@@ -83,8 +83,8 @@ view::SkinOptions skin_options(const PictureOptions& options) {
     return skin;
 }
 
-/// What a title says of a row: time, the leading load, and what is measured (the first volume where nothing else is).
-bool in_title(const post::Curve& curve, const post::Column& column) {
+/// Whether a title shows the column: step, time, leading load and outputs (the first volume if there are no outputs).
+bool is_in_title(const post::Curve& curve, const post::Column& column) {
     if (column.quantity == "step" || column.source == post::Source::time || column.source == post::Source::output)
         return true;
     const auto first = [&](post::Source source) {
@@ -96,12 +96,12 @@ bool in_title(const post::Curve& curve, const post::Column& column) {
            (column.source == post::Source::volume && !measures && first(post::Source::volume));
 }
 
-/// "step 12", "pressure 40 kPa", "elongation 31.7 mm"; `values` are those of the columns, `with_step`: between steps there is none.
+/// "step 12", "pressure 40 kPa", "elongation 31.7 mm"; `values`: one per column; `with_step`: false between steps.
 std::vector<std::string> state_words(const post::Curve& curve, std::span<const double> values, bool with_step) {
     std::vector<std::string> all;
     for (std::size_t i = 0; i < curve.columns.size(); ++i) {
         const post::Column& column = curve.columns[i];
-        if (!in_title(curve, column) || column.role == post::Role::follower) continue;
+        if (!is_in_title(curve, column) || column.role == post::Role::follower) continue;
         if (column.quantity == "step" && !with_step) continue;
         std::string words = column.quantity;
         std::ranges::replace(words, '_', ' ');
@@ -116,15 +116,15 @@ std::vector<std::string> state_words(const post::Curve& curve, std::size_t row) 
     return state_words(curve, values, true);
 }
 
-std::string title_of(const Shown& shown, std::span<const std::string> words) {
+std::string title_of(const PictureInput& shown, std::span<const std::string> words) {
     return shown.result.model.name + "   " + core::join(words, "   ");
 }
 
-/// Places on the path for the frames of a film: even in time, of a static path in the leading load where it never turns back, else
-/// along the path. As many as there are stored steps, but enough for a film.
-std::vector<double> frame_parameters(const post::Path& path, const Shown& shown) {
-    constexpr std::size_t least = 36, most = 400;
-    const std::size_t count = std::clamp(shown.result.fields.steps().size(), least, most);
+/// Path parameters of the frames of a film: evenly spaced in time for a motion, in the leading load for a static path if it is
+/// monotonic, otherwise along the path. As many as stored steps, within limits suitable for a film.
+std::vector<double> frame_parameters(const post::Path& path, const PictureInput& shown) {
+    constexpr std::size_t min_frames = 36, max_frames = 400;
+    const std::size_t count = std::clamp(shown.result.fields.steps().size(), min_frames, max_frames);
     const post::Curve& curve = shown.curve;
     const auto load = std::ranges::find(curve.columns, post::Source::load, &post::Column::source);
     const bool moves =
@@ -149,25 +149,25 @@ std::vector<double> frame_parameters(const post::Path& path, const Shown& shown)
     return parameters;
 }
 
-/// What an option asks for and the body does not have. A body in plane strain has no third dimension to be looked at.
+/// Rejects options that do not apply to the body. A plane-strain body is drawn only from the front.
 void check_body(const PictureOptions& options, const model::Case& model) {
     if (options.section && model.kinematics == model::Kinematics::solid)
-        throw Error(ExitCode::usage, "--section", "the body is no body of revolution and has no such section",
-                    "leave --section out; --view chooses from where it is seen");
+        throw Error(ExitCode::usage, "--section", "the model is not axisymmetric and has no such section",
+                    "omit --section; --view selects the view direction");
     if (options.view.empty() || model.kinematics != model::Kinematics::plane_strain) return;
     const view::Camera camera = view::camera_from_text(options.view), front = view::camera_from_text("front");
     if (camera.azimuth_deg != front.azimuth_deg || camera.elevation_deg != front.elevation_deg)
-        throw Error(ExitCode::usage, "--view", "a body in plane strain is drawn flat, from the front",
-                    "leave --view out");
+        throw Error(ExitCode::usage, "--view", "a plane-strain body is drawn only from the front",
+                    "omit --view");
 }
 
-/// Draws one result: what does not change from step to step is made once.
-class Studio {
+/// Draws pictures of one result; computes what all steps share only once.
+class PictureRenderer {
 public:
-    Studio(const PictureOptions& options, const Shown& shown)
+    PictureRenderer(const PictureOptions& options, const PictureInput& shown)
         : shown_(shown),
           look_(look_of(options, shown.result.model)),
-          places_(fields::region_points(shown.result.model.mesh)),
+          places_(fields::make_region_points(shown.result.model.mesh)),
           skin_(view::make_skin(shown.result.model, places_, skin_options(options))),
           body_{skin_, view::base_positions(skin_, shown.result.model, places_, {})} {}
 
@@ -185,7 +185,7 @@ public:
         return shot(stored_fields(shown_.result, row), state_words(shown_.curve, static_cast<std::size_t>(row)));
     }
 
-    /// Between two stored steps displacements and pressures are linear in the parameter of the path.
+    /// Displacements and pressures are interpolated linearly in the path parameter between two stored steps.
     [[nodiscard]] std::vector<view::Shot> even_shots() const {
         const post::Path path(shown_.curve);
         std::vector<std::pair<double, std::int64_t>> stored;  // parameter and step
@@ -219,7 +219,7 @@ public:
         view::draw_picture(body_, look_, view::framing(body_, look_, {&one, 1}), one, file);
     }
 
-    /// A film with even frames, or a picture of each stored step in a folder.
+    /// Writes a film with evenly spaced frames, or a folder with a picture of each stored step.
     void animate(const fs::path& file, cli::Console& console) const {
         const bool is_film =
             view::film_format(file) != view::FilmFormat::folder && shown_.result.fields.steps().size() > 1;
@@ -229,7 +229,7 @@ public:
         } else {
             for (const std::int64_t row : shown_.result.fields.steps()) shots.push_back(shot(row));
         }
-        view::Look look = look_;
+        view::PictureStyle look = look_;
         if (view::film_format(file) != view::FilmFormat::folder) {
             look.width_px = film_width_px;
             look.height_px = film_height_px;
@@ -242,20 +242,20 @@ public:
     }
 
 private:
-    const Shown& shown_;
-    view::Look look_;
+    const PictureInput& shown_;
+    view::PictureStyle look_;
     fields::RegionPoints places_;
     view::Skin skin_;
     view::Body body_;
 };
 
-/// The stored step nearest to a place on the path, counted in steps.
+/// The stored step nearest to the (fractional) step number `step`.
 std::int64_t nearest_stored(const std::vector<std::int64_t>& stored, double step) {
     return *std::ranges::min_element(stored, {},
                                      [&](std::int64_t row) { return std::abs(static_cast<double>(row) - step); });
 }
 
-void draw_pictures(const std::string& name, const Studio& studio, const Shown& shown, cli::Console& console) {
+void draw_pictures(const std::string& name, const PictureRenderer& studio, const PictureInput& shown, cli::Console& console) {
     const auto rows = shown_rows(shown);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const fs::path file = numbered(name, k, rows.size());
@@ -266,9 +266,9 @@ void draw_pictures(const std::string& name, const Studio& studio, const Shown& s
 
 }  // namespace
 
-std::vector<std::int64_t> shown_rows(const Shown& shown) {
+std::vector<std::int64_t> shown_rows(const PictureInput& shown) {
     const auto& stored = shown.result.fields.steps();
-    if (shown.rows == Shown::Rows::last) return {stored.back()};
+    if (shown.rows == PictureInput::Rows::last) return {stored.back()};
     std::vector<std::int64_t> rows;
     for (const double step : shown.table.find("step")->values) rows.push_back(nearest_stored(stored, step));
     return rows;
@@ -296,43 +296,44 @@ io::FieldReader::Values stored_fields(const io::Result& result, std::int64_t row
 
 void add_picture_options(CLI::App& app, PictureOptions& options) {
     app.add_option("--picture", options.picture,
-                   "The deformed body in colour at the last step, or at the stored step nearest "
-                   "to each value of --at (of several FILE-1.png ...); needs gnuplot, no display")
+                   "Draw the deformed body in colour at the last step, or at the stored step nearest "
+                   "to each value of --at (FILE-1.png ... if several); needs gnuplot, no display")
         ->type_name("FILE.png");
     app.add_option("--animate", options.animate,
-                   "A film (needs ffmpeg) in even steps of the load, or a picture of every stored step in a folder")
+                   "Write a film with evenly spaced loads (needs ffmpeg), or a folder with a picture of every stored step")
         ->type_name("FILE.gif|FILE.mp4|FOLDER/");
-    app.add_option("--field", options.field, "What the colours of the body show: " + field_names())
+    app.add_option("--field", options.field, "Field shown by the colours of the body: " + field_names())
         ->type_name("FIELD")
         ->capture_default_str();
     app.add_option(
            "--view", options.view,
-           "From where: front, side (along the axis), top, across (along y, z up), iso, or AZIMUTH,ELEVATION in degrees; by itself\n"
-           "iso, and along the axis of a bend or curvature that is measured")
+           "View direction: front, side (along the axis), top, across (along y, z up), iso, or AZIMUTH,ELEVATION in degrees;\n"
+           "default: along the axis of a bend or curvature output, otherwise iso")
         ->type_name("VIEW");
     app.add_option("--range", options.range,
-                   "The values at the ends of the colour bar, e.g. 0kPa,200kPa; otherwise those of "
+                   "Values at the ends of the colour bar, e.g. 0kPa,200kPa; default: the range of "
                    "the picture or film")
         ->type_name("LOW,HIGH");
-    app.add_flag("--section", options.section, "Draw the section of a body of revolution flat");
+    app.add_flag("--section", options.section, "Draw the section of an axisymmetric body");
     app.add_flag("--whole", options.whole,
-                 "Draw the whole actuator: turned all round, mirrored at its symmetry planes");
+                 "Draw the whole actuator: fully revolved, mirrored at its symmetry planes");
     app.add_option(
            "--paraview", options.paraview,
-           "For ParaView: a series with a .vtu for each stored step, or one step as .vtu, or a copy of the result with "
-           "the fields of that step in its mesh (.hdf, which ParaView 5.11 knows by this ending, .vtkhdf, .h5)")
+           "Write files for ParaView: a series with a .vtu for each stored step, or one step as .vtu, or a copy of the "
+           "result with the fields of that step in its mesh (.hdf, the extension that ParaView 5.11 expects, .vtkhdf, .h5)")
         ->type_name("FILE.pvd|FILE.vtu|FILE.hdf");
 }
 
 const std::string& pictures_help() {
     static const std::string help =
-        "Pictures show the deformed body, its undeformed outline, a scale bar and a colour bar. The quarter between +y and +z is\n"
-        "left out of bodies of revolution and of quarters (of halves the part y > 0), so that one sees inside. front looks along\n"
-        "-z with x to the right and y up, side along the axis, top from above. Fields: stretch (the largest principal one),\n"
-        "von-mises, pressure (in the rubber, positive in compression), displacement, energy (per undeformed volume), J (current\n"
-        "over undeformed volume); at nodes they are means over the cells of one rubber.\n"
-        "ParaView gets displacement, deformation gradient, stretches with their directions, J, Cauchy and first Piola stress,\n"
-        "von Mises stress, pressure and energy density, at nodes and cells; a section's components are x, r, hoop.\n";
+        "Pictures show the deformed body, its undeformed outline, a scale bar and a colour bar. To show the inside, axisymmetric\n"
+        "and quarter models are drawn without the quarter between +y and +z, half models without y > 0. front looks along -z with\n"
+        "x to the right and y up, side along the axis, top from above. Fields: stretch (largest principal stretch), von-mises,\n"
+        "pressure (in the rubber, positive in compression), displacement, energy (per undeformed volume), J (current over undeformed\n"
+        "volume); nodal values are means over the cells of one material.\n"
+        "ParaView files contain displacement, deformation gradient, principal stretches and directions, J, Cauchy and first\n"
+        "Piola-Kirchhoff stress, von Mises stress, pressure and energy density, at nodes and cells; components of axisymmetric\n"
+        "models are x, r, hoop.\n";
     return help;
 }
 
@@ -340,29 +341,29 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
     const bool draws = !options.picture.empty() || !options.animate.empty();
     for (const char* option : {"--field", "--view", "--range", "--section", "--whole"})
         if (app.count(option) > 0 && !draws)
-            throw Error(ExitCode::usage, option, "says nothing without --picture or --animate");
+            throw Error(ExitCode::usage, option, "has no effect without --picture or --animate");
     if (options.section && options.whole)
         throw Error(ExitCode::usage, "--section", "and --whole exclude each other",
-                    "a flat section, or the whole body");
+                    "use one of them");
     if (options.section && app.count("--view") > 0)
-        throw Error(ExitCode::usage, "--section", "is drawn flat and has no --view");
+        throw Error(ExitCode::usage, "--section", "cannot be combined with --view: a section is drawn flat");
     static_cast<void>(range_of(options, fields::quantity_from_name(options.field)));
     if (app.count("--view") > 0) static_cast<void>(view::camera_from_text(options.view));
     if (!options.picture.empty() && fs::path(options.picture).extension() != ".png")
-        throw Error(ExitCode::usage, "--picture " + options.picture, "pictures of the body are written as .png");
+        throw Error(ExitCode::usage, "--picture " + options.picture, "unknown extension; use .png");
     if (!options.animate.empty()) static_cast<void>(view::film_format(options.animate));
     if (!options.paraview.empty()) static_cast<void>(paraview_format(options.paraview));
 }
 
-void make_pictures(const PictureOptions& options, const Shown& shown, cli::Console& console) {
+void make_pictures(const PictureOptions& options, const PictureInput& shown, cli::Console& console) {
     if (options.picture.empty() && options.animate.empty() && options.paraview.empty()) return;
     if (shown.result.fields.steps().empty())
-        throw Error(ExitCode::bad_input, "/fields", "the result holds no displacements", "solve with --fields all");
+        throw Error(ExitCode::bad_input, "/fields", "the result contains no displacements", "run solve with --fields all");
     check_body(options, shown.result.model);
     if (!options.animate.empty()) view::prepare_animation(options.animate);
     if (!options.paraview.empty()) write_paraview(options.paraview, shown, console);
     if (options.picture.empty() && options.animate.empty()) return;
-    const Studio studio(options, shown);
+    const PictureRenderer studio(options, shown);
     console.detail("the body's surface has " + std::to_string(studio.polygons()) + " polygons");
     if (!options.picture.empty()) draw_pictures(options.picture, studio, shown, console);
     if (options.animate.empty()) return;

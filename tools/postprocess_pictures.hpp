@@ -21,53 +21,52 @@ struct PictureOptions {
     std::string animate;   ///< FILE.gif, FILE.mp4 or FOLDER/; empty: none
     std::string paraview;  ///< FILE.pvd, FILE.vtu, FILE.hdf, FILE.vtkhdf or FILE.h5; empty: none
     std::string field = "stretch";
-    std::string view;   ///< empty: front for what is drawn flat, along the axis of a bend, else iso
-    std::string range;  ///< "0kPa,200kPa"; empty: that of the picture
+    std::string view;   ///< empty: front for sections, along the axis of a bend output, otherwise iso
+    std::string range;  ///< "0kPa,200kPa"; empty: range of the picture
     bool section = false, whole = false;
 };
 
 /// series: a .vtu for each stored step and a .pvd that lists them. step: one .vtu. copy: the result with fields in its
 /// mesh.
 enum class ParaviewFormat { series, step, copy };
-/// By the ending of the name; Error(usage) for another one.
+/// Format by the file extension; throws Error(usage) for an unknown one.
 [[nodiscard]] ParaviewFormat paraview_format(const std::string& file);
-/// Whether the file of the result is needed as it is.
+/// Whether the bytes of the result file are needed.
 [[nodiscard]] inline bool copies_result(const PictureOptions& options) {
     return !options.paraview.empty() && paraview_format(options.paraview) == ParaviewFormat::copy;
 }
 
 void add_picture_options(CLI::App& app, PictureOptions& options);
-/// What belongs into the help below the options.
+/// Help text below the options.
 [[nodiscard]] const std::string& pictures_help();
-/// Refuses bad combinations and values before any work: Error(usage).
+/// Throws Error(usage) for invalid combinations and values, before any work.
 void check_picture_options(const CLI::App& app, const PictureOptions& options);
 
-/// What is to be shown of a result. `table` holds the rows that --at asked for (`at` false: it did not, the last step
-/// is shown).
-struct Shown {
+/// A result and the steps to draw: the rows of `table` (those of --at) with Rows::requested, otherwise the last stored step.
+struct PictureInput {
     const io::Result& result;
-    std::span<const std::byte> image;  ///< the file of the result
+    std::span<const std::byte> image;  ///< bytes of the result file
     const post::Curve& curve;
     const post::Curve& table;
-    enum class Rows { last, asked } rows;
+    enum class Rows { last, requested } rows;
 };
 
-/// The stored steps to be shown: for each row of --at the one nearest to it in steps, in its order, also where two rows
-/// have the same; without --at the last stored one.
-[[nodiscard]] std::vector<std::int64_t> shown_rows(const Shown& shown);
-/// FILE.png for one product; FILE-1.png, FILE-2.png ... for several.
+/// The stored steps to draw: for each row of --at the nearest one by step number, in order, with repetitions;
+/// without --at the last stored step.
+[[nodiscard]] std::vector<std::int64_t> shown_rows(const PictureInput& shown);
+/// FILE.png for a single file; FILE-1.png, FILE-2.png ... for several.
 [[nodiscard]] std::filesystem::path numbered(const std::filesystem::path& file, std::size_t k, std::size_t count);
-/// "step 4, pressure 12 kPa, elongation 40 mm": which state a file shows.
+/// "step 4, pressure 12 kPa, elongation 40 mm": the state shown by a file.
 [[nodiscard]] std::string state_text(const post::Curve& curve, std::int64_t row);
-/// "; 3 frames of an earlier result removed" for `what` "frame", or nothing.
+/// "; 3 frames of an earlier result removed" for `what` "frame"; empty if `count` is 0.
 [[nodiscard]] std::string removed_text(std::size_t count, const std::string& what);
-/// Error(bad_input) for a step without fields.
+/// Reads the fields of a step; throws Error(bad_input) for a step without fields.
 [[nodiscard]] io::FieldReader::Values stored_fields(const io::Result& result, std::int64_t row);
 
-/// --paraview.
-void write_paraview(const std::string& file, const Shown& shown, cli::Console& console);
+/// Writes the files of --paraview.
+void write_paraview(const std::string& file, const PictureInput& shown, cli::Console& console);
 
-/// Draws what the options ask for and says what it has drawn.
-void make_pictures(const PictureOptions& options, const Shown& shown, cli::Console& console);
+/// Writes the requested pictures and ParaView files and prints a line for each.
+void make_pictures(const PictureOptions& options, const PictureInput& shown, cli::Console& console);
 
 }  // namespace soft

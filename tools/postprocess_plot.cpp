@@ -10,11 +10,11 @@
 namespace soft {
 namespace {
 
-/// "FILE" or "FILE:LABEL"; a file that has a colon in its name is taken as it is.
+/// "FILE" or "FILE:LABEL"; an existing file whose name contains a colon is not split.
 post::PlotSeries read_other(const std::string& text) {
     std::string file = text, label;
     const std::size_t colon = text.rfind(':');
-    std::error_code unreadable;  // then it is no file, and reading says why
+    std::error_code unreadable;  // set for an unusable name; reading it then reports the reason
     if (colon != std::string::npos && !std::filesystem::exists(text, unreadable)) {
         file = text.substr(0, colon);
         label = text.substr(colon + 1);

@@ -1,5 +1,5 @@
 #pragma once
-/// --report: the page about a result. Tested by tests/report.
+/// --report: the HTML report of a result. Tested by tests/report.
 #include <optional>
 
 #include "postprocess_checks.hpp"
@@ -8,7 +8,7 @@
 
 namespace soft {
 
-/// Without --report nothing. The content lacks the comparison and what stands in the options.
+/// Does nothing without --report. Adds the comparison and the plot settings to `content`.
 void write_report(const PostprocessOptions& options, report::Content content,
                   const std::optional<Comparison>& comparison);
 

@@ -11,7 +11,7 @@
 namespace soft {
 namespace {
 
-/// The point's coordinates by the names of the curve's columns.
+/// Values of the curve at the point, keyed by column name.
 nlohmann::ordered_json location_json(const post::Curve& curve, const solution::LimitPoint& point) {
     nlohmann::ordered_json json = {{"step", point.step}};
     for (const post::Column& column : curve.columns)
@@ -19,9 +19,9 @@ nlohmann::ordered_json location_json(const post::Curve& curve, const solution::L
     return json;
 }
 
-std::string location_line(const nlohmann::ordered_json& place) {
+std::string location_line(const nlohmann::ordered_json& point) {
     std::vector<std::string> words;
-    for (const auto& [name, value] : place.items())
+    for (const auto& [name, value] : point.items())
         if (name != "step" && value.is_number_float())
             words.push_back(name + " " + core::rounded_text(value.get<double>(), 6));
     return core::join(words);
@@ -31,7 +31,7 @@ const std::string& effective_design(const io::Result& result) {
     return (result.changed_design ? *result.changed_design : result.design).effective_yaml;
 }
 
-/// The data behind the constants, and what the rubber makes of them; null for constants of which nothing is said.
+/// Test data of the fitted constants and the stretch reached by the result; null if the design has no fit data.
 nlohmann::ordered_json fit_json(const io::Result& result) {
     const std::string& design = effective_design(result);
     const auto fitted = design::fitted_material(design);
@@ -40,16 +40,16 @@ nlohmann::ordered_json fit_json(const io::Result& result) {
     for (const solution::Step& step : result.steps) stretch = std::max(stretch, step.stretch_p99);
     nlohmann::ordered_json json = {{"name", nullptr},        {"law", fitted->law},
                                    {"range", fitted->range}, {"max_I1", fitted->max_I1},
-                                   {"stretch_p99", stretch}, {"within", fitted->holds(stretch)}};
+                                   {"stretch_p99", stretch}, {"within", fitted->covers(stretch)}};
     if (!fitted->name.empty()) json["name"] = fitted->name;
     if (!fitted->max_error.empty()) json["max_error"] = fitted->max_error;
-    if (const auto advice = design::fit_advice(design, stretch)) json["advice"] = *advice;
+    if (const auto advice = design::fit_range_advice(design, stretch)) json["advice"] = *advice;
     return json;
 }
 
 std::string fit_line(const nlohmann::ordered_json& fit) {
     return "material: " + (fit["name"].is_null() ? "" : fit["name"].get<std::string>() + ", ") +
-           fit["law"].get<std::string>() + " fitted over " + fit["range"].get<std::string>() + " of strain" +
+           fit["law"].get<std::string>() + " fitted over " + fit["range"].get<std::string>() + " strain" +
            (fit.contains("max_error") ? ", stress within " + fit["max_error"].get<std::string>() : "") +
            "; the rubber reaches a stretch of " + core::rounded_text(fit["stretch_p99"].get<double>(), 3);
 }
@@ -86,7 +86,7 @@ nlohmann::ordered_json postprocess_summary(const io::Result& result, const post:
 }
 
 std::vector<std::string> summary_lines(const nlohmann::ordered_json& json) {
-    const std::string reason = json["stop_reason"].is_null() ? "not finished: solve was stopped or is still at work"
+    const std::string reason = json["stop_reason"].is_null() ? "not finished: solve was interrupted or is still running"
                                                              : json["stop_reason"].get<std::string>();
     const std::string detail = json.value("detail", "");
     std::vector<std::string> lines{core::counted(json["rows"].get<std::size_t>(), "row") + " of " +

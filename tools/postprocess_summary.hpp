@@ -1,5 +1,5 @@
 #pragma once
-/// What postprocess tells of a result besides the curve.
+/// Summary of a result that postprocess prints in addition to the curve.
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -11,16 +11,16 @@
 
 namespace soft {
 
-/// For --json: rows, columns, stop_reason (null while solve is at work), limit points and bifurcations by the columns' names.
+/// For --json: rows, columns, stop_reason (null if solve has not finished), limit points and bifurcations keyed by column name.
 [[nodiscard]] nlohmann::ordered_json postprocess_summary(const io::Result& result, const post::Curve& curve,
                                                          std::size_t rows);
 
-/// The same for people: one line on the path, one a limit point or bifurcation, one on the data behind fitted constants.
+/// Text of the summary: one line for the path, one per limit point or bifurcation, one for the test data of fitted constants.
 [[nodiscard]] std::vector<std::string> summary_lines(const nlohmann::ordered_json& json);
 
-/// The warning where the rubber is stretched beyond the data its constants were fitted to (design::fit_advice).
+/// Warning that the rubber is stretched beyond the data to which its constants were fitted (design::fit_range_advice).
 [[nodiscard]] std::optional<std::string> material_advice(const nlohmann::ordered_json& json);
-/// Both, for the report; empty for constants of which nothing is said.
+/// The line on fitted constants and the warning, for the report; empty if the design has no fit data.
 [[nodiscard]] std::vector<std::string> material_notes(const nlohmann::ordered_json& json);
 
 }  // namespace soft

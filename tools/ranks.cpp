@@ -27,14 +27,15 @@ Input read_input_on_first_rank(const std::string& name, int rank) {
     return input;
 }
 
-double of_first_rank(double value) {
+double broadcast_from_first_rank(double value) {
     MPI_Bcast(&value, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
     return value;
 }
 
-ExitCode on_all_ranks(int rank, int size, const std::function<ExitCode()>& body) {
+ExitCode run_on_all_ranks(int rank, int size, const std::function<ExitCode()>& body) {
     if (size == 1) return body();
-    // An error on all ranks at once is told by the first; one on another rank alone waits to see that the first is silent.
+    // The first rank prints an error that occurs on all ranks. The other ranks wait first, so that only an error of one of them alone
+    // is printed here.
     const auto fail = [rank](const char* text, ExitCode code) {
         if (rank != 0) std::this_thread::sleep_for(std::chrono::seconds(2));
         std::fprintf(stderr, "solve: %s\n", core::one_line(text, std::string_view::npos).c_str());

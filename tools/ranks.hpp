@@ -1,5 +1,5 @@
 #pragma once
-/// Input and errors of a program that runs on several MPI ranks.
+/// Input and error handling on several MPI ranks.
 #include <functional>
 #include <string>
 
@@ -7,14 +7,14 @@
 
 namespace soft::cli {
 
-/// Rank 0 reads (mpirun gives stdin to it alone), all ranks get the bytes. A failure to read ends all ranks alike.
+/// Rank 0 reads (mpirun passes stdin only to it) and broadcasts the bytes to all ranks. A read error ends all ranks.
 [[nodiscard]] Input read_input_on_first_rank(const std::string& name, int rank);
 
-/// The first rank's value, on every rank.
-[[nodiscard]] double of_first_rank(double value);
+/// Returns the value of rank 0 on every rank.
+[[nodiscard]] double broadcast_from_first_rank(double value);
 
-/// Runs `body` on every rank. On one rank errors pass through. On several, the first rank's error is printed once and
-/// ends all ranks with its exit code, since the others may wait for it for ever.
-[[nodiscard]] ExitCode on_all_ranks(int rank, int size, const std::function<ExitCode()>& body);
+/// Runs `body` on every rank. On one rank exceptions propagate. On several ranks an error is printed once and MPI_Abort ends all
+/// ranks with its exit code, since the other ranks may be waiting in a collective call.
+[[nodiscard]] ExitCode run_on_all_ranks(int rank, int size, const std::function<ExitCode()>& body);
 
 }  // namespace soft::cli

@@ -1,5 +1,5 @@
-# Writes the git revision into OUTPUT, run at every build; the file is touched only when it changes, so nothing is
-# compiled again. Reads only: --no-optional-locks keeps out of the way of a commit that runs at the same time.
+# Writes the git revision into OUTPUT at every build. The file is modified only if the revision changes, so that nothing is
+# recompiled otherwise. --no-optional-locks avoids conflicts with a concurrent git commit.
 set(revision unknown)
 find_package(Git QUIET)
 if(Git_FOUND AND EXISTS ${SOURCE}/.git)

@@ -1,5 +1,5 @@
 #pragma once
-/// `solve --tolerance`: refines the path that was found, says what it does next, and keeps the curve known so far in the output.
+/// `solve --tolerance`: refines the computed path, prints each next step, and keeps the best curve so far in the output.
 #include <functional>
 #include <optional>
 #include <vector>
@@ -12,14 +12,14 @@
 namespace soft::cli {
 
 struct CurveOutput {
-    io::ResultWriter* writer = nullptr;             ///< of the first rank
-    std::function<io::ResultWriter()> rows_writer;  ///< in memory, of the same case, for the rows of another mesh
+    io::ResultWriter* writer = nullptr;             ///< on the first rank; nullptr elsewhere
+    std::function<io::ResultWriter()> rows_writer;  ///< creates an in-memory writer of the same case, for the rows of a finer mesh
 };
 
-/// Solves the path again on finer meshes. The output gets the curve of the given mesh first, then each that has error bars, so
-/// that a kill leaves the last of them. SIGINT and SIGTERM end the refinement instead of the process, the second one ends it.
-/// `path_s`: what the path took. Sets the accuracy, the end and the last row of `summary`.
-void judge(assembly::System& system, std::vector<solver::RowState> rows, double tolerance, double path_s,
+/// Solves the path again on finer meshes and estimates its discretisation error. The output receives the curve of the given mesh
+/// first, then each curve with error bars, so that a killed process leaves the latest one. The first SIGINT or SIGTERM ends the
+/// refinement, the second one the process. `path_s`: wall time of the path [s]. Sets accuracy, end and last row of `summary`.
+void estimate_error(assembly::System& system, std::vector<solver::RowState> rows, double tolerance, double path_s,
            const CurveOutput& output, Console& console, SolveSummary& summary);
 
 }  // namespace soft::cli

@@ -10,7 +10,7 @@ std::optional<double> scaled(const std::optional<double>& value, double factor) 
     return value ? std::optional{*value * factor} : std::nullopt;
 }
 
-/// The loads that stay, each by its factor; `vector_of` is the member that has the direction.
+/// Keeps the loads listed in `changes` and scales each by its factor; `vector_of` is the member with the load vector.
 template <class Load, class Vector>
 void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& changes, Vector Load::*vector_of) {
     std::vector<Load> changed;
@@ -24,7 +24,7 @@ void scale(std::vector<Load>& loads, const std::vector<design::ScaledLoad>& chan
 
 io::DesignText apply(const std::vector<design::Override>& overrides, const io::DesignText& design, model::Case& model) {
     design::SolveChanges changes = design::apply_overrides(design.effective_yaml, overrides);
-    for (model::Material& material : model.materials) {  // the mesh decides names and fibres
+    for (model::Material& material : model.materials) {  // names and fibres depend on the mesh and stay
         model::Material changed = changes.material;
         for (const auto& [name, other] : changes.materials)
             if (other.source == material.source) changed = other;

@@ -1,5 +1,5 @@
 #pragma once
-/// `solve --set`: what a solver may still change of a case.
+/// `solve --set`: overrides that do not change the mesh.
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace soft::cli {
 
-/// Applies the overrides to the case and returns the design they make of its own; nullopt without overrides.
+/// Applies the overrides to the case and returns the changed design; nullopt without overrides.
 /// Errors: those of design::apply_overrides.
 [[nodiscard]] std::optional<io::DesignText> apply_sets(const std::vector<std::string>& sets, io::CaseFile& file);
 

@@ -18,11 +18,11 @@ std::vector<Library> libraries() {
 }
 
 const About about{.tool = "solve",
-                  .summary = "follows the equilibrium path of a case, through limit points, to its full load or goal",
+                  .summary = "follows the equilibrium path of a case through limit points up to its full load or goal",
                   .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
-                                "the whole way from design to curve"},
+                                "Complete pipeline from design to curve"},
                                {"mpirun -n 2 solve case.h5 -o result.h5 --set path.control=pressure -- -log_view",
-                                "two ranks, another control, and an option of PETSc behind --"}},
+                                "Two ranks, another control, and a PETSc option after --"}},
                   .libraries = libraries};
 
 double parse_tolerance(const std::string& text) {
@@ -36,19 +36,19 @@ double parse_tolerance(const std::string& text) {
 void check(const CLI::App& app, const SolveOptions& options) {
     if (!options.resume.empty() &&
         (!options.input.empty() || !options.sets.empty() || options.common.output != "-" || app.count("--fields") > 0))
-        throw Error(ExitCode::usage, "--resume", "the file holds its case, its settings and its place",
-                    "leave out CASE, --set, --fields and -o");
+        throw Error(ExitCode::usage, "--resume", "the file contains the case, its settings and the last row",
+                    "omit CASE, --set, --fields and -o");
     if (!options.resume.empty() && options.tolerance)
         throw Error(ExitCode::usage, "--tolerance",
-                    "an interrupted path cannot be judged: only its whole has error bars",
+                    "cannot be combined with --resume: error bars need the whole path",
                     "solve the case again with --tolerance");
     for (const std::string& set : options.sets) static_cast<void>(design::parse_override(set));
     if (!options.petsc.empty() && !options.petsc.front().starts_with('-'))
-        throw Error(ExitCode::usage, "", core::quoted(options.petsc.front()) + " behind -- is no option of PETSc",
-                    "they begin with -, for example -ksp_monitor");
+        throw Error(ExitCode::usage, "", core::quoted(options.petsc.front()) + " after -- is not a PETSc option",
+                    "PETSc options begin with -, for example -ksp_monitor");
     for (const CLI::Option* option : app.get_options())
         if (options.batch && option->count() > 0 && !option->check_lname("batch"))
-            throw Error(ExitCode::usage, option->get_name(), "says nothing to --batch itself",
+            throw Error(ExitCode::usage, option->get_name(), "cannot be combined with --batch",
                         "give it in the lines that --batch reads");
 }
 
@@ -58,27 +58,27 @@ const About& solve_about() noexcept { return about; }
 
 std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
     SolveOptions options;
-    options.petsc = take_rest(argc, argv);
+    options.petsc = take_library_options(argc, argv);
     CLI::App app;
     add_input(app, options.input, "CASE", "case written by mesh-gen");
     app.add_option("--fields", options.fields,
-                   "Steps that keep their displacements and pressures: all, last, none or every=N")
+                   "Steps whose displacements and pressures are stored: all, last, none or every=N")
         ->type_name("WHICH")
         ->capture_default_str();
     std::string tolerance;
     app.add_option(
            "--tolerance", tolerance,
-           "Halves all cells until the error bars of the load are within this part of it (0.1% or 0.001), and writes them")
+           "Halve all cells until the relative error bars of the load are below PART (0.1% or 0.001), and write them")
         ->type_name("PART");
     app.add_option("--resume", options.resume,
-                   "Goes on with the file that an interrupted `solve -o FILE` has left; no CASE")
+                   "Continue an interrupted `solve -o FILE`; omit CASE")
         ->type_name("FILE");
     app.add_flag("--profile", options.profile,
-                 "After the solve a table of where the time went, and the most memory used");
+                 "Print the time of each phase and the peak memory");
     app.add_flag(
         "--batch", options.batch,
-        "Reads lines from stdin, each with the arguments of a solve of its own (CASE -o FILE ...), and answers each with its "
-        "exit code and its user, system and wall seconds: many small cases without many starts");
+        "Read lines from stdin, each with the arguments of one solve (CASE -o FILE ...), and print for each its exit code and "
+        "its user, system and wall time in seconds: avoids the start-up time of many small cases");
     add_set_option(app, options.sets);
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
@@ -94,11 +94,11 @@ std::optional<SolveOptions> parse_batch_line(const std::string& line) {
     std::string visible = line;
     std::ranges::replace(visible, '\t', ' ');
     if (core::one_line(visible, visible.size()) != visible)
-        throw Error(ExitCode::usage, "--batch", "a line with control characters, or that is not UTF-8",
+        throw Error(ExitCode::usage, "--batch", "a line contains control characters or is not UTF-8",
                     "for example CASE -o FILE");
     auto words = core::shell_words(line);
     if (!words)
-        throw Error(ExitCode::usage, "--batch", "a quote in the line is not closed, or it ends with a backslash",
+        throw Error(ExitCode::usage, "--batch", "a quote in the line is not closed, or the line ends with a backslash",
                     "quote as in a shell: \"my case.h5\" -o 'my result.h5'");
     words->insert(words->begin(), std::string{about.tool});
     std::vector<char*> pointers;
@@ -108,10 +108,10 @@ std::optional<SolveOptions> parse_batch_line(const std::string& line) {
     if (!options) return options;
     const bool resumes = !options->resume.empty();
     if (options->batch || options->profile || !options->petsc.empty())
-        throw Error(ExitCode::usage, "--batch", "--batch, --profile and options of PETSc are not for one of its lines",
+        throw Error(ExitCode::usage, "--batch", "--batch, --profile and PETSc options are not allowed in its lines",
                     "for example CASE -o FILE --json FILE");
     if (!resumes && (options->input.empty() || options->input == "-" || options->common.output == "-"))
-        throw Error(ExitCode::usage, "--batch", "stdin and stdout are its own, a line names the files of its solve",
+        throw Error(ExitCode::usage, "--batch", "a line must name the files of its solve, since --batch uses stdin and stdout",
                     "for example CASE -o FILE");
     return options;
 }

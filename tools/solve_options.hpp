@@ -1,5 +1,5 @@
 #pragma once
-/// What the command line of solve asks for.
+/// Command line of solve.
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,22 +12,22 @@ struct SolveOptions {
     CommonOptions common;
     std::string input;
     std::vector<std::string> sets;
-    std::string resume;  ///< file of an interrupted solve; then there is no input
+    std::string resume;  ///< file of an interrupted solve; excludes `input`
     std::string fields = "all";
-    std::optional<double> tolerance;  ///< on the error bars of the load
-    bool profile = false;             ///< a table of where the time went
-    bool batch = false;               ///< command lines from stdin
-    std::vector<std::string> petsc;   ///< what stands behind --
-    double cpu_before_s = 0;          ///< of the process, spent on other lines of its batch
+    std::optional<double> tolerance;  ///< relative tolerance on the error bars of the load
+    bool profile = false;             ///< print the time of each phase
+    bool batch = false;               ///< read command lines from stdin
+    std::vector<std::string> petsc;   ///< PETSc options, after --
+    double cpu_before_s = 0;          ///< CPU time that the process spent on earlier lines of its batch [s]
 };
 
 [[nodiscard]] const About& solve_about() noexcept;
 
-/// nullopt where the command line asked for --help and the like, which is done then. Errors: ExitCode::usage.
+/// nullopt if help, version or the like was printed. Throws Error(usage).
 [[nodiscard]] std::optional<SolveOptions> parse_solve_options(int argc, char** argv);
 
-/// A line that `solve --batch` has read, as the shell would take it: blanks part the words, quotes hold them together. Its data
-/// go to files: stdin and stdout are the batch's. Errors: as above, and where the line asks for what is the batch's.
+/// Parses a line of `solve --batch` with the quoting rules of a shell. Its data go to files, since the batch uses stdin and stdout.
+/// Errors as above; also for options that are reserved for the batch itself.
 [[nodiscard]] std::optional<SolveOptions> parse_batch_line(const std::string& line);
 
 }  // namespace soft::cli

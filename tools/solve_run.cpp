@@ -10,7 +10,7 @@
 #include "core/text.hpp"
 #include "design/fitted.hpp"
 #include "dynamics/motion.hpp"
-#include "fields/reached.hpp"
+#include "fields/path_warnings.hpp"
 #include "interrupt.hpp"
 #include "io/result_file.hpp"
 #include "linalg/profile.hpp"
@@ -28,12 +28,12 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// A case with its --set applied, or what an interrupted solve has left.
+/// A case with --set applied, or the state of an interrupted solve.
 struct Task {
     Input input;
     std::string output;
-    io::Interrupted from;                   ///< of a new path the case alone
-    std::optional<io::DesignText> changed;  ///< by this run's --set
+    io::InterruptedSolve from;                   ///< a new path has only the case
+    std::optional<io::DesignText> changed;  ///< design changed by --set of this run
     bool resumes = false;
 };
 
@@ -47,8 +47,8 @@ Task read_task(const SolveOptions& options, int rank) {
         for (const io::Provenance& stage : task.from.file.provenance)
             if (stage.tool == solve_about().tool && stage.command_line.find(" --tolerance") != std::string::npos)
                 throw Error(ExitCode::bad_input, task.input.source,
-                            "was begun with --tolerance, which cannot be resumed",
-                            "solve the case again with --tolerance; postprocess reads the rows that it has");
+                            "a run with --tolerance cannot be resumed",
+                            "solve the case again with --tolerance; postprocess reads the existing rows");
         task.changed = task.from.changed_design;
     } else {
         task.from.file = io::read_case_file(task.input.bytes, task.input.source);
@@ -62,13 +62,13 @@ void check_motion(const SolveOptions& options, const model::Case& model) {
     if (!options.resume.empty())
         throw Error(ExitCode::usage, "--resume", "a motion in time cannot be resumed", "solve the case again");
     if (options.tolerance)
-        throw Error(ExitCode::usage, "--tolerance", "the curve of a motion in time gets no error bars",
-                    "leave it out and compare with a finer mesh (mesh.refine) and shorter steps (dynamics.accuracy)");
+        throw Error(ExitCode::usage, "--tolerance", "error bars are not available for a motion in time",
+                    "omit --tolerance and compare with a finer mesh (mesh.refine) and shorter steps (dynamics.accuracy)");
 }
 
-/// `output`: "-" for one in memory.
+/// `output`: "-" for a writer in memory.
 io::ResultWriter new_writer(const SolveOptions& options, const Task& task, const std::string& output) {
-    const io::Given given{task.input.bytes, task.input.source, task.from.file.model};
+    const io::SolveInput given{task.input.bytes, task.input.source, task.from.file.model};
     const About& about = solve_about();
     const io::Provenance provenance{std::string{about.tool}, std::string{version()}, std::string{revision()},
                                     library_lines(about), options.common.command_line};
@@ -78,12 +78,12 @@ io::ResultWriter new_writer(const SolveOptions& options, const Task& task, const
 }
 
 io::ResultWriter make_writer(const SolveOptions& options, const Task& task) {
-    const io::Given given{task.input.bytes, task.input.source, task.from.file.model};
+    const io::SolveInput given{task.input.bytes, task.input.source, task.from.file.model};
     if (task.resumes) return io::ResultWriter::resume(task.output, given);
     return new_writer(options, task, task.output);
 }
 
-/// Follows the path; the first rank has a writer.
+/// Follows the path; `writer` is nullptr on all ranks but the first.
 SolveSummary follow(assembly::System& system, const Task& task, const SolveOptions& options, io::ResultWriter* writer,
                     Console& console, InterruptNotice& notice) {
     const auto begin = std::chrono::steady_clock::now();
@@ -101,14 +101,14 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
         summary.last = step;
         if (!summary.first) summary.first = step;
         if (!step.stable && !summary.first_unstable_row) summary.first_unstable_row = summary.steps;
-        if (!step.stable_under_control.value_or(step.stable)) summary.gave_way = true;
+        if (!step.stable_under_control.value_or(step.stable)) summary.became_unstable = true;
         summary.max_stretch_p99 = std::max(summary.max_stretch_p99, step.stretch_p99);
         if (fields::is_crushed_at_a_point(step) && !summary.first_crushed_row)
             summary.first_crushed_row = summary.steps;
         summary.min_jacobian = std::min(summary.min_jacobian, step.min_jacobian);
-        if (step.max_stretch > summary.most_stretched.max_stretch) summary.most_stretched = step;
+        if (step.max_stretch > summary.max_stretch_step.max_stretch) summary.max_stretch_step = step;
         ++summary.steps;
-        // A stress without an energy has no balance.
+        // Materials without a strain energy (asymmetric tangent) have no energy balance.
         if (system.has_symmetric_tangent()) summary.energy.add(step);
         return progress.advance(step);
     };
@@ -116,21 +116,21 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
     const auto sink = [&](const solution::Step& step, Vec x) {
         const auto fields = system.gather_fields(x);
         if (writer == nullptr) return;
-        const linalg::Timed timed(linalg::Phase::writing);
+        const linalg::ScopedTimer timed(linalg::Phase::writing);
         writer->append(step, fields.displacement_m, fields.pressure_Pa);
         report(step, count(step));
         notice.set(interrupted_text(task.output, summary.steps, no_resume));
     };
     const solver::RowSink keep_row = [&](const solver::RowState& row) { rows.push_back(row); };
     const auto keep = [&](const solution::Checkpoint& checkpoint) {
-        const linalg::Timed timed(linalg::Phase::writing);
-        if (writer != nullptr) writer->remember(checkpoint);
+        const linalg::ScopedTimer timed(linalg::Phase::writing);
+        if (writer != nullptr) writer->save_checkpoint(checkpoint);
     };
     const solver::Log log = [&](const std::string& line) { console.detail(line); };
-    const StdoutKeptForData kept;
+    const StdoutRedirection kept;
     const auto& from = task.from;
     if (from.checkpoint)
-        console.say("goes on from row " + std::to_string(from.checkpoint->rows - 1) + ", " +
+        console.say("continues from row " + std::to_string(from.checkpoint->rows - 1) + ", " +
                     step_text(from.steps.back(), model));
     for (const solution::Step& step : from.steps) remaining.begin_at(count(step));
     notice.set(interrupted_text(task.output, summary.steps, no_resume));
@@ -147,15 +147,15 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
     summary.end = model.dynamics
                       ? dynamics::integrate_motion(system, listeners)
                       : solver::follow_path(system, listeners, from.checkpoint ? &*from.checkpoint : nullptr);
-    --summary.steps;  // the undeformed state is no step
+    --summary.steps;  // the undeformed state is not counted
     summary.unknowns = system.dofs().total;
     if (options.tolerance)
-        judge(system, std::move(rows), *options.tolerance, seconds_since(begin),
+        estimate_error(system, std::move(rows), *options.tolerance, seconds_since(begin),
               {writer, [&] { return new_writer(options, task, "-"); }}, console, summary);
     return summary;
 }
 
-/// Follows the path of the task; what stood in the output before is gone.
+/// Follows the path of the task; an existing output is replaced.
 SolveSummary solve_once(const Task& task, const SolveOptions& options, std::optional<io::ResultWriter>* writer,
                         Console& console, InterruptNotice& notice) {
     const auto begin = std::chrono::steady_clock::now();
@@ -179,7 +179,7 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
     check_motion(options, model);
     if (task.output == "-" && stdout_is_file())
         console.warn(
-            "stdout is a file, which is written at the end: a run that is interrupted is lost; with -o FILE each row is saved");
+            "stdout is a file, which is written only at the end: an interrupted run is lost; use -o FILE to save each row");
     std::optional<InterruptNotice> notice{std::in_place, solve_about().tool,
                                           first ? options.common.verbosity : Verbosity::quiet};
     const double read_s = seconds_since(begin);
@@ -189,7 +189,7 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
     summary.start_s += read_s;
     if (first) {
         if (!writer->is_in_place())
-            console.warn(task.output + " was removed or replaced meanwhile; it is written anew");
+            console.warn(task.output + " was removed or replaced during the run; it is written again");
         const auto bytes = writer->finish(summary.end);
         if (task.output == "-") write_output("-", bytes, Content::binary);
         const ProcessTimes times = process_times();
@@ -206,32 +206,32 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         if (summary.accuracy)
             for (const std::string& line : accuracy_lines(*summary.accuracy)) console.warn(line);
         const io::DesignText& text = task.changed ? *task.changed : task.from.file.design;
-        if (const auto advice = design::fit_advice(text.effective_yaml, summary.max_stretch_p99))
+        if (const auto advice = design::fit_range_advice(text.effective_yaml, summary.max_stretch_p99))
             console.warn(*advice);
         if (summary.first && summary.last)
-            for (const std::string& line : fields::warnings_at(
+            for (const std::string& line : fields::path_warnings(
                      model,
-                     {*summary.first, *summary.last, summary.max_stretch_p99, summary.most_stretched,
-                      summary.gave_way, summary.end.limit_points, summary.first_crushed_row, summary.min_jacobian},
+                     {*summary.first, *summary.last, summary.max_stretch_p99, summary.max_stretch_step,
+                      summary.became_unstable, summary.end.limit_points, summary.first_crushed_row, summary.min_jacobian},
                      summary.end.reason))
                 console.warn(line);
         if (const std::string problem = summary.energy.problem(); !problem.empty())
-            model.dynamics ? console.insist(problem) : console.error(problem);
+            model.dynamics ? console.warn_always(problem) : console.error(problem);
         for (const std::string& option : session.unused_options())
-            console.warn("unused option of PETSc: -" + option +
-                         "; it is misspelt, or the solver in use has no such option");
+            console.warn("unused PETSc option: -" + option +
+                         "; check its spelling, and that it applies to the solver in use");
         if (!options.common.json.empty()) {
             auto json = summary_json(summary, model);
             json["materials"] = materials_json(model, text.effective_yaml);
             write_json(options.common.json, json);
         }
     }
-    // What was caught is passed on, so that a shell's loop ends too.
+    // Raise the caught signal again, so that a shell loop ends too.
     if (summary.accuracy && summary.accuracy->caught_signal != 0) {
-        notice.reset();  // what is saved has been said
+        notice.reset();  // the summary has already reported what is saved
         std::raise(summary.accuracy->caught_signal);
     }
-    const bool wrong = !model.dynamics && of_first_rank(summary.energy.problem().empty() ? 0 : 1) != 0;
+    const bool wrong = !model.dynamics && broadcast_from_first_rank(summary.energy.problem().empty() ? 0 : 1) != 0;
     if (wrong) return ExitCode::check_failed;
     if (summary.end.reason != solution::StopReason::done) return ExitCode::stopped_early;
     return summary.accuracy && !summary.accuracy->met() ? ExitCode::check_failed : ExitCode::ok;

@@ -20,7 +20,7 @@ double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// "12.3 kPa", "2 N", of a case without pressures, tractions and forces "load factor 0.5".
+/// "12.3 kPa", "2 N", or "load factor 0.5" for a case without pressures, tractions and forces.
 std::string load_text(double load, const model::Case& model) {
     switch (model::leading_load(model)) {
         case model::LeadingLoad::pressure:
@@ -37,30 +37,30 @@ std::string output_text(const model::Output& output, double value) {
 }
 
 /// Load, outputs and volume of a row or of a point on the path.
-template <class Place>
-std::string location_text(const Place& place, const model::Case& model) {
-    std::string text = load_text(place.pressure_Pa, model);
-    for (std::size_t i = 0; i < place.outputs.size(); ++i)
-        text += ", " + output_text(model.outputs[i], place.outputs[i]);
-    if (place.volume_m3) text += ", volume " + core::rounded_text(1e6 * *place.volume_m3, 6) + " mL";
+template <class Point>
+std::string location_text(const Point& point, const model::Case& model) {
+    std::string text = load_text(point.pressure_Pa, model);
+    for (std::size_t i = 0; i < point.outputs.size(); ++i)
+        text += ", " + output_text(model.outputs[i], point.outputs[i]);
+    if (point.volume_m3) text += ", volume " + core::rounded_text(1e6 * *point.volume_m3, 6) + " mL";
     return text;
 }
 
-template <class Place>
-void add_place(nlohmann::ordered_json& json, const Place& place, const model::Case& model) {
+template <class Point>
+void add_point(nlohmann::ordered_json& json, const Point& point, const model::Case& model) {
     switch (model::leading_load(model)) {
-        case model::LeadingLoad::pressure: json["pressure_Pa"] = place.pressure_Pa; break;
-        case model::LeadingLoad::traction: json["traction_Pa"] = place.pressure_Pa; break;
-        case model::LeadingLoad::force: json["load_N"] = place.pressure_Pa; break;
-        case model::LeadingLoad::load_factor: json["load_factor"] = place.pressure_Pa; break;
+        case model::LeadingLoad::pressure: json["pressure_Pa"] = point.pressure_Pa; break;
+        case model::LeadingLoad::traction: json["traction_Pa"] = point.pressure_Pa; break;
+        case model::LeadingLoad::force: json["load_N"] = point.pressure_Pa; break;
+        case model::LeadingLoad::load_factor: json["load_factor"] = point.pressure_Pa; break;
     }
-    if (place.volume_m3) json["volume_m3"] = *place.volume_m3;
-    for (std::size_t i = 0; i < place.outputs.size(); ++i)
+    if (point.volume_m3) json["volume_m3"] = *point.volume_m3;
+    for (std::size_t i = 0; i < point.outputs.size(); ++i)
         json[model.outputs[i].name + "_" + std::string{model::unit_of(model.outputs[i].measure).SI_suffix}] =
-            place.outputs[i];
+            point.outputs[i];
 }
 
-/// A word of the file as a design writes it: "generalized-alpha".
+/// A name of the file format in the spelling of a design: "generalized-alpha".
 std::string design_word(std::string_view word) {
     std::string text{word};
     std::replace(text.begin(), text.end(), '_', '-');
@@ -93,7 +93,7 @@ std::string motion_text(const SolveSummary& summary, const model::Dynamics& dyna
 nlohmann::ordered_json end_json(const solution::Step& last, const model::Case& model) {
     nlohmann::ordered_json json;
     if (model.path.stages.size() > 1) json["stage"] = model.path.stages[static_cast<std::size_t>(last.stage)].name;
-    add_place(json, last, model);
+    add_point(json, last, model);
     for (std::size_t i = 0; i < last.pressures_Pa.size(); ++i)
         json["pressures_Pa"][model.loads[i].name] = last.pressures_Pa[i];
     const auto cavities = model::measured_cavities(model);
@@ -134,7 +134,7 @@ std::string start_line(long long unknowns, int dimension) {
 }
 
 std::string RemainingTime::text(double share) const {
-    constexpr double min_s = 3, min_share = 0.01;  // before there is no saying
+    constexpr double min_s = 3, min_share = 0.01;  // earlier estimates would be unreliable
     const double spent_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     if (spent_s < min_s || share - begin_ < min_share || share >= 1) return {};
     const double left_s = spent_s * (1 - share) / (share - begin_);
@@ -155,11 +155,11 @@ std::string summary_line(const SolveSummary& summary, const model::Case& model) 
 
 std::vector<std::string> profile_lines(const SolveSummary& summary) {
     if (summary.profile.empty()) return {};
-    std::vector<linalg::ProfileRow> rows{{"the case read, tables made", 1, summary.start_s}};
+    std::vector<linalg::ProfileRow> rows{{"reading the case, setup", 1, summary.start_s}};
     rows.insert(rows.end(), summary.profile.begin(), summary.profile.end());
     double rest_s = summary.wall_s;
     for (const auto& row : rows) rest_s -= row.seconds;
-    rows.push_back({"everything else", 1, rest_s});
+    rows.push_back({"other", 1, rest_s});
     std::vector<std::string> lines;
     std::array<char, 160> line{};
     const auto put = [&](const char* what, const std::string& calls, double seconds) {
@@ -169,8 +169,8 @@ std::vector<std::string> profile_lines(const SolveSummary& summary) {
     };
     lines.emplace_back(summary.ranks > 1 ? "profile of rank 0 of " + std::to_string(summary.ranks) + ":" : "profile:");
     for (const auto& row : rows) put(row.what.c_str(), std::to_string(row.calls), row.seconds);
-    put("whole", "", summary.wall_s);
-    lines.push_back("  memory: at most " + core::rounded_text(summary.peak_memory_MB, 4) + " MB");
+    put("total", "", summary.wall_s);
+    lines.push_back("  peak memory: " + core::rounded_text(summary.peak_memory_MB, 4) + " MB");
     return lines;
 }
 
@@ -194,7 +194,7 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
         {"limit_points", nlohmann::ordered_json::array()}};
     for (const auto& limit : summary.end.limit_points) {
         nlohmann::ordered_json point = {{"step", limit.step}};
-        add_place(point, limit, model);
+        add_point(point, limit, model);
         json["limit_points"].push_back(std::move(point));
     }
     for (const auto& [row, control] : summary.controls)
@@ -203,7 +203,7 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
     if (model.dynamics) json["dynamics"] = motion_json(summary, *model.dynamics);
     if (summary.accuracy) {
         const AccuracySummary& accuracy = *summary.accuracy;
-        json["accuracy"] = {{"tolerance", accuracy.asked},
+        json["accuracy"] = {{"tolerance", accuracy.tolerance},
                             {"met", accuracy.met()},
                             {"level", accuracy.level},
                             {"finest_unknowns", accuracy.unknowns}};
@@ -213,7 +213,7 @@ nlohmann::ordered_json summary_json(const SolveSummary& summary, const model::Ca
     json["bifurcations"] = nlohmann::ordered_json::array();
     for (const auto& bifurcation : summary.end.bifurcations) {
         nlohmann::ordered_json point = {{"step", bifurcation.at.step}};
-        add_place(point, bifurcation.at, model);
+        add_point(point, bifurcation.at, model);
         point["modes"] = bifurcation.modes;
         point["mode_stored"] = !bifurcation.mode.empty();
         json["bifurcations"].push_back(std::move(point));
@@ -228,23 +228,23 @@ std::vector<std::string> accuracy_lines(const AccuracySummary& accuracy) {
     const auto percent = [](double share) { return core::rounded_text(100 * share, 3) + " %"; };
     std::vector<std::string> lines;
     if (!accuracy.met())
-        lines.push_back("the tolerance of " + percent(accuracy.asked) + " is missed: " +
+        lines.push_back("the tolerance of " + percent(accuracy.tolerance) + " is not met: " +
                         (accuracy.has_bars ? "the error bars of the load reach " + percent(accuracy.reached)
-                                           : "there are no error bars") +
+                                           : "no error bars are available") +
                         "; " + accuracy.obstacle);
     for (const std::string& doubt : accuracy.doubts) lines.push_back("the error bars are less reliable: " + doubt);
     return lines;
 }
 
 std::vector<std::string> limit_lines(const SolveSummary& summary, const model::Case& model) {
-    constexpr std::size_t most = 6;
+    constexpr std::size_t max_lines = 6;
     std::vector<std::string> lines;
     for (const solution::LimitPoint& point : summary.end.limit_points)
         if (point.step < summary.steps) lines.push_back("limit point at " + location_text(point, model));
-    if (lines.size() > most) {
-        const std::size_t more = lines.size() - most;
-        lines.resize(most);
-        lines.push_back(core::counted(more, "limit point") + " more, see postprocess");
+    if (lines.size() > max_lines) {
+        const std::size_t more = lines.size() - max_lines;
+        lines.resize(max_lines);
+        lines.push_back(core::counted(more, "further limit point") + ", see postprocess");
     }
     return lines;
 }
@@ -253,11 +253,11 @@ std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const m
     std::vector<std::string> lines;
     for (const auto& bifurcation : end.bifurcations) {
         const std::string leaving = bifurcation.modes == 1
-                                        ? "another branch leaves the path"
-                                        : std::to_string(bifurcation.modes) + " modes leave the path at once";
+                                        ? "another branch intersects the path"
+                                        : std::to_string(bifurcation.modes) + " critical modes, so several branches intersect the path";
         lines.push_back(
             "bifurcation at " + location_text(bifurcation.at, model) + ": " + leaving +
-            (bifurcation.mode.empty() ? "; no mode of it is stored" : "; its mode is in the file (/modes)"));
+            (bifurcation.mode.empty() ? "; no mode is stored" : "; the mode is stored in the result (/modes)"));
     }
     return lines;
 }
@@ -276,12 +276,12 @@ std::string stability_line(const SolveSummary& summary) {
     const bool at_the_end = summary.end.reason == solution::StopReason::done && summary.last && !summary.last->stable;
     if (!at_the_end || !summary.first_unstable_row) return "";
     if (summary.last->stable_under_control.value_or(false))
-        return "the state at the end is unstable at its load, as states are from row " +
-               std::to_string(*summary.first_unstable_row) + " on: it is stable where the " +
+        return "the final state is unstable under load control, as are the states from row " +
+               std::to_string(*summary.first_unstable_row) + " on; it is stable if the " +
                (summary.controls.empty() ? "controlled quantity" : summary.controls.back().second) + " is controlled";
-    return "the state at the end is unstable, as are the states from row " +
+    return "the final state is unstable, as are the states from row " +
            std::to_string(*summary.first_unstable_row) +
-           " on: a perturbed actuator leaves it; path.branch: follow shows where to";
+           " on: a perturbed actuator leaves it; use path.branch: follow to compute the branch it moves to";
 }
 
 std::string step_text(const solution::Step& step, const model::Case& model) {
@@ -293,7 +293,7 @@ std::string step_text(const solution::Step& step, const model::Case& model) {
 
 namespace {
 
-/// From where the stage began, `first`, to the goal.
+/// Fraction of the way from `first`, the value at the start of the stage, to the goal.
 double share_of(double value, double first, double goal) {
     return goal == first ? 0 : (value - first) / (goal - first);
 }

@@ -83,11 +83,11 @@ void write_json(const std::string& name, const nlohmann::ordered_json& json) {
     write_output(name, json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-StdoutKeptForData::StdoutKeptForData() : saved_(::dup(STDOUT_FILENO)) {
+StdoutRedirection::StdoutRedirection() : saved_(::dup(STDOUT_FILENO)) {
     if (saved_ >= 0) static_cast<void>(::dup2(STDERR_FILENO, STDOUT_FILENO));
 }
 
-StdoutKeptForData::~StdoutKeptForData() {
+StdoutRedirection::~StdoutRedirection() {
     if (saved_ < 0) return;
     std::fflush(stdout);
     static_cast<void>(::dup2(saved_, STDOUT_FILENO));
@@ -115,10 +115,10 @@ void Console::detail(std::string_view line) {
 }
 
 void Console::warn(std::string_view line) {
-    if (verbosity_ != Verbosity::quiet) insist(line);
+    if (verbosity_ != Verbosity::quiet) warn_always(line);
 }
 
-void Console::insist(std::string_view line) { put(warning_label(), line); }
+void Console::warn_always(std::string_view line) { put(warning_label(), line); }
 
 void Console::error(std::string_view line) { put("", line); }
 

@@ -26,21 +26,21 @@ bool has_curve(int exit_code) {
     return exit_code == static_cast<int>(ExitCode::ok) || exit_code == static_cast<int>(ExitCode::stopped_early);
 }
 
-bool is_there(const fs::path& file) {
+bool is_present(const fs::path& file) {
     std::error_code unknown;
     return fs::exists(file, unknown);
 }
 
 constexpr std::size_t max_status = std::size_t{1} << 20;  // bytes; a few lines are usual
 
-/// The folder of a design, which cannot lie elsewhere than in that of the sweep.
-fs::path folder_of(const fs::path& folder, const sweep::Planned& design) {
+/// The folder of a design inside that of the sweep; a valid address cannot point outside.
+fs::path folder_of(const fs::path& folder, const sweep::PlannedDesign& design) {
     if (!sweep::is_address(design.id))
-        throw Error(ExitCode::internal, core::quoted(design.id), "is not the address of a design");
+        throw Error(ExitCode::internal, core::quoted(design.id), "is not a valid design address");
     return folder / design.id;
 }
 
-/// nullopt for what is not a status: it is computed again.
+/// nullopt for a missing or invalid status; the design is then computed again.
 std::optional<sweep::Status> status_in(const fs::path& folder) {
     std::error_code unknown;
     if (!fs::is_regular_file(folder / "status", unknown)) return std::nullopt;
@@ -53,25 +53,24 @@ std::optional<sweep::Status> status_in(const fs::path& folder) {
     }
 }
 
-sweep::State state_in(const fs::path& folder, const sweep::Planned& design) {
+sweep::State state_in(const fs::path& folder, const sweep::PlannedDesign& design) {
     if (!design.refusal.empty()) return sweep::State::refused;
     const auto status = folder.empty() ? std::nullopt : status_in(folder_of(folder, design));
     const bool done = status && sweep::is_final(status->exit_code) &&
-                      (!has_curve(status->exit_code) || is_there(folder_of(folder, design) / "result.h5"));
+                      (!has_curve(status->exit_code) || is_present(folder_of(folder, design) / "result.h5"));
     return done ? sweep::State::done : sweep::State::waiting;
 }
 
 io::Result whole_result(const fs::path& file) {
     io::Result result = io::read_result(core::read_regular_file(file, core::no_limit), file.string());
-    if (!result.end) throw Error(ExitCode::bad_input, file.string(), "holds an unfinished path");
+    if (!result.end) throw Error(ExitCode::bad_input, file.string(), "contains an unfinished path");
     return result;
 }
 
-/// The curve goes to `table` too, which the engines leave to this place: made here it costs next to nothing, while a program
-/// of its own would have to start for it.
+/// Also writes the curve to `table`. The engines leave this to sweep-plan because a separate process per design would cost more.
 void add_curve(const io::Result& result, const fs::path& table, const sweep::Sweep& sweep, sweep::Outcome& outcome) {
     const post::Curve curve = post::make_curve(result.model, result.steps);
-    if (!is_there(table)) cli::write_output(table.string(), post::csv_text(curve));
+    if (!is_present(table)) cli::write_output(table.string(), post::csv_text(curve));
     sweep::Outputs outputs = sweep::outputs_of(sweep, curve, result.end->limit_points);
     outcome.outputs = std::move(outputs.cells);
     for (const post::Column& column : curve.columns) outcome.columns.push_back(column.name);
@@ -81,7 +80,7 @@ void add_curve(const io::Result& result, const fs::path& table, const sweep::Swe
         outcome.error.append(outcome.error.empty() ? "" : "; ").append(reason);
 }
 
-sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::Planned& design) {
+sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::PlannedDesign& design) {
     sweep::Outcome outcome;
     if (!design.refusal.empty()) {
         outcome.exit_code = static_cast<int>(ExitCode::bad_input);
@@ -98,10 +97,10 @@ sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, con
     if (status->exit_code == static_cast<int>(ExitCode::bad_input)) outcome.stop_reason = "refused";
     if (!has_curve(status->exit_code)) return outcome;
     const fs::path file = own / "result.h5";
-    if (!is_there(file))
+    if (!is_present(file))
         return {.exit_code = {},
                 .stop_reason = "not_computed",
-                .error = "its result.h5 has been removed",
+                .error = "its result.h5 was removed",
                 .columns = {},
                 .outputs = {}};
     std::optional<io::Result> result;
@@ -109,18 +108,18 @@ sweep::Outcome outcome_in(const fs::path& folder, const sweep::Sweep& sweep, con
         result = whole_result(file);
     } catch (const Error& error) {
         outcome.exit_code = static_cast<int>(error.code());
-        outcome.error = error.what() + std::string{"; without its folder it would be computed anew"};
+        outcome.error = error.what() + std::string{"; remove its folder to compute it again"};
         return outcome;
     }
     add_curve(*result, own / "curve.csv", sweep, outcome);
     return outcome;
 }
 
-using Designs = std::span<const sweep::Planned>;
+using Designs = std::span<const sweep::PlannedDesign>;
 
 std::vector<sweep::Outcome> outcomes_of(const fs::path& folder, const sweep::Sweep& sweep, Designs designs) {
     std::vector<sweep::Outcome> outcomes;
-    for (const sweep::Planned& design : designs) outcomes.push_back(outcome_in(folder, sweep, design));
+    for (const sweep::PlannedDesign& design : designs) outcomes.push_back(outcome_in(folder, sweep, design));
     return outcomes;
 }
 
@@ -162,8 +161,8 @@ std::vector<sweep::Outcome> unpacked(const core::Bytes& bytes) {
     return outcomes;
 }
 
-/// In a process of its own; no result where it fails.
-core::SubprocessEnd packed_apart(const fs::path& folder, const sweep::Sweep& sweep, Designs designs) {
+/// Collects the outcomes in a subprocess; no result if it fails.
+core::SubprocessOutcome pack_in_subprocess(const fs::path& folder, const sweep::Sweep& sweep, Designs designs) {
     try {
         return core::run_in_subprocess([&] { return packed(outcomes_of(folder, sweep, designs)); }, {std::chrono::hours{24}});
     } catch (const Error& error) {
@@ -175,30 +174,30 @@ core::SubprocessEnd packed_apart(const fs::path& folder, const sweep::Sweep& swe
 
 std::vector<sweep::State> states_in(const fs::path& folder, const sweep::Plan& plan) {
     std::vector<sweep::State> states;
-    for (const sweep::Planned& design : plan.designs) states.push_back(state_in(folder, design));
+    for (const sweep::PlannedDesign& design : plan.designs) states.push_back(state_in(folder, design));
     return states;
 }
 
 std::vector<sweep::Outcome> outcomes_in(const fs::path& folder, const sweep::Sweep& sweep, const sweep::Plan& plan) {
-    // Reading a result takes a tenth of the time of a small solve: one after the other would leave the processors idle.
+    // Reading a result takes a tenth of the time of a small solve, so results are read in parallel.
     const Designs designs{plan.designs};
-    const std::size_t most = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t parts = std::clamp<std::size_t>(designs.size() / 2, 1, most);
-    std::vector<std::pair<Designs, std::future<core::SubprocessEnd>>> at_work;
+    const std::size_t max_parts = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t parts = std::clamp<std::size_t>(designs.size() / 2, 1, max_parts);
+    std::vector<std::pair<Designs, std::future<core::SubprocessOutcome>>> running;
     for (std::size_t part = 0, from = 0; part < parts; ++part) {
         const std::size_t to = designs.size() * (part + 1) / parts;
         const Designs share = designs.subspan(from, to - from);
-        at_work.emplace_back(share, std::async(std::launch::async, [&folder, &sweep, share] {
-                                 return packed_apart(folder, sweep, share);
+        running.emplace_back(share, std::async(std::launch::async, [&folder, &sweep, share] {
+                                 return pack_in_subprocess(folder, sweep, share);
                              }));
         from = to;
     }
-    std::vector<std::optional<core::Bytes>> ends;  // all, before anything is read here: HDF5 is not for threads
-    for (auto& [share, end] : at_work) ends.push_back(end.get().result);
+    std::vector<std::optional<core::Bytes>> ends;  // wait for all before reading here: HDF5 is not thread-safe
+    for (auto& [share, end] : running) ends.push_back(end.get().result);
     std::vector<sweep::Outcome> outcomes;
     for (std::size_t part = 0; part < parts; ++part) {
-        // What has failed apart fails here as well, and says why.
-        const auto found = ends[part] ? unpacked(*ends[part]) : outcomes_of(folder, sweep, at_work[part].first);
+        // Repeat a failed part in this process, which then reports the error.
+        const auto found = ends[part] ? unpacked(*ends[part]) : outcomes_of(folder, sweep, running[part].first);
         outcomes.insert(outcomes.end(), found.begin(), found.end());
     }
     return outcomes;
@@ -210,7 +209,7 @@ void write_designs(const fs::path& folder, const sweep::Plan& plan, const std::v
     for (std::size_t d = 0; d < states.size(); ++d) {
         fs::path file = folder_of(designs, plan.designs[d]);
         file += ".yaml";
-        if (states[d] == sweep::State::waiting && !is_there(file))
+        if (states[d] == sweep::State::waiting && !is_present(file))
             cli::write_output(file.string(), plan.designs[d].design_yaml);
     }
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// The folder in which a sweep is computed: designs/ID.yaml waits, ID/ holds what came of it (status, result.h5 and more),
-/// written by scripts/sweep-design.
+/// The working folder of a sweep: designs/ID.yaml are the waiting designs, ID/ contains the status, result.h5 and other files written
+/// by scripts/sweep-design.
 #include <filesystem>
 #include <vector>
 
@@ -10,16 +10,16 @@
 
 namespace soft {
 
-/// One a design. A design is done when its status is final and, where it has a path, the result is still there. With an
-/// empty folder all that are not refused wait.
+/// State of each design. A design is done if its status is final and, if it has a path, its result still exists. Without a folder
+/// every valid design is waiting.
 [[nodiscard]] std::vector<sweep::State> states_in(const std::filesystem::path& folder, const sweep::Plan& plan);
 
-/// One a design, with the outputs from its result; where it has one, its curve.csv is written if it is not there.
-/// A result that cannot be read is a failure of its design.
+/// Outcome of each design, with the outputs of its result. Writes a missing curve.csv next to each result.
+/// A result that cannot be read counts as a failure of its design.
 [[nodiscard]] std::vector<sweep::Outcome> outcomes_in(const std::filesystem::path& folder, const sweep::Sweep& sweep,
                                                       const sweep::Plan& plan);
 
-/// Writes designs/ID.yaml of those that wait; what is there already has the same content, its name says so.
+/// Writes designs/ID.yaml for each waiting design. Existing files are kept: their name is a hash of the content.
 void write_designs(const std::filesystem::path& folder, const sweep::Plan& plan,
                    const std::vector<sweep::State>& states);
 

@@ -1,7 +1,7 @@
-/// sweep-plan: a sweep (YAML) -> its designs, checked, one row each (CSV); and, once they are computed, their results.
+/// sweep-plan: lists the checked designs of a sweep (YAML), one row each (CSV), or the results of the computed designs.
 ///     sweep-plan designs/sweeps/tube.yaml
 ///     sweep-plan designs/sweeps/tube.yaml --folder results/sweeps/tube --results
-/// scripts/sweep runs what is planned.
+/// scripts/sweep computes the designs.
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -30,10 +30,10 @@ std::vector<cli::Library> libraries() {
 
 const cli::About about{
     .tool = "sweep-plan",
-    .summary = "a sweep (YAML) to its designs, one row each (CSV); with --results to what came of them",
-    .examples = {{"sweep-plan designs/sweeps/tube.yaml", "the designs, each with its values and its address"},
+    .summary = "lists the designs of a sweep (YAML), one row each (CSV); with --results their results",
+    .examples = {{"sweep-plan designs/sweeps/tube.yaml", "Lists the designs with their values and addresses"},
                  {"sweep-plan designs/sweeps/tube.yaml --folder results/sweeps/tube -o plan.csv",
-                  "and which of them scripts/sweep has computed there"}},
+                  "Also marks those that scripts/sweep has computed in this folder"}},
     .libraries = libraries};
 
 struct SweepPlanOptions {
@@ -47,31 +47,31 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
     CLI::App app;
     cli::add_input(app, options.input, "SWEEP", "The sweep (YAML)");
     auto* folder = app.add_option("--folder", options.folder,
-                                  "Where the designs are computed, a folder each: tells which are done");
+                                  "Working folder of the sweep, with a folder per design: marks those that are done");
     folder->type_name("FOLDER");
-    app.add_flag("--prepare", options.prepare, "Also write the designs that wait, as FOLDER/designs/ID.yaml")
+    app.add_flag("--prepare", options.prepare, "Also write the waiting designs as FOLDER/designs/ID.yaml")
         ->needs(folder);
-    app.add_option("--waiting", options.waiting, "Also write the addresses of the designs that wait, one per line")
+    app.add_option("--waiting", options.waiting, "Also write the addresses of the waiting designs, one per line")
         ->type_name("FILE");
     app.add_flag("--results", options.results,
                  "Print the results of the designs in FOLDER instead of the plan, and write the "
-                 "curve of each beside its result; exit code 2: some are not computed, or "
-                 "failed for reasons that are not theirs")
+                 "curve of each next to its result; exit code 2: some are not computed, or "
+                 "failed for external reasons")
         ->needs(folder);
     app.add_option("--programs", options.programs,
-                   "Text that tells the versions of the programs; part of the addresses")
+                   "File with the versions of the programs, which enter the addresses")
         ->type_name("FILE");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
-    cli::at_most_one_of(app, std::vector<std::string>{"--prepare", "--results"});
+    cli::require_at_most_one(app, std::vector<std::string>{"--prepare", "--results"});
     cli::check_distinct(
         {{"SWEEP", options.input}, {"--programs", options.programs}},
         {{"--output", options.common.output}, {"--json", options.common.json}, {"--waiting", options.waiting}});
     return options;
 }
 
-/// "1000 designs: 990 done, 10 refused", and the same as JSON.
-void tell(const SweepPlanOptions& options, std::size_t designs,
+/// Prints "1000 designs: 990 done, 10 refused", and writes the same as JSON.
+void print_summary(const SweepPlanOptions& options, std::size_t designs,
           const std::vector<std::pair<std::string, std::ptrdiff_t>>& counts) {
     nlohmann::ordered_json json = {
         {"tool", about.tool}, {"version", cli::version()}, {"revision", cli::revision()}, {"designs", designs}};
@@ -97,26 +97,27 @@ ExitCode write_results(const SweepPlanOptions& options, const sweep::Sweep& swee
     const auto done = std::ranges::count(outcomes, std::optional{0}, &sweep::Outcome::exit_code);
     const auto refused = count("refused"), failed = count("failed"), open = count("not_computed");
     const auto early = static_cast<std::ptrdiff_t>(outcomes.size()) - done - refused - failed - open;
-    tell(options, outcomes.size(),
+    print_summary(options, outcomes.size(),
          {{"done", done}, {"ended_early", early}, {"refused", refused}, {"failed", failed}, {"not_computed", open}});
     return failed + open > 0 ? ExitCode::stopped_early : ExitCode::ok;
 }
 
-/// The columns of a curve depend on loads, outputs and cavities, not on lengths and moduli: one design of each combination of words
-/// and listed values stands for the others.
-std::vector<std::string> listed_values(const sweep::Sweep& sweep, const sweep::Planned& design) {
+/// Values of the factors with listed choices. The columns of a curve depend on loads, outputs and cavities, not on lengths and moduli;
+/// therefore check_requests needs one design per combination of choices.
+std::vector<std::string> listed_values(const sweep::Sweep& sweep, const sweep::PlannedDesign& design) {
     std::vector<std::string> values;
     for (std::size_t f = 0; f < sweep.factors.size(); ++f)
         if (std::holds_alternative<sweep::Choices>(sweep.factors[f].values)) values.push_back(design.values[f]);
     return values;
 }
 
-/// Refuses what no curve of the sweep has, before anything is computed. A design that cannot be meshed is left to its row.
+/// Rejects requested outputs that no curve of the sweep has, before anything is computed. A design that cannot be meshed is skipped;
+/// its row reports the error.
 void check_requests(const sweep::Sweep& sweep, const sweep::Plan& plan, const std::vector<sweep::State>& states) {
     std::set<std::vector<std::string>> seen;
     std::optional<Error> refusal;
     for (std::size_t d = 0; d < states.size(); ++d) {
-        const sweep::Planned& row = plan.designs[d];
+        const sweep::PlannedDesign& row = plan.designs[d];
         if (states[d] != sweep::State::waiting || seen.contains(listed_values(sweep, row))) continue;
         std::optional<post::Curve> curve;
         try {
@@ -150,7 +151,7 @@ ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, 
         cli::Console{about.tool, options.common.verbosity}.say(core::counted(states.size(), "design") + ", " +
                                                                std::to_string(waiting.size()) + " to compute in " +
                                                                options.folder);
-    tell(options, states.size(),
+    print_summary(options, states.size(),
          {{"waiting", count(sweep::State::waiting)},
           {"done", count(sweep::State::done)},
           {"refused", count(sweep::State::refused)}});
@@ -162,14 +163,14 @@ constexpr std::size_t max_programs = std::size_t{1} << 20;  // bytes
 std::string text_of(const core::Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 ExitCode sweep_plan(const SweepPlanOptions& options) {
-    const cli::Input input = cli::read_input(options.input, cli::longest_design);
+    const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
     const sweep::Sweep sweep = sweep::read_sweep(input.text(), input.source);
-    const fs::path file = design::file_from(sweep.design.place, sweep.design.text);
+    const fs::path file = design::file_from(sweep.design.location, sweep.design.text);
     std::error_code unknown;
     if (!fs::exists(file, unknown))
-        throw Error(ExitCode::cannot_open, sweep.design.place + ": design", file.string() + " is not there",
-                    "the design is looked for from the folder of the sweep");
-    const std::string design = text_of(core::read_regular_file(file, cli::longest_design)),
+        throw Error(ExitCode::cannot_open, sweep.design.location + ": design", file.string() + " does not exist",
+                    "the path is relative to the folder of the sweep");
+    const std::string design = text_of(core::read_regular_file(file, cli::max_design_bytes)),
                       source = file.lexically_normal().string();
     const std::string programs = options.programs.empty()
                                      ? std::string{cli::version()} + " " + std::string{cli::revision()}

@@ -1,4 +1,4 @@
-/// uncertainty-band: the errors of fitted constants -> materials to solve with, and from their results the band on the curve.
+/// uncertainty-band: converts the errors of fitted constants to a set of materials, and their results to an uncertainty band.
 ///     uncertainty-band fit.json --samples 40 > materials
 ///     uncertainty-band fit.json --samples 40 --runs FOLDER --at elongation=20mm,40mm > band.csv
 /// scripts/uncertainty runs mesh-gen and solve between the two.
@@ -31,10 +31,10 @@ std::vector<cli::Library> libraries() { return {{"HDF5", cli::built_with::hdf5}}
 
 const cli::About about{
     .tool = "uncertainty-band",
-    .summary = "errors of fitted constants to materials, and their results to the band on the curve (CSV)",
-    .examples = {{"uncertainty-band fit.json --samples 40", "the materials to solve with, one per line"},
+    .summary = "propagates the errors of fitted constants to an uncertainty band of the curve (CSV)",
+    .examples = {{"uncertainty-band fit.json --samples 40", "Prints the materials to solve with, one per line"},
                  {"uncertainty-band fit.json --samples 40 --runs runs --at elongation=20mm > band.csv",
-                  "the band, from runs/run-00000.h5 ... in the order of the materials"}},
+                  "Computes the band from runs/run-00000.h5 ..., in the order of the materials"}},
     .libraries = libraries};
 
 struct UncertaintyOptions {
@@ -57,19 +57,19 @@ std::optional<UncertaintyOptions> parse_uncertainty_options(int argc, char** arg
     UncertaintyOptions options;
     std::string samples = "0";
     CLI::App app;
-    cli::add_input(app, options.input, "FIT", "The --json of fit-material; its first fit");
-    app.add_option("--samples", samples, "Also materials with constants drawn from the covariance")->type_name("N");
-    app.add_option("--at", options.at, "Where the band is computed: quantity=value[,value...]")->type_name("WHERE");
+    cli::add_input(app, options.input, "FIT", "The --json file of fit-material; the first fit is used");
+    app.add_option("--samples", samples, "Also add N materials with constants drawn from the covariance")->type_name("N");
+    app.add_option("--at", options.at, "Values at which the band is computed: quantity=value[,value...]")->type_name("WHERE");
     app.add_option("--runs", options.runs,
-                   "Folder with run-00000.h5 ..., one per material; a file that is absent is left out")
+                   "Folder with run-00000.h5 ..., one per material; missing files are skipped")
         ->type_name("FOLDER");
-    app.add_option("--plot", options.plot, "Draws the curve with its band (.svg, .png or .pdf)")->type_name("FILE");
+    app.add_option("--plot", options.plot, "Draw the curve with its band (.svg, .png or .pdf)")->type_name("FILE");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     options.samples = sample_count(samples);
     if (!options.plot.empty()) static_cast<void>(post::picture_format(options.plot));
     if (options.at.empty() && !options.runs.empty())
-        throw Error(ExitCode::usage, "--at", "missing", "say where: --at elongation=20mm,40mm");
+        throw Error(ExitCode::usage, "--at", "is missing", "give values, for example --at elongation=20mm,40mm");
     cli::check_distinct(
         {{"FIT", options.input}},
         {{"--output", options.common.output}, {"--json", options.common.json}, {"--plot", options.plot}});
@@ -78,7 +78,7 @@ std::optional<UncertaintyOptions> parse_uncertainty_options(int argc, char** arg
 
 fit::FittedLaw read_fit(const cli::Input& input) {
     const auto refuse = [&input](const std::string& problem) {
-        return Error(ExitCode::bad_input, input.source, problem, "give the --json of fit-material");
+        return Error(ExitCode::bad_input, input.source, problem, "give the --json file of fit-material");
     };
     try {
         const nlohmann::json fitted = nlohmann::json::parse(input.text()).at("fits").at(0);
@@ -108,13 +108,13 @@ std::optional<Run> read_run(const std::string& folder, std::size_t number) {
     return run;
 }
 
-/// The curve over the first quantity asked for; over the load, the first output.
+/// Draws the curve over the first requested quantity; if that is the load, the load over the first output.
 void draw(const UncertaintyOptions& options, Run fitted, post::Band band) {
     post::PlotRequest request{fitted.result.model.name, {}, {}};
-    const std::string asked = options.at.front().substr(0, options.at.front().find('='));
-    const std::string held{core::trimmed(asked)};
-    const post::Column* column = fitted.curve.find(held);
-    (column != nullptr && column->source == post::Source::load ? request.y : request.x) = held;
+    const std::string request_text = options.at.front().substr(0, options.at.front().find('='));
+    const std::string quantity{core::trimmed(request_text)};
+    const post::Column* column = fitted.curve.find(quantity);
+    (column != nullptr && column->source == post::Source::load ? request.y : request.x) = quantity;
     const post::PlotSeries series{fitted.result.model.name, std::move(fitted.curve),
                                   fitted.result.end.value_or(solution::PathEnd{}), std::move(band)};
     post::draw_plot({&series, 1}, nullptr, request, options.plot);
@@ -123,7 +123,7 @@ void draw(const UncertaintyOptions& options, Run fitted, post::Band band) {
 ExitCode write_band(const UncertaintyOptions& options, std::size_t constants) {
     std::optional<Run> fitted = read_run(options.runs, 0);
     if (!fitted)
-        throw Error(ExitCode::cannot_open, options.runs, "run-00000.h5, that of the fitted constants, is not there");
+        throw Error(ExitCode::cannot_open, options.runs, "run-00000.h5 (fitted constants) does not exist");
     std::vector<post::Request> requests;
     for (const std::string& text : options.at)
         std::ranges::copy(post::parse_requests(text, fitted->curve), std::back_inserter(requests));
@@ -151,7 +151,7 @@ ExitCode write_band(const UncertaintyOptions& options, std::size_t constants) {
 }
 
 ExitCode uncertainty_band(const UncertaintyOptions& options) {
-    const cli::Input input = cli::read_input(options.input, cli::longest_table);
+    const cli::Input input = cli::read_input(options.input, cli::max_table_bytes);
     const fit::FittedLaw fitted = read_fit(input);
     const std::vector<std::vector<double>> sets = [&] {
         try {

@@ -1,5 +1,5 @@
-/// workspace-grid: a design and pressures of its chambers -> the design that leads through all their combinations; and from its
-/// result the points that the end has reached, the volume of their convex hull, and a plot.
+/// workspace-grid: writes a design whose path passes through all combinations of chamber pressures; from its result it prints the
+/// points reached by the end face and the volume of their convex hull, and draws a plot.
 ///     workspace-grid designs/segment.yaml --pressures chamber_1=12kPa,chamber_2=12kPa > grid.yaml
 ///     workspace-grid --results result.h5 > workspace.csv
 /// scripts/workspace runs mesh-gen and solve between the two.
@@ -39,11 +39,11 @@ std::vector<cli::Library> libraries() {
 
 const cli::About about{
     .tool = "workspace-grid",
-    .summary = "a grid of chamber pressures as one path; and the points that its result reaches (CSV)",
+    .summary = "writes a grid of chamber pressures as one path, or the points that its result reaches (CSV)",
     .examples = {{"workspace-grid designs/segment.yaml --pressures chamber_1=12kPa,chamber_2=12kPa -o grid.yaml",
-                  "the design whose path leads through 3 x 3 combinations"},
+                  "Writes a design whose path passes through 3 x 3 combinations"},
                  {"workspace-grid --results result.h5 --plot reach.svg > workspace.csv",
-                  "the points reached so far, also of a path that is not finished"}},
+                  "Prints the points reached, also of an unfinished path"}},
     .libraries = libraries};
 
 struct GridOptions {
@@ -58,24 +58,24 @@ std::optional<GridOptions> parse_grid_options(int argc, char** argv) {
     std::string steps = "2";
     CLI::App app;
     cli::add_input(app, options.input, "DESIGN", "The design (YAML)");
-    app.add_option("--pressures", options.pressures, "What each chamber goes up to: chamber_1=12kPa,chamber_2=12kPa")
+    app.add_option("--pressures", options.pressures, "Maximum pressure of each chamber: chamber_1=12kPa,chamber_2=12kPa")
         ->type_name("LIST");
-    app.add_option("--steps", steps, "Values per chamber besides 0")->type_name("N");
-    app.add_option("--face", options.face, "Face whose mean displacement is the point")->capture_default_str();
-    app.add_option("--results", options.results, "Result of the grid: prints its points")->type_name("FILE");
-    app.add_option("--plot", options.plot, "Draws the points (.svg, .png or .pdf)")->type_name("FILE");
+    app.add_option("--steps", steps, "Number of pressure steps per chamber (number of values minus one)")->type_name("N");
+    app.add_option("--face", options.face, "Face whose mean displacement defines the point")->capture_default_str();
+    app.add_option("--results", options.results, "Print the points of this result of a grid")->type_name("FILE");
+    app.add_option("--plot", options.plot, "Draw the points (.svg, .png or .pdf)")->type_name("FILE");
     cli::add_set_option(app, options.sets);
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
     const auto count = core::parse_count(steps);
     const long* number = std::get_if<long>(&count);
     if (number == nullptr || *number < 1 || *number > 99)
-        throw Error(ExitCode::usage, "", "--steps " + core::quoted(steps) + " is no number from 1 to 99");
+        throw Error(ExitCode::usage, "--steps", core::quoted(steps) + " is not a number from 1 to 99");
     options.steps = static_cast<int>(*number);
     if (!options.plot.empty()) static_cast<void>(post::picture_format(options.plot));
     if (options.results.empty() && options.pressures.empty())
-        throw Error(ExitCode::usage, "--pressures", "missing (what each chamber goes up to)",
-                    "--pressures chamber_1=12kPa,chamber_2=12kPa");
+        throw Error(ExitCode::usage, "--pressures", "is missing",
+                    "give the maximum pressure of each chamber: --pressures chamber_1=12kPa,chamber_2=12kPa");
     cli::check_distinct(
         {{"DESIGN", options.input}, {"--results", options.results}},
         {{"--output", options.common.output}, {"--json", options.common.json}, {"--plot", options.plot}});
@@ -84,7 +84,7 @@ std::optional<GridOptions> parse_grid_options(int argc, char** argv) {
 
 struct Chamber {
     std::string name;
-    double number;  ///< of the full pressure, in `unit`
+    double number;  ///< maximum pressure in `unit`
     std::string unit;
 };
 
@@ -98,7 +98,7 @@ std::vector<Chamber> chambers_of(std::string_view list) {
         const auto refuse = [&entry](const std::string& problem) {
             return Error(ExitCode::usage, "--pressures", core::quoted(entry) + problem, "write chamber_1=12kPa");
         };
-        if (equals == 0 || equals == entry.size()) throw refuse(" is no chamber with its pressure");
+        if (equals == 0 || equals == entry.size()) throw refuse(" is not of the form chamber=pressure");
         const std::string_view text = entry.substr(equals + 1);
         const auto pressure = core::parse_quantity(text, core::Dimension::pressure);
         if (const auto* refusal = std::get_if<core::Refusal>(&pressure)) throw refuse(": " + refusal->problem);
@@ -107,7 +107,7 @@ std::vector<Chamber> chambers_of(std::string_view list) {
         std::from_chars(parts.number.data() + (parts.number.starts_with('+') ? 1 : 0),
                         parts.number.data() + parts.number.size(), chamber.number);
         if (std::ranges::find(chambers, chamber.name, &Chamber::name) != chambers.end())
-            throw refuse(" names a chamber again");
+            throw refuse(" repeats a chamber");
         chambers.push_back(std::move(chamber));
     }
     return chambers;
@@ -117,7 +117,7 @@ std::string pressure_text(const Chamber& chamber, double share) {
     return "{pressure: " + core::rounded_text(share * chamber.number, 12) + " " + chamber.unit + "}";
 }
 
-/// One stage per point but the first, which is the state at rest; a stage changes one chamber.
+/// One stage per point except the first, the unloaded state; each stage changes the pressure of one chamber.
 std::string stages_text(const std::vector<Chamber>& chambers, const sweep::GrayCode& code, int steps) {
     std::string text;
     std::vector<int> last(chambers.size(), 0);
@@ -138,8 +138,9 @@ ExitCode write_grid(const GridOptions& options) {
     if (code.size() > max_points)
         throw Error(
             ExitCode::usage, "--steps " + std::to_string(options.steps),
-            core::counted(chambers.size(), "chamber") + " make " + core::rounded_text(code.size(), 9) + " points",
-            "at most " + core::rounded_text(max_points, 6) + "; fewer steps");
+            core::counted(chambers.size(), "chamber") + " make " + core::rounded_text(code.size(), 9) +
+                " points, more than " + core::rounded_text(max_points, 6),
+            "use fewer steps");
     std::string loads, outputs;
     for (const Chamber& chamber : chambers)
         loads.append(loads.empty() ? "" : ", ").append(chamber.name + ": " + pressure_text(chamber, 1));
@@ -150,14 +151,14 @@ ExitCode write_grid(const GridOptions& options) {
                                            {"path", stages_text(chambers, code, options.steps), "--pressures"},
                                            {"outputs", "{" + outputs + "}", "--face"}};
     for (const std::string& set : options.sets) settings.push_back(design::parse_override(set));
-    const cli::Input input = cli::read_input(options.input, cli::longest_design);
+    const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
     const auto read = [&] {
         return design::read_design(input.text(), input.source, geometry::catalogue_keys(), settings);
     };
     design::Design grid = read();
-    for (const char* key : {"geometry.file", "geometry.profile"}) {  // to be found from any folder
+    for (const char* key : {"geometry.file", "geometry.profile"}) {  // absolute, so that the grid design can be stored anywhere
         if (!grid.values.has(key)) continue;
-        const std::filesystem::path file = design::file_from(grid.values.place(key), grid.values.text(key));
+        const std::filesystem::path file = design::file_from(grid.values.location(key), grid.values.text(key));
         settings.push_back({key, std::filesystem::absolute(file).lexically_normal().string()});
         grid = read();
     }
@@ -165,7 +166,7 @@ ExitCode write_grid(const GridOptions& options) {
     return ExitCode::ok;
 }
 
-/// The state at rest and the last row of each stage that is reached: the last one only where the path is done.
+/// The unloaded state and the last row of each completed stage; the last stage is complete only if the path is done.
 std::vector<std::size_t> point_rows(const io::Result& result) {
     std::vector<std::size_t> rows;
     const std::vector<solution::Step>& steps = result.steps;
@@ -216,14 +217,14 @@ std::string csv_text(const Points& points) {
     return text;
 }
 
-/// Both panels have the same scale; an axis along which next to nothing moves is still a tenth as long as the longest.
+/// Both panels have the same scale; an axis with almost no displacement still has a tenth of the longest range.
 std::string range_text(const std::vector<double>& column, double half_extent) {
     const auto [low, high] = std::ranges::minmax(column);
     const double half = 1.1 * std::max({(high - low) / 2, half_extent / 10, 1e-9}), middle = (low + high) / 2;
     return "[" + core::number_text(middle - half) + ":" + core::number_text(middle + half) + "]\n";
 }
 
-/// The points seen along x and along y.
+/// Plots the points projected along x and along y.
 void draw(const Points& points, const std::string& file) {
     const std::size_t n = points.columns.size();
     std::string data, script = post::terminal(post::picture_format(file), 2) + post::axes_style();
@@ -251,17 +252,17 @@ ExitCode write_points(const GridOptions& options) {
     if (result.steps.empty()) throw Error(ExitCode::bad_input, input.source, "the path has no rows");
     const Points points = points_of(result);
     cli::write_output(options.common.output, csv_text(points));
-    std::vector<mesh::Point> places;
+    std::vector<mesh::Point> positions;
     const std::size_t n = points.columns.size(), count = points.columns.front().size();
     for (std::size_t row = 0; row < count; ++row)
-        places.push_back(
+        positions.push_back(
             {points.columns[n - 3][row] / 1e3, points.columns[n - 2][row] / 1e3, points.columns[n - 1][row] / 1e3});
-    const double volume_m3 = surface::hull_volume_m3(places);
+    const double volume_m3 = surface::hull_volume_m3(positions);
     if (!options.plot.empty()) draw(points, options.plot);
     const std::size_t all = result.model.path.stages.size() + 1;
     const std::string of_all = count < all ? " of " + std::to_string(all) : "";
     cli::Console{about.tool, options.common.verbosity}.say(std::to_string(count) + of_all +
-                                                           " points, their convex hull has " +
+                                                           " points; volume of their convex hull " +
                                                            core::rounded_text(1e9 * volume_m3, 6) + " mm^3");
     if (!options.common.json.empty())
         cli::write_json(options.common.json, {{"tool", about.tool},
