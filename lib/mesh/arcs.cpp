@@ -21,14 +21,14 @@ Point combine(const std::array<double, N>& w, const std::array<Point, N>& p) {
     return x;
 }
 
-/// The quadratic in xi with these values at -1, 0, 1.
+/// Quadratic Lagrange polynomials of the nodes -1, 0, 1.
 std::array<double, 3> quadratic(double xi) { return {xi * (xi - 1) / 2, 1 - xi * xi, xi * (xi + 1) / 2}; }
 
 Point parabola_point(const Point& first, const Point& middle, const Point& last, double xi) {
     return combine<3>(quadratic(xi), {first, middle, last});
 }
 
-/// Which of -1, 0, 1, or 3.
+/// Index of xi in {-1, 0, 1}; 3 for any other value.
 std::size_t node_at(double xi) { return xi == -1 ? 0 : xi == 0 ? 1 : xi == 1 ? 2 : 3; }
 
 /// `at(i)`: point of row i of three.
@@ -44,8 +44,8 @@ std::size_t node_number(const CellTopology& cell, const Xi& xi) {
 
 }  // namespace
 
-/// From A the point at arc delta lies at the distance 2 R sin(delta/2) under the angle (whole arc - delta)/2 to the chord AB
-/// (inscribed angle). With lengths and this angle alone nothing is lost on flat arcs, whose centre is far away.
+/// The point at arc delta from A is at the distance 2 R sin(delta/2) from A, at the angle (whole arc - delta)/2 to the chord AB
+/// (inscribed angle theorem). This form uses only lengths and that angle, so flat arcs, whose centre is far away, lose no digits.
 Point arc_point(const Point& first, const Point& middle, const Point& last, double xi) {
     const Point chord = combine<2>({1, -1}, {last, first}), rise = combine<2>({1, -1}, {middle, first}),
                 rest = combine<2>({1, -1}, {last, middle});
@@ -72,14 +72,14 @@ ArcMap::ArcMap(CellType type) : cell_(&topology(type)) {
         case Shape::triangle:
         case Shape::tetrahedron:
             simplex_ = cell_;
-            of_.emplace_back();
-            for (std::size_t a = 0; a < cell_->nodes.size(); ++a) of_.front().push_back(a);
+            level_nodes_.emplace_back();
+            for (std::size_t a = 0; a < cell_->nodes.size(); ++a) level_nodes_.front().push_back(a);
             break;
         case Shape::wedge:
             simplex_ = &topology(CellType::triangle6);
             for (const double zeta : {-1.0, 0.0, 1.0}) {
-                of_.emplace_back();
-                for (const Xi& xi : simplex_->nodes) of_.back().push_back(node_number(*cell_, {xi[0], xi[1], zeta}));
+                level_nodes_.emplace_back();
+                for (const Xi& xi : simplex_->nodes) level_nodes_.back().push_back(node_number(*cell_, {xi[0], xi[1], zeta}));
             }
             break;
         case Shape::line:
@@ -87,7 +87,7 @@ ArcMap::ArcMap(CellType type) : cell_(&topology(type)) {
         case Shape::hexahedron:
             for (int n = 0; n < 27; ++n) {
                 const int i = n % 3 - 1, j = n / 3 % 3 - 1, k = cell_->dimension < 3 ? 0 : n / 9 - 1;
-                grid_[static_cast<std::size_t>(n)] =
+                grid_nodes_[static_cast<std::size_t>(n)] =
                     node_number(*cell_, {static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
             }
             break;
@@ -95,7 +95,7 @@ ArcMap::ArcMap(CellType type) : cell_(&topology(type)) {
 }
 
 Point ArcMap::on_simplex(std::span<const Point> nodes, const Xi& xi, std::size_t level) const {
-    const auto node = [&](std::size_t a) { return nodes[of_[level][a]]; };
+    const auto node = [&](std::size_t a) { return nodes[level_nodes_[level][a]]; };
     Point x{};
     const std::vector<ShapeValue> shapes = shape_values(simplex_->type, xi);
     for (std::size_t a = 0; a < shapes.size(); ++a)
@@ -129,7 +129,7 @@ Point ArcMap::operator()(std::span<const Point> nodes, const Xi& xi) const {
     }
     if (simplex_ != nullptr) return on_simplex(nodes, xi, 0);
     const auto row = [&](std::size_t j, std::size_t k) {
-        return along_row([&](std::size_t i) { return nodes[grid_[i + 3 * j + 9 * k]]; }, xi[0]);
+        return along_row([&](std::size_t i) { return nodes[grid_nodes_[i + 3 * j + 9 * k]]; }, xi[0]);
     };
     const auto layer = [&](std::size_t k) {
         if (cell_->dimension < 2) return row(1, k);

@@ -7,7 +7,7 @@
 namespace soft::mesh {
 namespace {
 
-/// Position and slopes; the determinant depends on what the nodes span and is left to the caller.
+/// Position and gradient; the caller sets the determinant, which depends on the dimension of the cell or facet.
 CellMap map_nodes(const Mesh& mesh, std::span<const Index> nodes, const std::vector<ShapeValue>& shapes) {
     CellMap map{};
     for (std::size_t a = 0; a < shapes.size(); ++a) {
@@ -48,7 +48,7 @@ std::vector<QuadraturePoint> volume_rule(CellType type) {
 
 namespace {
 
-/// Calls add(cell, share) for every integration point.
+/// Calls add(cell, contribution) for every quadrature point.
 template <class Add>
 void for_each_share(const Mesh& mesh, Measure kind, Add&& add) {
     struct Sample {

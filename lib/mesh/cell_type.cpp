@@ -1,5 +1,5 @@
-/// The tables of cell_type.hpp, computed at compile time from what defines a cell: its corners, the order of its edges
-/// and of its quadrilateral faces. Everything else (mid nodes, facets of second-order cells) follows from these.
+/// The tables of cell_type.hpp, computed at compile time from the definition of a cell: its corners and the order of its edges
+/// and quadrilateral faces. Everything else (mid nodes, facets of second-order cells) follows from these.
 #include "mesh/cell_type.hpp"
 
 #include <cstddef>
@@ -10,11 +10,11 @@ namespace {
 using Node = std::array<double, 3>;
 using Edge = std::array<int, 2>;
 using Quad = std::array<int, 4>;
-using FacetCorners = std::array<int, 4>;  ///< of a facet; unused places hold -1
+using FacetCorners = std::array<int, 4>;  ///< unused entries are -1
 
 constexpr int unused = -1;
 
-/// What defines the node order of a family of cells (first and second order share it).
+/// Definition of the node order of a cell shape (shared by first and second order).
 template <std::size_t C, std::size_t E, std::size_t Q, std::size_t F>
 struct Skeleton {
     std::array<Node, C> corners;
@@ -57,7 +57,7 @@ constexpr int edge_node(const Skeleton<C, E, Q, F>& s, int a, int b) {
     return unused;
 }
 
-/// Two quadrilateral faces of one cell share at most two corners, so three common ones name the face.
+/// The mid-face node of the quadrilateral face that has all four corners of the facet.
 template <std::size_t C, std::size_t E, std::size_t Q, std::size_t F>
 constexpr int quad_node(const Skeleton<C, E, Q, F>& s, const FacetCorners& facet) {
     for (std::size_t q = 0; q < Q; ++q) {
@@ -85,7 +85,7 @@ constexpr FacetTopology make_facet(const Skeleton<C, E, Q, F>& s, const FacetCor
     return facet;
 }
 
-/// N nodes of the given order: corners, then mid-edge, mid-face and (when one is left) the centre.
+/// N nodes of the given order: corners, then mid-edge nodes, mid-face nodes and, if N includes it, the centre node.
 template <int order, std::size_t N, std::size_t C, std::size_t E, std::size_t Q, std::size_t F>
 constexpr Tables<N, F> make_tables(const Skeleton<C, E, Q, F>& s) {
     Tables<N, F> t;

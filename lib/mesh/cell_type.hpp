@@ -1,7 +1,7 @@
 #pragma once
-/// Cell and facet types: node order, facets, reference coordinates. Node order is VTK's (the mesh travels as VTKHDF).
+/// Cell and facet types: node order, facets, reference coordinates. The node order is that of VTK (meshes are stored as VTKHDF).
 /// Reference cells: lines, quadrilaterals and hexahedra [-1, 1]^d; triangles and tetrahedra the unit simplex;
-/// wedges unit triangle x [-1, 1], all with positive orientation (det dX/dxi > 0 in a sound mesh).
+/// wedges unit triangle x [-1, 1], all with positive orientation (det dX/dxi > 0 in a valid mesh).
 /// Source of the order: VTK 9 cell headers (vtkBiQuadraticQuad, vtkTriQuadraticHexahedron, vtkBiQuadraticQuadraticWedge).
 /// Tested by mesh/cell_type_test.
 #include <array>
@@ -29,8 +29,8 @@ enum class CellType : std::uint8_t {  // values are VTK's
 
 enum class Shape : std::uint8_t { line, triangle, quadrilateral, tetrahedron, hexahedron, wedge };
 
-/// One side of a cell: its own type and the cell's local node numbers in that type's node order, oriented so that
-/// the facet's normal (t1 x t2 in 3D; the tangent turned clockwise, (t_y, -t_x), in 2D) points OUT of the cell.
+/// One facet of a cell: its type and the cell's local node numbers in the node order of that type. They are oriented so that
+/// the facet's normal (t1 x t2 in 3D; the tangent rotated clockwise, (t_y, -t_x), in 2D) points OUT of the cell.
 struct FacetTopology {
     CellType type;
     std::array<int, 9> nodes;  ///< first node_count(type) entries are used
@@ -48,7 +48,7 @@ struct CellTopology {
     std::span<const FacetTopology> facets;         ///< empty for lines
 };
 
-/// Table lookup; the reference lives as long as the program.
+/// Table lookup; the reference has static lifetime.
 [[nodiscard]] const CellTopology& topology(CellType type) noexcept;
 
 /// nullopt for a number that is not a supported VTK cell type.

@@ -10,11 +10,12 @@ namespace {
 
 using Xi = std::array<double, 3>;
 
-/// Newton's method converges in a few steps in a valid cell; one that leaves the cell by more than its size does not hold the point.
+/// Newton's method converges in a few steps in a valid cell. An iterate farther outside than the size of the cell means that the
+/// cell does not contain the point.
 constexpr int max_iterations = 20;
 constexpr double converged = 1e-13, lost = 4.0;
 
-/// How far xi is outside the reference cell; negative inside.
+/// Distance of xi from the reference cell; negative inside.
 double outside(Shape shape, const Xi& xi) {
     const auto interval = [](double x) { return std::abs(x) - 1.0; };
     const double simplex = std::max({-xi[0], -xi[1], xi[0] + xi[1] - 1.0});
@@ -37,7 +38,7 @@ Xi centre(CellType type) {
     return xi;
 }
 
-/// Solves m d = r for the leading dimension x dimension part by Cramer's rule.
+/// Solves m d = r for the leading dimension x dimension block by Cramer's rule.
 Xi solve(int dimension, const std::array<double, 9>& m, const Xi& r, double determinant) {
     if (dimension == 2)
         return {(r[0] * m[4] - m[1] * r[1]) / determinant, (m[0] * r[1] - r[0] * m[3]) / determinant, 0};
@@ -66,14 +67,14 @@ std::optional<Xi> reference_coordinates(const Mesh& mesh, Index cell, const Poin
     return std::nullopt;
 }
 
-bool box_holds(const Mesh& mesh, Index cell, const Point& point) {
+bool is_in_bounding_box(const Mesh& mesh, Index cell, const Point& point) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i) {
         double low = mesh.point(mesh.cell_nodes(cell)[0])[i], high = low;
         for (const Index node : mesh.cell_nodes(cell)) {
             low = std::min(low, mesh.point(node)[i]);
             high = std::max(high, mesh.point(node)[i]);
         }
-        const double margin = 0.5 * (high - low);  // a bent side reaches beyond its nodes
+        const double margin = 0.5 * (high - low);  // a curved side extends beyond its nodes
         if (point[i] < low - margin || point[i] > high + margin) return false;
     }
     return true;
@@ -86,7 +87,7 @@ std::optional<Location> locate(const Mesh& mesh, const Point& point) {
     std::optional<Location> found;
     double least = locate_tolerance;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-        if (!box_holds(mesh, cell, point)) continue;
+        if (!is_in_bounding_box(mesh, cell, point)) continue;
         const auto xi = reference_coordinates(mesh, cell, point);
         if (!xi) continue;
         const double distance = outside(topology(mesh.cell_type(cell)).shape, *xi);

@@ -6,7 +6,7 @@
 namespace soft::mesh {
 namespace {
 
-/// The corners of a facet in ascending order: equal for the two cells that share it, however they are turned.
+/// The corners of a facet in ascending order, so that the two cells that share the facet have the same key.
 using CornerKey = std::array<Index, 4>;
 
 CornerKey corner_key(std::span<const Index> cell, const FacetTopology& facet) {
@@ -14,7 +14,7 @@ CornerKey corner_key(std::span<const Index> cell, const FacetTopology& facet) {
     key.fill(std::numeric_limits<Index>::max());
     const int corners = topology(facet.type).vertex_count;
     for (int i = 0; i < corners; ++i) key[i] = cell[facet.nodes[i]];
-    std::sort(key.begin(), key.end());  // the unused places stay last
+    std::sort(key.begin(), key.end());  // unused entries stay last
     return key;
 }
 

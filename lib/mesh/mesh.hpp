@@ -12,9 +12,9 @@
 namespace soft::mesh {
 
 using Index = std::int64_t;
-using Point = std::array<double, 3>;  ///< reference position [m]: (x, y, z); a section holds (x, r, 0)
+using Point = std::array<double, 3>;  ///< reference position [m]: (x, y, z); (x, r, 0) in a section
 
-/// A side of a cell: cell number and the cell's local facet number (topology(type).facets).
+/// A facet of a cell: cell number and the cell's local facet number (topology(type).facets).
 struct Facet {
     Index cell;
     int local;
@@ -24,10 +24,10 @@ struct Facet {
 struct Mesh {
     int dimension = 3;  ///< of the cells: 2 (section) or 3 (solid)
     std::vector<Point> points;
-    std::vector<CellType> cell_types;  ///< one a cell
+    std::vector<CellType> cell_types;  ///< one per cell
     std::vector<Index> offsets{0};     ///< cell c has nodes connectivity[offsets[c] .. offsets[c+1])
     std::vector<Index> connectivity;
-    std::vector<std::int32_t> cell_regions;  ///< index into region_names, one a cell
+    std::vector<std::int32_t> cell_regions;  ///< index into region_names, one per cell
     std::vector<std::string> region_names;
     std::map<std::string, std::vector<Facet>> facet_sets;  ///< named faces; sets may overlap
     std::map<std::string, std::vector<Index>> point_sets;
@@ -41,11 +41,11 @@ struct Mesh {
     [[nodiscard]] const Point& point(Index node) const { return points[static_cast<std::size_t>(node)]; }
 };
 
-/// Node numbers of a facet in the node order of its own type (outward orientation, see FacetTopology).
+/// Node numbers of a facet in the node order of its type (outward orientation, see FacetTopology).
 [[nodiscard]] std::vector<Index> facet_nodes(const Mesh& mesh, const Facet& facet);
 [[nodiscard]] CellType facet_type(const Mesh& mesh, const Facet& facet);
 
-/// All facets that belong to one cell only, in cell order.
+/// All facets that belong to exactly one cell, in cell order.
 [[nodiscard]] std::vector<Facet> boundary_facets(const Mesh& mesh);
 
 /// Appends a cell; nodes in VTK order.

@@ -13,10 +13,10 @@ struct QuadraturePoint {
     double weight;
 };
 
-/// Rule exact for polynomials of total degree `degree` (tensor cells: of that degree in each direction).
-/// Simplices and wedges have rules up to degree 5, tensor cells up to 7.
+/// Rule that is exact for polynomials of total degree `degree` (tensor cells: of that degree in each direction).
+/// Simplices and wedges have rules up to degree 5, tensor cells up to 7. Throws std::logic_error for a higher degree.
 /// Sources: Gauss-Legendre; triangles Radon (1948, degree 5, 7 points); tetrahedra Walkington (2000, degree 5, 14
-/// points), both with positive weights. Throws std::logic_error beyond.
+/// points), both with positive weights.
 [[nodiscard]] std::vector<QuadraturePoint> quadrature(Shape shape, int degree);
 
 }  // namespace soft::mesh

@@ -11,7 +11,7 @@
 namespace soft::mesh {
 namespace {
 
-/// Shapes at the reference nodes, one entry a sample.
+/// Shape functions at the reference nodes, one entry per node.
 using Samples = std::vector<std::vector<ShapeValue>>;
 
 Samples samples_of(CellType type) {
@@ -21,26 +21,26 @@ Samples samples_of(CellType type) {
 }
 
 struct Range {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -std::numeric_limits<double>::infinity();
-    Point min_at{};
+    double min = std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
+    Point min_position_m{};
 };
 
 Range range_of(const Mesh& mesh, Index cell, const Samples& samples) {
     Range range;
     for (const auto& shapes : samples) {
         const CellMap map = map_cell(mesh, cell, shapes);
-        range.most = std::max(range.most, map.determinant);
-        if (map.determinant < range.least) {
-            range.least = map.determinant;
-            range.min_at = map.position;
+        range.max = std::max(range.max, map.determinant);
+        if (map.determinant < range.min) {
+            range.min = map.determinant;
+            range.min_position_m = map.position;
         }
     }
     return range;
 }
 
-/// A cell whose largest determinant is not positive is inside out everywhere: its quotient would read as sound.
-double scaled(const Range& range) { return range.most > 0 ? range.least / range.most : -1.0; }
+/// -1 for a cell that is inverted everywhere: its quotient would be positive and look valid.
+double scaled(const Range& range) { return range.max > 0 ? range.min / range.max : -1.0; }
 
 std::string location_text(const Point& p) {
     std::string text = "(";
@@ -61,14 +61,14 @@ Quality quality(const Mesh& mesh) {
         const Range range = range_of(mesh, cell, table->second);
         const double value = scaled(range);
         sum += value;
-        if (value < result.min_scaled_jacobian || cell == 0) result = {value, 0, cell, range.min_at};
+        if (value < result.min_scaled_jacobian || cell == 0) result = {value, 0, cell, range.min_position_m};
     }
     if (mesh.cell_count() > 0) result.mean_scaled_jacobian = sum / static_cast<double>(mesh.cell_count());
     if (!(result.min_scaled_jacobian > 0))
         throw Error(ExitCode::bad_input, "mesh",
-                    "cell " + std::to_string(result.worst_cell) + " is turned inside out at " +
-                        location_text(result.worst_place_m),
-                    "a smaller mesh.size or a gentler shape");
+                    "cell " + std::to_string(result.worst_cell) + " is inverted at " +
+                        location_text(result.worst_position_m),
+                    "use a smaller mesh.size or a smoother shape");
     return result;
 }
 

@@ -35,7 +35,7 @@ Mesh frame_of(const Mesh& mesh) {
     return result;
 }
 
-/// For each mid node of the second-order type the corners it is the mean of.
+/// For each mid node of the second-order type, the corners whose mean it is.
 using MidNodes = std::vector<std::vector<CornerWeight>>;
 
 MidNodes mid_nodes_of(CellType second_order) {
@@ -55,8 +55,8 @@ Point mean_of(const Mesh& mesh, std::span<const Index> cell_nodes, const std::ve
     return mean;
 }
 
-/// The mid nodes that cells of second order bring along, so that raised neighbours take them.
-void note_existing(const Mesh& mesh, const std::map<CellType, MidNodes>& tables, SharedNodes& shared) {
+/// Registers the mid nodes of second-order cells so that raised neighbours reuse them.
+void register_existing(const Mesh& mesh, const std::map<CellType, MidNodes>& tables, SharedNodes& shared) {
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         const CellTopology& cell = topology(mesh.cell_type(c));
         if (cell.order == 1) continue;
@@ -80,7 +80,7 @@ Mesh raise_order(const Mesh& mesh) {
         if (!tables.contains(raised)) tables.emplace(raised, mid_nodes_of(raised));
     }
     SharedNodes shared;
-    note_existing(mesh, tables, shared);
+    register_existing(mesh, tables, shared);
     std::vector<Index> nodes;
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         const auto old = mesh.cell_nodes(c);
@@ -89,7 +89,7 @@ Mesh raise_order(const Mesh& mesh) {
         if (raised != mesh.cell_type(c)) {
             for (const auto& corners : tables.at(raised)) {
                 const auto next = static_cast<Index>(result.points.size());
-                const bool inside = corners.size() > 4;  // the centre of a hexahedron; no neighbour has it
+                const bool inside = corners.size() > 4;  // the centre of a hexahedron is not shared
                 const Index node = inside ? next : shared.number(old, corners, next);
                 if (node == next) result.points.push_back(mean_of(mesh, old, corners));
                 nodes.push_back(node);

@@ -1,4 +1,4 @@
-#include "mesh/inner_corners.hpp"
+#include "mesh/reentrant_corners.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,34 +11,34 @@
 namespace soft::mesh {
 namespace {
 
-constexpr double sharp_cosine = 0.77;  // of 40 degrees between the normals
+constexpr double sharp_cosine = 0.77;  // 40 degrees between the normals
 
-/// One side of the surface where it ends at a corner.
+/// One boundary facet at a corner.
 struct Side {
-    Point corner, normal, middle;  ///< middle of the corner; unit normal there, out of the body; centre of the facet
+    Point corner, normal, middle;  ///< midpoint of the corner; outward unit normal there; centre of the facet
     double corner_length_m, height_m;
 };
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double norm(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
 
-/// Corners of the facet that a corner of the body may lie on: one of a section's, two of a solid's.
+/// Vertices that define a corner: one vertex in a section, given twice; the two ends of an edge in a solid.
 using Ridge = std::pair<Index, Index>;
 
 Side side_at(const Mesh& mesh, const std::vector<Index>& nodes, CellType type, std::size_t first, std::size_t second) {
     const CellTopology& facet = topology(type);
     const auto at = [&](const std::array<double, 3>& xi, Point& normal) {
-        Point place{}, along{}, across{};
+        Point position{}, along{}, across{};
         const auto values = shape_values(type, xi);
         for (std::size_t a = 0; a < values.size(); ++a)
             for (std::size_t i = 0; i < 3; ++i) {
                 const double x = mesh.point(nodes[a])[i];
-                place[i] += values[a].value * x;
+                position[i] += values[a].value * x;
                 along[i] += values[a].gradient[0] * x;
                 across[i] += values[a].gradient[1] * x;
             }
         normal = facet.dimension == 1 ? Point{along[1], -along[0], 0} : cross(along, across);
-        return place;
+        return position;
     };
     std::array<double, 3> corner{}, centre{};
     const auto vertices = static_cast<std::size_t>(facet.vertex_count);
@@ -57,13 +57,13 @@ Side side_at(const Mesh& mesh, const std::vector<Index>& nodes, CellType type, s
     return side;
 }
 
-bool sharp_and_inward(const Side& one, const Side& other) {
+bool is_sharp_reentrant(const Side& one, const Side& other) {
     return dot(one.normal, other.normal) < sharp_cosine && dot(minus(other.middle, one.corner), one.normal) > 0;
 }
 
 }  // namespace
 
-InnerCorners inner_corners(const Mesh& mesh) {
+ReentrantCorners find_reentrant_corners(const Mesh& mesh) {
     std::map<Ridge, std::vector<Side>> sides;
     for (const Facet& facet : boundary_facets(mesh)) {
         const std::vector<Index> nodes = facet_nodes(mesh, facet);
@@ -74,10 +74,10 @@ InnerCorners inner_corners(const Mesh& mesh) {
             sides[std::minmax(nodes[a], nodes[b])].push_back(side_at(mesh, nodes, type, a, b));
         }
     }
-    InnerCorners found;
+    ReentrantCorners found;
     std::vector<double> heights_m;
     for (const auto& [ridge, both] : sides) {
-        if (both.size() != 2 || !sharp_and_inward(both[0], both[1])) continue;
+        if (both.size() != 2 || !is_sharp_reentrant(both[0], both[1])) continue;
         ++found.count;
         found.length_m += both[0].corner_length_m;
         for (const Side& side : both) heights_m.push_back(side.height_m);

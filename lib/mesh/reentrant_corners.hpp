@@ -1,20 +1,21 @@
 #pragma once
-/// Sharp re-entrant corners of a body: points of a section's boundary, edges of a solid's, where the two sides of the surface
-/// enclose more than 220 degrees of the body. There the exact strain is singular: the largest stretch grows without limit on
-/// finer meshes, and energies and displacements converge in less than the cells' order. Tested by mesh/inner_corners_test.
+/// Sharp re-entrant corners: boundary points of a section, or boundary edges of a solid, whose interior angle exceeds
+/// 220 degrees. The exact strain is singular there: the maximum stretch grows without bound under mesh refinement, and energies
+/// and displacements converge at a lower order than that of the cells. Tested by mesh/reentrant_corners_test.
 #include <cstddef>
 
 #include "mesh/mesh.hpp"
 
 namespace soft::mesh {
 
-struct InnerCorners {
-    std::size_t count = 0;  ///< corners of a section; edges of cells of a solid
-    double length_m = 0;    ///< of the edges of a solid, as straight lines; 0 of a section
-    double cell_m = 0;      ///< median length of the sides of cells that meet there, across the corner
+struct ReentrantCorners {
+    std::size_t count = 0;  ///< corners of a section; cell edges of a solid
+    double length_m = 0;    ///< total length of the edges of a solid, measured as straight lines; 0 for a section
+    double cell_m = 0;      ///< median size of the adjacent boundary facets, measured perpendicular to the corner
 };
 
-/// Normals are those of the curved sides where they meet, so that rounded corners do not count, however few cells they have.
-[[nodiscard]] InnerCorners inner_corners(const Mesh& mesh);
+/// The angle is measured between the normals of the curved facets where they meet, so rounded corners are not counted even if
+/// only a few cells resolve the rounding.
+[[nodiscard]] ReentrantCorners find_reentrant_corners(const Mesh& mesh);
 
 }  // namespace soft::mesh

@@ -13,11 +13,11 @@ namespace soft::mesh {
 namespace {
 
 using Xi = std::array<double, 3>;
-using ChildCorners = std::vector<Xi>;  ///< of a child, in the parent's reference cell
+using ChildCorners = std::vector<Xi>;  ///< corners of a child in reference coordinates of the parent
 
 Xi middle(const Xi& a, const Xi& b) { return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])}; }
 
-/// Middles of edges of the parent, by the numbers of their ends; equal ends are the corner itself.
+/// Midpoints of edges of the parent, given by their end nodes; two equal ends give the corner itself.
 ChildCorners between(const CellTopology& cell, std::initializer_list<std::array<int, 2>> ends) {
     ChildCorners corners;
     for (const auto& [a, b] : ends)
@@ -25,7 +25,7 @@ ChildCorners between(const CellTopology& cell, std::initializer_list<std::array<
     return corners;
 }
 
-/// One child at each corner, half the parent's size; what simplices leave in the middle is filled below.
+/// One child of half the parent's size at each corner, then the children that fill the middle of simplices and wedges.
 std::vector<ChildCorners> children_of(const CellTopology& cell) {
     std::vector<ChildCorners> children;
     for (int k = 0; k < cell.vertex_count; ++k) {
@@ -36,13 +36,13 @@ std::vector<ChildCorners> children_of(const CellTopology& cell) {
     }
     switch (cell.shape) {
         case Shape::triangle: children.push_back(between(cell, {{0, 1}, {1, 2}, {2, 0}})); break;
-        case Shape::tetrahedron:  // Bey's order; corners 0 and 2 of the second and fourth exchanged: positive again
+        case Shape::tetrahedron:  // Bey's order, with corners 0 and 2 of the second and fourth swapped for a positive orientation
             children.push_back(between(cell, {{0, 1}, {0, 2}, {0, 3}, {1, 3}}));
             children.push_back(between(cell, {{1, 2}, {0, 2}, {0, 1}, {1, 3}}));
             children.push_back(between(cell, {{0, 2}, {0, 3}, {1, 3}, {2, 3}}));
             children.push_back(between(cell, {{1, 3}, {1, 2}, {0, 2}, {2, 3}}));
             break;
-        case Shape::wedge:  // the triangle in the middle, below and above half height
+        case Shape::wedge:  // the middle triangle, below and above half height
             for (const int layer : {0, 3}) {
                 ChildCorners corners = between(cell, {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}});
                 for (Xi& corner : corners)
@@ -58,40 +58,41 @@ std::vector<ChildCorners> children_of(const CellTopology& cell) {
 }
 
 /// A node of the children.
-struct Place {
+struct ChildNode {
     Xi xi;
     std::vector<CornerWeight> weights;
-    std::vector<ShapeValue> shapes;  ///< the parent's, at xi
-    int own = -1;                    ///< the parent's node that lies there
-    bool inside = false;             ///< no neighbour has it
+    std::vector<ShapeValue> shapes;  ///< of the parent, at xi
+    int parent_node = -1;            ///< the parent's node at this position; -1: none
+    bool inside = false;             ///< in the interior of the parent: not shared with neighbours
 };
 
-/// How cells of a type are cut; all coordinates are multiples of 1/4, so equal places are equal to the last digit.
+/// Subdivision of a cell type. All coordinates are multiples of 1/4, so equal positions compare equal.
 struct Pattern {
-    std::vector<Place> places;
-    std::vector<std::vector<int>> children;  ///< places, in the node order of the type
-    std::vector<std::vector<Facet>> facets;  ///< of each side of the parent its pieces; `cell` is the child's number
+    std::vector<ChildNode> nodes;
+    std::vector<std::vector<int>> children;  ///< indices into nodes, in the node order of the type
+    std::vector<std::vector<Facet>> facets;  ///< child facets of each facet of the parent; `cell` is the child's number
 };
 
-int place_at(Pattern& pattern, const CellTopology& cell, const Xi& xi) {
-    for (std::size_t p = 0; p < pattern.places.size(); ++p)
-        if (pattern.places[p].xi == xi) return static_cast<int>(p);
-    Place place{xi, corner_weights(cell.type, xi), shape_values(cell.type, xi)};
+/// Index of the node at xi; appends it if it is new.
+int find_or_add_node(Pattern& pattern, const CellTopology& cell, const Xi& xi) {
+    for (std::size_t p = 0; p < pattern.nodes.size(); ++p)
+        if (pattern.nodes[p].xi == xi) return static_cast<int>(p);
+    ChildNode child_node{xi, corner_weights(cell.type, xi), shape_values(cell.type, xi)};
     const auto own = std::find(cell.nodes.begin(), cell.nodes.end(), xi);
-    if (own != cell.nodes.end()) place.own = static_cast<int>(own - cell.nodes.begin());
-    place.inside = place.weights.size() == static_cast<std::size_t>(cell.vertex_count);
-    pattern.places.push_back(std::move(place));
-    return static_cast<int>(pattern.places.size()) - 1;
+    if (own != cell.nodes.end()) child_node.parent_node = static_cast<int>(own - cell.nodes.begin());
+    child_node.inside = child_node.weights.size() == static_cast<std::size_t>(cell.vertex_count);
+    pattern.nodes.push_back(std::move(child_node));
+    return static_cast<int>(pattern.nodes.size()) - 1;
 }
 
-bool lies_on(const Place& place, const FacetTopology& side) {
+bool is_on_facet(const ChildNode& node, const FacetTopology& side) {
     const auto end = side.nodes.begin() + topology(side.type).vertex_count;
-    return std::all_of(place.weights.begin(), place.weights.end(), [&](const CornerWeight& part) {
+    return std::all_of(node.weights.begin(), node.weights.end(), [&](const CornerWeight& part) {
         return std::find(side.nodes.begin(), end, part.corner) != end;
     });
 }
 
-/// The sides of the children on a side of the parent.
+/// The facets of the children on a facet of the parent.
 std::vector<Facet> pieces_of(const Pattern& pattern, const CellTopology& cell, const FacetTopology& side) {
     std::vector<Facet> pieces;
     for (std::size_t child = 0; child < pattern.children.size(); ++child)
@@ -99,8 +100,8 @@ std::vector<Facet> pieces_of(const Pattern& pattern, const CellTopology& cell, c
             const FacetTopology& own = cell.facets[local];
             const auto end = own.nodes.begin() + topology(own.type).vertex_count;
             if (std::all_of(own.nodes.begin(), end, [&](int node) {
-                    const int place = pattern.children[child][static_cast<std::size_t>(node)];
-                    return lies_on(pattern.places[static_cast<std::size_t>(place)], side);
+                    const int index = pattern.children[child][static_cast<std::size_t>(node)];
+                    return is_on_facet(pattern.nodes[static_cast<std::size_t>(index)], side);
                 }))
                 pieces.push_back({static_cast<Index>(child), static_cast<int>(local)});
         }
@@ -117,7 +118,7 @@ Pattern pattern_of(CellType type) {
             Xi xi{};
             for (std::size_t v = 0; v < weights.size(); ++v)
                 for (std::size_t d = 0; d < 3; ++d) xi[d] += weights[v] * corners[v][d];
-            child.push_back(place_at(pattern, cell, xi));
+            child.push_back(find_or_add_node(pattern, cell, xi));
         }
         pattern.children.push_back(std::move(child));
     }
@@ -132,7 +133,7 @@ Point position(const std::vector<Point>& nodes, const std::vector<ShapeValue>& s
     return X;
 }
 
-/// Cells of a type are cut alike, and have one rule for new nodes.
+/// Subdivision and node positions of a cell type.
 struct Cutting {
     Pattern pattern;
     ArcMap arcs;
@@ -176,21 +177,21 @@ private:
         std::vector<Point> positions;
         for (const Index node : nodes) positions.push_back(coarse_->point(node));
         std::vector<Index> numbers, child_nodes;
-        for (const Place& place : cutting.pattern.places) {
+        for (const ChildNode& child_node : cutting.pattern.nodes) {
             const auto next = static_cast<Index>(result_.mesh.points.size());
-            const Index number = place.own >= 0 ? nodes[static_cast<std::size_t>(place.own)]
-                                 : place.inside ? next
-                                                : shared_.number(nodes, place.weights, next);
+            const Index number = child_node.parent_node >= 0 ? nodes[static_cast<std::size_t>(child_node.parent_node)]
+                                 : child_node.inside         ? next
+                                                             : shared_.number(nodes, child_node.weights, next);
             if (number == next) {
-                result_.mesh.points.push_back(curve_ == Curve::circle ? cutting.arcs(positions, place.xi)
-                                                                      : position(positions, place.shapes));
-                add_parents(nodes, place.shapes);
+                result_.mesh.points.push_back(curve_ == Curve::circle ? cutting.arcs(positions, child_node.xi)
+                                                                      : position(positions, child_node.shapes));
+                add_parents(nodes, child_node.shapes);
             }
             numbers.push_back(number);
         }
         for (const std::vector<int>& child : cutting.pattern.children) {
             child_nodes.clear();
-            for (const int place : child) child_nodes.push_back(numbers[static_cast<std::size_t>(place)]);
+            for (const int index : child) child_nodes.push_back(numbers[static_cast<std::size_t>(index)]);
             add_cell(result_.mesh, coarse_->cell_type(c), child_nodes,
                      coarse_->cell_regions[static_cast<std::size_t>(c)]);
         }
@@ -215,7 +216,7 @@ private:
 }  // namespace
 
 Mesh refine(const Mesh& mesh, int times, Curve curve) {
-    if (times < 0) throw std::logic_error("refine: a negative number of times");
+    if (times < 0) throw std::logic_error("refine: the number of refinements is negative");
     Mesh result = mesh;
     for (int i = 0; i < times; ++i) result = refine_once(result, curve).mesh;
     return result;
@@ -228,7 +229,7 @@ std::vector<double> prolong(const Refined& refined, std::span<const double> fiel
     const Index coarse_points =
         refined.nodes.empty() ? 0 : *std::max_element(refined.nodes.begin(), refined.nodes.end()) + 1;
     if (field.size() != count * static_cast<std::size_t>(coarse_points))
-        throw std::logic_error("prolong: the field does not belong to the coarse mesh");
+        throw std::logic_error("prolong: the size of the field does not match the coarse mesh");
     const std::size_t points = refined.offsets.size() - 1;
     std::vector<double> result(count * points);
     for (std::size_t p = 0; p < points; ++p)

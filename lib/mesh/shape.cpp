@@ -45,7 +45,7 @@ Xi gradient_of(int dimension, int lambda) {
 
 ShapeValue simplex(int dimension, int order, const Xi& node, const Xi& xi) {
     const auto at_node = barycentric(dimension, node), lambda = barycentric(dimension, xi);
-    int i = 0, j = 0;  // the corners the node lies between; equal at a corner
+    int i = 0, j = 0;  // the ends of the node's edge; equal at a corner
     for (int k = 0; k <= dimension; ++k)
         if (at_node[k] > 0.25) j = k;
     for (int k = dimension; k >= 0; --k)

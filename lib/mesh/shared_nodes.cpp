@@ -17,12 +17,12 @@ std::vector<CornerWeight> corner_weights(CellType type, const std::array<double,
     return weights;
 }
 
-Index SharedNodes::number(std::span<const Index> cell_nodes, std::span<const CornerWeight> place, Index next) {
+Index SharedNodes::number(std::span<const Index> cell_nodes, std::span<const CornerWeight> position, Index next) {
     std::array<std::pair<Index, int>, 4> parts;
     parts.fill({std::numeric_limits<Index>::max(), 0});
-    for (std::size_t i = 0; i < place.size(); ++i)
-        parts[i] = {cell_nodes[static_cast<std::size_t>(place[i].corner)], place[i].sixteenths};
-    std::sort(parts.begin(), parts.end());  // neighbours see the same corners in another order
+    for (std::size_t i = 0; i < position.size(); ++i)
+        parts[i] = {cell_nodes[static_cast<std::size_t>(position[i].corner)], position[i].sixteenths};
+    std::sort(parts.begin(), parts.end());  // neighbouring cells list the same corners in a different order
     Key key{};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         key.corners[i] = parts[i].first;

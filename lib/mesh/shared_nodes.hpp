@@ -1,5 +1,5 @@
 #pragma once
-/// New nodes on edges and sides, found once however many cells ask for them. Private to the module.
+/// Numbers new nodes on edges and faces so that all cells sharing them use the same number. Internal to the module.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -10,20 +10,20 @@
 
 namespace soft::mesh {
 
-/// A place on an edge or side by its corners: the first-order shape functions there, which all cells that share the side
-/// agree on to the last digit because they are multiples of 1/16 at the places of mid nodes and of halved cells.
+/// A position on an edge or face is identified by the first-order shape functions of the corners. At mid nodes, and at the nodes
+/// of refined cells, these are multiples of 1/16, so all cells that share the edge or face compute exactly the same values.
 struct CornerWeight {
     int corner;  ///< local number in the cell
     int sixteenths;
 };
 
-/// The corners with a share in a place of a cell; all of them inside the cell, at most four on a side.
+/// The corners with nonzero weight at a position of a cell: all of them inside the cell, at most four on a face.
 [[nodiscard]] std::vector<CornerWeight> corner_weights(CellType type, const std::array<double, 3>& xi);
 
 class SharedNodes {
 public:
-    /// The number this place was given before; if it is new, `next`, which is remembered. At most four weights.
-    Index number(std::span<const Index> cell_nodes, std::span<const CornerWeight> place, Index next);
+    /// The number already assigned to this position; if it is new, assigns and returns `next`. At most four weights.
+    Index number(std::span<const Index> cell_nodes, std::span<const CornerWeight> position, Index next);
 
 private:
     struct Key {

@@ -1,18 +1,18 @@
-#include "mesh/single_cells.hpp"
+#include "mesh/single_layer.hpp"
 
 #include <algorithm>
 #include <set>
 
 namespace soft::mesh {
 
-double single_cell_share(const Mesh& mesh, std::span<const std::string> held) {
-    std::set<Facet> left_out;
-    for (const std::string& name : held)
+double single_layer_fraction(const Mesh& mesh, std::span<const std::string> excluded) {
+    std::set<Facet> excluded_facets;
+    for (const std::string& name : excluded)
         if (const auto facets = mesh.facet_sets.find(name); facets != mesh.facet_sets.end())
-            left_out.insert(facets->second.begin(), facets->second.end());
+            excluded_facets.insert(facets->second.begin(), facets->second.end());
     std::vector<bool> on_boundary(mesh.points.size(), false);
     for (const Facet& facet : boundary_facets(mesh))
-        if (!left_out.contains(facet))
+        if (!excluded_facets.contains(facet))
             for (const Index node : facet_nodes(mesh, facet)) on_boundary[static_cast<std::size_t>(node)] = true;
     Index single = 0;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {

@@ -1,6 +1,7 @@
 #pragma once
-/// Cells that reach through a wall alone: every vertex of theirs lies on the boundary. Such a mesh has no node inside the wall,
-/// and its differences from the halved mesh need not show its error. Tested by mesh/single_cells_test.
+/// Detects walls that are meshed with a single layer of cells: cells whose vertices all lie on the boundary. Such a mesh has no
+/// vertex inside the wall, and its difference from the refined mesh may underestimate the discretisation error.
+/// Tested by mesh/single_layer_test.
 #include <span>
 #include <string>
 
@@ -8,8 +9,8 @@
 
 namespace soft::mesh {
 
-/// Number of those cells over the number of all, 0 of an empty mesh. Facets in the sets named by `held` do not count as
-/// boundary: planes of symmetry, behind which the wall goes on, and faces that a support holds. Names of no set are ignored.
-[[nodiscard]] double single_cell_share(const Mesh& mesh, std::span<const std::string> held);
+/// Number of those cells divided by the number of all cells; 0 for an empty mesh. Facets in the sets named by `excluded` do not
+/// count as boundary: symmetry planes, behind which the wall continues, and supported faces. Unknown names are ignored.
+[[nodiscard]] double single_layer_fraction(const Mesh& mesh, std::span<const std::string> excluded);
 
 }  // namespace soft::mesh

@@ -21,16 +21,17 @@ int smallest(const Corners& corners, std::span<const Index> nodes) {
     return *std::min_element(corners.begin(), corners.end(), [&](int a, int b) { return nodes[a] < nodes[b]; });
 }
 
-/// A line or triangle as it is; a quadrilateral as two triangles of the same orientation.
+/// A line or triangle is returned unchanged, a quadrilateral as two triangles of the same orientation.
 std::vector<Corners> pieces_of(const Corners& facet, std::span<const Index> nodes) {
     if (facet.size() < 4) return {facet};
-    const auto turned =
+    const auto first =
         static_cast<std::size_t>(std::find(facet.begin(), facet.end(), smallest(facet, nodes)) - facet.begin());
-    const auto at = [&](std::size_t k) { return facet[(turned + k) % 4]; };
+    const auto at = [&](std::size_t k) { return facet[(first + k) % 4]; };
     return {{at(0), at(1), at(2)}, {at(0), at(2), at(3)}};
 }
 
-/// Simplices (corners, positive) that join the smallest corner of the cell to the pieces of the facets without it.
+/// Positively oriented simplices (corners) that connect the cell corner with the smallest number to the pieces of the facets that
+/// do not contain it.
 std::vector<Corners> simplices_of(const CellTopology& cell, std::span<const Index> nodes) {
     Corners all(static_cast<std::size_t>(cell.vertex_count));
     for (int i = 0; i < cell.vertex_count; ++i) all[i] = i;
@@ -40,7 +41,7 @@ std::vector<Corners> simplices_of(const CellTopology& cell, std::span<const Inde
         const Corners corners = corners_of(facet);
         if (has(corners, apex)) continue;
         for (const Corners& piece : pieces_of(corners, nodes)) {
-            // The piece looks out of the cell, away from the apex: a tetrahedron's base must look at it.
+            // The piece is oriented out of the cell, away from the apex; the base of a tetrahedron must be oriented towards it.
             if (cell.dimension == 2)
                 simplices.push_back({piece[0], piece[1], apex});
             else
@@ -50,7 +51,7 @@ std::vector<Corners> simplices_of(const CellTopology& cell, std::span<const Inde
     return simplices;
 }
 
-/// The node of the parent half-way between two of its corners (edge, face or cell centre).
+/// The node of the parent at the midpoint of two of its corners (edge, face or cell centre).
 int node_between(const CellTopology& cell, int a, int b) {
     std::array<double, 3> middle{};
     for (std::size_t d = 0; d < 3; ++d) middle[d] = 0.5 * (cell.nodes[a][d] + cell.nodes[b][d]);
@@ -68,7 +69,7 @@ std::vector<Index> simplex_nodes(const CellTopology& cell, std::span<const Index
     std::vector<Index> result;
     for (const int corner : corners) result.push_back(nodes[corner]);
     if (cell.order == 1) return result;
-    // The mid nodes follow the corners in the order of the simplex type's own reference nodes.
+    // The mid nodes follow the corners in the order of the simplex type's reference nodes.
     const CellTopology& simplex = topology(simplex_type(cell));
     for (std::size_t m = corners.size(); m < simplex.nodes.size(); ++m) {
         Corners ends;
@@ -81,8 +82,8 @@ std::vector<Index> simplex_nodes(const CellTopology& cell, std::span<const Index
     return result;
 }
 
-/// The sides of the cells [first, last) whose corners all belong to `parent`.
-void carry_over(const Mesh& split, Index first, Index last, const std::vector<Index>& parent, std::vector<Facet>& out) {
+/// Appends the facets of the cells [first, last) whose corners all belong to `parent`.
+void append_child_facets(const Mesh& split, Index first, Index last, const std::vector<Index>& parent, std::vector<Facet>& out) {
     for (Index cell = first; cell < last; ++cell) {
         const auto nodes = split.cell_nodes(cell);
         int local = 0;
@@ -124,7 +125,7 @@ Mesh split_into_simplices(const Mesh& mesh) {
             auto corners = facet_nodes(mesh, facet);
             corners.resize(static_cast<std::size_t>(topology(facet_type(mesh, facet)).vertex_count));
             const auto c = static_cast<std::size_t>(facet.cell);
-            carry_over(split, first_of[c], first_of[c + 1], corners, set);
+            append_child_facets(split, first_of[c], first_of[c + 1], corners, set);
         }
     }
     return split;

@@ -19,7 +19,7 @@ constexpr double pi = std::numbers::pi;
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
-/// On a circle of this radius in a plane of no special direction.
+/// A point on a circle of this radius in a plane of general orientation.
 Point on_circle(double radius, double angle) {
     const Point e1{2 / 3.0, 2 / 3.0, 1 / 3.0}, e2{-2 / 3.0, 1 / 3.0, 2 / 3.0};
     Point p{0.3, -0.1, 0.7};
@@ -27,7 +27,7 @@ Point on_circle(double radius, double angle) {
     return p;
 }
 
-TEST(Arc, MeetsTheCircleThroughItsNodesAtTheAnglesItsMidNodeAsksFor) {
+TEST(Arc, LiesOnTheCircleAtTheQuadraticallyInterpolatedAngle) {
     for (const double whole : {1e-6, 1e-3, 0.1, 1.0, 3.0, 4.5})
         for (const double share : {0.5, 0.4, 0.62}) {
             const double radius = 1 / whole;  // arcs of length one
@@ -41,7 +41,7 @@ TEST(Arc, MeetsTheCircleThroughItsNodesAtTheAnglesItsMidNodeAsksFor) {
         }
 }
 
-TEST(Arc, IsTheParabolaOnAStraightEdgeAndGoesOverIntoItSmoothly) {
+TEST(Arc, IsTheParabolaOnAStraightEdgeAndContinuousNearIt) {
     for (const double rise : {0.0, 1e-12, 0.99e-9, 1.01e-9, 1e-8, 1e-7}) {
         const Point p = arc_point({0, 0, 0}, {0.45, rise, 0}, {1, 0, 0}, 0.5);
         EXPECT_NEAR(p[0], 0.75 * 0.45 + 0.375, 1e-13);
@@ -50,12 +50,12 @@ TEST(Arc, IsTheParabolaOnAStraightEdgeAndGoesOverIntoItSmoothly) {
     EXPECT_EQ(arc_point({1, 2, 3}, {1, 2, 3}, {1, 2, 3}, 0.5), (Point{1, 2, 3}));  // collapsed onto an axis
 }
 
-TEST(Arc, TurnsWithItsEnds) {
+TEST(Arc, DoesNotDependOnTheDirectionOfTheEdge) {
     const Point a = on_circle(1, 0), m = on_circle(1, 0.4), b = on_circle(1, 1.1);
     EXPECT_LT(distance(arc_point(a, m, b, 0.5), arc_point(b, m, a, -0.5)), 1e-15);
 }
 
-/// The cell between nodes at the places of a map of its reference cell.
+/// Nodes of a cell at the images of its reference nodes under a map.
 std::vector<Point> nodes_on(CellType type, const auto& map) {
     std::vector<Point> nodes;
     for (const auto& xi : topology(type).nodes) nodes.push_back(map(xi));
@@ -83,7 +83,7 @@ Point tube_piece(const Point& xi) {
     return {0.7 * xi[2] + 0.1, r * std::sin(angle), r * std::cos(angle)};
 }
 
-TEST(ArcMap, IsExactOnBodiesOfRevolutionAndExtrusionsInTensorCells) {
+TEST(ArcMap, IsExactForRevolvedAndExtrudedTensorCells) {
     for (const CellType type : {CellType::line3, CellType::quad9, CellType::hex27}) {
         const auto nodes = nodes_on(type, tube_piece);
         Point xi{-0.37, 0.61, 0.2};
@@ -92,7 +92,7 @@ TEST(ArcMap, IsExactOnBodiesOfRevolutionAndExtrusionsInTensorCells) {
     }
 }
 
-TEST(ArcMap, KeepsSidesOfSpheresAndCylindersOnThem) {
+TEST(ArcMap, KeepsFacetsOnSpheresAndCylinders) {
     const auto radius_at = [](const Point& p) { return std::hypot(p[0], p[1], p[2]); };
     const auto ball_piece = [](const Point& xi) {  // between spheres of radius 1 and 2
         const Point p{1, std::tan(0.5 * xi[0]), std::tan(0.5 * xi[1])};
@@ -117,7 +117,7 @@ TEST(ArcMap, KeepsSidesOfSpheresAndCylindersOnThem) {
     }
 }
 
-/// A quarter of an annulus, n x 1 cells of angle x radius, of second order with nodes exactly on the polar map.
+/// A quarter annulus of n x 1 second-order cells (angle x radius) with nodes exactly on the polar map.
 Mesh annulus(int cells_around, CellType type, double inner, double outer) {
     Mesh mesh = sample::row_of(type, cells_around);  // [-1, 2 n - 1] x [-1, 1] (x [-1, 1])
     for (Point& p : mesh.points) {
@@ -140,9 +140,9 @@ TEST(RefineAlongArcs, EqualsTheFinerMeshOfTheSameAnnulus) {
     }
 }
 
-/// The nodes lie on the body, so the volume between parabolas goes to the formula by a factor of 16 a level; with parabolas
-/// it stays where it is.
-TEST(RefineAlongArcs, VolumeGoesToTheFormula) {
+/// The new nodes lie on the exact geometry, so the volume error decreases by a factor of 16 per level. With Curve::parabola the
+/// volume does not change.
+TEST(RefineAlongArcs, VolumeConvergesToTheExactValue) {
     struct Sample {
         Mesh mesh;
         Measure kind;
@@ -167,7 +167,7 @@ TEST(RefineAlongArcs, VolumeGoesToTheFormula) {
     }
 }
 
-TEST(RefineAlongArcs, SolidSphericalShellKeepsItsSpheresAndGoesToItsVolume) {
+TEST(RefineAlongArcs, SphericalShellStaysSphericalAndItsVolumeConverges) {
     Mesh coarse = sample::reference_cell(CellType::hex27);  // one of the six sides of a cube
     for (Point& xi : coarse.points) {
         const Point p{std::tan(pi / 4 * xi[0]), std::tan(pi / 4 * xi[1]), 1};

@@ -1,5 +1,5 @@
 #pragma once
-/// Small meshes for the tests: one cell at its reference place, and a box of cells.
+/// Small meshes for the tests: one reference cell, and a row of cells.
 #include <map>
 
 #include "mesh/mesh.hpp"
@@ -10,7 +10,7 @@ inline constexpr std::array<CellType, 12> all_types{
     CellType::line2, CellType::line3, CellType::triangle3, CellType::triangle6, CellType::quad4,  CellType::quad9,
     CellType::tet4,  CellType::tet10, CellType::hex8,      CellType::hex27,     CellType::wedge6, CellType::wedge18};
 
-/// The cell where its reference coordinates put it.
+/// A cell with its nodes at their reference coordinates.
 inline Mesh reference_cell(CellType type) {
     Mesh mesh;
     const CellTopology& cell = topology(type);
@@ -25,7 +25,7 @@ inline Mesh reference_cell(CellType type) {
     return mesh;
 }
 
-/// `count` copies of the cell side by side along x, two units apart; equal places become one node.
+/// `count` copies of the cell side by side along x, two units apart. Coincident nodes are merged.
 inline Mesh row_of(CellType type, int count) {
     Mesh mesh;
     const CellTopology& cell = topology(type);
@@ -35,9 +35,9 @@ inline Mesh row_of(CellType type, int count) {
     for (int c = 0; c < count; ++c) {
         std::vector<Index> nodes;
         for (const auto& xi : cell.nodes) {
-            const Point place{xi[0] + 2.0 * c, xi[1], xi[2]};
-            const auto [entry, fresh] = numbers.try_emplace(place, static_cast<Index>(mesh.points.size()));
-            if (fresh) mesh.points.push_back(place);
+            const Point position{xi[0] + 2.0 * c, xi[1], xi[2]};
+            const auto [entry, fresh] = numbers.try_emplace(position, static_cast<Index>(mesh.points.size()));
+            if (fresh) mesh.points.push_back(position);
             nodes.push_back(entry->second);
         }
         add_cell(mesh, type, nodes, 0);

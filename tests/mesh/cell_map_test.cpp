@@ -9,12 +9,12 @@
 namespace soft::mesh {
 namespace {
 
-/// A point in the middle region of every reference cell, off all symmetries.
+/// A point inside every reference cell that is on no symmetry plane.
 constexpr std::array<double, 3> somewhere{0.21, 0.33, 0.17};
 
 class EveryMap : public testing::TestWithParam<CellType> {};
 
-TEST_P(EveryMap, ShapesAreOneAtTheirOwnNodeAndZeroAtTheOthers) {
+TEST_P(EveryMap, ShapeFunctionsAreOneAtTheirNodeAndZeroAtTheOthers) {
     const CellTopology& cell = topology(GetParam());
     for (int n = 0; n < cell.node_count; ++n) {
         const auto shapes = shape_values(cell.type, cell.nodes[n]);
@@ -22,7 +22,7 @@ TEST_P(EveryMap, ShapesAreOneAtTheirOwnNodeAndZeroAtTheOthers) {
     }
 }
 
-TEST_P(EveryMap, ShapesReproducePolynomialsOfTheirOrder) {
+TEST_P(EveryMap, ShapeFunctionsReproducePolynomialsOfTheirOrder) {
     const CellTopology& cell = topology(GetParam());
     const auto field = [&](const std::array<double, 3>& x) {
         double f = 1, linear = 0;
@@ -79,7 +79,7 @@ TEST_P(EveryMap, QuadratureIntegratesPolynomialsOfDegreeFive) {
     }
 }
 
-TEST_P(EveryMap, TheReferenceCellMapsToItself) {
+TEST_P(EveryMap, MapsTheReferenceCellToItself) {
     const Mesh mesh = sample::reference_cell(GetParam());
     const CellMap map = map_cell(mesh, 0, shape_values(GetParam(), somewhere));
     EXPECT_NEAR(map.determinant, 1, 1e-14);
@@ -89,7 +89,7 @@ TEST_P(EveryMap, TheReferenceCellMapsToItself) {
 INSTANTIATE_TEST_SUITE_P(CellMap, EveryMap, testing::ValuesIn(sample::all_types),
                          [](const auto& test) { return std::string{topology(test.param).name}; });
 
-TEST(CellMap, RevolvedMeasureIsPappus) {
+TEST(CellMap, RevolvedMeasureFollowsPappus) {
     Mesh mesh = sample::reference_cell(CellType::quad9);  // 2 x 2, moved to mean radius 5
     for (Point& p : mesh.points) p[1] += 5;
     EXPECT_NEAR(measure(mesh, Measure::plain), 4, 1e-13);

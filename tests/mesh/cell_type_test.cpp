@@ -44,7 +44,7 @@ protected:
     const CellTopology& cell = topology(GetParam());
 };
 
-TEST_P(EveryCell, IsFoundByItsVtkNumber) {
+TEST_P(EveryCell, IsFoundByItsVtkType) {
     EXPECT_EQ(cell.type, GetParam());
     EXPECT_EQ(cell_type_from_vtk(static_cast<int>(GetParam())), GetParam());
     EXPECT_EQ(static_cast<int>(cell.nodes.size()), cell.node_count);
@@ -59,7 +59,7 @@ TEST_P(EveryCell, FacetsPointOutOfTheCell) {
 
 TEST_P(EveryCell, FacetsCloseTheCell) {
     Vector sum{};
-    double flux = 0;  // of x / dimension: the cell's volume
+    double flux = 0;  // flux of x / dimension, which is the cell's volume
     for (const FacetTopology& facet : cell.facets) {
         const Vector a = area(cell, facet);
         for (std::size_t d = 0; d < 3; ++d) sum[d] += a[d];
@@ -76,8 +76,8 @@ TEST_P(EveryCell, FacetsCloseTheCell) {
     }
 }
 
-/// A facet's nodes, taken as a cell of the facet's type, lie where that type's reference nodes lie.
-TEST_P(EveryCell, FacetNodesFollowTheOrderOfTheFacetsOwnType) {
+/// Interpolating the facet's corners to the reference nodes of the facet's type gives the facet's nodes.
+TEST_P(EveryCell, FacetNodesFollowTheOrderOfTheFacetType) {
     for (const FacetTopology& facet : cell.facets) {
         const CellTopology& own = topology(facet.type);
         EXPECT_EQ(own.order, cell.order);
@@ -90,9 +90,9 @@ TEST_P(EveryCell, FacetNodesFollowTheOrderOfTheFacetsOwnType) {
             if (c.size() == 4)
                 weight = {(1 - u) * (1 - v) / 4, (1 + u) * (1 - v) / 4, (1 + u) * (1 + v) / 4, (1 - u) * (1 + v) / 4};
             for (std::size_t d = 0; d < 3; ++d) {
-                double place = 0;
-                for (std::size_t i = 0; i < c.size(); ++i) place += weight[i] * cell.nodes[c[i]][d];
-                EXPECT_EQ(cell.nodes[facet.nodes[n]][d], place) << cell.name << " node " << n;
+                double position = 0;
+                for (std::size_t i = 0; i < c.size(); ++i) position += weight[i] * cell.nodes[c[i]][d];
+                EXPECT_EQ(cell.nodes[facet.nodes[n]][d], position) << cell.name << " node " << n;
             }
         }
     }
@@ -101,11 +101,11 @@ TEST_P(EveryCell, FacetNodesFollowTheOrderOfTheFacetsOwnType) {
 INSTANTIATE_TEST_SUITE_P(CellType, EveryCell, testing::ValuesIn(sample::all_types),
                          [](const auto& test) { return std::string{topology(test.param).name}; });
 
-TEST(CellType, UnknownVtkNumbersAreNoCells) {
+TEST(CellType, RejectsUnknownVtkTypes) {
     for (const int number : {0, 1, 14, 25, 33, 72, -1}) EXPECT_FALSE(cell_type_from_vtk(number)) << number;
 }
 
-/// Written out from the class documentation of vtkTriQuadraticHexahedron, vtkBiQuadraticQuadraticWedge and vtkQuadraticTetra.
+/// Expected values from the class documentation of vtkTriQuadraticHexahedron, vtkBiQuadraticQuadraticWedge and vtkQuadraticTetra.
 TEST(CellType, MidNodesFollowTheVtkOrder) {
     using Group = std::vector<int>;
     const auto expect = [](CellType type, int first, const std::vector<Group>& groups) {

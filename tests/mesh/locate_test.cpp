@@ -22,8 +22,8 @@ Point position(const Mesh& mesh, const Location& found) {
     return sum;
 }
 
-/// Every point of every cell, at reference coordinates of no node, is found with weights that give its position back.
-TEST(Locate, WeightsReproduceThePositionInEveryTypeOfCell) {
+/// A point inside every cell is found, and the weights reproduce its position.
+TEST(Locate, WeightsReproduceThePositionInEveryCellType) {
     for (const Mesh& mesh :
          {sample::triangles_and_quadrilaterals(), bent_mesh(raise_order(sample::triangles_and_quadrilaterals())),
           sample::wedges_and_hexahedra(), bent_mesh(raise_order(sample::wedges_and_hexahedra())), sample::tetrahedra(),
@@ -56,11 +56,11 @@ TEST(Locate, FindsEveryNode) {
     }
 }
 
-TEST(Locate, NothingOutsideTheMesh) {
-    const Mesh mesh = sample::triangles_and_quadrilaterals();  // the square from 0 to 2 by 0 to 1
+TEST(Locate, FindsNothingOutsideTheMesh) {
+    const Mesh mesh = sample::triangles_and_quadrilaterals();  // the rectangle [0, 2] x [0, 1]
     for (const Point& point : {Point{-0.1, 0.5, 0}, Point{2.1, 0.5, 0}, Point{0.5, 1.1, 0}, Point{9, 9, 0}})
         EXPECT_FALSE(locate(mesh, point).has_value()) << point[0] << " " << point[1];
-    EXPECT_TRUE(locate(mesh, {-0.001, 0.5, 0}).has_value());  // within the tolerance of a side
+    EXPECT_TRUE(locate(mesh, {-0.001, 0.5, 0}).has_value());  // within the tolerance
     EXPECT_EQ(mesh.point(nearest_node(mesh, {2.1, 1.2, 0})), (Point{2, 1, 0}));
 }
 

@@ -7,24 +7,24 @@
 namespace soft::mesh {
 namespace {
 
-TEST(Mesh, ASharedFaceIsNoBoundary) {
+TEST(Mesh, SharedFacetsAreNotOnTheBoundary) {
     EXPECT_EQ(boundary_facets(sample::row_of(CellType::hex27, 1)).size(), 6u);
     EXPECT_EQ(boundary_facets(sample::row_of(CellType::hex27, 3)).size(), 14u);
     EXPECT_EQ(boundary_facets(sample::row_of(CellType::quad9, 3)).size(), 8u);
 }
 
-TEST(Mesh, BoundaryComesInCellOrder) {
+TEST(Mesh, BoundaryFacetsAreInCellOrder) {
     const auto boundary = boundary_facets(sample::row_of(CellType::hex8, 4));
     EXPECT_TRUE(std::is_sorted(boundary.begin(), boundary.end()));
 }
 
-TEST(Mesh, FacetNodesAreGlobalNumbers) {
+TEST(Mesh, FacetNodesAreGlobalNodeNumbers) {
     const Mesh mesh = sample::row_of(CellType::hex27, 2);
     for (const Facet& facet : boundary_facets(mesh)) {
         EXPECT_EQ(facet_type(mesh, facet), CellType::quad9);
         const auto nodes = facet_nodes(mesh, facet);
         ASSERT_EQ(nodes.size(), 9u);
-        // The ninth node is the middle of the four corners, wherever the facet lies.
+        // The ninth node is the mean of the four corners.
         for (std::size_t d = 0; d < 3; ++d) {
             double mean = 0;
             for (std::size_t i = 0; i < 4; ++i) mean += 0.25 * mesh.point(nodes[i])[d];

@@ -1,5 +1,5 @@
 #pragma once
-/// Meshes of several cells of every type that share edges, triangles and quadrilaterals, and what makes a mesh sound.
+/// Meshes with several cells of every type that share edges, triangles and quadrilaterals, and checks for valid meshes.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace soft::mesh::sample {
 
-/// First-order cells by the places of their corners; equal places become one node.
+/// First-order cells given by the positions of their corners. Coincident corners are merged.
 inline Mesh mesh_of(int dimension, const std::vector<std::pair<CellType, std::vector<Point>>>& cells) {
     Mesh mesh;
     mesh.dimension = dimension;
@@ -33,7 +33,7 @@ inline Mesh mesh_of(int dimension, const std::vector<std::pair<CellType, std::ve
     return mesh;
 }
 
-/// A map of total degree two, injective on the samples.
+/// A quadratic map (total degree two) that is injective on the samples.
 inline Point bent(const Point& p) {
     return {p[0] + 0.04 * p[1] * p[1] - 0.03 * p[2] * p[0], p[1] + 0.05 * p[0] * p[1] + 0.02 * p[2] * p[2],
             1.1 * p[2] + 0.03 * p[0] * p[0]};
@@ -44,7 +44,7 @@ inline Point bent_in_plane(const Point& p) {
     return {q[0], q[1], 0};
 }
 
-/// A hexahedron with wedges on its right (side by side) and one more on top of these.
+/// A hexahedron with two wedges side by side on its right and one more wedge on top of these.
 inline Mesh wedges_and_hexahedra() {
     const auto column = [](std::vector<std::array<double, 2>> base, double low, double high) {
         std::vector<Point> corners;
@@ -64,7 +64,7 @@ inline Mesh triangles_and_quadrilaterals() {
                        {CellType::triangle3, {{2, 1, 0}, {1, 1, 0}, {2, 0, 0}}}});
 }
 
-/// Six tetrahedra to a cube, two cubes.
+/// Two cubes of six tetrahedra each.
 inline Mesh tetrahedra() {
     Mesh cubes = row_of(CellType::hex8, 2);
     for (const Facet& facet : boundary_facets(cubes))
@@ -84,7 +84,7 @@ inline std::array<double, 3> vector_area(const Mesh& mesh, const std::vector<Fac
     return sum;
 }
 
-/// Every side belongs to one or two cells; two of them have the same nodes on it, mid nodes included.
+/// Every facet belongs to one or two cells, and two cells that share a facet have the same nodes on it, mid nodes included.
 inline void expect_conforming(const Mesh& mesh) {
     std::map<std::set<Index>, std::vector<std::set<Index>>> sides;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
@@ -97,8 +97,8 @@ inline void expect_conforming(const Mesh& mesh) {
         EXPECT_LE(found.size(), 2u);
         EXPECT_EQ(found.front(), found.back());
     }
-    const std::set<Point> places(mesh.points.begin(), mesh.points.end());
-    EXPECT_EQ(places.size(), mesh.points.size()) << "two nodes at one place";
+    const std::set<Point> positions(mesh.points.begin(), mesh.points.end());
+    EXPECT_EQ(positions.size(), mesh.points.size()) << "two nodes at the same position";
     const std::set<Index> used(mesh.connectivity.begin(), mesh.connectivity.end());
     EXPECT_EQ(used.size(), mesh.points.size()) << "a node without a cell";
 }

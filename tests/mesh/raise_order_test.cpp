@@ -8,7 +8,7 @@
 namespace soft::mesh {
 namespace {
 
-TEST(RaiseOrder, CountsEveryEdgeSideAndCentreOnce) {
+TEST(RaiseOrder, AddsOneNodePerEdgeFaceAndCentre) {
     const Mesh plane = raise_order(sample::triangles_and_quadrilaterals());
     EXPECT_EQ(plane.points.size(), 6u + 8u + 1u);  // corners, edges, quadrilaterals
     // Edges: 12 of the cube, 5 more of each wedge beside it, 6 of the one on top; quadrilateral sides: 6, 2, 2 and 3.
@@ -27,14 +27,14 @@ protected:
     const Mesh second = raise_order(first);
 };
 
-TEST_P(Raised, IsConformingStraightAndOfTheSameVolume) {
+TEST_P(Raised, IsConformingWithStraightEdgesAndTheSameVolume) {
     sample::expect_conforming(second);
     EXPECT_NEAR(quality(second).min_scaled_jacobian, 1, 1e-12);
     EXPECT_NEAR(measure(second, Measure::plain), measure(first, Measure::plain), 1e-12);
     for (const CellType type : second.cell_types) EXPECT_EQ(topology(type).order, 2);
 }
 
-TEST_P(Raised, PutsMidNodesAtTheMeansOfTheirCorners) {
+TEST_P(Raised, HasMidNodesAtTheMeanOfTheirCorners) {
     for (Index c = 0; c < second.cell_count(); ++c) {
         const CellTopology& cell = topology(second.cell_type(c));
         for (std::size_t n = 0; n < cell.nodes.size(); ++n) {
@@ -53,7 +53,7 @@ TEST_P(Raised, KeepsNumbersRegionsAndSets) {
     EXPECT_EQ(second.region_names, first.region_names);
 }
 
-TEST_P(Raised, LoweredAgainIsTheSameMesh) {
+TEST_P(Raised, IsTheOriginalMeshWhenLoweredAgain) {
     const Mesh back = lower_order(second);
     EXPECT_EQ(back.points, first.points);
     EXPECT_EQ(back.connectivity, first.connectivity);
@@ -61,7 +61,7 @@ TEST_P(Raised, LoweredAgainIsTheSameMesh) {
     EXPECT_EQ(back.facet_sets, first.facet_sets);
 }
 
-TEST_P(Raised, RaisedAgainStaysAsItIs) {
+TEST_P(Raised, DoesNotChangeWhenRaisedAgain) {
     const Mesh again = raise_order(second);
     EXPECT_EQ(again.points, second.points);
     EXPECT_EQ(again.connectivity, second.connectivity);
@@ -69,7 +69,7 @@ TEST_P(Raised, RaisedAgainStaysAsItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Mesh, Raised, testing::Values("plane", "wedges", "tetrahedra"));
 
-TEST(RaiseOrder, TakesTheMidNodesOfNeighboursThatAreOfSecondOrder) {
+TEST(RaiseOrder, ReusesMidNodesOfSecondOrderNeighbours) {
     Mesh mesh = sample::row_of(CellType::quad9, 2);
     mesh.cell_types[1] = CellType::quad4;
     const auto nodes = mesh.cell_nodes(1);
@@ -88,7 +88,7 @@ TEST(LowerOrder, DropsMidNodesFromPointSets) {
     EXPECT_EQ(lower_order(mesh).point_sets.at("all"), (std::vector<Index>{0, 1, 2}));
 }
 
-TEST(RaiseOrder, DoesLinesToo) {
+TEST(RaiseOrder, RaisesLines) {
     const Mesh line = raise_order(sample::row_of(CellType::line2, 2));
     EXPECT_EQ(line.points.size(), 5u);
     EXPECT_EQ(line.cell_type(1), CellType::line3);

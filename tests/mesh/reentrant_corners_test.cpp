@@ -1,4 +1,4 @@
-#include "mesh/inner_corners.hpp"
+#include "mesh/reentrant_corners.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 namespace soft::mesh {
 namespace {
 
-/// Cells [i, i + 1] x [j, j + 1] (x [k, k + 1]) of a grid, those that `there` wants.
-template <class There>
-Mesh grid(int dimension, There there) {
+/// Those cells [i, i + 1] x [j, j + 1] (x [k, k + 1]) of a grid for which `includes` is true.
+template <class Includes>
+Mesh grid(int dimension, Includes includes) {
     Mesh mesh;
     mesh.dimension = dimension;
     mesh.region_names = {"rubber"};
@@ -20,7 +20,7 @@ Mesh grid(int dimension, There there) {
     for (int k = 0; k < (dimension == 2 ? 1 : 3); ++k)
         for (int j = 0; j < 3; ++j)
             for (int i = 0; i < 3; ++i) {
-                if (!there(i, j, k)) continue;
+                if (!includes(i, j, k)) continue;
                 std::vector<Index> nodes;
                 for (const auto& xi : topology(type).nodes) {
                     const auto step = [](double x) { return x > 0 ? 1 : 0; };
@@ -34,7 +34,7 @@ Mesh grid(int dimension, There there) {
     return mesh;
 }
 
-/// Half a ring of two cells about the origin, radii 1 and 2.
+/// Half of a ring about the origin with two cells and radii 1 and 2.
 Mesh half_ring(CellType type) {
     Mesh mesh;
     mesh.dimension = 2;
@@ -54,26 +54,26 @@ Mesh half_ring(CellType type) {
     return mesh;
 }
 
-TEST(InnerCorners, OfASectionThatLooksLikeAnL) {
-    const InnerCorners found = inner_corners(grid(2, [](int i, int j, int) { return i == 0 || j == 0; }));
+TEST(ReentrantCorners, FindsTheCornerOfAnLShapedSection) {
+    const ReentrantCorners found = find_reentrant_corners(grid(2, [](int i, int j, int) { return i == 0 || j == 0; }));
     EXPECT_EQ(found.count, 1U);
     EXPECT_EQ(found.length_m, 0);
-    EXPECT_DOUBLE_EQ(found.cell_m, 2);  // sides of 1 and 2: the upper of the two in the middle
-    EXPECT_EQ(inner_corners(grid(2, [](int, int, int) { return true; })).count, 0U);
+    EXPECT_DOUBLE_EQ(found.cell_m, 2);  // facet sizes 1 and 2: the upper median
+    EXPECT_EQ(find_reentrant_corners(grid(2, [](int, int, int) { return true; })).count, 0U);
 }
 
-TEST(InnerCorners, OfAHollowBlockAreTheEdgesOfItsCavity) {
-    const InnerCorners found = inner_corners(grid(3, [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; }));
+TEST(ReentrantCorners, FindsTheCavityEdgesOfAHollowBlock) {
+    const ReentrantCorners found = find_reentrant_corners(grid(3, [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; }));
     EXPECT_EQ(found.count, 12U);
     EXPECT_DOUBLE_EQ(found.length_m, 4 * (1 + 2 + 1));
-    EXPECT_EQ(inner_corners(grid(3, [](int, int, int) { return true; })).count, 0U);
-    // A slot: two edges along it.
-    EXPECT_DOUBLE_EQ(inner_corners(grid(3, [](int i, int j, int) { return i != 1 || j == 0; })).length_m, 2 * 3);
+    EXPECT_EQ(find_reentrant_corners(grid(3, [](int, int, int) { return true; })).count, 0U);
+    // A slot has two edges along it.
+    EXPECT_DOUBLE_EQ(find_reentrant_corners(grid(3, [](int i, int j, int) { return i != 1 || j == 0; })).length_m, 2 * 3);
 }
 
-TEST(InnerCorners, ABendOfCurvedCellsIsNone) {
-    EXPECT_EQ(inner_corners(half_ring(CellType::quad9)).count, 0U);
-    EXPECT_EQ(inner_corners(half_ring(CellType::quad4)).count, 1U);  // a quarter turn from chord to chord
+TEST(ReentrantCorners, IgnoresABendOfCurvedCells) {
+    EXPECT_EQ(find_reentrant_corners(half_ring(CellType::quad9)).count, 0U);
+    EXPECT_EQ(find_reentrant_corners(half_ring(CellType::quad4)).count, 1U);  // the two straight inner edges meet at 90 degrees
 }
 
 }  // namespace

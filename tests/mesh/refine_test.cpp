@@ -47,7 +47,7 @@ TEST_P(Refinement, IsConforming) {
     EXPECT_EQ(boundary_facets(fine).size(), boundary_facets(coarse).size() << (coarse.dimension - 1));
 }
 
-TEST_P(Refinement, CarriesItsFacetSetsToAllPiecesOfTheBoundary) {
+TEST_P(Refinement, FacetSetsCoverTheRefinedBoundary) {
     std::vector<Facet> named;
     for (const auto& [name, facets] : fine.facet_sets) {
         EXPECT_EQ(facets.size(), coarse.facet_sets.at(name).size() << (coarse.dimension - 1));
@@ -70,20 +70,20 @@ TEST_P(Refinement, KeepsPointsAndRegions) {
                   coarse.cell_regions[static_cast<std::size_t>(c >> coarse.dimension)]);
 }
 
-/// Second-order cells hold a map of total degree two exactly: every new node must lie on it.
+/// Second-order cells represent a quadratic map exactly, so every new node must lie on it.
 TEST_P(Refinement, NewNodesLieOnAQuadraticMap) {
     if (GetParam().order == 1) return;
-    const Mesh places = refine(straight, 2), finer = refine(coarse, 2);
-    ASSERT_EQ(places.points.size(), finer.points.size());
-    for (std::size_t p = 0; p < places.points.size(); ++p) {
+    const Mesh undistorted = refine(straight, 2), finer = refine(coarse, 2);
+    ASSERT_EQ(undistorted.points.size(), finer.points.size());
+    for (std::size_t p = 0; p < undistorted.points.size(); ++p) {
         const Point expected =
-            coarse.dimension == 2 ? sample::bent_in_plane(places.points[p]) : sample::bent(places.points[p]);
+            coarse.dimension == 2 ? sample::bent_in_plane(undistorted.points[p]) : sample::bent(undistorted.points[p]);
         for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(finer.points[p][d], expected[d], 1e-14);
     }
 }
 
-/// On circles the new nodes lie elsewhere, in the same cells.
-TEST_P(Refinement, AlongCirclesIsTheSameMeshNearBy) {
+/// Curve::circle changes the positions of the new nodes but not the connectivity.
+TEST_P(Refinement, AlongCirclesHasTheSameConnectivityAndSimilarPositions) {
     const Mesh round = refine(coarse, 2, Curve::circle), expected = refine(coarse, 2);
     sample::expect_conforming(round);
     EXPECT_EQ(round.connectivity, expected.connectivity);
@@ -94,7 +94,7 @@ TEST_P(Refinement, AlongCirclesIsTheSameMeshNearBy) {
             EXPECT_NEAR(round.points[p][d], expected.points[p][d], GetParam().order == 1 ? 0 : 2e-3);
 }
 
-TEST_P(Refinement, CarriesAFieldThatTheCellsCanHold) {
+TEST_P(Refinement, ProlongsFieldsOfTheCoarseSpaceExactly) {
     const auto field = [](const Point& p, int order) {
         const double linear = 1 + p[0] - 2 * p[1] + 0.5 * p[2];
         return std::array<double, 2>{linear, order == 1 ? 3 * linear : linear * linear + p[0] * p[1]};
@@ -114,8 +114,8 @@ TEST_P(Refinement, CarriesAFieldThatTheCellsCanHold) {
     EXPECT_THROW((void)prolong(refined, std::vector<double>(3), 2), std::logic_error);
 }
 
-/// The coarse cell's map as a field of its own: the refined cells hold it exactly too.
-TEST_P(Refinement, CarriesPositionsToWhereTheCellsMapPutsThem) {
+/// The position as a nodal field is in the coarse space, so its prolongation must equal the positions of the refined mesh.
+TEST_P(Refinement, ProlongsPositionsToThePositionsOfTheRefinedMesh) {
     const Refined refined = refine_once(coarse, Curve::parabola);
     std::vector<double> positions;
     for (const Point& p : coarse.points) positions.insert(positions.end(), p.begin(), p.end());
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Mesh, Refinement,
                                          Choice{"wedges", 2}, Choice{"tetrahedra", 1}, Choice{"tetrahedra", 2}),
                          [](const auto& test) { return test.param.name + std::to_string(test.param.order); });
 
-/// Edge lengths in units of the refinement's size, sorted: equal for similar tetrahedra (mirror images included).
+/// Sorted edge lengths scaled by the refinement level: equal for similar tetrahedra (mirror images included).
 std::vector<long> shape_of(const Mesh& mesh, Index cell, int times) {
     std::vector<long> lengths;
     const auto nodes = mesh.cell_nodes(cell);
@@ -144,7 +144,7 @@ std::vector<long> shape_of(const Mesh& mesh, Index cell, int times) {
     return lengths;
 }
 
-TEST(Refine, GivesATetrahedronAtMostThreeShapesHoweverOften) {
+TEST(Refine, ProducesAtMostThreeSimilarityClassesPerTetrahedron) {
     Mesh tet = sample::reference_cell(CellType::tet4);
     tet.points = {{0, 0, 0}, {1.1, 0.1, 0}, {0.3, 0.9, 0.2}, {0.2, 0.4, 1.3}};
     std::set<std::vector<long>> shapes;

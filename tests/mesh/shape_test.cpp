@@ -15,7 +15,7 @@ constexpr CellType all_types[] = {CellType::line2, CellType::line3, CellType::tr
                                   CellType::hex8,  CellType::hex27, CellType::wedge6,    CellType::wedge18};
 constexpr ReferencePoint inside{0.21, 0.17, 0.13};
 
-/// A polynomial that the cell must reproduce: complete of total degree `order`.
+/// A complete polynomial of total degree `order`, which the cell must reproduce.
 double polynomial(int order, int dimension, const ReferencePoint& x) {
     const double y = dimension > 1 ? x[1] : 0, z = dimension > 2 ? x[2] : 0;
     const double linear = 1.0 + 2.0 * x[0] - 3.0 * y + 0.5 * z;
@@ -98,7 +98,7 @@ TEST(Quadrature, IntegratesMonomialsOfItsDegreeExactly) {
         }
 }
 
-TEST(Quadrature, RefusesADegreeItHasNoRuleFor) {
+TEST(Quadrature, RejectsUnsupportedDegrees) {
     EXPECT_THROW((void)quadrature(Shape::tetrahedron, 6), std::logic_error);
     EXPECT_THROW((void)quadrature(Shape::quadrilateral, 8), std::logic_error);
 }

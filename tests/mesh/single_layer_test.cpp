@@ -1,4 +1,4 @@
-#include "mesh/single_cells.hpp"
+#include "mesh/single_layer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace soft::mesh {
 namespace {
 
-/// A strip of `along` x `through` unit cells, its ends in the sets "left" and "right", its lower side in "bottom".
+/// A strip of `along` x `through` unit cells. Its ends are in the sets "left" and "right", its lower side in "bottom".
 Mesh strip(int along, int through) {
     Mesh mesh;
     mesh.dimension = 2;
@@ -36,19 +36,19 @@ Mesh strip(int along, int through) {
 
 const std::vector<std::string> nothing;
 
-TEST(SingleCells, AreAllOfAStripWithOneCellThroughAndNoneWithTwo) {
-    EXPECT_EQ(single_cell_share(strip(8, 1), nothing), 1);
-    EXPECT_EQ(single_cell_share(strip(8, 2), nothing), 0);
-    EXPECT_EQ(single_cell_share(split_into_simplices(strip(8, 1)), nothing), 1);
+TEST(SingleLayer, FractionIsOneForOneCellThroughTheWallAndZeroForTwo) {
+    EXPECT_EQ(single_layer_fraction(strip(8, 1), nothing), 1);
+    EXPECT_EQ(single_layer_fraction(strip(8, 2), nothing), 0);
+    EXPECT_EQ(single_layer_fraction(split_into_simplices(strip(8, 1)), nothing), 1);
 }
 
-TEST(SingleCells, DoNotCountBehindAPlaneOfSymmetry) {
+TEST(SingleLayer, FractionIgnoresFacetsOnASymmetryPlane) {
     const std::vector<std::string> bottom{"bottom", "no such set"};
-    EXPECT_EQ(single_cell_share(strip(8, 1), bottom), 0);  // the wall goes on behind the plane: two cells
+    EXPECT_EQ(single_layer_fraction(strip(8, 1), bottom), 0);  // the wall continues behind the plane: two cells
 }
 
-TEST(SingleCells, OfSimplicesInTwoLayersAreTheFewAtTheCorners) {
-    EXPECT_LT(single_cell_share(split_into_simplices(strip(20, 2)), nothing), 0.05);
+TEST(SingleLayer, FractionIsSmallForTwoLayersOfSimplices) {
+    EXPECT_LT(single_layer_fraction(split_into_simplices(strip(20, 2)), nothing), 0.05);
 }
 
 }  // namespace

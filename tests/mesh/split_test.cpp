@@ -14,7 +14,7 @@
 namespace soft::mesh {
 namespace {
 
-/// The same mesh under other node numbers: the diagonals fall otherwise.
+/// The same mesh with permuted node numbers, which changes the choice of diagonals.
 Mesh renumbered(const Mesh& mesh, unsigned seed) {
     std::vector<Index> numbers(mesh.points.size());
     std::iota(numbers.begin(), numbers.end(), 0);
@@ -28,13 +28,13 @@ Mesh renumbered(const Mesh& mesh, unsigned seed) {
 
 struct Expected {
     CellType type;
-    Index pieces;                 ///< of one cell
-    std::size_t boundary_of_two;  ///< sides of two cells in a row
+    Index pieces;                 ///< simplices per cell
+    std::size_t boundary_of_two;  ///< boundary facets of a row of two cells
 };
 
 class EverySplit : public testing::TestWithParam<Expected> {};
 
-TEST_P(EverySplit, NeighboursMatchUnderEveryNumbering) {
+TEST_P(EverySplit, IsConformingForEveryNumbering) {
     const Mesh row = sample::row_of(GetParam().type, 2);
     for (unsigned seed = 0; seed < 300; ++seed) {
         const Mesh mesh = renumbered(row, seed);
@@ -42,18 +42,18 @@ TEST_P(EverySplit, NeighboursMatchUnderEveryNumbering) {
         ASSERT_EQ(split.cell_count(), 2 * GetParam().pieces);
         sample::expect_conforming(split);
         EXPECT_EQ(boundary_facets(split).size(), GetParam().boundary_of_two);
-        EXPECT_NEAR(quality(split).min_scaled_jacobian, 1, 1e-12);  // straight, and mid nodes in the middle
+        EXPECT_NEAR(quality(split).min_scaled_jacobian, 1, 1e-12);  // straight edges with mid nodes at their midpoints
         EXPECT_NEAR(measure(split, Measure::plain), measure(mesh, Measure::plain), 1e-12);
     }
 }
 
-TEST_P(EverySplit, EveryNodeIsStillUsed) {
+TEST_P(EverySplit, KeepsEveryNodeInUse) {
     const Mesh split = split_into_simplices(sample::row_of(GetParam().type, 2));
     const std::set<Index> used(split.connectivity.begin(), split.connectivity.end());
     EXPECT_EQ(used.size(), split.points.size());
 }
 
-TEST_P(EverySplit, FacetSetsKeepTheirArea) {
+TEST_P(EverySplit, PreservesTheAreaOfFacetSets) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Mesh mesh = renumbered(sample::row_of(GetParam().type, 2), seed);
         for (const Facet& facet : boundary_facets(mesh))
@@ -67,13 +67,13 @@ TEST_P(EverySplit, FacetSetsKeepTheirArea) {
     }
 }
 
-// Two wedges of the row do not touch: 2 x 8 triangles.
+// The two wedges of the row do not touch: 2 x 8 triangles.
 INSTANTIATE_TEST_SUITE_P(Split, EverySplit,
                          testing::Values(Expected{CellType::hex27, 6, 20}, Expected{CellType::hex8, 6, 20},
                                          Expected{CellType::wedge18, 3, 16}, Expected{CellType::quad9, 2, 6}),
                          [](const auto& test) { return std::string{topology(test.param.type).name}; });
 
-TEST(Split, SimplicesStayAsTheyAre) {
+TEST(Split, LeavesSimplicesUnchanged) {
     const Mesh mesh = sample::reference_cell(CellType::tet10);
     const Mesh split = split_into_simplices(mesh);
     EXPECT_EQ(split.connectivity, mesh.connectivity);
