@@ -1,6 +1,6 @@
 #pragma once
-/// The typed case: what mesh-gen writes, solve reads and the HDF5 file holds. Plain data, SI units, no behaviour.
-/// Loads are stated for the WHOLE actuator; `model_fraction` says how much of it the mesh holds (1, 1/2, 1/4).
+/// The typed case: mesh-gen writes it to the HDF5 file and solve reads it. Plain data in SI units.
+/// Loads are given for the WHOLE actuator; `model_fraction` is the fraction of it that the mesh represents (1, 1/2, 1/4).
 #include <array>
 #include <map>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace soft::model {
 
-/// axisymmetric: section in (x, r), axis of revolution x, r >= 0; integrals carry 2 pi r.
+/// axisymmetric: section in (x, r), axis of revolution x, r >= 0; integrals include 2 pi r.
 /// plane_strain: section in (x, y) of unit depth 1 m. solid: (x, y, z).
 enum class Kinematics { axisymmetric, plane_strain, solid };
 
@@ -27,15 +27,15 @@ enum class Strain { finite, small };
 
 struct Material {
     std::string name;                                      ///< region it belongs to
-    std::string law;                                       ///< material::law name, e.g. "neo-hookean"
-    std::map<std::string, std::vector<double>> constants;  ///< SI, by the law's own keys; scalars have one entry
+    std::string law;                                       ///< name of the law, e.g. "neo-hookean"
+    std::map<std::string, std::vector<double>> constants;  ///< SI, by parameter name of the law; scalars have one entry
     std::optional<double> bulk_modulus_Pa;                 ///< kappa; nullopt = fully incompressible
     std::optional<double> density_kg_m3 = {};              ///< undeformed; needed by body forces and dynamics
     Volumetric volumetric = Volumetric::quadratic;
     Strain strain = Strain::finite;  ///< small: the law's tangent at the undeformed state, linear in grad u
-    FiberFrame fiber_frame = FiberFrame::cartesian;  ///< of rubbers with fibres; the others do not look at it
-    std::string source = "material";    ///< section of the design that states it: "material" or "materials.<name>"
-    std::optional<Fibers> fibers = {};  ///< that the family has laid into the region, besides those of the law
+    FiberFrame fiber_frame = FiberFrame::cartesian;  ///< used only by materials with fibres
+    std::string source = "material";    ///< section of the design that defines it: "material" or "materials.<name>"
+    std::optional<Fibers> fibers = {};  ///< fibres that the actuator family adds to the region; not those of the law
 };
 
 /// Zero displacement of the marked components (x, y, z; axisymmetric: x, r, unused) on a named face.
@@ -44,16 +44,16 @@ struct Support {
     std::array<bool, 3> fixed{};
 };
 
-/// A hole that leads out of the cavity, closed by a plug when the load is sealed.
+/// A hole in the cavity wall, closed by a plug when the load is sealed.
 struct Opening {
-    std::string face;                   ///< named face around the hole that carries the plug's thrust, spread evenly
+    std::string face;                   ///< named face around the hole; carries the plug's thrust, distributed uniformly
     double area_m2 = 0;                 ///< undeformed area of the hole, whole actuator
     std::array<double, 3> direction{};  ///< unit vector out of the cavity, reference configuration
 };
 
-/// What the geometry knows of a cavity.
+/// Geometry of a cavity.
 struct Cavity {
-    std::string name;                      ///< "cavity" where there is one
+    std::string name;                      ///< "cavity" if there is only one
     std::string wall;                      ///< named face that is always loaded
     std::vector<std::string> inner_faces;  ///< closed inner faces, loaded only when the load is sealed
     std::vector<Opening> openings;
@@ -61,65 +61,65 @@ struct Cavity {
 
 /// The gas in a supply: barotropic air, p + ambient = ambient (density / ambient_density)^exponent with
 /// density = mass / (enclosed volume + dead volume). exponent 1: isothermal, 1.4: adiabatic air.
-/// Looked at only where a stage prescribes the mass or closes the valve.
+/// Used only if a stage prescribes the mass or closes the valve.
 struct Gas {
-    double ambient_Pa = 101325;            ///< absolute pressure outside the body
+    double ambient_Pa = 101325;            ///< absolute pressure outside the actuator
     double ambient_density_kg_m3 = 1.204;  ///< of the gas at ambient pressure (air at 20 degrees Celsius)
-    double dead_volume_m3 = 0;             ///< of the tubing, filled by the same gas; whole actuator
+    double dead_volume_m3 = 0;             ///< volume of the tubing, filled with the same gas; whole actuator
     double exponent = 1;
 };
 
-/// How a load goes with time in a dynamic case: its level is the value of the (only) stage times the share f(t).
-///   ramp: f grows from 0 to 1 over `time_s` and stays        step: 1 from the start (t = 0 included)
-///   sine: sin(2 pi frequency t)                               table: linear between (times_s, shares), held beyond its ends
+/// Time function f(t) of a load in a dynamic case: the load is f(t) times its value in the (only) stage.
+///   ramp: f increases from 0 to 1 over `time_s`, then stays 1   step: 1 from the start (t = 0 included)
+///   sine: sin(2 pi frequency t)                               table: linear between (times_s, shares), constant beyond its ends
 enum class TimeFunctionKind { ramp, step, sine, table };
 struct TimeFunction {
     TimeFunctionKind kind = TimeFunctionKind::ramp;
-    double time_s = 0;                    ///< of the ramp; 0: the duration of the path
-    double frequency_Hz = 0;              ///< of the sine
-    std::vector<double> times_s, shares;  ///< of the table, times ascending
+    double time_s = 0;                    ///< ramp: rise time; 0: the duration of the path
+    double frequency_Hz = 0;              ///< sine
+    std::vector<double> times_s, shares;  ///< table: times in ascending order and values of f
 };
 
-/// A tube between a source of pressure and the cavity: dm/dt = ambient density (source - cavity pressure) / resistance.
+/// A tube between a pressure source and the cavity: dm/dt = ambient density (source - cavity pressure) / resistance.
 struct SupplyLine {
-    double resistance_Pa_s_m3 = 0;  ///< pressure drop per volume flow, the volume measured at ambient pressure
+    double resistance_Pa_s_m3 = 0;  ///< pressure drop per volume flow rate, with the volume taken at ambient pressure
 };
 
-/// Which shape of the body a pressure pushes on. undeformed: traction -p N on the undeformed area, a dead load.
+/// Configuration in which a pressure acts. deformed: follower pressure. undeformed: traction -p N on the undeformed area, a dead load.
 enum class LoadShape { deformed, undeformed };
 
-/// A pressure, traction -p n on the DEFORMED area (unless `shape` says otherwise; n out of the rubber); positive inflates a
-/// cavity. The cavities of one load share one gas: one pressure, and their volumes add up. How much of it: Stage::supplies.
+/// A pressure: traction -p n on the DEFORMED area (unless `shape` is undeformed), n out of the material; positive p inflates a
+/// cavity. The cavities of one load share one gas: they have the same pressure, and their volumes add up. The magnitude is in
+/// Stage::supplies.
 struct PressureLoad {
     std::string name;                  ///< its key in the design: "cavity", "left"
-    std::vector<std::string> targets;  ///< names of cavities; or of one face (`sealed`, `gas` unused, no volume)
+    std::vector<std::string> targets;  ///< names of cavities, or of one face (then `sealed` and `gas` are unused, no volume)
     bool sealed = true;                ///< openings are plugged; see assembly/cavity.hpp
     Gas gas;
     LoadShape shape = LoadShape::deformed;
-    TimeFunction time_function = {};  ///< of its pressure, where the case is dynamic
-    /// Where the case is dynamic: the pressure of the time_function feeds the cavities through this resistance, and what is in
-    /// them follows the gas law (dead volume included). nullopt: the time_function is the pressure in the cavity.
+    TimeFunction time_function = {};  ///< of the pressure, in a dynamic case
+    /// Dynamic case: the time function is the source pressure, which feeds the cavities through this line, and the gas in them
+    /// follows the gas law (dead volume included). nullopt: the time function is the pressure in the cavity.
     std::optional<SupplyLine> line = {};
-    bool plug_thrust =
-        true;  ///< false: a fixture carries the plugs of a sealed load, the actuator does not feel their thrust
+    bool plug_thrust = true;  ///< false: a fixture carries the plugs of a sealed load, so their thrust does not load the actuator
 };
 
-/// Dead traction: a force per UNDEFORMED area whose direction stays fixed in space.
+/// Dead traction: a force per UNDEFORMED area with a fixed direction in space.
 struct TractionLoad {
     std::string face;
     std::array<double, 3> traction_Pa{};  ///< at level 1; axisymmetric: x, r, unused
     TimeFunction time_function = {};
-    double area_m2 = 0;  ///< of the whole undeformed face, where the design states a force; else 0
+    double area_m2 = 0;  ///< area of the whole undeformed face if the design states a force; else 0
 };
 
-/// A force on the mass of the body, whose direction stays fixed in space. Every material needs its density.
+/// A body force per mass with a fixed direction in space. It requires the density of every material.
 struct BodyForce {
     std::string name = "gravity";
-    std::array<double, 3> acceleration_m_s2{};  ///< at level 1; axisymmetric: x alone
+    std::array<double, 3> acceleration_m_s2{};  ///< at level 1; axisymmetric: x only
     TimeFunction time_function = {};
 };
 
-/// A prescribed displacement of a face; components without a value stay free.
+/// A prescribed displacement of a face; components without a value are free.
 struct Motion {
     std::string face;
     std::array<std::optional<double>, 3> displacement_m;  ///< at level 1; axisymmetric: x, r, unused
@@ -127,19 +127,19 @@ struct Motion {
 
 struct Output {
     std::string name;                   ///< "elongation"; CSV column elongation_mm, bend_deg, block_N ...
-    std::string face;                   ///< empty where a point is measured
+    std::string face;                   ///< empty if a point is measured
     std::array<double, 3> direction{};  ///< unit vector
     Measure measure = Measure::displacement;
-    std::string reference = {};  ///< the held face, measure bend only
-    std::optional<std::array<double, 3>> point_m =
-        {};  ///< undeformed position whose displacement is measured; a section's x, r, 0
+    std::string reference = {};  ///< the supported reference face of measure bend; else empty
+    /// Undeformed position of the measured point; x, r, 0 in a section.
+    std::optional<std::array<double, 3>> point_m = {};
 };
 
-/// What grows by itself while everything else follows. automatic: the load factor while the body is stiff, then the
-/// volume where one cavity is filled, else arc length; it passes limit points and goes on to the stage's end.
+/// Controlled quantity of the path following. automatic: the load factor while the actuator is stiff, then the volume if one
+/// cavity is filled, else the arc length; it passes limit points and continues to the end of the stage.
 enum class Control { automatic, pressure, volume, displacement, arc_length };
 
-/// A stage ends at the first of these that is reached.
+/// Stopping condition. A stage ends at the first one that is reached.
 struct Until {
     std::string quantity;  ///< "pressure" [Pa], "volume_ratio" [-], "steps" [-], or the name of an output [m, rad]
     double value = 0;
@@ -148,37 +148,36 @@ struct Until {
 enum class Prescription {
     pressure,      ///< gauge pressure [Pa]
     volume,        ///< enclosed by all cavities of the load [m^3], whole actuator
-    volume_ratio,  ///< the same over its undeformed value [-]
-    mass,  ///< of gas injected since the path began [kg]: beyond what fills the undeformed cavities at ambient pressure
-    closed,  ///< the valve is shut: the gas that is there stays; `value` is unused
+    volume_ratio,  ///< volume divided by its undeformed value [-]
+    mass,  ///< mass of gas injected since the start of the path [kg], beyond the gas in the undeformed cavities at ambient pressure
+    closed,  ///< the valve is shut: the mass of gas is constant; `value` is unused
 };
 struct SupplyTarget {
     Prescription what = Prescription::pressure;
-    double value = 0;  ///< at the stage's end
+    double value = 0;  ///< at the end of the stage
 };
 
-/// A part of a load programme. Its load factor runs from 0 to 1 while every level goes in proportion from where the stage
-/// before has left it (0 at first) to the value here. Loads that do not change stay as they are; a stage in which nothing
-/// changes is one row (hold).
+/// A stage of a load programme. While its load factor runs from 0 to 1, every level changes linearly from its value at the end of
+/// the previous stage (0 at first) to the value here. A stage in which no load changes is one row (hold).
 struct Stage {
     std::string name;  ///< "inflate"; empty where a case has one stage
     Control control = Control::automatic;
-    std::string controlled = {};              ///< load (volume) or output (displacement); empty: the first
-    std::vector<Until> until = {};            ///< besides load factor 1, which always ends the stage
-    std::vector<SupplyTarget> supplies = {};  ///< one for each of Case::loads
-    std::vector<double> tractions = {}, body_forces = {}, motions = {};  ///< levels, one for each of the case's lists
+    std::string controlled = {};              ///< load (volume control) or output (displacement control); empty: the first
+    std::vector<Until> until = {};            ///< in addition to load factor 1, which always ends the stage
+    std::vector<SupplyTarget> supplies = {};  ///< one per entry of Case::loads
+    std::vector<double> tractions = {}, body_forces = {}, motions = {};  ///< levels, one per entry of the lists in Case
 };
 
-/// What happens where a branch leaves the path.
+/// Behaviour at a bifurcation and at contact.
 enum class Branch { stay, follow };
 enum class Contact { stop, ignore };
 
 struct PathSettings {
     std::vector<Stage> stages;
-    Branch branch = Branch::stay;     ///< follow: at the first bifurcation of the path
-    double imperfection_m = 1e-4;     ///< how far the body is pushed onto the branch: largest displacement of the mode
-    Contact contact = Contact::stop;  ///< where walls of the body touch
-    double stretch_limit = 10;        ///< stretch_p99 beyond which a load that is never reached is given up
+    Branch branch = Branch::stay;     ///< follow: switch to the other branch at the first bifurcation of the path
+    double imperfection_m = 1e-4;     ///< perturbation used to switch branches: maximum displacement of the scaled mode
+    Contact contact = Contact::stop;  ///< behaviour where walls of the actuator touch
+    double stretch_limit = 10;        ///< stretch_p99 beyond which a load that cannot be reached is abandoned
 };
 
 struct Case {
@@ -186,9 +185,9 @@ struct Case {
     Kinematics kinematics = Kinematics::solid;
     Formulation formulation = Formulation::mixed;
     double model_fraction = 1.0;
-    std::array<bool, 3> symmetry_planes{};  ///< the mesh is cut at x = 0, y = 0, z = 0 (whole actuator = mirror images)
+    std::array<bool, 3> symmetry_planes{};  ///< symmetry planes x = 0, y = 0, z = 0 at which the mesh is cut
     mesh::Mesh mesh;
-    std::vector<Material> materials;  ///< by region name; every region has exactly one
+    std::vector<Material> materials;  ///< exactly one per region, matched by name
     std::vector<Support> supports;    ///< symmetry planes included
     std::vector<Cavity> cavities;
     std::vector<PressureLoad> loads;
@@ -201,7 +200,7 @@ struct Case {
     std::optional<Dynamics> dynamics;  ///< nullopt: a static path
 };
 
-/// The cavities whose volume is measured: those of all loads, in the order of the loads and their targets.
+/// The cavities whose volume is measured: the targets of all loads, in the order of the loads and their targets.
 [[nodiscard]] inline std::vector<const Cavity*> measured_cavities(const Case& input) {
     std::vector<const Cavity*> found;
     for (const auto& load : input.loads)
@@ -211,8 +210,8 @@ struct Case {
     return found;
 }
 
-/// What a curve shows as its load: the pressure of the first pressure load; of a case without one the size of its first
-/// traction [Pa], or of its force [N] where it is stated as one; of a case without either the load factor.
+/// The load that a curve shows: the pressure of the first pressure load; without one, the magnitude of the first traction [Pa], or
+/// of its force [N] if the design states a force; without either, the load factor.
 enum class LeadingLoad { pressure, traction, force, load_factor };
 [[nodiscard]] inline LeadingLoad leading_load(const Case& input) {
     if (!input.loads.empty()) return LeadingLoad::pressure;

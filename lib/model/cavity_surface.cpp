@@ -15,7 +15,7 @@ namespace {
 using mesh::Index;
 using mesh::Point;
 
-/// Edges that one facet of the set has alone, in the order of the facets.
+/// Edges that belong to exactly one facet of the set, in the order of the facets.
 std::vector<RimEdge> free_edges(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets) {
     using Key = std::pair<Index, Index>;
     std::map<Key, int> uses;
@@ -63,7 +63,7 @@ std::vector<std::vector<RimEdge>> rims(const Case& model, std::span<const mesh::
     std::vector<RimEdge> edges = free_edges(model.mesh, facets);
     std::erase_if(edges, [&](const RimEdge& edge) { return on_symmetry_plane(model, edge, tolerance_m); });
 
-    // chains grow by relabelling: rims have tens of edges, openings are few
+    // Connected edges get the same label. Relabelling is fast enough: rims have tens of edges, and openings are few.
     std::vector<std::size_t> label(edges.size());
     std::iota(label.begin(), label.end(), std::size_t{0});
     std::map<Index, std::size_t> first_at;  // vertex -> an edge that ends there

@@ -9,20 +9,19 @@
 
 namespace soft::model {
 
-/// The cavity's wall together with its closed inner faces, each facet once.
-/// Error(bad_input) where the mesh has no face of that name.
+/// The facets of the cavity's wall and of its closed inner faces, each once.
+/// Throws Error(bad_input) if the mesh has no such face or the face is empty.
 [[nodiscard]] std::vector<mesh::Facet> cavity_facets(const Case& model, const Cavity& cavity);
 
-/// Edge of a facet set that no other facet of the set shares: its nodes in the order of a line cell, run through as the
-/// facet runs through it.
+/// Edge that belongs to exactly one facet of a facet set: its nodes in the order of a line cell, in the orientation of the facet.
 using RimEdge = std::vector<mesh::Index>;
 
-/// Rims of a facet set of a solid, one a connected chain; those on symmetry planes are left out. Judged in the
+/// Rims of a facet set of a solid, one per connected chain of edges, without the edges that lie on symmetry planes in the
 /// reference configuration.
 [[nodiscard]] std::vector<std::vector<RimEdge>> rims(const Case& model, std::span<const mesh::Facet> facets);
 
-/// Nodes this near to a symmetry plane or the axis lie on it: a fraction of the mesh's extent, far above rounding and
-/// far below any cell.
+/// Nodes within this distance of a symmetry plane or the axis lie on it. The value is a fraction of the mesh's extent: far above
+/// rounding errors and far below any cell size.
 inline constexpr double plane_tolerance = 1e-9;
 [[nodiscard]] double extent_m(const mesh::Mesh& mesh);
 

@@ -1,7 +1,7 @@
 #pragma once
-/// How a face of the mesh and its mirror images make one face of the whole actuator. A plane of symmetry that the face meets,
-/// without lying in it, mirrors the face onto itself: the whole face is twice as large. A face apart from the plane has an
-/// image of its own, which is another face. Tested by assembly/reaction_test.
+/// Relation between a face of the mesh and the face of the whole actuator. If a face touches a symmetry plane without lying in it,
+/// the face and its mirror image form one face that is twice as large. If it does not touch the plane, its mirror image is a
+/// separate face. Tested by assembly/reaction_test.
 #include <array>
 #include <string>
 
@@ -9,22 +9,22 @@
 
 namespace soft::model {
 
-/// What the mesh is of, as in Case.
-struct Cuts {
+/// Kinematics and symmetry planes of the case.
+struct ModelSymmetry {
     Kinematics kinematics;
     std::array<bool, 3> planes;
 };
 
 struct FaceSymmetry {
     bool of_revolution = false;
-    std::array<bool, 3> mirrored{};  ///< at x, y, z = 0 onto itself
-    double copies = 1;  ///< whole face over that of the mesh (a turn about the axis is in the mesh's own sums)
+    std::array<bool, 3> mirrored{};  ///< the face continues across x, y, z = 0
+    double copies = 1;  ///< area of the whole face divided by that in the mesh (axisymmetric integrals already include 2 pi r)
 };
-/// Throws Error (bad_input) for a face the mesh lacks.
-[[nodiscard]] FaceSymmetry face_symmetry(const mesh::Mesh& mesh, const Cuts& cuts, const std::string& face);
+/// Throws Error (bad_input) for a face that is not in the mesh.
+[[nodiscard]] FaceSymmetry face_symmetry(const mesh::Mesh& mesh, const ModelSymmetry& cuts, const std::string& face);
 
-/// The part of a direction along which forces on such a face do not cancel those on its image, and that of the axis about
-/// which their moments do not. Of a body of revolution only x is left, of moments nothing.
+/// The component of a direction along which forces on the face and on its mirror image do not cancel, and the component of an axis
+/// about which their moments do not cancel. In axisymmetric cases only forces along x remain, and no moments.
 [[nodiscard]] std::array<double, 3> uncancelled_force(const FaceSymmetry& face, std::array<double, 3> direction);
 [[nodiscard]] std::array<double, 3> uncancelled_moment(const FaceSymmetry& face, std::array<double, 3> axis);
 

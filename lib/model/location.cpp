@@ -4,8 +4,8 @@
 
 namespace soft::model {
 
-std::string location_text(Kinematics kinematics, const mesh::Point& place) {
-    const auto millimetres = [&](std::size_t d) { return core::rounded_text(place[d] * 1e3, 4) + " mm"; };
+std::string location_text(Kinematics kinematics, const mesh::Point& position_m) {
+    const auto millimetres = [&](std::size_t d) { return core::rounded_text(position_m[d] * 1e3, 4) + " mm"; };
     const std::string x = "x = " + millimetres(0);
     if (kinematics == Kinematics::axisymmetric) return x + ", r = " + millimetres(1);
     const std::string xy = x + ", y = " + millimetres(1);

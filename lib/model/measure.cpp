@@ -19,15 +19,15 @@ struct Entry {
 };
 constexpr std::array entries{
     Entry{Measure::displacement, "displacement", "mean displacement of a face along a direction", length},
-    Entry{Measure::bend, "bend", "bending angle of a face against another one, about a direction", angle},
-    Entry{Measure::twist, "twist", "mean angle by which a face turns about an axis through the origin", angle},
+    Entry{Measure::bend, "bend", "bending angle of a face relative to another face, about a direction", angle},
+    Entry{Measure::twist, "twist", "mean rotation of a face about an axis through the origin", angle},
     Entry{Measure::radial, "radial", "mean change of a face's distance from an axis through the origin", length},
-    Entry{Measure::rotation, "rotation", "component of a face's mean rotation vector, its orientation", angle},
-    Entry{Measure::curvature, "curvature", "curvature of a face seen along a direction, by the circle that fits best",
+    Entry{Measure::rotation, "rotation", "component of the rotation vector of a face's mean rotation", angle},
+    Entry{Measure::curvature, "curvature", "curvature of the best-fit circle of a face, projected along a direction",
           curvature},
-    Entry{Measure::force, "force", "force with which the body pushes on what holds a face", force},
+    Entry{Measure::force, "force", "force of the actuator on its support or drive at a face", force},
     Entry{Measure::moment, "moment",
-          "moment with which the body turns what holds a face, about an axis through its centroid", moment},
+          "moment of the actuator on its support or drive at a face, about an axis through its centroid", moment},
 };
 
 const Entry& entry_of(Measure measure) {

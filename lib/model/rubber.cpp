@@ -8,21 +8,21 @@ namespace soft::model {
 
 namespace {
 
-/// Hooke's law with the moduli of the undeformed rubber.
+/// Hooke's law with the initial moduli of the rubber.
 material::AnyRubber small_strain(const material::AnyRubber& rubber, std::optional<double> bulk_modulus_Pa) {
     if (material::fibers_of(rubber) || material::reference_stress_Pa(rubber) != 0.0)
         throw Error(ExitCode::bad_input, "strain",
                     "the law " + std::string{material::info_of(rubber).name} +
-                        (material::fibers_of(rubber) ? " with its fibres" : "") +
-                        " has no isotropic, stress-free linear counterpart",
-                    "strain: finite, or another law");
+                        (material::fibers_of(rubber) ? " with fibres" : "") +
+                        " has no isotropic, stress-free linear form",
+                    "use strain: finite or another law");
     return material::make_rubber({.law = "linear-elastic",
                                   .constants = {{"mu", {material::initial_shear_modulus_Pa(rubber)}}},
                                   .bulk_modulus_Pa = bulk_modulus_Pa});
 }
 
-/// One family between the axis and the hoop: its mirror image is another one.
-bool is_one_sided(const Material& material) {
+/// True for one family of fibres inclined to the axis: its mirror image is a different family.
+bool lacks_mirror_symmetry(const Material& material) {
     const auto constant = [&](const char* name, double otherwise) {
         const auto found = material.constants.find(name);
         return found == material.constants.end() || found->second.empty() ? otherwise : found->second.front();
@@ -45,13 +45,13 @@ material::AnyRubber make_rubber(const Material& material) {
     return material.strain == Strain::small ? small_strain(rubber, material.bulk_modulus_Pa) : rubber;
 }
 
-std::string why_not(const Material& material, Kinematics kinematics, const std::array<bool, 3>& symmetry_planes) {
-    if (!is_one_sided(material)) return {};
+std::string explain_incompatibility(const Material& material, Kinematics kinematics, const std::array<bool, 3>& symmetry_planes) {
+    if (!lacks_mirror_symmetry(material)) return {};
     const bool cylindrical = material.fiber_frame == FiberFrame::cylindrical;
     if (cylindrical && kinematics == Kinematics::axisymmetric)
-        return "one family of fibres twists a body of revolution, which its section cannot show; families: 2, or model: solid";
+        return "one family of fibres twists the actuator, which model: axisymmetric cannot represent; use families: 2 or model: solid";
     if (symmetry_planes[0] || symmetry_planes[1] || (cylindrical && symmetry_planes[2]))
-        return "one family of fibres is not its own mirror image, and the model is cut at planes of symmetry; families: 2, or "
+        return "one family of fibres has no mirror symmetry, but the model is cut at symmetry planes; use families: 2 or "
                "model: solid";
     return {};
 }

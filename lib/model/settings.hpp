@@ -1,75 +1,75 @@
 #pragma once
-/// How a case is solved: the choices of `solver` and `dynamics` in a design. Plain data, SI units; the defaults are those of a
-/// design that says nothing.
+/// Solver and time integration settings: the sections `solver` and `dynamics` of a design. Plain data, SI units. The default values
+/// apply to designs without these sections.
 
 namespace soft::model {
 
-/// How the linear systems of Newton's method are solved.
-///   automatic: LDL^T by CHOLMOD where that takes few flops, else by MUMPS, over to LU where the tangent is not symmetric enough
-///       (linalg/linear_solver.hpp); krylov with multigrid where a solid is too large for it (assembly/element_levels.hpp)
-///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: that factorisation; cholmod needs a positive definite tangent and one rank
-///   krylov: flexible GMRES on the assembled tangent         jacobian_free: on differences of the residual instead
+/// Solution of the linear systems in Newton's method.
+///   automatic: LDL^T by CHOLMOD if the factorisation is cheap, else by MUMPS; LU if the tangent is not symmetric enough
+///       (linalg/linear_solver.hpp); krylov with multigrid if a solid is too large to factorise (assembly/element_levels.hpp)
+///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: that factorisation; cholmod requires a positive definite tangent and one rank
+///   krylov: flexible GMRES on the assembled tangent         jacobian_free: flexible GMRES on finite differences of the residual
 enum class LinearMethod { automatic, mumps_ldlt, mumps_lu, superlu_dist, cholmod, krylov, jacobian_free };
 
-/// Of the two Krylov methods. asm_*: additive Schwarz, one block a rank, solved by LU, ILU(0) or a BoomerAMG cycle.
-/// gamg: smoothed aggregation with the rigid motions as near-nullspace. multigrid: second-order cells by way of first-order ones,
-/// mixed or not (linalg/multigrid.hpp).
+/// Preconditioner of the two Krylov methods. asm_*: additive Schwarz, one block per rank, solved by LU, ILU(0) or a BoomerAMG cycle.
+/// gamg: smoothed aggregation with the rigid body modes as near-nullspace. multigrid: p-multigrid from second-order to first-order
+/// cells, for mixed and displacement formulations (linalg/multigrid.hpp).
 enum class Preconditioner { lu, asm_lu, asm_ilu, asm_boomeramg, boomeramg, gamg, multigrid, jacobi, none };
 
-/// Where the assembled tangent comes from: the exact derivatives, or coloured differences of the residual.
+/// Computation of the assembled tangent: exact derivatives, or finite differences of the residual with colouring.
 enum class TangentSource { exact, finite_difference };
 
 struct LinearSettings {
     LinearMethod method = LinearMethod::automatic;
     Preconditioner preconditioner = Preconditioner::asm_lu;
-    double tolerance = 1e-8;   ///< residual of a linear solve over its right-hand side
-    int iteration_limit = 40;  ///< a Krylov method that reaches it gives its best correction so far
+    double tolerance = 1e-8;   ///< residual of a linear solve relative to its right-hand side
+    int iteration_limit = 40;  ///< a Krylov method that reaches it returns its best correction
 };
 
-/// full: a new tangent every iteration. modified: that of the step's first iteration. bfgs: the same with the updates of
-/// Broyden, Fletcher, Goldfarb and Shanno (Matthies and Strang 1979).
+/// full: a new tangent in every iteration. modified: the tangent of the first iteration of the step. bfgs: the same with BFGS
+/// updates (Broyden, Fletcher, Goldfarb, Shanno; Matthies and Strang 1979).
 enum class NewtonMethod { full, modified, bfgs };
 
-/// backtracking: halve until the residual falls. secant: find where the residual has no part along the correction.
-/// none: the whole correction. All of them halve while det F <= 0 somewhere.
+/// backtracking: halve until the residual decreases. secant: find the zero of the residual's component along the correction.
+/// none: the full correction. All of them halve the correction while det F <= 0 somewhere.
 enum class LineSearch { backtracking, secant, none };
 
-/// error_adaptive: by the error of the predictor. iteration_adaptive: by the Newton iterations of the step before.
-/// constant: `first_step`, shortened only while a step fails.
+/// Step size control. error_adaptive: from the predictor error. iteration_adaptive: from the Newton iterations of the previous
+/// step. constant: `first_step`, shortened only while a step fails.
 enum class StepRule { error_adaptive, iteration_adaptive, constant };
 
-/// Where Newton's method starts: on the cubic through the last two states, on the tangent of the last, or at the last.
+/// Initial guess of Newton's method: cubic extrapolation of the last two states, the tangent at the last state, or the last state.
 enum class Predictor { cubic, tangent, none };
 
 struct SolverSettings {
-    double residual_tolerance = 1e-9;  ///< |residual| <= tolerance x scale of the nodal forces
+    double residual_tolerance = 1e-9;  ///< |residual| <= tolerance x characteristic size of the nodal forces
     NewtonMethod newton = NewtonMethod::full;
     LineSearch line_search = LineSearch::backtracking;
     TangentSource tangent = TangentSource::exact;
-    int newton_limit = 16;  ///< iterations a step
+    int newton_limit = 16;  ///< maximum iterations per step
     LinearSettings linear;
     bool scaling = true;  ///< pressure unknowns are scaled to displacements (assembly/dof_map.hpp); false: in Pa
-    int threads = 1;      ///< of a rank, in the element loops; the sums keep their order
+    int threads = 1;      ///< threads per rank in the element loops; the order of summation does not depend on it
     StepRule steps = StepRule::error_adaptive;
     Predictor predictor = Predictor::cubic;
-    double first_step = 0.02;   ///< first step, fraction of the full load in the linear response
-    double max_step = 0.0;  ///< 0: chosen by the solver; else a bound on the step as a fraction of the path so far
-    double min_step = 1e-4;  ///< a step cut below this part of the first ends the path; of an arc, a thousandth
-    int wanted_iterations = 5;    ///< of a step, steps iteration_adaptive
-    int step_limit = 1000;        ///< stop_reason step_limit beyond
-    double step_accuracy = 2e-3;  ///< wanted relative error of the predictor; smaller = denser steps
+    double first_step = 0.02;   ///< first step as a fraction of the full load, in the linear response
+    double max_step = 0.0;  ///< 0: chosen by the solver; else an upper bound on the step, as a fraction of the path so far
+    double min_step = 1e-4;  ///< the path ends if a step is cut below this fraction of the first step; arc length: a thousandth
+    int wanted_iterations = 5;    ///< target number of Newton iterations per step, for iteration_adaptive
+    int step_limit = 1000;        ///< maximum number of steps; the path then ends with stop_reason step_limit
+    double step_accuracy = 2e-3;  ///< target relative error of the predictor; smaller = denser steps
 };
 
 /// Time integration of M a + C v + R(x, t) = 0 (dynamics/motion.hpp).
 enum class Integrator {
-    generalized_alpha,  ///< Chung and Hulbert 1993, second order, damps what the step does not resolve
+    generalized_alpha,  ///< Chung and Hulbert 1993, second order, damps frequencies that the step does not resolve
     hht,                ///< Hilber, Hughes and Taylor 1977
-    newmark,            ///< average acceleration: keeps the energy of linear systems
+    newmark,            ///< average acceleration: conserves the energy of linear systems
     implicit_euler,
     ark4,        ///< fourth-order additive Runge-Kutta (Kennedy and Carpenter 2003)
     rosenbrock,  ///< linearly implicit Runge-Kutta (Rang and Angermann 2005)
     heun,
-    explicit_euler,  ///< explicit: a lumped mass and no pressure unknown
+    explicit_euler,  ///< explicit methods require a lumped mass and no pressure unknowns
     central_difference,
 };
 
@@ -78,16 +78,16 @@ enum class Integrator {
            integrator == Integrator::central_difference;
 }
 
-/// A case with it is one stage that runs in time, from rest in the undeformed state.
+/// Time integration settings. A dynamic case has one stage that starts at rest in the undeformed state.
 struct Dynamics {
     Integrator integrator = Integrator::generalized_alpha;
     double duration_s = 0;
-    double step_s = 0;             ///< 0: chosen by `accuracy`, of an explicit integrator by its stable step
-    double accuracy = 1e-4;        ///< wanted error of a step over the size of the motion, where step_s is 0
-    double spectral_radius = 0.8;  ///< of generalized_alpha and hht (>= 1/2), at infinite frequency: 1 damps nothing
+    double step_s = 0;             ///< 0: chosen from `accuracy`, or from the stability limit of an explicit integrator
+    double accuracy = 1e-4;        ///< target error per step relative to the size of the motion, if step_s is 0
+    double spectral_radius = 0.8;  ///< of generalized_alpha and hht (>= 1/2) at infinite frequency; 1: no damping
     double mass_damping_1_s = 0;   ///< Rayleigh: C = mass_damping M + stiffness_damping K(undeformed)
     double stiffness_damping_s = 0;
-    int rows = 2000;  ///< of the path at most (constant steps: every so many)
+    int rows = 2000;  ///< maximum number of rows of the path (constant steps: every n-th step is written)
 };
 
 }  // namespace soft::model

@@ -1,16 +1,16 @@
 #pragma once
-/// A field for other programs: plain data that fields makes, and view and io write.
+/// A field for export. Plain data: the module fields computes it; view and io write it.
 #include <string>
 #include <vector>
 
 namespace soft::solution {
 
 struct NamedArray {
-    std::string name;         ///< with its unit: "cauchy_stress_Pa"
-    std::string units;        ///< "Pa"; "1": a pure number
+    std::string name;         ///< including the unit: "cauchy_stress_Pa"
+    std::string units;        ///< "Pa"; "1": dimensionless
     std::string description;  ///< one sentence
     int components = 1;
-    std::vector<double> values;  ///< [place][component]
+    std::vector<double> values;  ///< [point or cell][component]
 };
 
 }  // namespace soft::solution
