@@ -1,7 +1,7 @@
-# The designs of a sweep as a Snakemake workflow: one job a design, files declared so that any storage and executor serves.
-# `scripts/sweep SWEEP.yaml --engine snakemake -- --profile CLOUD` prepares the folder and starts it there; by hand, in it:
+# Snakemake workflow of a sweep: one job per design, with declared files, so that it runs with any storage and executor.
+# `scripts/sweep SWEEP.yaml --engine snakemake -- --profile CLOUD` prepares the folder and starts the workflow. Manually, in the folder:
 #     snakemake --snakefile .../scripts/sweep.smk --cores all --config worker=.../scripts/sweep-design
-# A failed design is a result too, with files that are empty: its status says why.
+# A failed design is a valid result with empty files; its status gives the reason.
 with open("waiting") as listing:
     ids = listing.read().split()
 

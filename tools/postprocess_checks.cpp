@@ -36,7 +36,7 @@ void check_comparison(const CompareOptions& options, const post::Curve& curve, c
                       CheckReport& checks) {
     checks.lines = post::summary_lines(curve, comparison.measured, comparison.errors);
     if (options.max_error.empty()) return;
-    for (post::Claim& claim : post::check_largest(curve, comparison.measured, comparison.errors, options.max_error)) {
+    for (post::Claim& claim : post::check_max_error(curve, comparison.measured, comparison.errors, options.max_error)) {
         if (checks.failure.empty()) checks.failure = claim.failure;
         checks.claims.push_back(std::move(claim));
     }

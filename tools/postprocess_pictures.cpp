@@ -101,7 +101,7 @@ std::vector<std::string> state_words(const post::Curve& curve, std::span<const d
     std::vector<std::string> all;
     for (std::size_t i = 0; i < curve.columns.size(); ++i) {
         const post::Column& column = curve.columns[i];
-        if (!is_in_title(curve, column) || column.role == post::Role::follower) continue;
+        if (!is_in_title(curve, column) || column.role == post::Role::dependent) continue;
         if (column.quantity == "step" && !with_step) continue;
         std::string words = column.quantity;
         std::ranges::replace(words, '_', ' ');

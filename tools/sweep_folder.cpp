@@ -35,7 +35,7 @@ constexpr std::size_t max_status = std::size_t{1} << 20;  // bytes; a few lines 
 
 /// The folder of a design inside that of the sweep; a valid address cannot point outside.
 fs::path folder_of(const fs::path& folder, const sweep::PlannedDesign& design) {
-    if (!sweep::is_address(design.id))
+    if (!sweep::is_design_id(design.id))
         throw Error(ExitCode::internal, core::quoted(design.id), "is not a valid design address");
     return folder / design.id;
 }

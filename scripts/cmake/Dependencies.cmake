@@ -1,4 +1,4 @@
-# Every outside library is found here, once, and becomes one target. Minimum versions are those of Debian 12.
+# Finds every external library and defines one target for each. The minimum versions are those of Debian 12.
 find_package(PkgConfig REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C)
 find_package(yaml-cpp REQUIRED)
@@ -6,7 +6,7 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
 
-# PETSc: its pkg-config flags carry the distribution's hardening flags, so only includes and libraries are taken.
+# PETSc: only includes and libraries are used, because its pkg-config flags contain the hardening flags of the distribution.
 pkg_check_modules(PETSC_PC REQUIRED PETSc>=3.18)
 add_library(soft_petsc INTERFACE)
 target_include_directories(soft_petsc SYSTEM INTERFACE ${PETSC_PC_INCLUDE_DIRS})
@@ -19,16 +19,16 @@ add_library(soft_cholmod INTERFACE)
 target_include_directories(soft_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
 target_link_libraries(soft_cholmod INTERFACE ${CHOLMOD_LIBRARY})
 
-# The MUMPS that PETSc uses, or that came with it.
+# The MUMPS library that PETSc uses.
 find_path(MUMPS_INCLUDE_DIR dmumps_c.h HINTS ${PETSC_PC_INCLUDE_DIRS} PATH_SUFFIXES MUMPS openmpi-${CMAKE_SYSTEM_PROCESSOR} REQUIRED)
 find_library(MUMPS_LIBRARY dmumps HINTS ${PETSC_PC_LIBRARY_DIRS} REQUIRED)
 add_library(soft_mumps INTERFACE)
 target_include_directories(soft_mumps SYSTEM INTERFACE ${MUMPS_INCLUDE_DIR})
 target_link_libraries(soft_mumps INTERFACE ${MUMPS_LIBRARY})
 
-find_library(LAPACK_LIBRARY NAMES lapack flexiblas openblas REQUIRED)   # comes with PETSc
+find_library(LAPACK_LIBRARY NAMES lapack flexiblas openblas REQUIRED)   # installed with PETSc
 
-# HDF5: the flavour PETSc was built with; two flavours in one process do not share identifiers.
+# HDF5: the variant with which PETSc was built; two variants in one process do not share identifiers.
 pkg_search_module(HDF5_PC REQUIRED hdf5-openmpi hdf5)
 find_library(HDF5_HL_LIBRARY NAMES hdf5_openmpi_hl hdf5_hl HINTS ${HDF5_PC_LIBRARY_DIRS} REQUIRED)
 add_library(soft_hdf5 INTERFACE)
@@ -38,7 +38,7 @@ target_compile_definitions(soft_hdf5 INTERFACE H5_USE_110_API OMPI_SKIP_MPICXX)
 
 find_path(GMSH_INCLUDE_DIR gmsh.h REQUIRED)
 find_library(GMSH_LIBRARY gmsh REQUIRED)
-add_library(soft_gmsh_header INTERFACE)   # the programs load the library when they need it: lib/meshing/CMakeLists.txt
+add_library(soft_gmsh_header INTERFACE)   # the programs load the library at run time: lib/meshing/CMakeLists.txt
 target_include_directories(soft_gmsh_header SYSTEM INTERFACE ${GMSH_INCLUDE_DIR})
 target_link_libraries(soft_gmsh_header INTERFACE ${CMAKE_DL_LIBS})
 add_library(soft_gmsh INTERFACE)
@@ -50,7 +50,7 @@ add_library(soft_csv INTERFACE)
 target_include_directories(soft_csv SYSTEM INTERFACE ${CSV_INCLUDE_DIR})
 target_link_libraries(soft_csv INTERFACE ${CSV_LIBRARY})
 
-find_package(OpenMP REQUIRED COMPONENTS CXX)   # comes with the compiler; the threads of the element loops
+find_package(OpenMP REQUIRED COMPONENTS CXX)   # part of the compiler; for the threads of the element loops
 find_package(CGAL CONFIG REQUIRED)
-find_package(Ceres 2.1 REQUIRED)   # brings Eigen
+find_package(Ceres 2.1 REQUIRED)   # includes Eigen
 find_package(pugixml REQUIRED)

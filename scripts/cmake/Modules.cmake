@@ -1,11 +1,12 @@
-# One static library a module, sources listed by hand; `uses` are the modules it may include (the arrows of the house).
+# One static library per module, with explicit source lists. USES lists the modules whose headers it may include
+# (tests/layers/dependencies.txt).
 add_library(soft_flags INTERFACE)
 target_compile_options(soft_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                                             -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
-# Vectors as arguments of functions that are always inlined (core/lanes.hpp): how they would be passed does not matter.
+# core/lanes.hpp passes vectors to functions that are always inlined, so that the calling convention does not matter.
 target_compile_options(soft_flags INTERFACE -Wno-psabi)
-# Helpers of one source are not what another of the same module means (CMAKE_UNITY_BUILD). In .ci/run clang compiles each source by
-# itself, with both.
+# In a unity build helpers of one source may shadow names of another source of the same module. .ci/run compiles each source
+# separately with clang and keeps both warnings.
 if(CMAKE_UNITY_BUILD)
   target_compile_options(soft_flags INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
@@ -17,7 +18,7 @@ if(SOFT_SANITIZE)
                                               -fno-sanitize-recover=undefined)
   target_link_options(soft_flags INTERFACE -fsanitize=address,undefined)
 endif()
-if(SOFT_FUZZ)   # tests/fuzz; every module counts its branches, the programs there bring the fuzzer itself
+if(SOFT_FUZZ)   # tests/fuzz: instrument every module; the targets link libFuzzer
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
     message(FATAL_ERROR "SOFT_FUZZ needs clang 16 or later (-DCMAKE_CXX_COMPILER=clang++-16)")
   endif()
@@ -26,8 +27,8 @@ if(SOFT_FUZZ)   # tests/fuzz; every module counts its branches, the programs the
   target_link_options(soft_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What computes at length; the other modules, the programs and the tests read, write and ask. Of a release those have -O2 and the tests
-# -O1, which takes a third less time to compile than -O3; with the sanitizers, as .ci/run builds (-O0), the computing ones have -O1.
+# Modules with numerical kernels. In a release build the other modules and the programs use -O2 and the tests -O1, which compile in two
+# thirds of the time of -O3. With sanitizers (.ci/run, -O0) the modules of this list use -O1.
 set(soft_computing_modules core mesh surface material element linalg assembly solver dynamics meshing geometry fit)
 
 # soft_module(name SOURCES a.cpp b.cpp USES core mesh LIBRARIES soft_petsc)

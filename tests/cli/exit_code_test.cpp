@@ -123,9 +123,9 @@ TEST(TakeRest, CutsAtTheFirstDoubleDash) {
     char* argv[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(),
                     words[4].data(), words[5].data(), nullptr};
     int argc = 6;
-    EXPECT_EQ(cli::take_rest(argc, argv), (std::vector<std::string>{"-ksp_view", "--", "x"}));
+    EXPECT_EQ(cli::take_library_options(argc, argv), (std::vector<std::string>{"-ksp_view", "--", "x"}));
     EXPECT_EQ(argc, 2);
-    EXPECT_TRUE(cli::take_rest(argc, argv).empty());
+    EXPECT_TRUE(cli::take_library_options(argc, argv).empty());
 }
 
 }  // namespace

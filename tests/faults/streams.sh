@@ -15,7 +15,7 @@ for tool in mesh-gen solve postprocess fit-material; do
     do_it=${command[$tool]} from="$tool -q ${options[$tool]:-}"
     row 'empty stdin' $tool 65 '<stdin>: *' nothing "$from -o place/out"
     if [ $tool = fit-material ]; then   # a table cannot know
-        row 'stdin cut off' $tool 0 'warning: <stdin>: the last line has no end: is the file whole[?]' - \
+        row 'stdin cut off' $tool 0 'warning: <stdin>: the last line has no line ending; check that the file is complete' - \
             "head -c -3 test.csv | fit-material --law yeoh -o place/out 2>&1 | grep warning >&2"
     else
         row 'stdin cut off' $tool 65 '<stdin>*' nothing "head -c 700 ${input[$tool]} | $from -o place/out"

@@ -55,7 +55,7 @@ END
 printf 'rod.h5 -q -o es\033[1mcape.h5\nrod.h5 -q -o nul\0.h5\n' >>lines
 run "solve --batch <lines"
 claim "a quote that is not closed and control characters are refused" [ "$(cut -d ' ' -f 1 "$seen/out" | xargs)" = '64 64 64 0 64 64' ]
-claim "with their reason" grep -q "^solve: --batch: a quote in the line is not closed, or it ends with a backslash; quote as in a shell: " "$seen/err"
+claim "with their reason" grep -q "^solve: --batch: a quote in the line is not closed, or the line ends with a backslash; quote as in a shell: " "$seen/err"
 claim "quotes are those of a shell" [ -s "it's one.h5" ]
 claim "nothing else is written" [ -z "$(find . -maxdepth 1 -name 'open*' -o -maxdepth 1 -name 'es*' -o -maxdepth 1 -name 'nul*')" ]
 run "ulimit -v 4000000; { head -c 300000000 /dev/zero | tr '\\0' x; echo; echo 'rod.h5 -q -o long.h5'; } | solve --batch"
@@ -72,8 +72,8 @@ run "yes 'rod.h5 -q -o again.h5' | head -n 500 | solve --batch | head -n 1"
 claim "it ends when nobody reads" [ "$(wc -l <"$seen/out")" -eq 1 ]
 run "solve --batch </dev/null"
 claim "no lines are no work" exits 0
-refuses 64 'solve: *--json: says nothing to --batch itself; *' 'solve --batch --json a.json </dev/null'
-refuses 64 'solve: CASE: says nothing to --batch itself; *' 'solve --batch rod.h5'
+refuses 64 'solve: *--json: cannot be combined with --batch; *' 'solve --batch --json a.json </dev/null'
+refuses 64 'solve: CASE: cannot be combined with --batch; *' 'solve --batch rod.h5'
 run "mpirun -n 2 solve --batch <lines"
-claim "it is for one rank" grep -q 'solve: --batch: runs on one rank; leave out mpirun' "$seen/err"
+claim "it is for one rank" grep -q 'solve: --batch: runs on one rank only; omit mpirun' "$seen/err"
 claim "several are refused" exits 64

@@ -40,7 +40,7 @@ if [ -z "$(type -P parallel)" ]; then
     exit 0
 fi
 refuses 64 "campaign: unknown option '--sed'; *" "$campaign 3 --sed 4"
-refuses 64 "campaign: 'many' is no number" "$campaign many"
+refuses 64 "campaign: 'many' is not a number" "$campaign many"
 LIMIT=240
 runs "$campaign 20 --seed 7 --jobs 1 --folder first"
 claim "twenty rows" [ "$(wc -l <first/outcomes.csv)" -eq 21 ]

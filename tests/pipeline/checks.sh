@@ -27,9 +27,9 @@ runs 'postprocess result.h5 --check golden.csv'
 claim "a whole one does not" not grep -q covers "$seen/err"
 refuses 1 "postprocess: other.csv: the result has no column 'bend_deg'" "sed '1s/volume_mL/bend_deg/' golden.csv > other.csv; postprocess -q result.h5 --check other.csv"
 refuses 66 'postprocess: absent.csv: *' 'postprocess -q result.h5 --check absent.csv'
-refuses 65 "postprocess: broken.csv:4: column 2 'pressure_kPa': 'x' is no number; *" "sed '4s/,[^,]*/,x/' golden.csv > broken.csv; postprocess -q result.h5 --check broken.csv"
+refuses 65 "postprocess: broken.csv:4: column 2 'pressure_kPa': 'x' is not a number; *" "sed '4s/,[^,]*/,x/' golden.csv > broken.csv; postprocess -q result.h5 --check broken.csv"
 refuses 64 'postprocess: --rtol: *' 'postprocess -q result.h5 --check golden.csv --rtol -1'
-refuses 64 'postprocess: --junit: says nothing without --check or --max-error' 'postprocess -q result.h5 --junit x.xml'
+refuses 64 'postprocess: --junit: has no effect without --check or --max-error' 'postprocess -q result.h5 --junit x.xml'
 
 # --compare: the path itself, in other units, is a measurement without error
 runs "awk -F, 'NR == 1 { print \"Druck (psi);Weg (in)\"; next } { printf \"%.9f;%.9f\n\", \$2 / 6.894757293168361, \$3 / 25.4 }' golden.csv | tr . , > same.csv"
@@ -47,12 +47,12 @@ claim "of size 4/3" within "$(column mean_absolute errors.csv | head -n 1)" 1.33
 claim "the RMS is the root of 2" within "$(column rms errors.csv | head -n 1)" 1.4141 1.4143
 claim "a failure for CI" grep -q 'failures="1"' verdict.xml
 runs 'tail -n +2 off.csv | tr "," "\t" > bare.tsv && postprocess -q result.h5 --compare bare.tsv --columns pressure=1:kPa,elongation=2:mm --max-error 2.01kPa'
-refuses 65 'postprocess: bare.tsv: no pressure is found among column 1, column 2; say where it is, e.g. --columns pressure=1:kPa; *' 'postprocess -q result.h5 --compare bare.tsv'
-refuses 65 'postprocess: bare.tsv: column 1: the unit is not known; give it, e.g. --columns pressure=1:kPa' 'postprocess -q result.h5 --compare bare.tsv --columns pressure=1,elongation=2:mm'
+refuses 65 'postprocess: bare.tsv: no pressure was found among column 1, column 2; name its column, e.g. --columns pressure=1:kPa; *' 'postprocess -q result.h5 --compare bare.tsv'
+refuses 65 'postprocess: bare.tsv: column 1: the unit is missing; give it, e.g. --columns pressure=1:kPa' 'postprocess -q result.h5 --compare bare.tsv --columns pressure=1,elongation=2:mm'
 refuses 65 'postprocess: ragged.csv:3: has 1 cells, the first line has 2; *' "sed '3s/,.*//' off.csv > ragged.csv; postprocess -q result.h5 --compare ragged.csv"
-refuses 64 "postprocess: --max-error: '5 deg' is no quantity that was compared; *" 'postprocess -q result.h5 --compare off.csv --max-error "5 deg"'
-refuses 64 'postprocess: --at: says nothing with --compare, *' 'postprocess -q result.h5 --compare off.csv --at pressure=1kPa'
-refuses 64 'postprocess: --max-error: says nothing without --compare' 'postprocess -q result.h5 --max-error 5kPa'
+refuses 64 "postprocess: --max-error: '5 deg' does not have the unit of a compared quantity; *" 'postprocess -q result.h5 --compare off.csv --max-error "5 deg"'
+refuses 64 'postprocess: --at: has no effect with --compare, *' 'postprocess -q result.h5 --compare off.csv --at pressure=1kPa'
+refuses 64 'postprocess: --max-error: has no effect without --compare' 'postprocess -q result.h5 --max-error 5kPa'
 
 # --plot
 if [ -n "$(type -P gnuplot)" ]; then
@@ -65,4 +65,4 @@ if [ -n "$(type -P gnuplot)" ]; then
     refuses 64 "postprocess: --x: the curve has no 'elongatoin'; did you mean 'elongation'[?]" 'postprocess -q result.h5 --plot x.svg --x elongatoin -o x.csv'
     refuses 65 'postprocess: --with *: the curve has no *' 'mesh-gen -q designs/sphere.yaml | solve -q -o sphere.h5; postprocess -q result.h5 --with sphere.h5 --plot x.svg -o x.csv'
 fi
-refuses 64 'postprocess: --with: says nothing without --plot or --report' 'postprocess -q result.h5 --with finer.h5'
+refuses 64 'postprocess: --with: has no effect without --plot or --report' 'postprocess -q result.h5 --with finer.h5'

@@ -30,7 +30,7 @@ claim "and nothing else" quiet
 # The pressure of a long neo-Hookean ring has no maximum but an asymptote, mu ln(B/A) = 113.9534 kPa
 run "mesh-gen -q designs/ring.yaml --set mesh.quality=fine --set \"path={control: auto}\" | solve --json ring.json -o ring.h5"
 claim "a load beyond an asymptote ends as one beyond a maximum" exits 2
-claim "with its own words" has 'the load asked for is never reached: it tends to *' ring.json detail
+claim "with its own words" has 'the requested load is never reached: the load tends to *' ring.json detail
 claim "at the end of patience, a stretch of 10, or soon after" within "$(postprocess -q ring.h5 | column stretch_p99 /dev/stdin | tail -n 1)" 10 60
 claim "at the asymptote, to the error of the mesh" within "$(postprocess -q ring.h5 | column pressure_kPa /dev/stdin | tail -n 1)" 113.9 113.954
 
@@ -51,7 +51,7 @@ yeoh='material={law: yeoh, c1: 100.55 kPa, c2: 6.387 kPa, c3: -0.14916 kPa, kapp
 for full in 40kPa 60kPa; do
     run "mesh-gen -q designs/bellows.yaml --set '$yeoh' --set geometry.wall=1.5mm --set geometry.convolutions=2 --set loads.cavity.pressure=$full --set path={} | solve -q --json back.json -o back.h5"
     claim "a path that turns back under $full ends early" exits 2
-    claim "and says so" has 'the load asked for is not reached: the path has turned back, *' back.json detail
+    claim "and says so" has 'the requested load is not reached: the path retraces itself, *' back.json detail
     postprocess -q back.h5 -o back.csv
     claim "beside its limit point, 34.68 kPa, not at zero" within "$(column pressure_kPa back.csv | tail -n 1)" 34.3 34.69
 done
@@ -72,7 +72,7 @@ claim "a plate under 1 GPa is followed as under 2 kPa" within "$(awk -v a="$(col
 # Past its limit point a thin tube comes to steps that lead nowhere; no number of them goes on.
 run "mesh-gen -q designs/tube.yaml --set geometry.length=74.687mm --set geometry.outer_radius=6.45655mm --set geometry.inner_radius=5.73489mm --set geometry.cap=0.806878mm --set mesh.size=1.49374mm --set 'material={law: neo-hookean, mu: 847.202 kPa, kappa: 435.516 MPa}' --set loads.cavity.pressure=116kPa --set path={} | solve -q --json stall.json -o stall.h5"
 claim "a path that is past its maximum and stalls ends early" exits 2
-claim "with the reason" has 'the load asked for is n* reached: *maximum*' stall.json detail
+claim "with the reason" has 'the requested load is n* reached: *limit point*' stall.json detail
 
 # A load that is never reached says nothing of the path: not of its first step either, between whose rows the curve is read off.
 # Pressures of an independent code: tests/verification/actuators.cpp.

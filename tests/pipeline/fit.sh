@@ -17,7 +17,7 @@ runs 'fit-material < data/dragon-skin-20.csv | diff <(sed /^#/d yeoh.yaml | grep
 claim 'stdin and stdout are the file' exits 0
 
 runs 'fit-material data/ecoflex-00-30.csv --range 0:1300% --law yeoh-5 --weights relative --weight-floor 1% --stability everywhere'
-refuses 64 'fit-material: --weight-floor: needs relative weights; *' 'fit-material data/ecoflex-00-30.csv --weight-floor 1%'
+refuses 64 'fit-material: --weight-floor: requires relative weights; *' 'fit-material data/ecoflex-00-30.csv --weight-floor 1%'
 refuses 64 "fit-material: --weight-floor: '2' is not between 0 and 1; *" 'fit-material data/ecoflex-00-30.csv --weights relative --weight-floor 2'
 runs 'fit-material --uniaxial data/treloar-uniaxial.csv --equibiaxial data/treloar-equibiaxial.csv --planar data/treloar-planar.csv --rank --plot rank.png > rank.txt'
 claim 'every law has its line' [ "$(wc -l <rank.txt)" -eq 12 ]
@@ -27,7 +27,7 @@ claim 'a PNG is one' [ "$(head -c 4 rank.png | tail -c 3)" = PNG ]
 runs 'mesh-gen designs/bellows.yaml --set material=dragon-skin-20 -o named.h5'
 runs 'solve named.h5 --set path.until.elongation=10mm | postprocess > named.csv'
 claim 'a silicone by its name gives a curve' table named.csv
-claim 'the result states the law, its range and its error' grep -q 'dragon-skin-20, yeoh fitted over 11.362:897.727 % of strain, stress within 9.8 %' "$seen/err"
+claim 'the result states the law, its range and its error' grep -q 'dragon-skin-20, yeoh fitted over 11.362:897.727 % strain, stress within 9.8 %' "$seen/err"
 runs 'solve -q named.h5 --set path.until.elongation=40mm --set loads.cavity.pressure=20kPa --json low.json -o low.h5; solve -q named.h5 --set path.until.elongation=40mm --set loads.cavity.pressure=60kPa --json high.json -o high.h5'
 claim 'the constants do not depend on the load' [ "$(json low.json materials)" = "$(json high.json materials)" ]
 runs 'postprocess -q low.h5 --at elongation=20mm,30mm --json low-post.json > low.csv; postprocess -q high.h5 --at elongation=20mm,30mm --json high-post.json > high.csv; paste -d, low.csv high.csv'
@@ -53,23 +53,23 @@ printf 'Engineering Strain;Engineering Stress (MPa)\n0.1;1\n' >one.csv
 printf 'Engineering Strain;Engineering Stress (MPa)\n0.1;1\n-1.2;2\n' >negative.csv
 printf 'Engineering Strain;Engineering Stress (MPa)\n0.1;1\n0.2;2\n0.15;3\n' >back.csv
 printf 'Engineering Strain;Engineering Stress\n0.1;1\n0.2;2\n' >unit.csv
-refuses 65 "fit-material: text.csv:3: column 2 'Engineering Stress (MPa)': '2x' is no number; *" 'fit-material text.csv'
-refuses 65 'fit-material: column.csv:1: no title says which column is the stress; name one with --stress-column*' 'fit-material column.csv'
+refuses 65 "fit-material: text.csv:3: column 2 'Engineering Stress (MPa)': '2x' is not a number; *" 'fit-material text.csv'
+refuses 65 'fit-material: column.csv:1: no title identifies the stress column; name one with --stress-column*' 'fit-material column.csv'
 refuses 65 'fit-material: one.csv:2: only 1 of the rows*' 'fit-material one.csv'
 refuses 65 'fit-material: negative.csv:3: a stretch of -0.2 is not positive; *' 'fit-material negative.csv'
-refuses 65 'fit-material: back.csv:4: the strain turns back; *' 'fit-material back.csv'
-refuses 65 'fit-material: unit.csv:1: the unit of the stress is nowhere stated; give --stress-unit*' 'fit-material unit.csv'
+refuses 65 'fit-material: back.csv:4: the strain reverses direction; *' 'fit-material back.csv'
+refuses 65 'fit-material: unit.csv:1: the unit of the stress is not stated; give --stress-unit*' 'fit-material unit.csv'
 refuses 65 'fit-material: back.csv: 3 rows are too few for the 3 constants of yeoh; *' 'fit-material back.csv --any-order'
 refuses 66 'fit-material: none.csv: *' 'fit-material none.csv'
 refuses 64 'fit-material: --output text.csv: would overwrite the input; *' 'fit-material text.csv -o text.csv'
 refuses 64 "fit-material: --law: no law is called 'yeho'; did you mean 'yeoh'*" 'fit-material text.csv --law yeho'
 refuses 64 "fit-material: --range: '110%' has no colon; *" 'fit-material text.csv --range 110%'
 refuses 64 "fit-material: --range: '0:110' looks like percentages*" 'fit-material text.csv --range 0:110'
-refuses 64 "fit-material: --skip-rows: '-1' is no number of rows; give 0 or more; *" 'fit-material text.csv --skip-rows -1'
-refuses 64 "fit-material: --skip-rows: '1.5' is no number of rows; *" 'fit-material text.csv --skip-rows 1.5'
-refuses 64 'fit-material: -: stdin can be read once only; *' 'fit-material --uniaxial - --planar -'
-refuses 64 "fit-material: --weight: 'planar=2' is no weight of a mode that is given; *" 'fit-material text.csv --weight planar=2'
-refuses 64 'fit-material: fit.jpg: pictures are written as .svg, .png or .pdf' 'fit-material text.csv --plot fit.jpg'
+refuses 64 "fit-material: --skip-rows: '-1' is not a number of rows; give 0 or more; *" 'fit-material text.csv --skip-rows -1'
+refuses 64 "fit-material: --skip-rows: '1.5' is not a number of rows; *" 'fit-material text.csv --skip-rows 1.5'
+refuses 64 'fit-material: -: stdin can be read only once; *' 'fit-material --uniaxial - --planar -'
+refuses 64 "fit-material: --weight: 'planar=2' is not a positive weight of a given mode; *" 'fit-material text.csv --weight planar=2'
+refuses 64 'fit-material: fit.jpg: unknown picture format; use .svg, .png or .pdf' 'fit-material text.csv --plot fit.jpg'
 
 # Displacement and force of the machine: the specimen of these data is 33 mm long, 6 x 3 mm.
 awk -F';' '/^[0-9.]+;[0-9]/ { if (!n++) print "Specimen,1\n\n\"Extension\",\"Load\"\n\"(mm)\",\"(N)\""; printf "\"%.9f\",\"%.9f\"\n", 33 * $4, 18 * $5 }' data/dragon-skin-20.csv >machine.csv
@@ -77,9 +77,9 @@ runs 'fit-material machine.csv --gauge-length 33mm --width 6mm --thickness 3mm >
 constants() { awk '/^  c[123]:/ { print $1, $2 }' "$1"; }
 claim 'force and displacement give the constants of stress and strain' awk \
     'NR == FNR { c[$1] = $2; next } { if (($2 - c[$1]) ^ 2 > (1e-6 * $2) ^ 2) exit 1; ++n } END { exit n != 3 }' <(constants yeoh.yaml) <(constants machine.yaml)
-refuses 65 'fit-material: machine.csv:3: no title says which column is the strain; *; of a displacement give --gauge-length' 'fit-material machine.csv'
-refuses 64 'fit-material: --width: is one side of the section only; *' 'fit-material machine.csv --gauge-length 33mm --width 6mm'
-refuses 64 'fit-material: --area: the section is stated twice; *' 'fit-material machine.csv --gauge-length 33mm --width 6mm --thickness 3mm --area 18mm^2'
+refuses 65 'fit-material: machine.csv:3: no title identifies the strain column; *; for a displacement give --gauge-length' 'fit-material machine.csv'
+refuses 64 'fit-material: --width: defines only one side of the cross-section; *' 'fit-material machine.csv --gauge-length 33mm --width 6mm'
+refuses 64 'fit-material: --area: the cross-section is given twice; *' 'fit-material machine.csv --gauge-length 33mm --width 6mm --thickness 3mm --area 18mm^2'
 refuses 64 "fit-material: --gauge-length: '0 mm' is not positive; *" 'fit-material machine.csv --gauge-length "0 mm" --area 18mm^2'
 
 # What people have: decimal commas, no header, true stress, other things than tables.
@@ -93,19 +93,19 @@ runs 'fit-material tabs.tsv > tabs.yaml'
 claim 'nor do tabs' same tabs.yaml
 runs 'fit-material bare.txt --strain-column 1 --stress-column 2 --strain engineering --stress engineering --stress-unit MPa > bare.yaml'
 claim 'nor does a missing header' same bare.yaml
-refuses 65 'fit-material: bare.txt:1: the table has no header that says which column is the strain; name one with --strain-column*' 'fit-material bare.txt'
+refuses 65 'fit-material: bare.txt:1: the table has no header to identify the strain column; name one with --strain-column*' 'fit-material bare.txt'
 runs 'fit-material data/dragon-skin-20.csv --strain-column "true strain" --stress-column "true stress" > true.yaml'
 claim 'true stress is said' grep -q "stress: 'engineering, from true'" true.yaml
 : >empty.csv
 head -c 900 data/dragon-skin-20.csv | sed '$ s/;[^;]*$//' >cut.csv
 printf 'strain,stress\n0.1,1\000\n' >zero.csv
-refuses 65 'fit-material: empty.csv: holds no row of numbers' 'fit-material empty.csv'
+refuses 65 'fit-material: empty.csv: contains no row of numbers' 'fit-material empty.csv'
 runs 'head -c 1500 data/dragon-skin-20.csv > short.csv; fit-material short.csv > short.yaml'
-claim 'a file without an end is told' grep -q 'short.csv: the last line has no end: is the file whole?' "$seen/err"
+claim 'a file without an end is told' grep -q 'short.csv: the last line has no line ending; check that the file is complete' "$seen/err"
 claim 'so is a poor fit' grep -q 'the best fit is poor' "$seen/err"
 refuses 65 "fit-material: cut.csv:*: column * 'Engineering Stress (MPa)': the cell is empty; *" 'fit-material cut.csv'
-refuses 65 'fit-material: zero.csv:2: holds a zero byte: the file is no text; *' 'fit-material zero.csv'
-refuses 65 'fit-material: wide.h5:*: holds a zero byte: the file is no text; *' 'fit-material wide.h5'
+refuses 65 'fit-material: zero.csv:2: contains a zero byte: the file is not text; *' 'fit-material zero.csv'
+refuses 65 'fit-material: wide.h5:*: contains a zero byte: the file is not text; *' 'fit-material wide.h5'
 refuses 66 'fit-material: data: *' 'fit-material data'
 
 runs 'fit-material --help; fit-material --version; fit-material --man; fit-material --completion bash'

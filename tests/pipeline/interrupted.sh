@@ -14,7 +14,7 @@ expected=$(head -n 1 "$seen/err" | sed 's/.*about \([0-9]*\) MB.*/\1/')
 claim "the memory is that" within "$expected" "$(awk -v used="$used" 'BEGIN { print used / 2 }')" "$(awk -v used="$used" 'BEGIN { print used * 2 }')"
 
 # Without -o an interrupted run is lost: a file gets a warning, a pipe none.
-lost='warning: stdout is a file, which is written at the end: a run that is interrupted is lost; with -o FILE each row is saved'
+lost='warning: stdout is a file, which is written only at the end: an interrupted run is lost; use -o FILE to save each row'
 runs 'solve case.h5 --set path.until.steps=3 >out.h5'
 claim "a file is warned of" prints "^solve: $lost\$"
 runs 'solve case.h5 --set path.until.steps=3 | cat >out.h5'
@@ -29,7 +29,7 @@ interrupted() {
     : >"$seen/err"   # the shell in the background empties it later
     env --default-signal=INT,TERM solve "${@:2}" 2>"$seen/err" >out.h5 &
     local victim=$!
-    until grep -qE ' % |goes on from' "$seen/err" || { [ "$2" = -q ] && [ -s k.h5 ]; } || ! kill -0 $victim; do sleep 0.02; done
+    until grep -qE ' % |continues from' "$seen/err" || { [ "$2" = -q ] && [ -s k.h5 ]; } || ! kill -0 $victim; do sleep 0.02; done
     sleep 0.2
     kill -s "$1" $victim
     wait $victim
@@ -40,18 +40,18 @@ for signal in INT TERM; do
     rm -f k.h5
     interrupted $signal case.h5 -o k.h5
     claim "it ends by the signal" exits $code
-    claim "what is saved and how to go on" like "$(tail -n 1 "$seen/err")" 'solve: interrupted; k.h5 holds +([0-9]) row?(s): `solve --resume k.h5` goes on, `postprocess k.h5` reads them'
-    said=$(tail -n 1 "$seen/err" | sed 's/.*holds \([0-9]*\) row.*/\1/')
+    claim "what is saved and how to go on" like "$(tail -n 1 "$seen/err")" 'solve: interrupted; k.h5 contains +([0-9]) row?(s): `solve --resume k.h5` continues, `postprocess k.h5` reads them'
+    said=$(tail -n 1 "$seen/err" | sed 's/.*contains \([0-9]*\) row.*/\1/')
     runs 'postprocess -q k.h5 --json k.json -o /dev/null'
     claim "the rows are there" within "$(json k.json rows)" "$said" $((said + 1))
     interrupted $signal --resume k.h5
-    claim "the same while it goes on" like "$(tail -n 1 "$seen/err")" 'solve: interrupted; k.h5 holds +([0-9]) row?(s): *'
+    claim "the same while it goes on" like "$(tail -n 1 "$seen/err")" 'solve: interrupted; k.h5 contains +([0-9]) row?(s): *'
     interrupted $signal case.h5
     claim "it ends by the signal" exits $code
-    claim "and nothing is saved" grep -qx 'solve: interrupted; nothing is saved; with -o FILE each row is saved as it is found' <(tail -n 1 "$seen/err")
+    claim "and nothing is saved" grep -qx 'solve: interrupted; no row is saved; with -o FILE each row is saved as soon as it is computed' <(tail -n 1 "$seen/err")
     rm k.h5
     interrupted $signal motion.h5 -o k.h5
-    claim "a motion is read and not resumed" like "$(tail -n 1 "$seen/err")" 'solve: interrupted; k.h5 holds +([0-9]) row?(s): `postprocess k.h5` reads them; a motion in time cannot be resumed'
+    claim "a motion is read and not resumed" like "$(tail -n 1 "$seen/err")" 'solve: interrupted; k.h5 contains +([0-9]) row?(s): `postprocess k.h5` reads them; a motion in time cannot be resumed'
     rm k.h5
     interrupted $signal -q case.h5 -o k.h5
     claim "it ends by the signal" exits $code

@@ -24,12 +24,12 @@ claim "the copy is still the result" cmp rod.csv again.csv
 runs 'postprocess rod.h5 --paraview early.vtu --at elongation=50mm --quiet'
 claim "--at picks another step" not cmp -s early.vtu rod.vtu
 
-refuses 64 'postprocess: --paraview x.vtk: ParaView gets .pvd, .vtu or .hdf files*' 'postprocess rod.h5 --paraview x.vtk'
+refuses 64 'postprocess: --paraview x.vtk: unknown extension; use .pvd, .vtu, .hdf, .vtkhdf or .h5' 'postprocess rod.h5 --paraview x.vtk'
 refuses 73 "postprocess: --paraview none/x.pvd: there is no folder 'none' to make 'x' in; make it first*" 'postprocess rod.h5 --paraview none/x.pvd'
 refuses 73 "postprocess: --paraview ser.pvd: 'ser' exists and is no folder; choose another name, or move it away" \
     'touch ser; postprocess rod.h5 --paraview ser.pvd'
 runs 'solve --fields none < <(mesh-gen designs/verification/rod-uniaxial.yaml) > bare.h5'
-refuses 65 'postprocess: /fields: the result holds no displacements; solve with --fields all' 'postprocess bare.h5 --paraview x.pvd'
+refuses 65 'postprocess: /fields: the result contains no displacements; run solve with --fields all' 'postprocess bare.h5 --paraview x.pvd'
 
 if [ -z "$(type -P pvpython)" ]; then
     echo 'skipped: pvpython (package paraview) is not installed'

@@ -17,7 +17,7 @@ path: {control: volume, until: {volume_ratio: 1.3}}
 outputs: {elongation: {face: tip, along: x}}
 END
 runs 'mesh-gen part.yaml --json mesh.json -o part.h5'
-claim "it says how thick the walls are" grep -q 'walls of 2.9.* mm at least' "$seen/err"
+claim "it says how thick the walls are" grep -q 'wall thickness at least 2.9.* mm' "$seen/err"
 claim "the mesh has the file's volume to 0.1 %" within "$(json mesh.json rubber_volume_m3)" "$(awk "BEGIN { print 0.999 * $(json mesh.json part volume_m3) }")" "$(awk "BEGIN { print 1.001 * $(json mesh.json part volume_m3) }")"
 claim "and the walls of the tube" within "$(json mesh.json part walls median_m)" 0.00298 0.00302
 runs 'solve -q part.h5 -o part.r.h5 && postprocess -q part.r.h5 -o part.csv'
@@ -39,4 +39,4 @@ for file in truncated.stl empty.stl sheet.stl cut.step wild.obj; do
 done
 refuses 66 'mesh-gen: *geometry.file: absent.stl: *' 'mesh-gen part.yaml --set geometry.file=absent.stl'
 refuses 65 'mesh-gen: *geometry.faces.tip.plane.x: no facet of the surface is there; *' 'mesh-gen part.yaml --set geometry.faces.tip.plane.x=31mm'
-refuses 65 'mesh-gen: tube.stl: cells of this size would take more than 200000 points on the surface; a larger mesh.size' 'mesh-gen part.yaml --set mesh.size=0.05mm'
+refuses 65 'mesh-gen: tube.stl: cells of this size need more than 200000 points on the surface; use a larger mesh.size' 'mesh-gen part.yaml --set mesh.size=0.05mm'

@@ -98,19 +98,19 @@ for how in INT:0.2 TERM:0.5 INT:0.8 TERM:1.1; do
     done
 done
 
-refuses 64 "postprocess: --field: 'stretches' is no field; did you mean 'stretch'?" 'postprocess ring.h5 --picture a.png --field stretches'
+refuses 64 "postprocess: --field: 'stretches' is not a field; did you mean 'stretch'?" 'postprocess ring.h5 --picture a.png --field stretches'
 refuses 64 "postprocess: --view: 'behind' is no view; *" 'postprocess ring.h5 --picture a.png --view behind'
-refuses 64 'postprocess: --picture a.svg: pictures of the body are written as .png' 'postprocess ring.h5 --picture a.svg'
+refuses 64 'postprocess: --picture a.svg: unknown extension; use .png' 'postprocess ring.h5 --picture a.svg'
 refuses 64 'postprocess: --animate a.avi: *' 'postprocess ring.h5 --animate a.avi'
-refuses 64 'postprocess: --field: says nothing without --picture or --animate' 'postprocess ring.h5 --field J'
+refuses 64 'postprocess: --field: has no effect without --picture or --animate' 'postprocess ring.h5 --field J'
 refuses 64 'postprocess: --range: LOW is not below HIGH' 'postprocess ring.h5 --picture a.png --range 2,1'
 refuses 64 'postprocess: --range: *' 'postprocess ring.h5 --picture a.png --field von-mises --range 1,2'
 refuses 64 'postprocess: --section: and --whole exclude each other; *' 'postprocess ring.h5 --picture a.png --section --whole'
 refuses 65 'postprocess: --at pressure=900000kPa: the path does not reach it; *' 'postprocess dome.h5 --picture a.png --at pressure=900MPa'
-refuses 64 'postprocess: --view: a body in plane strain is drawn flat, from the front; leave --view out' \
+refuses 64 'postprocess: --view: a plane-strain body is drawn only from the front; omit --view' \
     'postprocess ring.h5 --picture a.png --view side'
 runs 'postprocess -q ring.h5 --picture a.png --view front && mesh-gen designs/plate.yaml | solve --fields last > plate.h5'
-refuses 64 'postprocess: --section: the body is no body of revolution and has no such section; *' \
+refuses 64 'postprocess: --section: the model is not axisymmetric and has no such section; *' \
     'postprocess plate.h5 --picture a.png --section'
-refuses 64 'postprocess: --section: the body is no body of revolution and has no such section; *' \
+refuses 64 'postprocess: --section: the model is not axisymmetric and has no such section; *' \
     'postprocess plate.h5 --animate film3.gif --section'

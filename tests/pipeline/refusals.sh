@@ -14,8 +14,8 @@ for tool in mesh-gen solve postprocess sweep-plan; do
     refuses 64 "$tool: data and --json cannot both go to stdout; use *" "$tool --json - x"
 done
 # a shell variable that is not set switches nothing off, and no output destroys an input or another output
-refuses 64 'postprocess: --check: its value is empty; leave it out, or give one' 'postprocess --check "" --junit v.xml result.h5'
-refuses 64 'solve: --output: its value is empty; *' 'solve -o "" case.h5'
+refuses 64 'postprocess: --check: the value is empty; give a value or omit the option' 'postprocess --check "" --junit v.xml result.h5'
+refuses 64 'solve: --output: the value is empty; *' 'solve -o "" case.h5'
 refuses 64 'mesh-gen: --output tube.yaml: would overwrite the input; write to another file' 'cp designs/tube.yaml tube.yaml; mesh-gen tube.yaml -o tube.yaml'
 refuses 64 'sweep-plan: --output designs/sweeps/../sweeps/rod.yaml: would overwrite the input; *' 'sweep-plan designs/sweeps/rod.yaml -o designs/sweeps/../sweeps/rod.yaml'
 refuses 64 'mesh-gen: --output designs/tube.h5: would overwrite the input; *' 'cp designs/tube.yaml designs/tube.h5; mesh-gen designs/tube.h5 --output-folder designs'
@@ -23,14 +23,14 @@ refuses 64 'solve: --json ./case.h5: would overwrite the input; *' 'solve case.h
 refuses 64 'postprocess: --report ./x.html: is also the file of --json; *' 'postprocess result.h5 --json x.html --report ./x.html'
 refuses 64 'postprocess: --output result.h5: would overwrite the input; *' 'postprocess result.h5 -o result.h5'
 refuses 64 'postprocess: --output and --junit cannot both go to stdout; *' 'postprocess result.h5 -o - --check golden.csv --junit -'
-refuses 64 'postprocess: --report x.pdf: a report is a .html file' 'postprocess result.h5 --report x.pdf'
+refuses 64 'postprocess: --report x.pdf: a report is an HTML file; use the extension .html' 'postprocess result.h5 --report x.pdf'
 claim "the inputs are as they were" cmp tube.yaml designs/tube.yaml
 rm tube.yaml
 refuses 64 "solve: --fields: 'some' is not a choice; all, last, none or every=N" 'solve --fields some case.h5'
-refuses 64 "postprocess: picture.jpg: pictures are written as .svg, .png or .pdf" 'postprocess --plot picture.jpg result.h5'
+refuses 64 "postprocess: picture.jpg: unknown picture format; use .svg, .png or .pdf" 'postprocess --plot picture.jpg result.h5'
 refuses 64 "postprocess: --at: the curve has no 'pressur'; it has pressure, elongation, volume" 'postprocess --at pressur=1kPa result.h5'
 refuses 64 "postprocess: --at elongation: '5' has no unit, *; write for example 5 mm" 'postprocess --at elongation=5 result.h5'
-refuses 64 "solve: 'x' behind -- is no option of PETSc; *" 'solve case.h5 -- x'
+refuses 64 "solve: 'x' after -- is not a PETSc option; *" 'solve case.h5 -- x'
 refuses 66 "solve: -options_file none.txt: cannot be opened" 'solve case.h5 -- -options_file none.txt'
 refuses 64 "solve: PETSc: has no solver *; see *" 'solve -q case.h5 -- -pc_type magic'
 # a bad --set: its form is usage, its value is input
@@ -38,7 +38,7 @@ refuses 64 "mesh-gen: --set wall: no '=' in it; write --set key.path=value, *" '
 refuses 64 "solve: --set wall: no '=' in it; write --set key.path=value, *" 'solve --set wall case.h5'
 refuses 64 "solve: --set geometry.wall: *built into the case *; give the same --set to mesh-gen; *" 'solve --set geometry.wall=2mm case.h5'
 refuses 65 "mesh-gen: --set geometry.cpa: unknown key; did you mean 'cap'[?]" 'mesh-gen --set geometry.cpa=5mm designs/tube.yaml'
-refuses 65 "solve: --set path.control: 'presure' is not a choice here; did you mean 'pressure'[?]" 'solve --set path.control=presure case.h5'
+refuses 65 "solve: --set path.control: 'presure' is not a valid value; did you mean 'pressure'[?]" 'solve --set path.control=presure case.h5'
 if [ -n "$(type -P script)" ]; then   # a terminal as stdout or stdin
     terminal() { line="on a terminal: $1"; timeout 20 script -qec "$1" /dev/null </dev/null 2>&1 | tr -d '\r' >"$seen/err"; status=${PIPESTATUS[0]}; }
     for command in 'mesh-gen designs/tube.yaml' 'solve case.h5'; do
@@ -58,7 +58,7 @@ fi
 wild=$'x\e[31m\ny\377'
 refuses 66 'solve: x?[[]31m?y?: cannot be opened: *' "solve '$wild'"
 refuses 73 'solve: x?[[]31m?y?/a: cannot be created: *' "solve case.h5 -o '$wild/a'"
-refuses 64 'postprocess: x?[[]31m?y?: pictures are written as *' "postprocess result.h5 --plot '$wild'"
+refuses 64 'postprocess: x?[[]31m?y?: unknown picture format; *' "postprocess result.h5 --plot '$wild'"
 refuses 65 'postprocess: x?[[]31m?y?: not an HDF5 file *' "echo text >'$wild'; postprocess '$wild'"
 claim "stderr has none of it" not grep -q "$(printf '[\033\377]')" "$seen/err"
 rm "$wild"
@@ -84,7 +84,7 @@ refuses 65 "mesh-gen: <stdin>:*:*: not YAML: *" 'mesh-gen - < edited.yaml'
 edit 's/family: tube/family: tub/'
 refuses 65 "mesh-gen: edited.yaml:*:9: family: no family is called 'tub'; did you mean 'tube'[?]" 'mesh-gen edited.yaml'
 edit 's/fixed: fixed}/}/'
-refuses 65 'solve: supports: nothing holds the body against *; hold a face *' 'mesh-gen -q edited.yaml | solve -q'
+refuses 65 'solve: supports: no support prevents a rigid *; fix a face *' 'mesh-gen -q edited.yaml | solve -q'
 refuses 65 'mesh-gen: <stdin>: *empty; *' 'mesh-gen'
 refuses 65 'mesh-gen: case.h5:1:1: not UTF-8 text; *' 'mesh-gen case.h5'
 

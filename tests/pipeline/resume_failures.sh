@@ -28,7 +28,7 @@ resumes k.h5
 run "(trap '' XFSZ; ulimit -f $((room - 450)); exec solve -q case.h5 --tolerance 1% -o barred.h5)"
 claim "a path with --tolerance stops in between" exits 74
 holds_the_first_rows barred.h5
-refuses 65 'solve: barred.h5: was begun with --tolerance, which cannot be resumed; solve the case again with --tolerance; *' 'solve -q --resume barred.h5'
+refuses 65 'solve: barred.h5: a run with --tolerance cannot be resumed; solve the case again with --tolerance; *' 'solve -q --resume barred.h5'
 mkdir disk
 if mount -t tmpfs -o "size=${room}k" tmpfs disk 2>"$seen/err"; then
     refuses 74 'solve: disk/k.h5: cannot be written: No space left on device; make room and go on with solve --resume disk/k.h5' \
@@ -48,7 +48,7 @@ fi
 for what in 'rm gone.h5' 'cp case.h5 other.h5; mv other.h5 gone.h5'; do
     run "rm -f gone.h5; (solve case.h5 -o gone.h5 2>&1; echo \$? >code) | while read -r l; do if [ -z \"\$done\" ] && [[ \$l == *\" % \"* ]]; then $what; done=1; fi; echo \"\$l\" >&2; done"
     claim "solve ends well" [ "$(cat code)" = 0 ]
-    claim "and says what it did" grep -qx 'solve: warning: gone.h5 was removed or replaced meanwhile; it is written anew' "$seen/err"
+    claim "and says what it did" grep -qx 'solve: warning: gone.h5 was removed or replaced during the run; it is written again' "$seen/err"
     runs 'postprocess -q gone.h5 -o k.csv && cmp k.csv whole.csv'
 done
 runs 'solve -q case.h5 -o k.h5 >&- && postprocess -q k.h5 -o k.csv && cmp k.csv whole.csv'   # a closed stdout is not needed
@@ -59,7 +59,7 @@ refuses 65 'solve: case.h5: a case without solution; run solve on it' 'solve -q 
 refuses 66 'solve: absent.h5: cannot be opened: No such file or directory' 'solve -q --resume absent.h5'
 refuses 65 'solve: short.h5: truncated: 3000 bytes present, *' 'head -c 3000 stopped.h5 >short.h5; solve -q --resume short.h5'
 for option in '-o x.h5' '--set solver.step_limit=3' '--fields none' case.h5; do
-    refuses 64 'solve: --resume: the file holds its case, its settings and its place; leave out CASE, --set, --fields and -o' \
+    refuses 64 'solve: --resume: the file contains the case, its settings and the last row; omit CASE, --set, --fields and -o' \
         "solve -q --resume stopped.h5 $option"
 done
 cp stopped.h5 cut.h5

@@ -29,8 +29,8 @@ vary:
 set: {mesh.size: 20 mm, material.kappa: incompressible, loads.end.pressure: -100 kPa}
 outputs: [pressure_kPa, elongation_mm]
 END
-refuses 64 "sweep: no sweep is named; see *" "$sweep"
-refuses 64 "sweep: there is no engine 'paralel' *" "$sweep rods.yaml --engine paralel"
+refuses 64 "sweep: the sweep is missing; see *" "$sweep"
+refuses 64 "sweep: --engine: unknown engine 'paralel' *" "$sweep rods.yaml --engine paralel"
 refuses 64 "sweep: unknown option '--job'; *" "$sweep rods.yaml --job 3"
 runs "$sweep rods.yaml --dry-run"
 claim "a dry run shows the plan" [ "$(grep -c waiting "$seen/out")" -eq 4 ]
@@ -165,7 +165,7 @@ runs "$sweep rods.yaml --folder \"it's a & b/\\\$folder\" --jobs 1"
 claim "a folder may have any name" cmp first.csv "$strange/results.csv"
 printf 'spoilt' >"$strange/$id/result.h5"
 run "$sweep rods.yaml --folder \"it's a & b/\\\$folder\""
-claim "a result that cannot be read is a row" [ "$(grep -c ",failed,65,.*$id/result.h5: .*computed anew" "$strange/results.csv")" -eq 1 ]
+claim "a result that cannot be read is a row" [ "$(grep -c ",failed,65,.*$id/result.h5: .*compute it again" "$strange/results.csv")" -eq 1 ]
 claim "beside the others" [ "$(grep -c ',done,0,$' "$strange/results.csv")" -eq 3 ]
 claim "which the exit code tells" exits 2
 rm -rf "${strange:?}/$id"
@@ -210,7 +210,7 @@ claim "and it goes on" cmp first.csv stopped/results.csv
 
 exec 8>killed/.lock
 flock 8
-refuses 73 "sweep: *killed: another scripts/sweep is at work there" "$sweep rods.yaml --folder killed 8>&-"
+refuses 73 "sweep: *killed: another scripts/sweep uses this folder; wait for its end" "$sweep rods.yaml --folder killed 8>&-"
 exec 8>&-
 
 # Faulty files, each with its place
@@ -228,7 +228,7 @@ faulty "3:5: at: *the curve has no 'elongatoin'*" 'design: designs/rod.yaml\nvar
 faulty "3:5: at: *'5 kPa' is a pressure*" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\nat: elongation=5 kPa\n'
 faulty "3:11: outputs: no curve has a column 'elongation_m'; did you mean 'elongation_mm'[?]" 'design: designs/rod.yaml\nvary: {geometry.width: [8 mm]}\noutputs: [elongation_m]\n'
 printf 'design: absent.yaml\nvary: {geometry.width: [8 mm]}\n' >bad.yaml
-refuses 66 "sweep: bad.yaml:1:9: design: absent.yaml is not there; *" "$sweep bad.yaml"
+refuses 66 "sweep: bad.yaml:1:9: design: absent.yaml does not exist; *" "$sweep bad.yaml"
 refuses 66 "sweep: absent.yaml: *" "$sweep absent.yaml"
 
 # What a sweep names cannot leave its folder, and is not read without an end.
@@ -236,7 +236,7 @@ mkdir -p victim
 printf 'design: designs/rod.yaml\nvary: {name: ["ok", "a\\n../../../victim/evil,waiting,x"]}\n' >bad.yaml
 refuses 65 "sweep: bad.yaml:2:21: a control character in 'a[?]../../../victim/evil,waiting,x'; *" "$sweep bad.yaml"
 claim "nothing is written elsewhere" [ -z "$(ls -A victim)" ]
-refuses 64 "sweep-design: ../victim/evil is not the address of a design" "$sweep-design killed ../victim/evil"
+refuses 64 "sweep-design: ../victim/evil is not a valid design address" "$sweep-design killed ../victim/evil"
 printf 'design: /dev/zero\nvary: {geometry.width: [8 mm]}\n' >bad.yaml
 refuses 66 "sweep: /dev/zero: is a device or a pipe; name a file" "$sweep bad.yaml"
 refuses 65 "sweep-plan: /dev/zero: *" 'sweep-plan one.yaml --programs /dev/zero'

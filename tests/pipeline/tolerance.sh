@@ -6,19 +6,19 @@
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 runs 'mesh-gen -q designs/tube.yaml --set mesh.size=3mm -o case.h5'
 runs 'solve -q case.h5 -o plain.h5 && postprocess -q plain.h5 -o plain.csv'
-meshes() { grep -c 'solves .* rows on mesh' "$seen/err"; }
+meshes() { grep -c 'solving .* rows on mesh' "$seen/err"; }
 prints() { local text; while read -r text; do if like "$text" "$1"; then return; fi; done <"$seen/err"; return 1; }   # PATTERN: a line of stderr
 
 run 'solve case.h5 --tolerance 50% -o k.h5'
 claim "a wide tolerance is met" exits 0
 claim "by one finer mesh" [ "$(meshes)" = 1 ]
-claim "which is named with its reason and its size" prints 'solve: error bars need the same rows on a second mesh; solves * rows on mesh 1 (all cells halved, * unknowns, roughly *)'
-claim "its bars are called less reliable" prints 'solve: warning: the error bars are less reliable: they stand on two meshes, *'
+claim "which is named with its reason and its size" prints 'solve: error bars need the same rows on a second mesh; solving * rows on mesh 1 (all cells halved, * unknowns, roughly *)'
+claim "its bars are called less reliable" prints 'solve: warning: the error bars are less reliable: they are based on two meshes, *'
 claim "and one cell through the wall is named" prints 'solve: warning: the error bars are less reliable: the mesh has one cell through its walls; *'
 run 'solve case.h5 --tolerance 0.6% -o k.h5 --json k.json'
 claim "a narrow one too" exits 0
 claim "by more meshes" within "$(meshes)" 2 3
-claim "the last one is solved since the bars were too wide" prints 'solve: the error bars of the load reach * %, 0.6 % is requested; solves * rows on mesh * times, *'
+claim "the last one is solved since the bars were too wide" prints 'solve: the error bars of the load reach * %, 0.6 % is requested; solving * rows on mesh * times, *'
 
 interrupts() {   # SIGNAL MESH WHERE: solve gets the signal when it begins that mesh
     run ": >log; env --default-signal=INT solve case.h5 --tolerance 0.0001% $3 2>log & pid=\$!
@@ -35,7 +35,7 @@ for where in '-o k.h5' '>k.h5'; do
         claim "$signal $where: the curve of the given mesh is kept" cmp k.csv plain.csv
         interrupts $signal 2 "$where"
         if [ $signal != KILL ]; then
-            claim "$signal $where: it reports what it has" prints 'solve: warning: the tolerance of 0.0001 % is missed: the error bars of the load reach * %; the refinement was interrupted'
+            claim "$signal $where: it reports what it has" prints 'solve: warning: the tolerance of 0.0001 % is not met: the error bars of the load reach * %; the refinement was interrupted'
             claim "$signal $where: it ends by the signal" exits $((128 + $(kill -l $signal)))
         fi
         runs 'postprocess -q k.h5 -o k.csv'

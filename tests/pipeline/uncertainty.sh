@@ -44,8 +44,8 @@ claim 'a stiffer pair leaves the linear band empty' [ -z "$(band load_band_N sho
 
 runs "mesh-gen designs/rod.yaml $pulled | solve --quiet -o rod.h5; postprocess --quiet rod.h5 --plot rod.svg --band three.csv -o rod.csv"
 claim "postprocess draws it too" grep -q "one standard deviation of the constants" rod.svg
-refuses 64 'uncertainty: band.jpg: pictures are written as *' "'$uncertainty' designs/rod.yaml one.json --at elongation=50mm --plot band.jpg"
-refuses 64 'uncertainty: say where: *' "'$uncertainty' designs/rod.yaml one.json"
+refuses 64 'uncertainty: band.jpg: unknown picture format; *' "'$uncertainty' designs/rod.yaml one.json --at elongation=50mm --plot band.jpg"
+refuses 64 'uncertainty: --at is missing: *' "'$uncertainty' designs/rod.yaml one.json"
 refuses 64 "uncertainty: --samples: '1' is not a number of samples; *" "'$uncertainty' designs/rod.yaml one.json --at elongation=50mm --samples 1"
 refuses 65 'uncertainty: --at elongation=500mm: the path does not reach it; *' "'$uncertainty' designs/rod.yaml one.json --at elongation=500mm $coarse"
 refuses 66 'uncertainty: absent.json: *' "'$uncertainty' designs/rod.yaml absent.json --at elongation=50mm"

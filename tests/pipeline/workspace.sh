@@ -11,7 +11,7 @@ runs "'$workspace' designs/segment.yaml --pressures chamber_1=4kPa,chamber_2=6kP
 claim "a row a point of the grid" [ "$(cut -d, -f1,2 points.csv | tr '\n' ' ')" = 'pressure_chamber_1_kPa,pressure_chamber_2_kPa 0,0 4,0 4,6 0,6 ' ]
 claim "the end is where it was at rest" [ "$(sed -n 2p points.csv)" = 0,0,0,0,0 ]
 claim "opposite chambers move it to opposite sides" within "$(awk -F, 'NR == 3 { a = $5 } NR == 5 { print a * $5 < 0 }' points.csv)" 1 1
-claim "the hull is told" grep -q '^workspace: 4 points, their convex hull has [0-9.e+-]* mm^3$' "$seen/err"
+claim "the hull is told" grep -q '^workspace: 4 points; volume of their convex hull [0-9.e+-]* mm^3$' "$seen/err"
 claim "and drawn" grep -q 'z (mm)' points.svg
 claim "progress is told" grep -q '^solve: 50 % p2: ' "$seen/err"
 claim "the path is kept" [ -s results/workspaces/segment.h5 ]
@@ -29,7 +29,7 @@ done
 kill -INT -- "-$session"
 { wait "$session"; status=$?; } 2>/dev/null
 claim "an interruption has the exit code of one" exits 130
-claim "it says how to go on" grep -q 'scripts/workspace --resume cut.h5` goes on$' cut.txt
+claim "it says how to go on" grep -q 'scripts/workspace --resume cut.h5` continues$' cut.txt
 claim "and leaves the points so far" [ "$(cut -d, -f1,2 cut.csv | tail -n 1)" = 4,0 ]
 runs "'$workspace' --resume cut.h5 > resumed.csv"
 claim "the points of the whole are those of an uninterrupted one" cmp points.csv resumed.csv
@@ -37,13 +37,13 @@ claim "the points of the whole are those of an uninterrupted one" cmp points.csv
 # Thousands of points are more than an argument of a program holds.
 runs "workspace-grid designs/segment.yaml --pressures chamber_1=12kPa,chamber_2=12kPa,chamber_3=12kPa --steps 12 -o grid.yaml"
 claim "each is a stage" [ "$(grep -cE '^ *p[0-9]+:' grid.yaml)" -eq 2196 ]
-refuses 64 "workspace: --steps 99: 3 chambers make 1000000 points; at most 5000; fewer steps" "'$workspace' designs/segment.yaml --pressures chamber_1=12kPa,chamber_2=12kPa,chamber_3=12kPa --steps 99"
+refuses 64 "workspace: --steps 99: 3 chambers make 1000000 points, more than 5000; use fewer steps" "'$workspace' designs/segment.yaml --pressures chamber_1=12kPa,chamber_2=12kPa,chamber_3=12kPa --steps 99"
 
 runs 'printf "x_mm,y_mm,z_cm\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n" | hull-volume --json hull.json'
 claim "a tetrahedron is a sixth of its box" [ "$(tail -n 1 "$seen/out")" = 4,1.6666666666666667 ]
-refuses 65 'hull-volume: <stdin>: there is no column of the length z; *' 'printf "x_mm,y_mm\n0,0\n" | hull-volume'
-refuses 64 "workspace: --pressures: 'chamber_1' is no chamber with its pressure; *" "'$workspace' designs/segment.yaml --pressures chamber_1"
+refuses 65 'hull-volume: <stdin>: there is no column z with a length unit; *' 'printf "x_mm,y_mm\n0,0\n" | hull-volume'
+refuses 64 "workspace: --pressures: 'chamber_1' is not of the form chamber=pressure; *" "'$workspace' designs/segment.yaml --pressures chamber_1"
 refuses 64 "workspace: --pressures: 'chamber_1=4mm': '4mm' is a length*" "'$workspace' designs/segment.yaml --pressures chamber_1=4mm"
-refuses 64 "workspace: --steps '0' is no number from 1 to 99" "'$workspace' designs/segment.yaml --pressures chamber_1=4kPa --steps 0"
-refuses 64 'workspace: no design is named; *' "'$workspace'"
+refuses 64 "workspace: --steps: '0' is not a number from 1 to 99" "'$workspace' designs/segment.yaml --pressures chamber_1=4kPa --steps 0"
+refuses 64 'workspace: the design is missing; *' "'$workspace'"
 refuses 65 "workspace: --face: outputs.x.face: *" "'$workspace' designs/segment.yaml --pressures chamber_1=4kPa --face nose"
