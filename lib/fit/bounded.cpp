@@ -8,7 +8,7 @@ namespace {
 
 enum class State { free, low, high };
 
-/// The triangle of the QR of [A y], with columns of A of length 1.
+/// The triangular factor of the QR of [A y]; the columns of A are scaled to length 1.
 struct Triangle {
     Eigen::MatrixXd R;  // n + 1 rows
     Eigen::VectorXd rhs, low, high;
@@ -25,7 +25,7 @@ struct Triangle {
             else
                 fit.c[i] = state == State::low ? low[i] : high[i];
         }
-        if (!fit.c.allFinite()) return std::nullopt;  // a bound that is not there
+        if (!fit.c.allFinite()) return std::nullopt;  // an infinite bound
         if (count > 0) {
             const Eigen::VectorXd free = part.leftCols(count).colPivHouseholderQr().solve(rhs - R * fit.c);
             for (Eigen::Index i = 0, k = 0; i < n; ++i)
@@ -41,7 +41,7 @@ struct Triangle {
     }
 };
 
-/// The next of all combinations; false after the last.
+/// Moves to the next combination of states; returns false after the last.
 bool advance(std::vector<State>& states) {
     for (State& state : states) {
         if (state == State::high) {
@@ -70,13 +70,13 @@ BoundedFit solve_bounded(const Eigen::MatrixXd& A, const Eigen::VectorXd& y, con
     std::vector<State> states(static_cast<std::size_t>(n), State::free);
     std::optional<BoundedFit> best = triangle.solve(states);
     while (!best) {
-        std::optional<BoundedFit> least;
+        std::optional<BoundedFit> minimum;
         std::vector<State> trial(states.size(), State::free);
         while (advance(trial)) {
             auto fit = triangle.solve(trial);
-            if (fit && (!least || fit->residual_squared < least->residual_squared)) least = std::move(fit);
+            if (fit && (!minimum || fit->residual_squared < minimum->residual_squared)) minimum = std::move(fit);
         }
-        best = std::move(least);  // all at a bound is always among them
+        best = std::move(minimum);  // never empty: the combination with all unknowns at a bound is feasible
     }
     best->c = best->c.cwiseQuotient(scale);
     return *std::move(best);

@@ -1,8 +1,8 @@
 #pragma once
-/// Least squares of few unknowns within bounds, exactly: min |A c - y| with low <= c <= high. One QR of the scaled [A y]
-/// (not the normal equations: I1 - 3 spans four decades) leaves a triangle of the size of c; on it the unconstrained
-/// minimum, or, where that leaves the bounds, the best of all sets of active bounds (the problem is convex, and there are
-/// few). Private to the module. Tested by fit/bounded_test.
+/// Exact solution of a bounded least-squares problem with few unknowns: min |A c - y| with low <= c <= high. One QR of the scaled
+/// [A y] (not the normal equations, because I1 - 3 spans four decades) reduces the problem to a triangle of the size of c. The
+/// result is the unconstrained minimum or, if that violates the bounds, the best over all sets of active bounds (the problem is
+/// convex, and the sets are few). Private to the module. Tested by fit/bounded_test.
 #include <Eigen/Dense>
 #include <vector>
 

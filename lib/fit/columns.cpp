@@ -19,25 +19,25 @@ std::string lower(std::string_view text) {
     return small;
 }
 
-bool holds(std::string_view title, std::string_view word) { return lower(title).find(word) != std::string::npos; }
+bool contains(std::string_view title, std::string_view word) { return lower(title).find(word) != std::string::npos; }
 
 bool is_true_measure(std::string_view title) {
-    return holds(title, "true") || holds(title, "cauchy") || holds(title, "log") || holds(title, "hencky");
+    return contains(title, "true") || contains(title, "cauchy") || contains(title, "log") || contains(title, "hencky");
 }
 bool is_engineering(std::string_view title) {
-    return holds(title, "eng") || holds(title, "nominal") || holds(title, "piola");
+    return contains(title, "eng") || contains(title, "nominal") || contains(title, "piola");
 }
-bool is_strain(std::string_view title) { return holds(title, "strain") || holds(title, "stretch"); }
-bool is_stress(std::string_view title) { return holds(title, "stress"); }
+bool is_strain(std::string_view title) { return contains(title, "strain") || contains(title, "stretch"); }
+bool is_stress(std::string_view title) { return contains(title, "stress"); }
 
-bool holds_any(std::string_view title, std::initializer_list<std::string_view> words) {
-    return std::ranges::any_of(words, [&](std::string_view word) { return holds(title, word); });
+bool contains_any(std::string_view title, std::initializer_list<std::string_view> words) {
+    return std::ranges::any_of(words, [&](std::string_view word) { return contains(title, word); });
 }
 bool is_displacement(std::string_view title) {
     return !is_strain(title) &&
-           holds_any(title, {"disp", "extension", "elongation", "crosshead", "travel", "stroke", "position", "weg"});
+           contains_any(title, {"disp", "extension", "elongation", "crosshead", "travel", "stroke", "position", "weg"});
 }
-bool is_force(std::string_view title) { return !is_stress(title) && holds_any(title, {"force", "load", "kraft"}); }
+bool is_force(std::string_view title) { return !is_stress(title) && contains_any(title, {"force", "load", "kraft"}); }
 
 std::string location_of(const Table& table) {
     return table.source + ":" + std::to_string(table.headings.empty() ? table.lines.front() : table.header_line);
@@ -55,26 +55,26 @@ std::vector<std::string> quoted_titles(const Table& table) {
 }
 
 std::string titles_text(const Table& table) {
-    constexpr std::size_t longest = 400;  // a file may have any number of columns
-    return core::one_line(core::join(quoted_titles(table)), longest);
+    constexpr std::size_t max_length = 400;  // a file may have any number of columns
+    return core::one_line(core::join(quoted_titles(table)), max_length);
 }
 
-struct Wanted {
+struct ColumnQuery {
     std::string_view what;     // "strain"
     std::string_view option;   // "--strain-column"
-    std::string_view request;  // what the user said
+    std::string_view request;  // the option's argument
     bool (*fits)(std::string_view);
-    bool (*fits_machine)(std::string_view);  // what a testing machine writes in its place
+    bool (*fits_machine)(std::string_view);  // titles that testing machines write instead
     std::string_view machine_remedy;
 };
-constexpr std::string_view gauge_length_remedy = "of a displacement give --gauge-length",
-                           area_remedy = "of a force give --area, or --width and --thickness";
+constexpr std::string_view gauge_length_remedy = "for a displacement give --gauge-length",
+                           area_remedy = "for a force give --area, or --width and --thickness";
 
-/// By number, exact title, part of a title.
-std::size_t named_column(const Table& table, const Wanted& wanted) {
+/// Finds a column by its number, its exact title or a part of its title.
+std::size_t named_column(const Table& table, const ColumnQuery& query) {
     const std::size_t width = table.width();
     std::size_t number = 0;
-    const std::string_view text = wanted.request;
+    const std::string_view text = query.request;
     const auto [stop, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (failure == std::errc{} && stop == text.data() + text.size()) {
         if (number >= 1 && number <= width) return number - 1;
@@ -84,7 +84,7 @@ std::size_t named_column(const Table& table, const Wanted& wanted) {
     std::vector<std::size_t> hits;
     for (std::size_t i = 0; i < table.headings.size(); ++i) {
         if (lower(table.headings[i].name) == lower(text)) return i;
-        if (holds(table.headings[i].name, lower(text))) hits.push_back(i);
+        if (contains(table.headings[i].name, lower(text))) hits.push_back(i);
     }
     if (hits.size() == 1) return hits.front();
     const std::string titles = titles_text(table);
@@ -93,32 +93,32 @@ std::size_t named_column(const Table& table, const Wanted& wanted) {
         table.headings.empty() ? "the table has no header: name the column by its number" : "columns: " + titles);
 }
 
-std::size_t column_by_title(const Table& table, const Wanted& wanted) {
+std::size_t column_by_title(const Table& table, const ColumnQuery& query) {
     std::vector<std::size_t> hits, engineering;
     for (std::size_t i = 0; i < table.headings.size(); ++i)
-        if (wanted.fits(table.headings[i].name)) {
+        if (query.fits(table.headings[i].name)) {
             hits.push_back(i);
             if (is_engineering(table.headings[i].name)) engineering.push_back(i);
         }
     if (hits.size() == 1) return hits.front();
     if (engineering.size() == 1) return engineering.front();
-    const std::string what{wanted.what}, remedy = "name one with " + std::string{wanted.option} + " TITLE or NUMBER";
+    const std::string what{query.what}, remedy = "name one with " + std::string{query.option} + " TITLE or NUMBER";
     if (table.headings.empty())
-        throw refusal(table, "the table has no header that says which column is the " + what, remedy);
+        throw refusal(table, "the table has no header to identify the " + what + " column", remedy);
     const bool has_machine_column = std::ranges::any_of(
-        table.headings, [&](const table::Heading& heading) { return wanted.fits_machine(heading.name); });
+        table.headings, [&](const table::Heading& heading) { return query.fits_machine(heading.name); });
     throw refusal(table,
-                  hits.empty() ? "no title says which column is the " + what : "several columns may be the " + what,
+                  hits.empty() ? "no title identifies the " + what + " column" : "several columns may be the " + what,
                   remedy + "; columns: " + titles_text(table) +
-                      (hits.empty() && has_machine_column ? "; " + std::string{wanted.machine_remedy} : ""));
+                      (hits.empty() && has_machine_column ? "; " + std::string{query.machine_remedy} : ""));
 }
 
-std::size_t find_column(const Table& table, const Wanted& wanted) {
-    return wanted.request.empty() ? column_by_title(table, wanted) : named_column(table, wanted);
+std::size_t find_column(const Table& table, const ColumnQuery& query) {
+    return query.request.empty() ? column_by_title(table, query) : named_column(table, query);
 }
 
-/// What neither the file nor an option says; asked for in one line.
-struct Unsaid {
+/// Measures and units that neither the file nor an option states; reported in one message.
+struct MissingMetadata {
     std::vector<std::string> problems, remedies;
 
     void add(std::string problem, std::string remedy) {
@@ -127,7 +127,7 @@ struct Unsaid {
     }
 };
 
-/// What stands in brackets at the end of a title: "furlong" of "Stress (furlong)".
+/// The text in brackets at the end of a title: "furlong" of "Stress (furlong)".
 std::string_view in_brackets(std::string_view title) {
     const std::string_view text = core::trimmed(title);
     if (text.empty() || (text.back() != ')' && text.back() != ']')) return {};
@@ -148,43 +148,43 @@ constexpr Measured force_quantity{core::Dimension::force, "force", "--stress-uni
 constexpr Measured displacement_quantity{core::Dimension::length, "displacement", "--strain-unit", "mm (or m, in)"};
 
 std::string stated_unit(const Measured& measured, const std::string& option_value, const table::Heading& heading,
-                        Unsaid& unsaid) {
+                        MissingMetadata& missing) {
     const std::string option{measured.option}, what{measured.what}, examples{measured.examples};
     const auto fits = [&](std::string_view unit) { return table::dimension_of(unit) == measured.dimension; };
     if (!option_value.empty() && !fits(option_value))
-        throw Error(ExitCode::usage, option, core::quoted(option_value) + " is no unit of " + what, examples);
+        throw Error(ExitCode::usage, option, core::quoted(option_value) + " is not a unit of " + what, "use " + examples);
     if (!option_value.empty()) return option_value;
     if (fits(heading.unit)) return heading.unit;
     const std::string_view unknown = in_brackets(heading.name);
-    unsaid.add(unknown.empty() ? "the unit of the " + what + " is nowhere stated"
-                               : core::quoted(unknown) + " is no unit of " + what + " that is known",
-               option + " " + examples);
+    missing.add(unknown.empty() ? "the unit of the " + what + " is not stated"
+                                : core::quoted(unknown) + " is not a known unit of " + what,
+                option + " " + examples);
     return {};
 }
 
 std::string strain_unit(std::string_view in_header, const ReadSettings& settings) {
     if (!settings.strain_unit.empty() && settings.strain_unit != "%" && settings.strain_unit != "1")
-        throw Error(ExitCode::usage, "--strain-unit", core::quoted(settings.strain_unit) + " is no unit of strain",
-                    "1 or %");
+        throw Error(ExitCode::usage, "--strain-unit", core::quoted(settings.strain_unit) + " is not a unit of strain",
+                    "use 1 or %");
     const std::string_view unit = settings.strain_unit.empty() ? in_header : settings.strain_unit;
-    return unit == "%" ? "%" : "";  // strain is a plain ratio unless it says otherwise
+    return unit == "%" ? "%" : "";  // strain is a plain ratio unless stated otherwise
 }
 
-StrainMeasure strain_measure(std::string_view title, const ReadSettings& settings, Unsaid& unsaid) {
+StrainMeasure strain_measure(std::string_view title, const ReadSettings& settings, MissingMetadata& missing) {
     if (settings.strain_measure) return *settings.strain_measure;
-    if (holds(title, "stretch")) return StrainMeasure::stretch;
+    if (contains(title, "stretch")) return StrainMeasure::stretch;
     if (is_true_measure(title)) return StrainMeasure::logarithmic;
     if (is_engineering(title)) return StrainMeasure::engineering;
-    unsaid.add("the title does not say whether the strain is engineering, true, or a stretch",
-               "--strain engineering, true or stretch");
+    missing.add("the title does not state whether the strain is engineering, true, or a stretch",
+                "--strain engineering, true or stretch");
     return {};
 }
 
-StressMeasure stress_measure(std::string_view title, const ReadSettings& settings, Unsaid& unsaid) {
+StressMeasure stress_measure(std::string_view title, const ReadSettings& settings, MissingMetadata& missing) {
     if (settings.stress_measure) return *settings.stress_measure;
     if (is_true_measure(title)) return StressMeasure::cauchy;
     if (is_engineering(title)) return StressMeasure::engineering;
-    unsaid.add("the title does not say whether the stress is engineering or true", "--stress engineering or true");
+    missing.add("the title does not state whether the stress is engineering or true", "--stress engineering or true");
     return {};
 }
 
@@ -207,15 +207,15 @@ Columns columns_of(const Table& table, const ReadSettings& settings) {
         return column < table.headings.size() ? table.headings[column] : table::Heading{};
     };
     const table::Heading strain = heading(columns.strain), stress = heading(columns.stress);
-    Unsaid unsaid;
-    if (!is_machine_strain) columns.strain_measure = strain_measure(strain.name, settings, unsaid);
-    if (!is_machine_stress) columns.stress_measure = stress_measure(stress.name, settings, unsaid);
-    columns.strain_unit = is_machine_strain ? stated_unit(displacement_quantity, settings.strain_unit, strain, unsaid)
+    MissingMetadata missing;
+    if (!is_machine_strain) columns.strain_measure = strain_measure(strain.name, settings, missing);
+    if (!is_machine_stress) columns.stress_measure = stress_measure(stress.name, settings, missing);
+    columns.strain_unit = is_machine_strain ? stated_unit(displacement_quantity, settings.strain_unit, strain, missing)
                                             : strain_unit(strain.unit, settings);
     columns.stress_unit =
-        stated_unit(is_machine_stress ? force_quantity : stress_quantity, settings.stress_unit, stress, unsaid);
-    if (!unsaid.problems.empty())
-        throw refusal(table, core::join(unsaid.problems), "give " + core::join(unsaid.remedies, " and "));
+        stated_unit(is_machine_stress ? force_quantity : stress_quantity, settings.stress_unit, stress, missing);
+    if (!missing.problems.empty())
+        throw refusal(table, core::join(missing.problems), "give " + core::join(missing.remedies, " and "));
     return columns;
 }
 

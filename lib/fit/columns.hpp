@@ -1,5 +1,5 @@
 #pragma once
-/// Which columns of a table are strain and stress, in which measure and unit. Private to the module.
+/// Finds the strain and stress columns of a table, with their measure and unit. Private to the module.
 /// Tested by fit/test_data_test.
 #include <string>
 
@@ -8,10 +8,10 @@
 namespace soft::fit {
 
 struct Columns {
-    std::size_t strain = 0, stress = 0;  ///< from 0
+    std::size_t strain = 0, stress = 0;  ///< column indices from 0
     StrainMeasure strain_measure = StrainMeasure::engineering;
     StressMeasure stress_measure = StressMeasure::engineering;
-    std::string strain_unit;  ///< empty or %; of a displacement its unit
+    std::string strain_unit;  ///< empty or %; for a displacement its unit of length
     std::string stress_unit;
 };
 

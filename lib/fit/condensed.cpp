@@ -34,7 +34,7 @@ std::vector<Piece> pieces_of(const Rows& rows) {
 
 double node(int k) { return std::cos(std::numbers::pi * k / (nodes - 1)); }
 
-/// Weights of the nodal values at t in [-1, 1]: the barycentric formula, of points of the second kind.
+/// Weights of the nodal values at t in [-1, 1], by the barycentric formula for Chebyshev points of the second kind.
 void interpolate(double t, Eigen::Ref<Eigen::RowVectorXd> weight) {
     double sum = 0;
     for (int k = 0; k < nodes; ++k) {

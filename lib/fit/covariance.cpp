@@ -8,18 +8,18 @@ namespace soft::fit {
 namespace {
 
 struct Jacobian {
-    Eigen::MatrixXd columns;  ///< of length 1
+    Eigen::MatrixXd columns;  ///< scaled to length 1
     Eigen::VectorXd inverse_length;
-    std::vector<std::size_t> which;  ///< place in the list of constants; beyond its end the offsets
+    std::vector<std::size_t> which;  ///< index in the list of constants; indices beyond its end are offsets
 };
 
 Jacobian jacobian_of(const Solution& solution, const Rows& rows) {
     const auto linear = static_cast<std::size_t>(solution.candidate.linear), shapes = solution.q.size();
     const Projection& at = solution.projection;
     Jacobian J{Eigen::MatrixXd(rows.target.size(), at.A.cols() + static_cast<Eigen::Index>(shapes)), {}, {}};
-    const auto add = [&](const Eigen::VectorXd& column, std::size_t place) {
+    const auto add = [&](const Eigen::VectorXd& column, std::size_t index) {
         J.columns.col(static_cast<Eigen::Index>(J.which.size())) = column;
-        J.which.push_back(place);
+        J.which.push_back(index);
     };
     for (std::size_t j = 0; j < static_cast<std::size_t>(at.A.cols()); ++j)
         if (at.linear.free[j]) add(at.A.col(static_cast<Eigen::Index>(j)), j < linear ? j : shapes + j);
@@ -37,21 +37,21 @@ Jacobian jacobian_of(const Solution& solution, const Rows& rows) {
     return J;
 }
 
-/// T: derivatives of the constants by what was searched.
+/// T: derivatives of the constants with respect to the fit variables.
 Eigen::MatrixXd to_constants(const Solution& solution, const Rows& rows, const Fit& fit,
                              const std::vector<std::size_t>& which) {
     const auto linear = static_cast<std::size_t>(solution.candidate.linear), size = fit.list.size();
     const bool ogden = solution.candidate.law == "ogden";  // whose linear constants are mu alpha
     Eigen::MatrixXd T = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(which.size()));
     for (std::size_t i = 0; i < which.size(); ++i) {
-        const std::size_t place = which[i];
-        const auto row = static_cast<Eigen::Index>(place), column = static_cast<Eigen::Index>(i);
-        if (place >= size) continue;
-        if (place < linear) {
-            T(row, column) = rows.scale_Pa / (ogden ? solution.q[place] : 1.0);
+        const std::size_t index = which[i];
+        const auto row = static_cast<Eigen::Index>(index), column = static_cast<Eigen::Index>(i);
+        if (index >= size) continue;
+        if (index < linear) {
+            T(row, column) = rows.scale_Pa / (ogden ? solution.q[index] : 1.0);
             continue;
         }
-        const std::size_t term = place - linear;
+        const std::size_t term = index - linear;
         T(row, column) = shape_slope(solution.candidate, rows, solution.q[term]);
         if (ogden) T(static_cast<Eigen::Index>(term), column) = -fit.list[term].value / solution.q[term];
     }

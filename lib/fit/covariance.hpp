@@ -1,8 +1,8 @@
 #pragma once
-/// Covariance s^2 T (J'J)^-1 T' of the constants: s^2 = sum of squares over the degrees of freedom, J the Jacobian in what
-/// was searched (linear constants, shapes q, offsets), T from there to the constants of a design. What is at a bound has
-/// none. Through the singular values of J with columns of length 1. Private to the module. Source: Bjorck, Numerical Methods
-/// for Least Squares Problems (1996), 2.8. Tested by fit/fit_test (against the scatter of repeated tests), fit/treloar_test.
+/// Covariance s^2 T (J'J)^-1 T' of the constants. s^2 is the sum of squares over the degrees of freedom. J is the Jacobian in the fit
+/// variables (linear constants, shapes q, offsets). T maps these to the constants of a design. Variables at a bound have zero
+/// covariance. Computed from the singular values of J with columns scaled to length 1. Private to the module. Source: Bjorck, Numerical
+/// Methods for Least Squares Problems (1996), 2.8. Tested by fit/fit_test (against the scatter of repeated tests), fit/treloar_test.
 #include "fit/quality.hpp"
 
 namespace soft::fit {

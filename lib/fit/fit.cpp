@@ -16,17 +16,17 @@
 namespace soft::fit {
 namespace {
 
-// The sum of squares is flat at its minimum: these ends leave the shapes exact to about half the digits or better.
+// The sum of squares is flat at its minimum: with these tolerances the shapes are accurate to at least about half the digits.
 constexpr double function_tolerance = 1e-15, gradient_tolerance = 1e-13, step_tolerance = 1e-11;
 constexpr int max_iterations = 150;
-// Where the search stops this near to a bound, it may have stalled on the way along it.
-constexpr double pinned_bound = 0.02;
+// A search that stops this close to a bound may have stalled on its way along the bound.
+constexpr double pin_distance = 0.02;
 constexpr double same_exponent = 1e-3;
-constexpr std::array pole_starts{-4.0, -2.0, 0.0, 2.0, 5.0};  // q: how far the pole is behind the data
-constexpr std::array rise_starts{0.1, 0.3, 0.5, 0.7, 0.9};    // of yeoh-5, from one bound to the other
+constexpr std::array pole_starts{-4.0, -2.0, 0.0, 2.0, 5.0};  // q: distance of the pole from the data
+constexpr std::array rise_starts{0.1, 0.3, 0.5, 0.7, 0.9};    // q of yeoh-5, between its bounds
 
-/// Residual and Jacobian of the projected problem. The gradient is exact; of the second derivatives Kaufman's form leaves
-/// out what is small at a good fit (Kaufman, BIT 15 (1975) 49).
+/// Residual and Jacobian of the projected problem. The gradient is exact; Kaufman's approximation drops second-derivative terms that
+/// are small at a good fit (Kaufman, BIT 15 (1975) 49).
 class ProjectedResidual final : public ceres::CostFunction {
 public:
     ProjectedResidual(const Candidate& candidate, const Rows& rows, Signs signs)
@@ -69,7 +69,7 @@ private:
     Signs signs_;
 };
 
-/// What stands exactly at a bound stays there.
+/// Keeps values that are exactly at a bound constant.
 void search(const Candidate& candidate, const Rows& rows, Signs signs, std::vector<double>& q) {
     ceres::Problem problem;
     std::vector<double*> blocks;
@@ -77,9 +77,9 @@ void search(const Candidate& candidate, const Rows& rows, Signs signs, std::vect
     problem.AddResidualBlock(new ProjectedResidual(candidate, rows, signs), nullptr, blocks);  // owned by the problem
     for (double* const value : blocks) {
         const SearchBounds bounds = search_bounds(candidate, *value);
-        problem.SetParameterLowerBound(value, 0, bounds.least);
-        problem.SetParameterUpperBound(value, 0, bounds.most);
-        if (*value == bounds.least || *value == bounds.most) problem.SetParameterBlockConstant(value);
+        problem.SetParameterLowerBound(value, 0, bounds.low);
+        problem.SetParameterUpperBound(value, 0, bounds.high);
+        if (*value == bounds.low || *value == bounds.high) problem.SetParameterBlockConstant(value);
     }
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;
@@ -92,13 +92,13 @@ void search(const Candidate& candidate, const Rows& rows, Signs signs, std::vect
     ceres::Solve(options, &problem, &summary);
 }
 
-/// Moves what is near a bound onto it; whether there was any.
+/// Moves values near a bound onto it; returns true if any was moved.
 bool pin_to_bounds(const Candidate& candidate, std::vector<double>& q) {
     bool moved = false;
     for (double& value : q) {
         const SearchBounds bounds = search_bounds(candidate, value);
-        for (const double bound : {bounds.least, bounds.most})
-            if (value != bound && std::abs(value - bound) < pinned_bound) value = bound, moved = true;
+        for (const double bound : {bounds.low, bounds.high})
+            if (value != bound && std::abs(value - bound) < pin_distance) value = bound, moved = true;
     }
     return moved;
 }
@@ -132,8 +132,8 @@ std::optional<Solution> solve(const Candidate& candidate, const Rows& rows, Sign
     return best;
 }
 
-/// Whether a term of ogden is of no use: its modulus 0, or its exponent that of another.
-bool holds_idle_term(const Solution& solution) {
+/// True if an ogden term is redundant: its modulus is at the bound 0, or its exponent equals that of another term.
+bool has_redundant_term(const Solution& solution) {
     for (std::size_t i = 0; i < solution.q.size(); ++i) {
         if (!solution.projection.linear.free[i]) return true;
         for (std::size_t j = 0; j < i; ++j)
@@ -142,9 +142,9 @@ bool holds_idle_term(const Solution& solution) {
     return false;
 }
 
-/// Of ogden fewer terms may do as well within the signs: the fewest that reach the best sum of squares.
+/// With constrained signs fewer ogden terms may suffice: takes the smallest number of terms that reaches the best sum of squares.
 Solution solve_stable(const Candidate& candidate, const Rows& rows) {
-    constexpr double no_better = 1e-9;  // relative: what another term takes off the sum of squares
+    constexpr double no_better = 1e-9;  // relative reduction of the sum of squares by another term
     std::optional<Solution> best;
     if (candidate.law != "ogden")
         best = solve(candidate, rows, Signs::stable);
@@ -153,7 +153,7 @@ Solution solve_stable(const Candidate& candidate, const Rows& rows) {
             Candidate fewer = candidate;
             fewer.linear = fewer.shapes = terms;
             auto solution = solve(fewer, rows, Signs::stable);
-            if (!solution || (terms > 1 && holds_idle_term(*solution))) break;
+            if (!solution || (terms > 1 && has_redundant_term(*solution))) break;
             if (best && solution->projection.residual.squaredNorm() >
                             (1.0 - no_better) * best->projection.residual.squaredNorm())
                 break;
@@ -161,12 +161,12 @@ Solution solve_stable(const Candidate& candidate, const Rows& rows) {
         }
     if (!best)
         throw Error(ExitCode::bad_input, "", "no stable law " + std::string{candidate.name} + " fits the data",
-                    "take another law, or --stability reported");
+                    "choose another law, or --stability reported");
     return *std::move(best);
 }
 
-/// Of a curve that does not even on the whole resist the strain no law is a rubber.
-bool resists(const TestCurve& test) {
+/// True if the stress does positive work on the strain over the whole curve; otherwise no law of a rubber fits it.
+bool resists_strain(const TestCurve& test) {
     double work = 0;
     for (std::size_t i = 0; i < test.stretch.size(); ++i) work += test.nominal_Pa[i] * (test.stretch[i] - 1.0);
     return work > 0.0;
@@ -177,18 +177,18 @@ void check(const Candidate& candidate, const std::vector<TestCurve>& tests, cons
     for (const TestCurve& test : tests) {
         rows += test.stretch.size();
         if (test.mode == Mode::simple_shear)
-            throw Error(ExitCode::bad_input, test.source, "simple shear is no mode of a fit",
-                        "uniaxial, equibiaxial, planar");
-        if (!resists(test))
-            throw Error(ExitCode::bad_input, test.source, "the stress does not resist the strain",
-                        "stress and strain have the same sign; are these the right columns?");
+            throw Error(ExitCode::bad_input, test.source, "simple shear cannot be fitted",
+                        "use uniaxial, equibiaxial or planar tests");
+        if (!resists_strain(test))
+            throw Error(ExitCode::bad_input, test.source, "stress and strain have opposite signs",
+                        "choose the right columns: a tensile test has positive stress and strain");
     }
     if (settings.offset == Offset::fitted) unknowns += tests.size();
     if (rows <= unknowns)
         throw Error(ExitCode::bad_input, tests.empty() ? "" : tests.front().source,
                     std::to_string(rows) + " rows are too few for the " + std::to_string(unknowns) + " constants of " +
                         std::string{candidate.name},
-                    "more rows than constants");
+                    "give more rows than constants");
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #pragma once
-/// A law fitted to tests: constants, how well they fit, and how far to trust them.
-/// Least squares of the nominal stress, all rows of all tests together. What is linear is solved exactly (bounded.hpp); the
-/// shapes are searched by Ceres, a maintained least-squares library with bounds on the unknowns, from several starts
-/// (of ogden: the best of a dense list of exponents in every pattern of signs), so that the result does not depend on
-/// the unit, the order of the rows or a guess. Tested by fit/fit_test, fit/treloar_test.
+/// A law fitted to tests: constants, their errors, goodness of fit and stability.
+/// Least squares of the nominal stress over all rows of all tests. The linear constants are solved exactly (bounded.hpp). The shapes
+/// are searched by Ceres, a least-squares library with bounds on the unknowns, from several starts (for ogden the best of a dense
+/// list of exponents for every pattern of signs). The result therefore does not depend on the unit, the order of the rows or an
+/// initial guess. Tested by fit/fit_test, fit/treloar_test.
 #include <optional>
 #include <span>
 #include <string>
@@ -16,21 +16,21 @@
 namespace soft::fit {
 
 enum class Stability {
-    enforced,  ///< the free fit where it is stable in every mode up to the largest I1 of the data, else the best one with
+    enforced,  ///< the free fit if it is stable in every mode up to the largest I1 of the data, else the best fit with
                ///< signs that suffice for stability
     everywhere,  ///< the best fit with signs that suffice for stability at every stretch
-    reported     ///< the free fit, whatever it is
+    reported     ///< the free fit, stable or not
 };
 enum class RowWeights {
-    uniform,  ///< equal: nominal stress has a nearly uniform noise
-    relative  ///< 1 / max(s, weight_floor times the largest s)
+    uniform,  ///< equal weights: the noise of the nominal stress is nearly uniform
+    relative  ///< 1 / max(s, weight_floor * largest s)
 };
-enum class Offset { none, fitted };  ///< fitted: a constant stress of each test, within +- 10 kPa
+enum class Offset { none, fitted };  ///< fitted: a constant stress per test, within +- 10 kPa
 
 struct Settings {
     Stability stability = Stability::enforced;
     RowWeights weights = RowWeights::uniform;
-    double weight_floor = 0.05;  ///< the first rows carry the error of the load cell
+    double weight_floor = 0.05;  ///< limits the weight of the first rows, which contain the error of the load cell
     Offset offset = Offset::none;
 };
 
@@ -38,10 +38,10 @@ struct Settings {
 inline constexpr double max_offset_Pa = 10e3;
 
 struct Constant {
-    std::string name;  ///< "mu", of several terms "mu 1", "mu 2", ...
+    std::string name;  ///< "mu"; with several terms "mu 1", "mu 2", ...
     double value = 0;  ///< SI
     double standard_error =
-        0;  ///< from the covariance: a lower bound, since residuals along a curve are correlated; 0 at a bound
+        0;  ///< from the covariance; a lower bound because residuals along a curve are correlated; 0 at a bound
     bool is_stress = true;
 };
 
@@ -49,41 +49,41 @@ struct TestQuality {
     Mode mode = Mode::uniaxial;
     std::string source;
     std::size_t rows = 0;
-    double rmse_Pa = 0, max_Pa = 0;  ///< of the nominal stress, without weights
+    double rmse_Pa = 0, max_Pa = 0;  ///< of the nominal stress, unweighted
     double r2 = 0;
     std::optional<double> offset_Pa = {};
 };
 
 struct Fit {
     Candidate candidate;
-    material::Constants constants;  ///< as a design states them
+    material::Constants constants;  ///< as in a design
     std::vector<Constant> list;
     std::vector<double> covariance;  ///< of `list`, by rows [SI]
     std::vector<TestQuality> tests;
     std::size_t rows = 0;
     double rmse_Pa = 0, max_Pa = 0, r2 = 0;
-    /// Largest error of the nominal stress relative to the measured one, of rows at 20 % of strain and beyond (below it the zero
-    /// of the load cell counts); nullopt where there are none.
+    /// Largest error of the nominal stress relative to the measured one, over rows with at least 20 % strain (below that the zero
+    /// error of the load cell dominates); nullopt without such rows.
     std::optional<double> max_relative_error = {};
     double aicc = 0;        ///< n ln(weighted sum of squares / n) + 2 k + 2 k (k+1)/(n-k-1)
-    double max_I1 = 3;  ///< of the data: beyond it the law is a guess
-    double condition = 1;   ///< of the Jacobian with columns of length 1
+    double max_I1 = 3;  ///< of the data: beyond it the law extrapolates
+    double condition = 1;   ///< of the Jacobian with columns scaled to length 1
     std::vector<material::StabilityLimit>
-        limits;           ///< first unstable stretch of each mode, looked for beyond the data too
+        limits;           ///< first unstable stretch of each mode, searched beyond the data too
     bool stable = false;  ///< up to max_I1, in every mode
     /// unstable:<mode>@<stretch> (up to max_I1), mu0<=0, at-bound, ill-conditioned (condition > 1e4), offset>10% (of
-    /// the stress at e = 0.25), signs-constrained, terms:<n> (fewer than asked for are of use)
+    /// the stress at e = 0.25), signs-constrained, terms:<n> (fewer terms than requested suffice)
     std::vector<std::string> flags;
 
     /// [Pa]; NaN beyond the largest stretch of the law.
     [[nodiscard]] double nominal_stress_Pa(Mode mode, double stretch) const;
 };
 
-/// Throws Error (bad_input) where there are fewer rows than constants and one, for a stress that does not resist the
-/// strain, and for simple shear.
+/// Throws Error (bad_input) unless there are more rows than constants, for a stress that does no positive work on the strain, and for
+/// simple shear.
 [[nodiscard]] Fit fit(const Candidate& candidate, const std::vector<TestCurve>& tests, const Settings& settings = {});
 
-/// Root mean square of prediction less measurement [Pa].
+/// Root mean square of prediction - measurement [Pa].
 [[nodiscard]] double prediction_rmse_Pa(const Fit& fit, const TestCurve& test);
 
 }  // namespace soft::fit

@@ -1,8 +1,8 @@
 #pragma once
-/// Nominal stress of an incompressible rubber in a homogeneous test, from the law's own energy: along the path of a mode,
-/// F = diag(l, t(l), ...) with det F = 1, the stress does the work dW/dl = k P, k = 1 (uniaxial, planar) or 2 (equibiaxial:
-/// two directions are pulled). W is differentiated forward, in one variable; many times as fast as
-/// material::homogeneous_state, with which fit/nominal_test compares it. Source: work conjugacy, derived here.
+/// Nominal stress of an incompressible rubber in a homogeneous test, from the strain energy W of the law. Along the path of a mode,
+/// F = diag(l, t(l), ...) with det F = 1, the stress P satisfies dW/dl = k P, k = 1 (uniaxial, planar) or 2 (equibiaxial: two
+/// directions are stretched). W is differentiated by forward AD in one variable, which is many times faster than
+/// material::homogeneous_state. fit/nominal_test compares both. Source: work conjugacy, derived here.
 #include "core/dual.hpp"
 #include "material/homogeneous.hpp"
 #include "material/law.hpp"

@@ -7,10 +7,10 @@ namespace soft::fit {
 namespace {
 
 constexpr int max_terms = material::Ogden::max_terms;
-/// Exponents of each sign by the number of terms: at most about 10 000 sets.
+/// Exponents per sign, by the number of terms: at most about 10 000 sets.
 constexpr std::array<int, max_terms> list_lengths{60, 36, 20, 12};
-constexpr double least = 0.1, most = 11.0;  // within the bounds of the search
-/// Two columns nearer to each other than this are one: the products hold half the digits.
+constexpr double min_start_exponent = 0.1, max_start_exponent = 11.0;  // within the bounds of the search
+/// Columns closer than this count as linearly dependent: the inner products keep half the digits.
 constexpr double min_pivot = 1e-9;
 
 using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_terms, max_terms>;
@@ -19,22 +19,24 @@ using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_terms, 1>;
 std::vector<double> exponents(int length) {
     std::vector<double> list;
     for (const double sign : {-1.0, 1.0})
-        for (int i = 0; i < length; ++i) list.push_back(sign * least * std::pow(most / least, i / (length - 1.0)));
+        for (int i = 0; i < length; ++i)
+            list.push_back(sign * min_start_exponent *
+                           std::pow(max_start_exponent / min_start_exponent, i / (length - 1.0)));
     return list;
 }
 
 struct Search {
     std::vector<double> list;
-    Eigen::MatrixXd products = {};  // of columns of length 1
+    Eigen::MatrixXd products = {};  // inner products of columns scaled to length 1
     Eigen::VectorXd rhs = {};
     Signs signs = Signs::free;
     std::size_t terms = 1;
     std::vector<std::size_t> chosen = {};
     struct Best {
-        double gain = -std::numeric_limits<double>::infinity();  // what the set takes off the sum of squares
+        double gain = -std::numeric_limits<double>::infinity();  // reduction of the sum of squares by the set
         std::vector<double> set = {};
     };
-    std::vector<Best> best = {};  // by the number of negative exponents
+    std::vector<Best> best = {};  // [number of negative exponents]
 
     void consider() {
         const auto n = static_cast<Eigen::Index>(terms);

@@ -1,7 +1,7 @@
 #pragma once
-/// Starts for the exponents of Ogden's law: for every pattern of signs the best set of a dense, log-spaced list. For given
-/// exponents the moduli are linear, so each set costs the solution of a system of its size on products computed once.
-/// The more terms, the coarser the list. Private to the module. Tested by fit/fit_test.
+/// Initial guesses for the exponents of Ogden's law: for every pattern of signs the best set from a dense, log-spaced list. The
+/// moduli are linear for given exponents, so each set costs one small linear solve with precomputed inner products. The list is
+/// coarser for more terms. Private to the module. Tested by fit/fit_test.
 #include "fit/separable.hpp"
 
 namespace soft::fit {

@@ -10,14 +10,14 @@
 namespace soft::fit {
 namespace {
 
-constexpr double max_condition = 1e4;   // beyond it constants trade off against each other
-constexpr double offset_strain = 0.25;      // where an offset is compared with the stress
-constexpr double min_error_strain = 0.2;  // smaller strains carry the zero of the load cell
+constexpr double max_condition = 1e4;   // above it the constants are strongly correlated
+constexpr double offset_strain = 0.25;      // strain at which an offset is compared with the stress
+constexpr double min_error_strain = 0.2;  // at smaller strains the zero error of the load cell dominates
 constexpr double max_offset_share = 0.1;
-constexpr double invariant_tolerance = 1e-9;  // of I1 at the end of the data, computed another way
-constexpr double min_scan = 0.3;            // as material::usual_range
+constexpr double invariant_tolerance = 1e-9;  // relative; I1 at the end of the data is computed in two ways
+constexpr double min_scan = 0.3;            // as material::default_stretch_range
 
-/// Stretch of the mode at which I1 has a value above 3, in tension or compression, by bisection.
+/// Stretch of the mode at which I1 takes the given value above 3, in tension or compression, by bisection.
 double stretch_of_invariant(Mode mode, double I1, material::Sense sense) {
     double inner = 1.0, outer = sense == material::Sense::tension ? std::sqrt(I1) + 1.0 : 0.5 / I1;
     for (int i = 0; i < 200; ++i) {
@@ -100,19 +100,19 @@ void add_errors(const Solution& solution, const std::vector<TestCurve>& tests, c
                                  : std::numeric_limits<double>::infinity();
 }
 
-/// Stable at every stretch by the signs of the constants alone.
+/// True if the signs of the constants guarantee stability at every stretch.
 bool signs_suffice(const Fit& fit) {
     const material::Constants& constants = fit.constants;
-    const auto least = [&](std::initializer_list<const char*> names) {
+    const auto minimum = [&](std::initializer_list<const char*> names) {
         double value = std::numeric_limits<double>::infinity();
         for (const char* name : names) value = std::min(value, constants.at(name).front());
         return value;
     };
-    if (fit.candidate.name == "yeoh") return least({"c1", "c2", "c3"}) >= 0.0;
-    if (fit.candidate.name == "yeoh-5") return least({"c1", "c2", "c3", "a"}) >= 0.0;
-    if (fit.candidate.name == "mooney-rivlin-2") return least({"c10", "c01"}) >= 0.0;
+    if (fit.candidate.name == "yeoh") return minimum({"c1", "c2", "c3"}) >= 0.0;
+    if (fit.candidate.name == "yeoh-5") return minimum({"c1", "c2", "c3", "a"}) >= 0.0;
+    if (fit.candidate.name == "mooney-rivlin-2") return minimum({"c10", "c01"}) >= 0.0;
     if (fit.candidate.law == "mooney-rivlin") return false;
-    if (fit.candidate.law != "ogden") return true;  // one modulus, which is positive
+    if (fit.candidate.law != "ogden") return true;  // a single positive modulus
     const std::vector<double>&mu = constants.at("mu"), &alpha = constants.at("alpha");
     for (std::size_t i = 0; i < mu.size(); ++i)
         if (mu[i] * alpha[i] < 0.0) return false;
@@ -130,7 +130,7 @@ void add_stability(Fit& fit) {
     const double end = fit.max_I1 * (1.0 + invariant_tolerance);
     const material::StretchRange range{
         std::min(min_scan, stretch_of_invariant(Mode::uniaxial, end, material::Sense::compression)),
-        std::max(material::usual_range.most, stretch_of_invariant(Mode::uniaxial, end, material::Sense::tension))};
+        std::max(material::default_stretch_range.max, stretch_of_invariant(Mode::uniaxial, end, material::Sense::tension))};
     fit.limits = material::stability_limits(*rubber, range);
     for (const material::StabilityLimit& limit : fit.limits) {
         if (first_invariant(limit.mode, limit.stretch) > end) continue;
@@ -140,7 +140,7 @@ void add_stability(Fit& fit) {
     }
 }
 
-/// Stress of the test nearest to e = 0.25.
+/// Stress of the row nearest to e = 0.25.
 double stress_at_offset_strain(const TestCurve& test) {
     const auto nearest = std::min_element(test.stretch.begin(), test.stretch.end(), [](double a, double b) {
         return std::abs(a - 1.0 - offset_strain) < std::abs(b - 1.0 - offset_strain);

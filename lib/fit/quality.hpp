@@ -1,10 +1,10 @@
 #pragma once
-/// What a fit is worth: errors of the rows, of the constants, and stability. Private to the module. Tested by fit/fit_test.
+/// Quality of a fit: errors of the rows, errors of the constants, and stability. Private to the module. Tested by fit/fit_test.
 #include "fit/separable.hpp"
 
 namespace soft::fit {
 
-/// A finished search: what `fit` holds is made of it.
+/// Result of a finished search, from which a Fit is built.
 struct Solution {
     Candidate candidate;
     std::vector<double> q;

@@ -21,8 +21,8 @@ std::size_t row_count(const std::vector<TestCurve>& tests) {
     return rows;
 }
 
-bool has_rows_enough(const Candidate& candidate, const std::vector<TestCurve>& tests) {
-    // AICc needs two rows more than unknowns and variance; an offset of each test is counted too.
+bool has_enough_rows(const Candidate& candidate, const std::vector<TestCurve>& tests) {
+    // AICc needs two rows more than unknowns and variance; one offset per test is counted too.
     return row_count(tests) > static_cast<std::size_t>(candidate.linear + candidate.shapes) + 2 + tests.size();
 }
 
@@ -35,7 +35,7 @@ std::vector<CrossPrediction> predictions_of(const Candidate& candidate, const st
     for (const Mode mode : modes) {
         std::vector<TestCurve> others, left_out;
         for (const TestCurve& test : tests) (test.mode == mode ? left_out : others).push_back(test);
-        if (!has_rows_enough(candidate, others)) continue;
+        if (!has_enough_rows(candidate, others)) continue;
         const Fit fitted = fit(candidate, others, settings);
         for (const TestCurve& test : left_out) {
             const double rmse_Pa = prediction_rmse_Pa(fitted, test);
@@ -47,13 +47,13 @@ std::vector<CrossPrediction> predictions_of(const Candidate& candidate, const st
 
 }  // namespace
 
-std::vector<Ranked> rank(const std::vector<TestCurve>& tests, const Settings& settings) {
-    std::vector<Ranked> ranked;
+std::vector<RankedFit> rank(const std::vector<TestCurve>& tests, const Settings& settings) {
+    std::vector<RankedFit> ranked;
     for (const Candidate& candidate : candidates())
-        if (has_rows_enough(candidate, tests))
+        if (has_enough_rows(candidate, tests))
             ranked.push_back({fit(candidate, tests, settings), predictions_of(candidate, tests, settings)});
-    if (ranked.empty()) ranked.push_back({fit(candidates().front(), tests, settings), {}});  // says what is too few
-    std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+    if (ranked.empty()) ranked.push_back({fit(candidates().front(), tests, settings), {}});  // throws the error about too few rows
+    std::stable_sort(ranked.begin(), ranked.end(), [](const RankedFit& a, const RankedFit& b) {
         if (a.fit.stable != b.fit.stable) return a.fit.stable;
         return a.fit.aicc < b.fit.aicc;
     });

@@ -13,10 +13,10 @@ constexpr int digits = 10;
 constexpr double kilo = 1e3;
 
 std::string kPa(double value_Pa) { return core::rounded_text(value_Pa / kilo, digits) + " kPa"; }
-std::string shown(const Constant& constant) {
+std::string value_text(const Constant& constant) {
     return constant.is_stress ? kPa(constant.value) : core::rounded_text(constant.value, digits);
 }
-std::string error_of(const Constant& constant) {
+std::string error_text(const Constant& constant) {
     if (!(constant.standard_error > 0.0)) return "at a bound";
     return "+- " +
            core::rounded_text(constant.is_stress ? constant.standard_error / kilo : constant.standard_error, 3) +
@@ -33,15 +33,15 @@ std::string line(const std::string& key, const std::string& value, const std::st
     return key + ": " + value + (comment.empty() ? "" : "   # " + comment) + "\n";
 }
 
-/// One line, quoted so that no character of a file's name can end it; cut to what a design takes.
+/// One line, quoted so that no character of a file name can end it, and truncated to the length that a design allows.
 std::string yaml_text(const std::string& text) {
-    constexpr std::size_t longest = 200;
+    constexpr std::size_t max_length = 200;
     std::string quoted = "'";
-    for (const char c : core::one_line(text, longest)) quoted += c == '\'' ? std::string{"''"} : std::string(1, c);
+    for (const char c : core::one_line(text, max_length)) quoted += c == '\'' ? std::string{"''"} : std::string(1, c);
     return quoted + "'";
 }
 
-/// Without folders: they are those of one machine.
+/// The file name without directories, which differ between machines.
 std::string bare_name(const std::string& source) { return source.substr(source.rfind('/') + 1); }
 
 std::string constants(const Fit& fit) {
@@ -49,13 +49,13 @@ std::string constants(const Fit& fit) {
     const bool ogden = fit.candidate.law == "ogden";
     if (!ogden) {
         for (const Constant& constant : fit.list)
-            text += line(std::string{"  "}.append(constant.name), shown(constant), error_of(constant));
+            text += line(std::string{"  "}.append(constant.name), value_text(constant), error_text(constant));
         return text;
     }
     for (const bool stress : {true, false}) {
         std::vector<std::string> values, errors;
         for (const Constant& constant : fit.list)
-            if (constant.is_stress == stress) values.push_back(shown(constant)), errors.push_back(error_of(constant));
+            if (constant.is_stress == stress) values.push_back(value_text(constant)), errors.push_back(error_text(constant));
         text += line(stress ? "  mu" : "  alpha", std::string{"["}.append(core::join(values)).append("]"),
                      core::join(errors));
     }
@@ -63,10 +63,10 @@ std::string constants(const Fit& fit) {
 }
 
 std::string range_text(const std::vector<TestCurve>& tests) {
-    double least = tests.front().stretch.front(), most = least;
+    double min = tests.front().stretch.front(), max = min;
     for (const TestCurve& test : tests)
-        for (const double stretch : test.stretch) least = std::min(least, stretch), most = std::max(most, stretch);
-    return core::rounded_text((least - 1.0) * 100.0, 6) + ":" + core::rounded_text((most - 1.0) * 100.0, 6) + " %";
+        for (const double stretch : test.stretch) min = std::min(min, stretch), max = std::max(max, stretch);
+    return core::rounded_text((min - 1.0) * 100.0, 6) + ":" + core::rounded_text((max - 1.0) * 100.0, 6) + " %";
 }
 
 std::string stress_text(const std::vector<TestCurve>& tests) {
@@ -91,7 +91,7 @@ std::string unstable_comment(const Fit& fit) {
 
 std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, const Provenance& provenance) {
     std::string text = comment_lines(provenance.notice);
-    // An argument may hold a line feed, which would end the comment.
+    // An argument may contain a line feed, which would end the comment.
     if (!provenance.command_line.empty())
         text += "# " + core::one_line(provenance.command_line, provenance.command_line.size()) + "\n";
     for (const TestQuality& test : fit.tests) {
@@ -105,12 +105,12 @@ std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, c
     text += "material:\n" + line("  law", std::string{fit.candidate.law}) + constants(fit) +
             line("  kappa", "incompressible") + "  fit:\n";
     text += line("    range", yaml_text(range_text(tests)), "engineering strain of the data");
-    text += line("    max_I1", core::rounded_text(fit.max_I1, digits), "beyond it the law is a guess");
+    text += line("    max_I1", core::rounded_text(fit.max_I1, digits), "beyond it the law extrapolates");
     text += line("    rmse_kPa", core::rounded_text(fit.rmse_Pa / kilo, 4));
     text += line("    r2", core::rounded_text(fit.r2, 8));
     if (fit.max_relative_error)
         text += line("    max_error", yaml_text(percent_text(*fit.max_relative_error)),
-                     "of the stress, at 20 % of strain and beyond");
+                     "of the stress, at strains of 20 % and above");
     text += line("    stress", yaml_text(stress_text(tests)));
     text += line("    rows", std::to_string(fit.rows));
     text += line("    flags", yaml_text(fit.flags.empty() ? "none" : core::join(fit.flags, " ")));
@@ -125,7 +125,7 @@ std::string material_yaml(const Fit& fit, const std::vector<TestCurve>& tests, c
     return text;
 }
 
-std::string rank_table(const std::vector<Ranked>& ranked) {
+std::string rank_table(const std::vector<RankedFit>& ranked) {
     const auto padded = [](std::string text, std::size_t width) {
         text.resize(std::max(width, text.size() + 1), ' ');
         return text;
@@ -136,7 +136,7 @@ std::string rank_table(const std::vector<Ranked>& ranked) {
         for (const CrossPrediction& prediction : ranked.front().predictions)
             text += padded("predicts_" + std::string{name_of(prediction.mode)}, 22);
     text += "flags\n";
-    for (const Ranked& one : ranked) {
+    for (const RankedFit& one : ranked) {
         text += padded(std::string{one.fit.candidate.name}, 17) + padded(std::to_string(one.fit.list.size()), 11) +
                 padded(core::rounded_text(one.fit.aicc, 6), 10) +
                 padded(core::rounded_text(one.fit.rmse_Pa / kilo, 4), 11) +

@@ -12,18 +12,18 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Exponents beyond these differ from their neighbours by less than the noise (small) or overflow at long stretches.
 constexpr double min_exponent = 0.05, max_exponent = 12.0;
-/// exp(-8) of the largest I1 from the pole, or 3000 times beyond the data: past either end the data tell nothing.
+/// The pole is at a distance of exp(-8) to exp(8) = 3000 times the largest I1: outside this range the data do not determine q.
 constexpr double max_q = 8.0;
-/// ln b of yeoh-5: a modulus that rises and levels off below a strain of about 30 % shows slack or the zero of the load cell.
+/// ln b of yeoh-5: a modulus that rises and levels off below a strain of about 30 % indicates slack or a zero error of the load cell.
 constexpr double max_log_rise = 1.0;
 constexpr double near_bound = 1e-6;
-/// The first modulus of a law that asks for a positive one, in S: small against any rubber, and not 0.
+/// Lower bound of the first modulus of a law that requires a positive one, in units of S: much smaller than that of any rubber.
 constexpr double min_modulus = 1e-6;
-/// Central differences in q of smooth parts: error of order step^2, of rounding 1e-16 / step.
+/// Central differences in q of smooth parts: truncation error of order step^2, rounding error 1e-16 / step.
 constexpr double slope_step = 1e-5;
 
-/// b of yeoh-5 runs from 1/max(I1 - 3), below which the term is no other than those of c1 and c2 in the data, to its upper
-/// end; in data of small strains over a factor of e.
+/// b of yeoh-5 ranges from 1/max(I1 - 3), below which the data cannot separate its term from those of c1 and c2, to its upper bound;
+/// for data of small strains the range is a factor of e.
 double log_rise_width(const Rows& rows) { return std::max(1.0, max_log_rise + std::log(rows.max_I1 - 3.0)); }
 double rise_at(const Rows& rows, double q) { return std::exp(q * log_rise_width(rows)) / (rows.max_I1 - 3.0); }
 
@@ -34,35 +34,35 @@ double max_stress(const std::vector<TestCurve>& tests) {
     return largest > 0.0 ? largest : 1.0;
 }
 
-struct Place {
+struct RowKey {
     std::size_t test, row;
 };
 
-std::vector<Place> sorted_places(const std::vector<TestCurve>& tests) {
-    std::vector<Place> places;
+std::vector<RowKey> sorted_rows(const std::vector<TestCurve>& tests) {
+    std::vector<RowKey> order;
     for (std::size_t t = 0; t < tests.size(); ++t)
-        for (std::size_t i = 0; i < tests[t].stretch.size(); ++i) places.push_back({t, i});
-    const auto key = [&](const Place& p) {
+        for (std::size_t i = 0; i < tests[t].stretch.size(); ++i) order.push_back({t, i});
+    const auto key = [&](const RowKey& p) {
         const TestCurve& test = tests[p.test];
         return std::tuple{test.mode, test.stretch[p.row], test.nominal_Pa[p.row], test.weight};
     };
-    std::sort(places.begin(), places.end(), [&](const Place& a, const Place& b) { return key(a) < key(b); });
-    return places;
+    std::sort(order.begin(), order.end(), [&](const RowKey& a, const RowKey& b) { return key(a) < key(b); });
+    return order;
 }
 
 struct Bounds {
     Eigen::VectorXd low, high;
 };
 
-/// Sufficient for stability (Drucker) without a scan: neo-Hookean, Gent, Arruda-Boyce mu > 0; Mooney-Rivlin of two c10,
-/// c01 >= 0; Yeoh c1 > 0, the others >= 0; Ogden mu_i alpha_i >= 0. Of Mooney-Rivlin's five the scan decides.
+/// Sign constraints that are sufficient for (Drucker) stability: neo-Hookean, Gent, Arruda-Boyce mu > 0; mooney-rivlin-2 c10, c01 >= 0;
+/// Yeoh c1 > 0, the others >= 0; Ogden mu_i alpha_i >= 0. For mooney-rivlin-5 a scan over the stretch determines stability.
 Bounds bounds_of(const Candidate& candidate, const Rows& rows, Signs signs) {
     const auto n = static_cast<Eigen::Index>(candidate.linear);
     const auto offsets = static_cast<Eigen::Index>(rows.offset == Offset::fitted ? rows.test_count : 0);
     Bounds bounds{Eigen::VectorXd::Constant(n + offsets, -infinity), Eigen::VectorXd::Constant(n + offsets, infinity)};
     if (signs == Signs::stable) bounds.low.head(n).setZero();
-    const bool asks_for_positive = candidate.law != "mooney-rivlin" && candidate.law != "ogden";
-    if (signs == Signs::stable && asks_for_positive) bounds.low[0] = min_modulus;
+    const bool needs_positive = candidate.law != "mooney-rivlin" && candidate.law != "ogden";
+    if (signs == Signs::stable && needs_positive) bounds.low[0] = min_modulus;
     bounds.low.tail(offsets).setConstant(-max_offset_Pa / rows.scale_Pa);
     bounds.high.tail(offsets).setConstant(max_offset_Pa / rows.scale_Pa);
     return bounds;
@@ -88,12 +88,12 @@ Rows rows_of(const std::vector<TestCurve>& tests, const Settings& settings) {
     rows.max_I1 = max_invariant(tests);
     rows.test_count = tests.size();
     rows.offset = settings.offset;
-    const std::vector<Place> places = sorted_places(tests);
-    const auto count = static_cast<Eigen::Index>(places.size());
+    const std::vector<RowKey> order = sorted_rows(tests);
+    const auto count = static_cast<Eigen::Index>(order.size());
     rows.weight.resize(count);
     rows.target.resize(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const auto [t, row] = places[static_cast<std::size_t>(i)];
+        const auto [t, row] = order[static_cast<std::size_t>(i)];
         const double stress = tests[t].nominal_Pa[row] / rows.scale_Pa;
         rows.mode.push_back(tests[t].mode);
         rows.stretch.push_back(tests[t].stretch[row]);
@@ -114,7 +114,7 @@ SearchBounds search_bounds(const Candidate& candidate, double start) {
 
 bool is_at_search_bound(const Candidate& candidate, double q) {
     const SearchBounds bounds = search_bounds(candidate, q);
-    return std::min(q - bounds.least, bounds.most - q) < near_bound;
+    return std::min(q - bounds.low, bounds.high - q) < near_bound;
 }
 
 double shape_of(const Candidate& candidate, const Rows& rows, double q) {
@@ -135,7 +135,7 @@ Eigen::VectorXd part(const Candidate& candidate, const Rows& rows, std::size_t j
     Eigen::VectorXd stress = Eigen::VectorXd::Zero(rows.weight.size());
     const CurvePoints points{rows.mode, rows.stretch};
     const std::span<double> out{stress.data(), static_cast<std::size_t>(stress.size())};
-    // Of ogden a term alone is a law of its own; the others have one shape constant at most.
+    // A single ogden term is a law in itself; the other laws have at most one shape constant.
     const bool alone = candidate.law == "ogden";
     std::vector<double> unit(alone ? 1 : static_cast<std::size_t>(candidate.linear), 0.0), shapes;
     unit[alone ? 0 : j] = 1.0;

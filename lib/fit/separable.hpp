@@ -1,11 +1,11 @@
 #pragma once
 /// The rows of all tests, and the parts P_j of a candidate on them. Private to the module. Tested by fit/fit_test.
 ///   weighted residual of row i:  w_i (sum_j c_j P_j(l_i; shape_j) + offset_t - s_i) / S,    S = largest |s|
-/// with w^2 = weight of the test times that of the row. Rows are sorted by mode and stretch, so that sums do not depend on
-/// their order, and S makes the numbers independent of the unit of stress. The search runs over q, one a shape:
-///   ogden  alpha = q;   yeoh-5  ln b linear in q, from one bound to the other as q from 0 to 1 (see rise_at)
+/// with w^2 = weight of the test times weight of the row. Rows are sorted by mode and stretch, so that sums do not depend on the order
+/// of the input. The scale S makes the result independent of the unit of stress. The search variables are q, one per shape:
+///   ogden  alpha = q;   yeoh-5  ln b linear in q, from its lower bound at q = 0 to its upper bound at q = 1 (see rise_at)
 ///   gent  jm = (1 + exp q) max(I1 - 3);   arruda-boyce  locking_stretch^2 = (1 + exp q) max(I1)/3
-/// which keeps the pole (the straight chain) outside the data; derived here.
+/// The last two keep the pole (the locking stretch) outside the data; derived here.
 #include <Eigen/Dense>
 #include <vector>
 
@@ -18,13 +18,13 @@ namespace soft::fit {
 struct Rows {
     std::vector<Mode> mode;
     std::vector<double> stretch;
-    std::vector<std::size_t> test;  ///< each row's
+    std::vector<std::size_t> test;  ///< index of the test of each row
     std::size_t test_count = 0;
     Eigen::VectorXd weight, target;  ///< w, w s/S
     double scale_Pa = 1;             ///< S
     double max_I1 = 3;
     Offset offset = Offset::none;
-    Eigen::MatrixXd mix = {};  ///< applied to every column where it is not empty (condensed.hpp)
+    Eigen::MatrixXd mix = {};  ///< multiplies every column unless empty (condensed.hpp)
 };
 
 [[nodiscard]] Rows rows_of(const std::vector<TestCurve>& tests, const Settings& settings);
@@ -32,23 +32,23 @@ struct Rows {
 enum class Signs { free, stable };  ///< stable: the signs that suffice for stability (see bounds_of)
 
 struct SearchBounds {
-    double least = 0, most = 0;
+    double low = 0, high = 0;
 };
 [[nodiscard]] SearchBounds search_bounds(const Candidate& candidate, double start);
 [[nodiscard]] bool is_at_search_bound(const Candidate& candidate, double q);
 
-/// Shape constants of a design from the searched q, and their slope.
+/// Shape constant of a design as a function of q, and its derivative.
 [[nodiscard]] double shape_of(const Candidate& candidate, const Rows& rows, double q);
 [[nodiscard]] double shape_slope(const Candidate& candidate, const Rows& rows, double q);
 
 /// w_i P_j at q_j, per unit of c_j.
 [[nodiscard]] Eigen::VectorXd part(const Candidate& candidate, const Rows& rows, std::size_t j, double q);
-/// Its derivative by q_j.
+/// Its derivative with respect to q_j.
 [[nodiscard]] Eigen::VectorXd part_slope(const Candidate& candidate, const Rows& rows, std::size_t j, double q);
 
 struct Projection {
-    Eigen::MatrixXd A;  ///< parts, then one column of the offset of each test
-    BoundedFit linear;  ///< c in S, offsets in S
+    Eigen::MatrixXd A;  ///< parts, then one offset column per test
+    BoundedFit linear;  ///< c and offsets, in units of S
     Eigen::VectorXd residual;
 };
 

@@ -13,12 +13,12 @@
 namespace soft::fit {
 namespace {
 
-constexpr double rounding = 1e-12;           // of a pivot, relative to its variance
+constexpr double rounding = 1e-12;           // of a pivot, relative to the variance
 constexpr double symmetry_tolerance = 1e-9;  // relative to the two standard errors
-constexpr double zero_column = 1e-5;  // of what a pivot of rounding leaves below it: above the root of `rounding`
+constexpr double zero_column = 1e-5;  // bound on the column below a zero pivot: larger than the square root of `rounding`
 
 [[noreturn]] void refuse_covariance(const std::string& problem) {
-    throw Error(ExitCode::bad_input, "covariance", problem, "give the --json of fit-material");
+    throw Error(ExitCode::bad_input, "covariance", problem, "give the --json output of fit-material");
 }
 
 void check_covariance(const FittedLaw& fitted) {
@@ -37,7 +37,7 @@ void check_covariance(const FittedLaw& fitted) {
         }
 }
 
-/// Standard normal numbers, the same everywhere: the C++ standard fixes std::mt19937_64, but not std::normal_distribution.
+/// Standard normal numbers, equal on all platforms: the C++ standard specifies std::mt19937_64, but not std::normal_distribution.
 /// Source: Box and Muller, Ann. Math. Statist. 29 (1958) 610.
 class NormalNumbers {
 public:

@@ -11,9 +11,9 @@
 namespace soft::fit {
 namespace {
 
-// The ends of a range are typed in decimals: a row at 1.1 belongs to 110 % whatever the last bit says.
+// Range limits are entered in decimals: a row at 1.1 belongs to a range up to 110 % despite rounding.
 constexpr double end_tolerance = 1e-9;
-// Of the whole displacement.
+// Relative to the range of the displacement.
 constexpr double machine_noise = 2e-3;
 
 struct Point {
@@ -26,8 +26,8 @@ struct Point {
     throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(line), problem, remedy);
 }
 
-/// Where one of the two columns has a decimal point, a comma is none: "1,234" beside "0.1" is no 1.234.
-void settle_decimal(table::Table& table, const Columns& columns) {
+/// If one of the two columns contains a decimal point, a comma is not a decimal separator: "1,234" next to "0.1" is not 1.234.
+void resolve_decimal_separator(table::Table& table, const Columns& columns) {
     if (table.decimal != table::Decimal::either) return;
     const bool has_point = std::ranges::any_of(table.rows, [&](const std::vector<std::string>& row) {
         return row[columns.strain].find('.') != std::string::npos || row[columns.stress].find('.') != std::string::npos;
@@ -62,7 +62,7 @@ std::vector<Point> points_of(const table::Table& table, const Columns& columns, 
         const double stretch = stretch_of(strains[i], columns.strain_measure);
         if (!(stretch > 0.0))
             refuse(table, line, "a stretch of " + core::rounded_text(stretch, 6) + " is not positive",
-                   "a strain is more than -100 %; is it a strain or a stretch (--strain)?");
+                   "a strain must exceed -100 %; is it a strain or a stretch (--strain)?");
         const bool is_cauchy = columns.stress_measure == StressMeasure::cauchy;
         points.push_back({stretch, is_cauchy ? stresses[i] / stretch : stresses[i], line});
     }
@@ -73,24 +73,24 @@ void check_path(const table::Table& table, const std::vector<Point>& points) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double first = points[1].stretch - points[0].stretch, step = points[i].stretch - points[i - 1].stretch;
         if (step == 0.0)
-            refuse(table, points[i].line, "the strain is that of the row before",
-                   "one row for each strain; --any-order takes rows that are points in no order");
+            refuse(table, points[i].line, "the strain equals that of the previous row",
+                   "give one row per strain, or --any-order for rows in any order");
         if (step * first < 0.0)
-            refuse(table, points[i].line, "the strain turns back",
-                   "fit one pull; --any-order takes rows that are points in no order");
+            refuse(table, points[i].line, "the strain reverses direction",
+                   "give one loading ramp, or --any-order for rows in any order");
     }
 }
 
-/// A testing machine's displacement repeats and trembles by its resolution: what turns back further is another pull.
+/// The displacement of a testing machine may repeat and fluctuate within its resolution; a larger reversal starts another ramp.
 void check_machine_path(const table::Table& table, const std::vector<Point>& points) {
-    const auto [least, most] = std::ranges::minmax(points, {}, &Point::stretch);
-    const double sign = most.stretch - 1.0 >= 1.0 - least.stretch ? 1.0 : -1.0;
-    const double noise = machine_noise * (most.stretch - least.stretch);
+    const auto [min, max] = std::ranges::minmax(points, {}, &Point::stretch);
+    const double sign = max.stretch - 1.0 >= 1.0 - min.stretch ? 1.0 : -1.0;
+    const double noise = machine_noise * (max.stretch - min.stretch);
     double furthest = points.front().stretch;
     for (const Point& point : points) {
         if (sign * (furthest - point.stretch) > noise)
-            refuse(table, point.line, "the displacement turns back",
-                   "fit one pull; --any-order takes rows that are points in no order");
+            refuse(table, point.line, "the displacement reverses direction",
+                   "give one loading ramp, or --any-order for rows in any order");
         furthest = sign > 0 ? std::max(furthest, point.stretch) : std::min(furthest, point.stretch);
     }
 }
@@ -118,7 +118,7 @@ TestCurve read_test(std::string_view text, std::string_view source, Mode mode, c
     const Columns columns = columns_of(table, settings);
     const std::size_t last_line = table.lines.back();
     skip_rows(table, settings.skipped_rows);
-    settle_decimal(table, columns);
+    resolve_decimal_separator(table, columns);
     const std::vector<Point> points = points_of(table, columns, settings);
     if (settings.order == RowOrder::path && points.size() > 1)
         settings.specimen.gauge_length_m ? check_machine_path(table, points) : check_path(table, points);
@@ -126,13 +126,13 @@ TestCurve read_test(std::string_view text, std::string_view source, Mode mode, c
     test.measured = columns.stress_measure;
     for (const Point& point : points) {
         const double strain = point.stretch - 1.0;
-        if (strain < settings.range.least - end_tolerance || strain > settings.range.most + end_tolerance) continue;
+        if (strain < settings.range.min - end_tolerance || strain > settings.range.max + end_tolerance) continue;
         test.stretch.push_back(point.stretch);
         test.nominal_Pa.push_back(point.nominal_Pa);
     }
     if (test.stretch.size() < 2)
-        refuse(table, last_line, "only " + std::to_string(test.stretch.size()) + " of the rows to this one take part",
-               "two or more must lie in --range behind --skip-rows");
+        refuse(table, last_line, "only " + std::to_string(test.stretch.size()) + " of the rows up to this line can be used",
+               "at least two rows must lie in --range after --skip-rows");
     return test;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
-/// What a test measured, as the fit wants it: nominal stress over stretch, one mode a test.
-///   stretch l = 1 + e = exp(ln-strain), in the direction of the pull (equibiaxial: of both)
-///   nominal stress P = force / undeformed area = sigma / l (incompressible), the natural weight: a force over a fixed
-///   area has a nearly uniform noise, and sigma = P l would weigh long stretches by l^2.
+/// Data of one material test in the form used by the fit: nominal stress over stretch, one mode per test.
+///   stretch l = 1 + e = exp(ln-strain), in the loading direction (equibiaxial: in both)
+///   nominal stress P = force / undeformed area = sigma / l (incompressible). The fit uses P because the noise of a force over a fixed
+///   area is nearly uniform; sigma = P l would weight large stretches by l^2.
 /// Tested by fit/test_data_test.
 #include <cstddef>
 #include <limits>
@@ -16,7 +16,7 @@
 
 namespace soft::fit {
 
-using material::Mode;  // uniaxial, equibiaxial, planar; simple_shear is refused by the fit
+using material::Mode;  // uniaxial, equibiaxial, planar; fit() rejects simple_shear
 
 [[nodiscard]] std::string_view name_of(Mode mode);
 
@@ -29,57 +29,57 @@ struct TestCurve {
     std::vector<double> nominal_Pa = {};
     double weight = 1;                                    ///< of each squared residual of this test
     std::string source = {};                              ///< file name, for reports
-    std::string sha256 = {};                              ///< of the file; empty where there is none
-    StressMeasure measured = StressMeasure::engineering;  ///< what the file holds
+    std::string sha256 = {};                              ///< of the file; empty without a file
+    StressMeasure measured = StressMeasure::engineering;  ///< measure in the file
 };
 
-/// A strain of 12 is past what any rubber bears, and a small percentage: a plain ratio beyond it is taken for a slip.
+/// No rubber reaches a strain of 12 (1200 %), but 12 is a small percentage: a larger plain ratio is rejected as a missing % sign.
 inline constexpr double max_ratio = 12.0;
 
-/// Engineering strains that take part, both ends included.
+/// Range of engineering strains that are used, both ends included.
 struct StrainRange {
-    double least = -1, most = std::numeric_limits<double>::infinity();
+    double min = -1, max = std::numeric_limits<double>::infinity();
 };
 
 enum class RowOrder {
-    path,  ///< a pull from one end to the other: a strain that turns back is refused, a displacement that does so by more
-           ///< than 0.2 % of the whole
+    path,  ///< one loading ramp: a strain that reverses direction is rejected, and a displacement that does so by more than
+           ///< 0.2 % of its range
     points  ///< rows in any order
 };
 
-/// The undeformed specimen of a tensile test, for what a testing machine writes: strain = displacement / gauge length,
+/// The undeformed specimen of a tensile test, to convert the output of a testing machine: strain = displacement / gauge length,
 /// engineering stress = force / area.
 struct Specimen {
-    std::optional<double> gauge_length_m = {};  ///< given: the strain's column holds a displacement
-    std::optional<double> area_m2 = {};         ///< given: the stress's column holds a force
+    std::optional<double> gauge_length_m = {};  ///< if given, the strain column contains a displacement
+    std::optional<double> area_m2 = {};         ///< if given, the stress column contains a force
 };
 
-/// Columns are named by (part of) their title, letter case free, or by their number from 1. What is empty is taken from the
-/// header: "Engineering Strain", "True Stress (MPa)", "stretch", "stress_kPa"; of engineering and true the former. With a
-/// specimen: "Extension (mm)", "Crosshead [mm]", "Standard travel", "Load (N)", "Standard force", "Standardweg", "Standardkraft".
+/// Columns are named by (part of) their title, case-insensitive, or by their number from 1. Empty settings are taken from the header:
+/// "Engineering Strain", "True Stress (MPa)", "stretch", "stress_kPa"; engineering is preferred to true. With a specimen:
+/// "Extension (mm)", "Crosshead [mm]", "Standard travel", "Load (N)", "Standard force", "Standardweg", "Standardkraft".
 struct ReadSettings {
     table::Format format = {.layout = table::Layout::described};
     std::string strain_column = {}, stress_column = {};
     std::optional<StrainMeasure> strain_measure = {};
     std::optional<StressMeasure> stress_measure = {};
-    std::string strain_unit = {};  ///< "1" or "%"; a title without one is a plain ratio. Of a displacement "mm", ...
-    std::string stress_unit = {};  ///< "MPa", of a force "N"; must stand here or in the title
+    std::string strain_unit = {};  ///< "1" or "%"; a title without a unit means a plain ratio. For a displacement "mm", ...
+    std::string stress_unit = {};  ///< "MPa", for a force "N"; required here or in the title
     Specimen specimen = {};
     std::size_t skipped_rows = 0;
     StrainRange range = {};
     RowOrder order = RowOrder::path;
 };
 
-/// Throws Error (bad_input) "source:line: ..." for a column that is missing or not unique, a unit or measure that is
-/// nowhere stated, text in a number, an empty field, a stretch that is not positive, a strain that turns back or repeats,
-/// fewer than two rows in the range, and what read_table refuses.
+/// Throws Error (bad_input) "source:line: ..." for a column that is missing or not unique, a unit or measure that is not stated,
+/// text in a number, an empty field, a stretch that is not positive, a strain that reverses direction or repeats, fewer than two rows
+/// in the range, and as read_table.
 [[nodiscard]] TestCurve read_test(std::string_view text, std::string_view source, Mode mode,
                                   const ReadSettings& settings);
 
 /// I1 = tr C of the mode at a stretch, incompressible.
 [[nodiscard]] double first_invariant(Mode mode, double stretch);
 
-/// Largest I1 of the rows: how far a law is known.
+/// Largest I1 of all rows: the limit of validity of a fitted law.
 [[nodiscard]] double max_invariant(const std::vector<TestCurve>& tests);
 
 }  // namespace soft::fit

@@ -12,8 +12,8 @@ namespace soft::linalg {
 
 namespace {
 
-/// This rank's rows: on one rank `diagonal` is the matrix itself, on several its own columns, `rest` those of others, whose
-/// numbers are `columns[...]`.
+/// This rank's rows. On one rank `diagonal` is the matrix itself. On several ranks `diagonal` contains the rank's own columns and
+/// `rest` the columns of other ranks, whose global indices are `columns[...]`.
 struct Parts {
     Mat diagonal = nullptr, rest = nullptr;
     const PetscInt* columns = nullptr;
@@ -28,35 +28,36 @@ Parts parts_of(Mat K) {
     return parts;
 }
 
-/// Where columns lie in one row: a table of all columns, which costs less than searching the row for each of many.
-class RowPlaces {
+/// Indices of columns in one row, from a table over all columns: cheaper than searching the row for each of many columns.
+class RowIndices {
 public:
-    RowPlaces(const MatrixRows& rows, PetscInt columns) : rows_(rows), places_(static_cast<std::size_t>(columns)) {}
+    RowIndices(const MatrixRows& rows, PetscInt columns) : rows_(rows), indices_(static_cast<std::size_t>(columns)) {}
 
-    void take(PetscInt row) {
+    void set_row(PetscInt row) {
         row_ = row;
-        for (PetscInt place = 0; place < length(); ++place) places_[at(column(place))] = place;
+        for (PetscInt k = 0; k < length(); ++k) indices_[at(column(k))] = k;
     }
     [[nodiscard]] PetscInt length() const { return rows_.begin[row_ + 1] - rows_.begin[row_]; }
-    /// Throws where the row lacks the column, whose place is one of another row then.
+    /// Throws if the row does not contain the column; the table entry then belongs to an earlier row.
     [[nodiscard]] PetscInt operator[](PetscInt wanted) const {
-        const PetscInt place = at(wanted) < places_.size() ? places_[at(wanted)] : length();
-        if (place >= length() || column(place) != wanted)
+        const PetscInt found = at(wanted) < indices_.size() ? indices_[at(wanted)] : length();
+        if (found >= length() || column(found) != wanted)
             throw Error(ExitCode::internal, "matrix",
-                        "its pattern lacks row " + std::to_string(row_) + ", column " + std::to_string(wanted));
-        return place;
+                        "the sparsity pattern does not contain row " + std::to_string(row_) + ", column " +
+                            std::to_string(wanted));
+        return found;
     }
 
 private:
     static std::size_t at(PetscInt index) { return static_cast<std::size_t>(index); }
-    [[nodiscard]] PetscInt column(PetscInt place) const { return rows_.columns[rows_.begin[row_] + place]; }
+    [[nodiscard]] PetscInt column(PetscInt k) const { return rows_.columns[rows_.begin[row_] + k]; }
 
     MatrixRows rows_;
-    std::vector<PetscInt> places_;
+    std::vector<PetscInt> indices_;
     PetscInt row_ = 0;
 };
 
-constexpr std::uint16_t left_out = std::numeric_limits<std::uint16_t>::max();
+constexpr std::uint16_t omitted = std::numeric_limits<std::uint16_t>::max();
 
 }  // namespace
 
@@ -73,20 +74,20 @@ std::uint64_t pattern_hash(Mat K) {
     return hash;
 }
 
-BlockPlaces::BlockPlaces(Mat K, std::span<const std::span<const PetscInt>> blocks) {
+BlockIndices::BlockIndices(Mat K, std::span<const std::span<const PetscInt>> blocks) {
     for (const auto block : blocks) {
-        blocks_.push_back({dofs_.size(), places_.size()});
+        blocks_.push_back({dofs_.size(), indices_.size()});
         dofs_.insert(dofs_.end(), block.begin(), block.end());
-        places_.resize(places_.size() + block.size() * block.size(), left_out);
+        indices_.resize(indices_.size() + block.size() * block.size(), omitted);
     }
-    blocks_.push_back({dofs_.size(), places_.size()});
-    if (!find_places(K)) places_.clear();
+    blocks_.push_back({dofs_.size(), indices_.size()});
+    if (!find_indices(K)) indices_.clear();
 }
 
-/// Row by row, whatever the blocks that have a part in it. False where a place is too large a number.
-bool BlockPlaces::find_places(Mat K) {
+/// Runs row by row over all blocks that contribute to the row. Returns false if an index does not fit in 16 bits.
+bool BlockIndices::find_indices(Mat K) {
     struct Part {
-        std::size_t block, first;  // of its places
+        std::size_t block, first_index;
     };
     PetscInt begin = 0, end = 0, first = 0, last = 0, rest_columns = 0;
     SOFT_PETSC(MatGetOwnershipRange(K, &begin, &end));
@@ -96,29 +97,29 @@ bool BlockPlaces::find_places(Mat K) {
         const std::size_t size = blocks_[b + 1].dofs - blocks_[b].dofs;
         for (std::size_t i = 0; i < size; ++i)
             if (const PetscInt row = dofs_[blocks_[b].dofs + i]; row >= begin && row < end)
-                parts_of_row[static_cast<std::size_t>(row - begin)].push_back({b, blocks_[b].places + i * size});
+                parts_of_row[static_cast<std::size_t>(row - begin)].push_back({b, blocks_[b].indices + i * size});
     }
     const Parts parts = parts_of(K);
-    RowPlaces own(rows_of(parts.diagonal), last - first);
-    std::optional<RowPlaces> rest;
+    RowIndices own(rows_of(parts.diagonal), last - first);
+    std::optional<RowIndices> rest;
     if (parts.rest != nullptr) {
         SOFT_PETSC(MatGetSize(parts.rest, nullptr, &rest_columns));
         rest.emplace(rows_of(parts.rest), rest_columns);
     }
-    const auto place = [&](PetscInt column) {
+    const auto index_in_row = [&](PetscInt column) {
         if (column >= first && column < last) return own[column - first];
         const PetscInt* known = std::lower_bound(parts.columns, parts.columns + rest_columns, column);
         return own.length() + (*rest)[static_cast<PetscInt>(known - parts.columns)];
     };
     for (PetscInt row = 0; row < end - begin; ++row) {
-        own.take(row);
-        if (rest) rest->take(row);
-        for (const auto& [block, first_place] : parts_of_row[static_cast<std::size_t>(row)]) {
-            std::uint16_t* found = places_.data() + first_place;
+        own.set_row(row);
+        if (rest) rest->set_row(row);
+        for (const auto& [block, first_index] : parts_of_row[static_cast<std::size_t>(row)]) {
+            std::uint16_t* found = indices_.data() + first_index;
             for (std::size_t d = blocks_[block].dofs; d < blocks_[block + 1].dofs; ++d, ++found) {
                 if (dofs_[d] < 0) continue;
-                const PetscInt in_row = place(dofs_[d]);
-                if (in_row >= left_out) return false;
+                const PetscInt in_row = index_in_row(dofs_[d]);
+                if (in_row >= omitted) return false;
                 *found = static_cast<std::uint16_t>(in_row);
             }
         }
@@ -143,32 +144,32 @@ BlockAdder::~BlockAdder() {
     if (rest_ != nullptr) (void)MatSeqAIJRestoreArray(rest_, &rest_values_);
 }
 
-void BlockAdder::add_own_row(PetscInt row, std::span<const std::uint16_t> places, std::span<const double> values) {
+void BlockAdder::add_own_row(PetscInt row, std::span<const std::uint16_t> indices, std::span<const double> values) {
     double* own = diagonal_values_ + diagonal_rows_[row];
     if (rest_ == nullptr) {
-        for (std::size_t j = 0; j < places.size(); ++j)
-            if (places[j] != left_out) own[places[j]] += values[j];
+        for (std::size_t j = 0; j < indices.size(); ++j)
+            if (indices[j] != omitted) own[indices[j]] += values[j];
         return;
     }
     const PetscInt length = diagonal_rows_[row + 1] - diagonal_rows_[row];
     double* others = rest_values_ + rest_rows_[row];
-    for (std::size_t j = 0; j < places.size(); ++j) {
-        if (places[j] == left_out) continue;
-        (places[j] < length ? own[places[j]] : others[places[j] - length]) += values[j];
+    for (std::size_t j = 0; j < indices.size(); ++j) {
+        if (indices[j] == omitted) continue;
+        (indices[j] < length ? own[indices[j]] : others[indices[j] - length]) += values[j];
     }
 }
 
-void BlockAdder::add(const BlockPlaces& places, std::size_t block, std::span<const double> values) {
-    const auto begin = places.blocks_[block], end = places.blocks_[block + 1];
-    const std::span<const PetscInt> dofs(&places.dofs_[begin.dofs], end.dofs - begin.dofs);
+void BlockAdder::add(const BlockIndices& indices, std::size_t block, std::span<const double> values) {
+    const auto begin = indices.blocks_[block], end = indices.blocks_[block + 1];
+    const std::span<const PetscInt> dofs(&indices.dofs_[begin.dofs], end.dofs - begin.dofs);
     const std::size_t size = dofs.size();
     for (std::size_t i = 0; i < size; ++i) {
         if (dofs[i] < 0) continue;
         const auto row = values.subspan(i * size, size);
-        if (places.places_.empty() || dofs[i] < begin_ || dofs[i] >= end_)
+        if (indices.indices_.empty() || dofs[i] < begin_ || dofs[i] >= end_)
             SOFT_PETSC(MatSetValues(K_, 1, &dofs[i], static_cast<PetscInt>(size), dofs.data(), row.data(), ADD_VALUES));
         else
-            add_own_row(dofs[i] - begin_, {&places.places_[begin.places + i * size], size}, row);
+            add_own_row(dofs[i] - begin_, {&indices.indices_[begin.indices + i * size], size}, row);
     }
 }
 

@@ -1,7 +1,8 @@
 #pragma once
-/// Adds dense square blocks, as those of cells, to an AIJ matrix whose pattern holds them, without the search of MatSetValues for
-/// every entry: where an entry lies in its row is looked up once (two bytes an entry). Sums run in the order of the calls, as
-/// with MatSetValues: the same bytes. Rows of other ranks go through MatSetValues, so assembly has to follow as usual.
+/// Adds dense square blocks, such as element matrices, to an AIJ matrix whose pattern contains them. MatSetValues searches the row
+/// for every entry; here the index of each entry in its row is looked up once and stored (two bytes per entry). The sums run in the
+/// order of the calls, so the result is bitwise equal to that of MatSetValues. Rows of other ranks go through MatSetValues:
+/// MatAssemblyBegin/End must follow.
 /// Tested by linalg/block_entries_test.
 #include <cstdint>
 
@@ -9,31 +10,31 @@
 
 namespace soft::linalg {
 
-/// A number for the pattern of this rank's rows: equal for equal patterns. It tells whether places of one matrix are those of
-/// another.
+/// Hash of the sparsity pattern of this rank's rows: equal for equal patterns. A BlockIndices is valid for all matrices with the
+/// same hash.
 [[nodiscard]] std::uint64_t pattern_hash(Mat K);
 
-/// Where the entries of many blocks lie in matrices of the pattern of K.
-class BlockPlaces {
+/// Indices of the entries of many blocks in matrices with the pattern of K.
+class BlockIndices {
 public:
-    BlockPlaces() = default;
-    /// `blocks` are the rows and columns of each block, -1 where left out. Throws Error (internal) for an entry that the
-    /// pattern does not hold.
-    BlockPlaces(Mat K, std::span<const std::span<const PetscInt>> blocks);
+    BlockIndices() = default;
+    /// `blocks` contains the rows (= columns) of each block; -1 omits an unknown. Throws Error (internal) for an entry that is not in
+    /// the pattern.
+    BlockIndices(Mat K, std::span<const std::span<const PetscInt>> blocks);
 
 private:
     friend class BlockAdder;
-    [[nodiscard]] bool find_places(Mat K);
+    [[nodiscard]] bool find_indices(Mat K);
 
     struct Block {
-        std::size_t dofs, places;  // where its own begin
+        std::size_t dofs, indices;  // begin of the block in dofs_ and indices_
     };
-    std::vector<Block> blocks_;          // and one beyond the last
+    std::vector<Block> blocks_;          // plus one end marker
     std::vector<PetscInt> dofs_;         // [block][row]
-    std::vector<std::uint16_t> places_;  // [block][row][column] in the row; empty where a row is too long for them
+    std::vector<std::uint16_t> indices_;  // [block][row][column], index in the row; empty if a row is too long for 16 bits
 };
 
-/// Holds the values of a matrix for the time of its life; MatZeroEntries before it tells solvers that they change.
+/// Accesses the values of a matrix during its lifetime. Call MatZeroEntries first: it marks the matrix as changed for solvers.
 class BlockAdder {
 public:
     explicit BlockAdder(Mat K);
@@ -42,10 +43,10 @@ public:
     BlockAdder& operator=(const BlockAdder&) = delete;
 
     /// values [row][column] of one block.
-    void add(const BlockPlaces& places, std::size_t block, std::span<const double> values);
+    void add(const BlockIndices& indices, std::size_t block, std::span<const double> values);
 
 private:
-    void add_own_row(PetscInt row, std::span<const std::uint16_t> places, std::span<const double> values);
+    void add_own_row(PetscInt row, std::span<const std::uint16_t> indices, std::span<const double> values);
 
     Mat K_, diagonal_ = nullptr, rest_ = nullptr;
     PetscInt begin_ = 0, end_ = 0;

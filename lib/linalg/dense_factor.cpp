@@ -24,7 +24,7 @@ bool DenseFactor::factorize(std::vector<double> values, int size) {
     return info == 0;
 }
 
-/// A pivot of two rows is a block of one positive and one negative eigenvalue.
+/// A 2 x 2 pivot block has one positive and one negative eigenvalue.
 PetscInt DenseFactor::negative_eigenvalues() const {
     PetscInt negative = 0, in_blocks = 0;
     for (int i = 0; i < size_; ++i) {
@@ -40,7 +40,7 @@ bool DenseFactor::determinant_is_negative() const {
     bool negative = false;
     for (int i = 0; i < size_; ++i) {
         if (entry(i, i) < 0.0) negative = !negative;
-        if (pivots_[static_cast<std::size_t>(i)] != i + 1) negative = !negative;  // two rows changed places
+        if (pivots_[static_cast<std::size_t>(i)] != i + 1) negative = !negative;  // row interchange
     }
     return negative;
 }

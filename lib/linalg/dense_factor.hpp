@@ -1,5 +1,6 @@
 #pragma once
-/// LDL^T (Bunch and Kaufman's pivots) or LU of a dense matrix, by LAPACK. Internal to the module. Tested by linalg/substructures_test.
+/// LDL^T (Bunch-Kaufman pivoting) or LU factorisation of a dense matrix by LAPACK. Internal to the module.
+/// Tested by linalg/substructures_test.
 #include <vector>
 
 #include "linalg/factors.hpp"
@@ -8,12 +9,12 @@ namespace soft::linalg {
 
 class DenseFactor {
 public:
-    /// `values` by columns; of a symmetric matrix the triangle above the diagonal is read.
+    /// `values` are stored by columns; only the upper triangle of a symmetric matrix is read.
     explicit DenseFactor(Symmetry symmetry = Symmetry::symmetric) : symmetry_(symmetry) {}
-    /// False where a pivot vanishes or is not finite.
+    /// Returns false if a pivot is zero or not finite.
     [[nodiscard]] bool factorize(std::vector<double> values, int size);
-    [[nodiscard]] PetscInt negative_eigenvalues() const;  ///< of a symmetric matrix
-    [[nodiscard]] bool determinant_is_negative() const;   ///< of a general one
+    [[nodiscard]] PetscInt negative_eigenvalues() const;  ///< symmetric matrices only
+    [[nodiscard]] bool determinant_is_negative() const;   ///< general matrices only
     void solve(std::vector<double>& b) const;             ///< in place
 
 private:

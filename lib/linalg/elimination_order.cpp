@@ -22,7 +22,7 @@ std::span<const PetscInt> columns_of(const MatrixRows& rows, PetscInt row) {
     return {rows.columns + rows.begin[row], rows.columns + rows.begin[row + 1]};
 }
 
-/// Unknowns with the same columns, their own among them: neighbours of each other.
+/// Groups of unknowns whose rows have the same columns, including their own: each couples with all others of its group.
 struct Groups {
     std::vector<int> of;                          // [unknown]
     std::vector<std::vector<PetscInt>> unknowns;  // [group]
@@ -57,7 +57,7 @@ public:
     Dissection() {
         cholmod_start(&common_);
         common_.print = 0;
-        common_.method[common_.current].nd_compress = 0;  // the groups are that
+        common_.method[common_.current].nd_compress = 0;  // Groups compresses the graph already
     }
     ~Dissection() {
         cholmod_free_sparse(&graph_, &common_);
@@ -66,14 +66,14 @@ public:
     Dissection(const Dissection&) = delete;
     Dissection& operator=(const Dissection&) = delete;
 
-    /// Groups in the order of elimination.
+    /// Returns the groups in elimination order.
     [[nodiscard]] std::vector<int> order(const MatrixRows& rows, const Groups& groups);
 
 private:
     void check() const {
         if (common_.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
         if (common_.status < CHOLMOD_OK)
-            throw Error(ExitCode::internal, "CHOLMOD", "nested dissection, status " + std::to_string(common_.status));
+            throw Error(ExitCode::internal, "CHOLMOD", "nested dissection failed with status " + std::to_string(common_.status));
     }
 
     cholmod_common common_{};
@@ -82,7 +82,7 @@ private:
 
 std::vector<int> Dissection::order(const MatrixRows& rows, const Groups& groups) {
     const std::size_t count = groups.unknowns.size();
-    std::vector<int> begin{0}, above;  // neighbours of a higher number: the lower triangle by columns
+    std::vector<int> begin{0}, above;  // neighbours with a higher index: the lower triangle by columns
     for (std::size_t g = 0; g < count; ++g) {
         for (const PetscInt column : columns_of(rows, groups.unknowns[g].front())) {
             if (static_cast<std::size_t>(column) >= groups.of.size()) continue;
@@ -109,13 +109,13 @@ std::vector<int> Dissection::order(const MatrixRows& rows, const Groups& groups)
 
 std::vector<PetscInt> elimination_order(const MatrixRows& rows, PetscInt interior) {
     const Groups groups(rows, interior);
-    std::vector<PetscInt> places(static_cast<std::size_t>(rows.count));
+    std::vector<PetscInt> positions(static_cast<std::size_t>(rows.count));
     PetscInt next = 0;
     for (const int group : Dissection{}.order(rows, groups))
         for (const PetscInt unknown : groups.unknowns[static_cast<std::size_t>(group)])
-            places[static_cast<std::size_t>(unknown)] = next++;
-    for (; next < rows.count; ++next) places[static_cast<std::size_t>(next)] = next;
-    return places;
+            positions[static_cast<std::size_t>(unknown)] = next++;
+    for (; next < rows.count; ++next) positions[static_cast<std::size_t>(next)] = next;
+    return positions;
 }
 
 }  // namespace soft::linalg

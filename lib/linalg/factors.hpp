@@ -1,15 +1,15 @@
 #pragma once
-/// A direct factorisation that PETSc does not offer: what LinearSolver puts in a PETSc preconditioner's place.
+/// Interface of a direct factorisation that PETSc does not provide. LinearSolver applies it through a PCSHELL.
 #include <optional>
 
 #include "linalg/petsc.hpp"
 
 namespace soft::linalg {
 
-/// Whether the matrices equal their transposes, but for so little that iterations correct it.
+/// symmetric: the matrix equals its transpose up to a part that is small enough for the iterations to correct.
 enum class Symmetry { symmetric, general };
 
-/// All calls are collective over the ranks of the matrix that the factors were made for.
+/// All calls are collective over the ranks of the matrix passed at construction.
 class Factors {
 public:
     Factors() = default;
@@ -17,11 +17,11 @@ public:
     Factors(const Factors&) = delete;
     Factors& operator=(const Factors&) = delete;
 
-    /// False where a pivot vanishes or is not finite: there is no factor then. Later matrices have the pattern of the first.
+    /// Returns false if a pivot is zero or not finite; no factor exists then. All matrices must have the pattern of the first.
     [[nodiscard]] virtual bool factorize(Mat K) = 0;
-    /// The number of negative eigenvalues of the matrix that was factorised (Sylvester); nullopt of a general one.
+    /// Number of negative eigenvalues of the factorised matrix (Sylvester's law of inertia); nullopt for a general matrix.
     [[nodiscard]] virtual std::optional<PetscInt> negative_pivots() const = 0;
-    /// Of a general matrix.
+    /// nullopt for a symmetric matrix.
     [[nodiscard]] virtual std::optional<bool> determinant_is_negative() const = 0;
     virtual void solve(Vec b, Vec x) = 0;
 };

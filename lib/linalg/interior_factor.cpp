@@ -18,8 +18,8 @@ static_assert(sizeof(PetscInt) == sizeof(MUMPS_INT), "MUMPS takes the indices of
 
 enum Job : MUMPS_INT { begin = -1, end = -2, analysis = 1, factorization = 2, solution = 3 };
 
-/// Of the attempts to give MUMPS the work space that its pivoting needs, each with twice as much.
-constexpr int attempts_at_work_space = 3;
+/// MUMPS may need more work space for pivoting than estimated: each attempt doubles it.
+constexpr int max_work_space_attempts = 3;
 constexpr std::array work_space_errors{-8, -9, -14, -15};
 
 }  // namespace
@@ -36,21 +36,21 @@ struct InteriorFactor::Mumps {
         call(begin);
         for (const int stream : {1, 2, 3}) control(stream) = -1;
         control(4) = 0;
-        control(6) = 0;  // as mumps in preconditioner.cpp: the order follows from the pattern alone
+        control(6) = 0;  // as set_mumps in preconditioner.cpp: the order depends on the pattern only
         control(12) = 1;
         control(14) = mumps_work_space;
         control(19) = 3;  // the whole Schur complement, by columns
         control(24) =
-            1;  // pivots that vanish are told; with a Schur complement they are passed over in silence otherwise
+            1;  // report zero pivots; with a Schur complement MUMPS ignores them silently otherwise
         control(33) = 1;  // the determinant
-        take_options();
+        read_options();
     }
     ~Mumps() { call(end); }
     Mumps(const Mumps&) = delete;
     Mumps& operator=(const Mumps&) = delete;
 
-    /// -mat_mumps_icntl_N and -mat_mumps_cntl_N, as PETSc's own use of MUMPS has them; but for what is needed as it is here.
-    void take_options() {
+    /// Applies -mat_mumps_icntl_N and -mat_mumps_cntl_N as PETSc does, except for the controls that this class depends on.
+    void read_options() {
         constexpr std::array fixed{5, 7, 18, 19, 24, 26, 33};
         for (int number = 1; number <= static_cast<int>(std::size(id.icntl)); ++number) {
             if (std::ranges::find(fixed, number) != fixed.end()) continue;
@@ -86,11 +86,11 @@ InteriorFactor::InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::s
       mumps_(std::make_unique<Mumps>(symmetry)) {
     const PetscInt interior = rows.count - static_cast<PetscInt>(shared);
     for (PetscInt i = interior; i < rows.count; ++i) mumps_->shared.push_back(i + 1);
-    const auto most = static_cast<std::size_t>(rows.begin[rows.count]);
-    for (auto* indices : {&mumps_->rows, &mumps_->columns}) indices->reserve(most);
+    const auto max_entries = static_cast<std::size_t>(rows.begin[rows.count]);
+    for (auto* indices : {&mumps_->rows, &mumps_->columns}) indices->reserve(max_entries);
     for (PetscInt row = 0; row < rows.count; ++row)
         for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k) {
-            if (!is_taken(row, rows.columns[k])) continue;
+            if (!is_stored(row, rows.columns[k])) continue;
             mumps_->rows.push_back(row + 1);
             mumps_->columns.push_back(rows.columns[k] + 1);
         }
@@ -107,10 +107,10 @@ InteriorFactor::InteriorFactor(Symmetry symmetry, const MatrixRows& rows, std::s
     id.mblock = id.nblock = 100;
     id.schur = schur_.data();
     id.schur_lld = id.size_schur;
-    std::vector<MUMPS_INT> places(order.begin(), order.end());
-    for (MUMPS_INT& place : places) ++place;
-    mumps_->control(7) = 1;  // the order is given: beside a Schur complement MUMPS has AMD alone
-    id.perm_in = places.data();
+    std::vector<MUMPS_INT> positions(order.begin(), order.end());
+    for (MUMPS_INT& position : positions) ++position;
+    mumps_->control(7) = 1;  // user-provided order: with a Schur complement MUMPS supports only AMD itself
+    id.perm_in = positions.data();
     mumps_->call(analysis);
     id.perm_in = nullptr;
     mumps_->require_success("ordering of a rank's part");
@@ -122,7 +122,7 @@ void InteriorFactor::read_values(const MatrixRows& rows) {
     double* value = mumps_->values.data();
     for (PetscInt row = 0; row < rows.count; ++row)
         for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
-            if (is_taken(row, rows.columns[k])) *value++ = rows.values[k];
+            if (is_stored(row, rows.columns[k])) *value++ = rows.values[k];
 }
 
 bool InteriorFactor::factorize(const MatrixRows& rows) {
@@ -131,7 +131,7 @@ bool InteriorFactor::factorize(const MatrixRows& rows) {
         std::ranges::fill(schur_, 0.0);
         mumps_->call(factorization);
         const bool lacks_space = std::ranges::find(work_space_errors, mumps_->status()) != work_space_errors.end();
-        if (!lacks_space || attempt == attempts_at_work_space) break;
+        if (!lacks_space || attempt == max_work_space_attempts) break;
         mumps_->control(14) *= 2;
     }
     require_mumps_memory(mumps_->status());

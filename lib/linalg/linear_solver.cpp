@@ -16,25 +16,25 @@ namespace {
 
 using model::LinearMethod;
 
-/// Vectors of GMRES kept at most before it starts again; of multigrid, which is for large systems, two a hundred MB or more.
-constexpr int longest_restart = 300, longest_multigrid_restart = 100;
+/// GMRES restart lengths. Multigrid is meant for large systems, in which each vector takes much memory.
+constexpr int max_restart = 300, max_multigrid_restart = 100;
 
 int restart_of(const model::LinearSettings& settings) {
     const bool large = settings.preconditioner == model::Preconditioner::multigrid;
-    return std::min(settings.iteration_limit, large ? longest_multigrid_restart : longest_restart);
+    return std::min(settings.iteration_limit, large ? max_multigrid_restart : max_restart);
 }
 
-/// A factor that needs more than this misses too much of K. CHOLMOD's costs little more than an iteration; LU by MUMPS costs a
-/// quarter more than LDL^T, as much as four or five, and knows no inertia.
-constexpr int many_iterations_for_small_factors = 6, many_iterations_for_ldlt = 4;
+/// A factor that needs more iterations approximates K too poorly. A CHOLMOD factorisation costs little more than an iteration. A MUMPS
+/// LU costs a quarter more than LDL^T, as much as four or five iterations, and does not give the inertia.
+constexpr int max_iterations_of_small_factors = 6, max_iterations_of_ldlt = 4;
 
-/// Beyond this MUMPS's dense blocks win over CHOLMOD's columns (a section of 70,000 unknowns; a solid of 4,000).
+/// Above this MUMPS's dense blocks are faster than CHOLMOD's columns (a 2D section of 70,000 unknowns; a solid of 4,000).
 constexpr double small_flops = 1e8;
 
-PetscErrorCode solve_by_own_factors(PC pc, Vec b, Vec x) {
+PetscErrorCode apply_factors(PC pc, Vec b, Vec x) {
     void* context = nullptr;
     SOFT_PETSC(PCShellGetContext(pc, &context));
-    const Timed timed(Phase::factor_solve);
+    const ScopedTimer timed(Phase::factor_solve);
     static_cast<Factors*>(context)->solve(b, x);
     return 0;
 }
@@ -52,25 +52,25 @@ LinearSolver::LinearSolver(Mat K, Symmetry symmetry, const model::LinearSettings
     if (settings.method != LinearMethod::automatic)
         set_type(pc, settings, symmetry);
     else
-        take(symmetry == Symmetry::symmetric ? Choice::small_ldlt : Choice::lu);
+        use_factorization(symmetry == Symmetry::symmetric ? Choice::small_ldlt : Choice::lu);
     SOFT_PETSC(KSPSetFromOptions(ksp_));
     set_operators();
 }
 
-void LinearSolver::take(Choice choice) {
+void LinearSolver::use_factorization(Choice choice) {
     PetscBool chosen = PETSC_FALSE;
-    SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // by the user, of what set_type gives
+    SOFT_PETSC(PetscOptionsHasName(nullptr, nullptr, "-pc_type", &chosen));  // the user overrides set_type
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
     own_.reset();
     choice_ = choice;
     const char* name = "LDL^T without pivoting, CHOLMOD";
     if (choice == Choice::small_ldlt) {
-        if (chosen == PETSC_FALSE) take_small_factors();
-        if (!own_) return take(Choice::ldlt);
+        if (chosen == PETSC_FALSE) try_small_factors();
+        if (!own_) return use_factorization(Choice::ldlt);
     } else if (chosen == PETSC_FALSE) {
-        const Timed timed(Phase::ordering);
-        own_ = Substructures::of(K_, choice == Choice::ldlt ? Symmetry::symmetric : Symmetry::general, order_);
+        const ScopedTimer timed(Phase::ordering);
+        own_ = Substructures::create(K_, choice == Choice::ldlt ? Symmetry::symmetric : Symmetry::general, order_);
         name = choice == Choice::ldlt ? "LDL^T by substructures, MUMPS" : "LU by substructures, MUMPS";
     }
     if (!own_) {
@@ -80,19 +80,19 @@ void LinearSolver::take(Choice choice) {
     }
     SOFT_PETSC(PCSetType(pc, PCSHELL));
     SOFT_PETSC(PCShellSetContext(pc, own_.get()));
-    SOFT_PETSC(PCShellSetApply(pc, solve_by_own_factors));
+    SOFT_PETSC(PCShellSetApply(pc, apply_factors));
     SOFT_PETSC(PCShellSetName(pc, name));
 }
 
-void LinearSolver::take_small_factors() {
-    // A factor has at least the entries of the triangle; n columns of so many in all take at least their square over n.
+void LinearSolver::try_small_factors() {
+    // The factor has at least as many entries as the triangle of K; with n columns the flops are at least entries^2 / n.
     PetscInt unknowns = 0;
     MatInfo entries;
     SOFT_PETSC(MatGetSize(K_, &unknowns, nullptr));
     SOFT_PETSC(MatGetInfo(K_, MAT_GLOBAL_SUM, &entries));
     const double n = unknowns, triangle = (entries.nz_used + n) / 2.0;
     if (triangle * triangle / n > small_flops) return;
-    const Timed timed(Phase::ordering);
+    const ScopedTimer timed(Phase::ordering);
     auto small = std::make_unique<SparseLdlt>(K_);
     if (small->flops() <= small_flops) own_ = std::move(small);
 }
@@ -124,13 +124,13 @@ PetscErrorCode LinearSolver::set_up() {
     return KSPSetUpOnBlocks(ksp_);
 }
 
-/// PETSc raises an error where CHOLMOD meets a pivot that is not positive, or a multigrid a spectrum that is not.
+/// PETSc raises an error if CHOLMOD finds a pivot, or multigrid a spectrum, that is not positive.
 bool LinearSolver::is_numerical_failure(PetscErrorCode code, const char* call) const {
     if (code == 0) return false;
     const bool may_fail = is_krylov() || settings_.method == LinearMethod::cholmod;
-    const bool of_the_program = code == PETSC_ERR_MEM || code == PETSC_ERR_ARG_UNKNOWN_TYPE ||
-                                code == PETSC_ERR_MISSING_FACTOR || code == PETSC_ERR_USER;
-    if (!may_fail || of_the_program) check(code, call);
+    const bool is_program_error = code == PETSC_ERR_MEM || code == PETSC_ERR_ARG_UNKNOWN_TYPE ||
+                                  code == PETSC_ERR_MISSING_FACTOR || code == PETSC_ERR_USER;
+    if (!may_fail || is_program_error) check(code, call);
     return true;
 }
 
@@ -140,12 +140,12 @@ Factorization LinearSolver::factorize() {
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
     if (has_own_factors()) {
-        const Timed timed(Phase::factorization);
+        const ScopedTimer timed(Phase::factorization);
         if (own_->factorize(K_)) return {true, own_->negative_pivots(), own_->determinant_is_negative()};
     }
     if (has_own_factors()) {
         if (choice_ != Choice::small_ldlt) return {};
-        take(Choice::ldlt);
+        use_factorization(Choice::ldlt);
         SOFT_PETSC(PCSetFromOptions(pc));
         return factorize();
     }
@@ -153,7 +153,7 @@ Factorization LinearSolver::factorize() {
     const bool raised = is_numerical_failure(set_up(), "KSPSetUp");
     SOFT_PETSC(KSPSetReusePreconditioner(ksp_, PETSC_TRUE));
     if (raised) {
-        SOFT_PETSC(KSPReset(ksp_));  // half made, with its vectors
+        SOFT_PETSC(KSPReset(ksp_));  // discards the partial set-up and its vectors
         return {};
     }
     PCFailedReason failed = PC_NOERROR;
@@ -185,7 +185,7 @@ std::optional<bool> LinearSolver::determinant_is_negative() {
     MatFactorInfo info;
     SOFT_PETSC(MatFactorInfoInitialize(&info));
     SOFT_PETSC(MatGetFactor(K_, MATSOLVERMUMPS, MAT_FACTOR_LU, factor.out()));
-    SOFT_PETSC(MatMumpsSetIcntl(factor, 33, 1));   // the determinant is wanted
+    SOFT_PETSC(MatMumpsSetIcntl(factor, 33, 1));   // compute the determinant
     SOFT_PETSC(MatMumpsSetIcntl(factor, 14, 80));  // as in the constructor
     SOFT_PETSC(MatGetOrdering(K_, MATORDERINGEXTERNAL, rows.out(), columns.out()));
     SOFT_PETSC(MatLUFactorSymbolic(factor, K_, rows, columns, &info));
@@ -204,27 +204,27 @@ LinearSolve LinearSolver::solve(Vec b, Vec x, Factor factor) {
     if (settings_.method != LinearMethod::automatic || factor == Factor::stale) return result;
     const auto is_poor = [&] {
         return choice_ == Choice::small_ldlt
-                   ? result.iterations > many_iterations_for_small_factors || !result.converged
-                   : result.iterations > many_iterations_for_ldlt;
+                   ? result.iterations > max_iterations_of_small_factors || !result.converged
+                   : result.iterations > max_iterations_of_ldlt;
     };
-    while (is_poor() && take_next_factorization()) {
+    while (is_poor() && use_next_factorization()) {
         if (!factorize().succeeded) return {};
         result = solve_once(b, x);
     }
     return result;
 }
 
-bool LinearSolver::take_next_factorization() {
+bool LinearSolver::use_next_factorization() {
     PC pc = nullptr;
     SOFT_PETSC(KSPGetPC(ksp_, &pc));
-    const bool of_the_user = !own_ && !is_type(pc, PCCHOLESKY);  // by -pc_type
-    if (choice_ == Choice::lu || of_the_user) return false;
-    take(choice_ == Choice::small_ldlt ? Choice::ldlt : Choice::lu);
+    const bool is_user_selected = !own_ && !is_type(pc, PCCHOLESKY);  // by -pc_type
+    if (choice_ == Choice::lu || is_user_selected) return false;
+    use_factorization(choice_ == Choice::small_ldlt ? Choice::ldlt : Choice::lu);
     SOFT_PETSC(PCSetFromOptions(pc));
     return true;
 }
 
-LinearSolve LinearSolver::solve_roughly(Vec b, Vec x, double tolerance) {
+LinearSolve LinearSolver::solve_to_tolerance(Vec b, Vec x, double tolerance) {
     PetscReal usual = 0;
     SOFT_PETSC(KSPGetTolerances(ksp_, &usual, nullptr, nullptr, nullptr));
     SOFT_PETSC(

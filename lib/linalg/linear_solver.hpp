@@ -1,15 +1,15 @@
 #pragma once
-/// Solves K x = b for a sequence of slowly changing tangents K by flexible GMRES (Saad 1993) with a preconditioner made from
-/// one of them: a direct factorisation or one of the cheaper kinds (model::LinearSettings).
-///   automatic: LDL^T, where it takes few flops without pivoting (sparse_ldlt.hpp), else by MUMPS, which also takes over for good
-///       where the first vanishes or takes many iterations: one for all on one rank or very many, else one a rank
-///       (substructures.hpp). With a fresh factor of a symmetric K this is one application; the same loop corrects the part of K
-///       that is not symmetric (a pressure whose surface has a free rim), which LDL^T does not see. Where that part is large
-///       the loop takes many iterations: then the solver goes over to LU for good; where it is known beforehand, LU is taken
-///       from the start.
-///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: that factorisation, whatever the iterations. CHOLMOD's LL^T fails (a value)
-///       where K is not positive definite: beyond a limit point, and for any K with pressure unknowns.
-///   krylov: the preconditioner of the settings; jacobian_free: the same, for an operator that the caller gives.
+/// Solves K x = b for a sequence of slowly changing tangents K by flexible GMRES (Saad 1993). The preconditioner is built from one of
+/// these tangents: a direct factorisation or a cheaper preconditioner (model::LinearSettings).
+///   automatic: LDL^T without pivoting (sparse_ldlt.hpp) if it needs few flops, otherwise LDL^T by MUMPS. The solver switches
+///       permanently to MUMPS when the first factorisation fails or needs many iterations. MUMPS runs as one distributed instance on
+///       one rank or on very many, otherwise as one instance per rank (substructures.hpp). With a fresh factor of a symmetric K the
+///       loop takes one iteration. The same loop corrects the unsymmetric part of K (a follower pressure on a surface with a free
+///       edge), which LDL^T ignores. If that part is large, the loop needs many iterations and the solver switches permanently to
+///       LU. If the caller declares K unsymmetric, the solver starts with LU.
+///   mumps_ldlt, mumps_lu, superlu_dist, cholmod: this factorisation, however many iterations it needs. CHOLMOD's LL^T fails
+///       (reported as a value) if K is not positive definite: beyond a limit point, and for any K with pressure unknowns.
+///   krylov: the preconditioner of the settings; jacobian_free: the same, with an operator provided by the caller.
 /// Tested by linalg/linear_solver_test, solver/linear_methods_test.
 #include <memory>
 #include <optional>
@@ -24,81 +24,81 @@ namespace soft::linalg {
 
 struct Factorization {
     bool succeeded = false;
-    std::optional<PetscInt> negative_pivots;      ///< empty where the preconditioner is no LDL^T factor
+    std::optional<PetscInt> negative_pivots;      ///< empty unless the preconditioner is an LDL^T factor
     std::optional<bool> determinant_is_negative;  ///< of an LU factor; empty for any other preconditioner
 };
 
 struct LinearSolve {
     bool converged = false;
     int iterations = 0;
-    bool at_limit = false;  ///< a Krylov method has reached its iteration limit: x is its best so far (inexact Newton)
+    bool at_limit = false;  ///< a Krylov method reached its iteration limit: x is its best iterate (inexact Newton)
     [[nodiscard]] bool usable() const noexcept { return converged || at_limit; }
 };
 
-/// Whether the last factor is that of K as it stands, or of a K shortly before.
+/// fresh: the last factor belongs to the current K; stale: to an earlier K.
 enum class Factor { fresh, stale };
 
 class LinearSolver {
 public:
-    /// Default options can be changed by any PETSc option (-ksp_*, -pc_*, -mat_mumps_*). Throws Error (bad_input) for a
-    /// library that this PETSc was built without, and for CHOLMOD on several ranks.
+    /// PETSc options (-ksp_*, -pc_*, -mat_mumps_*) override the defaults. Throws Error (bad_input) for a library that PETSc was built
+    /// without, and for CHOLMOD on several ranks.
     explicit LinearSolver(Mat K, Symmetry symmetry = Symmetry::symmetric, const model::LinearSettings& settings = {});
 
-    /// What Preconditioner::multigrid needs, before the first factorize().
+    /// Required by Preconditioner::multigrid, before the first factorize().
     void set_levels(ElementLevels levels);
 
-    /// The operator of method jacobian_free, not owned; K then is what the preconditioner is made from.
+    /// Sets the operator of method jacobian_free, not owned. The preconditioner is still built from K.
     void set_operator(Mat A) { operator_ = A; }
 
-    /// Makes the preconditioner, mostly a factorisation, of K as it stands now. A failed one (singular, not positive definite
-    /// for CHOLMOD, a zero pivot of ILU) is a value, not an exception.
+    /// Builds the preconditioner, usually a factorisation, of the current K. A failure (K singular, K not positive definite for
+    /// CHOLMOD, a zero pivot of ILU) is returned as a value, not thrown.
     [[nodiscard]] Factorization factorize();
 
-    /// Sign of det K by a MUMPS LU factorisation of its own, to check an LDL^T count of the same library; nullopt where it
-    /// fails. An LDL^T factor sees one triangle of K: where K is not quite symmetric and nearly singular its inertia may be
-    /// that of a neighbour.
+    /// Sign of det K from a separate MUMPS LU factorisation, as a check of the inertia reported by LDL^T; nullopt if it fails. LDL^T
+    /// reads only one triangle of K: if K is slightly unsymmetric and nearly singular, the inertia of the symmetric matrix may differ
+    /// from that of K.
     [[nodiscard]] std::optional<bool> determinant_is_negative();
 
-    /// Solves with K as it stands now and the last factor. `x` is overwritten. Only a fresh LDL^T factor that needs many
-    /// iterations is reason to go over to LU (automatic).
+    /// Solves with the current K and the last factor. `x` is overwritten. Method automatic switches to LU only if a fresh LDL^T factor
+    /// needs many iterations.
     [[nodiscard]] LinearSolve solve(Vec b, Vec x, Factor factor = Factor::fresh);
 
-    /// The same with a stale factor, no further than a residual of `tolerance` times the right-hand side.
-    [[nodiscard]] LinearSolve solve_roughly(Vec b, Vec x, double tolerance);
+    /// The same with a stale factor; stops at a residual of `tolerance` times the norm of the right-hand side.
+    [[nodiscard]] LinearSolve solve_to_tolerance(Vec b, Vec x, double tolerance);
 
-    /// Goes on from x, where a solve of a Krylov method has reached its limit; as many iterations once more.
+    /// Continues from x after a Krylov solve has reached its iteration limit, with the same limit again.
     [[nodiscard]] LinearSolve improve(Vec b, Vec x);
 
     [[nodiscard]] bool is_krylov() const noexcept {
         return settings_.method == model::LinearMethod::krylov ||
                settings_.method == model::LinearMethod::jacobian_free;
     }
-    /// By a factorisation, whose stale factor is a good preconditioner for a while.
+    /// True for a factorisation, whose stale factor remains a good preconditioner for some steps.
     [[nodiscard]] bool is_direct() const noexcept { return !is_krylov(); }
     [[nodiscard]] const model::LinearSettings& settings() const noexcept { return settings_; }
     [[nodiscard]] int factorizations() const noexcept { return factorizations_; }
-    [[nodiscard]] long iterations() const noexcept { return iterations_; }  ///< of all solves so far
+    [[nodiscard]] long iterations() const noexcept { return iterations_; }  ///< total over all solves
     [[nodiscard]] KSP ksp() const noexcept { return ksp_; }
 
 private:
     void set_operators();
     [[nodiscard]] PetscErrorCode set_up();
-    /// What `automatic` takes, one after the other.
+    /// The factorisations that method automatic tries, in this order.
     enum class Choice { small_ldlt, ldlt, lu };
-    void take(Choice choice);
-    void take_small_factors();
-    /// False where there is nothing left.
-    [[nodiscard]] bool take_next_factorization();
+    void use_factorization(Choice choice);
+    void try_small_factors();
+    /// Returns false if no other factorisation is left to try.
+    [[nodiscard]] bool use_next_factorization();
     [[nodiscard]] bool has_own_factors() const;
     [[nodiscard]] LinearSolve solve_once(Vec b, Vec x);
-    /// True where the failure is a property of the numbers; throws where it is not.
+    /// Returns true for a numerical failure; throws for any other error code.
     [[nodiscard]] bool is_numerical_failure(PetscErrorCode code, const char* call) const;
 
     Mat K_, operator_ = nullptr;
     model::LinearSettings settings_;
     Choice choice_ = Choice::lu;    // of method automatic
-    std::vector<PetscInt> order_;   // of the elimination by substructures
-    std::unique_ptr<Factors> own_;  // behind the preconditioner of ksp_, which goes first
+    std::vector<PetscInt> order_;   // elimination order of the substructures
+    std::unique_ptr<Factors> own_;  // used by the preconditioner of ksp_, which is destroyed first
     std::unique_ptr<Multigrid> multigrid_;
     KrylovSolver ksp_;
     int factorizations_ = 0;

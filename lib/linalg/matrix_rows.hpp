@@ -7,8 +7,8 @@ namespace soft::linalg {
 
 struct MatrixRows {
     PetscInt count = 0;
-    const PetscInt* begin = nullptr;    ///< [row] of its entries, and one beyond the last
-    const PetscInt* columns = nullptr;  ///< ascending in a row
+    const PetscInt* begin = nullptr;    ///< [row] index of its first entry; size count + 1
+    const PetscInt* columns = nullptr;  ///< ascending within a row
     const double* values = nullptr;
 };
 

@@ -12,8 +12,8 @@ namespace {
 using OwnedPC = Owned<PC, PCDestroy>;
 using Kind = PressureBlock::Kind;
 
-/// gamma: bulk over shear modulus of the solid that stands in for the nearly incompressible one. Measured on bellows of 115k
-/// unknowns: 44 iterations with 1 and 2, 50 with 4, 61 with 8, for vertices lock the more; 18 with 2 were A_g solved exactly.
+/// gamma: ratio of bulk to shear modulus of the solid that replaces the nearly incompressible one. Measured on bellows with 115k
+/// unknowns: 44 iterations with 1 and 2, 50 with 4, 61 with 8, because the vertex level locks more; with 2 and A_g solved exactly: 18.
 constexpr double bulk_over_shear = 2.0;
 
 /// Values of the rows of one block, all with the same columns.
@@ -54,17 +54,17 @@ void append_inverse(const SmallMatrix& A, std::vector<double>& to) {
         std::vector<double> unit(size, 0.0);
         unit[j] = 1.0;
         const auto column = solve(A, unit);
-        if (!column) throw Error(ExitCode::internal, "multigrid", "a pressure has no volume");
+        if (!column) throw Error(ExitCode::internal, "multigrid", "the pressure block of a cell is singular");
         for (std::size_t i = 0; i < size; ++i) to[begin + i * size + j] = (*column)[i];
     }
 }
 
-void scatter(VecScatter places, Vec from, Vec to, ScatterMode mode) {
-    SOFT_PETSC(VecScatterBegin(places, from, to, INSERT_VALUES, mode));
-    SOFT_PETSC(VecScatterEnd(places, from, to, INSERT_VALUES, mode));
+void scatter(VecScatter context, Vec from, Vec to, ScatterMode mode) {
+    SOFT_PETSC(VecScatterBegin(context, from, to, INSERT_VALUES, mode));
+    SOFT_PETSC(VecScatterEnd(context, from, to, INSERT_VALUES, mode));
 }
 
-/// PETSc is C: nothing may be thrown through it. LinearSolver makes an Error of this code again.
+/// Exceptions must not pass through PETSc's C code. LinearSolver turns this code into an Error again.
 template <class Work>
 PetscErrorCode guarded(Work&& work) {
     try {
@@ -80,7 +80,7 @@ class Multigrid::Parts {
 public:
     explicit Parts(ElementLevels levels);
 
-    /// The code is that of the V-cycle: its failure is one of the numbers, not of the program.
+    /// Returns the code of the V-cycle, whose failure is numerical and not a program error.
     [[nodiscard]] PetscErrorCode set_up(Mat K);
     [[nodiscard]] PetscErrorCode apply(Vec from, Vec to);
     [[nodiscard]] PCFailedReason failure() const;
@@ -94,10 +94,10 @@ private:
     void solve_blocks(Vec from, Vec to, Kind kind) const;
 
     ElementLevels levels_;
-    bool mixed_ = false;  // there are pressures
+    bool mixed_ = false;  // has pressure unknowns
     Matrix A_, B_;
     std::vector<double> inverse_;  // of the blocks of C + M_g, one after the other
-    BlockPlaces places_;           // of the cells' displacements in A_
+    BlockIndices indices_;           // of the cells' displacements in A_
     OwnedPC cycle_;
     Vector from_u_, to_u_, from_p_, to_p_;
     Scatter displacements_, pressures_;
@@ -144,7 +144,7 @@ void Multigrid::Parts::make_vectors(Mat K) {
     SOFT_PETSC(VecScatterCreate(all, levels_.pressures, from_p_, nullptr, pressures_.out()));
 }
 
-/// The rows of B of a cell's pressures have its displacements as columns.
+/// The rows of B that belong to a cell's pressures have the cell's displacements as columns.
 void Multigrid::Parts::find_columns() {
     PetscInt row = 0;
     SOFT_PETSC(MatGetOwnershipRange(B_, &row, nullptr));
@@ -161,7 +161,7 @@ void Multigrid::Parts::find_columns() {
         row += block.size;
     }
     const std::vector<std::span<const PetscInt>> blocks(columns.begin(), columns.end());
-    places_ = BlockPlaces(A_, blocks);
+    indices_ = BlockIndices(A_, blocks);
 }
 
 void Multigrid::Parts::invert_blocks(Mat K) {
@@ -194,7 +194,7 @@ void Multigrid::Parts::add_bulk() {
             if (block.kind == Kind::of_cell) {
                 B.read(B_, row, block.size);
                 project(B, inverse, size, bulk);
-                adder.add(places_, b, bulk);
+                adder.add(indices_, b, bulk);
             }
             inverse += size * size;
             row += block.size;
@@ -218,20 +218,20 @@ void Multigrid::Parts::make_cycle(Mat A) {
     SOFT_PETSC(KSPSetType(smoother, KSPRICHARDSON));
     SOFT_PETSC(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, 1));
     SOFT_PETSC(KSPGetPC(smoother, &pc));
-    SOFT_PETSC(PCSetType(pc, PCSOR));  // the components of a node at once: PETSc finds rows of equal pattern
+    SOFT_PETSC(PCSetType(pc, PCSOR));  // node by node: PETSc groups rows with the same pattern
     SOFT_PETSC(PCSORSetSymmetric(pc, SOR_LOCAL_SYMMETRIC_SWEEP));
-    // LDL^T: beyond a limit point the vertices feel the negative direction too.
+    // LDL^T: beyond a limit point the coarse matrix is indefinite too.
     SOFT_PETSC(PCMGGetCoarseSolve(cycle_, &coarse));
     SOFT_PETSC(KSPGetPC(coarse, &pc));
     SOFT_PETSC(PCSetType(pc, PCCHOLESKY));
     SOFT_PETSC(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
     set_defaults({{"-multigrid_mg_coarse_mat_mumps_icntl_14", "80"},
                   {"-multigrid_mg_coarse_mat_mumps_icntl_6", "0"},
-                  {"-multigrid_mg_coarse_mat_mumps_icntl_12", "1"}});  // as of K itself
+                  {"-multigrid_mg_coarse_mat_mumps_icntl_12", "1"}});  // as in set_mumps
     SOFT_PETSC(PCSetFromOptions(cycle_));
 }
 
-/// to = (C + M_g)^-1 from on the blocks of one kind; the others are left alone.
+/// to = (C + M_g)^-1 from on the blocks of one kind; the other entries are unchanged.
 void Multigrid::Parts::solve_blocks(Vec from, Vec to, Kind kind) const {
     const PetscScalar* in = nullptr;
     PetscScalar* out = nullptr;

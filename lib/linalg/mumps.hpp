@@ -1,5 +1,5 @@
 #pragma once
-/// What all uses of MUMPS share. Internal to the module.
+/// Settings and error checks shared by all uses of MUMPS. Internal to the module.
 #include <algorithm>
 #include <array>
 
@@ -7,14 +7,14 @@
 
 namespace soft::linalg {
 
-/// ICNTL(14), work space beyond the estimate [%]: small by default, and the pivoting of a saddle point needs more.
+/// ICNTL(14), work space beyond the estimate [%]: the default is too small for the pivoting of a saddle-point matrix.
 constexpr int mumps_work_space = 80;
 
-/// `status`: INFOG(1). Throws where an allocation failed, of reals or integers in the analysis, later, or beyond ICNTL(23): shorter
-/// steps do not help.
+/// `status` is INFOG(1). Throws if an allocation failed (reals or integers, in the analysis or later, or beyond ICNTL(23)): smaller
+/// load steps would not help.
 inline void require_mumps_memory(int status) {
-    constexpr std::array no_memory{-5, -7, -13, -19};
-    if (std::ranges::find(no_memory, status) != no_memory.end()) throw core::out_of_memory();
+    constexpr std::array allocation_errors{-5, -7, -13, -19};
+    if (std::ranges::find(allocation_errors, status) != allocation_errors.end()) throw core::out_of_memory();
 }
 
 }  // namespace soft::linalg

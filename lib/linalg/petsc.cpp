@@ -13,10 +13,10 @@ void check(PetscErrorCode code, const char* call) {
         return;
     const char* text = nullptr;
     PetscErrorMessage(code, &text, nullptr);
-    // Some allocations of PETSc 3.18 fail with the number of their line in place of PETSC_ERR_MEM (seen under ulimit -v).
+    // Some allocations of PETSc 3.18 fail with their line number instead of PETSC_ERR_MEM (seen under ulimit -v).
     if (code == PETSC_ERR_MEM || (text == nullptr && code > PETSC_ERR_MAX_VALUE)) throw core::out_of_memory();
-    if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_MISSING_FACTOR)  // types come from PETSc's options only
-        throw Error(ExitCode::usage, "PETSc", "has no solver or preconditioner of the type asked for behind --",
+    if (code == PETSC_ERR_ARG_UNKNOWN_TYPE || code == PETSC_ERR_MISSING_FACTOR)  // only PETSc options set types
+        throw Error(ExitCode::usage, "PETSc", "does not provide the solver or preconditioner type requested after --",
                     "see `solve CASE -- -help`");
     throw Error(
         ExitCode::internal, "PETSc",

@@ -1,6 +1,6 @@
 #pragma once
-/// Thin owners of PETSc handles. The raw handle is always reachable; every PETSc call goes through `check`.
-/// PETSc here is the C build, so a failed call returns a code; `check` turns it into an Error (internal).
+/// RAII owners of PETSc handles. The raw handle is always accessible. Every PETSc call goes through `check`, which turns a non-zero
+/// error code of PETSc's C interface into an Error (internal).
 #include <petscksp.h>
 
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace soft::linalg {
 
-/// Throws Error(internal) naming the call where `code` is not zero; PETSc's message is kept. Error(usage) for a type
-/// that PETSc does not know: only its options can ask for one.
+/// Throws Error(internal) with the call and PETSc's message if `code` is not zero. Throws Error(usage) for an unknown PETSc type,
+/// which only PETSc options can request.
 void check(PetscErrorCode code, const char* call);
 #define SOFT_PETSC(call) ::soft::linalg::check((call), #call)
 
@@ -47,7 +47,8 @@ using NullSpace = Owned<MatNullSpace, MatNullSpaceDestroy>;
 [[nodiscard]] Vector duplicate(Vec like);  ///< same layout, zero
 [[nodiscard]] double dot(Vec a, Vec b);
 [[nodiscard]] double norm(Vec a);
-/// All values of a distributed vector on rank 0, empty elsewhere; and back from values known whole to every rank.
+/// gather: all values of a distributed vector on rank 0, empty on the others. spread: sets each rank's values from `all`, which every
+/// rank holds in full.
 [[nodiscard]] std::vector<double> gather(Vec distributed);
 void spread(std::span<const double> all, Vec distributed);
 void copy(Vec from, Vec to);

@@ -13,8 +13,8 @@ namespace {
 using model::LinearMethod;
 using model::Preconditioner;
 
-[[noreturn]] void refuse_library(const std::string& place, const std::string& library) {
-    throw Error(ExitCode::bad_input, place, "this PETSc was built without " + library, "choose another, or automatic");
+[[noreturn]] void refuse_library(const std::string& key, const std::string& library) {
+    throw Error(ExitCode::bad_input, key, "this PETSc was built without " + library, "choose another method, or automatic");
 }
 
 void set_factorization(PC pc, PCType type, MatSolverType library, const char* name) {
@@ -28,11 +28,11 @@ void set_factorization(PC pc, PCType type, MatSolverType library, const char* na
 
 void set_mumps(PC pc, PCType type) {
     set_factorization(pc, type, MATSOLVERMUMPS, "MUMPS");
-    // ICNTL(14): work space beyond the estimate [%], small by default and pivoting of the saddle point needs more.
-    // ICNTL(13) = 1: the root front is factorised on one rank, without which the count of negative pivots is partial.
-    // ICNTL(33) = 1: the determinant, whose sign is all that LU tells of the inertia.
-    // ICNTL(12) = 1, ICNTL(6) = 0: the order of elimination follows from the pattern of K alone, not from the values of the
-    // first K that comes along, so that a path that is resumed in its middle is that of one run to the last digit.
+    // ICNTL(14): work space beyond the estimate [%]; the default is too small for the pivoting of a saddle-point matrix.
+    // ICNTL(13) = 1: the root front is factorised on one rank; otherwise the count of negative pivots is incomplete.
+    // ICNTL(33) = 1: the determinant, whose sign is the only information on the inertia that LU gives.
+    // ICNTL(12) = 1, ICNTL(6) = 0: the elimination order depends on the pattern of K only, not on the values of the first K.
+    // A resumed run is then bitwise equal to an uninterrupted one.
     set_defaults({{"-mat_mumps_icntl_14", "80"},
                   {"-mat_mumps_icntl_13", "1"},
                   {"-mat_mumps_icntl_33", "1"},
@@ -45,11 +45,11 @@ void set_cholmod(PC pc) {
     MPI_Comm_size(PetscObjectComm(reinterpret_cast<PetscObject>(pc)), &ranks);
     if (ranks > 1)
         throw Error(ExitCode::bad_input, "solver.linear",
-                    "cholmod runs on one rank, these are " + std::to_string(ranks), "use mumps-ldlt, or one rank");
+                    "cholmod runs on one rank only, not on " + std::to_string(ranks), "use mumps-ldlt, or one rank");
     set_factorization(pc, PCCHOLESKY, MATSOLVERCHOLMOD, "CHOLMOD (SuiteSparse)");
     set_defaults(
         {{"-mat_cholmod_print", "0"},              // its warnings go to stdout, which is for data
-         {"-mat_cholmod_factor", "supernodal"}});  // LL^T: the simplicial LDL^T of small matrices takes any sign
+         {"-mat_cholmod_factor", "supernodal"}});  // LL^T: CHOLMOD's simplicial LDL^T for small matrices accepts negative pivots
 }
 
 void set_boomeramg(PC pc) {
@@ -90,7 +90,8 @@ void set_type(PC pc, const model::LinearSettings& settings, Symmetry symmetry) {
         case LinearMethod::mumps_ldlt: return set_mumps(pc, PCCHOLESKY);
         case LinearMethod::mumps_lu: return set_mumps(pc, PCLU);
         case LinearMethod::superlu_dist:
-            // It does not pivot, and an incompressible rubber has zeros on the diagonal: they are replaced, the solves corrected.
+            // SuperLU_DIST does not pivot, and incompressibility gives zeros on the diagonal: it replaces them, and the iterations
+            // correct the error.
             set_defaults({{"-mat_superlu_dist_replacetinypivot", "true"}});
             return set_factorization(pc, PCLU, MATSOLVERSUPERLU_DIST, "SuperLU_DIST");
         case LinearMethod::cholmod: return set_cholmod(pc);
@@ -116,7 +117,7 @@ void set_block_type(PC pc, Preconditioner preconditioner) {
             case Preconditioner::gamg:
             case Preconditioner::multigrid:
             case Preconditioner::jacobi:
-            case Preconditioner::none: break;  // -pc_type asm behind --
+            case Preconditioner::none: break;  // -pc_type asm after --
         }
         SOFT_PETSC(KSPSetFromOptions(solvers[i]));
     }

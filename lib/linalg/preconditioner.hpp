@@ -1,7 +1,7 @@
 #pragma once
-/// What stands behind the names of model::LinearSettings in PETSc: the preconditioner of a Krylov solver. Internal to the module.
+/// Sets the PETSc preconditioner that model::LinearSettings names. Internal to the module.
 ///   factorisations: MUMPS LDL^T or LU, SuperLU_DIST LU, CHOLMOD LL^T, as the preconditioner of flexible GMRES
-///   asm_*: PCASM, the restricted additive Schwarz method, one block a rank with one layer of overlap (Cai and Sarkis 1999)
+///   asm_*: PCASM, the restricted additive Schwarz method, one block per rank with one layer of overlap (Cai and Sarkis 1999)
 ///   boomeramg: hypre (Henson and Yang 2002)       gamg: PETSc's smoothed aggregation (Vanek, Mandel and Brezina 1996)
 ///   multigrid: linalg/multigrid.hpp, which LinearSolver::set_levels attaches
 /// Tested by linalg/linear_solver_test and solver/linear_methods_test.
@@ -16,15 +16,15 @@ struct Default {
     const char* value;
 };
 
-/// PETSc options; what the user has given behind -- stays.
+/// Sets PETSc options unless the user has set them after --.
 void set_defaults(std::initializer_list<Default> defaults);
 
-/// Sets the type and its defaults, which PETSc's options may change afterwards. Throws Error (bad_input, "solver.linear" or
-/// "solver.preconditioner") for a library that this PETSc was built without, and for CHOLMOD on more than one rank.
+/// Sets the type and its defaults, which PETSc options may override. Throws Error (bad_input, "solver.linear" or
+/// "solver.preconditioner") for a library that PETSc was built without, and for CHOLMOD on more than one rank.
 void set_type(PC pc, const model::LinearSettings& settings, Symmetry symmetry);
 
-/// Gives the blocks of an additive Schwarz method their solver: after the first set-up of `pc`, which makes them, and before
-/// they are set up themselves. Other types are left alone.
+/// Sets the block solvers of an additive Schwarz method. Call after the first set-up of `pc`, which creates the blocks, and before
+/// the blocks are set up. Does nothing for other types.
 void set_block_type(PC pc, model::Preconditioner preconditioner);
 
 [[nodiscard]] bool is_type(PC pc, PCType type);

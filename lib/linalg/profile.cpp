@@ -15,7 +15,7 @@ constexpr std::array<const char*, 8> phase_events{"Residual", "Tangent",   "Meas
 constexpr const char* name_of(Phase phase) { return phase_events[static_cast<std::size_t>(phase)]; }
 
 PetscLogEvent event_of(Phase phase) {
-    // PETSc numbers events once a process; a name that is known keeps its number.
+    // PETSc assigns event ids once per process; a registered name keeps its id.
     static const std::array<PetscLogEvent, phase_events.size()> events = [] {
         std::array<PetscLogEvent, phase_events.size()> ids{};
         for (std::size_t i = 0; i < ids.size(); ++i)
@@ -45,11 +45,11 @@ ProfileRow row(const char* what, std::initializer_list<const char*> events) {
 
 }  // namespace
 
-Timed::Timed(Phase phase) : event_(event_of(phase)) {
+ScopedTimer::ScopedTimer(Phase phase) : event_(event_of(phase)) {
     (void)PetscLogEventBegin(event_, nullptr, nullptr, nullptr, nullptr);
 }
 
-Timed::~Timed() { (void)PetscLogEventEnd(event_, nullptr, nullptr, nullptr, nullptr); }
+ScopedTimer::~ScopedTimer() { (void)PetscLogEventEnd(event_, nullptr, nullptr, nullptr, nullptr); }
 
 void start_profile() {
     SOFT_PETSC(PetscLogDefaultBegin());
@@ -57,19 +57,19 @@ void start_profile() {
 }
 
 std::vector<ProfileRow> profile_rows() {
-    const ProfileRow triangular = row("solves by factors", {"MatSolve", name_of(Phase::factor_solve)});
-    ProfileRow krylov = row("iterations of the linear solver, without its solves by factors", {"KSPSolve"});
+    const ProfileRow triangular = row("triangular solves", {"MatSolve", name_of(Phase::factor_solve)});
+    ProfileRow krylov = row("Krylov iterations, without triangular solves", {"KSPSolve"});
     krylov.seconds -= triangular.seconds;
     std::vector<ProfileRow> rows{
-        row("residuals: cells, facets, loads", {name_of(Phase::residual)}),
-        row("tangents: cells, facets, their sums", {name_of(Phase::tangent)}),
+        row("residual assembly: cells, facets, loads", {name_of(Phase::residual)}),
+        row("tangent assembly: cells, facets", {name_of(Phase::tangent)}),
         row("volumes, outputs, stretches", {name_of(Phase::measures)}),
         row("ordering of the unknowns", {"MatLUFactorSym", "MatCholFctrSym", name_of(Phase::ordering)}),
         row("factorisations", {"MatLUFactorNum", "MatCholFctrNum", name_of(Phase::factorization)}),
         triangular,
         krylov,
-        row("search for walls that touch", {name_of(Phase::contact)}),
-        row("rows of the result", {name_of(Phase::writing)}),
+        row("contact search", {name_of(Phase::contact)}),
+        row("writing of the result", {name_of(Phase::writing)}),
     };
     std::erase_if(rows, [](const ProfileRow& r) { return r.calls == 0; });
     return rows;

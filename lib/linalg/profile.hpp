@@ -1,37 +1,37 @@
 #pragma once
-/// Where the time of a run goes, by PETSc's own log: its events, and ours beside them. Nothing is kept unless start_profile()
-/// was called; a Timed then costs two readings of the clock.
+/// Time spent in the phases of a run, from PETSc's log: PETSc's events and those of this program. Nothing is recorded before
+/// start_profile(); afterwards a ScopedTimer costs two clock readings.
 /// Tested by linalg/profile_test.
 #include <string>
 #include <vector>
 
 namespace soft::linalg {
 
-/// What PETSc does not time by itself.
+/// Phases that PETSc does not time itself.
 enum class Phase { residual, tangent, measures, contact, writing, ordering, factorization, factor_solve };
 
-/// From construction to destruction the time counts for the phase; phases do not nest.
-class Timed {
+/// Adds the time from construction to destruction to a phase. Phases must not nest.
+class ScopedTimer {
 public:
-    explicit Timed(Phase phase);
-    ~Timed();
-    Timed(const Timed&) = delete;
-    Timed& operator=(const Timed&) = delete;
+    explicit ScopedTimer(Phase phase);
+    ~ScopedTimer();
+    ScopedTimer(const ScopedTimer&) = delete;
+    ScopedTimer& operator=(const ScopedTimer&) = delete;
 
 private:
     int event_;
 };
 
-/// To be called once, after Session has begun.
+/// Call once, after a Session has been created.
 void start_profile();
 
 struct ProfileRow {
     std::string what;
     long calls = 0;
-    double seconds = 0;  ///< of this rank
+    double seconds = 0;  ///< on this rank
 };
 
-/// In the order of a run; no two rows share time. Rows without calls are left out.
+/// Rows in the order of a run. No time is counted in two rows. Rows without calls are omitted.
 [[nodiscard]] std::vector<ProfileRow> profile_rows();
 
 }  // namespace soft::linalg

@@ -12,23 +12,23 @@ using Indices = std::vector<PetscInt>;
 
 std::size_t at(PetscInt index) { return static_cast<std::size_t>(index); }
 
-/// The blocks of a matrix on several ranks.
+/// Diagonal and off-diagonal block of a distributed matrix.
 struct Blocks {
     Mat own = nullptr, other = nullptr;
-    const PetscInt* other_columns = nullptr;  // in the whole matrix, ascending
+    const PetscInt* other_columns = nullptr;  // global indices, ascending
 
     explicit Blocks(Mat K) { SOFT_PETSC(MatMPIAIJGetSeqAIJ(K, &own, &other, &other_columns)); }
 };
 
-PetscInt location_of(const Indices& sorted, PetscInt value) {
+PetscInt index_of(const Indices& sorted, PetscInt value) {
     const auto found = std::ranges::lower_bound(sorted, value);
     return found != sorted.end() && *found == value ? static_cast<PetscInt>(found - sorted.begin()) : -1;
 }
 
-Indices numbers_in_whole(const Indices& places, const Indices& shared) {
-    Indices numbers;
-    for (const PetscInt place : places) numbers.push_back(shared[at(place)]);
-    return numbers;
+Indices global_indices(const Indices& local, const Indices& shared) {
+    Indices global;
+    for (const PetscInt i : local) global.push_back(shared[at(i)]);
+    return global;
 }
 
 }  // namespace
@@ -62,19 +62,19 @@ PartLayout layout_of(Mat K, MPI_Comm ranks) {
         (couples_upward ? layout.own_shared : layout.interior).push_back(layout.begin + row);
     }
     layout.shared = gather_all(layout.own_shared, MPIU_INT, ranks);
-    Indices touched;
+    Indices coupled;
     for (const PetscInt unknown : layout.interior) {
         const PetscInt row = unknown - layout.begin;
         for (PetscInt k = own.begin[row]; k < own.begin[row + 1]; ++k)
-            if (is_shared[at(own.columns[k])]) touched.push_back(layout.begin + own.columns[k]);
+            if (is_shared[at(own.columns[k])]) coupled.push_back(layout.begin + own.columns[k]);
         for (PetscInt k = other.begin[row]; k < other.begin[row + 1]; ++k)
-            touched.push_back(blocks.other_columns[other.columns[k]]);
+            coupled.push_back(blocks.other_columns[other.columns[k]]);
     }
-    std::ranges::sort(touched);
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    // A coupling that the higher rank alone stores would not be seen by the lower one: K is symmetric in its pattern.
-    for (const PetscInt unknown : touched)
-        if (const PetscInt place = location_of(layout.shared, unknown); place >= 0) layout.touched.push_back(place);
+    std::ranges::sort(coupled);
+    coupled.erase(std::unique(coupled.begin(), coupled.end()), coupled.end());
+    // The lower rank stores every coupling too, because the pattern of K is symmetric.
+    for (const PetscInt unknown : coupled)
+        if (const PetscInt i = index_of(layout.shared, unknown); i >= 0) layout.coupled.push_back(i);
     return layout;
 }
 
@@ -88,31 +88,31 @@ IndexSet index_set(const Indices& indices) {
 PartRows::PartRows(Mat K, const PartLayout& layout, Symmetry symmetry) {
     add_interior_rows(K, layout);
     if (symmetry == Symmetry::general)
-        add_touched_rows(K, layout);
+        add_coupled_rows(K, layout);
     else
-        begin_.insert(begin_.end(), layout.touched.size(), begin_.back());
+        begin_.insert(begin_.end(), layout.coupled.size(), begin_.back());
     values_.assign(columns_.size(), 0.0);
 }
 
 PartRows::~PartRows() {
-    if (touched_rows_ != nullptr) (void)MatDestroySubMatrices(1, &touched_rows_);
+    if (coupled_rows_ != nullptr) (void)MatDestroySubMatrices(1, &coupled_rows_);
 }
 
 void PartRows::add_interior_rows(Mat K, const PartLayout& layout) {
     const Blocks blocks(K);
     const MatrixRows own = rows_of(blocks.own), other = rows_of(blocks.other);
     const auto interior = static_cast<PetscInt>(layout.interior.size());
-    const Indices touched = numbers_in_whole(layout.touched, layout.shared);
-    const auto number_of_touched = [&](PetscInt unknown) {
-        const PetscInt place = location_of(touched, unknown);
-        return place < 0 ? place : interior + place;
+    const Indices coupled = global_indices(layout.coupled, layout.shared);
+    const auto number_of_coupled = [&](PetscInt unknown) {
+        const PetscInt i = index_of(coupled, unknown);
+        return i < 0 ? i : interior + i;
     };
-    Indices number(at(own.count), -1);  // in the part, of the rank's own unknowns
+    Indices number(at(own.count), -1);  // local index of the rank's own unknowns
     for (PetscInt i = 0; i < interior; ++i) number[at(layout.interior[at(i)] - layout.begin)] = i;
-    for (const PetscInt unknown : layout.own_shared) number[at(unknown - layout.begin)] = number_of_touched(unknown);
+    for (const PetscInt unknown : layout.own_shared) number[at(unknown - layout.begin)] = number_of_coupled(unknown);
     columns_.reserve(at(own.begin[own.count] + other.begin[other.count]));
     sources_.reserve(columns_.capacity());
-    std::vector<std::pair<PetscInt, PetscInt>> tail;  // number and source of what stands behind the interior
+    std::vector<std::pair<PetscInt, PetscInt>> tail;  // index and source of the columns after the interior
     for (const PetscInt unknown : layout.interior) {
         const PetscInt row = unknown - layout.begin;
         tail.clear();
@@ -126,7 +126,7 @@ void PartRows::add_interior_rows(Mat K, const PartLayout& layout) {
             sources_.push_back(k);
         }
         for (PetscInt k = other.begin[row]; k < other.begin[row + 1]; ++k)
-            if (const PetscInt column = number_of_touched(blocks.other_columns[other.columns[k]]); column >= 0)
+            if (const PetscInt column = number_of_coupled(blocks.other_columns[other.columns[k]]); column >= 0)
                 tail.emplace_back(column, ~k);
         std::ranges::sort(tail);
         for (const auto& [column, source] : tail) {
@@ -137,15 +137,15 @@ void PartRows::add_interior_rows(Mat K, const PartLayout& layout) {
     }
 }
 
-void PartRows::add_touched_rows(Mat K, const PartLayout& layout) {
-    touched_ = index_set(numbers_in_whole(layout.touched, layout.shared));
+void PartRows::add_coupled_rows(Mat K, const PartLayout& layout) {
+    coupled_ = index_set(global_indices(layout.coupled, layout.shared));
     interior_ = index_set(layout.interior);
-    const IS rows = touched_, columns = interior_;
-    SOFT_PETSC(MatCreateSubMatrices(K, 1, &rows, &columns, MAT_INITIAL_MATRIX, &touched_rows_));
-    const MatrixRows touched = rows_of(touched_rows_[0]);
+    const IS rows = coupled_, columns = interior_;
+    SOFT_PETSC(MatCreateSubMatrices(K, 1, &rows, &columns, MAT_INITIAL_MATRIX, &coupled_rows_));
+    const MatrixRows coupled = rows_of(coupled_rows_[0]);
     const PetscInt before = begin_.back();
-    columns_.insert(columns_.end(), touched.columns, touched.columns + touched.begin[touched.count]);
-    for (PetscInt row = 1; row <= touched.count; ++row) begin_.push_back(before + touched.begin[row]);
+    columns_.insert(columns_.end(), coupled.columns, coupled.columns + coupled.begin[coupled.count]);
+    for (PetscInt row = 1; row <= coupled.count; ++row) begin_.push_back(before + coupled.begin[row]);
 }
 
 void PartRows::read(Mat K) {
@@ -153,11 +153,11 @@ void PartRows::read(Mat K) {
     const double *own = rows_of(blocks.own).values, *other = rows_of(blocks.other).values;
     for (std::size_t k = 0; k < sources_.size(); ++k)
         values_[k] = sources_[k] >= 0 ? own[sources_[k]] : other[~sources_[k]];
-    if (touched_rows_ == nullptr) return;
-    const IS rows = touched_, columns = interior_;
-    SOFT_PETSC(MatCreateSubMatrices(K, 1, &rows, &columns, MAT_REUSE_MATRIX, &touched_rows_));
-    const MatrixRows touched = rows_of(touched_rows_[0]);
-    std::copy_n(touched.values, touched.begin[touched.count], values_.data() + sources_.size());
+    if (coupled_rows_ == nullptr) return;
+    const IS rows = coupled_, columns = interior_;
+    SOFT_PETSC(MatCreateSubMatrices(K, 1, &rows, &columns, MAT_REUSE_MATRIX, &coupled_rows_));
+    const MatrixRows coupled = rows_of(coupled_rows_[0]);
+    std::copy_n(coupled.values, coupled.begin[coupled.count], values_.data() + sources_.size());
 }
 
 }  // namespace soft::linalg

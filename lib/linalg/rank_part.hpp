@@ -1,6 +1,6 @@
 #pragma once
-/// A rank's part of a matrix on several ranks: its interior I, which no other rank touches, and the shared unknowns T that the
-/// interior couples with. Internal to the module. Tested by linalg/substructures_test.
+/// A rank's part of a distributed matrix: its interior unknowns I, which do not couple with unknowns of other ranks, and the shared
+/// unknowns T that couple with the interior. Internal to the module. Tested by linalg/substructures_test.
 #include <vector>
 
 #include "linalg/factors.hpp"
@@ -8,16 +8,16 @@
 
 namespace soft::linalg {
 
-/// Numbers of the whole matrix, ascending, unless said otherwise.
+/// Global indices, ascending, unless stated otherwise.
 struct PartLayout {
     PetscInt begin = 0, end = 0;       ///< the rank's own unknowns
-    std::vector<PetscInt> shared;      ///< of all ranks: what couples with unknowns of a higher rank
-    std::vector<PetscInt> own_shared;  ///< those of them that the rank owns
-    std::vector<PetscInt> interior;    ///< the rank's own others
-    std::vector<PetscInt> touched;     ///< T, as places in `shared`
+    std::vector<PetscInt> shared;      ///< of all ranks: unknowns that couple with unknowns of a higher rank
+    std::vector<PetscInt> own_shared;  ///< shared unknowns that this rank owns
+    std::vector<PetscInt> interior;    ///< the other unknowns that this rank owns
+    std::vector<PetscInt> coupled;     ///< T, as indices into `shared`
 };
 
-/// What each rank gives, one after the other, on each.
+/// The values of all ranks, concatenated in rank order, on every rank.
 template <class Value>
 [[nodiscard]] std::vector<Value> gather_all(const std::vector<Value>& own, MPI_Datatype type, MPI_Comm ranks);
 extern template std::vector<int> gather_all(const std::vector<int>&, MPI_Datatype, MPI_Comm);
@@ -27,7 +27,7 @@ extern template std::vector<double> gather_all(const std::vector<double>&, MPI_D
 
 [[nodiscard]] IndexSet index_set(const std::vector<PetscInt>& indices);
 
-/// The rows of [K_II K_IT; K_TI 0], numbered from 0: I, then T. A symmetric matrix gives the rows of I alone.
+/// The rows of [K_II K_IT; K_TI 0], numbered from 0: first I, then T. For a symmetric matrix the rows of T are empty.
 class PartRows {
 public:
     PartRows(Mat K, const PartLayout& layout, Symmetry symmetry);
@@ -35,7 +35,7 @@ public:
     PartRows(const PartRows&) = delete;
     PartRows& operator=(const PartRows&) = delete;
 
-    /// On all ranks.
+    /// Collective.
     void read(Mat K);
     [[nodiscard]] MatrixRows rows() const {
         return {static_cast<PetscInt>(begin_.size()) - 1, begin_.data(), columns_.data(), values_.data()};
@@ -43,13 +43,13 @@ public:
 
 private:
     void add_interior_rows(Mat K, const PartLayout& layout);
-    void add_touched_rows(Mat K, const PartLayout& layout);
+    void add_coupled_rows(Mat K, const PartLayout& layout);
 
     std::vector<PetscInt> begin_{0}, columns_;
-    std::vector<PetscInt> sources_;  // of the entries of I: place in the rank's own block, ~place in its other columns
+    std::vector<PetscInt> sources_;  // of the entries of I: index k in the rank's diagonal block, ~k in its off-diagonal block
     std::vector<double> values_;
-    IndexSet touched_, interior_;
-    Mat* touched_rows_ = nullptr;  // K_TI of a general matrix
+    IndexSet coupled_, interior_;
+    Mat* coupled_rows_ = nullptr;  // K_TI, general matrices only
 };
 
 }  // namespace soft::linalg

@@ -19,27 +19,27 @@ namespace soft::linalg {
 
 namespace {
 
-const auto petsc_print = PetscVFPrintf;  // PETSc's own, as it stands before anything replaces it
+const auto petsc_print = PetscVFPrintf;  // PETSc's original function, before it is replaced
 
-/// stdout carries data only; -log_view, -ksp_monitor and -help print there. PetscInitialize sets PETSC_STDOUT anew and
-/// prints before it returns, so that only this hook catches all.
-PetscErrorCode print_beside_data(FILE* file, const char* format, va_list arguments) {
+/// stdout is reserved for data, but -log_view, -ksp_monitor and -help print to it. PetscInitialize resets PETSC_STDOUT and prints
+/// before it returns, so only this hook redirects all output.
+PetscErrorCode print_to_stderr(FILE* file, const char* format, va_list arguments) {
     return petsc_print(file == stdout ? stderr : file, format, arguments);
 }
 
-/// MPI crashes and OpenBLAS waits for ever where memory ends while they start. Measured: 260 MB of address space for both.
+/// If memory runs out during start-up, MPI crashes and OpenBLAS hangs. Measured: both need 260 MB of address space.
 constexpr std::size_t memory_to_start = std::size_t{288} << 20;
 
-/// OpenBLAS takes its buffer at the first call that wants one, and keeps it.
-void take_blas_buffer() {
+/// OpenBLAS allocates its buffer at the first call that needs one, and keeps it.
+void allocate_blas_buffer() {
     SmallMatrix one(1);
     one.at(0, 0) = 1.0;
     static_cast<void>(solve(one, {1.0}));
 }
 
-/// Open MPI looks for networks when it starts, which takes longer than a small solve: not where all ranks are on one machine.
-/// Values the user has set stay: overwrite = 0.
-void start_mpi_quickly() {
+/// Open MPI searches for networks when it starts, which takes longer than a small solve. The search is skipped if all ranks are on
+/// one machine. Values set by the user are kept (overwrite = 0).
+void set_mpi_defaults() {
     const auto text = [](const char* variable) -> std::string_view {
         const char* value = std::getenv(variable);
         return value != nullptr ? value : "";
@@ -49,14 +49,14 @@ void start_mpi_quickly() {
     const bool alone = ranks.empty() && text("PMIX_NAMESPACE").empty() && text("PMI_RANK").empty();
     if (alone) {
         setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);  // one for all: who ends removes it under who starts
+        setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);  // it is shared: a process that ends removes it while another starts
     }
     if (!alone && (ranks.empty() || ranks != text("OMPI_COMM_WORLD_LOCAL_SIZE"))) return;
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self,vader", 0);
 }
 
-/// PETSc says with a trace of its calls that a file of options is not there.
+/// Checked here because PETSc reports a missing options file with a stack trace.
 void check_options_files(const std::vector<std::string>& options) {
     for (std::size_t i = 0; i + 1 < options.size(); ++i)
         if (options[i] == "-options_file" && access(options[i + 1].c_str(), R_OK) != 0)
@@ -67,10 +67,10 @@ void check_options_files(const std::vector<std::string>& options) {
 
 Session::Session(const std::vector<std::string>& options) {
     check_options_files(options);
-    start_mpi_quickly();
-    setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);  // its threads cut the same mesh now so, now so: last digits would differ
+    set_mpi_defaults();
+    setenv("SCOTCH_PTHREAD_NUMBER", "1", 1);  // with threads the partition is not reproducible, and last digits would differ
     core::require_memory(memory_to_start);
-    take_blas_buffer();
+    allocate_blas_buffer();
     std::vector<std::string> words{"solve", "-no_signal_handler", "-skip_petscrc"};
     words.insert(words.end(), options.begin(), options.end());
     std::vector<char*> pointers;
@@ -78,7 +78,7 @@ Session::Session(const std::vector<std::string>& options) {
     pointers.push_back(nullptr);
     int argc = static_cast<int>(words.size());
     char** argv = pointers.data();
-    PetscVFPrintf = print_beside_data;
+    PetscVFPrintf = print_to_stderr;
     SOFT_PETSC(PetscInitialize(&argc, &argv, nullptr, nullptr));
     SOFT_PETSC(PetscPopErrorHandler());
     SOFT_PETSC(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
@@ -111,7 +111,7 @@ std::string petsc_version() {
 
 namespace {
 
-/// OpenBLAS is found at run time: any BLAS may stand behind libblas.so.3.
+/// Looks up an OpenBLAS function at run time: libblas.so.3 may be any BLAS.
 const char* openblas_text(const char* function) {
     using TextFunction = char* (*)();
     void* symbol = dlsym(RTLD_DEFAULT, function);
@@ -133,7 +133,7 @@ std::string blas_name() {
     return "reference BLAS (slow: install libopenblas0-serial or another optimised BLAS)";
 }
 
-bool blas_kernel_is_poor(std::string& better) {
+bool is_blas_kernel_slow(std::string& better) {
     const char* core = openblas_text("openblas_get_corename");
     if (core == nullptr) return false;
     const std::string_view kernel{core};
@@ -155,11 +155,11 @@ bool blas_kernel_is_poor(std::string& better) {
 
 void choose_blas_kernel(char** argv) {
     std::string better;
-    if (std::getenv("OPENBLAS_CORETYPE") != nullptr || !blas_kernel_is_poor(better)) return;
+    if (std::getenv("OPENBLAS_CORETYPE") != nullptr || !is_blas_kernel_slow(better)) return;
     setenv("OPENBLAS_CORETYPE", better.c_str(), 0);
     std::error_code unknown;
     const auto program =
-        std::filesystem::read_symlink("/proc/self/exe", unknown);  // by its name, which ps and top show
+        std::filesystem::read_symlink("/proc/self/exe", unknown);  // the real path: ps and top then show the program's name
     if (!unknown) execv(program.c_str(), argv);
 }
 

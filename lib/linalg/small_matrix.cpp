@@ -1,7 +1,7 @@
 #include "linalg/small_matrix.hpp"
 
 #include <petscsys.h>
-// Not before petscsys.h, on which it relies.
+// Requires petscsys.h before it.
 #include <petscblaslapack.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace soft::linalg {
 
 std::optional<std::vector<double>> solve(SmallMatrix A, std::vector<double> b) {
     const int n = A.size;
-    SmallMatrix columns(n);  // LAPACK's order
+    SmallMatrix columns(n);  // column-major, as LAPACK expects
     for (int i = 0; i < n; ++i) {
         double largest = 0;
         for (int j = 0; j < n; ++j) largest = std::max(largest, std::abs(A.at(i, j)));
@@ -48,8 +48,8 @@ Eigen symmetric_eigen(SmallMatrix A) {
     PetscBLASInt size = n, work_size = std::max(1, 3 * n - 1), info = 0;
     std::vector<double> values(static_cast<std::size_t>(n)), work(static_cast<std::size_t>(work_size));
     LAPACKsyev_("V", "U", &size, A.values.data(), &size, values.data(), work.data(), &work_size, &info);
-    if (info != 0) throw std::logic_error("symmetric_eigen: LAPACK gives " + std::to_string(info));
-    return {std::move(values), std::move(A)};  // LAPACK's columns are our rows
+    if (info != 0) throw std::logic_error("symmetric_eigen: LAPACK syev failed with info " + std::to_string(info));
+    return {std::move(values), std::move(A)};  // columns of LAPACK are rows of SmallMatrix
 }
 
 Eigen real_eigen(const SmallMatrix& A) {
@@ -62,7 +62,7 @@ Eigen real_eigen(const SmallMatrix& A) {
     double left = 0;
     LAPACKgeev_("N", "V", &size, columns.values.data(), &size, real.data(), imaginary.data(), &left, &size,
                 right.values.data(), &size, work.data(), &work_size, &info);
-    if (info != 0) throw std::logic_error("real_eigen: LAPACK gives " + std::to_string(info));
+    if (info != 0) throw std::logic_error("real_eigen: LAPACK geev failed with info " + std::to_string(info));
     std::vector<int> order(static_cast<std::size_t>(n));
     std::iota(order.begin(), order.end(), 0);
     std::ranges::sort(order, {}, [&](int k) { return real[static_cast<std::size_t>(k)]; });

@@ -13,7 +13,7 @@ namespace soft::linalg {
 
 namespace {
 
-static_assert(sizeof(PetscInt) == sizeof(int), "CHOLMOD's functions for int are used");
+static_assert(sizeof(PetscInt) == sizeof(int), "CHOLMOD's int interface is used");
 
 constexpr double min_diagonal = 1e-6;
 
@@ -21,15 +21,15 @@ constexpr double min_diagonal = 1e-6;
 
 struct SparseLdlt::Parts {
     cholmod_common common{};
-    cholmod_sparse* upper = nullptr;  // row i of K's upper triangle as column i of the lower one
+    cholmod_sparse* upper = nullptr;  // row i of the upper triangle of K, stored as column i of the lower one
     cholmod_factor* factor = nullptr;
-    cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;  // of cholmod_solve2, kept from solve to solve
+    cholmod_dense *x = nullptr, *y = nullptr, *e = nullptr;  // work space of cholmod_solve2, reused by all solves
     std::vector<double> diagonal;
     double flops = 0;
     MPI_Comm ranks = MPI_COMM_SELF;
-    Matrix whole;  // K of several ranks, on each
+    Matrix whole;  // the whole distributed K, on every rank
     Scatter to_all;
-    Vector all;  // the right-hand side, on each
+    Vector all;  // the whole right-hand side, on every rank
 
     [[nodiscard]] bool is_shared() const { return to_all.get() != nullptr; }
 
@@ -66,13 +66,13 @@ void SparseLdlt::Parts::read_pattern(const MatrixRows& rows) {
     check();
     auto* start = static_cast<int*>(upper->p);
     auto* index = static_cast<int*>(upper->i);
-    int place = 0;
+    int next = 0;
     for (PetscInt row = 0; row < rows.count; ++row) {
-        start[row] = place;
+        start[row] = next;
         for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
-            if (rows.columns[k] >= row) index[place++] = rows.columns[k];
+            if (rows.columns[k] >= row) index[next++] = rows.columns[k];
     }
-    start[rows.count] = place;
+    start[rows.count] = next;
 }
 
 void SparseLdlt::Parts::read_values(const MatrixRows& rows) {
@@ -104,7 +104,7 @@ SparseLdlt::SparseLdlt(Mat K) : parts_(std::make_unique<Parts>()) {
     int size = 1;
     MPI_Comm_size(comm, &size);
     if (size > 1) {
-        parts_->ranks = comm;  // PETSc's own, which ends with its last object: to_all keeps it
+        parts_->ranks = comm;  // PETSc's communicator: to_all keeps it alive
         SOFT_PETSC(MatCreateRedundantMatrix(K, size, MPI_COMM_NULL, MAT_INITIAL_MATRIX, parts_->whole.out()));
         Vector like;
         SOFT_PETSC(MatCreateVecs(K, nullptr, like.out()));
@@ -132,7 +132,7 @@ bool SparseLdlt::factorize(Mat K) {
     read_values(K);
     cholmod_factorize(parts_->upper, parts_->factor, &parts_->common);
     parts_->check();
-    int good = has_good_pivots() ? 1 : 0;  // on unlike processors last digits differ: all go the way of the first
+    int good = has_good_pivots() ? 1 : 0;  // last digits may differ between processor types: rank 0 decides
     MPI_Bcast(&good, 1, MPI_INT, 0, parts_->ranks);
     return good != 0;
 }

@@ -22,18 +22,18 @@ bool all_agree(bool good, MPI_Comm ranks) {
 }  // namespace
 
 struct Substructures::Parts {
-    Vector like;  // keeps the ranks' communicator, which is PETSc's own
+    Vector like;  // keeps PETSc's communicator alive
     MPI_Comm ranks = MPI_COMM_SELF;
     Symmetry symmetry;
     PartLayout layout;
-    Indices all_touched;                            // of all ranks, one after the other
-    std::vector<int> touched_counts, owned_counts;  // of touched, of shared unknowns that a rank owns
+    Indices all_coupled;                            // of all ranks, concatenated
+    std::vector<int> coupled_counts, owned_counts;  // per rank: coupled unknowns, owned shared unknowns
     std::unique_ptr<PartRows> part;
     IndexSet shared;
     Mat* shared_block = nullptr;  // K_GG
     std::unique_ptr<InteriorFactor> interior;
     DenseFactor complement;
-    std::vector<double> values, x_shared;  // of a solve
+    std::vector<double> values, x_shared;  // work space of solve()
 
     Parts(Mat K, Symmetry kind) : symmetry(kind), complement(kind) {
         SOFT_PETSC(MatCreateVecs(K, nullptr, like.out()));
@@ -53,7 +53,7 @@ struct Substructures::Parts {
     [[nodiscard]] std::vector<double> sum_of_complements() const;
 };
 
-/// S by columns: the shared block of K, and what each rank's interior adds, in the order of the ranks.
+/// S by columns: the shared block of K plus the contribution of each rank's interior, in rank order.
 std::vector<double> Substructures::Parts::sum_of_complements() const {
     const std::size_t size = layout.shared.size();
     std::vector<double> S(size * size, 0.0);
@@ -64,18 +64,18 @@ std::vector<double> Substructures::Parts::sum_of_complements() const {
     const auto own = interior->schur();
     const auto all = gather_all(std::vector<double>(own.begin(), own.end()), MPI_DOUBLE, ranks);
     const double* value = all.data();
-    const PetscInt* touched = all_touched.data();
-    for (const int count : touched_counts) {
+    const PetscInt* coupled = all_coupled.data();
+    for (const int count : coupled_counts) {
         for (int column = 0; column < count; ++column)
             for (int row = 0; row < count; ++row)
-                S[static_cast<std::size_t>(touched[column]) * size + static_cast<std::size_t>(touched[row])] +=
+                S[static_cast<std::size_t>(coupled[column]) * size + static_cast<std::size_t>(coupled[row])] +=
                     *value++;
-        touched += count;
+        coupled += count;
     }
     return S;
 }
 
-std::unique_ptr<Substructures> Substructures::of(Mat K, Symmetry symmetry, std::vector<PetscInt>& order) {
+std::unique_ptr<Substructures> Substructures::create(Mat K, Symmetry symmetry, std::vector<PetscInt>& order) {
     auto parts = std::make_unique<Parts>(K, symmetry);
     int size = 1;
     MPI_Comm_size(parts->ranks, &size);
@@ -83,11 +83,11 @@ std::unique_ptr<Substructures> Substructures::of(Mat K, Symmetry symmetry, std::
     parts->layout = layout_of(K, parts->ranks);
     const auto& layout = parts->layout;
     const bool useful = !layout.shared.empty() && layout.shared.size() <= max_shared_unknowns &&
-                        !layout.interior.empty() && !layout.touched.empty();
+                        !layout.interior.empty() && !layout.coupled.empty();
     if (!all_agree(useful, parts->ranks)) return nullptr;
-    parts->all_touched = gather_all(layout.touched, MPIU_INT, parts->ranks);
-    parts->touched_counts =
-        gather_all(std::vector<int>{static_cast<int>(layout.touched.size())}, MPI_INT, parts->ranks);
+    parts->all_coupled = gather_all(layout.coupled, MPIU_INT, parts->ranks);
+    parts->coupled_counts =
+        gather_all(std::vector<int>{static_cast<int>(layout.coupled.size())}, MPI_INT, parts->ranks);
     parts->owned_counts =
         gather_all(std::vector<int>{static_cast<int>(layout.own_shared.size())}, MPI_INT, parts->ranks);
     parts->part = std::make_unique<PartRows>(K, layout, symmetry);
@@ -95,7 +95,7 @@ std::unique_ptr<Substructures> Substructures::of(Mat K, Symmetry symmetry, std::
     parts->read(K, MAT_INITIAL_MATRIX);
     const MatrixRows rows = parts->part->rows();
     if (order.empty()) order = elimination_order(rows, static_cast<PetscInt>(layout.interior.size()));
-    parts->interior = std::make_unique<InteriorFactor>(symmetry, rows, layout.touched.size(), order);
+    parts->interior = std::make_unique<InteriorFactor>(symmetry, rows, layout.coupled.size(), order);
     return std::unique_ptr<Substructures>(new Substructures(std::move(parts)));
 }
 
@@ -114,7 +114,7 @@ std::optional<PetscInt> Substructures::negative_pivots() const {
     PetscInt negative = parts_->interior->negative_pivots();
     MPI_Allreduce(MPI_IN_PLACE, &negative, 1, MPIU_INT, MPI_SUM, parts_->ranks);
     PetscInt of_complement = parts_->complement.negative_eigenvalues();
-    MPI_Bcast(&of_complement, 1, MPIU_INT, 0, parts_->ranks);  // on unlike processors last digits differ
+    MPI_Bcast(&of_complement, 1, MPIU_INT, 0, parts_->ranks);  // last digits may differ between processor types: rank 0 decides
     return negative + of_complement;
 }
 
@@ -129,12 +129,12 @@ std::optional<bool> Substructures::determinant_is_negative() const {
 
 void Substructures::solve(Vec b, Vec x) {
     const PartLayout& layout = parts_->layout;
-    parts_->values.assign(layout.interior.size() + layout.touched.size(), 0.0);
+    parts_->values.assign(layout.interior.size() + layout.coupled.size(), 0.0);
     const PetscScalar* from = nullptr;
     SOFT_PETSC(VecGetArrayRead(b, &from));
     for (std::size_t i = 0; i < layout.interior.size(); ++i)
         parts_->values[i] = from[layout.interior[i] - layout.begin];
-    // What a rank gives: its own part of the shared right-hand side, then what its interior adds.
+    // Contribution of this rank: its part of the shared right-hand side, then the condensed interior.
     std::vector<double> given;
     for (const PetscInt unknown : layout.own_shared) given.push_back(from[unknown - layout.begin]);
     SOFT_PETSC(VecRestoreArrayRead(b, &from));
@@ -145,22 +145,22 @@ void Substructures::solve(Vec b, Vec x) {
     auto& shared = parts_->x_shared;
     shared.assign(layout.shared.size(), 0.0);
     const double* value = all.data();
-    const PetscInt* touched = parts_->all_touched.data();
+    const PetscInt* coupled = parts_->all_coupled.data();
     std::size_t next = 0;
-    for (std::size_t rank = 0; rank < parts_->touched_counts.size(); ++rank) {
-        const int count = parts_->touched_counts[rank];
+    for (std::size_t rank = 0; rank < parts_->coupled_counts.size(); ++rank) {
+        const int count = parts_->coupled_counts[rank];
         for (int i = 0; i < parts_->owned_counts[rank]; ++i) shared[next++] += *value++;
-        for (int i = 0; i < count; ++i) shared[static_cast<std::size_t>(*touched++)] += *value++;
+        for (int i = 0; i < count; ++i) shared[static_cast<std::size_t>(*coupled++)] += *value++;
     }
     parts_->complement.solve(shared);
 
-    std::vector<double> x_touched;
-    for (const PetscInt i : layout.touched) x_touched.push_back(shared[static_cast<std::size_t>(i)]);
-    parts_->interior->expand(x_touched, parts_->values);
+    std::vector<double> x_coupled;
+    for (const PetscInt i : layout.coupled) x_coupled.push_back(shared[static_cast<std::size_t>(i)]);
+    parts_->interior->expand(x_coupled, parts_->values);
     PetscScalar* to = nullptr;
     SOFT_PETSC(VecGetArray(x, &to));
     for (std::size_t i = 0; i < layout.interior.size(); ++i) to[layout.interior[i] - layout.begin] = parts_->values[i];
-    // The ranks' shares stand one after the other.
+    // The shared unknowns are ordered by rank.
     const auto begin = std::ranges::lower_bound(layout.shared, layout.begin) - layout.shared.begin();
     for (std::size_t i = 0; i < layout.own_shared.size(); ++i)
         to[layout.own_shared[i] - layout.begin] = shared[static_cast<std::size_t>(begin) + i];

@@ -7,9 +7,9 @@
 namespace soft::post {
 namespace {
 
-constexpr double backward_penalty = 1e6;  // squared ranges: more than any honest distance
+constexpr double backward_penalty = 1e6;  // in squared ranges: larger than any real distance
 
-std::size_t turns(std::span<const double> values) {
+std::size_t reversals(std::span<const double> values) {
     std::size_t count = 0;
     double direction = 0;
     for (std::size_t i = 1; i < values.size(); ++i) {
@@ -25,7 +25,7 @@ double range_of(std::span<const double> values) {
     return *high - *low;
 }
 
-/// Squared distance between a row of the table and a place on the path.
+/// Squared distance between a row of the table and a position on the path.
 double distance(std::span<const Track> tracks, std::span<const double> ranges, std::size_t row,
                 const std::vector<double>& state) {
     double sum = 0;
@@ -36,10 +36,10 @@ double distance(std::span<const Track> tracks, std::span<const double> ranges, s
 
 struct Candidate {
     double s = 0, cost = 0;
-    std::size_t before = 0;  ///< candidate of the row before, on the cheapest way here
+    std::size_t before = 0;  ///< candidate of the previous row on the cheapest sequence to this one
 };
 
-/// Adds the cost of the cheapest way through the candidates of the row before.
+/// Adds the cost of the cheapest sequence through the candidates of the previous row (dynamic programming).
 void link(std::vector<Candidate>& row, const std::vector<Candidate>& before) {
     for (Candidate& here : row) {
         double best = std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ void link(std::vector<Candidate>& row, const std::vector<Candidate>& before) {
 std::size_t leading_track(std::span<const Track> tracks) {
     const auto least = std::min_element(tracks.begin(), tracks.end(), [](const Track& a, const Track& b) {
         const bool moves_a = range_of(a.values) > 0, moves_b = range_of(b.values) > 0;
-        return moves_a != moves_b ? moves_a : turns(a.values) < turns(b.values);
+        return moves_a != moves_b ? moves_a : reversals(a.values) < reversals(b.values);
     });
     return static_cast<std::size_t>(least - tracks.begin());
 }
@@ -76,16 +76,16 @@ std::vector<double> align(const Path& path, std::span<const Track> tracks, std::
         reached.push_back(row);
         rows.push_back(std::move(candidates));
     }
-    std::vector<double> places(targets.size(), std::numeric_limits<double>::quiet_NaN());
-    if (rows.empty()) return places;
+    std::vector<double> positions(targets.size(), std::numeric_limits<double>::quiet_NaN());
+    if (rows.empty()) return positions;
     const auto cheapest = std::min_element(rows.back().begin(), rows.back().end(),
                                            [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
     std::size_t choice = static_cast<std::size_t>(cheapest - rows.back().begin());
     for (std::size_t i = rows.size(); i-- > 0;) {
-        places[reached[i]] = rows[i][choice].s;
+        positions[reached[i]] = rows[i][choice].s;
         choice = rows[i][choice].before;
     }
-    return places;
+    return positions;
 }
 
 }  // namespace soft::post

@@ -1,5 +1,5 @@
 #pragma once
-/// Places on a path for the rows of a table that follows it. Tested by post/golden_test.
+/// Assigns the rows of a table to positions on a path. Tested by post/golden_test.
 #include <span>
 #include <vector>
 
@@ -7,17 +7,18 @@
 
 namespace soft::post {
 
-/// A quantity of the table: column of the curve and its value in each row.
+/// A quantity of the table: the column of the curve and the value in each row.
 struct Track {
     std::size_t column = 0;
     std::span<const double> values;
 };
 
-/// The track among `tracks` that goes one way, else the one that turns back least; the first of equals. Not for no tracks.
+/// Index of the track with the fewest reversals (ideally a monotonic one); the first of equals. `tracks` must not be empty.
 [[nodiscard]] std::size_t leading_track(std::span<const Track> tracks);
 
-/// Path parameter of each row: where the leading track crosses its value (`targets`), by the least sum of squared distances
-/// in the other tracks, each over its range, without going back. nan for a row whose target the path does not cross.
+/// Path parameter of each row, at a crossing of the leading track with its value (`targets`). Among several crossings the choice
+/// minimises the sum of squared distances in the other tracks, each divided by its range, without moving backwards along the path. NaN
+/// for a row whose target the path does not cross.
 [[nodiscard]] std::vector<double> align(const Path& path, std::span<const Track> tracks, std::size_t leader,
                                         std::span<const double> targets);
 

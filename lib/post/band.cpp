@@ -11,7 +11,7 @@ namespace soft::post {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double no_variation = 1e-9;  // relative to the value: well below any error of a fit, above rounding
+constexpr double no_variation = 1e-9;  // relative to the value: far below any error of a fit, above rounding
 
 /// "pressure_kPa" -> "pressure_band_kPa"
 std::string band_name(const Column& column, const char* kind) {
@@ -22,7 +22,7 @@ constexpr const char* sampled_kind = "_sampled_band";
 
 std::string cell(double value) { return std::isnan(value) ? "" : core::number_text(value + 0.0); }
 
-/// Standard deviation of the numbers; none for fewer than two.
+/// Standard deviation of the numbers; NaN for fewer than two.
 double deviation(const std::vector<double>& numbers) {
     if (numbers.size() < 2) return no_number;
     const auto n = static_cast<double>(numbers.size());
@@ -32,7 +32,7 @@ double deviation(const std::vector<double>& numbers) {
     return std::sqrt(sum / (n - 1));
 }
 
-bool is_held(const Column& column, const Request& request) { return column.quantity == request.quantity; }
+bool is_prescribed(const Column& column, const Request& request) { return column.quantity == request.quantity; }
 
 std::optional<std::size_t> heading_of(const table::Table& table, const std::string& name) {
     const auto found = std::ranges::find(table.headings, name, &table::Heading::name);
@@ -64,7 +64,7 @@ std::vector<double> widths(const table::Table& table, const std::string& name) {
             throw Error(
                 ExitCode::bad_input,
                 table.source + ":" + std::to_string(table.lines[row]) + ": " + table::column_text(table, *column),
-                "a band cannot have a negative width");
+                "the width of the band is negative");
     return numbers;
 }
 
@@ -97,7 +97,7 @@ BandSum::Rows BandSum::rows_of(const Curve* curve) const {
     if (!std::ranges::equal(curve->columns, rows_.columns, {}, &Column::name, &Column::name))
         throw Error(ExitCode::bad_input, "", "the curves have different columns");
     for (std::size_t row = 0; row < rows.size(); ++row) {
-        if (crossings_[row] > 0) continue;  // all crossings of a value are read at once
+        if (crossings_[row] > 0) continue;  // the first crossing reads all crossings of the value
         const std::vector<std::vector<double>> found = crossing_rows(*curve, requests_[row]);
         for (std::size_t k = 0; k < found.size() && row + k < rows.size() && crossings_[row + k] == k; ++k)
             rows[row + k] = found[k];
@@ -129,19 +129,19 @@ Band BandSum::band() const {
         if (column.role != Role::coordinate) continue;
         Band::Width width{c, column.values, {}, {}};
         for (std::size_t row = 0; row < requests_.size(); ++row) {
-            const bool held = is_held(column, requests_[row]);
+            const bool prescribed = is_prescribed(column, requests_[row]);
             std::vector<double> sampled;
             for (const Rows& rows : samples_)
                 if (rows[row]) sampled.push_back((*rows[row])[c]);
-            width.linear.push_back(held || variance_[row].empty() ? no_number : std::sqrt(variance_[row][c]));
-            width.sampled.push_back(held ? no_number : deviation(sampled));
+            width.linear.push_back(prescribed || variance_[row].empty() ? no_number : std::sqrt(variance_[row][c]));
+            width.sampled.push_back(prescribed ? no_number : deviation(sampled));
         }
         band.widths.push_back(std::move(width));
     }
     return band;
 }
 
-std::string BandSum::place(std::size_t row) const {
+std::string BandSum::location(std::size_t row) const {
     const Request& request = requests_[row];
     const Column& column = *rows_.find(request.quantity);
     std::string text =
@@ -156,20 +156,20 @@ std::vector<std::string> BandSum::notes() const {
     for (std::size_t row = 0; row < requests_.size(); ++row) {
         if (variance_[row].empty())
             notes.push_back(
-                place(row) +
+                location(row) +
                 ": a curve with constants one standard error away does not reach it; the linear band is empty");
         const int missing = samples_.empty() ? 0 : static_cast<int>(samples_.size()) - found.samples[row];
         if (missing > 0)
-            notes.push_back(place(row) + ": " + std::to_string(missing) + " of " +
+            notes.push_back(location(row) + ": " + std::to_string(missing) + " of " +
                             core::counted(samples_.size(), "sample") + (missing == 1 ? " does" : " do") +
                             " not reach it and " + (missing == 1 ? "is" : "are") + " left out");
         const auto varies = [row](const Band::Width& width) {
             return width.half(row) > no_variation * std::abs(width.values[row]);
         };
         if (!variance_[row].empty() && std::ranges::none_of(found.widths, varies))
-            notes.push_back(place(row) +
+            notes.push_back(location(row) +
                             ": no quantity of the curve depends on the constants there; add an output that does, "
-                            "for a prescribed motion its force (measure: force)");
+                            "such as the force of a prescribed motion (measure: force)");
     }
     return notes;
 }
@@ -211,7 +211,7 @@ Band read_band(const table::Table& table, const Curve& curve) {
     }
     if (!has_width)
         throw Error(ExitCode::bad_input, table.source, "has no column such as pressure_band_kPa for this curve",
-                    "give a table that scripts/uncertainty has written");
+                    "give a table written by scripts/uncertainty");
     if (const auto samples = heading_of(table, "samples"))
         for (const double number : table::numbers(table, *samples)) band.samples.push_back(static_cast<int>(number));
     return band;

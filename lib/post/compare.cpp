@@ -11,7 +11,7 @@
 namespace soft::post {
 namespace {
 
-/// The path's value of `of` where `at` has the value of the row, nearest to what was measured; nullopt off the path.
+/// Value of `of` on the path where `at` has the value of the row; the crossing nearest to the measured value; nullopt off the path.
 std::optional<double> calculated(const Path& path, const Series& of, const Series& at, std::size_t row) {
     std::optional<double> nearest;
     for (const double s : path.crossings(at.column, path.within_reach(at.column, at.values[row]))) {
@@ -91,9 +91,9 @@ std::vector<ErrorSummary> compare(const Curve& curve, const Measured& measured) 
     const Path::Range range = path.range(series.column);
     const auto [low, high] = std::minmax_element(series.values.begin(), series.values.end());
     throw Error(ExitCode::bad_input, measured.source, "no point lies on the path",
-                column.quantity + " goes from " + with_unit(column, *low) + " to " + with_unit(column, *high) +
-                    " here, from " + with_unit(column, range.lowest) + " to " + with_unit(column, range.highest) +
-                    " on the path");
+                column.quantity + " ranges from " + with_unit(column, *low) + " to " + with_unit(column, *high) +
+                    " in the data and from " + with_unit(column, range.lowest) + " to " +
+                    with_unit(column, range.highest) + " on the path");
 }
 
 std::string csv_text(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors) {
@@ -130,7 +130,7 @@ std::vector<std::string> summary_lines(const Curve& curve, const Measured& measu
     return lines;
 }
 
-std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors,
+std::vector<Claim> check_max_error(const Curve& curve, const Measured& measured, std::span<const ErrorSummary> errors,
                                  std::string_view limit) {
     std::vector<Claim> claims;
     for (const ErrorSummary& error : errors) {
@@ -140,7 +140,7 @@ std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, s
         const double allowed = in_column_unit(of, std::get<double>(parsed));
         if (allowed < 0)
             throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is negative",
-                        "give how large an error may be");
+                        "give a positive limit");
         Claim claim{"largest error of " + name_of(curve, error) + " is at most " + with_unit(of, allowed) + " (" +
                         points_text(error) + ")",
                     ""};
@@ -149,9 +149,10 @@ std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, s
                             " at " + location_text(curve, measured, error) + ", allowed is " + with_unit(of, allowed);
         else if (error.left_out > 0)
             claim.failure = core::counted(error.left_out, "measured point") + " of " +
-                            std::to_string(error.points + error.left_out) + " cannot be held to " +
-                            with_unit(of, allowed) + " of " + name_of(curve, error) +
-                            ": beyond the path; let it go on (path.until), or leave them out of " + measured.source;
+                            std::to_string(error.points + error.left_out) +
+                            " lie beyond the path, so the limit of " + with_unit(of, allowed) + " of " +
+                            name_of(curve, error) + " cannot be checked; extend the path (path.until), or remove them from " +
+                            measured.source;
         claims.push_back(std::move(claim));
     }
     if (!claims.empty()) return claims;
@@ -159,11 +160,11 @@ std::vector<Claim> check_largest(const Curve& curve, const Measured& measured, s
         if (const Column& of = curve.columns[series.column];
             std::holds_alternative<double>(core::parse_quantity(limit, of.dimension)))
             return {{"largest error of " + of.quantity + " is at most " + std::string{limit},
-                     "no measured point lies on the path where " + of.quantity + " could be held to " +
-                         std::string{limit}}};
+                     "no measured point lies on the path, so the limit of " + std::string{limit} + " of " +
+                         of.quantity + " cannot be checked"}};
     std::vector<std::string> units;
     for (const ErrorSummary& error : errors) units.push_back(curve.columns[error.of].unit);
-    throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " is no quantity that was compared",
+    throw Error(ExitCode::usage, "--max-error", core::quoted(limit) + " does not have the unit of a compared quantity",
                 "give a number with a unit like " + core::join(units, " or "));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The curve as comma-separated text, lines ended by '\n'. Numbers are the shortest text that reads back to the same
-/// double. Tested by post/csv_test.
+/// The curve as comma-separated text with '\n' line ends. Numbers are the shortest text that reads back to the same double.
+/// Tested by post/csv_test.
 #include <span>
 #include <string>
 
@@ -8,7 +8,8 @@
 
 namespace soft::post {
 
-/// Columns on demand are left out unless show_also has shown them. `comments` precede the header, each behind "# "; a line break inside one starts a new comment line.
+/// Columns on demand are omitted unless show_also has enabled them. `comments` precede the header, each after "# "; a line break in a
+/// comment starts a new comment line.
 [[nodiscard]] std::string csv_text(const Curve& curve, std::span<const std::string> comments = {});
 
 }  // namespace soft::post

@@ -11,7 +11,7 @@ namespace soft::post {
 namespace {
 
 struct Unit {
-    std::string_view name, suffix;  // "1/m", and how a column's name ends: "per_m"
+    std::string_view name, suffix;  // "1/m", and the suffix of the column name: "per_m"
     core::Dimension dimension;
     double SI_per_unit;
 };
@@ -49,15 +49,15 @@ Column plain(const std::string& name, Role role, std::string meaning) {
     return with_unit(name, none, role, std::move(meaning));
 }
 
-/// Half width of the error of a coordinate: "pressure_error_kPa".
+/// Column with the half width of the error of a coordinate: "pressure_error_kPa".
 Column error_column(const Column& of) {
     Column column = of;
     column.quantity += "_error";
     column.name = column.quantity + of.name.substr(of.quantity.size());
     column.meaning = of.source == Source::load
-                         ? "half width of the error of the mesh in " + of.quantity + ", at an equal first output"
-                         : "half width of the error of the mesh in " + of.quantity + ", at an equal load";
-    column.role = Role::follower;
+                         ? "half width of the mesh error of " + of.quantity + ", at equal first output"
+                         : "half width of the mesh error of " + of.quantity + ", at equal load";
+    column.role = Role::dependent;
     column.source = Source::other;
     return column;
 }
@@ -67,16 +67,16 @@ Column leading_column(const model::Case& model) {
         case model::LeadingLoad::pressure:
             return coordinate("pressure", kilopascal, Source::load, "gauge pressure of the first load");
         case model::LeadingLoad::traction:
-            return coordinate("traction", kilopascal, Source::load, "first traction, where nothing is under pressure");
+            return coordinate("traction", kilopascal, Source::load, "first traction, if the case has no pressure load");
         case model::LeadingLoad::force:
-            return coordinate("load", newton, Source::load, "first force on a face, where nothing is under pressure");
+            return coordinate("load", newton, Source::load, "first force on a face, if the case has no pressure load");
         case model::LeadingLoad::load_factor: break;
     }
     return coordinate("load_factor", none, Source::load,
-                      "part of the loads, where there is no pressure, traction or force");
+                      "fraction of the loads, if the case has no pressure, traction or force");
 }
 
-/// Numbers of a step that are no part of the table unless they are asked for.
+/// Quantities of a step that are part of the table only on request.
 struct OnDemand {
     using Number = std::function<std::optional<double>(const solution::Step&)>;
     Column column;
@@ -87,49 +87,49 @@ struct OnDemand {
 std::vector<OnDemand> on_demand(const model::Case& model) {
     std::vector<OnDemand> list;
     const auto add = [&](const char* name, const Unit& unit, const char* meaning, auto value) {
-        list.push_back({with_unit(name, unit, Role::follower, meaning), value});
+        list.push_back({with_unit(name, unit, Role::dependent, meaning), value});
         list.back().column.shown = Shown::on_demand;
     };
     using Step = solution::Step;
     using Value = std::optional<double>;
-    add("stored_energy", millijoule, "energy stored in the rubber of the whole actuator",
+    add("stored_energy", millijoule, "strain energy stored in the whole actuator",
         [](const Step& s) { return s.energies ? Value(s.energies->stored_J) : std::nullopt; });
-    add("load_work", millijoule, "work done by the loads since the path began",
+    add("load_work", millijoule, "work done by the loads since the start of the path",
         [](const Step& s) { return s.energies ? Value(s.energies->load_work_J) : std::nullopt; });
     for (OnDemand& energy : list) energy.slope_SI = [](const Step& s) { return s.energies->tangent_J; };
-    const auto place = [](std::size_t i) {
+    const auto position = [](std::size_t i) {
         return [i](const Step& s) { return s.extremes ? Value(s.extremes->stretch_at_m[i]) : std::nullopt; };
     };
-    add("max_stretch_x", millimetre, "where max_stretch is, undeformed", place(0));
+    add("max_stretch_x", millimetre, "undeformed position of max_stretch", position(0));
     if (model.kinematics == model::Kinematics::axisymmetric)
-        add("max_stretch_r", millimetre, "where max_stretch is, undeformed", place(1));
+        add("max_stretch_r", millimetre, "undeformed position of max_stretch", position(1));
     else
-        add("max_stretch_y", millimetre, "where max_stretch is, undeformed", place(1));
+        add("max_stretch_y", millimetre, "undeformed position of max_stretch", position(1));
     if (model.kinematics == model::Kinematics::solid)
-        add("max_stretch_z", millimetre, "where max_stretch is, undeformed", place(2));
-    add("max_energy_density", per_volume, "largest strain energy per undeformed volume at an integration point",
+        add("max_stretch_z", millimetre, "undeformed position of max_stretch", position(2));
+    add("max_energy_density", per_volume, "largest strain energy per undeformed volume at a quadrature point",
         [](const Step& s) { return s.extremes ? Value(s.extremes->energy_J_m3) : std::nullopt; });
     return list;
 }
 
-/// What only a motion has: its time, which spans the path, and its energies.
+/// Columns of dynamic cases only: the time, which parametrises the path, and the energies.
 struct MotionColumns {
     using Motion = solution::Step::Motion;
     struct Energy {
         Column column;
         double Motion::*value;
     };
-    Column time = coordinate("time", second, Source::time, "since the body was at rest, undeformed");
+    Column time = coordinate("time", second, Source::time, "time since the undeformed state at rest");
     std::vector<Energy> energies;
 
     MotionColumns() {
         const auto add = [&](const char* name, double Motion::*value, const char* meaning) {
-            energies.push_back({with_unit(name, millijoule, Role::follower, meaning), value});
+            energies.push_back({with_unit(name, millijoule, Role::dependent, meaning), value});
         };
-        add("kinetic_energy", &Motion::kinetic_energy_J, "of the whole actuator, of a motion in time");
-        add("stored_energy", &Motion::stored_energy_J, "energy stored in the rubber of the whole actuator");
-        add("load_work", &Motion::load_work_J, "work done by the loads since the path began");
-        add("damping_work", &Motion::damping_work_J, "taken by damping, of a motion in time");
+        add("kinetic_energy", &Motion::kinetic_energy_J, "kinetic energy of the whole actuator, dynamic cases only");
+        add("stored_energy", &Motion::stored_energy_J, "strain energy stored in the whole actuator");
+        add("load_work", &Motion::load_work_J, "work done by the loads since the start of the path");
+        add("damping_work", &Motion::damping_work_J, "energy dissipated by damping, dynamic cases only");
     }
     void push(const Motion& motion) {
         time.values.push_back(motion.time_s);
@@ -139,7 +139,7 @@ struct MotionColumns {
     }
 };
 
-/// Columns of the members of a step that are lists: outputs, and pressures and volumes where there are several.
+/// Columns of the list members of a step: outputs, and pressures and volumes of cases with several.
 struct ListColumns {
     std::vector<Column> columns;
     std::vector<double> solution::Step::*values;
@@ -163,7 +163,7 @@ ListColumns pressure_columns(const model::Case& model) {
     if (model.loads.size() > 1)
         for (const model::PressureLoad& load : model.loads)
             list.columns.push_back(coordinate("pressure_" + load.name, kilopascal, Source::other,
-                                              "gauge pressure of each load, where there are several"));
+                                              "gauge pressure of each load, if there are several"));
     return list;
 }
 
@@ -173,7 +173,7 @@ ListColumns volume_columns(const model::Case& model) {
     if (cavities.size() > 1)
         for (const model::Cavity* cavity : cavities)
             list.columns.push_back(coordinate("volume_" + cavity->name, millilitre, Source::other,
-                                              "enclosed by each cavity, where there are several"));
+                                              "volume enclosed by each cavity, if there are several"));
     return list;
 }
 
@@ -192,27 +192,27 @@ void push(ListColumns& list, const solution::Step& step) {
 void check(std::span<const solution::Step> steps, std::span<const ListColumns> lists) {
     for (std::size_t row = 0; row < steps.size(); ++row) {
         const solution::Step& step = steps[row];
-        const std::string place = "path, step " + std::to_string(row);
+        const std::string location = "path, step " + std::to_string(row);
         for (const ListColumns& list : lists)
             if ((step.*list.values).size() != list.columns.size())
-                throw Error(ExitCode::bad_input, place,
+                throw Error(ExitCode::bad_input, location,
                             std::to_string((step.*list.values).size()) + " " + list.what +
                                 " are recorded, the case has " + std::to_string(list.columns.size()));
         if (step.volume_m3.has_value() != steps.front().volume_m3.has_value())
-            throw Error(ExitCode::bad_input, place, "the cavity volume is recorded at some of the steps only");
+            throw Error(ExitCode::bad_input, location, "the cavity volume is recorded at some of the steps only");
         if (step.motion.has_value() != steps.front().motion.has_value())
-            throw Error(ExitCode::bad_input, place, "the time is recorded at some of the steps only");
+            throw Error(ExitCode::bad_input, location, "the time is recorded at some of the steps only");
         const bool has_errors = steps.front().pressure_error_Pa.has_value();
         if (step.pressure_error_Pa.has_value() != has_errors ||
             step.output_errors.size() != (has_errors ? lists.front().columns.size() : 0))
-            throw Error(ExitCode::bad_input, place, "the errors are recorded at some of the steps only");
+            throw Error(ExitCode::bad_input, location, "the errors are recorded at some of the steps only");
     }
 }
 
 }  // namespace
 
 double in_column_unit(const Column& column, double value_SI) noexcept {
-    // 1000 is an exact double, 1e-3 is not: multiply by the inverse where that is a whole number
+    // 1000 is an exact double, 1e-3 is not: multiply by the inverse if that is a whole number
     const double inverse = 1 / column.SI_per_unit, whole = std::round(inverse);
     if (std::abs(inverse - whole) <= 1e-12 * inverse) return value_SI * whole;
     return value_SI / column.SI_per_unit;
@@ -239,23 +239,23 @@ Curve make_curve(const model::Case& model, std::span<const solution::Step> steps
     MotionColumns motion;
 
     Column number = plain("step", Role::counter, "number of the row");
-    Column stage = plain("stage", Role::stage, "1, 2 ..., where the path has several");
+    Column stage = plain("stage", Role::stage, "number of the stage, from 1, if the path has several");
     Column load = leading_column(model);
     Column volume =
-        coordinate("volume", millilitre, Source::volume, "enclosed by the cavities of the first load, whole actuator");
+        coordinate("volume", millilitre, Source::volume, "volume enclosed by the cavities of the first load, whole actuator");
     std::vector<Column> errors;
     if (!steps.empty() && steps.front().pressure_error_Pa) {
         errors.push_back(error_column(load));
         for (const Column& output : lists[0].columns) errors.push_back(error_column(output));
     }
     Column p99 =
-        plain("stretch_p99", Role::follower, "largest principal stretch exceeded in 1 % of the rubber: it converges");
-    Column largest = plain("max_stretch", Role::follower, "largest principal stretch at an integration point");
-    Column jacobian = plain("min_J", Role::follower, "least ratio of volumes at an integration point");
+        plain("stretch_p99", Role::dependent, "principal stretch exceeded in 1 % of the rubber; converges with the mesh");
+    Column largest = plain("max_stretch", Role::dependent, "largest principal stretch at a quadrature point");
+    Column jacobian = plain("min_J", Role::dependent, "smallest volume ratio J at a quadrature point");
     Column stable =
-        plain("stable", Role::flag, "1 where the state is stable under the loads as the design states them");
+        plain("stable", Role::flag, "1 if the state is stable under the loads as stated in the design");
     Column controlled = plain("stable_under_control", Role::flag,
-                              "1 where the state is stable under the control that found it, as a prescribed volume");
+                              "1 if the state is stable under the control used, such as a prescribed volume");
     const bool has_controlled = !steps.empty() && std::ranges::all_of(steps, [](const solution::Step& step) {
         return step.stable_under_control.has_value();
     });

@@ -1,5 +1,5 @@
 #pragma once
-/// The program gnuplot as a function: script in, picture out. No shell in between. Tested by post/gnuplot_test.
+/// Runs the program gnuplot without a shell: script in, picture out. Tested by post/gnuplot_test.
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,20 +8,20 @@
 
 namespace soft::post {
 
-/// A text in single quotes, in which only the quote itself is special: one line without control characters, in UTF-8.
+/// The text in single quotes, in which only the quote itself is special: one line without control characters, in UTF-8.
 [[nodiscard]] std::string gnuplot_text(std::string_view text);
 
-/// What gnuplot (found along PATH) writes to stdout when it is given `script`, without start-up
-/// files and variables of the user. It passes through a pipe: gnuplot ends
-/// well also where its writes fail, so it must not write to a disk itself. Error(cannot_create, `place`): no gnuplot
-/// (names the package), or it refused the script (its first words are in the message).
-[[nodiscard]] core::Bytes gnuplot_bytes(std::string_view script, std::string_view place);
+/// The output of gnuplot (found along PATH) on stdout for `script`, without the user's start-up files and variables. The output passes
+/// through a pipe: gnuplot reports success even if its writes fail, so it must not write to a disk itself. Throws
+/// Error(cannot_create, `location`) if gnuplot is missing (the message names the package) or rejects the script (the message contains
+/// gnuplot's first line).
+[[nodiscard]] core::Bytes gnuplot_bytes(std::string_view script, std::string_view location);
 
-/// The same into `file`, whole or not at all; no temporary file exists while gnuplot works. Besides:
-/// Error(cannot_create) or Error(io_error) where the file cannot be written.
+/// Writes the output to `file` atomically; no temporary file exists while gnuplot runs. Throws in addition Error(cannot_create) or
+/// Error(io_error) if the file cannot be written.
 void run_gnuplot(std::string_view script, const std::filesystem::path& file);
 
-/// The same as text: an SVG picture.
-[[nodiscard]] std::string gnuplot_output(std::string_view script, std::string_view place);
+/// The output as text, for an SVG picture.
+[[nodiscard]] std::string gnuplot_output(std::string_view script, std::string_view location);
 
 }  // namespace soft::post

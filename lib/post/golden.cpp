@@ -11,16 +11,16 @@
 namespace soft::post {
 namespace {
 
-constexpr double small_share = 1e-3;  // of a column's largest value: what is smaller counts as so large, see the header
+constexpr double small_share = 1e-3;  // of the largest value in the column: smaller values are treated as this large, see the header
 constexpr std::size_t absent = static_cast<std::size_t>(-1);
 
-/// A column of the golden table beside that of the curve.
+/// A column of the golden table and the matching column of the curve.
 struct Pair {
     std::string name;
     std::size_t column = absent;
     std::vector<double> golden;
     double largest = 0;   ///< |golden|
-    double absolute = 0;  ///< allowed whatever the value
+    double absolute = 0;  ///< absolute tolerance
 
     [[nodiscard]] double allowed(double value, double relative) const {
         return absolute + relative * std::max(std::abs(value), small_share * largest);
@@ -35,7 +35,7 @@ std::vector<Pair> pair_columns(const Curve& curve, const table::Table& golden, c
         for (std::size_t k = 0; k < curve.columns.size(); ++k)
             if (curve.columns[k].name == pair.name) pair.column = k;
         if (pair.column != absent && curve.columns[pair.column].role == Role::counter)
-            continue;  // numbers of other steps
+            continue;  // step numbers differ
         for (const Allowance& allowance : tolerance.absolute)
             if (allowance.quantity.empty() ||
                 (pair.column != absent && curve.columns[pair.column].quantity == allowance.quantity))
@@ -45,7 +45,7 @@ std::vector<Pair> pair_columns(const Curve& curve, const table::Table& golden, c
     return pairs;
 }
 
-/// The coordinates that both have, in the order in which they are asked to lead.
+/// The coordinates present in both tables, in order of preference as leader.
 std::vector<Track> make_tracks(const Curve& curve, std::span<const Pair> pairs) {
     std::vector<Track> tracks;
     for (const Source source : {Source::time, Source::output, Source::volume, Source::load, Source::other})
@@ -56,45 +56,46 @@ std::vector<Track> make_tracks(const Curve& curve, std::span<const Pair> pairs) 
     return tracks;
 }
 
-/// A place between two rows of the path.
-struct Between {
+/// A position between two rows of the path.
+struct PathPosition {
     std::size_t left, right;  ///< rows
-    double t;                 ///< share of the way
-    std::size_t first, last;  ///< rows whose stage and stability may hold here: a row may be held in place by the next
+    double t;                 ///< fraction of the interval
+    std::size_t first, last;  ///< rows whose stage and stability are accepted here
 };
 
-Between between(const Path& path, std::size_t row_count, double s) {
+PathPosition locate(const Path& path, std::size_t row_count, double s) {
     const auto parameters = path.row_parameters();
-    constexpr double at_a_row = 1e-6;  // of the way: the solver's own tolerance along the path is finer
+    constexpr double at_a_row = 1e-6;  // fraction of an interval: the solver's tolerance along the path is smaller
     if (parameters.size() < 2) return {0, 0, 0, 0, row_count - 1};
     const auto above = std::upper_bound(parameters.begin() + 1, parameters.end() - 1, s);
     const auto i = static_cast<std::size_t>(above - parameters.begin());
     const double t = (s - parameters[i - 1]) / (parameters[i] - parameters[i - 1]);
-    Between place{path.rows()[i - 1], path.rows()[i], t, path.rows()[i - 1], path.rows()[i]};
-    if (t < at_a_row && i > 1) place.first = path.rows()[i - 2];
-    if (t > 1 - at_a_row) place.last = i + 1 < parameters.size() ? path.rows()[i + 1] : row_count - 1;
-    return place;
+    PathPosition position{path.rows()[i - 1], path.rows()[i], t, path.rows()[i - 1], path.rows()[i]};
+    if (t < at_a_row && i > 1) position.first = path.rows()[i - 2];
+    if (t > 1 - at_a_row) position.last = i + 1 < parameters.size() ? path.rows()[i + 1] : row_count - 1;
+    return position;
 }
 
-/// What may be granted besides the tolerance, because the solver knows this column at the rows only.
-double interpolation_doubt(const Column& column, const Between& place, double found, double golden) {
+/// Additional tolerance for a column that the solver computes at the rows only.
+double interpolation_allowance(const Column& column, const PathPosition& position, double found, double golden) {
     switch (column.role) {
         case Role::coordinate:
         case Role::counter: return 0;
-        case Role::follower: {
+        case Role::dependent: {
             const double straight =
-                column.values[place.left] + place.t * (column.values[place.right] - column.values[place.left]);
+                column.values[position.left] +
+                position.t * (column.values[position.right] - column.values[position.left]);
             return std::abs(found - straight);
         }
         case Role::flag:
         case Role::stage: break;
     }
-    for (std::size_t row = place.first; row <= place.last; ++row)
-        if (column.values[row] == golden) return HUGE_VAL;  // one of those it may be
+    for (std::size_t row = position.first; row <= position.last; ++row)
+        if (column.values[row] == golden) return HUGE_VAL;  // the golden value equals one of the accepted ones
     return 0;
 }
 
-/// Values of the leading column; what misses the path by less than is allowed is held against its end.
+/// Values of the leading column; a value that misses the path by less than its tolerance is replaced by the nearest end.
 std::vector<double> within_reach(const Pair& lead, const Path::Range& range, double relative) {
     std::vector<double> targets;
     for (const double value : lead.golden) {
@@ -104,18 +105,18 @@ std::vector<double> within_reach(const Pair& lead, const Path::Range& range, dou
     return targets;
 }
 
-double covered_by(std::span<const double> places, const Path& path) {
+double covered_fraction(std::span<const double> positions, const Path& path) {
     if (!(path.length() > 0)) return 1;
     double first = HUGE_VAL, last = -HUGE_VAL;
-    for (const double place : places)
-        if (!std::isnan(place)) {
-            first = std::min(first, place);
-            last = std::max(last, place);
+    for (const double position : positions)
+        if (!std::isnan(position)) {
+            first = std::min(first, position);
+            last = std::max(last, position);
         }
     return std::max(last - first, 0.0) / path.length();
 }
 
-/// Row by row into a verdict.
+/// Compares row by row and collects the result in a verdict.
 struct RowCheck {
     const Curve& curve;
     const Path& path;
@@ -142,20 +143,20 @@ struct RowCheck {
     }
     void at(std::size_t row, double s) {
         const std::vector<double> found = path.at(s);
-        const Between place = between(path, curve.row_count(), s);
+        const PathPosition position = locate(path, curve.row_count(), s);
         for (std::size_t i = 0; i < pairs.size(); ++i) {
             const Pair& pair = pairs[i];
             if (pair.column == absent) continue;
             const double value = pair.golden[row], here = found[pair.column];
-            const double doubt = interpolation_doubt(curve.columns[pair.column], place, here, value);
-            compare(i, {row, value, here, pair.allowed(value, relative) + doubt});
+            const double allowance = interpolation_allowance(curve.columns[pair.column], position, here, value);
+            compare(i, {row, value, here, pair.allowed(value, relative) + allowance});
         }
     }
 };
 
 double not_negative(double value, std::string_view text, const std::string& option) {
     if (value < 0)
-        throw Error(ExitCode::usage, option, core::quoted(text) + " is negative", "give how much a difference may be");
+        throw Error(ExitCode::usage, option, core::quoted(text) + " is negative", "give a positive tolerance");
     return value;
 }
 
@@ -188,33 +189,33 @@ Allowance parse_allowance(std::string_view text, const Curve& curve) {
 
 Verdict check_golden(const Curve& curve, const table::Table& golden, const Tolerance& tolerance) {
     if (golden.headings.empty())
-        throw Error(ExitCode::bad_input, golden.source, "has no header", "give a table that postprocess has written");
+        throw Error(ExitCode::bad_input, golden.source, "has no header", "give a table written by postprocess");
     const std::vector<Pair> pairs = pair_columns(curve, golden, tolerance);
     const std::vector<Track> tracks = make_tracks(curve, pairs);
     if (tracks.empty())
-        throw Error(ExitCode::bad_input, golden.source, "has no column by which its rows could be found on the path",
+        throw Error(ExitCode::bad_input, golden.source, "has no column that locates its rows on the path",
                     "it needs one of " + curve.coordinate_names());
     const auto known =
         std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) { return pair.column != absent; });
     if (known < 2)
         throw Error(ExitCode::bad_input, golden.source,
-                    "has no column beside the one by which its rows are found: nothing is checked",
+                    "has no column to check besides the one that locates its rows",
                     "give a table with at least two quantities");
     const std::size_t leader = leading_track(tracks), column = tracks[leader].column;
     const Path path(curve);
     const auto lead = std::find_if(pairs.begin(), pairs.end(), [&](const Pair& pair) { return pair.column == column; });
     const std::vector<double> targets = within_reach(*lead, path.range(column), tolerance.relative);
-    const std::vector<double> places = align(path, tracks, leader, targets);
+    const std::vector<double> positions = align(path, tracks, leader, targets);
 
-    Verdict verdict{lead->name, {}, golden.rows.size(), 0, 0, covered_by(places, path)};
+    Verdict verdict{lead->name, {}, golden.rows.size(), 0, 0, covered_fraction(positions, path)};
     for (const Pair& pair : pairs) verdict.columns.push_back({pair.name, pair.column != absent, std::nullopt, 0});
     RowCheck check{curve, path, pairs, tolerance.relative, verdict};
-    for (std::size_t row = 0; row < places.size(); ++row) {
+    for (std::size_t row = 0; row < positions.size(); ++row) {
         const std::size_t before = check.differences;
-        if (std::isnan(places[row]))
+        if (std::isnan(positions[row]))
             check.unreached(row, static_cast<std::size_t>(lead - pairs.begin()));
         else
-            check.at(row, places[row]);
+            check.at(row, positions[row]);
         verdict.differing_rows += check.differences > before ? 1 : 0;
     }
     return verdict;

@@ -1,15 +1,15 @@
 #pragma once
-/// A path against a table of the same case that is known to be right: `postprocess --check golden.csv`.
+/// Compares a path with a reference table of the same case (golden file): `postprocess --check golden.csv`.
 ///
-/// The golden rows need not be the rows of the path: another machine, release or step rule may put its steps elsewhere on the
-/// same curve. So each golden row is compared with the place on the smooth path (post/interpolate) where one coordinate has
-/// its golden value: the first of time, outputs, volume, load and the others that goes one way through all golden rows, else
-/// the one that turns back least. Of several such places those are taken that together lie nearest to the golden rows in the
-/// other coordinates (each over its golden range) without going back along the path.
-/// A row agrees in a column where |found - golden| <= atol + rtol max(|golden|, 1e-3 largest |golden| of the column).
-/// Between two rows of the path, values that the solver does not follow (stretches, energies, error bars) are granted the
-/// difference between smooth and straight interpolation besides. `stable` and `stage` may be those of either row (at a row,
-/// also those of its neighbours). `step` is not compared. Tested by post/golden_test.
+/// The golden rows need not be rows of the path: another machine, release or step-size rule may choose other steps on the same curve.
+/// Each golden row is therefore compared with the position on the smooth path (post/interpolate) where one coordinate, the leader, has
+/// its golden value. The leader is the first of time, outputs, volume, load and the others with the fewest reversals over the golden
+/// rows. Among several crossings, the positions are chosen that together lie nearest to the golden rows in the other coordinates (each
+/// divided by its golden range) without moving backwards along the path.
+/// A row agrees in a column if |found - golden| <= atol + rtol max(|golden|, 1e-3 largest |golden| of the column).
+/// Between two rows of the path, quantities without slopes from the solver (stretches, energies, error bars) are additionally allowed
+/// the difference between smooth and linear interpolation. `stable` and `stage` may have the value of either row (at a row, also those
+/// of its neighbours). `step` is not compared. Tested by post/golden_test.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -22,13 +22,13 @@
 
 namespace soft::post {
 
-/// Largest allowed absolute difference; of every column, in its own unit, where `quantity` is empty.
+/// Largest allowed absolute difference; applies to every column, in its own unit, if `quantity` is empty.
 struct Allowance {
     std::string quantity;
     double value = 0;  ///< in the unit of the column
 };
 
-/// "pressure=5Pa", "min_J=1e-4" or "1e-9". Errors (usage): no such column, no value with a unit of its kind.
+/// Parses "pressure=5Pa", "min_J=1e-4" or "1e-9". Throws Error (usage) for an unknown column or a value without a matching unit.
 [[nodiscard]] Allowance parse_allowance(std::string_view text, const Curve& curve);
 
 struct Tolerance {
@@ -36,9 +36,9 @@ struct Tolerance {
     std::vector<Allowance> absolute;
 };
 
-/// Where a column first differs.
+/// First difference in a column.
 struct Difference {
-    std::size_t row = 0;  ///< of the golden table
+    std::size_t row = 0;  ///< row of the golden table
     double golden = 0, found = 0;
     double allowed = 0;
     bool reached = true;  ///< false: the path does not reach this row; `found` is its nearest end
@@ -46,28 +46,28 @@ struct Difference {
 
 struct ColumnVerdict {
     std::string name;
-    bool present = true;  ///< in the path
+    bool present = true;  ///< the path has this column
     std::optional<Difference> first;
     std::size_t differing_rows = 0;
 };
 
 struct Verdict {
-    std::string leader;  ///< column by which the rows were found
+    std::string leader;  ///< column that locates the rows on the path
     std::vector<ColumnVerdict> columns;
     std::size_t rows = 0, differing_rows = 0;
     double nearest_miss = 0;  ///< largest |found - golden| / allowed
-    double covered = 1;  ///< share of the path's length between the first and the last golden row that is found on it
+    double covered = 1;  ///< fraction of the path length between the first and the last golden row found on it
 
     [[nodiscard]] bool agrees() const noexcept;
 };
 
-/// Errors (bad_input): a golden table without header or with a cell that is no number, or without any coordinate of the curve.
+/// Throws Error (bad_input) for a golden table without header, with a cell that is not a number, or without a coordinate of the curve.
 [[nodiscard]] Verdict check_golden(const Curve& curve, const table::Table& golden, const Tolerance& tolerance);
 
 /// One line: "golden.csv:14: pressure_kPa is 41.2 where elongation_mm is 80, golden 40.1: 1.1 apart, allowed 0.04; ...".
-/// For the first column in the first row that differs; only where the verdict does not agree.
+/// Reports the first column of the first differing row. Empty if all columns agree.
 [[nodiscard]] std::string failure_text(const Verdict& verdict, const table::Table& golden);
-/// The same of one column; empty where it agrees.
+/// The same for one column; empty if it agrees.
 [[nodiscard]] std::string failure_text(const Verdict& verdict, const ColumnVerdict& column, const table::Table& golden);
 
 }  // namespace soft::post

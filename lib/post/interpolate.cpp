@@ -10,7 +10,7 @@
 namespace soft::post {
 namespace {
 
-/// Coordinates in units of their own range; a coordinate that never moves does not count.
+/// Coordinates divided by their range; constant coordinates are ignored.
 struct Metric {
     std::vector<const Column*> columns;
     std::vector<double> inverse_range;
@@ -37,7 +37,7 @@ struct Metric {
             sum += columns[i]->slopes[row_a] * columns[i]->slopes[row_b] * inverse_range[i] * inverse_range[i];
         return sum;
     }
-    /// Norm of the recorded direction; 0 where none is recorded.
+    /// Norm of the recorded direction; 0 if none is recorded.
     [[nodiscard]] double norm(std::size_t row) const { return std::sqrt(product(row, row)); }
     /// Scalar product of the direction recorded at `row` with the chord between two rows.
     [[nodiscard]] double along(std::size_t row, std::size_t row_a, std::size_t row_b) const {
@@ -49,17 +49,17 @@ struct Metric {
     }
 };
 
-/// Speeds at the ends of the interval between two rows, and whether the direction recorded at the first counts.
+/// Speeds at the ends of the interval between two rows, and which recorded directions are used.
 struct Speeds {
     double start, end;
     enum class Directions { both, second, none } directions = Directions::both;
 };
 
-constexpr double max_ratio = 2;  // of a speed to the chord; beyond, the directions do not enclose it
+constexpr double max_ratio = 2;  // of a speed to the chord; above it the directions do not enclose the chord
 constexpr double parallel =
-    1e-10;  // sin^2 of the angle between directions; below, their rounding decides on the speeds
+    1e-10;  // sin^2 of the angle between directions; below it rounding would dominate the speeds
 
-/// Speeds at both ends of the interval between two rows of one stage, see the header.
+/// Speeds at both ends of an interval within one stage, see the header.
 Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) {
     const double chord = metric.distance(row_a, row_b);
     const double norm_a = metric.norm(row_a), norm_b = metric.norm(row_b);
@@ -69,13 +69,13 @@ Speeds interval_speeds(const Metric& metric, std::size_t row_a, std::size_t row_
     const double determinant = 1 - cosine * cosine;
     if (!(determinant > parallel)) return {chord, chord};
     const Speeds speeds{(a - b * cosine) / determinant, (b - a * cosine) / determinant};
-    const auto sound = [&](double v) { return v * max_ratio > chord && v < chord * max_ratio; };  // not for nan
-    return sound(speeds.start) && sound(speeds.end) ? speeds : Speeds{chord, chord};
+    const auto is_valid = [&](double v) { return v * max_ratio > chord && v < chord * max_ratio; };  // false for NaN
+    return is_valid(speeds.start) && is_valid(speeds.end) ? speeds : Speeds{chord, chord};
 }
 
-/// The first interval of a stage: the direction recorded at its first row is that of the stage before, see the header.
+/// Speeds in the first interval of a stage. The direction recorded at its first row belongs to the previous stage, see the header.
 Speeds first_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) {
-    constexpr double noise = 1e-6;  // of the chord: a coordinate that moves less does not tell
+    constexpr double noise = 1e-6;  // of the chord: slopes of coordinates that change less are ignored
     const double chord = metric.distance(row_a, row_b), norm = metric.norm(row_b);
     const Speeds straight{chord, chord, Speeds::Directions::none};
     if (!(chord > 0 && norm > 0)) return straight;
@@ -91,7 +91,7 @@ Speeds first_speeds(const Metric& metric, std::size_t row_a, std::size_t row_b) 
     return {speed, speed, Speeds::Directions::second};
 }
 
-/// Root of a monotone piece by bisection: as sharp as doubles allow, and nothing can go wrong.
+/// Root of a monotone piece by bisection to the resolution of doubles.
 double bisect(const Hermite& cubic, double value, double left, double right) {
     const bool rising = cubic(right) > cubic(left);
     while (true) {
@@ -104,13 +104,13 @@ double bisect(const Hermite& cubic, double value, double left, double right) {
 }  // namespace
 
 double Hermite::operator()(double t) const noexcept {
-    if (t >= 1) return q1;  // exact at the ends: neighbouring pieces must agree there to the last bit
+    if (t >= 1) return q1;  // exact at the ends: neighbouring pieces must be bitwise equal there
     const double d = q1 - q0;
     return q0 + t * (m0 + t * (3 * d - 2 * m0 - m1 + t * (m0 + m1 - 2 * d)));
 }
 
 std::vector<double> Hermite::monotone_pieces() const {
-    // dq/dt = a t^2 + 2 b t + c; roots by the form that does not cancel
+    // dq/dt = a t^2 + 2 b t + c; roots in the form without cancellation
     const double d = q1 - q0, a = 3 * (m0 + m1 - 2 * d), b = 3 * d - 2 * m0 - m1, c = m0;
     std::vector<double> ends{0};
     if (const double discriminant = b * b - a * c; discriminant > 0) {
@@ -126,13 +126,13 @@ std::vector<double> Hermite::monotone_pieces() const {
 
 namespace {
 
-/// Of a motion: slopes are derivatives by time, so that the speed of a row is the length of its own.
+/// Speeds for a motion: slopes are time derivatives, so the speed at a row is the norm of its slopes times the duration.
 Speeds motion_speeds(const Metric& metric, const Column& time, std::size_t row_a, std::size_t row_b) {
     const double duration = time.values[row_b] - time.values[row_a];
     return {metric.norm(row_a) * duration, metric.norm(row_b) * duration};
 }
 
-/// Share of the chord that the path has covered on an interval, a cubic of t like the coordinates themselves.
+/// Fraction of the chord that the path has covered in an interval, a cubic of t like the coordinates.
 Hermite progress(const Metric& metric, const Curve& curve, const std::vector<std::vector<Hermite>>& pieces,
                  std::size_t interval, double chord) {
     Hermite progress{0, 1, 0, 0};
@@ -146,13 +146,13 @@ Hermite progress(const Metric& metric, const Curve& curve, const std::vector<std
     return progress;
 }
 
-/// Slopes dq/ds at both ends of an interval; at a row in the midst of a stage neighbours agree.
+/// Slopes dq/ds at both ends of an interval; they are continuous at rows within a stage.
 struct EndSlopes {
     double start, end;
 };
 
-/// Of each interval. `corners`: rows at which a stage begins. What a column did before one says nothing of what it does after:
-/// between a pull and the way back the energy has its maximum there and yet is flat on neither side.
+/// Slopes of each interval. `corners` are the rows at which a stage begins. Slopes on both sides of a corner are independent: between
+/// loading and unloading the energy has a maximum, but its slope is zero on neither side.
 std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<const double> q,
                                        std::span<const std::size_t> corners) {
     std::vector<EndSlopes> ends;
@@ -168,7 +168,7 @@ std::vector<EndSlopes> slopes_by_stage(std::span<const double> s, std::span<cons
     return ends;
 }
 
-/// Whether the solver says how the column goes on from a row.
+/// True if the solver provides the derivative of the column along the path.
 bool has_slopes(const Column& column) { return column.role == Role::coordinate || !column.slopes.empty(); }
 
 const Column* first_of(const Curve& curve, auto is_wanted) {
@@ -179,12 +179,12 @@ const Column* first_of(const Curve& curve, auto is_wanted) {
 }  // namespace
 
 Path::Path(const Curve& curve) : curve_(&curve) {
-    if (curve.row_count() == 0) throw Error(ExitCode::bad_input, "path", "the result holds no step");
+    if (curve.row_count() == 0) throw Error(ExitCode::bad_input, "path", "the result contains no steps");
     const Metric metric(curve);
     const Column* stage = first_of(curve, [](const Column& column) { return column.role == Role::stage; });
     const Column* time = first_of(curve, [](const Column& column) { return column.source == Source::time; });
     std::vector<Speeds> speeds;
-    std::vector<double> chords{0};  // added up
+    std::vector<double> chords{0};  // cumulative
     std::vector<std::size_t> corners;
     rows_.push_back(0);
     s_.push_back(0);
@@ -205,15 +205,15 @@ Path::Path(const Curve& curve) : curve_(&curve) {
     for (const Column& column : curve.columns) {
         std::vector<double> q;
         for (const std::size_t row : rows_) q.push_back(column.values[row]);
-        const std::vector<double>& places = has_slopes(column) || time != nullptr ? s_ : chords;
-        const std::vector<EndSlopes> by_rows = slopes_by_stage(places, q, corners);
+        const std::vector<double>& parameters = has_slopes(column) || time != nullptr ? s_ : chords;
+        const std::vector<EndSlopes> by_rows = slopes_by_stage(parameters, q, corners);
         const auto slope = [&](std::size_t i, double speed, double otherwise) {
             const double norm = has_slopes(column) ? metric.norm(rows_[i]) : 0;
             return norm > 0 ? column.slopes[rows_[i]] / norm * speed : otherwise;
         };
         std::vector<Hermite>& pieces = pieces_.emplace_back();
         for (std::size_t i = 0; i < speeds.size(); ++i) {
-            const double ds = places[i + 1] - places[i], difference = q[i + 1] - q[i];
+            const double ds = parameters[i + 1] - parameters[i], difference = q[i + 1] - q[i];
             const bool known = !has_slopes(column) || speeds[i].directions == Speeds::Directions::both;
             double start = slope(i, speeds[i].start, by_rows[i].start * ds),
                    end = slope(i + 1, speeds[i].end, by_rows[i].end * ds);
@@ -237,7 +237,7 @@ double Path::in_interval(std::size_t column, std::size_t interval, double t) con
         case Role::counter: return left + t * (right - left);
         case Role::stage: return t <= 0 ? left : right;
         case Role::flag: return t <= 0 ? left : t >= 1 ? right : std::min(left, right);
-        case Role::follower:
+        case Role::dependent:
             if (has_slopes(curve_->columns[column])) break;
             return pieces_[column][interval](std::clamp(progress_[interval](t), 0.0, 1.0));
         case Role::coordinate: break;
@@ -259,8 +259,8 @@ std::vector<double> Path::at(double s) const {
     return row;
 }
 
-/// How near the solver takes a path to a goal, as a fraction of the goal (SolverSettings::residual_tolerance by default).
-constexpr double solved_to = 1e-9;
+/// Relative distance within which the solver reaches a goal (default of SolverSettings::residual_tolerance).
+constexpr double goal_tolerance = 1e-9;
 
 std::vector<double> Path::crossings(std::size_t column, double value) const {
     std::vector<double> found;
@@ -268,7 +268,7 @@ std::vector<double> Path::crossings(std::size_t column, double value) const {
         const Hermite& cubic = pieces_[column][interval];
         const std::vector<double> ends = cubic.monotone_pieces();
         const double ds = s_[interval + 1] - s_[interval];
-        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {  // each piece owns its left end only
+        for (std::size_t i = 0; i + 1 < ends.size(); ++i) {  // each piece includes its left end only
             const double left = cubic(ends[i]) - value, right = cubic(ends[i + 1]) - value;
             if (left == 0)
                 found.push_back(s_[interval] + ds * ends[i]);
@@ -276,11 +276,11 @@ std::vector<double> Path::crossings(std::size_t column, double value) const {
                 found.push_back(s_[interval] + ds * bisect(cubic, value, ends[i], ends[i + 1]));
         }
     }
-    // A path that ends at this very value ends there to the solver's tolerance, a little before or beyond it.
+    // A path with this value as its goal ends within the solver's tolerance, slightly before or beyond it.
     const auto& values = curve_->columns[column].values;
     const double last = values[rows_.back()], size = std::max(std::abs(last), std::abs(value));
-    const bool at_the_end = std::abs(last - value) <= solved_to * size;
-    if (at_the_end && (found.empty() || found.back() < s_.back() - solved_to * (s_.back() - s_.front())))
+    const bool at_the_end = std::abs(last - value) <= goal_tolerance * size;
+    if (at_the_end && (found.empty() || found.back() < s_.back() - goal_tolerance * (s_.back() - s_.front())))
         found.push_back(s_.back());
     return found;
 }

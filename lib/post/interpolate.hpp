@@ -1,24 +1,22 @@
 #pragma once
-/// The path between its rows: one smooth curve through all of them, and where it crosses a value.
+/// Interpolation of the path between its rows: one smooth curve through all rows, and its crossings of a value.
 ///
-/// Between two rows every column is a cubic Hermite polynomial of one parameter t. The coordinates (pressure, outputs,
-/// volume), each divided by its range, make the path a curve in the plane or in space. The solver gives its unit
-/// directions u0, u1 at the rows; the speeds v0, v1 that belong to them solve, in the sense of least squares,
+/// Between two rows every column is a cubic Hermite polynomial of one parameter t. The coordinates (pressure, outputs, volume), each
+/// divided by its range, form a curve in the plane or in space. The solver provides its unit directions u0, u1 at the rows. The speeds
+/// v0, v1 solve, in the least-squares sense,
 ///     (v0 u0 + v1 u1) / 2 = q1 - q0,
-/// so that a piece of any parabola is met exactly and any smooth path to fourth order (derived here). Where that has no
-/// sound answer (a straight piece, whose directions are parallel, a point of inflection) both speeds are the length of the chord. A column beside the
-/// coordinates that has slopes too (energies: the power of the loads) goes by the same speeds. Rows without
-/// slopes, and columns that have none, take those of their rows (monotone_slopes.hpp: third order, each interval monotone).
-/// The latter are cubics of the progress along the chord, (q(t) - q0) . (q1 - q0) / |q1 - q0|^2, which unlike t runs as
-/// evenly as the path itself.
-/// A change of stage is a corner: the slopes of rows belong to one stage, one-sided at both its ends, and a column is straight
-/// where the stage is a single interval, of which no more is known. Of the coordinates the last row of a stage holds the
-/// direction in which that stage has arrived, and the way on to the next row belongs to the next stage. There the piece is
-/// the arc that leaves the chord as it arrives, known by u1 alone: m1 = v u1, m0 = 2 (q1 - q0) - m1,
-/// v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order; derived here). Where u1 is not within 60 degrees
-/// of the chord, or a coordinate would turn back on the way, it is a straight line.
-/// Of a motion the parameter is time itself, and the slopes, which are derivatives by time, stand for themselves: the cubic
-/// through two rows meets values and velocities. Tested by post/interpolate_test and post/followers_test.
+/// which reproduces any parabola exactly and any smooth path to fourth order (derived here). If this has no valid solution (parallel
+/// directions on a straight piece, an inflection point), both speeds are the length of the chord. A dependent column with slopes
+/// (energies: the power of the loads) uses the same speeds. Rows without slopes and columns without slopes use slopes estimated from
+/// the rows (monotone_slopes.hpp: third order, each interval monotone). Columns without slopes are cubics of the progress along the
+/// chord, (q(t) - q0) . (q1 - q0) / |q1 - q0|^2, which is more uniform along the path than t.
+/// At a change of stage the path has a corner. Estimated slopes use the rows of one stage only, one-sided at both its ends, and are
+/// linear in a stage with a single interval. The last row of a stage records the direction of that stage, and the interval to the next
+/// row belongs to the next stage. In this interval the piece is the arc given by u1 alone: m1 = v u1, m0 = 2 (q1 - q0) - m1,
+/// v = |q1 - q0| / cos(chord, u1) (a parabola about its axis, third order; derived here). It is a straight line if u1 is not within
+/// 60 degrees of the chord, or if a coordinate would not be monotonic in the interval.
+/// For a motion the parameter is the time, and the slopes are time derivatives: the cubic through two rows interpolates values and
+/// velocities. Tested by post/interpolate_test and post/dependent_columns_test.
 #include <span>
 #include <vector>
 
@@ -31,29 +29,30 @@ struct Hermite {
     double q0, q1, m0, m1;
 
     [[nodiscard]] double operator()(double t) const noexcept;
-    /// Ends of the monotone pieces: 0, the interior extrema in order, 1.
+    /// Ends of the monotone pieces: 0, the interior extrema in ascending order, 1.
     [[nodiscard]] std::vector<double> monotone_pieces() const;
 };
 
-/// A curve made continuous. The curve must outlive it.
+/// Continuous interpolant of a curve. The curve must outlive it.
 class Path {
 public:
     explicit Path(const Curve& curve);
 
     [[nodiscard]] double length() const noexcept { return s_.back(); }
-    /// Parameters of the rows that move the path (a row equal to the one before it is left out).
+    /// Parameters of the distinct rows (a row equal to the previous one is omitted).
     [[nodiscard]] std::span<const double> row_parameters() const noexcept { return s_; }
     [[nodiscard]] std::span<const std::size_t> rows() const noexcept { return rows_; }
     /// All columns at path parameter s in [0, length()], in the order of the curve.
     [[nodiscard]] std::vector<double> at(double s) const;
-    /// All s at which the column, a coordinate, has `value` (column's unit), in the order of the path.
+    /// All s at which the column, a coordinate, has `value` (in the column's unit), in path order.
     [[nodiscard]] std::vector<double> crossings(std::size_t column, double value) const;
     struct Range {
         double lowest, highest;
     };
-    /// Of the smooth curve, extrema between the rows included.
+    /// Range of the smooth curve, including extrema between the rows.
     [[nodiscard]] Range range(std::size_t column) const;
-    /// `value`, or the end of the range that it misses by its millionth: a path that was to end at 130 mm ends at 129.9999999 mm.
+    /// `value`, or the end of the range if `value` lies beyond it by at most a millionth of the range: a path with the goal 130 mm may
+    /// end at 129.9999999 mm.
     [[nodiscard]] double within_reach(std::size_t column, double value) const;
 
 private:
@@ -61,9 +60,9 @@ private:
 
     const Curve* curve_;
     std::vector<std::size_t> rows_;             ///< distinct rows of the path
-    std::vector<double> s_;                     ///< their parameters: mean speeds of the intervals, added up
-    std::vector<std::vector<Hermite>> pieces_;  ///< [column][interval]; with slopes of t, the others of the progress
-    std::vector<Hermite> progress_;             ///< of each interval, of t
+    std::vector<double> s_;                     ///< their parameters: cumulative mean speeds of the intervals
+    std::vector<std::vector<Hermite>> pieces_;  ///< [column][interval]; functions of t, or of the progress for columns without slopes
+    std::vector<Hermite> progress_;             ///< [interval], function of t
 };
 
 }  // namespace soft::post

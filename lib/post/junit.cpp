@@ -9,10 +9,10 @@
 namespace soft::post {
 namespace {
 
-constexpr std::size_t longest = 2000;  // of a text in a report
+constexpr std::size_t max_length = 2000;  // of a text in a report
 
 std::string fit(const std::string& text) {
-    const std::string line = core::one_line(text, longest);
+    const std::string line = core::one_line(text, max_length);
     return core::first_invalid_utf8(line) ? "?" : line;
 }
 

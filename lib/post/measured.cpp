@@ -18,7 +18,7 @@ std::string folded(std::string_view name) {
     return text;
 }
 
-/// A column of the file for a column of the curve.
+/// A column of the file assigned to a column of the curve.
 struct Match {
     std::size_t of_curve, of_file;
     std::string unit;
@@ -26,7 +26,7 @@ struct Match {
 
 class Matcher {
 public:
-    Matcher(const table::Table& file, const Curve& curve) : file_(file), curve_(curve), taken_(file.width(), 0) {}
+    Matcher(const table::Table& file, const Curve& curve) : file_(file), curve_(curve), assigned_(file.width(), 0) {}
 
     void choose(const ColumnChoice& choice) {
         const Column* column = curve_.find(choice.quantity);
@@ -35,11 +35,11 @@ public:
                         "it has " + curve_.coordinate_names());
         const std::size_t number = numbered(choice);
         if (has(index_of(*column)))
-            throw Error(ExitCode::usage, "--columns", core::quoted(choice.quantity) + " is there twice",
+            throw Error(ExitCode::usage, "--columns", core::quoted(choice.quantity) + " is given twice",
                         "name each quantity once");
-        if (taken_[number] != 0)
+        if (assigned_[number] != 0)
             throw Error(ExitCode::usage, "--columns " + choice.quantity,
-                        table::column_text(file_, number) + " is taken already", "name each column once");
+                        table::column_text(file_, number) + " is already assigned", "name each column once");
         add(index_of(*column), number, choice.unit);
     }
 
@@ -51,14 +51,14 @@ public:
                 const table::Heading& heading = file_.headings[k];
                 const bool same =
                     folded(heading.quantity) == folded(column.quantity) || folded(heading.name) == folded(column.name);
-                if (!same || taken_[k] != 0) continue;
+                if (!same || assigned_[k] != 0) continue;
                 add(i, k, "");
                 break;
             }
         }
     }
 
-    /// The only free column of the file in units of a kind, for the only quantity of the curve of that kind.
+    /// Assigns the only free column of the file with a given dimension to the only quantity of the curve with that dimension.
     void match_units(auto wanted) {
         std::vector<std::size_t> quantities;
         for (std::size_t i = 0; i < curve_.columns.size(); ++i)
@@ -67,7 +67,7 @@ public:
             const core::Dimension kind = curve_.columns[i].dimension;
             const auto same_kind = [&](std::size_t q) { return curve_.columns[q].dimension == kind; };
             const auto fits = [&](std::size_t k) {
-                return taken_[k] == 0 && table::dimension_of(file_.headings[k].unit) == kind;
+                return assigned_[k] == 0 && table::dimension_of(file_.headings[k].unit) == kind;
             };
             std::vector<std::size_t> columns;
             for (std::size_t k = 0; k < file_.headings.size(); ++k)
@@ -107,23 +107,23 @@ private:
 
     void add(std::size_t of_curve, std::size_t of_file, std::string unit) {
         const Column& column = curve_.columns[of_curve];
-        const std::string place = file_.source + ": " + table::column_text(file_, of_file);
+        const std::string location = file_.source + ": " + table::column_text(file_, of_file);
         if (unit.empty() && !file_.headings.empty()) unit = file_.headings[of_file].unit;
         if (unit.empty() && column.dimension != core::Dimension::ratio)
             throw Error(
-                ExitCode::bad_input, place, "the unit is not known",
+                ExitCode::bad_input, location, "the unit is missing",
                 "give it, e.g. --columns " + column.quantity + "=" + std::to_string(of_file + 1) + ":" + column.unit);
         if (!unit.empty() && table::dimension_of(unit) != column.dimension)
-            throw Error(ExitCode::bad_input, place,
-                        core::quoted(unit) + " is no unit of " + std::string{core::name(column.dimension)},
-                        column.quantity + " is, for example, in " + column.unit);
-        taken_[of_file] = 1;
+            throw Error(ExitCode::bad_input, location,
+                        core::quoted(unit) + " is not a unit of " + std::string{core::name(column.dimension)},
+                        "give " + column.quantity + " for example in " + column.unit);
+        assigned_[of_file] = 1;
         matches_.push_back({of_curve, of_file, unit});
     }
 
     const table::Table& file_;
     const Curve& curve_;
-    std::vector<char> taken_;  ///< columns of the file
+    std::vector<char> assigned_;  ///< columns of the file
     std::vector<Match> matches_;
 };
 
@@ -198,10 +198,12 @@ Measured read_measured(const table::Table& file, const Curve& curve, std::span<c
         const std::string unit = lacks == curve.columns.end() || lacks->unit.empty() ? "" : ":" + lacks->unit;
         throw Error(
             ExitCode::bad_input, file.source,
-            found(is_base) ? "nothing to set against the " + column.quantity + " is found among " + column_list(file)
-                           : "no " + column.quantity + " is found among " + column_list(file),
-            (lacks == curve.columns.end() ? std::string{}
-                                          : "say where it is, e.g. --columns " + lacks->quantity + "=1" + unit + "; ") +
+            found(is_base)
+                ? "no quantity to compare with the " + column.quantity + " was found among " + column_list(file)
+                : "no " + column.quantity + " was found among " + column_list(file),
+            (lacks == curve.columns.end()
+                 ? std::string{}
+                 : "name its column, e.g. --columns " + lacks->quantity + "=1" + unit + "; ") +
                 "the case has " + curve.coordinate_names());
     }
 

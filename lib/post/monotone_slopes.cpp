@@ -6,15 +6,15 @@
 namespace soft::post {
 namespace {
 
-/// The slope where it goes the way of both secants beside it, up to three times the smaller one: cubics with such slopes are
-/// monotone. Flat where the secants differ in sign.
+/// The slope limited to three times the smaller of the adjacent secants, which keeps the cubics monotone; 0 if the signs of the slope
+/// and the secants differ.
 double limited(double slope, double left, double right) {
     if (!(left * right > 0 && slope * left > 0)) return 0;
     return std::copysign(std::min({std::abs(slope), 3 * std::abs(left), 3 * std::abs(right)}), left);
 }
 
-/// Slope at the first of the rows, Newton's form: of the cubic through four, of the parabola through three, of the line through
-/// two. Values that turn may have a kink there, beyond which a cubic swings: of them the parabola is taken.
+/// Slope at the first row, in Newton's form: of the cubic through four rows, the parabola through three, or the line through two. If the
+/// values are not monotonic, they may have a kink, next to which a cubic would oscillate: the parabola is used.
 double end_slope(std::span<const double> s, std::span<const double> q) {
     const auto secant = [&](std::size_t i) { return (q[i + 1] - q[i]) / (s[i + 1] - s[i]); };
     const double first = secant(0);
@@ -39,7 +39,7 @@ std::vector<double> monotone_slopes(std::span<const double> s, std::span<const d
         const double left = (q[i] - q[i - 1]) / h_left, right = (q[i + 1] - q[i]) / h_right;
         slopes[i] = limited((h_right * left + h_left * right) / (h_left + h_right), left, right);
     }
-    const std::size_t count = std::min<std::size_t>(n, 4);  // of the rows that tell the slope at an end
+    const std::size_t count = std::min<std::size_t>(n, 4);  // rows used for the slope at an end
     slopes.front() = end_slope(s.first(count), q.first(count));
     const auto last = s.last(count), values = q.last(count);
     slopes.back() =

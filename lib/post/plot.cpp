@@ -12,8 +12,8 @@
 namespace soft::post {
 namespace {
 
-/// How a path is told from the others: gnuplot's open point types, and a colour besides. Filled triangles and squares are
-/// those of limit points and bifurcations.
+/// Style that distinguishes a path: one of gnuplot's open point types and a colour. Filled triangles and squares are reserved for limit
+/// points and bifurcations.
 struct Style {
     int point;
     const char* colour;
@@ -25,13 +25,13 @@ constexpr std::array<Style, 7> styles = {{{6, "#0072B2"},
                                           {14, "#E69F00"},
                                           {8, "#56B4E9"},
                                           {1, "#000000"}}};
-constexpr std::size_t markers_alone = 400, markers_beside_others = 16;
+constexpr std::size_t max_markers_single = 400, max_markers_several = 16;
 
 bool is_motion(const Curve& curve) {
     return curve.find("time") != nullptr && curve.find("time")->source == Source::time;
 }
 
-/// A case without a cavity volume is loaded on a face: its pressure is no cavity's.
+/// A case without a cavity volume is loaded on a face, so its pressure is not called a cavity pressure.
 std::string axis_label(const Curve& curve, const Column& column) {
     const bool of_cavity =
         column.source == Source::volume || (column.quantity == "pressure" && curve.find("volume") != nullptr);
@@ -50,7 +50,7 @@ std::size_t first_column(const Curve& curve, Wanted wanted) {
     return static_cast<std::size_t>(hit - curve.columns.begin());
 }
 
-std::size_t output_column(const Curve& curve, const Measured* measured) {  // outputs stand before the volume
+std::size_t output_column(const Curve& curve, const Measured* measured) {  // outputs come before the volume
     return first_column(curve, [&](const Column& column) {
         return (column.source == Source::output || column.source == Source::volume) &&
                (measured == nullptr ||
@@ -71,7 +71,7 @@ std::size_t named_column(const Curve& curve, const std::string& name, const char
     throw Error(ExitCode::usage, option, "the curve has no " + core::quoted(name), core::did_you_mean(name, known));
 }
 
-/// The columns of the first series in another one.
+/// The axes of the first series in another series.
 PlotAxes same_axes(const PlotSeries& first, const PlotAxes& axes, const PlotSeries& other) {
     const auto same = [&](std::size_t column) {
         const std::string& name = first.curve.columns[column].name;
@@ -83,20 +83,20 @@ PlotAxes same_axes(const PlotSeries& first, const PlotAxes& axes, const PlotSeri
     return {same(axes.x), same(axes.y), axes.colour ? std::optional{same(*axes.colour)} : std::nullopt};
 }
 
-/// A script that grows by one data block and one line of the plot command at a time.
+/// Builds a script from data blocks and entries of the plot command.
 class Script {
 public:
     Script(std::string head, PictureFormat format)
         : head_(std::move(head)), scale_(format == PictureFormat::svg ? 0.45 : 1) {}
 
-    /// The point sizes of the SVG terminal are larger than those of the others beside its text.
+    /// Scales point sizes: relative to its text, the SVG terminal draws larger points than the others.
     [[nodiscard]] std::string points(int type, double size) const {
         return "pointtype " + std::to_string(type) + " pointsize " + core::rounded_text(scale_ * size, 3);
     }
 
     void block(const std::string& name, const std::string& data) { head_ += "$" + name + " << END\n" + data + "END\n"; }
     void plot(const std::string& what) { plots_.append(plots_.empty() ? "plot " : ", ").append(what); }
-    /// Both; nothing for no data.
+    /// Adds the block and its plot entry; does nothing for empty data.
     void add(const std::string& name, const std::string& data, const std::string& how) {
         if (data.empty()) return;
         block(name, data);
@@ -112,19 +112,19 @@ private:
 
 constexpr const char* filled = "with filledcurves closed fillstyle transparent solid 0.2 noborder";
 
-/// Colours of viridis, whose lightness grows evenly (Smith and van der Walt, 2015).
+/// Colour map viridis, with uniformly increasing lightness (Smith and van der Walt, 2015).
 constexpr const char* path_palette =
     "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n";
 
-/// An axis along which the curve begins at 0 and goes on upwards begins there, whatever errors of the mesh are drawn about 0.
+/// The axis starts at 0 if the curve starts near 0 and stays positive, even if error bands extend below 0.
 std::string from_zero(const char* range, std::span<const std::array<double, 2>> points, std::size_t i) {
-    constexpr double begins = 0.02;  // of the largest
+    constexpr double max_start = 0.02;  // relative to the largest value
     double low = 0, high = 0;
     for (const auto& point : points) {
         low = &point == points.data() ? point[i] : std::min(low, point[i]);
         high = std::max(high, point[i]);
     }
-    return low >= 0 && low < begins * high ? std::string{"set "} + range + " [0:*]\n" : "";
+    return low >= 0 && low < max_start * high ? std::string{"set "} + range + " [0:*]\n" : "";
 }
 
 std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest& request, PictureFormat format) {
@@ -139,13 +139,13 @@ std::string heading(const Curve& curve, const PlotAxes& axes, const PlotRequest&
            "set offsets graph 0, graph 0.03, graph 0.08, 0\n";
 }
 
-/// What the legend has to explain once for all paths.
-struct Seen {
+/// Elements that the legend explains once for all paths.
+struct LegendEntries {
     bool unstable = false, band = false, constants = false, limits = false, bifurcations = false;
 };
 
 void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::size_t index, double point_size,
-              Seen& seen) {
+              LegendEntries& legend) {
     const Style style = styles[index % styles.size()];
     const std::string n = std::to_string(index + 1), colour = std::string{" linecolor rgb '"} + style.colour + "'";
     const std::string stroke =
@@ -163,14 +163,14 @@ void add_path(Script& script, const Blocks& blocks, const PlotAxes& axes, std::s
                "with points " + script.points(9, 2.2) + " linecolor rgb '#b00000' notitle");
     script.add("bifurcations" + n, blocks.bifurcations,
                "with points " + script.points(5, 1.8) + " linecolor rgb '#b05a00' notitle");
-    seen.unstable |= !blocks.unstable.empty();
-    seen.band |= !blocks.band.empty();
-    seen.constants |= !blocks.constants_bars.empty();
-    seen.limits |= !blocks.limits.empty();
-    seen.bifurcations |= !blocks.bifurcations.empty();
+    legend.unstable |= !blocks.unstable.empty();
+    legend.band |= !blocks.band.empty();
+    legend.constants |= !blocks.constants_bars.empty();
+    legend.limits |= !blocks.limits.empty();
+    legend.bifurcations |= !blocks.bifurcations.empty();
 }
 
-void add_legend(Script& script, std::span<const PlotSeries> series, const Seen& seen) {
+void add_legend(Script& script, std::span<const PlotSeries> series, const LegendEntries& legend) {
     const auto sign = [&](std::size_t i) {
         const Style style = styles[i % styles.size()];
         return script.points(style.point, 1.5) + " linewidth 2 linecolor rgb '" + style.colour + "'";
@@ -180,13 +180,13 @@ void add_legend(Script& script, std::span<const PlotSeries> series, const Seen& 
     else
         for (std::size_t i = 0; i < series.size(); ++i)
             script.legend("with linespoints " + sign(i), gnuplot_text(series[i].label));
-    if (seen.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
-    if (seen.band) script.legend(filled + std::string{" linecolor rgb '#0072B2'"}, "'error of the mesh'");
-    if (seen.constants)
+    if (legend.unstable) script.legend("with lines linewidth 2 dashtype (8,6) linecolor rgb '#404040'", "'unstable'");
+    if (legend.band) script.legend(filled + std::string{" linecolor rgb '#0072B2'"}, "'mesh error'");
+    if (legend.constants)
         script.legend(filled + std::string{" linecolor rgb '#E69F00'"}, "'one standard deviation of the constants'");
-    if (seen.limits)
+    if (legend.limits)
         script.legend("with points " + script.points(9, 2.2) + " linecolor rgb '#b00000'", "'limit point'");
-    if (seen.bifurcations)
+    if (legend.bifurcations)
         script.legend("with points " + script.points(5, 1.8) + " linecolor rgb '#b05a00'", "'bifurcation'");
 }
 
@@ -197,7 +197,7 @@ PictureFormat picture_format(const std::filesystem::path& file) {
     if (ending == ".svg") return PictureFormat::svg;
     if (ending == ".png") return PictureFormat::png;
     if (ending == ".pdf") return PictureFormat::pdf;
-    throw Error(ExitCode::usage, file.string(), "pictures are written as .svg, .png or .pdf");
+    throw Error(ExitCode::usage, file.string(), "unknown picture format", "use .svg, .png or .pdf");
 }
 
 PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measured* measured) {
@@ -208,8 +208,8 @@ PlotAxes plot_axes(const Curve& curve, const PlotRequest& request, const Measure
         const std::size_t column = named_column(curve, name, option);
         if (measured != nullptr && measured->find(column) == nullptr)
             throw Error(ExitCode::usage, option,
-                        core::quoted(name) + " was not measured, so that no point could be drawn",
-                        "plot without --compare, or another quantity");
+                        core::quoted(name) + " was not measured",
+                        "plot without --compare, or choose a measured quantity");
         return column;
     };
     return {request.x.empty() ? usual_x() : named(request.x, "--x"),
@@ -221,13 +221,13 @@ std::string plot_script(std::span<const PlotSeries> series, const Measured* meas
                         PictureFormat format) {
     const PlotSeries& first = series.front();
     const PlotAxes axes = plot_axes(first.curve, request, measured);
-    const bool alone = series.size() == 1;
+    const bool single = series.size() == 1;
     std::vector<Blocks> blocks;
     std::vector<std::array<double, 2>> drawn, edges;
     std::vector<PlotLabel> labels;
     for (std::size_t i = 0; i < series.size(); ++i) {
         const PlotAxes own = i == 0 ? axes : same_axes(first, axes, series[i]);
-        blocks.push_back(make_blocks(series[i], own, alone ? markers_alone : markers_beside_others));
+        blocks.push_back(make_blocks(series[i], own, single ? max_markers_single : max_markers_several));
         drawn.insert(drawn.end(), blocks.back().points.begin(), blocks.back().points.end());
         edges.insert(edges.end(), blocks.back().edges.begin(), blocks.back().edges.end());
         labels.insert(labels.end(), blocks.back().labels.begin(), blocks.back().labels.end());
@@ -235,12 +235,12 @@ std::string plot_script(std::span<const PlotSeries> series, const Measured* meas
     const std::string ranges = measured != nullptr ? "" : from_zero("xrange", drawn, 0) + from_zero("yrange", drawn, 1);
     edges.insert(edges.end(), drawn.begin(), drawn.end());
     Script script(heading(first.curve, axes, request, format) + ranges + label_commands(labels, edges), format);
-    Seen seen;
-    for (std::size_t i = 0; i < series.size(); ++i) add_path(script, blocks[i], axes, i, alone ? 1.2 : 2, seen);
+    LegendEntries legend;
+    for (std::size_t i = 0; i < series.size(); ++i) add_path(script, blocks[i], axes, i, single ? 1.2 : 2, legend);
     const std::string crosses = "with points " + script.points(2, 1.5) + " linewidth 1.5 linecolor rgb '#000000'";
     const std::string points = measured != nullptr ? point_block(*measured, axes) : "";
     script.add("measured", points, crosses + " notitle");
-    add_legend(script, series, seen);
+    add_legend(script, series, legend);
     if (!points.empty()) script.legend(crosses, "'measured'");
     return script.text();
 }

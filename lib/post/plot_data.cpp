@@ -12,7 +12,7 @@ namespace soft::post {
 namespace {
 
 constexpr int samples_per_band_piece = 64;  // a piece may span many rows of the path
-constexpr int samples_per_interval = 16;    // a cubic over at most a twentieth of the picture looks smooth
+constexpr int samples_per_interval = 16;    // smooth enough: a cubic spans at most a twentieth of the picture
 
 std::string line(std::initializer_list<double> numbers) {
     std::string text;
@@ -20,7 +20,7 @@ std::string line(std::initializer_list<double> numbers) {
     return text + "\n";
 }
 
-/// Sampled path in two blocks; a change of stability between two rows is drawn half-way.
+/// Samples the path in two blocks; a change of stability between two rows is drawn in the middle.
 void sample_line(const Curve& curve, const Path& path, const PlotAxes& axes, Blocks& blocks) {
     const std::vector<double>& flags = curve.find("stable")->values;
     const auto s = path.row_parameters();
@@ -41,14 +41,15 @@ void sample_line(const Curve& curve, const Path& path, const PlotAxes& axes, Blo
         }
 }
 
-/// Column with the half width of a column's error; nullptr where there is none.
+/// The column with the half width of the error; nullptr if there is none.
 const Column* error_of(const Curve& curve, const Column& column) { return curve.find(column.quantity + "_error"); }
 
 std::size_t index_of(const Curve& curve, const Column& column) {
     return static_cast<std::size_t>(&column - curve.columns.data());
 }
 
-/// The path shifted by its error one way, then back shifted the other way: along the ordinate where its error is known.
+/// Closed outline: the path shifted by +error, then in reverse order by -error; along the ordinate if its error is known, else along the
+/// abscissa.
 std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& axes,
                          std::vector<std::array<double, 2>>& edges) {
     const Column* up = error_of(curve, curve.columns[axes.y]);
@@ -70,17 +71,18 @@ std::string band_outline(const Curve& curve, const Path& path, const PlotAxes& a
     return there;
 }
 
-/// A row of the band's table in the plane of the axes. Drawn along an axis whose other quantity is held; along both where neither is.
+/// A row of the band's table in the plane of the axes. The bar is drawn along the axis whose other quantity is prescribed, or along both
+/// if neither is.
 struct BandPoint {
     double x, y, dx, dy;
-    std::optional<double> s;  ///< where the path comes through it along the held axis
+    std::optional<double> s;  ///< path parameter of the nearest crossing with the prescribed value
 };
 
-std::optional<double> nearest_crossing(const Path& path, std::size_t held, double value, std::size_t other,
+std::optional<double> nearest_crossing(const Path& path, std::size_t fixed, double value, std::size_t other,
                                        double other_value) {
     std::optional<double> nearest;
     double least = 0;
-    for (const double s : path.crossings(held, path.within_reach(held, value))) {
+    for (const double s : path.crossings(fixed, path.within_reach(fixed, value))) {
         const double distance = std::abs(path.at(s)[other] - other_value);
         if (!nearest || distance < least) nearest = s, least = distance;
     }
@@ -102,7 +104,7 @@ std::vector<BandPoint> band_points(const Band& band, const Path& path, const Plo
     return points;
 }
 
-/// The path between two rows of the band's table, shifted by the width, which goes evenly along the path from one to the other.
+/// Closed outline of the band between two rows of its table; the width is linear in the path parameter.
 std::string band_piece(const Path& path, const PlotAxes& axes, const BandPoint& from, const BandPoint& to,
                        std::vector<std::array<double, 2>>& edges) {
     std::string there;
@@ -130,12 +132,12 @@ void add_constants(const Band& band, const Path& path, const PlotAxes& axes, Blo
     }
 }
 
-void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t most, Blocks& blocks) {
+void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t max_markers, Blocks& blocks) {
     const Column& x = curve.columns[axes.x];
     const Column& y = curve.columns[axes.y];
     const Column* dx = error_of(curve, x);
     const Column* dy = error_of(curve, y);
-    const std::size_t rows = curve.row_count(), stride = std::max<std::size_t>(1, rows / most);
+    const std::size_t rows = curve.row_count(), stride = std::max<std::size_t>(1, rows / max_markers);
     for (std::size_t row = 0; row < rows; ++row) {
         if (row % stride != 0 && row + 1 != rows) continue;
         blocks.markers += line({x.values[row], y.values[row]});
@@ -146,7 +148,7 @@ void add_markers(const Curve& curve, const PlotAxes& axes, std::size_t most, Blo
     }
 }
 
-/// A line "x y label" for a point with both coordinates, and its label.
+/// Adds a line "x y label" and the label for a point that has both coordinates.
 void add_labelled(const Column& x, const Column& y, const solution::LimitPoint& at, std::string& block,
                   std::vector<PlotLabel>& labels) {
     const auto along = value_at(x, at), up = value_at(y, at);

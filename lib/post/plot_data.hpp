@@ -1,5 +1,5 @@
 #pragma once
-/// The numbers of a picture as gnuplot's data blocks, "x y" a line. Internal; held by post/plot_test.
+/// The data of a picture as gnuplot data blocks, one "x y" per line. Internal; tested by post/plot_test.
 #include <array>
 #include <string>
 #include <vector>
@@ -10,23 +10,23 @@
 namespace soft::post {
 
 struct Blocks {
-    /// Sampled path, strokes apart by an empty line; with a third column where there is one for the colour.
+    /// Sampled path, strokes separated by an empty line; with a third column if the path is coloured.
     std::string stable, unstable;
-    std::vector<std::array<double, 2>> points;  ///< of the same
-    std::vector<std::array<double, 2>> edges;   ///< of the bands
+    std::vector<std::array<double, 2>> points;  ///< points of `stable` and `unstable`
+    std::vector<std::array<double, 2>> edges;   ///< points of the bands
     std::string markers;                        ///< converged steps
-    std::string band;                           ///< outline of the errors, there and back
-    std::string constants;                      ///< band of the constants, as outlines apart by an empty line
-    std::string constants_bars;                 ///< the same at the rows of its table, "x y xlow xhigh ylow yhigh"
+    std::string band;                           ///< closed outline of the mesh error
+    std::string constants;                      ///< band of the constants, outlines separated by an empty line
+    std::string constants_bars;                 ///< bars of this band at the rows of its table, "x y xlow xhigh ylow yhigh"
     std::string bars;                           ///< "x y xlow xhigh ylow yhigh" at the markers
     std::string limits, bifurcations;           ///< "x y label"
-    std::vector<PlotLabel> labels;              ///< of both
+    std::vector<PlotLabel> labels;              ///< labels of limit points and bifurcations
 };
 
-/// Markers are thinned out to about `max_markers`.
+/// Markers are reduced to about `max_markers`.
 [[nodiscard]] Blocks make_blocks(const PlotSeries& series, const PlotAxes& axes, std::size_t max_markers);
 
-/// Measured values of both columns; empty where one was not measured.
+/// Measured values of both columns; empty if one was not measured.
 [[nodiscard]] std::string point_block(const Measured& measured, const PlotAxes& axes);
 
 }  // namespace soft::post

@@ -10,14 +10,14 @@
 namespace soft::post {
 namespace {
 
-/// In shares of the plot, both ways: a letter, a line, the distance of a label from its point, points that are the same.
-constexpr double letter_width = 0.014, line_height = 0.05, label_distance = 0.055, same_place = 0.03;
+/// In fractions of the plot size: width of a letter, height of a line, distance of a label from its point, distance of coincident points.
+constexpr double letter_width = 0.014, line_height = 0.05, label_distance = 0.055, same_point = 0.03;
 
-using Spot = std::array<double, 2>;
+using PlotPoint = std::array<double, 2>;
 
 struct LabelBox {
-    Spot centre{}, half{};
-    [[nodiscard]] bool holds(const Spot& p) const {
+    PlotPoint centre{}, half{};
+    [[nodiscard]] bool contains(const PlotPoint& p) const {
         return std::abs(p[0] - centre[0]) < half[0] && std::abs(p[1] - centre[1]) < half[1];
     }
     [[nodiscard]] bool overlaps(const LabelBox& other) const {
@@ -26,18 +26,18 @@ struct LabelBox {
     }
 };
 
-/// What turns coordinates into shares of the plot.
+/// Maps coordinates to fractions of the plot size.
 struct PlotFrame {
-    Spot low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Spot high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    void include(const Spot& p) {
+    PlotPoint low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    PlotPoint high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    void include(const PlotPoint& p) {
         for (std::size_t i = 0; i < 2; ++i) {
             low[i] = std::min(low[i], p[i]);
             high[i] = std::max(high[i], p[i]);
         }
     }
-    [[nodiscard]] Spot share(const Spot& p) const {
-        Spot share{};
+    [[nodiscard]] PlotPoint share(const PlotPoint& p) const {
+        PlotPoint share{};
         for (std::size_t i = 0; i < 2; ++i) share[i] = high[i] > low[i] ? (p[i] - low[i]) / (high[i] - low[i]) : 0.5;
         return share;
     }
@@ -45,39 +45,39 @@ struct PlotFrame {
 
 struct PlacedLabel {
     LabelBox box;
-    Spot at{};
+    PlotPoint at{};
     std::string text;
 };
 
 }  // namespace
 
-std::string label_commands(std::span<const PlotLabel> labels, std::span<const Spot> curve) {
+std::string label_commands(std::span<const PlotLabel> labels, std::span<const PlotPoint> curve) {
     PlotFrame frame;
-    for (const Spot& point : curve) frame.include(point);
+    for (const PlotPoint& point : curve) frame.include(point);
     for (const PlotLabel& label : labels) frame.include({label.x, label.y});
-    std::vector<Spot> shares;
-    for (const Spot& point : curve) shares.push_back(frame.share(point));
+    std::vector<PlotPoint> shares;
+    for (const PlotPoint& point : curve) shares.push_back(frame.share(point));
     std::vector<PlacedLabel> placed;
     std::string commands;
     for (const PlotLabel& label : labels) {
-        const Spot at = frame.share({label.x, label.y});
-        const bool is_there = std::ranges::any_of(placed, [&](const PlacedLabel& other) {
-            return other.text == label.text && LabelBox{other.at, {same_place, same_place}}.holds(at);
+        const PlotPoint at = frame.share({label.x, label.y});
+        const bool is_duplicate = std::ranges::any_of(placed, [&](const PlacedLabel& other) {
+            return other.text == label.text && LabelBox{other.at, {same_point, same_point}}.contains(at);
         });
-        if (is_there) continue;
-        const Spot half{0.5 * letter_width * static_cast<double>(label.text.size()), 0.5 * line_height};
+        if (is_duplicate) continue;
+        const PlotPoint half{0.5 * letter_width * static_cast<double>(label.text.size()), 0.5 * line_height};
         const double beside = half[0] + 0.5 * label_distance;
-        const std::array<Spot, 4> shifts{{{0, label_distance}, {0, -label_distance}, {beside, 0}, {-beside, 0}}};
-        const Spot* best = nullptr;
+        const std::array<PlotPoint, 4> shifts{{{0, label_distance}, {0, -label_distance}, {beside, 0}, {-beside, 0}}};
+        const PlotPoint* best = nullptr;
         std::ptrdiff_t fewest = 0;
-        for (const Spot& shift : shifts) {
+        for (const PlotPoint& shift : shifts) {
             const LabelBox box{{at[0] + shift[0], at[1] + shift[1]}, half};
-            const bool hides =
+            const bool is_hidden =
                 std::ranges::any_of(placed, [&](const PlacedLabel& other) { return other.box.overlaps(box); });
-            const bool is_outside = box.centre[0] - half[0] < -same_place || box.centre[0] + half[0] > 1 + same_place ||
+            const bool is_outside = box.centre[0] - half[0] < -same_point || box.centre[0] + half[0] > 1 + same_point ||
                                     box.centre[1] - half[1] < 0;
-            if (hides || (is_outside && shift[1] <= 0)) continue;
-            const auto points = std::ranges::count_if(shares, [&](const Spot& point) { return box.holds(point); });
+            if (is_hidden || (is_outside && shift[1] <= 0)) continue;
+            const auto points = std::ranges::count_if(shares, [&](const PlotPoint& point) { return box.contains(point); });
             if (best != nullptr && points >= fewest) continue;
             best = &shift;
             fewest = points;

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the values of marked points stand in a plot, so that they hide neither each other nor the curve. Internal; tested by
+/// Places the labels of marked points in a plot so that they do not overlap each other or the curve. Internal; tested by
 /// post/plot_labels_test.
 #include <array>
 #include <span>
@@ -13,8 +13,9 @@ struct PlotLabel {
     std::string text;
 };
 
-/// gnuplot's commands: a label above, below, right or left of its point, wherever the fewest of `curve` (points of the curves, in the
-/// units of the axes) lie. One for points with one text in one place; none for a label that every place would put upon another.
+/// The gnuplot commands. A label is placed above, below, right or left of its point, where it covers the fewest points of `curve` (points
+/// of the curves in the units of the axes). Coincident points with the same text get one label. A label that would overlap another in
+/// all four positions is omitted.
 [[nodiscard]] std::string label_commands(std::span<const PlotLabel> labels,
                                          std::span<const std::array<double, 2>> curve);
 

@@ -6,7 +6,7 @@ namespace {
 constexpr int panel_width = 800, panel_height = 560;  // of SVG and PNG
 
 std::string size_text(int factor, int panels) {
-    // A panel beside others is narrower than one alone.
+    // Each of several panels is narrower than a single one.
     const int width = panels == 1 ? panel_width : panel_width * 3 / 4 * panels;
     return std::to_string(factor * width) + "," + std::to_string(factor * panel_height);
 }

@@ -1,12 +1,12 @@
 #pragma once
-/// What all plots have in common: size, fonts, axes. Lines of a gnuplot script. Tested by post/plot_test.
+/// Common style of all plots (size, fonts, axes) as lines of a gnuplot script. Tested by post/plot_test.
 #include <string>
 
 #include "post/plot.hpp"
 
 namespace soft::post {
 
-/// The terminal for so many panels side by side. SVG and PDF scale; the PNG has twice the pixels so that it prints well.
+/// The terminal for the given number of panels side by side. SVG and PDF are scalable; PNG has twice the pixels for printing.
 [[nodiscard]] std::string terminal(PictureFormat format, int panels = 1);
 
 /// Grid, borders and tics.

@@ -25,7 +25,7 @@ std::vector<std::vector<double>> rows_of(const Path& path, const Curve& curve, c
     std::vector<std::vector<double>> rows;
     for (const double s : path.crossings(index, value)) {
         rows.push_back(path.at(s));
-        rows.back()[index] = value;  // not its last-bit neighbour
+        rows.back()[index] = value;  // exact, without rounding in the last bit
     }
     return rows;
 }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::infinity();
 
-/// Columns over four decades, and a right side that wants the second negative.
+/// Columns over four decades, and a right-hand side whose unconstrained solution has a negative second unknown.
 struct Problem {
     Eigen::MatrixXd A{6, 3};
     Eigen::VectorXd y{6};
@@ -19,7 +19,7 @@ struct Problem {
     }
 };
 
-/// Optimality: the gradient is 0 where free and points out of the bounds where not (Karush, Kuhn, Tucker).
+/// Optimality (Karush, Kuhn, Tucker): the gradient is 0 for free unknowns and points out of the bounds for the others.
 void expect_optimal(const Problem& problem, const Eigen::VectorXd& low, const Eigen::VectorXd& high) {
     const BoundedFit fit = solve_bounded(problem.A, problem.y, low, high);
     const Eigen::VectorXd gradient = problem.A.transpose() * (problem.A * fit.c - problem.y);
@@ -36,7 +36,7 @@ void expect_optimal(const Problem& problem, const Eigen::VectorXd& low, const Ei
     EXPECT_NEAR(fit.residual_squared, (problem.A * fit.c - problem.y).squaredNorm(), 1e-10 * problem.y.squaredNorm());
 }
 
-TEST(BoundedLeastSquares, MeetsTheConditionsOfOptimality) {
+TEST(BoundedLeastSquares, SatisfiesTheOptimalityConditions) {
     const Problem problem;
     const Eigen::VectorXd free = Eigen::VectorXd::Constant(3, none);
     expect_optimal(problem, -free, free);

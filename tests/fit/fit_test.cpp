@@ -26,8 +26,8 @@ void expect_same(const Fit& a, const Fit& b, double tolerance) {
     }
 }
 
-/// Neo-Hookean C1 [MPa] over e <= 1.10: numbers of an independent fit, five decimals, that come with the data.
-TEST(Fit, NeoHookeanOfTheSiliconesIsThatOfAnIndependentFit) {
+/// Neo-Hookean C1 [MPa] for e <= 1.10 from an independent fit, published with the data to five decimals.
+TEST(Fit, NeoHookeanFitOfSiliconesMatchesAnIndependentFit) {
     const std::map<std::string, double> wanted{{"dragon-skin-10-medium", 0.02930},
                                                {"dragon-skin-20", 0.08267},
                                                {"dragon-skin-30", 0.11501},
@@ -40,7 +40,7 @@ TEST(Fit, NeoHookeanOfTheSiliconesIsThatOfAnIndependentFit) {
     }
 }
 
-TEST(Fit, ConstantsOfMadeUpDataAreFoundAgain) {
+TEST(Fit, RecoversTheConstantsOfSyntheticData) {
     const std::map<std::string, material::Constants> rubbers{
         {"neo-hookean", {{"mu", {164.4e3}}}},
         {"mooney-rivlin-2", {{"c10", {64e3}}, {"c01", {18e3}}}},
@@ -56,8 +56,8 @@ TEST(Fit, ConstantsOfMadeUpDataAreFoundAgain) {
         const auto rubber = rubber_of(law(name), constants);
         ASSERT_TRUE(rubber);
         const Fit fitted =
-            fit(law(name), {made_of(*rubber, Mode::uniaxial, 5.0), made_of(*rubber, Mode::equibiaxial, 3.0),
-                            made_of(*rubber, Mode::planar, 4.0)});
+            fit(law(name), {synthetic_test(*rubber, Mode::uniaxial, 5.0), synthetic_test(*rubber, Mode::equibiaxial, 3.0),
+                            synthetic_test(*rubber, Mode::planar, 4.0)});
         for (const auto& [key, values] : constants) {
             ASSERT_EQ(fitted.constants.at(key).size(), values.size()) << name;
             for (std::size_t i = 0; i < values.size(); ++i)
@@ -80,7 +80,7 @@ TEST(Fit, DoesNotDependOnTheOrderOfRowsOrTests) {
             for (std::size_t i = 0; i < order.size(); ++i)
                 test.stretch[i] = old.stretch[order[i]], test.nominal_Pa[i] = old.nominal_Pa[order[i]];
         }
-        expect_same(before, fit(candidate, shuffled), 0.0);  // rows are sorted: the same bits
+        expect_same(before, fit(candidate, shuffled), 0.0);  // rows are sorted, so the result is bitwise equal
     }
 }
 
@@ -94,14 +94,14 @@ TEST(Fit, DoesNotDependOnTheUnit) {
         Fit after = fit(candidate, scaled);
         for (Constant& constant : after.list)
             if (constant.is_stress) constant.value /= 6894.757293168361;
-        // Rounding moves where a search over exponents stops: the sum of squares is flat there. RMSE agrees to its digits.
+        // Rounding changes where a search over exponents stops, because the sum of squares is flat there. The RMSE still agrees.
         expect_same(before, after, candidate.shapes > 1 ? 1e-4 : 1e-7);
         EXPECT_NEAR(after.rmse_Pa / 6894.757293168361, before.rmse_Pa, 1e-9 * before.rmse_Pa) << candidate.name;
     }
 }
 
-TEST(Fit, EnforcedStabilityHoldsInEveryModeUpToTheDataAndReportedSaysWhereNot) {
-    // A free fit of these data has c01 < 0, as of nearly every silicone (early stiffening).
+TEST(Fit, EnforcedStabilityConstrainsSignsAndReportedStabilityFlagsInstability) {
+    // A free fit of these data has c01 < 0, as for nearly every silicone (early stiffening).
     const std::vector<TestCurve> tests{sample("dragon-skin-20.csv")};
     const Fit reported = fit(law("mooney-rivlin-2"), tests, {.stability = Stability::reported});
     const Fit enforced = fit(law("mooney-rivlin-2"), tests);
@@ -115,8 +115,8 @@ TEST(Fit, EnforcedStabilityHoldsInEveryModeUpToTheDataAndReportedSaysWhereNot) {
     EXPECT_NEAR(2.0 * enforced.constants.at("c10")[0], fit(law("neo-hookean"), tests).list[0].value, 1e-6 * 165e3);
 }
 
-TEST(Fit, StabilityEverywhereKeepsToItsSignsWhereTheFreeFitIsStableInTheDataAlone) {
-    // c3 < 0: stable as far as these data reach, and a stress that turns beyond them.
+TEST(Fit, StabilityEverywhereConstrainsSignsEvenIfTheFreeFitIsStableWithinTheData) {
+    // c3 < 0: stable within the range of these data, with a stress maximum beyond it.
     const std::vector<TestCurve> tests{sample("dragon-skin-20.csv", Mode::uniaxial, {.range = {0, 3}})};
     EXPECT_LT(fit(law("yeoh"), tests).constants.at("c3")[0], 0.0);
     EXPECT_EQ(fit(law("yeoh"), tests, {.stability = Stability::everywhere}).constants.at("c3")[0], 0.0);
@@ -125,7 +125,7 @@ TEST(Fit, StabilityEverywhereKeepsToItsSignsWhereTheFreeFitIsStableInTheDataAlon
     EXPECT_LT(rising.rmse_Pa, 1.05 * fit(law("yeoh"), tests).rmse_Pa);
 }
 
-TEST(Fit, ALowerFloorOfRelativeWeightsFitsSmallStressesCloser) {
+TEST(Fit, LowerWeightFloorFitsSmallStressesMoreClosely) {
     const std::vector<TestCurve> tests{sample("dragon-skin-20.csv")};
     const auto error_at_a_quarter = [&](double floor) {
         const Fit fitted = fit(law("neo-hookean"), tests, {.weights = RowWeights::relative, .weight_floor = floor});
@@ -136,11 +136,11 @@ TEST(Fit, ALowerFloorOfRelativeWeightsFitsSmallStressesCloser) {
     EXPECT_LT(error_at_a_quarter(0.01), error_at_a_quarter(0.2));
 }
 
-TEST(Fit, TheFirstUnstableStretchOfMooneyRivlinIsItsClosedForm) {
-    // c01 < 0: equibiaxial stress turns at c10 + c01 l^2 ..., and uniaxial stability ends at sqrt(-c10/c01).
+TEST(Fit, FirstUnstableStretchOfMooneyRivlinMatchesItsClosedForm) {
+    // c01 < 0: the equibiaxial stress has a maximum at c10 + c01 l^2 ..., and uniaxial stability ends at sqrt(-c10/c01).
     const auto rubber = rubber_of(law("mooney-rivlin-2"), {{"c10", {100e3}}, {"c01", {-20e3}}});
     const Fit fitted =
-        fit(law("mooney-rivlin-2"), {made_of(*rubber, Mode::uniaxial, 4.0)}, {.stability = Stability::reported});
+        fit(law("mooney-rivlin-2"), {synthetic_test(*rubber, Mode::uniaxial, 4.0)}, {.stability = Stability::reported});
     for (const material::StabilityLimit& limit : fitted.limits)
         if (limit.mode == Mode::uniaxial && limit.sense == material::Sense::tension) {
             EXPECT_NEAR(limit.stretch, std::sqrt(5.0), 1e-6);
@@ -148,9 +148,9 @@ TEST(Fit, TheFirstUnstableStretchOfMooneyRivlinIsItsClosedForm) {
     EXPECT_TRUE(has_flag(fitted, "unstable:uniaxial@2.236"));
 }
 
-TEST(Fit, AnOffsetIsFoundAndBoundedToTenKilopascal) {
+TEST(Fit, RecoversAnOffsetAndBoundsItToTenKilopascal) {
     const auto rubber = rubber_of(law("yeoh"), {{"c1", {80e3}}, {"c2", {1e3}}, {"c3", {0.0}}});
-    TestCurve test = made_of(*rubber, Mode::uniaxial, 3.0);
+    TestCurve test = synthetic_test(*rubber, Mode::uniaxial, 3.0);
     for (double& stress : test.nominal_Pa) stress -= 6e3;
     const Settings with_offset{.offset = Offset::fitted};
     EXPECT_NEAR(*fit(law("yeoh"), {test}, with_offset).tests[0].offset_Pa, -6e3, 1e-3);
@@ -162,9 +162,10 @@ TEST(Fit, AnOffsetIsFoundAndBoundedToTenKilopascal) {
 }
 
 TEST(Fit, CovarianceIsTheScatterOfRepeatedTests) {
-    // Gent, noise of 2 kPa: standard deviation of 400 fits, of which the error is 1/sqrt(800) = 3.5 %; three of these.
+    // Gent, noise of 2 kPa: the standard deviation of 400 fits has a relative error of 1/sqrt(800) = 3.5 %; the tolerance is three times
+    // that.
     const auto rubber = rubber_of(law("gent"), {{"mu", {150e3}}, {"jm", {30.0}}});
-    const TestCurve exact = made_of(*rubber, Mode::uniaxial, 4.0, 50);
+    const TestCurve exact = synthetic_test(*rubber, Mode::uniaxial, 4.0, 50);
     std::mt19937 generator{1};
     std::normal_distribution<double> noise{0.0, 2e3};
     constexpr int repetitions = 400;
@@ -185,7 +186,7 @@ TEST(Fit, CovarianceIsTheScatterOfRepeatedTests) {
     }
 }
 
-TEST(Fit, WeightsPullTowardsTheirTest) {
+TEST(Fit, ALargerWeightReducesTheErrorOfItsTest) {
     std::vector<TestCurve> tests = treloar();
     const Fit even = fit(law("yeoh"), tests);
     tests[1].weight = 100.0;
@@ -194,8 +195,8 @@ TEST(Fit, WeightsPullTowardsTheirTest) {
     EXPECT_GT(biased.tests[0].rmse_Pa, even.tests[0].rmse_Pa);
 }
 
-TEST(Fit, TheLargestErrorIsThatOfTheWorstRowBeyondAFifthOfStrain) {
-    // 1 - 1/1.1, planted at a strain of 0.5; an error at 0.1 does not count.
+TEST(Fit, MaxRelativeErrorIgnoresStrainsBelowTwentyPercent) {
+    // An error of 1 - 1/1.1 at a strain of 0.5; an error at a strain of 0.1 is ignored.
     TestCurve test{.stretch = {1.1, 1.5, 2.0, 2.5, 3.0, 3.5}, .nominal_Pa = {}, .source = "a.csv"};
     for (const double l : test.stretch) test.nominal_Pa.push_back(100e3 * (l - 1.0 / (l * l)));
     const auto largest = [&] { return fit(law("neo-hookean"), {test}).max_relative_error; };
@@ -210,12 +211,12 @@ TEST(Fit, TheLargestErrorIsThatOfTheWorstRowBeyondAFifthOfStrain) {
     EXPECT_FALSE(largest());
 }
 
-TEST(Fit, TooFewRowsAreRefused) {
+TEST(Fit, RejectsTooFewRows) {
     const TestCurve two{.mode = Mode::uniaxial, .stretch = {1.1, 1.2}, .nominal_Pa = {1e4, 2e4}, .source = "a.csv"};
     EXPECT_THROW(static_cast<void>(fit(law("yeoh"), {two})), Error);
 }
 
-TEST(Fit, AStressThatDoesNotResistTheStrainIsRefused) {
+TEST(Fit, RejectsAStressThatDoesNotResistTheStrain) {
     for (const double stress : {-1e4, 0.0}) {
         const TestCurve test{.stretch = {1.1, 1.2, 1.3}, .nominal_Pa = {stress, stress, stress}, .source = "a.csv"};
         EXPECT_THROW(static_cast<void>(fit(law("neo-hookean"), {test})), Error);

@@ -11,7 +11,7 @@ namespace {
 
 const std::array modes{Mode::uniaxial, Mode::equibiaxial, Mode::planar};
 
-/// Rubber of some size for each candidate.
+/// Plausible constants for each candidate.
 material::Constants constants(const Candidate& candidate) {
     const std::array<double, 5> linear{120e3, 20e3, 1e3, 300.0, 50.0};
     const std::array<double, 4> shapes{3.0, -2.0, 1.5, 5.0};
@@ -20,7 +20,7 @@ material::Constants constants(const Candidate& candidate) {
                         std::span{shapes}.first(static_cast<std::size_t>(candidate.shapes)));
 }
 
-TEST(NominalStress, IsThatOfTheHomogeneousStatesOfEveryLaw) {
+TEST(NominalStress, EqualsThatOfTheHomogeneousStateForEveryLaw) {
     for (const Candidate& candidate : candidates()) {
         const auto rubber = rubber_of(candidate, constants(candidate));
         ASSERT_TRUE(rubber) << candidate.name;
@@ -35,7 +35,7 @@ TEST(NominalStress, IsThatOfTheHomogeneousStatesOfEveryLaw) {
     }
 }
 
-TEST(NominalStress, NeoHookeanHasItsClosedForms) {
+TEST(NominalStress, NeoHookeanMatchesItsClosedForms) {
     const material::NeoHookean law{2.0};  // 2 C1 = 2
     EXPECT_NEAR(nominal_stress_Pa(law, Mode::uniaxial, 3.0), 2.0 * (3.0 - 1.0 / 9.0), 1e-14);
     EXPECT_NEAR(nominal_stress_Pa(law, Mode::equibiaxial, 2.0), 2.0 * (2.0 - 1.0 / 32.0), 1e-14);

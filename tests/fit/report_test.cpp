@@ -9,9 +9,9 @@
 namespace soft::fit {
 namespace {
 
-bool holds(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+bool contains(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
 
-TEST(Report, ConstantsCarryUnitsErrorsAndWhatTheyRestOn) {
+TEST(Report, WritesConstantsWithUnitsErrorsAndOriginOfTheData) {
     const std::vector<TestCurve> tests{sample("dragon-skin-20.csv", Mode::uniaxial, {.range = {0, 1.1}})};
     const std::string yaml =
         material_yaml(fit(law("yeoh"), tests), tests,
@@ -20,30 +20,30 @@ TEST(Report, ConstantsCarryUnitsErrorsAndWhatTheyRestOn) {
          {"# ODbL 1.0\n# Marechal\n", "material:\n  law: yeoh\n  c1: ", " kPa   # +- ", "  kappa: incompressible\n",
           "  fit:\n    range: '4.46:109.091 %'", "    rmse_kPa: ", "    r2: ", "    max_error: '", "    rows: 47\n",
           "    stress: 'engineering'\n", "    sha256: '", "    protocol: 'ASTM D412'\n"})
-        EXPECT_TRUE(holds(yaml, words)) << words << "\n" << yaml;
+        EXPECT_TRUE(contains(yaml, words)) << words << "\n" << yaml;
 }
 
-TEST(Report, NamesCannotEndTheirLine) {
+TEST(Report, LineFeedsInNamesDoNotBreakTheYaml) {
     std::vector<TestCurve> tests{sample("dragon-skin-20.csv")};
     tests[0].source = "a'\n  law: b";
     const std::string yaml =
         material_yaml(fit(law("neo-hookean"), tests), tests,
                       {.command_line = "fit-material --protocol 'x\nlaw: c'", .protocol = "x\nlaw: c"});
-    EXPECT_TRUE(holds(yaml, "source: 'uniaxial a''?  law: b'\n")) << yaml;
-    EXPECT_FALSE(holds(yaml, "\nlaw: c")) << yaml;
+    EXPECT_TRUE(contains(yaml, "source: 'uniaxial a''?  law: b'\n")) << yaml;
+    EXPECT_FALSE(contains(yaml, "\nlaw: c")) << yaml;
 }
 
-TEST(Report, OgdensTermsAreLists) {
+TEST(Report, WritesOgdenTermsAsLists) {
     const std::vector<TestCurve> tests = treloar();
     const std::string yaml = material_yaml(fit(law("ogden-2"), tests), tests, {});
-    EXPECT_TRUE(holds(yaml, "  mu: [")) << yaml;
-    EXPECT_TRUE(holds(yaml, "  alpha: [")) << yaml;
+    EXPECT_TRUE(contains(yaml, "  mu: [")) << yaml;
+    EXPECT_TRUE(contains(yaml, "  alpha: [")) << yaml;
 }
 
-TEST(Report, TheTableHoldsALineForEachLaw) {
+TEST(Report, RankTableHasOneLinePerLaw) {
     const std::string table = rank_table(rank(treloar()));
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 12);
-    EXPECT_TRUE(holds(table, "predicts_planar"));
+    EXPECT_TRUE(contains(table, "predicts_planar"));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Test data of this folder, and made-up tests of which the constants are known.
+/// Test data of this folder, and synthetic tests with known constants.
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -26,8 +26,8 @@ inline std::vector<TestCurve> treloar() {
 }
 
 /// Exact stresses of a law at evenly spaced stretches.
-inline TestCurve made_of(const material::AnyRubber& rubber, Mode mode, double longest, int rows = 40) {
-    TestCurve test{.mode = mode, .source = "made"};
+inline TestCurve synthetic_test(const material::AnyRubber& rubber, Mode mode, double longest, int rows = 40) {
+    TestCurve test{.mode = mode, .source = "synthetic"};
     for (int i = 1; i <= rows; ++i) {
         test.stretch.push_back(1.0 + (longest - 1.0) * i / rows);
         test.nominal_Pa.push_back(

@@ -24,13 +24,13 @@ std::string refusal(const FittedLaw& fitted) {
     return "";
 }
 
-TEST(CholeskyFactor, TimesItsTransposeIsTheCovariance) {
+TEST(CholeskyFactor, TimesItsTransposeEqualsTheCovariance) {
     EXPECT_EQ(cholesky_factor(two), (std::vector<double>{2, 0, 3, 1}));
     // a constant at a bound has neither variance nor covariance
     EXPECT_EQ(cholesky_factor({"x", {{"a", 1}, {"b", 2}}, {0, 0, 0, 9}}), (std::vector<double>{0, 0, 0, 3}));
 }
 
-TEST(CholeskyFactor, RefusesWhatIsNoCovariance) {
+TEST(CholeskyFactor, RejectsMatricesThatAreNotACovariance) {
     EXPECT_NE(refusal({"x", {}, {}}), "");
     EXPECT_NE(refusal({"x", {{"a", 1}, {"b", 2}}, {1, 0, 1}}), "");
     EXPECT_NE(refusal({"x", {{"a", 1}, {"b", 2}}, {4, 1, 2, 4}}), "");  // not symmetric
@@ -40,7 +40,7 @@ TEST(CholeskyFactor, RefusesWhatIsNoCovariance) {
     EXPECT_NE(refusal({"x", {{"a", 1}, {"b", 2}}, {0, 1, 1, 4}}), "");  // a covariance without a variance
 }
 
-TEST(ShiftedConstants, AreTheFitItsShiftsAndItsSamples) {
+TEST(ShiftedConstants, ContainTheFitAndItsShifts) {
     const auto sets = shifted_constants(two, 0);
     ASSERT_EQ(sets.size(), 5u);
     EXPECT_EQ(sets[0], (std::vector<double>{100, 10}));
@@ -50,7 +50,7 @@ TEST(ShiftedConstants, AreTheFitItsShiftsAndItsSamples) {
     EXPECT_EQ(sets[4], (std::vector<double>{100, 9}));
 }
 
-TEST(ShiftedConstants, SamplesHaveTheCovarianceAndGoOnWithFewer) {
+TEST(ShiftedConstants, SamplesHaveTheCovarianceAndFewerAreAPrefix) {
     const int samples = 20000;
     const auto sets = shifted_constants(two, samples);
     const auto few = shifted_constants(two, 3);
@@ -61,7 +61,7 @@ TEST(ShiftedConstants, SamplesHaveTheCovarianceAndGoOnWithFewer) {
         mean[0] += a / samples, mean[1] += b / samples;
         product[0] += a * a / samples, product[1] += a * b / samples, product[2] += b * b / samples;
     }
-    // the standard error of a mean is s / sqrt(n), of a variance s^2 sqrt(2 / n): four of these
+    // tolerance of four standard errors: s / sqrt(n) of a mean, s^2 sqrt(2 / n) of a variance
     const double share = 4 * std::sqrt(2.0 / samples);
     EXPECT_NEAR(mean[0], 0, 4 * 2 / std::sqrt(samples));
     EXPECT_NEAR(mean[1], 0, 4 * std::sqrt(10.0 / samples));
@@ -70,7 +70,7 @@ TEST(ShiftedConstants, SamplesHaveTheCovarianceAndGoOnWithFewer) {
     EXPECT_NEAR(product[2], 10, share * 10);
 }
 
-TEST(MaterialText, IsTheMaterialOfADesign) {
+TEST(MaterialText, IsAValidMaterialOfADesign) {
     EXPECT_EQ(material_text(two, {102, 13}), "{law: yeoh, kappa: incompressible, c1: 102 Pa, c2: 13 Pa}");
     const FittedLaw ogden{
         "ogden", {{"mu 1", 1, true}, {"mu 2", 2, true}, {"alpha 1", 3, false}, {"alpha 2", 4, false}}, {}};

@@ -9,7 +9,7 @@
 namespace soft::linalg {
 namespace {
 
-// A chain of cells of three unknowns, each sharing one with the next; one unknown is held, one block is smaller.
+// A chain of cells with three unknowns, each sharing one with the next. One unknown is constrained, one block is smaller.
 constexpr PetscInt unknowns = 9;
 const std::vector<std::vector<PetscInt>> chain = {{0, 1, 2}, {4, 2, 3}, {4, -1, 5}, {5, 6, 8}, {8, 7}};
 
@@ -47,15 +47,15 @@ Matrix searched(MatType type) {
 
 class BlockEntries : public testing::TestWithParam<MatType> {};
 
-TEST_P(BlockEntries, AreThoseOfMatSetValuesToTheLastBit) {
+TEST_P(BlockEntries, AreBitwiseEqualToMatSetValues) {
     const Matrix expected = searched(GetParam());
     Matrix K = searched(GetParam());
     const std::vector<std::span<const PetscInt>> blocks(chain.begin(), chain.end());
-    const BlockPlaces places(K, blocks);
+    const BlockIndices indices(K, blocks);
     SOFT_PETSC(MatZeroEntries(K));
     {
         BlockAdder adder(K);
-        for (std::size_t b = 0; b < chain.size(); ++b) adder.add(places, b, block_values(b));
+        for (std::size_t b = 0; b < chain.size(); ++b) adder.add(indices, b, block_values(b));
     }
     assemble(K);
     PetscBool equal = PETSC_FALSE;
@@ -63,14 +63,14 @@ TEST_P(BlockEntries, AreThoseOfMatSetValuesToTheLastBit) {
     EXPECT_EQ(equal, PETSC_TRUE);
 }
 
-TEST_P(BlockEntries, OfAPatternThatLacksThemAreRefused) {
+TEST_P(BlockEntries, OutsideThePatternAreRejected) {
     Matrix K = searched(GetParam());
     const std::array<PetscInt, 2> apart = {0, 7};
     const std::vector<std::span<const PetscInt>> blocks = {apart};
-    EXPECT_THROW(BlockPlaces(K, blocks), Error);
+    EXPECT_THROW(BlockIndices(K, blocks), Error);
 }
 
-TEST_P(BlockEntries, BelongToOnePattern) {
+TEST_P(BlockEntries, HaveEqualHashesForEqualPatternsOnly) {
     Matrix K = searched(GetParam()), same = searched(GetParam()), other = empty_matrix(GetParam());
     SOFT_PETSC(MatSetValue(other, 0, 7, 1.0, INSERT_VALUES));
     assemble(other);

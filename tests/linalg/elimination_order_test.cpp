@@ -1,4 +1,5 @@
-// Oracle: the elimination itself, entry by entry (George and Liu, Computer Solution of Large Sparse Positive Definite Systems (1981) 5.1).
+// Reference: symbolic elimination, entry by entry (George and Liu, Computer Solution of Large Sparse Positive Definite Systems (1981)
+// 5.1).
 #include "linalg/elimination_order.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@ namespace {
 
 using Order = std::vector<PetscInt>;
 
-/// A square of `side` x `side` nodes, each coupled with the eight around it, `per_node` unknowns a node.
+/// A square of `side` x `side` nodes, each coupled with its eight neighbours, with `per_node` unknowns per node.
 struct Square {
     std::vector<PetscInt> begin{0}, columns;
 
@@ -33,13 +34,13 @@ struct Square {
     }
 };
 
-/// Entries of the factor below the diagonal.
-std::size_t entries_of_factor(const MatrixRows& rows, const Order& places) {
-    std::vector<std::set<PetscInt>> below(places.size());  // by place
+/// Number of entries of the factor below the diagonal.
+std::size_t entries_of_factor(const MatrixRows& rows, const Order& positions) {
+    std::vector<std::set<PetscInt>> below(positions.size());  // by position
     for (PetscInt row = 0; row < rows.count; ++row)
         for (PetscInt k = rows.begin[row]; k < rows.begin[row + 1]; ++k) {
-            const PetscInt a = places[static_cast<std::size_t>(row)],
-                           b = places[static_cast<std::size_t>(rows.columns[k])];
+            const PetscInt a = positions[static_cast<std::size_t>(row)],
+                           b = positions[static_cast<std::size_t>(rows.columns[k])];
             if (b > a) below[static_cast<std::size_t>(a)].insert(b);
         }
     std::size_t entries = 0;
@@ -54,28 +55,28 @@ std::size_t entries_of_factor(const MatrixRows& rows, const Order& places) {
 }
 
 Order natural(PetscInt count) {
-    Order places(static_cast<std::size_t>(count));
-    std::iota(places.begin(), places.end(), 0);
-    return places;
+    Order positions(static_cast<std::size_t>(count));
+    std::iota(positions.begin(), positions.end(), 0);
+    return positions;
 }
 
-TEST(EliminationOrder, NumbersEachUnknownOnceAndTheLastOnesLast) {
+TEST(EliminationOrder, IsAPermutationThatKeepsTheSharedUnknownsLast) {
     const Square square(9, 2);
     for (const PetscInt interior : {PetscInt{1}, PetscInt{100}, square.rows().count}) {
-        Order places = elimination_order(square.rows(), interior);
-        for (PetscInt i = interior; i < square.rows().count; ++i) EXPECT_EQ(places[static_cast<std::size_t>(i)], i);
-        std::ranges::sort(places);
-        EXPECT_EQ(places, natural(square.rows().count));
+        Order positions = elimination_order(square.rows(), interior);
+        for (PetscInt i = interior; i < square.rows().count; ++i) EXPECT_EQ(positions[static_cast<std::size_t>(i)], i);
+        std::ranges::sort(positions);
+        EXPECT_EQ(positions, natural(square.rows().count));
     }
 }
 
 TEST(EliminationOrder, KeepsTheUnknownsOfANodeTogether) {
     constexpr int per_node = 3;
     const Square square(12, per_node);
-    const Order places = elimination_order(square.rows(), square.rows().count);
-    for (std::size_t first = 0; first < places.size(); first += per_node)
+    const Order positions = elimination_order(square.rows(), square.rows().count);
+    for (std::size_t first = 0; first < positions.size(); first += per_node)
         for (std::size_t i = 1; i < per_node; ++i)
-            EXPECT_EQ(places[first + i], places[first] + static_cast<PetscInt>(i));
+            EXPECT_EQ(positions[first + i], positions[first] + static_cast<PetscInt>(i));
 }
 
 // The bound is that of nested dissection by lines, 31/4 n^2 log2 n of an n x n square with nine-point couplings (George, SIAM J.

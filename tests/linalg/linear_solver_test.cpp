@@ -40,15 +40,15 @@ TEST(LinearSolver, CountsTheNegativePivotsOfASaddlePoint) {
     EXPECT_LT(residual_after_solve(solver, A), 1e-12);
 }
 
-TEST(LinearSolver, CorrectsTheUnsymmetricPartThatTheFactorDoesNotSee) {
+TEST(LinearSolver, CorrectsTheUnsymmetricPartThatLdltIgnores) {
     const auto A = dense(3, {4, 1, 1, 0.7, 3, 2, 1, 1.8, 0});
     LinearSolver solver(A);
     EXPECT_TRUE(solver.factorize().succeeded);
     EXPECT_LT(residual_after_solve(solver, A), 1e-8);
 }
 
-TEST(LinearSolver, GoesOverToLuWhereTheUnsymmetricPartIsLarge) {
-    // LDL^T reads the upper triangle; this lower one has nothing to do with it.
+TEST(LinearSolver, SwitchesToLuIfTheUnsymmetricPartIsLarge) {
+    // LDL^T reads the upper triangle only; this lower triangle is unrelated to it.
     std::vector<double> values(400);
     for (int i = 0; i < 20; ++i)
         for (int j = 0; j < 20; ++j) values[20 * i + j] = i == j ? 30.0 : (j > i ? 4.0 : -5.0 + (7 * i + 3 * j) % 11);
@@ -57,10 +57,10 @@ TEST(LinearSolver, GoesOverToLuWhereTheUnsymmetricPartIsLarge) {
     EXPECT_TRUE(solver.factorize().negative_pivots.has_value());
     EXPECT_LT(residual_after_solve(solver, A), 1e-8);
     EXPECT_GE(solver.factorizations(), 2);
-    EXPECT_FALSE(solver.factorize().negative_pivots.has_value());  // LU knows no inertia
+    EXPECT_FALSE(solver.factorize().negative_pivots.has_value());  // LU does not give the inertia
 }
 
-TEST(LinearSolver, SolvesAChangedMatrixWithTheOldFactor) {
+TEST(LinearSolver, SolvesAChangedMatrixWithAStaleFactor) {
     auto A = dense(3, {4, 1, 1, 1, 3, 2, 1, 2, 5});
     LinearSolver solver(A);
     EXPECT_TRUE(solver.factorize().succeeded);
@@ -107,7 +107,7 @@ model::LinearSettings settings_of(model::LinearMethod method,
 using model::LinearMethod;
 using model::Preconditioner;
 
-TEST(LinearSolver, EveryFactorisationSolvesAPositiveDefiniteSystemAtOnce) {
+TEST(LinearSolver, EveryFactorisationSolvesAPositiveDefiniteSystemInTwoIterations) {
     const auto A = laplacian(200);
     for (const auto method : {LinearMethod::automatic, LinearMethod::mumps_ldlt, LinearMethod::mumps_lu,
                               LinearMethod::superlu_dist, LinearMethod::cholmod}) {
@@ -118,7 +118,7 @@ TEST(LinearSolver, EveryFactorisationSolvesAPositiveDefiniteSystemAtOnce) {
     }
 }
 
-TEST(LinearSolver, EveryPreconditionerLeadsToTheSameSolution) {
+TEST(LinearSolver, ConvergesWithEveryPreconditioner) {
     const auto A = laplacian(200);
     for (const auto preconditioner :
          {Preconditioner::lu, Preconditioner::asm_lu, Preconditioner::asm_ilu, Preconditioner::asm_boomeramg,
@@ -132,7 +132,7 @@ TEST(LinearSolver, EveryPreconditionerLeadsToTheSameSolution) {
     }
 }
 
-TEST(LinearSolver, CholmodFailsAsAValueWhereTheMatrixIsNotPositiveDefiniteAndRecovers) {
+TEST(LinearSolver, CholmodReportsAnIndefiniteMatrixAsAValueAndRecovers) {
     auto A = laplacian(50);
     LinearSolver solver(A, Symmetry::symmetric, settings_of(LinearMethod::cholmod));
     SOFT_PETSC(MatSetValue(A, 20, 20, -2.0, INSERT_VALUES));
@@ -146,7 +146,7 @@ TEST(LinearSolver, CholmodFailsAsAValueWhereTheMatrixIsNotPositiveDefiniteAndRec
     EXPECT_LT(residual_after_solve(solver, A), 1e-10);
 }
 
-TEST(LinearSolver, AnIncompleteFactorWithAZeroPivotFailsAsAValue) {
+TEST(LinearSolver, IluReportsAZeroPivotAsAValue) {
     const auto A = dense(2, {0, 1, 1, 0});
     LinearSolver solver(A, Symmetry::symmetric, settings_of(LinearMethod::krylov, Preconditioner::asm_ilu));
     Vector x, b;
@@ -155,8 +155,8 @@ TEST(LinearSolver, AnIncompleteFactorWithAZeroPivotFailsAsAValue) {
     EXPECT_FALSE(solver.factorize().succeeded && solver.solve(b, x).converged);
 }
 
-TEST(LinearSolver, MethodsChosenByNameDoNotGoOverToAnother) {
-    std::vector<double> values(400);  // as above: LDL^T sees one triangle of it
+TEST(LinearSolver, DoesNotSwitchFromAUserSelectedMethod) {
+    std::vector<double> values(400);  // as above: LDL^T reads one triangle only
     for (int i = 0; i < 20; ++i)
         for (int j = 0; j < 20; ++j) values[20 * i + j] = i == j ? 30.0 : (j > i ? 4.0 : -5.0 + (7 * i + 3 * j) % 11);
     const auto A = dense(20, values);
@@ -167,7 +167,7 @@ TEST(LinearSolver, MethodsChosenByNameDoNotGoOverToAnother) {
     EXPECT_GT(solver.iterations(), 6);
 }
 
-TEST(LinearSolver, AKrylovMethodAtItsLimitKeepsItsBestAndCanGoOn) {
+TEST(LinearSolver, KrylovSolveKeepsItsBestIterateAtTheLimitAndCanContinue) {
     const auto A = laplacian(100);
     auto settings = settings_of(LinearMethod::krylov, Preconditioner::jacobi);
     settings.iteration_limit = 60;
@@ -200,7 +200,7 @@ TEST(LinearSolver, AKrylovMethodAtItsLimitKeepsItsBestAndCanGoOn) {
     EXPECT_LT(residual(), 1e-8);
 }
 
-TEST(LinearSolver, ItsToleranceIsTheOneThatIsSet) {
+TEST(LinearSolver, StopsAtTheRequestedTolerance) {
     const auto A = laplacian(200);
     long iterations = 0;
     for (const double tolerance : {1e-2, 1e-10}) {

@@ -1,4 +1,4 @@
-// A bar of quadratic cells with a discontinuous linear pressure in each, whose equilibrium is known.
+// A bar of quadratic cells with a discontinuous linear pressure, whose equilibrium is known in closed form.
 #include "linalg/multigrid.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double mu = 3.0, kappa = 100 * mu, length = 2.0, force = 5.0;
 
-/// Unknowns: cell by cell its middle and its right node, and two pressures where the bar is mixed; the left end is held.
+/// Unknowns, cell by cell: the middle and the right node, and two pressures if the bar is mixed. The left end is fixed.
 struct Bar {
     int cells;
     bool mixed;
@@ -84,7 +84,7 @@ struct Solution {
     int iterations = 0;
 };
 
-/// Under `force` on the right end.
+/// Solves the bar under `force` at the right end.
 Solution pulled(const Bar& bar) {
     const auto K = stiffness(bar);
     model::LinearSettings settings;
@@ -103,7 +103,7 @@ Solution pulled(const Bar& bar) {
 }
 
 // u' = force / (mu + kappa) and p = kappa u' throughout.
-TEST(Multigrid, ABarIsPulledAsItsModulusSays) {
+TEST(Multigrid, BarUnderTensionHasTheExactStrainAndPressure) {
     const double strain = force / (mu + kappa);
     for (const bool mixed : {true, false}) {
         const Bar bar{40, mixed};
@@ -117,12 +117,12 @@ TEST(Multigrid, ABarIsPulledAsItsModulusSays) {
     }
 }
 
-TEST(Multigrid, IterationsDoNotGrowWithTheCells) {
+TEST(Multigrid, IterationsDoNotGrowWithTheNumberOfCells) {
     for (const bool mixed : {true, false})
         EXPECT_LE(pulled({1000, mixed}).iterations, 1.2 * pulled({50, mixed}).iterations);
 }
 
-/// Iterations after `factorize` for a force on the right end.
+/// Number of iterations after `factorize` for a force at the right end.
 int iterations(LinearSolver& solver, Mat K, const Bar& bar) {
     Vector x, b;
     SOFT_PETSC(MatCreateVecs(K, x.out(), b.out()));
@@ -133,7 +133,7 @@ int iterations(LinearSolver& solver, Mat K, const Bar& bar) {
     return solve.iterations;
 }
 
-TEST(Multigrid, OfANewTangentIsThatOfANewSolver) {
+TEST(Multigrid, UpdatedForANewTangentEqualsANewSolver) {
     const Bar bar{60, true};
     auto K = stiffness(bar);
     model::LinearSettings settings;
@@ -143,7 +143,7 @@ TEST(Multigrid, OfANewTangentIsThatOfANewSolver) {
     LinearSolver kept(K, Symmetry::symmetric, settings);
     kept.set_levels(levels_of(bar));
     (void)iterations(kept, K, bar);
-    Vector scale;  // every cell another modulus
+    Vector scale;  // a different modulus in every cell
     SOFT_PETSC(MatCreateVecs(K, scale.out(), nullptr));
     for (PetscInt i = 0; i < bar.unknowns(); ++i) SOFT_PETSC(VecSetValue(scale, i, 1.0 + 0.5 * (i % 7), INSERT_VALUES));
     SOFT_PETSC(MatDiagonalScale(K, scale, scale));

@@ -1,4 +1,4 @@
-// The oracle is LAPACK: solutions by dense LU, signatures by dense eigenvalues.
+// Reference: LAPACK. Solutions from dense LU, signatures from dense eigenvalues.
 #include "linalg/sparse_ldlt.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Matrix sparse(const SmallMatrix& A) {
     return K;
 }
 
-/// `stiff` displacements and `pressures` pressures, [A B^T; B -C]; a spring of `weakest` in the middle.
+/// `stiff` displacements and `pressures` pressures, [A B^T; B -C], with a spring of stiffness `weakest` in the middle.
 SmallMatrix saddle_point(int stiff, int pressures, double compliance, double weakest) {
     SmallMatrix A(stiff + pressures);
     for (int i = 0; i < stiff; ++i) {
@@ -68,7 +68,7 @@ TEST(SparseLdlt, PressuresWithoutCompliancePerturbTheSolutionByNoMoreThanTheBoun
     EXPECT_EQ(factor.negative_pivots(), 4);
 }
 
-TEST(SparseLdlt, AnUnstableStateHasItsNegativeEigenvaluesBesides) {
+TEST(SparseLdlt, CountsNegativeEigenvaluesOfAnUnstableState) {
     const auto A = saddle_point(12, 2, 0.01, -9.0);
     SparseLdlt factor(sparse(A));
     ASSERT_TRUE(factor.factorize(sparse(A)));
@@ -77,7 +77,7 @@ TEST(SparseLdlt, AnUnstableStateHasItsNegativeEigenvaluesBesides) {
     EXPECT_LT(error_of_solve(factor, A), 1e-12);
 }
 
-TEST(SparseLdlt, FactorisesOtherValuesInTheSamePattern) {
+TEST(SparseLdlt, FactorisesNewValuesWithTheSamePattern) {
     const auto first = saddle_point(9, 3, 0.02, 6.0), second = saddle_point(9, 3, 0.5, 2.0);
     SparseLdlt factor(sparse(first));
     ASSERT_TRUE(factor.factorize(sparse(first)));
@@ -85,7 +85,7 @@ TEST(SparseLdlt, FactorisesOtherValuesInTheSamePattern) {
     EXPECT_LT(error_of_solve(factor, second), 1e-13);
 }
 
-TEST(SparseLdlt, ReadsTheTriangleAboveTheDiagonal) {
+TEST(SparseLdlt, ReadsOnlyTheUpperTriangle) {
     const auto A = saddle_point(6, 2, 0.1, 5.0);
     auto other_below = A;
     for (int i = 0; i < A.size; ++i)
@@ -95,18 +95,18 @@ TEST(SparseLdlt, ReadsTheTriangleAboveTheDiagonal) {
     EXPECT_LT(error_of_solve(factor, A), 1e-13);
 }
 
-TEST(SparseLdlt, AMatrixWithoutAnyPivotHasNoFactor) {
+TEST(SparseLdlt, FailsForAMatrixWithoutPivots) {
     SmallMatrix A(2);
-    A.at(0, 1) = A.at(1, 0) = 1.0;  // both diagonals vanish, and no diagonal to measure them by
+    A.at(0, 1) = A.at(1, 0) = 1.0;  // both diagonals are zero, so there is no scale for a replacement
     SparseLdlt factor(sparse(A));
     EXPECT_FALSE(factor.factorize(sparse(A)));
 }
 
-TEST(SparseLdlt, TellsTheFlopsOfAFactorisation) {
+TEST(SparseLdlt, ReportsTheFlopsOfAFactorisation) {
     SmallMatrix A(10);
     for (int i = 0; i < 10; ++i)
         for (int j = 0; j < 10; ++j) A.at(i, j) = i == j ? 10.0 : 1.0;
-    EXPECT_NEAR(SparseLdlt(sparse(A)).flops(), 385.0, 1e-9);  // dense: sum of the squares of the columns' lengths
+    EXPECT_NEAR(SparseLdlt(sparse(A)).flops(), 385.0, 1e-9);  // dense: sum of the squared column lengths
 }
 
 }  // namespace

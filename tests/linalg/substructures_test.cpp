@@ -1,4 +1,4 @@
-// Run on one, two and three ranks (CMakeLists.txt). The oracle is LAPACK on the whole matrix: solutions by dense LU, signatures by
+// Runs on one, two and three ranks (CMakeLists.txt). Reference: LAPACK on the whole matrix. Solutions from dense LU, signatures from
 // dense eigenvalues.
 #include "linalg/substructures.hpp"
 
@@ -13,7 +13,8 @@ namespace {
 
 constexpr int unknowns = 66, reach = 5;
 
-/// A chain of springs that reach some unknowns far, every sixth unknown a pressure; `weakened` of them pull instead of push.
+/// A chain of springs, each coupling unknowns up to `reach` apart. Every sixth unknown is a pressure. `weakened` springs have a
+/// negative stiffness.
 SmallMatrix chain(double compliance, int weakened = 0) {
     SmallMatrix A(unknowns);
     for (int i = 0; i < unknowns; ++i)
@@ -75,10 +76,10 @@ double error_of_solve(Factors& factors, const SmallMatrix& A) {
 
 std::unique_ptr<Substructures> substructures(Mat K, Symmetry symmetry) {
     std::vector<PetscInt> order;
-    return Substructures::of(K, symmetry, order);
+    return Substructures::create(K, symmetry, order);
 }
 
-TEST(Substructures, SolveAndCountTheNegativeEigenvaluesOfTheWhole) {
+TEST(Substructures, SolveAndCountNegativeEigenvaluesOfTheWholeMatrix) {
     for (const int weakened : {0, 1, 4, 9}) {
         const SmallMatrix A = chain(0.02, weakened);
         const Matrix K = on_all_ranks(A);
@@ -92,7 +93,7 @@ TEST(Substructures, SolveAndCountTheNegativeEigenvaluesOfTheWhole) {
     }
 }
 
-TEST(Substructures, SolveAGeneralMatrixAndKnowTheSignOfItsDeterminant) {
+TEST(Substructures, SolveAGeneralMatrixAndReportTheSignOfItsDeterminant) {
     for (const int weakened : {0, 1, 2}) {
         const SmallMatrix symmetric = chain(0.02, weakened), A = with_scaled_rows(symmetric);
         const int signs_of_rows = (unknowns + 2) / 5;  // i % 5 == 2
@@ -108,7 +109,7 @@ TEST(Substructures, SolveAGeneralMatrixAndKnowTheSignOfItsDeterminant) {
     }
 }
 
-TEST(Substructures, TakeLaterMatricesOfTheSamePattern) {
+TEST(Substructures, FactoriseLaterMatricesWithTheSamePattern) {
     const Matrix first = on_all_ranks(chain(0.02));
     const auto factors = substructures(first, Symmetry::symmetric);
     ASSERT_EQ(factors != nullptr, ranks() > 1);
@@ -119,23 +120,23 @@ TEST(Substructures, TakeLaterMatricesOfTheSamePattern) {
     EXPECT_LT(error_of_solve(*factors, A), 1e-11);
 }
 
-TEST(Substructures, EliminateInTheOrderOfOthersOfThePattern) {
+TEST(Substructures, ReuseTheEliminationOrderOfTheSamePattern) {
     const SmallMatrix A = with_scaled_rows(chain(0.02));
     const Matrix K = on_all_ranks(A);
     std::vector<PetscInt> order;
-    if (!Substructures::of(K, Symmetry::symmetric, order)) {
+    if (!Substructures::create(K, Symmetry::symmetric, order)) {
         EXPECT_EQ(ranks(), 1);
         return;
     }
     const std::vector<PetscInt> made = order;
     EXPECT_FALSE(made.empty());
-    const auto factors = Substructures::of(K, Symmetry::general, order);
+    const auto factors = Substructures::create(K, Symmetry::general, order);
     EXPECT_EQ(order, made);
     ASSERT_TRUE(factors->factorize(K));
     EXPECT_LT(error_of_solve(*factors, A), 1e-11);
 }
 
-TEST(Substructures, TakeTheOptionsOfMumpsButThoseTheyDependOn) {
+TEST(Substructures, ApplyMumpsOptionsExceptThoseTheyDependOn) {
     const SmallMatrix A = chain(0.02);
     const Matrix K = on_all_ranks(A);
     const auto was_asked_for = [](const char* option) {
@@ -156,9 +157,9 @@ TEST(Substructures, TakeTheOptionsOfMumpsButThoseTheyDependOn) {
     EXPECT_LT(error_of_solve(*factors, A), 1e-11);
 }
 
-TEST(Substructures, FailOnAllRanksWhereOneMeetsASingularPart) {
+TEST(Substructures, FailOnAllRanksIfOneInteriorIsSingular) {
     SmallMatrix A = chain(0.02);
-    for (int j = 0; j < unknowns; ++j) A.at(3, j) = A.at(j, 3) = j == 3 ? 2.0 : 0.0;  // a spring for itself
+    for (int j = 0; j < unknowns; ++j) A.at(3, j) = A.at(j, 3) = j == 3 ? 2.0 : 0.0;  // decoupled from all others
     const Matrix K = on_all_ranks(A);
     const auto factors = substructures(K, Symmetry::symmetric);
     ASSERT_EQ(factors != nullptr, ranks() > 1);
@@ -168,7 +169,7 @@ TEST(Substructures, FailOnAllRanksWhereOneMeetsASingularPart) {
     EXPECT_FALSE(factors->factorize(on_all_ranks(A)));
 }
 
-TEST(Substructures, AreNotTakenWhereRanksShareNothing) {
+TEST(Substructures, AreNotUsedIfRanksShareNoUnknowns) {
     SmallMatrix A(unknowns);
     for (int i = 0; i < unknowns; ++i) A.at(i, i) = 1.0 + i;
     EXPECT_EQ(substructures(on_all_ranks(A), Symmetry::symmetric), nullptr);

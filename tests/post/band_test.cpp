@@ -30,7 +30,7 @@ std::string refusal(const std::string& text) {
     return "";
 }
 
-/// The sphere of rubber with the modulus `mu` Pa: all pressures in proportion.
+/// The sphere with the modulus `mu` Pa: all pressures are proportional to it.
 Curve sphere_of(double mu) {
     auto steps = test::sphere_path(41, 3);
     for (solution::Step& step : steps) step.pressure_Pa *= mu, step.tangent_pressure *= mu;
@@ -43,7 +43,7 @@ double linear(const BandSum& sum, const char* quantity, std::size_t row = 0) {
     return band.find(static_cast<std::size_t>(column - sum.rows().columns.data()))->linear[row];
 }
 
-TEST(BandSum, AtAnOutputTheLoadVariesWithTheModulus) {
+TEST(BandSum, LoadVariesWithTheModulusAtAPrescribedOutput) {
     const Curve fitted = sphere_of(1), plus = sphere_of(1.02), minus = sphere_of(0.98);
     BandSum sum(fitted, parse_requests("growth=250mm,500mm", fitted));
     sum.add_pair(&plus, &minus);
@@ -51,11 +51,11 @@ TEST(BandSum, AtAnOutputTheLoadVariesWithTheModulus) {
     EXPECT_NEAR(linear(sum, "pressure", 0), 0.02e-3 * test::sphere_pressure_Pa(1.25), 1e-9 * 1e-3);
     EXPECT_NEAR(linear(sum, "pressure", 1), 0.02e-3 * test::sphere_pressure_Pa(1.5), 1e-9 * 1e-3);
     EXPECT_NEAR(linear(sum, "volume"), 0, 1e-6);
-    EXPECT_TRUE(std::isnan(linear(sum, "growth")));  // it is held
+    EXPECT_TRUE(std::isnan(linear(sum, "growth")));  // it is prescribed
     EXPECT_TRUE(sum.notes().empty());
 }
 
-TEST(BandSum, AtALoadTheOutputsVary) {
+TEST(BandSum, OutputsVaryAtAPrescribedLoad) {
     const Curve fitted = sphere_of(1), plus = sphere_of(1.001), minus = sphere_of(0.999);
     BandSum sum(fitted, parse_requests("pressure=0.5Pa", fitted));
     sum.add_pair(&plus, &minus);
@@ -66,7 +66,7 @@ TEST(BandSum, AtALoadTheOutputsVary) {
     EXPECT_TRUE(std::isnan(linear(sum, "pressure")));
 }
 
-TEST(BandSum, TwoErrorsAddAsSquaresAndSamplesHaveTheirDeviation) {
+TEST(BandSum, AddsVariancesOfPairsAndComputesTheDeviationOfSamples) {
     const Curve fitted = sphere_of(1), a = sphere_of(1.03), b = sphere_of(0.97), c = sphere_of(1.04),
                 d = sphere_of(0.96);
     BandSum sum(fitted, parse_requests("growth=500mm", fitted));
@@ -79,7 +79,7 @@ TEST(BandSum, TwoErrorsAddAsSquaresAndSamplesHaveTheirDeviation) {
     EXPECT_EQ(sum.band().samples, (std::vector<int>{4}));
 }
 
-TEST(BandSum, WhatFallsShortIsLeftOutAndCounted) {
+TEST(BandSum, CountsSamplesThatDoNotReachTheValue) {
     // the largest pressure is 0.8164 Pa times the modulus
     const Curve fitted = sphere_of(1), plus = sphere_of(1.1), minus = sphere_of(0.9), third = sphere_of(1.2);
     BandSum sum(fitted, parse_requests("pressure=0.4Pa,0.8Pa", fitted));
@@ -90,7 +90,7 @@ TEST(BandSum, WhatFallsShortIsLeftOutAndCounted) {
     sum.add_sample(nullptr);  // not computed
     const Band band = sum.band();
     const std::size_t rows = sum.rows().row_count();
-    ASSERT_EQ(rows, 3u);  // 0.8 Pa is crossed before and behind the limit point
+    ASSERT_EQ(rows, 3u);  // 0.8 Pa is crossed before and after the limit point
     EXPECT_EQ(band.samples, (std::vector<int>{3, 2, 2}));
     EXPECT_FALSE(std::isnan(linear(sum, "growth", 0)));
     EXPECT_TRUE(std::isnan(linear(sum, "growth", 1)));
@@ -114,7 +114,7 @@ TEST(BandSum, WhatFallsShortIsLeftOutAndCounted) {
     EXPECT_EQ(read.samples, band.samples);
 }
 
-TEST(BandSum, SaysWhereNothingVaries) {
+TEST(BandSum, WarnsWhereNothingVaries) {
     const Curve fitted = sphere_of(1);
     BandSum sum(fitted, parse_requests("growth=500mm", fitted));
     sum.add_pair(&fitted, &fitted);
@@ -123,7 +123,7 @@ TEST(BandSum, SaysWhereNothingVaries) {
     EXPECT_THROW(BandSum(fitted, parse_requests("pressure=5Pa", fitted)), Error);
 }
 
-TEST(Band, TakesTheSampledWidthWhereThereIsOne) {
+TEST(Band, PrefersTheSampledWidth) {
     const Band linear = read("step,pressure_kPa,growth_mm,pressure_band_kPa\n1,10,100,0.5\n2,20,300,1\n");
     EXPECT_EQ(linear.widths[0].values, (std::vector<double>{10, 20}));
     EXPECT_EQ(linear.widths[0].half(1), 1);
@@ -133,7 +133,7 @@ TEST(Band, TakesTheSampledWidthWhereThereIsOne) {
         0.6);
 }
 
-TEST(Band, IsDrawnAroundTheQuantityThatIsNotHeldWhicheverAxisItIsOn) {
+TEST(Band, IsDrawnAlongTheAxisThatIsNotPrescribed) {
     const Curve fitted = sphere_of(1), plus = sphere_of(1.02), minus = sphere_of(0.98);
     BandSum sum(fitted, parse_requests("growth=500mm,250mm", fitted));
     sum.add_pair(&plus, &minus);
@@ -148,7 +148,7 @@ TEST(Band, IsDrawnAroundTheQuantityThatIsNotHeldWhicheverAxisItIsOn) {
     };
     const std::string upright = block(script({}), "constants1"), bars = block(script({}), "constants_bars1");
     EXPECT_EQ(std::ranges::count(bars, '\n'), 2);
-    // the outline starts at the smaller growth, at the upper end of its bar, though it was asked for second
+    // the outline starts at the smaller growth, at the upper end of its bar, although it was requested second
     double x = 0, y = 0;
     ASSERT_EQ(std::sscanf(upright.c_str(), "$constants1 << END\n%lf %lf", &x, &y), 2);
     EXPECT_NEAR(x, 250, 1e-9);
@@ -157,13 +157,12 @@ TEST(Band, IsDrawnAroundTheQuantityThatIsNotHeldWhicheverAxisItIsOn) {
     EXPECT_NE(script({}).find("one standard deviation of the constants"), std::string::npos);
 }
 
-TEST(Band, RefusesTablesWithoutOne) {
+TEST(Band, RejectsTablesWithoutABand) {
     EXPECT_EQ(
         refusal("pressure_kPa,growth_mm\n10,100\n"),
-        "band.csv: has no column such as pressure_band_kPa for this curve; give a table that scripts/uncertainty has "
-        "written");
+        "band.csv: has no column such as pressure_band_kPa for this curve; give a table written by scripts/uncertainty");
     EXPECT_EQ(refusal("pressure_kPa,growth_mm,pressure_band_kPa\n10,100,-1\n"),
-              "band.csv:2: column 3 'pressure_band_kPa': a band cannot have a negative width");
+              "band.csv:2: column 3 'pressure_band_kPa': the width of the band is negative");
     EXPECT_NE(refusal("pressure_kPa,growth_mm,pressure_band_kPa\n10,100,x\n"), "");
 }
 

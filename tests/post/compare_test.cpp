@@ -10,7 +10,7 @@
 namespace soft::post {
 namespace {
 
-/// The sphere with mu = 55 kPa up to a stretch of 1.7, where the pressure still rises.
+/// The sphere with mu = 55 kPa up to a stretch of 1.7, below the limit point.
 Curve sphere_curve() {
     auto steps = test::sphere_path(30, 1.7);
     for (auto& step : steps) step.pressure_Pa *= 55e3, step.tangent_pressure *= 55e3;
@@ -38,42 +38,42 @@ TEST(Measured, FindsItsColumnsByTheirHeadersInAnyUnit) {
     EXPECT_EQ(measured.series[0].origin, "column 3 'PRESSURE (psi)'");
 }
 
-TEST(Measured, TakesTheOnlyColumnOfAKindWhateverItsName) {
+TEST(Measured, MatchesTheOnlyColumnOfADimensionRegardlessOfItsName) {
     const Measured measured = read("Druck (mbar),Weg (mm)\n100,3\n");
     EXPECT_EQ(measured.series[0].values[0], 10);
     EXPECT_EQ(measured.series[1].values[0], 3);
 }
 
-TEST(Measured, TakesTheColumnsItIsTold) {
+TEST(Measured, UsesTheSpecifiedColumns) {
     EXPECT_EQ(read("1,50,x\n2,60,y\n", "pressure=2:kPa,growth=1:m").series[0].values[1], 60);
     EXPECT_EQ(read("a (mm),b (Pa),c (Pa)\n1,50,70\n", "pressure=c,growth=1").series[0].values[0], 0.07);
 }
 
-TEST(Measured, FindsByItsHeaderWhatItIsNotTold) {
+TEST(Measured, FindsUnspecifiedColumnsByTheirHeaders) {
     const Measured measured = read("Pressure (psi),Growth (furlong)\n2,20\n", "growth=2:mm");
     EXPECT_EQ(measured.series[0].values[0], 2 * 6.894757293168361);
     EXPECT_EQ(measured.series[1].values[0], 20);
     EXPECT_EQ(
         refusal("a,b\n1,2\n", "pressure=1:kPa"),
-        "m.csv: nothing to set against the pressure is found among column 1 'a', column 2 'b'; say where it is, e.g. "
+        "m.csv: no quantity to compare with the pressure was found among column 1 'a', column 2 'b'; name its column, e.g. "
         "--columns growth=1:mm; the case has pressure, growth, volume");
     EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa,growth=1:mm"),
-              "--columns growth: column 1 'a' is taken already; name each column once");
+              "--columns growth: column 1 'a' is already assigned; name each column once");
     EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=1:kPa,pressure=2:kPa"),
-              "--columns: 'pressure' is there twice; name each quantity once");
+              "--columns: 'pressure' is given twice; name each quantity once");
 }
 
-TEST(Measured, RefusesInOneClearLine) {
+TEST(Measured, RejectsInvalidDataWithAOneLineMessage) {
     EXPECT_EQ(
         refusal("a,b\n1,2\n"),
-        "m.csv: no pressure is found among column 1 'a', column 2 'b'; say where it is, e.g. --columns pressure=1:kPa; the "
+        "m.csv: no pressure was found among column 1 'a', column 2 'b'; name its column, e.g. --columns pressure=1:kPa; the "
         "case has pressure, growth, volume");
     EXPECT_EQ(refusal("pressure,growth_mm\n1,2\n"),
-              "m.csv: column 1 'pressure': the unit is not known; give it, e.g. --columns pressure=1:kPa");
+              "m.csv: column 1 'pressure': the unit is missing; give it, e.g. --columns pressure=1:kPa");
     EXPECT_EQ(refusal("pressure (mm),growth_mm\n1,2\n"),
-              "m.csv: column 1 'pressure (mm)': 'mm' is no unit of pressure; pressure is, for example, in kPa");
+              "m.csv: column 1 'pressure (mm)': 'mm' is not a unit of pressure; give pressure for example in kPa");
     EXPECT_EQ(refusal("pressure_kPa,growth_mm\n1,2\n1,-\n"),
-              "m.csv:3: column 2 'growth_mm': '-' is no number; put # before lines that are no data");
+              "m.csv:3: column 2 'growth_mm': '-' is not a number; put # before lines that are not data");
     EXPECT_EQ(refusal("a,b\n1,2\n", "pressure=3"), "--columns pressure: m.csv has columns 1 to 2, not 3");
     EXPECT_EQ(refusal("a,b\n1,2\n", "presure=1"),
               "--columns: the curve has no 'presure'; it has pressure, growth, volume");
@@ -87,7 +87,7 @@ TEST(Measured, RefusesInOneClearLine) {
 constexpr double p25_kPa = 0.551869 * 55, p50_kPa = 0.755433 * 55;
 
 TEST(Compare, GivesMeanRmsAndLargestOfKnownErrors) {
-    // measured 2 kPa less, 1 kPa more, 1 kPa more than the closed form; a fourth point lies beyond the path
+    // measured 2 kPa below, 1 kPa above and 1 kPa above the closed form; a fourth point lies beyond the path
     const std::string text = "growth_mm,pressure_kPa\n250," + std::to_string(p25_kPa - 2) + "\n500," +
                              std::to_string(p50_kPa + 1) + "\n0,1\n900,44\n";
     const Measured measured = read(text);
@@ -107,7 +107,7 @@ TEST(Compare, GivesMeanRmsAndLargestOfKnownErrors) {
     EXPECT_EQ(errors[1].at, pressure.of);  // and the growth at equal pressure
 }
 
-TEST(Compare, FindsNoErrorInTheClosedForm) {
+TEST(Compare, FindsNoErrorForDataFromTheClosedForm) {
     std::string text = "growth_mm,pressure_kPa\n";
     for (double stretch = 1.05; stretch < 1.6; stretch += 0.05)
         text +=
@@ -118,7 +118,7 @@ TEST(Compare, FindsNoErrorInTheClosedForm) {
     }
 }
 
-TEST(Compare, RefusesDataOffThePath) {
+TEST(Compare, RejectsDataOffThePath) {
     try {
         (void)compare(sphere_curve(), read("growth_mm,pressure_kPa\n9000,500\n"));
         FAIL();
@@ -128,12 +128,12 @@ TEST(Compare, RefusesDataOffThePath) {
     }
 }
 
-TEST(Compare, TheLargestErrorIsHeldToALimitInItsOwnUnit) {
+TEST(Compare, ChecksTheLargestErrorAgainstALimitInItsUnit) {
     const Measured measured = read("growth_mm,pressure_kPa\n250," + std::to_string(p25_kPa - 2) + "\n");
     const Curve curve = sphere_curve();
     const auto errors = compare(curve, measured);
     const auto failure = [&](std::string_view limit) {
-        return check_largest(curve, measured, errors, limit).front().failure;
+        return check_max_error(curve, measured, errors, limit).front().failure;
     };
     EXPECT_EQ(failure("2.1kPa"), "");
     EXPECT_EQ(failure("1.9kPa"),
@@ -143,13 +143,13 @@ TEST(Compare, TheLargestErrorIsHeldToALimitInItsOwnUnit) {
     const Measured longer = read("growth_mm,pressure_kPa\n250," + std::to_string(p25_kPa) + "\n9000,500\n9500,600\n");
     const auto of_longer = compare(curve, longer);
     EXPECT_EQ(
-        check_largest(curve, longer, of_longer, "1kPa").front().failure,
-        "2 measured points of 3 cannot be held to 1 kPa of pressure at equal growth: beyond the path; let it go on "
-        "(path.until), or leave them out of m.csv");
+        check_max_error(curve, longer, of_longer, "1kPa").front().failure,
+        "2 measured points of 3 lie beyond the path, so the limit of 1 kPa of pressure at equal growth cannot be checked; "
+        "extend the path (path.until), or remove them from m.csv");
     const Measured beyond = read("growth_mm,pressure_kPa\n9000," + std::to_string(p25_kPa) + "\n");
-    const auto at_pressure = compare(curve, beyond);  // growth at equal pressure alone
-    EXPECT_EQ(check_largest(curve, beyond, at_pressure, "1kPa").front().failure,
-              "no measured point lies on the path where pressure could be held to 1kPa");
+    const auto at_pressure = compare(curve, beyond);  // only growth at equal pressure
+    EXPECT_EQ(check_max_error(curve, beyond, at_pressure, "1kPa").front().failure,
+              "no measured point lies on the path, so the limit of 1kPa of pressure cannot be checked");
     EXPECT_THROW((void)failure("-5 kPa"), Error);
 }
 

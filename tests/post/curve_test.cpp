@@ -29,21 +29,21 @@ solution::Step step_with(double pressure_Pa, std::vector<double> outputs, std::o
     return step;
 }
 
-TEST(Curve, HasTheColumnsOfTheContractInItsOrder) {
+TEST(Curve, HasTheDocumentedColumnsInOrder) {
     const std::vector<solution::Step> steps{step_with(0, {0.0}, 1e-5)};
     EXPECT_EQ(names(make_curve(sample_case({"elongation"}), steps)),
               (std::vector<std::string>{"step", "pressure_kPa", "elongation_mm", "volume_mL", "stretch_p99",
                                         "max_stretch", "min_J", "stable"}));
 }
 
-TEST(Curve, LeavesOutWhatTheCaseDoesNotMeasure) {
+TEST(Curve, OmitsQuantitiesThatTheCaseDoesNotHave) {
     const std::vector<solution::Step> steps{step_with(0, {}, std::nullopt)};
     EXPECT_EQ(names(make_curve(sample_case(), steps)),
               (std::vector<std::string>{"step", "pressure_kPa", "stretch_p99", "max_stretch", "min_J", "stable"}));
 }
 
-// Beyond a pressure maximum that is passed at a prescribed volume: unstable at that pressure, stable at that volume.
-TEST(Curve, HasTheStabilityUnderControlWhereEveryRowHasIt) {
+// Beyond a pressure maximum under volume control the state is unstable at prescribed pressure, but stable at prescribed volume.
+TEST(Curve, HasTheStabilityUnderControlIfEveryRowHasIt) {
     solution::Step step = step_with(0, {}, std::nullopt);
     step.stable = false;
     step.stable_under_control = true;
@@ -56,7 +56,7 @@ TEST(Curve, HasTheStabilityUnderControlWhereEveryRowHasIt) {
     EXPECT_EQ(make_curve(sample_case(), steps).find("stable_under_control"), nullptr);
 }
 
-TEST(Curve, CallsItsLoadByWhatLeadsTheCase) {
+TEST(Curve, NamesTheLoadColumnByTheLeadingLoad) {
     const std::vector<solution::Step> steps{step_with(500, {}, std::nullopt)};
     model::Case model = sample_case({}, Loaded::nothing);
     const Curve factor = make_curve(model, steps);
@@ -68,7 +68,7 @@ TEST(Curve, CallsItsLoadByWhatLeadsTheCase) {
     EXPECT_EQ(make_curve(model, steps).columns[1].values[0], 0.5);
 }
 
-TEST(Curve, HasTheErrorsOfRowsThatHaveThem) {
+TEST(Curve, HasErrorColumnsIfTheRowsHaveErrors) {
     model::Case model = sample_case({"elongation", "bend"});
     model.outputs[1].measure = model::Measure::bend;
     solution::Step step = step_with(3e4, {0.01, 1}, std::nullopt);
@@ -87,7 +87,7 @@ TEST(Curve, HasTheErrorsOfRowsThatHaveThem) {
     EXPECT_THROW(static_cast<void>(make_curve(model, steps)), Error);
 }
 
-TEST(Curve, TellsEveryMeasureInItsUnit) {
+TEST(Curve, GivesEveryMeasureInItsUnit) {
     model::Case model = sample_case({"a", "b", "c", "d"});
     model.outputs[0].measure = model::Measure::force;
     model.outputs[1].measure = model::Measure::moment;
@@ -101,7 +101,7 @@ TEST(Curve, TellsEveryMeasureInItsUnit) {
     EXPECT_EQ(curve.find("c")->name, "c_per_m");
     EXPECT_EQ(curve.find("c")->unit, "1/m");
     EXPECT_EQ(curve.find("d")->name, "d_mm");
-    // A table that is read back finds them.
+    // The headings can be parsed when the table is read back.
     for (const Column& column : curve.columns) {
         const table::Heading heading = table::parse_heading(column.name);
         if (column.source != Source::output) continue;
@@ -110,7 +110,7 @@ TEST(Curve, TellsEveryMeasureInItsUnit) {
     }
 }
 
-TEST(Curve, ShowsEnergiesAndPlacesOnDemand) {
+TEST(Curve, ShowsEnergiesAndPositionsOnDemand) {
     solution::Step step = step_with(0, {}, std::nullopt);
     step.energies = {2e-3, 2.1e-3, {}};
     step.extremes = {{0.01, 0.02, 0.03}, 5e3};
@@ -136,7 +136,7 @@ TEST(Curve, ShowsEnergiesAndPlacesOnDemand) {
     show_also(curve, std::vector<std::string>{"all"});
 }
 
-// What the table can have is what the list says: no column of a curve is missing there.
+// The list must contain every column that a curve can have.
 TEST(Columns, AreAllListedOnceWithTheirMeaning) {
     const auto all = all_columns();
     std::set<std::string> names;
@@ -171,7 +171,7 @@ TEST(Columns, AreAllListedOnceWithTheirMeaning) {
     EXPECT_NE(column_text(all).find("load_work_mJ"), std::string::npos);
 }
 
-TEST(Curve, TellsAnglesInDegrees) {
+TEST(Curve, GivesAnglesInDegrees) {
     model::Case model = sample_case({"bend", "turn", "reach"});
     model.outputs[0].measure = model::Measure::bend;
     model.outputs[1].measure = model::Measure::twist;
@@ -184,7 +184,7 @@ TEST(Curve, TellsAnglesInDegrees) {
     EXPECT_EQ(curve.columns[4].name, "reach_mm");
 }
 
-TEST(Curve, HasEachPressureAndVolumeOfACaseWithSeveral) {
+TEST(Curve, HasAColumnPerPressureAndVolumeOfACaseWithSeveral) {
     model::Case model = sample_case({"elongation"});
     model.cavities = {{"left", "a", {}, {}}, {"right", "b", {}, {}}};
     model.loads = {{"both", {"left", "right"}, true, {}}, {"outside", {"outer"}, true, {}}};
@@ -208,7 +208,7 @@ TEST(Curve, HasEachPressureAndVolumeOfACaseWithSeveral) {
               "pressure, elongation, volume, pressure_both, pressure_outside, volume_left, volume_right");
 }
 
-TEST(Curve, RoundValuesInSIStayRoundInTheUnitOfTheColumn) {
+TEST(Curve, KeepsRoundValuesRoundInTheUnitOfTheColumn) {
     const std::vector<solution::Step> steps{step_with(30000, {0.13}, 1.5e-5)};
     const Curve curve = make_curve(sample_case({"elongation"}), steps);
     EXPECT_EQ(curve.find("pressure")->values[0], 30.0);
@@ -216,23 +216,23 @@ TEST(Curve, RoundValuesInSIStayRoundInTheUnitOfTheColumn) {
     EXPECT_EQ(curve.find("volume")->values[0], 15.0);
 }
 
-TEST(Curve, RefusesAStepWithoutItsVolume) {
+TEST(Curve, RejectsAStepWithoutItsVolume) {
     const std::vector<solution::Step> steps{step_with(0, {}, 1e-5), step_with(1, {}, std::nullopt)};
     EXPECT_THROW((void)make_curve(sample_case(), steps), Error);
 }
 
-TEST(Curve, RefusesAStepWithTooFewOutputs) {
+TEST(Curve, RejectsAStepWithTooFewOutputs) {
     const std::vector<solution::Step> steps{step_with(0, {0.0}, std::nullopt)};
     EXPECT_THROW((void)make_curve(sample_case({"elongation", "twist"}), steps), Error);
 }
 
-TEST(Curve, RefusesAStepWithoutThePressuresOfSeveralLoads) {
+TEST(Curve, RejectsAStepWithoutThePressuresOfSeveralLoads) {
     model::Case model = sample_case();
     model.loads.push_back({"outside", {"outer"}, true, {}});
     EXPECT_THROW((void)make_curve(model, std::vector{step_with(0, {}, 1e-5)}), Error);
 }
 
-TEST(ValueAt, IsThatOfTheColumnInItsUnit) {
+TEST(ValueAt, ReturnsTheValueInTheUnitOfTheColumn) {
     const Curve curve = make_curve(sample_case({"elongation"}), std::vector{step_with(0, {0.0}, 1e-5)});
     const solution::LimitPoint point{.step = 0, .pressure_Pa = 44e3, .volume_m3 = 2e-5, .outputs = {0.0135}};
     EXPECT_EQ(value_at(*curve.find("pressure"), point), 44.0);

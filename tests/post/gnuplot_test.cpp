@@ -26,7 +26,7 @@ std::filesystem::path fresh_folder(const char* name) {
     return folder;
 }
 
-TEST(Gnuplot, ItsAbsenceNamesThePackageAndLeavesNoFile) {
+TEST(Gnuplot, NamesThePackageIfMissingAndLeavesNoFile) {
     const auto folder = fresh_folder("soft_no_gnuplot");
     const PathVariable path{folder.string()};
     try {
@@ -39,7 +39,7 @@ TEST(Gnuplot, ItsAbsenceNamesThePackageAndLeavesNoFile) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-TEST(Gnuplot, ARefusedScriptIsReportedInOneLineAndLeavesNoFile) {
+TEST(Gnuplot, ReportsAnInvalidScriptInOneLineAndLeavesNoFile) {
     const auto folder = fresh_folder("soft_bad_script");
     try {
         run_gnuplot("set terminal svg\nplot nonsense_function(x)\n", folder / "a.svg");
@@ -53,7 +53,7 @@ TEST(Gnuplot, ARefusedScriptIsReportedInOneLineAndLeavesNoFile) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-TEST(Gnuplot, SettingsOfTheUserChangeNothing) {
+TEST(Gnuplot, IgnoresTheSettingsOfTheUser) {
     const std::string script = "set terminal svg\nplot x\n";
     const std::string plain = gnuplot_output(script, "a.svg");
     const auto home = fresh_folder("soft_home");
@@ -69,7 +69,7 @@ TEST(Gnuplot, SettingsOfTheUserChangeNothing) {
     EXPECT_FALSE(std::filesystem::exists(home / "lost"));
 }
 
-TEST(Gnuplot, AFolderThatDoesNotExistIsAnOutputThatCannotBeCreated) {
+TEST(Gnuplot, ReportsAMissingFolderAsCannotCreate) {
     try {
         run_gnuplot("set terminal svg\nplot x\n", "/nonexistent-folder/a.svg");
         FAIL();
@@ -78,7 +78,7 @@ TEST(Gnuplot, AFolderThatDoesNotExistIsAnOutputThatCannotBeCreated) {
     }
 }
 
-/// No file may become longer, as on a full disk.
+/// Limits the file size, to simulate a full disk.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -98,7 +98,7 @@ private:
     void (*handler_)(int);
 };
 
-TEST(Gnuplot, WithoutRoomForThePictureTheOldOneStays) {
+TEST(Gnuplot, KeepsTheOldPictureIfTheDiskIsFull) {
     const auto folder = fresh_folder("soft_no_room");
     const auto file = folder / "a.svg";
     std::ofstream(file) << "old";

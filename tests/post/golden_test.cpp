@@ -10,7 +10,7 @@
 namespace soft::post {
 namespace {
 
-/// Rows of the closed form at evenly spaced stretches, as postprocess would write them.
+/// Rows of the closed form at evenly spaced stretches, in the format of postprocess.
 std::string exact_table(int rows, double last_stretch) {
     std::string text = "step,pressure_kPa,growth_mm,volume_mL,stable\n";
     for (int row = 0; row < rows; ++row) {
@@ -37,7 +37,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
     return text.replace(at, old.size(), by);
 }
 
-TEST(Golden, AnotherChoiceOfStepsOnTheSameCurveIsNoDifference) {
+TEST(Golden, AcceptsOtherStepsOnTheSameCurve) {
     for (const int rows : {25, 40, 77}) {
         const Verdict verdict = verdict_on(exact_table(31, 3), {}, rows);
         EXPECT_TRUE(verdict.agrees()) << rows << failure(exact_table(31, 3), {}, rows);
@@ -47,7 +47,7 @@ TEST(Golden, AnotherChoiceOfStepsOnTheSameCurveIsNoDifference) {
     }
 }
 
-TEST(Golden, TellsHowMuchOfThePathATableCovers) {
+TEST(Golden, ReportsTheCoveredFractionOfThePath) {
     EXPECT_TRUE(verdict_on(exact_table(31, 1.5)).agrees());
     const double half_way = verdict_on(exact_table(31, 1.5)).covered;
     EXPECT_GT(half_way, 0.1);
@@ -55,16 +55,17 @@ TEST(Golden, TellsHowMuchOfThePathATableCovers) {
     EXPECT_LT(verdict_on(exact_table(31, 1.2)).covered, half_way);
 }
 
-TEST(Golden, TheSameRowsAgreeToTheLastDigitInEveryColumn) {
+TEST(Golden, SameRowsAgreeToRoundingInEveryColumn) {
     const Curve curve = make_curve(test::growth, test::sphere_path(20, 3));
     const table::Table golden = table::read_table(csv_text(curve), "golden.csv");
     const Verdict verdict = check_golden(curve, golden, {1e-12, {}});
     EXPECT_TRUE(verdict.agrees()) << failure_text(verdict, golden);
-    EXPECT_EQ(verdict.columns.size(), curve.columns.size() - 1) << "all but the number of the step";
+    EXPECT_EQ(verdict.columns.size(), curve.columns.size() - 1) << "all columns except step";
 }
 
-TEST(Golden, TellsTheFirstDifferingRowWithColumnValuesAndDifference) {
-    // p(1.5) = 0.755433 mu (verification.md), here mu = 1 Pa: row 5 of 0..20 up to 3 is the stretch 1.5 (0.75543312 by the formula), as row 10 of the path
+TEST(Golden, ReportsTheFirstDifferingRowWithColumnValuesAndDifference) {
+    // p(1.5) = 0.755433 mu (verification.md), here with mu = 1 Pa. The stretch 1.5 is row 5 of 0..20 up to 3 (0.75543312 by the formula)
+    // and row 10 of the path.
     std::string golden = exact_table(21, 3);
     const std::string right = core::number_text(test::sphere_pressure_Pa(1.5) / 1e3);
     golden = replaced(golden, "5," + right + ",500,", "5,0.00077,500,");
@@ -77,13 +78,13 @@ TEST(Golden, TellsTheFirstDifferingRowWithColumnValuesAndDifference) {
     EXPECT_FALSE(verdict_on(golden, {1e-3, {{"growth", 1.5e-5}}}).agrees());
 }
 
-TEST(Golden, APathThatEndsEarlyDiffersWhereItEnds) {
+TEST(Golden, ReportsWhereThePathEndsEarly) {
     EXPECT_EQ(failure(exact_table(21, 3), {}, 40, 2),
               "golden.csv:13: the path does not reach growth_mm 1100; it ends at 1000; 10 of 21 rows differ");
-    EXPECT_TRUE(verdict_on(exact_table(21, 3), {}, 40, 2.9995).agrees());  // 2000 mm within a thousandth
+    EXPECT_TRUE(verdict_on(exact_table(21, 3), {}, 40, 2.9995).agrees());  // 2000 mm within the relative tolerance 1e-3
 }
 
-TEST(Golden, AColumnThatTheResultLacksIsADifference) {
+TEST(Golden, ReportsAColumnMissingInTheResult) {
     const std::string golden = "step,pressure_kPa,growth_mm,bend_deg\n0,0,0,0\n";
     const Verdict verdict = verdict_on(golden);
     EXPECT_FALSE(verdict.agrees());
@@ -91,15 +92,15 @@ TEST(Golden, AColumnThatTheResultLacksIsADifference) {
               "golden.csv: the result has no column 'bend_deg'");
 }
 
-TEST(Golden, StabilityIsHeldToTheRowsOnBothSides) {
+TEST(Golden, ComparesStabilityWithTheRowsOnBothSides) {
     const std::string golden = exact_table(31, 3);
     EXPECT_EQ(failure(replaced(golden, ",1\n1,", ",0\n1,")).substr(0, 31), "golden.csv:2: stable is 1 where");
-    // between the last stable and the first unstable row of the path either is right
+    // between the last stable and the first unstable row of the path both values are accepted
     const std::string between = "growth_mm,stable\n825,1\n826,0\n";
     EXPECT_TRUE(verdict_on(between, {}, 9).agrees());
 }
 
-TEST(Golden, ATableThatChecksNothingIsRefused) {
+TEST(Golden, RejectsATableThatChecksNothing) {
     const Curve curve = make_curve(test::growth, test::sphere_path(20, 3));
     EXPECT_THROW((void)check_golden(curve, table::read_table("growth_mm\n0\n100\n", "g.csv"), {}), Error);
     EXPECT_THROW((void)check_golden(curve, table::read_table("step,growth_mm\n0,0\n1,100\n", "g.csv"), {}), Error);
@@ -107,8 +108,8 @@ TEST(Golden, ATableThatChecksNothingIsRefused) {
     EXPECT_THROW((void)parse_allowance("pressure=-5Pa", curve), Error);
 }
 
-TEST(Golden, APathThatGoesThereAndBackIsFollowedInItsOrder) {
-    // pressure up and down again on two different ways; the first output turns back with it
+TEST(Golden, FollowsALoadingAndUnloadingPathInItsOrder) {
+    // the pressure rises and falls along two different curves; the first output reverses with it
     auto steps = test::sphere_path(9, 1.8);
     const auto up = steps;
     for (std::size_t i = up.size() - 1; i-- > 0;) {
@@ -120,13 +121,13 @@ TEST(Golden, APathThatGoesThereAndBackIsFollowedInItsOrder) {
     const Curve curve = make_curve(test::growth, steps);
     table::Table golden = table::read_table(csv_text(curve), "golden.csv");
     EXPECT_TRUE(check_golden(curve, golden, {1e-9, {}}).agrees());
-    golden.rows[12][1] = golden.rows[4][1];  // a row of the way back with the pressure of the way there
+    golden.rows[12][1] = golden.rows[4][1];  // a row of the unloading path with the pressure of the loading path
     const Verdict verdict = check_golden(curve, golden, {1e-3, {}});
     EXPECT_EQ(verdict.differing_rows, 1u) << failure_text(verdict, golden);
     EXPECT_EQ(verdict.columns[0].first->row, 12u);
 }
 
-TEST(Golden, AStageThatHoldsTheStateIsFoundWhereItHolds) {
+TEST(Golden, FindsAStageInWhichTheStateDoesNotChange) {
     auto steps = test::sphere_path(6, 1.5);
     steps.push_back(steps.back());
     steps.back().stage = 1;
@@ -142,17 +143,17 @@ TEST(Golden, AStageThatHoldsTheStateIsFoundWhereItHolds) {
     table::Table golden = table::read_table(csv_text(curve), "golden.csv");
     EXPECT_TRUE(check_golden(curve, golden, {1e-12, {}}).agrees())
         << failure_text(check_golden(curve, golden, {1e-12, {}}), golden);
-    golden.rows[3][1] = "2";  // "stage" in the middle of the first
+    golden.rows[3][1] = "2";  // wrong "stage" in the middle of the first stage
     EXPECT_EQ(check_golden(curve, golden, {1e-12, {}}).differing_rows, 1u);
 }
 
-TEST(Golden, RefusesATableThatIsNone) {
+TEST(Golden, RejectsInvalidTables) {
     EXPECT_THROW((void)verdict_on("1,2\n3,4\n"), Error);
     EXPECT_THROW((void)verdict_on("step,stable\n0,1\n"), Error);
     EXPECT_THROW((void)verdict_on("pressure_kPa,growth_mm\n0,x\n"), Error);
 }
 
-TEST(Allowance, IsReadInUnitsOfTheColumn) {
+TEST(Allowance, IsParsedInUnitsOfTheColumn) {
     const Curve curve = make_curve(test::growth, test::sphere_path(9, 3));
     EXPECT_EQ(parse_allowance("pressure=5Pa", curve).value, 0.005);
     EXPECT_EQ(parse_allowance("growth = 1 um", curve).value, 0.001);

@@ -16,7 +16,7 @@
 namespace soft::post {
 namespace {
 
-/// A curve in the plane (pressure, growth), both with the range 1 so that the metric is that of the page.
+/// A curve in the plane (pressure, growth), both with range 1, so that the metric is Euclidean.
 Curve planar(const std::vector<std::array<double, 4>>& points_and_slopes) {
     std::vector<solution::Step> steps;
     for (const auto& [x, y, dx, dy] : points_and_slopes) {
@@ -45,8 +45,8 @@ TEST(Hermite, SplitsWhereTheSlopeVanishes) {
     EXPECT_NEAR(ends[2], (3 + std::sqrt(3.0)) / 6, 1e-15);
 }
 
-// A goal of 130 mm ends a path at 130 mm to rounding, a bit before or beyond it: asked for, it is there once.
-TEST(Crossings, FindTheValueThePathWasToEndAt) {
+// A path with the goal 130 mm ends at 130 mm up to rounding, slightly before or beyond it: the crossing must be found once.
+TEST(Crossings, FindTheGoalOfThePathOnce) {
     for (const double end : {129.99999999999997, 130.0, 130.00000000000003}) {
         const auto curve = planar({{0, 0, 1, 1}, {60, 0.5, 1, 1}, {end, 1, 1, 1}});
         EXPECT_EQ(Path(curve).crossings(test::index_of(curve, "growth"), 130).size(), 1u) << end;
@@ -66,9 +66,9 @@ void expect_within_neighbours(const std::vector<double>& s, const std::vector<do
     }
 }
 
-TEST(MonotoneSlopes, NeverLeaveTheRangeOfTheNeighbours) {
+TEST(MonotoneSlopes, KeepTheInterpolantBetweenNeighbours) {
     expect_within_neighbours({0, 0.1, 0.5, 0.6, 2, 2.1}, {1, 1.01, 1.02, 3, 3, 2.5});
-    std::mt19937 engine(1);  // its numbers are the same everywhere
+    std::mt19937 engine(1);  // same numbers on every platform
     const auto up_to_1 = [&] { return static_cast<double>(engine()) / std::mt19937::max(); };
     for (const std::size_t rows : {2u, 3u, 4u, 5u, 9u})
         for (int round = 0; round < 100; ++round) {
@@ -80,8 +80,8 @@ TEST(MonotoneSlopes, NeverLeaveTheRangeOfTheNeighbours) {
         }
 }
 
-TEST(MonotoneSlopes, AreThoseOfAParabolaAndAtTheEndsOfACubic) {
-    const std::vector<double> s{1, 1.1, 1.35, 1.6, 2.5};  // rising throughout, at rates that differ by less than three
+TEST(MonotoneSlopes, AreExactForAParabolaAndAtTheEndsForACubic) {
+    const std::vector<double> s{1, 1.1, 1.35, 1.6, 2.5};  // increasing; neighbouring secants differ by less than a factor of three
     std::vector<double> squares, cubes;
     for (const double x : s) squares.push_back(x * x), cubes.push_back(x * x * x);
     for (std::size_t i = 0; i < s.size(); ++i) EXPECT_NEAR(monotone_slopes(s, squares)[i], 2 * s[i], 1e-13);
@@ -91,8 +91,8 @@ TEST(MonotoneSlopes, AreThoseOfAParabolaAndAtTheEndsOfACubic) {
     EXPECT_NEAR(monotone_slopes(three, values).back(), 2 * 1.35, 1e-13);
 }
 
-// A peak within the interval at the end is no reason to swing beyond it: what has turned may have a kink.
-TEST(MonotoneSlopes, TakeTheParabolaWhereTheValuesTurn) {
+// Values that are not monotonic near an end may have a kink; a cubic would oscillate there.
+TEST(MonotoneSlopes, UseTheParabolaIfTheValuesAreNotMonotonic) {
     const std::vector<double> s{0, 1, 2, 3}, q{4, 2, 0, 1};  // the parabola through the last three: 1.5 x^2 - 6.5 x + 7
     EXPECT_NEAR(monotone_slopes(s, q).back(), 2.5, 1e-13);
 }
@@ -108,8 +108,8 @@ TEST(Path, PassesThroughEveryRow) {
     }
 }
 
-TEST(Path, MeetsAParabolaExactlyInAnyPosition) {
-    // (t, t^2) turned by 30 degrees, so that neither coordinate is a graph over the other's square
+TEST(Path, ReproducesARotatedParabolaExactly) {
+    // (t, t^2) rotated by 30 degrees, so that neither coordinate is a quadratic function of the other
     const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
     const auto x = [&](double u, double v) { return c * u - s * v; };
     const auto y = [&](double u, double v) { return s * u + c * v; };
@@ -151,7 +151,7 @@ double worst_pressure_error(int rows) {
 }
 
 TEST(Path, ConvergesToTheThickSphereWithFourthOrder) {
-    EXPECT_LT(worst_pressure_error(11), 6e-4);  // the first row holds 60 % of the pressure's range
+    EXPECT_LT(worst_pressure_error(11), 6e-4);  // the first interval covers 60 % of the pressure range
     EXPECT_LT(worst_pressure_error(41), 4e-6);
     const double order = std::log2(worst_pressure_error(41) / worst_pressure_error(81));
     EXPECT_GT(order, 3.7);
@@ -166,9 +166,9 @@ TEST(Path, FindsTheLimitPressureBetweenTheRows) {
               *std::max_element(curve.find("pressure")->values.begin(), curve.find("pressure")->values.end()));
 }
 
-/// Up the branch p = 2 x - x^2 to x = 0.8 in stage 0 and down p = x^2 in stage 1 from there, as from another supply:
-/// rows end the stages, and each row has the direction of its own.
-std::vector<solution::Step> two_stages(int rows_a_stage) {
+/// Loading along p = 2 x - x^2 to x = 0.8 in stage 0, then unloading along p = 1.5 x^2 in stage 1, as with another pressure supply. Each
+/// stage ends with a row, and each row has the direction of its own stage.
+std::vector<solution::Step> two_stages(int rows_per_stage) {
     std::vector<solution::Step> steps;
     const auto add = [&](int stage, double x, double p, double dx, double dp) {
         solution::Step step;
@@ -180,30 +180,30 @@ std::vector<solution::Step> two_stages(int rows_a_stage) {
         steps.push_back(step);
     };
     constexpr double turn = 0.8;
-    for (int i = 0; i <= rows_a_stage; ++i) {
-        const double x = turn * i / rows_a_stage;
+    for (int i = 0; i <= rows_per_stage; ++i) {
+        const double x = turn * i / rows_per_stage;
         add(0, x, 2 * x - x * x, 1, 2 - 2 * x);
     }
-    constexpr double slope = (2 * turn - turn * turn) / (turn * turn);  // both meet at the turn
-    for (int i = 1; i <= rows_a_stage; ++i) {
-        const double x = turn * (1 - static_cast<double>(i) / rows_a_stage);
+    constexpr double slope = (2 * turn - turn * turn) / (turn * turn);  // both curves meet at x = turn
+    for (int i = 1; i <= rows_per_stage; ++i) {
+        const double x = turn * (1 - static_cast<double>(i) / rows_per_stage);
         add(1, x, slope * x * x, -1, -2 * slope * x);
     }
     return steps;
 }
 
-Curve two_stage_curve(int rows_a_stage) {
+Curve two_stage_curve(int rows_per_stage) {
     model::Case model = test::growth;
     model.path.stages.resize(2);
-    return make_curve(model, two_stages(rows_a_stage));
+    return make_curve(model, two_stages(rows_per_stage));
 }
 
-/// Largest error of the pressure on the first piece of the second stage, by its exact curve.
-double error_behind_the_turn(int rows_a_stage) {
-    const Curve curve = two_stage_curve(rows_a_stage);
+/// Largest error of the pressure in the first interval of the second stage, relative to the exact curve.
+double error_after_stage_change(int rows_per_stage) {
+    const Curve curve = two_stage_curve(rows_per_stage);
     const Path path(curve);
     const auto s = path.row_parameters();
-    const auto turn = static_cast<std::size_t>(rows_a_stage);
+    const auto turn = static_cast<std::size_t>(rows_per_stage);
     double worst = 0;
     for (int k = 1; k < 50; ++k) {
         const auto row = path.at(s[turn] + (s[turn + 1] - s[turn]) * k / 50);
@@ -213,24 +213,24 @@ double error_behind_the_turn(int rows_a_stage) {
     return worst;
 }
 
-TEST(Path, TurnsAtAStageWithoutTheDirectionOfTheOneBefore) {
+TEST(Path, IgnoresTheDirectionOfThePreviousStageAfterAStageChange) {
     const Curve curve = two_stage_curve(4);
     const Path path(curve);
-    // no coordinate goes beyond the turn, where a cubic with the old direction would
+    // no coordinate overshoots the stage change, as it would with the previous direction
     EXPECT_EQ(path.range(test::index_of(curve, "growth")).highest, 800);
     EXPECT_EQ(path.range(test::index_of(curve, "pressure")).highest, curve.find("pressure")->values[4]);
     EXPECT_EQ(path.crossings(test::index_of(curve, "growth"), 700).size(), 2u);
     EXPECT_EQ(path.crossings(test::index_of(curve, "growth"), 800).size(), 1u);
 }
 
-TEST(Path, GoesOnBehindATurnWithThirdOrder) {
-    constexpr double step = 0.1, straight = 1.5 * step * step / 4;  // what the chord would err by
-    EXPECT_LT(error_behind_the_turn(8), straight / 10);
-    const double order = std::log2(error_behind_the_turn(8) / error_behind_the_turn(16));
+TEST(Path, ConvergesWithThirdOrderAfterAStageChange) {
+    constexpr double step = 0.1, straight = 1.5 * step * step / 4;  // error of the chord
+    EXPECT_LT(error_after_stage_change(8), straight / 10);
+    const double order = std::log2(error_after_stage_change(8) / error_after_stage_change(16));
     EXPECT_GT(order, 2.7);
 }
 
-TEST(Path, PutsWhatLiesBehindATurnIntoTheNextStage) {
+TEST(Path, AssignsTheIntervalAfterAStageChangeToTheNextStage) {
     const Curve curve = two_stage_curve(4);
     const Path path(curve);
     const auto s = path.row_parameters();
@@ -240,9 +240,9 @@ TEST(Path, PutsWhatLiesBehindATurnIntoTheNextStage) {
     EXPECT_EQ(path.at(s[4] * 0.999 + s[5] * 0.001)[stage], 2);
 }
 
-TEST(Path, IsStraightBehindATurnWhereTheDirectionDoesNotFit) {
+TEST(Path, IsStraightAfterAStageChangeIfTheDirectionDoesNotFit) {
     auto steps = two_stages(4);
-    steps[5].tangent_outputs = {1};  // away from the turn
+    steps[5].tangent_outputs = {1};  // away from the stage change
     steps[5].tangent_pressure = 0.1;
     model::Case model = test::growth;
     model.path.stages.resize(2);
@@ -256,7 +256,7 @@ TEST(Path, IsStraightBehindATurnWhereTheDirectionDoesNotFit) {
     }
 }
 
-TEST(Path, LeavesOutAStageInWhichNothingChanges) {
+TEST(Path, OmitsAStageInWhichNothingChanges) {
     auto steps = two_stages(4);
     steps.insert(steps.begin() + 5, steps[4]);
     steps[5].stage = 1;
@@ -271,14 +271,14 @@ TEST(Path, LeavesOutAStageInWhichNothingChanges) {
                   b.at(b.length() * i / 40)[test::index_of(without, "pressure")]);
 }
 
-/// On the arc (cos a, sin a) the third column is a itself. One of its four directions is off by 20 degrees, as that of a row
-/// beside a bifurcation can be, so that the speeds of its interval differ by a factor of two.
-TEST(Path, WhatIsKnownAtTheRowsOnlyFollowsTheProgressAlongThePath) {
+/// On the arc (cos a, sin a) the third column is a itself. One of the four directions is wrong by 20 degrees, as can happen near a
+/// bifurcation, so that the speeds of its interval differ by a factor of two.
+TEST(Path, InterpolatesColumnsWithoutSlopesInTheProgressAlongThePath) {
     Curve curve;
     for (const char* name : {"x", "y", "a"}) {
         Column& column = curve.columns.emplace_back();
         column.name = column.quantity = name;
-        column.role = *name == 'a' ? Role::follower : Role::coordinate;
+        column.role = *name == 'a' ? Role::dependent : Role::coordinate;
     }
     for (int row = 0; row < 4; ++row) {
         const double a = 0.4 * row, direction = a + (row == 2 ? 0.35 : 0);
@@ -291,7 +291,7 @@ TEST(Path, WhatIsKnownAtTheRowsOnlyFollowsTheProgressAlongThePath) {
     const Path path(curve);
     for (double s = 0; s < path.length(); s += path.length() / 50) {
         const std::vector<double> at = path.at(s);
-        EXPECT_NEAR(at[2], std::atan2(at[1], at[0]), 0.02) << s;  // the wrong direction itself costs as much
+        EXPECT_NEAR(at[2], std::atan2(at[1], at[0]), 0.02) << s;  // the error of the wrong direction has this size
     }
 }
 

@@ -18,8 +18,8 @@ constexpr double amplitude_m = 0.01;
 
 model::Case oscillator() { return test::sample_case({"lift"}, test::Loaded::face); }
 
-/// Rows every `step_s`, at a pressure that grows by 1 Pa a second.
-std::vector<solution::Step> swing(double duration_s, double step_s) {
+/// Rows every `step_s`, with a pressure that grows by 1 Pa per second.
+std::vector<solution::Step> oscillation(double duration_s, double step_s) {
     std::vector<solution::Step> steps;
     for (int i = 0; i * step_s <= duration_s * (1 + 1e-12); ++i) {
         const double t = i * step_s, x = amplitude_m * std::sin(omega_1_s * t),
@@ -41,7 +41,7 @@ std::vector<solution::Step> swing(double duration_s, double step_s) {
 }
 
 TEST(MotionCurve, HasTimeFirstAndTheEnergiesBeforeTheStretches) {
-    const Curve curve = make_curve(oscillator(), swing(1, 0.125));
+    const Curve curve = make_curve(oscillator(), oscillation(1, 0.125));
     std::vector<std::string> names;
     for (const Column& column : curve.columns) names.push_back(column.name);
     EXPECT_EQ(names, (std::vector<std::string>{"step", "time_s", "pressure_kPa", "lift_mm", "kinetic_energy_mJ",
@@ -52,16 +52,16 @@ TEST(MotionCurve, HasTimeFirstAndTheEnergiesBeforeTheStretches) {
     EXPECT_EQ(curve.coordinate_names(), "time, pressure, lift");
 }
 
-TEST(MotionCurve, ARowWithoutTimeAmongOthersIsRefused) {
-    auto steps = swing(1, 0.25);
+TEST(MotionCurve, RejectsARowWithoutTime) {
+    auto steps = oscillation(1, 0.25);
     steps[2].motion.reset();
     EXPECT_THROW(static_cast<void>(make_curve(oscillator(), steps)), Error);
 }
 
-TEST(MotionPath, IsTheCubicOfValuesAndVelocitiesInTime) {
+TEST(MotionPath, IsTheCubicHermiteInterpolantInTime) {
     // The error of cubic Hermite interpolation is at most h^4 / 384 times the fourth derivative, here w^4 times the amplitude.
     for (const double h : {0.125, 0.0625}) {
-        const Curve curve = make_curve(oscillator(), swing(2, h));
+        const Curve curve = make_curve(oscillator(), oscillation(2, h));
         const Path path(curve);
         const double bound = std::pow(h * omega_1_s, 4) / 384 * amplitude_m * 1e3;
         double largest = 0;
@@ -78,8 +78,8 @@ TEST(MotionPath, IsTheCubicOfValuesAndVelocitiesInTime) {
     }
 }
 
-TEST(MotionPath, IsAskedForByTimeAndForEveryPassage) {
-    const Curve curve = make_curve(oscillator(), swing(2, 0.05));
+TEST(MotionPath, CanBeEvaluatedAtATimeAndAtEveryCrossing) {
+    const Curve curve = make_curve(oscillator(), oscillation(2, 0.05));
     const Curve at = rows_at(curve, parse_requests("time=300ms", curve));
     ASSERT_EQ(at.row_count(), 1u);
     EXPECT_NEAR(at.find("lift")->values[0], 1e3 * amplitude_m * std::sin(0.3 * omega_1_s), 1e-9);  // 0.3 s is a row
@@ -91,8 +91,8 @@ TEST(MotionPath, IsAskedForByTimeAndForEveryPassage) {
     EXPECT_THROW(static_cast<void>(parse_requests("time=3mm", curve)), Error);
 }
 
-TEST(MotionPlot, ShowsWhatIsMeasuredOverTime) {
-    const std::vector<PlotSeries> series = {{"", make_curve(oscillator(), swing(1, 0.1)), {}}};
+TEST(MotionPlot, ShowsTheFirstOutputOverTime) {
+    const std::vector<PlotSeries> series = {{"", make_curve(oscillator(), oscillation(1, 0.1)), {}}};
     const std::string script = plot_script(series, nullptr, {.title = "swing"}, PictureFormat::svg);
     for (const char* part : {"set xlabel 'time (s)'", "set ylabel 'lift (mm)'", "title 'motion'"})
         EXPECT_NE(script.find(part), std::string::npos) << part;

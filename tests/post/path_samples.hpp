@@ -1,5 +1,5 @@
 #pragma once
-/// A path with a closed form: the incompressible neo-Hookean thick sphere, inner radius 1 m, outer 2 m, mu 1 Pa.
+/// A path with a closed form: the incompressible neo-Hookean thick sphere, inner radius 1 m, outer radius 2 m, mu 1 Pa.
 ///   p/mu = [2/l + 1/(2 l^4)] at l_b minus at l_a,   l_b^3 = 1 + (l_a^3 - 1)/8,
 /// (verification.md: 0.551869 at l_a = 1.25, 0.755433 at 1.5, 0.806927 at 2; limit point 0.816424 at l_a = 1.8281).
 #include <cmath>
@@ -19,7 +19,7 @@ inline double sphere_pressure_Pa(double stretch_a) {
     return g(std::cbrt(1 + (std::pow(stretch_a, 3) - 1) / 8)) - g(stretch_a);
 }
 
-/// The derivative by hand: g' = -2/l^2 - 2/l^5 and dl_b/dl_a = l_a^2 / (8 l_b^2).
+/// Analytical derivative: g' = -2/l^2 - 2/l^5 and dl_b/dl_a = l_a^2 / (8 l_b^2).
 inline double sphere_pressure_slope_Pa(double stretch_a) {
     const auto slope = [](double l) { return -2 / (l * l) - 2 / std::pow(l, 5); };
     const double stretch_b = std::cbrt(1 + (std::pow(stretch_a, 3) - 1) / 8);
@@ -28,7 +28,7 @@ inline double sphere_pressure_slope_Pa(double stretch_a) {
 
 inline double ball_m3(double radius_m) { return 4 * std::numbers::pi / 3 * std::pow(radius_m, 3); }
 
-/// A case with one cavity, loaded unless told otherwise, and these outputs, displacements.
+/// A case with one cavity, loaded by default, and the given displacement outputs.
 enum class Loaded { cavity, face, nothing };
 inline model::Case sample_case(const std::vector<std::string>& outputs = {}, Loaded loaded = Loaded::cavity) {
     model::Case model;
@@ -40,7 +40,7 @@ inline model::Case sample_case(const std::vector<std::string>& outputs = {}, Loa
     return model;
 }
 
-/// The one of the closed form: output 0 is the growth of the inner radius.
+/// The case of the closed form: output 0 is the growth of the inner radius.
 inline const model::Case growth = sample_case({"growth"});
 
 enum class Slopes { recorded, missing };
@@ -57,7 +57,7 @@ inline std::vector<solution::Step> sphere_path(int rows, double last_stretch, Sl
         step.outputs = {stretch - 1};
         step.tangent_outputs = {0};
         if (slopes == Slopes::recorded) {
-            const double speed = 1 + 0.7 * row;  // the scale of the slopes is free at each row
+            const double speed = 1 + 0.7 * row;  // the scale of the slopes is arbitrary at each row
             step.tangent_pressure = speed * sphere_pressure_slope_Pa(stretch);
             step.tangent_volume = speed * 4 * std::numbers::pi * stretch * stretch;
             step.tangent_outputs = {speed};

@@ -21,8 +21,8 @@ std::size_t labels_in(const std::string& commands) {
     return count;
 }
 
-TEST(PlotLabels, StandWhereTheCurveIsNot) {
-    // Above the middle of a hat and below its rim the curve leaves room; on the flank of a steep line left or right.
+TEST(PlotLabels, AvoidTheCurve) {
+    // There is free space above the top of a parabola, and to the left and right of a steep line.
     Points hat;
     for (int i = -100; i <= 100; ++i) hat.push_back({0.01 * i, -0.0001 * i * i});
     EXPECT_NE(label_commands(std::vector<PlotLabel>{{0, 0, "top"}}, hat).find("graph 0, graph 0.055"),
@@ -34,12 +34,12 @@ TEST(PlotLabels, StandWhereTheCurveIsNot) {
     EXPECT_NE(side.find(", graph 0 noenhanced"), std::string::npos) << side;
 }
 
-TEST(PlotLabels, OfOnePlaceAndOneTextAppearOnce) {
+TEST(PlotLabels, AppearOnceForCoincidentPointsWithTheSameText) {
     const std::vector<PlotLabel> labels{{0.5, 0.5, "19.4 kPa"}, {0.501, 0.5, "19.4 kPa"}, {0.5, 0.5, "19.4 kPa"}};
     EXPECT_EQ(labels_in(label_commands(labels, diagonal())), 1u);
 }
 
-TEST(PlotLabels, NeverStandUponEachOther) {
+TEST(PlotLabels, DoNotOverlap) {
     const std::vector<PlotLabel> near{{0.5, 0.5, "19.40 kPa"}, {0.51, 0.5, "19.41 kPa"}};
     EXPECT_EQ(labels_in(label_commands(near, diagonal())), 2u);  // one above, one elsewhere
     std::vector<PlotLabel> crowd;
@@ -48,7 +48,7 @@ TEST(PlotLabels, NeverStandUponEachOther) {
     EXPECT_GE(labels_in(label_commands(crowd, diagonal())), 2u);
 }
 
-TEST(PlotLabels, OfNoCurveAreLeftAtTheirPoint) {
+TEST(PlotLabels, ArePlacedWithoutACurveToo) {
     EXPECT_EQ(labels_in(label_commands(std::vector<PlotLabel>{{1, 2, "a"}}, {})), 1u);
     EXPECT_EQ(label_commands({}, {}), "");
 }

@@ -20,7 +20,7 @@ solution::PathEnd with_limit(const solution::LimitPoint& point) {
 const solution::PathEnd limit =
     with_limit({.step = 10, .pressure_Pa = 0.816424 * 55e3, .volume_m3 = test::ball_m3(1.8281), .outputs = {0.8281}});
 
-/// The sphere with mu = 55 kPa: numbers of the size an actuator has.
+/// The sphere with mu = 55 kPa: pressures typical of an actuator.
 Curve sphere_curve(int rows, double last_stretch) {
     auto steps = test::sphere_path(rows, last_stretch);
     for (auto& step : steps) step.pressure_Pa *= 55e3, step.tangent_pressure *= 55e3;
@@ -39,7 +39,7 @@ std::size_t count(const std::string& text, const std::string& word) {
     return n;
 }
 
-TEST(Plot, NoTitleOrLabelReachesTheScriptAsItIs) {
+TEST(Plot, EscapesTitlesAndLabelsInTheScript) {
     const std::string wild = "it's\nset output 'x'\033[31m\xff";
     const std::vector<PlotSeries> series = {{wild, sphere_curve(12, 2.5), {}}, {wild + "2", sphere_curve(12, 2.5), {}}};
     const std::string script = plot_script(series, nullptr, {.title = wild}, PictureFormat::svg);
@@ -54,7 +54,7 @@ TEST(PlotScript, NamesTheAxesWithTheirUnits) {
     EXPECT_EQ(count(script, "set ylabel 'cavity pressure (kPa)'"), 1u);
 }
 
-TEST(PlotScript, CallsThePressureOnAFaceNoCavityPressure) {
+TEST(PlotScript, DoesNotCallAPressureOnAFaceCavityPressure) {
     auto steps = test::sphere_path(9, 3);
     for (auto& step : steps) step.volume_m3.reset();
     EXPECT_EQ(count(script_of(make_curve(test::growth, steps), {}), "set ylabel 'pressure (kPa)'"), 1u);
@@ -77,7 +77,7 @@ TEST(PlotScript, MarksABifurcationWithItsPressure) {
     EXPECT_EQ(count(script, "title 'bifurcation'"), 1u);
 }
 
-TEST(PlotScript, CallsTheLoadByItsName) {
+TEST(PlotScript, LabelsTheAxisWithTheLeadingLoad) {
     model::Case model = test::sample_case({"growth"}, test::Loaded::nothing);
     auto steps = test::sphere_path(9, 3);
     for (auto& step : steps) step.volume_m3.reset();
@@ -86,20 +86,20 @@ TEST(PlotScript, CallsTheLoadByItsName) {
     EXPECT_EQ(count(script_of(make_curve(model, steps), {}), "set ylabel 'traction (kPa)'"), 1u);
 }
 
-TEST(PlotScript, HasAnAngleForItsAxis) {
+TEST(PlotScript, LabelsAnAngleInDegrees) {
     model::Case model = test::sample_case({"bend"});
     model.outputs[0].measure = model::Measure::bend;
     const std::string script = script_of(make_curve(model, test::sphere_path(9, 3)), {});
     EXPECT_EQ(count(script, "set xlabel 'bend (deg)'"), 1u);
 }
 
-TEST(PlotScript, HasNeitherWhereThePathIsStable) {
+TEST(PlotScript, HasNoDashesAndNoLimitPointsIfThePathIsStable) {
     const std::string script = script_of(sphere_curve(9, 1.5), {});
     EXPECT_EQ(count(script, "unstable"), 0u);
     EXPECT_EQ(count(script, "limit point"), 0u);
 }
 
-TEST(PlotScript, TakesTheVolumeWhereTheCaseHasNoOutput) {
+TEST(PlotScript, UsesTheVolumeIfTheCaseHasNoOutput) {
     auto steps = test::sphere_path(9, 3);
     for (auto& step : steps) step.outputs.clear();
     const auto limits = with_limit({.step = 3, .pressure_Pa = 1000, .volume_m3 = 2e-6, .outputs = {}});
@@ -108,12 +108,12 @@ TEST(PlotScript, TakesTheVolumeWhereTheCaseHasNoOutput) {
     EXPECT_EQ(count(script, "\n2 1 \"1 kPa\"\n"), 1u);
 }
 
-TEST(PlotScript, ATitleCannotLeaveItsQuotes) {
+TEST(PlotScript, EscapesQuotesInTheTitle) {
     const std::string script = script_of(sphere_curve(9, 3), {}, {.title = "it's\nsystem('x')"});
     EXPECT_EQ(count(script, "noenhanced title 'it''s?system(''x'')'\n"), 1u);
 }
 
-TEST(PlotScript, DrawsAnyColumnOverAnyOther) {
+TEST(PlotScript, PlotsAnyColumnOverAnyOther) {
     const Curve curve = sphere_curve(9, 3);
     const std::string script = script_of(curve, {}, {.title = "", .x = "volume", .y = "max_stretch"});
     EXPECT_EQ(count(script, "set xlabel 'cavity volume (mL)'"), 1u);
@@ -131,7 +131,7 @@ TEST(PlotScript, ColoursThePathByAThirdQuantity) {
     EXPECT_THROW((void)plot_axes(curve, {.title = "", .x = "", .y = "", .colour = "colour"}), Error);
 }
 
-TEST(PlotScript, TellsSeveralPathsApartByTheirMarkersAndNamesThem) {
+TEST(PlotScript, DistinguishesSeveralPathsByMarkersAndLabels) {
     const std::vector<PlotSeries> series = {{"2 mm", sphere_curve(25, 3), {}}, {"it's 3 mm", sphere_curve(9, 2), {}}};
     const std::string script = plot_script(series, nullptr, {}, PictureFormat::png);
     EXPECT_EQ(count(script, "keyentry with linespoints pointtype 6 "), 1u);
@@ -139,7 +139,7 @@ TEST(PlotScript, TellsSeveralPathsApartByTheirMarkersAndNamesThem) {
     EXPECT_EQ(count(script, "title 'it''s 3 mm'"), 1u);
 }
 
-TEST(PlotScript, RefusesAPathWithoutTheAxesOfTheFirst) {
+TEST(PlotScript, RejectsAPathWithoutTheAxesOfTheFirst) {
     const Curve other = make_curve(test::sample_case({"bend"}), test::sphere_path(9, 3));
     const std::vector<PlotSeries> series = {{"a", sphere_curve(9, 3), {}}, {"b.h5", other, {}}};
     EXPECT_THROW((void)plot_script(series, nullptr, {}, PictureFormat::svg), Error);
@@ -167,14 +167,14 @@ TEST(PlotScript, ShowsTheErrorOfTheMeshAsBandAndBars) {
     auto steps = test::sphere_path(3, 2);
     for (auto& step : steps) step.pressure_error_Pa = 0.1 * step.pressure_Pa, step.output_errors = {0.05};
     const std::string script = script_of(make_curve(test::growth, steps));
-    EXPECT_EQ(count(script, "with filledcurves closed"), 2u);  // and in the legend
+    EXPECT_EQ(count(script, "with filledcurves closed"), 2u);  // the band and its legend entry
     // at the stretch 1.5: 0.755433 Pa +- a tenth, 500 mm +- 50
     EXPECT_EQ(count(script, "\n500 0.000755433"), 4u);  // two strokes of the path, marker and bar
     EXPECT_EQ(count(script, " 450 550 0.00067988"), 1u) << script;
-    EXPECT_EQ(count(script_of(sphere_curve(9, 3)), "error of the mesh"), 0u);
+    EXPECT_EQ(count(script_of(sphere_curve(9, 3)), "mesh error"), 0u);
 }
 
-TEST(PictureFormat, IsToldByTheEndingOfTheName) {
+TEST(PictureFormat, IsDeterminedByTheFileExtension) {
     EXPECT_EQ(picture_format("out/a.svg"), PictureFormat::svg);
     EXPECT_EQ(picture_format("a.b.png"), PictureFormat::png);
     EXPECT_EQ(picture_format("a.pdf"), PictureFormat::pdf);
@@ -182,7 +182,7 @@ TEST(PictureFormat, IsToldByTheEndingOfTheName) {
     EXPECT_THROW((void)picture_format("svg"), Error);
 }
 
-TEST(DrawPlot, WritesAnSvgThatHoldsTheLabelsAndNothingBesideIt) {
+TEST(DrawPlot, WritesAnSvgWithTheLabelsAndNoOtherFile) {
     const auto folder = std::filesystem::path(::testing::TempDir()) / "soft_draw_plot";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);

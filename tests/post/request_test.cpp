@@ -20,7 +20,7 @@ std::string usage_error(const std::string& text) {
     return "";
 }
 
-TEST(ParseRequests, TakesSeveralValuesEachWithItsUnit) {
+TEST(ParseRequests, ParsesSeveralValuesEachWithItsUnit) {
     const auto requests = parse_requests("pressure=10kPa, 0.02 MPa", make_curve(test::growth, test::sphere_path(5, 2)));
     ASSERT_EQ(requests.size(), 2u);
     EXPECT_EQ(requests[0].quantity, "pressure");
@@ -28,13 +28,13 @@ TEST(ParseRequests, TakesSeveralValuesEachWithItsUnit) {
     EXPECT_EQ(requests[1].value_SI, 2e4);
 }
 
-TEST(ParseRequests, KnowsTheUnitsOfOutputsAndVolumes) {
+TEST(ParseRequests, AcceptsUnitsOfOutputsAndVolumes) {
     const Curve curve = make_curve(test::growth, test::sphere_path(5, 2));
     EXPECT_EQ(parse_requests("growth=4cm", curve).at(0).value_SI, 0.04);
     EXPECT_EQ(parse_requests("volume=20mL", curve).at(0).value_SI, 2e-5);
 }
 
-TEST(ParseRequests, KnowsAnglesAndPureNumbers) {
+TEST(ParseRequests, AcceptsAnglesAndPureNumbers) {
     model::Case model = test::sample_case({"bend"}, test::Loaded::nothing);
     model.outputs[0].measure = model::Measure::bend;
     const Curve curve = make_curve(model, test::sphere_path(5, 2));
@@ -47,16 +47,16 @@ TEST(ParseRequests, KnowsAnglesAndPureNumbers) {
     EXPECT_NEAR(rows.find("load_factor")->values.at(0), test::sphere_pressure_Pa(1 + std::numbers::pi / 6), 1e-3);
 }
 
-TEST(ParseRequests, RefusesABareNumberAndAForeignUnit) {
+TEST(ParseRequests, RejectsANumberWithoutUnitAndAWrongUnit) {
     EXPECT_TRUE(usage_error("pressure=10").starts_with("--at pressure: ")) << usage_error("pressure=10");
     EXPECT_NE(usage_error("pressure=10mm"), "");
     EXPECT_NE(usage_error("growth=1mm,"), "");
 }
 
-TEST(ParseRequests, RefusesWhatIsNoRequest) {
+TEST(ParseRequests, RejectsInvalidRequests) {
     EXPECT_EQ(usage_error("pressure"), "--at: 'pressure' names no value; write e.g. pressure=10kPa,20kPa");
     EXPECT_EQ(usage_error("bend=3mm"), "--at: the curve has no 'bend'; it has pressure, growth, volume");
-    EXPECT_NE(usage_error("stable=1"), "");  // a column, but no coordinate of the path
+    EXPECT_NE(usage_error("stable=1"), "");  // a column, but not a coordinate of the path
 }
 
 TEST(RowsAt, FindsAPressureBeforeAndAfterTheMaximum) {
@@ -92,7 +92,7 @@ TEST(RowsAt, FindsARowItselfOnceAndTheEndsOfThePath) {
     EXPECT_EQ(rows.find("step")->values, (std::vector<double>{0, 2, 4}));
 }
 
-TEST(RowsAt, TakesTheEndOfAPathThatMissedItsTargetByTheTolerance) {
+TEST(RowsAt, UsesTheEndOfAPathThatMissedItsGoalByTheTolerance) {
     const Curve curve = make_curve(test::growth, test::sphere_path(15, 1.5 - 1e-8));
     const Curve rows = rows_at(curve, std::vector<Request>{{"growth", 0.5}});
     ASSERT_EQ(rows.row_count(), 1u);
@@ -116,7 +116,7 @@ TEST(RowsAt, IgnoresARepeatedRow) {
     EXPECT_NEAR(rows.find("pressure")->values[0] * 1e3, 0.551869, 2e-5);
 }
 
-TEST(RowsAt, RefusesAValueThePathDoesNotReachAndNamesTheRange) {
+TEST(RowsAt, RejectsAValueBeyondThePathAndReportsTheRange) {
     const Curve curve = make_curve(test::growth, test::sphere_path(15, 1.5));
     const std::vector<Request> requests{{"growth", 0.6}};
     try {
@@ -128,7 +128,7 @@ TEST(RowsAt, RefusesAValueThePathDoesNotReachAndNamesTheRange) {
     }
 }
 
-TEST(RowsAt, RefusesAnUnknownQuantityAndNamesTheKnown) {
+TEST(RowsAt, RejectsAnUnknownQuantityAndListsTheKnownOnes) {
     const Curve curve = make_curve(test::growth, test::sphere_path(15, 1.5));
     const std::vector<Request> requests{{"elongation", 0.1}};
     try {
@@ -140,7 +140,7 @@ TEST(RowsAt, RefusesAnUnknownQuantityAndNamesTheKnown) {
     }
 }
 
-TEST(RowsAt, RefusesAnEmptyPath) {
+TEST(RowsAt, RejectsAnEmptyPath) {
     const Curve curve = make_curve(test::growth, {});
     EXPECT_THROW((void)rows_at(curve, std::vector<Request>{{"growth", 0.0}}), Error);
 }

@@ -1,4 +1,4 @@
-/// What follows the path between its rows: stretches, known at the rows only, and energies, whose power may be known too.
+/// Interpolation of dependent columns between rows: stretches, known at the rows only, and energies, whose power may be known too.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace {
 
 enum class Power { recorded, unknown };
 
-/// A rod pulled to these stretches and let back: of the incompressible neo-Hookean rod of unit mu V the stored energy is
-/// (l^2 + 2/l - 3)/2. The elongation spans the path, stretch and energy follow it.
-Curve pulled_and_let_back(const std::vector<double>& pull, const std::vector<double>& back,
+/// A rod stretched and released, with rows at these stretches. The stored energy of an incompressible neo-Hookean rod with mu V = 1 is
+/// (l^2 + 2/l - 3)/2. The elongation is the coordinate of the path; stretch and energy are dependent columns.
+Curve stretched_and_released(const std::vector<double>& up, const std::vector<double>& down,
                           Power power = Power::unknown) {
     model::Case model = test::sample_case({"elongation"}, test::Loaded::nothing);
     model.path.stages.resize(2);
@@ -34,31 +34,31 @@ Curve pulled_and_let_back(const std::vector<double>& pull, const std::vector<dou
         if (power == Power::recorded) step.energies->tangent_J = direction * (stretch - 1 / (stretch * stretch));
         steps.push_back(step);
     };
-    for (const double stretch : pull) add(0, stretch, 1);
-    for (const double stretch : back) add(1, stretch, -1);
+    for (const double stretch : up) add(0, stretch, 1);
+    for (const double stretch : down) add(1, stretch, -1);
     return make_curve(model, steps);
 }
 
-/// The rows at these stretches on both ways: each stretch is met once a stage.
-Curve rows_of_both_ways(const Curve& curve, std::span<const double> stretches) {
+/// The rows at these stretches in both stages: each stretch is crossed once per stage.
+Curve rows_of_both_stages(const Curve& curve, std::span<const double> stretches) {
     std::vector<Request> requests;
     for (const double stretch : stretches) requests.push_back({"elongation", stretch - 1});
     return rows_at(curve, requests);
 }
 
-TEST(FollowersAtATurn, GoOnWithoutSlowingDown) {
-    const Curve curve = pulled_and_let_back({1, 1.01, 1.04, 1.1, 1.25, 1.5}, {1.49, 1.46, 1.4, 1.25, 1});
+TEST(DependentColumnsAtAStageChange, KeepTheirSlope) {
+    const Curve curve = stretched_and_released({1, 1.01, 1.04, 1.1, 1.25, 1.5}, {1.49, 1.46, 1.4, 1.25, 1});
     const std::vector<double> stretches{1.3, 1.4, 1.45, 1.495};
-    const Curve rows = rows_of_both_ways(curve, stretches);
+    const Curve rows = rows_of_both_stages(curve, stretches);
     ASSERT_EQ(rows.row_count(), 8u);
     for (std::size_t i = 0; i < 8; ++i) EXPECT_NEAR(rows.find("stretch_p99")->values[i], stretches[i / 2], 1e-12) << i;
 }
 
-/// The rows of `solve`, of steps that grow from 1 to 25 mm: rows alone tell the energy to 0.15 % of its largest.
-TEST(FollowersAtATurn, KnowTheEnergyBetweenFarRows) {
-    const Curve curve = pulled_and_let_back({1, 1.01, 1.035, 1.0975, 1.254, 1.5}, {1.49, 1.465, 1.4025, 1.246, 1});
+/// Rows as from `solve`, with steps growing from 1 to 25 mm: values at rows determine the energy to 0.15 % of its maximum.
+TEST(DependentColumnsAtAStageChange, InterpolateTheEnergyBetweenDistantRows) {
+    const Curve curve = stretched_and_released({1, 1.01, 1.035, 1.0975, 1.254, 1.5}, {1.49, 1.465, 1.4025, 1.246, 1});
     const std::vector<double> stretches{1.3, 1.35, 1.4, 1.45, 1.48};
-    const Curve rows = rows_of_both_ways(curve, stretches);
+    const Curve rows = rows_of_both_stages(curve, stretches);
     ASSERT_EQ(rows.row_count(), 10u);
     constexpr double largest = (1.5 * 1.5 + 2 / 1.5 - 3) / 2;
     for (std::size_t i = 0; i < 10; ++i) {
@@ -67,13 +67,13 @@ TEST(FollowersAtATurn, KnowTheEnergyBetweenFarRows) {
     }
 }
 
-/// With the power at the rows a cubic is off by at most h^4/384 of the energy's fourth derivative 24/l^5, of the largest energy
-/// 2.8e-4 where h is 0.25 from a stretch of 1.25 on (0.2 from 1.05 on), 7.9e-4 where the last step back ends at 1. Near the state
-/// at rest, where the energy is of second order, it is right by itself.
-TEST(FollowersAtATurn, KnowTheEnergyByItsPower) {
-    const Curve curve = pulled_and_let_back({1, 1.05, 1.25, 1.5}, {1.49, 1.465, 1.4025, 1.246, 1}, Power::recorded);
+/// With the power at the rows, the error of a cubic is at most h^4/384 times the fourth derivative of the energy, 24/l^5. Relative to
+/// the largest energy this is 2.8e-4 for h = 0.25 from a stretch of 1.25 (or 0.2 from 1.05), and 7.9e-4 for the last unloading step to 1.
+/// Near the undeformed state, where the energy is quadratic, the relative error is small too.
+TEST(DependentColumnsAtAStageChange, InterpolateTheEnergyFromItsPower) {
+    const Curve curve = stretched_and_released({1, 1.05, 1.25, 1.5}, {1.49, 1.465, 1.4025, 1.246, 1}, Power::recorded);
     const std::vector<double> stretches{1.01, 1.02, 1.04, 1.1, 1.2, 1.3, 1.4, 1.48};
-    const Curve rows = rows_of_both_ways(curve, stretches);
+    const Curve rows = rows_of_both_stages(curve, stretches);
     ASSERT_EQ(rows.row_count(), 16u);
     constexpr double largest = (1.5 * 1.5 + 2 / 1.5 - 3) / 2;
     for (std::size_t i = 0; i < 16; ++i) {
@@ -84,9 +84,8 @@ TEST(FollowersAtATurn, KnowTheEnergyByItsPower) {
     }
 }
 
-/// Beside the elongation the load factor goes along: both straight, and directions that differ by their last digits, which must
-/// not decide on the speeds.
-TEST(FollowersAtATurn, KnowTheEnergyOfAStraightPath) {
+/// Elongation and load factor are both linear, and the directions differ only by rounding, which must not influence the speeds.
+TEST(DependentColumnsAtAStageChange, InterpolateTheEnergyOfAStraightPath) {
     model::Case model = test::sample_case({"elongation"}, test::Loaded::nothing);
     for (const double noise : {0.0, 1e-16, 3e-16, -2e-16, 1e-13}) {
         std::vector<solution::Step> steps;
@@ -106,39 +105,39 @@ TEST(FollowersAtATurn, KnowTheEnergyOfAStraightPath) {
     }
 }
 
-TEST(FollowersAtATurn, AreStraightInAStageOfASingleInterval) {
-    const Curve curve = pulled_and_let_back({1, 1.5}, {1.25});
+TEST(DependentColumnsAtAStageChange, AreLinearInAStageWithASingleInterval) {
+    const Curve curve = stretched_and_released({1, 1.5}, {1.25});
     const std::vector<double> stretches{1.3, 1.4, 1.45};
-    const Curve rows = rows_of_both_ways(curve, stretches);
+    const Curve rows = rows_of_both_stages(curve, stretches);
     ASSERT_EQ(rows.row_count(), 6u);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(rows.find("max_stretch")->values[i], stretches[i / 2], 1e-12) << i;
 }
 
-/// Largest error of the energy on the last piece before the turn and the first behind it.
-double energy_error_at_the_turn(int rows_a_stage) {
-    std::vector<double> pull, back;
-    for (int i = 0; i <= rows_a_stage; ++i) pull.push_back(1 + 0.5 * i / rows_a_stage);
-    for (int i = 1; i <= rows_a_stage; ++i) back.push_back(1.5 - 0.5 * i / rows_a_stage);
-    const Curve curve = pulled_and_let_back(pull, back);
+/// Largest error of the energy in the last interval before the stage change and the first after it.
+double energy_error_at_stage_change(int rows_per_stage) {
+    std::vector<double> up, down;
+    for (int i = 0; i <= rows_per_stage; ++i) up.push_back(1 + 0.5 * i / rows_per_stage);
+    for (int i = 1; i <= rows_per_stage; ++i) down.push_back(1.5 - 0.5 * i / rows_per_stage);
+    const Curve curve = stretched_and_released(up, down);
     double worst = 0;
     for (int k = 1; k < 20; ++k) {
-        const double stretch = 1.5 - 0.5 / rows_a_stage * k / 20;
-        const Curve rows = rows_of_both_ways(curve, std::array{stretch});
+        const double stretch = 1.5 - 0.5 / rows_per_stage * k / 20;
+        const Curve rows = rows_of_both_stages(curve, std::array{stretch});
         for (const double energy_mJ : rows.find("stored_energy")->values)
             worst = std::max(worst, std::abs(energy_mJ / 1e3 - (stretch * stretch + 2 / stretch - 3) / 2));
     }
     return worst;
 }
 
-TEST(FollowersAtATurn, ConvergeThere) {
-    EXPECT_LT(energy_error_at_the_turn(8), 2e-4);  // flat at the turn errs by 4/27 of h dW/dl: 1e-2
-    EXPECT_GT(std::log2(energy_error_at_the_turn(8) / energy_error_at_the_turn(16)), 2.7);
+TEST(DependentColumnsAtAStageChange, ConvergeWithThirdOrder) {
+    EXPECT_LT(energy_error_at_stage_change(8), 2e-4);  // a zero slope there would give an error of 4/27 h dW/dl: 1e-2
+    EXPECT_GT(std::log2(energy_error_at_stage_change(8) / energy_error_at_stage_change(16)), 2.7);
 }
 
-/// A column without slopes is rising up to the turn and falling behind it, whatever its curvature: nothing goes beyond the rows.
-TEST(FollowersAtATurn, StayBetweenTheRows) {
+/// A column without slopes increases up to the stage change and decreases after it, so the interpolant must stay between the rows.
+TEST(DependentColumnsAtAStageChange, StayBetweenTheRows) {
     for (const double stretch : {1.1, 1.3, 1.45}) {
-        const Curve curve = pulled_and_let_back({1, 1.02, stretch, 1.5}, {stretch, 1.48, 1.2, 1.1, 1});
+        const Curve curve = stretched_and_released({1, 1.02, stretch, 1.5}, {stretch, 1.48, 1.2, 1.1, 1});
         const Path path(curve);
         const auto& values = curve.find("stored_energy")->values;
         const auto range = path.range(test::index_of(curve, "stored_energy"));
