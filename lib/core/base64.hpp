@@ -1,5 +1,5 @@
 #pragma once
-/// Bytes as text (RFC 4648, with padding): for XML and HTML. Tested by core/base64_test.
+/// Base64 encoding (RFC 4648, with padding) for binary data in XML and HTML. Tested by core/base64_test.
 #include <cstddef>
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 /// Second-order forward automatic differentiation in N variables: value, gradient and Hessian in one pass.
-/// f(x + d) = v + g.d + 1/2 d.H d. The kernels use N = 3 (I1, I2, J); N = 9 in F is the oracle of the tests.
+/// f(x + d) = v + g.d + 1/2 d.H d. The kernels use N = 3 (I1, I2, J); the tests use N = 9 (components of F) as a reference.
 /// Tested by core/dual_test (against closed-form derivatives).
 #include <array>
 #include <cmath>
@@ -61,7 +61,7 @@ struct Dual {
     friend bool operator<(const Dual& a, double b) { return a.v < b; }
     friend bool operator>(const Dual& a, double b) { return a.v > b; }
 
-    /// f(a) from f, f' and f'' at a.v.
+    /// Chain rule: f(a) from f, f' and f'' at a.v.
     [[nodiscard]] static Dual compose(const Dual& a, double f, double f1, double f2) {
         Dual r;
         r.v = f;

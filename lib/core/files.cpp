@@ -19,13 +19,13 @@ namespace fs = std::filesystem;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// A name may hold any character; in a message it keeps to one line.
-std::string shown(const fs::path& path) {
-    constexpr std::size_t longest = 4096;  // PATH_MAX
-    return one_line(path.string(), longest);
+/// File names may contain any character; messages show them on one line.
+std::string printable(const fs::path& path) {
+    constexpr std::size_t max_length = 4096;  // PATH_MAX
+    return one_line(path.string(), max_length);
 }
 
-/// Closes on the way out; a failed close of something only read tells nothing.
+/// Closes the descriptor on destruction. The result is ignored: a failed close after reading loses no data.
 class Descriptor {
 public:
     explicit Descriptor(int value) noexcept : value_(value) {}
@@ -40,35 +40,35 @@ private:
     int value_;
 };
 
-/// Size of a regular file, 0 for everything whose length is not known beforehand.
+/// Size of a regular file; 0 for anything whose length is not known in advance.
 std::size_t expected_size(int descriptor) noexcept {
     struct stat status {};
     if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return 0;
     return static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
 }
 
-/// The only way to an open file without a name.
-std::string own_link(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
+/// Path by which an open unnamed file can be linked.
+std::string descriptor_path(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 
-/// Where a chain of symbolic links leads, also where nothing is there: what is made through a link is made there, as by a shell's
-/// redirection.
+/// Target of a chain of symbolic links, whether or not it exists. A file created through a link is created at its target, as with
+/// shell redirection.
 fs::path link_target(fs::path path) {
-    constexpr int longest_chain = 40;  // the kernel's limit
+    constexpr int max_links = 40;  // the kernel's limit
     std::error_code failed;
-    for (int links = 0; links < longest_chain && fs::is_symlink(path, failed); ++links)
+    for (int links = 0; links < max_links && fs::is_symlink(path, failed); ++links)
         path = path.parent_path() / fs::read_symlink(path, failed);
     return path;
 }
 
-/// The beginning of a name beside `target` for a file that gets its name later: short enough for an ending of its own.
+/// Prefix of a temporary file name in the folder of `target`, short enough to append a suffix.
 std::string temporary_stem(const fs::path& target) {
-    constexpr std::size_t longest = 200;  // bytes, of the 255 of a name
-    const fs::path name = target.filename().string().substr(0, longest);
+    constexpr std::size_t max_length = 200;  // bytes; a file name may have 255
+    const fs::path name = target.filename().string().substr(0, max_length);
     return (target.has_parent_path() ? target.parent_path() / name : name).string();
 }
 
 mode_t mode_for_new_file() noexcept {
-    const mode_t mask = ::umask(0);  // reading the mask means setting it
+    const mode_t mask = ::umask(0);  // the mask can be read only by setting it
     ::umask(mask);
     return static_cast<mode_t>(0666 & ~mask);
 }
@@ -78,7 +78,7 @@ mode_t mode_for_new_file() noexcept {
 Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit, std::string_view signature) {
     constexpr std::size_t chunk = std::size_t{1} << 16;
     Bytes bytes;
-    // One byte more than expected, so that a file of known size is read without growing the buffer at its end.
+    // One byte more than expected, so that the end of a file of known size is detected without growing the buffer.
     bytes.resize(std::max(chunk, std::min(expected_size(descriptor), limit) + 1));
     std::size_t filled = 0;
     while (true) {
@@ -100,39 +100,39 @@ Bytes read_descriptor(int descriptor, std::string_view name, std::size_t limit, 
 
 Bytes read_file(const fs::path& path, std::size_t limit, std::string_view signature) {
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-    if (file.get() < 0) throw Error(ExitCode::cannot_open, shown(path), "cannot be opened: " + reason(errno));
-    return read_descriptor(file.get(), shown(path), limit, signature);
+    if (file.get() < 0) throw Error(ExitCode::cannot_open, printable(path), "cannot be opened: " + reason(errno));
+    return read_descriptor(file.get(), printable(path), limit, signature);
 }
 
 Bytes read_regular_file(const fs::path& path, std::size_t limit) {
-    // Without O_NONBLOCK opening a named pipe would wait for a writer.
+    // Without O_NONBLOCK, opening a named pipe would block until a writer opens it.
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
-    if (file.get() < 0) throw Error(ExitCode::cannot_open, shown(path), "cannot be opened: " + reason(errno));
+    if (file.get() < 0) throw Error(ExitCode::cannot_open, printable(path), "cannot be opened: " + reason(errno));
     struct stat status {};
     if (::fstat(file.get(), &status) != 0 || !(S_ISREG(status.st_mode) || S_ISDIR(status.st_mode)))
-        throw Error(ExitCode::cannot_open, shown(path), "is a device or a pipe", "name a file");
-    return read_descriptor(file.get(), shown(path), limit);
+        throw Error(ExitCode::cannot_open, printable(path), "is a device or a pipe", "name a file");
+    return read_descriptor(file.get(), printable(path), limit);
 }
 
-Delivery write_all(int descriptor, std::span<const std::byte> bytes, std::string_view name) {
+WriteStatus write_all(int descriptor, std::span<const std::byte> bytes, std::string_view name) {
     while (!bytes.empty()) {
         const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
         if (put < 0 && errno == EINTR) continue;
-        if (put < 0 && errno == EPIPE) return Delivery::reader_left;
+        if (put < 0 && errno == EPIPE) return WriteStatus::reader_closed;
         if (put < 0) throw Error(ExitCode::io_error, name, "cannot be written: " + reason(errno));
         bytes = bytes.subspan(static_cast<std::size_t>(put));
     }
-    return Delivery::whole;
+    return WriteStatus::complete;
 }
 
-AtomicFile::AtomicFile(const fs::path& path) : name_(shown(path)), target_(path) {
+AtomicFile::AtomicFile(const fs::path& path) : name_(printable(path)), target_(path) {
     struct stat status {};
     const bool exists = ::stat(target_.c_str(), &status) == 0;
     if (!exists && (errno == ENAMETOOLONG || errno == ELOOP))
         throw Error(ExitCode::cannot_create, name_, "cannot be created: " + reason(errno));
     if (exists && S_ISDIR(status.st_mode)) throw Error(ExitCode::cannot_create, name_, "is a folder", "name a file");
     renames_ = !exists || S_ISREG(status.st_mode);
-    // /dev/stdout is a link too, but one whose end need not have a path.
+    // /dev/stdout is a link as well, but its target need not have a path.
     if (renames_) target_ = link_target(path);
     if (!renames_) {
         written_ = target_;
@@ -141,7 +141,7 @@ AtomicFile::AtomicFile(const fs::path& path) : name_(shown(path)), target_(path)
         descriptor_ = open_beside_target();
     }
     if (descriptor_ < 0) throw Error(ExitCode::cannot_create, name_, "cannot be created: " + reason(errno));
-    // A temporary is private to its owner; the file that replaces another takes over who may read it.
+    // Temporary files are private to their owner; a file that replaces another one takes over its permissions.
     if (renames_) static_cast<void>(::fchmod(descriptor_, exists ? status.st_mode & 07777 : mode_for_new_file()));
 }
 
@@ -150,9 +150,9 @@ AtomicFile::~AtomicFile() { discard(); }
 int AtomicFile::open_beside_target() {
 #ifdef O_TMPFILE
     const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path{"."};
-    const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
-    if (nameless >= 0 && ::access(own_link(nameless).c_str(), F_OK) == 0) return nameless;
-    if (nameless >= 0) ::close(nameless);  // no /proc, through which it would get its name
+    const int unnamed = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (unnamed >= 0 && ::access(descriptor_path(unnamed).c_str(), F_OK) == 0) return unnamed;
+    if (unnamed >= 0) ::close(unnamed);  // without /proc it cannot be given a name
 #endif
     std::string pattern = temporary_stem(target_) + ".XXXXXX";
     const int named = ::mkostemp(pattern.data(), O_CLOEXEC);
@@ -160,12 +160,12 @@ int AtomicFile::open_beside_target() {
     return named;
 }
 
-/// A temporary one: a link cannot replace a file. Returns errno, or 0.
-int AtomicFile::give_name() {
+/// Links the unnamed file under a temporary name, because linkat cannot replace an existing file. Returns errno, or 0.
+int AtomicFile::link_temporary_name() {
     for (int attempt = 0;; ++attempt) {
         const fs::path name =
             temporary_stem(target_) + "." + std::to_string(::getpid()) + "-" + std::to_string(attempt) + ".tmp";
-        if (::linkat(AT_FDCWD, own_link(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+        if (::linkat(AT_FDCWD, descriptor_path(descriptor_).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
             written_ = name;
             return 0;
         }
@@ -173,10 +173,10 @@ int AtomicFile::give_name() {
     }
 }
 
-Delivery AtomicFile::write(std::span<const std::byte> bytes) { return write_all(descriptor_, bytes, name_); }
+WriteStatus AtomicFile::write(std::span<const std::byte> bytes) { return write_all(descriptor_, bytes, name_); }
 
 void AtomicFile::commit() {
-    int error = written_.empty() ? give_name() : 0;
+    int error = written_.empty() ? link_temporary_name() : 0;
     const int descriptor = std::exchange(descriptor_, -1);
     if (::close(descriptor) != 0 && error == 0) error = errno;
     if (error == 0 && renames_ && ::rename(written_.c_str(), target_.c_str()) != 0) error = errno;

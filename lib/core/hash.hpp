@@ -1,5 +1,5 @@
 #pragma once
-/// SHA-256 (FIPS 180-4) of bytes, as lower-case hex. Tested by core/hash_test with the standard's own vectors.
+/// SHA-256 digest (FIPS 180-4) as lower-case hex. Tested by core/hash_test with the test vectors of the standard.
 #include <cstddef>
 #include <span>
 #include <string>

@@ -1,15 +1,16 @@
 #pragma once
-/// What is said where memory ends, and a look ahead for libraries that crash or hang there. Tested by tests/faults/memory.sh.
+/// The out-of-memory error, and a check of available address space before calling libraries that crash or hang without memory.
+/// Tested by tests/faults/memory.sh.
 #include <cstddef>
 
 #include "core/error.hpp"
 
 namespace soft::core {
 
-/// What ran out, by whomever it is noticed: a std::bad_alloc, PETSc, MUMPS, HDF5.
+/// The error for any failed allocation, whether detected as std::bad_alloc or by PETSc, MUMPS or HDF5.
 [[nodiscard]] Error out_of_memory();
 
-/// Throws out_of_memory() where the process cannot have `bytes` more of address space (ulimit -v, limits of a job).
+/// Throws out_of_memory() if the process cannot map `bytes` more of address space (ulimit -v, limits of a job).
 void require_memory(std::size_t bytes);
 
 }  // namespace soft::core

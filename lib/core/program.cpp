@@ -26,15 +26,17 @@ struct CloseFile {
 };
 using Stream = std::unique_ptr<std::FILE, CloseFile>;
 
-/// A nameless file that is gone when closed. The child reads its input from one and complains into another: unlike
-/// pipes they cannot fill up, and a child that dies early raises no SIGPIPE here.
-Stream scratch(std::string_view place) {
+/// An unnamed file that is deleted when closed. The child reads its input from one and writes its errors to another. Unlike
+/// pipes they cannot fill up, and a child that exits early raises no SIGPIPE in this process.
+Stream temporary_file(std::string_view location) {
     Stream stream{std::tmpfile()};
-    if (!stream) throw Error(ExitCode::cannot_create, place, std::string("no temporary file: ") + std::strerror(errno));
+    if (!stream)
+        throw Error(ExitCode::cannot_create, location,
+                    std::string("cannot create a temporary file: ") + std::strerror(errno));
     return stream;
 }
 
-/// posix_spawn's list of redirections, freed on every way out.
+/// The list of redirections of posix_spawn (RAII).
 struct Redirections {
     posix_spawn_file_actions_t actions;
     Redirections() { posix_spawn_file_actions_init(&actions); }
@@ -42,7 +44,7 @@ struct Redirections {
     Redirections(const Redirections&) = delete;
     Redirections& operator=(const Redirections&) = delete;
     void onto(int from, int to) { posix_spawn_file_actions_adddup2(&actions, from, to); }
-    void drop(int to) { posix_spawn_file_actions_addopen(&actions, to, "/dev/null", O_WRONLY, 0); }
+    void discard(int to) { posix_spawn_file_actions_addopen(&actions, to, "/dev/null", O_WRONLY, 0); }
 };
 
 int wait_for(pid_t child) {
@@ -52,13 +54,13 @@ int wait_for(pid_t child) {
     return status;
 }
 
-std::string beginning_of(std::FILE* stream) {
+std::string read_beginning(std::FILE* stream) {
     std::rewind(stream);
     std::array<char, 4096> buffer{};
     return {buffer.data(), std::fread(buffer.data(), 1, buffer.size(), stream)};
 }
 
-/// The environment without what the call drops; ends with a null pointer.
+/// The environment without the dropped variables of the call, terminated by a null pointer.
 std::vector<char*> environment_of(const ProgramCall& call) {
     std::vector<char*> kept;
     for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
@@ -70,26 +72,26 @@ std::vector<char*> environment_of(const ProgramCall& call) {
     return kept;
 }
 
-/// A program at work: its input handed over, its complaints collected.
-struct Started {
+/// A running program and the file that collects its standard error.
+struct RunningProgram {
     pid_t child;
     Stream errors;
 };
 
-Started start(const ProgramCall& call, int output, std::string_view place) {
-    const Stream input = scratch(place);
-    Stream errors = scratch(place);
-    const bool empty = call.input.empty();  // and then perhaps without an address
+RunningProgram start_program(const ProgramCall& call, int output, std::string_view location) {
+    const Stream input = temporary_file(location);
+    Stream errors = temporary_file(location);
+    const bool empty = call.input.empty();  // data() may then be null, which fwrite does not accept
     if ((!empty && std::fwrite(call.input.data(), 1, call.input.size(), input.get()) != call.input.size()) ||
         std::fflush(input.get()) != 0)
-        throw Error(ExitCode::io_error, place,
+        throw Error(ExitCode::io_error, location,
                     "the input of " + call.name + " cannot be written: " + std::strerror(errno));
     std::rewind(input.get());
 
     Redirections redirect;
     redirect.onto(::fileno(input.get()), STDIN_FILENO);
     if (output < 0)
-        redirect.drop(STDOUT_FILENO);
+        redirect.discard(STDOUT_FILENO);
     else
         redirect.onto(output, STDOUT_FILENO);
     redirect.onto(::fileno(errors.get()), STDERR_FILENO);
@@ -104,24 +106,25 @@ Started start(const ProgramCall& call, int output, std::string_view place) {
     const int failure =
         ::posix_spawnp(&child, words.front().c_str(), &redirect.actions, nullptr, pointers.data(), environment.data());
     if (failure == ENOENT)
-        throw Error(ExitCode::cannot_create, place,
+        throw Error(ExitCode::cannot_create, location,
                     "the program " + call.name + ", which " + call.purpose + ", is not installed", call.remedy);
     if (failure != 0)
-        throw Error(ExitCode::cannot_create, place, call.name + " cannot be started: " + std::strerror(failure));
+        throw Error(ExitCode::cannot_create, location, call.name + " cannot be started: " + std::strerror(failure));
     return {child, std::move(errors)};
 }
 
-ProgramEnd end_of(const Started& program) {
+ProgramStatus wait_for_program(const RunningProgram& program) {
     const int status = wait_for(program.child);
-    return {WIFEXITED(status) && WEXITSTATUS(status) == 0, beginning_of(program.errors.get())};
+    return {WIFEXITED(status) && WEXITSTATUS(status) == 0, read_beginning(program.errors.get())};
 }
 
-/// Both ends stay with this process: a writing end in the child besides its stdout would keep the pipe open.
+/// Both ends are close-on-exec: a second writing end in the child would keep the pipe open.
 class Pipe {
 public:
-    explicit Pipe(std::string_view place) {
+    explicit Pipe(std::string_view location) {
         if (::pipe(ends_.data()) != 0)
-            throw Error(ExitCode::cannot_create, place, std::string("no pipe: ") + std::strerror(errno));
+            throw Error(ExitCode::cannot_create, location,
+                        std::string("cannot create a pipe: ") + std::strerror(errno));
         for (const int end : ends_) static_cast<void>(::fcntl(end, F_SETFD, FD_CLOEXEC));
     }
     ~Pipe() {
@@ -142,17 +145,17 @@ private:
 
 }  // namespace
 
-ProgramEnd run_program(const ProgramCall& call, std::string_view place) {
-    return end_of(start(call, call.output, place));
+ProgramStatus run_program(const ProgramCall& call, std::string_view location) {
+    return wait_for_program(start_program(call, call.output, location));
 }
 
-ProgramOutput program_output(const ProgramCall& call, std::string_view place) {
-    Pipe pipe(place);
-    const Started program = start(call, pipe.writer(), place);
-    pipe.close_writer();  // so that the end of the program is the end of the stream
+ProgramOutput capture_program_output(const ProgramCall& call, std::string_view location) {
+    Pipe pipe(location);
+    const RunningProgram program = start_program(call, pipe.writer(), location);
+    pipe.close_writer();  // so that the stream ends when the program exits
     ProgramOutput result;
-    result.bytes = read_descriptor(pipe.reader(), place);
-    result.end = end_of(program);
+    result.bytes = read_descriptor(pipe.reader(), location);
+    result.status = wait_for_program(program);
     return result;
 }
 

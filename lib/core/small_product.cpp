@@ -10,7 +10,7 @@ namespace {
 constexpr int columns_at_once = 8;
 static_assert(columns_at_once - 1 == gemm_padding);
 
-/// Vectors as wide as the registers of the processor: wider ones are taken apart in memory, six times slower on AVX2.
+/// Vectors of the width of the processor's registers. Wider vectors are split through memory, which is six times slower on AVX2.
 struct FourNumbers {
     using Vector = double __attribute__((vector_size(4 * sizeof(double))));
 };
@@ -28,8 +28,8 @@ struct Tile {
     int next_c;
 };
 
-/// Rows x 8 entries of C, of which the first `kept` columns are stored. The sums stay in registers: each loop over them is one,
-/// unrolled, and a copy of a part is made entry by entry; otherwise all of them are moved to memory at each d.
+/// Computes Rows x 8 entries of C and stores the first `kept` columns. The sums stay in registers only if each loop over them is a
+/// single unrolled loop and a partial copy is made entry by entry; otherwise the compiler spills all of them to memory at each d.
 template <int Rows, class Register, bool Whole>
 inline void multiply(const Tile& t, int kept) {
     using Vector = typename Register::Vector;
@@ -57,7 +57,7 @@ inline void multiply(const Tile& t, int kept) {
     }
 }
 
-/// Tiles of Rows rows, then what remains by the same with fewer.
+/// Processes tiles of Rows rows, then the remaining rows with smaller tiles.
 template <int Rows, class Register>
 inline void multiply_all(Tile t, int rows, int columns) {
     for (; rows >= Rows; rows -= Rows, t.a += Rows, t.c += static_cast<std::ptrdiff_t>(Rows) * t.next_c) {
@@ -70,12 +70,12 @@ inline void multiply_all(Tile t, int rows, int columns) {
     if constexpr (Rows > 1) multiply_all<Rows / 2, Register>(t, rows, columns);
 }
 
-/// Rows for sixteen registers of four numbers.
+/// Six rows per tile, for sixteen registers of four numbers.
 SOFT_VECTOR_CLONES
 void multiply_narrow(const Tile& t, int rows, int columns) { multiply_all<6, FourNumbers>(t, rows, columns); }
 
 #ifdef SOFT_WIDE_VECTORS
-/// Rows for thirty-two registers of eight numbers (measured: 6, 14 and 27 rows are slower, and so are two vectors a row).
+/// Nine rows per tile, for thirty-two registers of eight numbers (measured: 6, 14 and 27 rows and two vectors per row are slower).
 SOFT_WIDE_VECTORS
 void multiply_wide(const Tile& t, int rows, int columns) { multiply_all<9, EightNumbers>(t, rows, columns); }
 bool has_wide_vectors() { return __builtin_cpu_supports("x86-64-v4") != 0; }

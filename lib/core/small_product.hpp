@@ -1,20 +1,20 @@
 #pragma once
-/// Products of matrices as small as those of a cell. Own code because a BLAS built for one thread (libopenblas0-serial) shares
-/// its buffers between the threads of a program that calls it from several, without a word: its products are then wrong.
+/// Products of small dense matrices, such as those of one cell. Implemented here because a single-threaded BLAS
+/// (libopenblas0-serial) shares its buffers between calling threads without any error, so that its products are then wrong.
 /// Tested by core/small_product_test.
 namespace soft {
 
-/// Row-major, rows one behind the other.
+/// Row-major, contiguous.
 struct MatrixView {
     const double* numbers;
     int columns;
 };
 
-/// Numbers behind the last one of B that are read, whatever they are.
+/// Number of entries after the end of B that must be readable; their values do not matter.
 inline constexpr int gemm_padding = 7;
 
-/// C = A^T B: C[i][j] = sum over d < depth of A[d][i] B[d][j]. Rows of C lie `next` numbers apart; nothing between them is
-/// touched. The sum of an entry runs in the order of d. B has gemm_padding numbers of room behind it.
+/// C = A^T B: C[i][j] = sum over d < depth of A[d][i] B[d][j]. `next` is the row stride of C; the gaps between its rows are not
+/// written. Each entry is summed in the order of d. B must be followed by gemm_padding readable entries.
 void transposed_product(int depth, MatrixView A, MatrixView B, double* C, int next);
 
 }  // namespace soft

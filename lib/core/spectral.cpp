@@ -6,10 +6,10 @@ namespace soft {
 namespace {
 
 constexpr int p_of[3] = {0, 0, 1}, q_of[3] = {1, 2, 2};
-/// Jacobi converges quadratically: a 3x3 needs four or five sweeps.
+/// Jacobi rotations converge quadratically: a 3x3 tensor needs four or five sweeps.
 constexpr int max_sweeps = 20;
 
-/// Turns the plane (p, q) so that S_pq vanishes.
+/// Rotates in the plane (p, q) so that S_pq vanishes.
 void rotate(Tensor& S, Tensor& V, int p, int q) {
     const double off = S[3 * p + q];
     if (off == 0.0) return;

@@ -17,9 +17,9 @@
 namespace soft::core {
 namespace {
 
-constexpr int exit_failed = 1, exit_out_of_memory = 2;  // how the child exits
+constexpr int exit_failed = 1, exit_out_of_memory = 2;  // exit codes of the child
 
-/// Private memory that the process can write to, as the kernel counts it for RLIMIT_DATA (proc(5), statm: data + stack).
+/// Private writable memory of the process as the kernel counts it for RLIMIT_DATA (proc(5), statm: data + stack).
 std::size_t data_bytes() {
     std::ifstream file("/proc/self/statm");
     std::array<std::size_t, 6> pages{};
@@ -27,52 +27,53 @@ std::size_t data_bytes() {
     return pages.back() * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-void set_limit(int what, std::size_t most) {
+void set_limit(int what, std::size_t max_value) {
     rlimit limit{};
     ::getrlimit(static_cast<__rlimit_resource>(what), &limit);
-    limit.rlim_cur = std::min<rlim_t>(most, limit.rlim_max);
+    limit.rlim_cur = std::min<rlim_t>(max_value, limit.rlim_max);
     ::setrlimit(static_cast<__rlimit_resource>(what), &limit);
 }
 
-/// Of the child: never returns, and runs no handler of exit, in which libraries crash.
-[[noreturn]] void work_and_leave(const std::function<Bytes()>& work, const SubprocessLimits& limits, int out) {
+/// Runs in the child and never returns. It skips exit handlers, because some libraries crash in them.
+[[noreturn]] void run_child(const std::function<Bytes()>& work, const SubprocessLimits& limits, int out) {
     set_limit(RLIMIT_CORE, 0);
     if (limits.processor) set_limit(RLIMIT_CPU, static_cast<std::size_t>(limits.processor->count()));
     if (limits.memory != no_limit) set_limit(RLIMIT_DATA, data_bytes() + limits.memory);
     for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL, SIGXCPU})
-        std::signal(signal, SIG_DFL);  // no report of a library's crash
-    if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0) {
-        ::dup2(nowhere, STDOUT_FILENO);
-        ::dup2(nowhere, STDERR_FILENO);
+        std::signal(signal, SIG_DFL);  // suppress the crash reports of libraries
+    if (const int null_device = ::open("/dev/null", O_WRONLY); null_device >= 0) {
+        ::dup2(null_device, STDOUT_FILENO);
+        ::dup2(null_device, STDERR_FILENO);
     }
     try {
         const Bytes result = work();
-        if (write_all(out, result, "") != Delivery::whole) ::_exit(exit_failed);
+        if (write_all(out, result, "") != WriteStatus::complete) ::_exit(exit_failed);
     } catch (const std::bad_alloc&) {
         ::_exit(exit_out_of_memory);
-    } catch (...) {  // libraries also throw strings; the caller says that it has failed
+    } catch (...) {  // libraries also throw types other than std::exception; the caller reports the failure
         ::_exit(exit_failed);
     }
     ::_exit(0);
 }
 
 std::string reason_of(int status) {
-    if (WIFEXITED(status)) return WEXITSTATUS(status) == exit_out_of_memory ? "it takes too much memory" : "it fails";
-    if (WTERMSIG(status) == SIGXCPU) return "it does not come to an end";
+    if (WIFEXITED(status))
+        return WEXITSTATUS(status) == exit_out_of_memory ? "it exceeds the memory limit" : "it fails";
+    if (WTERMSIG(status) == SIGXCPU) return "it exceeds the time limit";
     return std::string{"it crashes ("} + ::strsignal(WTERMSIG(status)) + ")";
 }
 
 }  // namespace
 
-SubprocessEnd run_in_subprocess(const std::function<Bytes()>& work, const SubprocessLimits& limits) {
+SubprocessOutcome run_in_subprocess(const std::function<Bytes()>& work, const SubprocessLimits& limits) {
     std::array<int, 2> pipe{};
     const bool piped = ::pipe(pipe.data()) == 0;
     const pid_t child = piped ? ::fork() : -1;
     if (child < 0)
-        throw Error(ExitCode::internal, "a process of its own", std::string{"cannot be made: "} + std::strerror(errno));
+        throw Error(ExitCode::internal, "subprocess", std::string{"cannot be created: "} + std::strerror(errno));
     if (child == 0) {
         ::close(pipe[0]);
-        work_and_leave(work, limits, pipe[1]);
+        run_child(work, limits, pipe[1]);
     }
     ::close(pipe[1]);
     const auto deadline = std::chrono::steady_clock::now() + limits.wall;
@@ -94,7 +95,7 @@ SubprocessEnd run_in_subprocess(const std::function<Bytes()>& work, const Subpro
     if (!ended) ::kill(child, SIGKILL);
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {}
-    if (!ended) return {std::nullopt, "it does not come to an end"};
+    if (!ended) return {std::nullopt, "it exceeds the time limit"};
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) return {std::nullopt, reason_of(status)};
     return {std::move(bytes), {}};
 }

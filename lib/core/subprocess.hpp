@@ -1,6 +1,6 @@
 #pragma once
-/// Work of libraries that may crash, loop or ask for all memory on a bad file: in a process of its own. What it prints goes
-/// nowhere. Tested by core/subprocess_test.
+/// Runs library calls that may crash, loop or exhaust the memory on a bad file in a child process. Its output is discarded.
+/// Tested by core/subprocess_test.
 #include <chrono>
 #include <functional>
 #include <optional>
@@ -11,18 +11,17 @@
 namespace soft::core {
 
 struct SubprocessLimits {
-    std::chrono::seconds wall;                                     ///< time on the clock
-    std::optional<std::chrono::seconds> processor = std::nullopt;  ///< time of computing
-    std::size_t memory = no_limit;                                 ///< bytes beyond what the process has already
+    std::chrono::seconds wall;                                     ///< wall-clock time
+    std::optional<std::chrono::seconds> processor = std::nullopt;  ///< CPU time
+    std::size_t memory = no_limit;  ///< bytes in addition to what the process already uses
 };
 
-struct SubprocessEnd {
-    std::optional<Bytes>
-        result;          ///< what `work` returned; nullopt where it threw, crashed or met a limit (it is ended then)
-    std::string reason;  ///< of the latter: "it crashes (Segmentation fault)"
+struct SubprocessOutcome {
+    std::optional<Bytes> result;  ///< what `work` returned; nullopt if it threw, crashed or was killed at a limit
+    std::string reason;           ///< why there is no result: "it crashes (Segmentation fault)"
 };
 
-/// Runs `work` in a copy of this process. Error(internal) where no process can be made.
-[[nodiscard]] SubprocessEnd run_in_subprocess(const std::function<Bytes()>& work, const SubprocessLimits& limits);
+/// Runs `work` in a forked copy of this process. Error(internal) if the process cannot be created.
+[[nodiscard]] SubprocessOutcome run_in_subprocess(const std::function<Bytes()>& work, const SubprocessLimits& limits);
 
 }  // namespace soft::core

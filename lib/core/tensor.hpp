@@ -1,6 +1,6 @@
 #pragma once
-/// Second-order 3x3 tensors as plain arrays, row by row: F[3 i + J] = F_iJ. Templated on the number so that the same
-/// body runs on double and on dual numbers (the test oracle). Tested by core/tensor_test.
+/// Second-order 3x3 tensors as plain row-major arrays: F[3 i + J] = F_iJ. Templated on the number type so that the same code
+/// runs on double and on dual numbers (the reference in tests). Tested by core/tensor_test.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -69,7 +69,7 @@ template <class T>
 [[nodiscard]] inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Eigenvalues of a symmetric tensor, descending. Trigonometric solution of the characteristic cubic (O. K. Smith,
-/// Comm. ACM 4 (1961) 168), accurate to about 1e-8 of the largest where two coincide, which is enough for reporting.
+/// Comm. ACM 4 (1961) 168), accurate to about 1e-8 of the largest eigenvalue if two coincide, which is enough for output.
 [[nodiscard]] inline Vector3 symmetric_eigenvalues(const Tensor& S) {
     const double mean = trace(S) / 3.0;
     Tensor D = S;
@@ -78,7 +78,7 @@ template <class T>
     for (const double d : D) norm2 += d * d;
     const double radius = std::sqrt(norm2 / 6.0);
     if (radius == 0.0) return {mean, mean, mean};
-    for (double& d : D) d /= radius;  // first: the cube of a small radius is zero
+    for (double& d : D) d /= radius;  // scale before the determinant: the cube of a small radius underflows
     double half_det = determinant(D) / 2.0;
     half_det = half_det < -1.0 ? -1.0 : (half_det > 1.0 ? 1.0 : half_det);
     const double angle = std::acos(half_det) / 3.0;

@@ -10,7 +10,7 @@ namespace {
 
 char lower(char c) noexcept { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Optimal string alignment: edit distance with neighbouring letters swapped counted once.
+/// Optimal string alignment: an edit distance that counts a swap of neighbouring letters once.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
@@ -29,12 +29,12 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return above[b.size()];
 }
 
-/// Length of the UTF-8 sequence that a lead byte announces and the range of its second byte; 0 for a wrong lead.
+/// Length of the UTF-8 sequence of a lead byte and the range of its second byte; length 0 for an invalid lead byte.
 struct Sequence {
     std::size_t length;
     unsigned char low, high;
 };
-Sequence announced(unsigned char lead) noexcept {
+Sequence utf8_sequence(unsigned char lead) noexcept {
     if (lead < 0x80) return {1, 0, 0};
     if (lead >= 0xC2 && lead <= 0xDF) return {2, 0x80, 0xBF};
     if (lead == 0xE0) return {3, 0xA0, 0xBF};
@@ -70,15 +70,15 @@ std::string join(std::span<const std::string> words, std::string_view separator)
     return text;
 }
 
-std::string one_line(std::string_view text, std::size_t longest) {
+std::string one_line(std::string_view text, std::size_t max_length) {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-    std::size_t size = std::min(text.size(), longest);
-    constexpr int most_of_a_letter = 3;  // bytes before its last
-    for (int k = 0; k < most_of_a_letter && size > 0 && (byte(size) & 0xC0U) == 0x80U; ++k)
-        --size;  // do not cut a letter in two
+    std::size_t size = std::min(text.size(), max_length);
+    constexpr int max_continuation_bytes = 3;  // bytes before its last
+    for (int k = 0; k < max_continuation_bytes && size > 0 && (byte(size) & 0xC0U) == 0x80U; ++k)
+        --size;  // do not split a multi-byte character
     std::string line{text.substr(0, size)};
     for (std::size_t i = 0; i < size; ++i) {
-        const bool is_c1 = byte(i) == 0xC2U && byte(i + 1) < 0xA0U;  // terminals obey these as well
+        const bool is_c1 = byte(i) == 0xC2U && byte(i + 1) < 0xA0U;  // C1 control characters also act on terminals
         if (byte(i) < 0x20U || byte(i) == 0x7FU || is_c1) line[i] = '?';
     }
     for (std::size_t from = 0; const auto bad = first_invalid_utf8(std::string_view{line}.substr(from));) {
@@ -96,16 +96,16 @@ std::string quoted(std::string_view text) {
 }
 
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates) {
-    constexpr std::size_t longest_key = 64;  // keeps the cost of a hostile key bounded
-    if (word.size() > longest_key) return std::nullopt;
+    constexpr std::size_t max_word = 64;  // bounds the cost for malicious input
+    if (word.size() > max_word) return std::nullopt;
     const std::string* best = nullptr;
-    std::size_t least = 0;
+    std::size_t min_distance = 0;
     for (const std::string& candidate : candidates) {
         const std::size_t distance = edit_distance(word, candidate);
         const std::size_t near = std::max<std::size_t>(1, std::max(word.size(), candidate.size()) / 3);
-        if (distance > near || (best != nullptr && distance >= least)) continue;
+        if (distance > near || (best != nullptr && distance >= min_distance)) continue;
         best = &candidate;
-        least = distance;
+        min_distance = distance;
     }
     return best == nullptr ? std::nullopt : std::optional{*best};
 }
@@ -113,14 +113,14 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
     if (candidates.empty()) return {};
     if (const auto near = nearest(word, candidates)) return "did you mean " + core::quoted(*near) + "?";
-    constexpr std::size_t longest = 1000;  // names may come from a file, any number of them
-    return "known: " + one_line(join(candidates), longest);
+    constexpr std::size_t max_length = 1000;  // the number of candidates from a file is unbounded
+    return "known: " + one_line(join(candidates), max_length);
 }
 
 std::optional<std::vector<std::string>> shell_words(std::string_view line) {
     std::vector<std::string> words;
     bool in_word = false;
-    char quote = 0;  // the one that is open
+    char quote = 0;  // the open quote; 0: none
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];
         const bool is_blank = quote == 0 && (c == ' ' || c == '\t' || c == '\r' || c == '\n');
@@ -155,7 +155,7 @@ std::string_view trimmed(std::string_view text) noexcept {
 std::optional<std::size_t> first_invalid_utf8(std::string_view text) noexcept {
     std::size_t i = 0;
     while (i < text.size()) {
-        const Sequence sequence = announced(static_cast<unsigned char>(text[i]));
+        const Sequence sequence = utf8_sequence(static_cast<unsigned char>(text[i]));
         if (sequence.length == 0 || i + sequence.length > text.size()) return i;
         for (std::size_t k = 1; k < sequence.length; ++k) {
             const auto byte = static_cast<unsigned char>(text[i + k]);

@@ -1,6 +1,6 @@
 #pragma once
-/// Small pieces of text: numbers in their shortest exact form, one-line messages, "did you mean". Independent of the
-/// locale throughout. Tested by core/text_test.
+/// Text utilities: numbers in their shortest exact form, one-line messages, "did you mean". Independent of the locale.
+/// Tested by core/text_test.
 #include <concepts>
 #include <cstddef>
 #include <optional>
@@ -11,40 +11,41 @@
 
 namespace soft::core {
 
-/// Shortest decimal text that reads back to the same double ("0.1", "1e-09", "nan").
+/// Shortest decimal text that parses to the same double ("0.1", "1e-09", "nan").
 [[nodiscard]] std::string number_text(double value);
 
-/// `digits` significant digits without trailing zeros, for messages where exactness does not matter.
+/// `digits` significant digits without trailing zeros, for messages.
 [[nodiscard]] std::string rounded_text(double value, int digits);
 
 /// "1 step", "2 steps".
 template <std::integral Count>
-[[nodiscard]] std::string counted(Count count, std::string_view thing) {
-    return std::to_string(count).append(" ").append(thing).append(count == 1 ? "" : "s");
+[[nodiscard]] std::string counted(Count count, std::string_view noun) {
+    return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");
 }
 
 /// "a, b, c"
 [[nodiscard]] std::string join(std::span<const std::string> words, std::string_view separator = ", ");
 
-/// `text` fit for one line of a terminal: control characters and what is not UTF-8 become '?', more than `longest` bytes are cut with "...".
-[[nodiscard]] std::string one_line(std::string_view text, std::size_t longest = 120);
+/// `text` as one line for a terminal: control characters and invalid UTF-8 become '?'; text beyond `max_length` bytes is replaced
+/// by "...".
+[[nodiscard]] std::string one_line(std::string_view text, std::size_t max_length = 120);
 
 /// one_line within single quotes.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-/// The candidate with the least edit distance (insert, delete, replace, swap neighbours; letter case is free), if it
-/// is near enough to be a slip of the keyboard: at most a third of the longer word, at least one. First of equals.
+/// The candidate with the smallest edit distance (insert, delete, replace, swap neighbours; case-insensitive), if that distance is
+/// at most a third of the longer word, or 1: a likely typing error. The first of several equal candidates.
 [[nodiscard]] std::optional<std::string> nearest(std::string_view word, std::span<const std::string> candidates);
 
-/// "did you mean 'wall'?" when one is near, else "known: a, b, c"; empty without candidates.
+/// "did you mean 'wall'?" if a candidate is near, otherwise "known: a, b, c"; empty without candidates.
 [[nodiscard]] std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
-/// The words of a line, as a shell takes it apart (POSIX, 2.2): blanks part them; 'as it is'; within "..." a backslash before " or \ takes
-/// that character as it is, outside of quotes before any. No variables, patterns or comments. nullopt for a quote that is not
-/// closed and for a backslash at the end.
+/// The words of a line, split as by a POSIX shell (2.2 Quoting): blanks separate words; '...' is literal; within "..." a backslash
+/// escapes " and \, outside of quotes any character. Variables, patterns and comments are not supported. nullopt for an unclosed
+/// quote and for a backslash at the end.
 [[nodiscard]] std::optional<std::vector<std::string>> shell_words(std::string_view line);
 
-/// Without blanks (space, tab, carriage return, newline) at both ends.
+/// `text` without leading and trailing blanks (space, tab, carriage return, newline).
 [[nodiscard]] std::string_view trimmed(std::string_view text) noexcept;
 
 /// Offset of the first byte that is not well-formed UTF-8 (surrogates and overlong forms included), or nullopt.

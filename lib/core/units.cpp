@@ -14,7 +14,7 @@
 namespace soft::core {
 namespace {
 
-/// 1 unit = factor x 10^power SI. Decimal prefixes use the power alone: it is added to the exponent of the text.
+/// 1 unit = factor x 10^power SI. Decimal prefixes use only the power, which is added to the exponent of the text.
 struct Unit {
     std::string_view name;
     Dimension dimension;
@@ -23,7 +23,7 @@ struct Unit {
 };
 
 constexpr double pound_force_N = 4.4482216152605, psi_Pa = 6894.757293168361;  // by definition of pound, g_n and inch
-/// Standard gravity; under a column of mercury of 1 m, conventional (ISO 80000-4).
+/// Standard gravity, and the pressure of a mercury column per metre (conventional values, ISO 80000-4).
 constexpr double g_n = 9.80665, mercury_Pa_m = 13595.1 * g_n;
 constexpr std::array units = {
     Unit{"%", Dimension::ratio, -2},
@@ -117,15 +117,15 @@ constexpr std::array units = {
     Unit{"1/mm", Dimension::curvature, 3},
 };
 
-/// Units of messages, coarse to fine within a dimension: the first that leaves a number of 1 or more is used.
+/// Units for messages, from large to small within a dimension: the first one that gives a number of at least 1 is used.
 constexpr auto message_units = std::to_array<std::string_view>(
     {"m",      "mm",       "um", "m^2", "mm^2", "m^3",   "mL", "mm^3", "GPa",  "MPa", "kPa",      "Pa",
      "deg",    "kg/m^3",   "kg", "g",   "mg",   "m/s^2", "s",  "ms",   "us",   "1/s", "kPa.s/mL", "Pa.s/mL",
      "Pa.s/L", "Pa.s/m^3", "J",  "mJ",  "uJ",   "N",     "mN", "N.m",  "N.mm", "1/m"});
 
-constexpr std::size_t longest_number = 40;  // in a message
+constexpr std::size_t max_number_length = 40;  // in a message
 
-/// "-12.5e3 mm" taken apart; `number` is empty if the text does not start with a decimal number.
+/// The parts of "-12.5e3 mm"; `number` is empty if the text does not start with a decimal number.
 struct Parts {
     std::string_view number, mantissa, exponent, unit;
 };
@@ -160,7 +160,7 @@ Parts split(std::string_view text) noexcept {
     return parts;
 }
 
-/// Value of mantissa x 10^(exponent + power), correctly rounded; nullopt beyond the range of a double.
+/// Value of mantissa x 10^(exponent + power), correctly rounded; nullopt outside the range of a double.
 std::optional<double> value_of(const Parts& parts, int power) {
     int exponent = 0;
     std::string_view digits = parts.exponent;
@@ -197,7 +197,7 @@ const Unit* find_unit(std::string_view name) noexcept {
     return unit == units.end() ? nullptr : &*unit;
 }
 
-/// "N/mm^2" of "N/mm\u00B2" and of "N/mm2", as test machines write it.
+/// "N/mm^2" for "N/mm\u00B2" and for "N/mm2", as testing machines write it.
 std::string with_plain_power(std::string_view unit) {
     std::string plain{unit};
     for (const auto& [raised, power] : {std::pair{"\u00B2", "^2"}, std::pair{"\u00B3", "^3"}})
@@ -221,22 +221,23 @@ Refusal not_a_number(std::string_view text, Dimension dimension) {
             advice(dimension)};
 }
 
-bool equal_but_case(std::string_view one, std::string_view other) {
+bool equal_ignoring_case(std::string_view one, std::string_view other) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     return std::ranges::equal(one, other, {}, lower, lower);
 }
 
 Refusal unknown_unit(const Parts& parts, Dimension dimension) {
     const std::string problem = "unknown unit " + quoted(parts.unit) + " in " + with_article(name(dimension));
-    const std::string number = one_line(parts.number, longest_number);
+    const std::string number = one_line(parts.number, max_number_length);
     if (parts.unit.starts_with(','))
         return {"a comma is not a decimal point", "write " + number + "." + one_line(parts.unit.substr(1))};
-    // A unit that is merely near may be a thousand times another: 'ksi' is no slip of 'psi'.
+    // Only differences in case are suggested: a similar name may be a unit 1000 times as large, such as 'ksi' for 'psi'.
     const auto names = unit_names(dimension);
     const auto same =
-        std::ranges::find_if(names, [&](const std::string& name) { return equal_but_case(name, parts.unit); });
-    if (same != names.end() &&
-        std::ranges::count_if(names, [&](const std::string& name) { return equal_but_case(name, parts.unit); }) == 1)
+        std::ranges::find_if(names, [&](const std::string& name) { return equal_ignoring_case(name, parts.unit); });
+    if (same != names.end() && std::ranges::count_if(names, [&](const std::string& name) {
+                                   return equal_ignoring_case(name, parts.unit);
+                               }) == 1)
         return {problem, "did you mean " + number + " " + *same + "?"};
     return {problem, advice(dimension)};
 }
@@ -294,7 +295,7 @@ Parsed<double> parse_quantity(std::string_view text, Dimension dimension) {
     if (parts.unit.empty() && dimension != Dimension::ratio) {
         const std::string_view unit = split(example(dimension)).unit;
         return Refusal{shown + " has no unit, " + with_article(name(dimension)) + " is needed",
-                       "write for example " + one_line(parts.number, longest_number) + " " + std::string{unit}};
+                       "write for example " + one_line(parts.number, max_number_length) + " " + std::string{unit}};
     }
     const Unit* unit = find_unit(with_plain_power(parts.unit));
     if (!parts.unit.empty() && unit == nullptr) return unknown_unit(parts, dimension);
@@ -304,7 +305,8 @@ Parsed<double> parse_quantity(std::string_view text, Dimension dimension) {
                        advice(dimension)};
     const auto decimal = value_of(parts, unit == nullptr ? 0 : unit->power);
     const double value = decimal.value_or(0.0) * (unit == nullptr ? 1.0 : unit->factor);
-    if (!decimal || !std::isfinite(value)) return Refusal{shown + " is beyond the range of numbers", advice(dimension)};
+    if (!decimal || !std::isfinite(value))
+        return Refusal{shown + " is out of the range of floating-point numbers", advice(dimension)};
     return value;
 }
 
@@ -314,15 +316,14 @@ Parsed<long> parse_count(std::string_view text) {
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (digits.empty() || result.ec == std::errc::invalid_argument || result.ptr != digits.data() + digits.size())
         return Refusal{quoted(digits) + " is not a whole number", "write for example 10"};
-    if (result.ec != std::errc{})
-        return Refusal{quoted(digits) + " is beyond the range of numbers", "write for example 10"};
+    if (result.ec != std::errc{}) return Refusal{quoted(digits) + " is out of range", "write for example 10"};
     return value;
 }
 
-double quantity_or_throw(std::string_view text, Dimension dimension, ExitCode code, std::string_view place) {
+double quantity_or_throw(std::string_view text, Dimension dimension, ExitCode code, std::string_view location) {
     const Parsed<double> parsed = parse_quantity(text, dimension);
     if (const Refusal* refusal = std::get_if<Refusal>(&parsed))
-        throw Error(code, place, refusal->problem, refusal->remedy);
+        throw Error(code, location, refusal->problem, refusal->remedy);
     return std::get<double>(parsed);
 }
 

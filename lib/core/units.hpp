@@ -1,7 +1,7 @@
 #pragma once
-/// Quantities as people write them ("3 mm", "40kPa", "1080 kg/m^3", "30 deg") to SI and back. Decimal prefixes are
-/// applied to the decimal text, so "0.1644 MPa" and "164400 Pa" are the same double. Independent of the locale; nan
-/// and inf are refused. Tested by core/units_test.
+/// Conversion of quantities with units ("3 mm", "40kPa", "1080 kg/m^3", "30 deg") to SI and back. Decimal prefixes are applied to
+/// the decimal text, so "0.1644 MPa" and "164400 Pa" give the same double. Independent of the locale; nan and inf are rejected.
+/// Tested by core/units_test.
 #include <string>
 #include <string_view>
 #include <variant>
@@ -29,7 +29,7 @@ enum class Dimension {
     curvature
 };
 
-/// Why a text was refused and what would be right; the caller knows the place.
+/// Why a text was rejected, and the remedy; the caller adds the location.
 struct Refusal {
     std::string problem;
     std::string remedy;
@@ -38,30 +38,29 @@ struct Refusal {
 template <class T>
 using Parsed = std::variant<T, Refusal>;
 
-/// SI value of `text`. A dimensional quantity needs its unit; a ratio is a bare number or a percentage.
+/// SI value of `text`. A dimensional quantity needs a unit; a ratio is a bare number or a percentage.
 [[nodiscard]] Parsed<double> parse_quantity(std::string_view text, Dimension dimension);
 
-/// A whole decimal number without a unit.
+/// Parses a whole decimal number without a unit.
 [[nodiscard]] Parsed<long> parse_count(std::string_view text);
 
-/// parse_quantity for callers that have a place: throws Error(code, place, problem, remedy).
+/// parse_quantity that throws Error(code, location, problem, remedy).
 [[nodiscard]] double quantity_or_throw(std::string_view text, Dimension dimension, ExitCode code,
-                                       std::string_view place);
+                                       std::string_view location);
 
-/// The same quantity with one blank between number and unit: "40kPa" -> "40 kPa". Text that holds no number is only
-/// trimmed.
+/// The same quantity with one blank between number and unit: "40kPa" -> "40 kPa". Text without a number is only trimmed.
 [[nodiscard]] std::string tidy_quantity(std::string_view text);
 
-/// The two parts of a quantity as written: "40kPa" -> "40", "kPa"; no unit where there is no blank after tidying.
+/// Number and unit of a quantity as written: "40kPa" -> "40", "kPa"; the unit is empty for a bare number.
 struct QuantityParts {
     std::string number, unit;
 };
 [[nodiscard]] QuantityParts quantity_parts(std::string_view text);
 
-/// An SI value in a unit that reads well ("3 mm", "164.4 kPa"), six digits: for messages, not for files.
+/// An SI value in a suitable unit ("3 mm", "164.4 kPa") with six digits: for messages, not for files.
 [[nodiscard]] std::string quantity_text(double si, Dimension dimension);
 
-/// "length", and a value one would write, "3 mm".
+/// Name of a dimension ("length"), and an example value ("3 mm").
 [[nodiscard]] std::string_view name(Dimension dimension) noexcept;
 [[nodiscard]] std::string_view example(Dimension dimension) noexcept;
 

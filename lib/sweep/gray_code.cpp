@@ -11,7 +11,7 @@ std::vector<int> GrayCode::at(std::size_t k) const {
     std::vector<int> code;
     for (int i = 0; i < digits; ++i, k /= b) {
         const int digit = static_cast<int>(k % b);
-        const bool is_reflected = k / b % 2 == 1;  // the faster digits go down in every other block
+        const bool is_reflected = k / b % 2 == 1;  // the faster digits decrease in every other block
         code.push_back(is_reflected ? base - 1 - digit : digit);
     }
     return code;

@@ -1,6 +1,6 @@
 #pragma once
-/// Reflected Gray code: an order of all combinations of digits in which neighbours differ in one digit by one. Source: Knuth,
-/// The Art of Computer Programming 4A (2011), 7.2.1.1. Tested by sweep/gray_code_test.
+/// Reflected Gray code: an order of all combinations of digits in which consecutive ones differ in one digit by 1.
+/// Source: Knuth, The Art of Computer Programming 4A (2011), 7.2.1.1. Tested by sweep/gray_code_test.
 #include <cstddef>
 #include <vector>
 
@@ -11,7 +11,7 @@ struct GrayCode {
     int base;  ///< digits are 0 ... base - 1
 
     [[nodiscard]] double size() const noexcept;  ///< base^digits
-    /// The digits of the k-th combination, the first one changing fastest; all 0 for k = 0.
+    /// The digits of the k-th combination; the first digit changes fastest. All digits are 0 for k = 0.
     [[nodiscard]] std::vector<int> at(std::size_t k) const;
 };
 

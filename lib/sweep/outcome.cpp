@@ -10,52 +10,52 @@
 namespace soft::sweep {
 namespace {
 
-bool is_wanted(const Sweep& sweep, const post::Column& column) {
+bool is_requested(const Sweep& sweep, const post::Column& column) {
     if (sweep.outputs.empty()) return column.role != post::Role::counter;
-    return std::ranges::find(sweep.outputs, column.name, &Written::text) != sweep.outputs.end();
+    return std::ranges::find(sweep.outputs, column.name, &SourceText::text) != sweep.outputs.end();
 }
 
-std::vector<post::Request> requests_of(const Written& place, const post::Curve& curve) {
+std::vector<post::Request> requests_of(const SourceText& point, const post::Curve& curve) {
     try {
-        return post::parse_requests(place.text, curve);
+        return post::parse_requests(point.text, curve);
     } catch (const Error& error) {
-        throw Error(ExitCode::bad_input, place.place + ": at", error.what());
+        throw Error(ExitCode::bad_input, point.location + ": at", error.what());
     }
 }
 
-bool is_named_place(const Written& place) { return place.text == "end" || place.text == "limit"; }
+bool is_named_point(const SourceText& point) { return point.text == "end" || point.text == "limit"; }
 
 struct Row {
-    std::optional<std::vector<double>> values;  ///< all columns in the order of the curve
-    std::string missing;                        ///< why there are none
+    std::optional<std::vector<double>> values;  ///< all columns, in the order of the curve
+    std::string missing;                        ///< the reason if there are no values
 };
 
-Row row_at(const Written& place, const post::Curve& curve, std::span<const solution::LimitPoint> limit_points) {
+Row row_at(const SourceText& point, const post::Curve& curve, std::span<const solution::LimitPoint> limit_points) {
     const auto row = [&curve](std::size_t r) {
         std::vector<double> values;
         for (const post::Column& column : curve.columns) values.push_back(column.values.at(r));
         return values;
     };
-    if (curve.row_count() == 0) return {std::nullopt, "at " + place.text + ": the path has no rows"};
-    if (place.text == "end") return {row(curve.row_count() - 1), ""};
-    if (place.text == "limit") {
+    if (curve.row_count() == 0) return {std::nullopt, "at " + point.text + ": the path has no rows"};
+    if (point.text == "end") return {row(curve.row_count() - 1), ""};
+    if (point.text == "limit") {
         if (limit_points.empty()) return {std::nullopt, "at limit: the path has no limit point"};
         return {row(static_cast<std::size_t>(limit_points.front().step)), ""};
     }
     try {
-        const post::Curve there = post::rows_at(curve, requests_of(place, curve));
+        const post::Curve there = post::rows_at(curve, requests_of(point, curve));
         std::vector<double> values;
         for (const post::Column& column : there.columns) values.push_back(column.values.front());
         return {values, ""};
     } catch (const Error& error) {
         const std::string_view reason = error.what();
         constexpr std::string_view option = "--at ";
-        if (!reason.starts_with(option)) throw;  // a place that no curve has
+        if (!reason.starts_with(option)) throw;  // not a point that any path could reach
         return {std::nullopt, "at " + std::string{reason.substr(option.size())}};
     }
 }
 
-/// Text of a value or a unit as part of a name.
+/// A value or a unit as part of a column name.
 std::string name_part(std::string_view text) {
     std::string name;
     for (const char c : text) {
@@ -96,29 +96,30 @@ bool is_final(int exit_code) noexcept {
     return std::ranges::any_of(finals, [exit_code](ExitCode code) { return static_cast<int>(code) == exit_code; });
 }
 
-std::string column_at(const std::string& column, const std::string& place, const post::Curve& curve) {
-    const std::size_t equals = place.find('=');
-    if (equals == std::string::npos) return column + "_at_" + place;
-    const std::string quantity{core::trimmed(std::string_view{place}.substr(0, equals))};
-    const core::QuantityParts value = core::quantity_parts(place.substr(equals + 1));
+std::string column_at(const std::string& column, const std::string& point, const post::Curve& curve) {
+    const std::size_t equals = point.find('=');
+    if (equals == std::string::npos) return column + "_at_" + point;
+    const std::string quantity{core::trimmed(std::string_view{point}.substr(0, equals))};
+    const core::QuantityParts value = core::quantity_parts(point.substr(equals + 1));
     const post::Column* named = curve.find(quantity);
     const bool is_load = named != nullptr && named->source == post::Source::load;
     const std::string number = name_part(value.number), unit = name_part(value.unit);
-    const bool runs_together = !unit.empty() && unit.front() >= '0' && unit.front() <= '9';  // "3 1/m"
-    return column + "_at_" + (is_load ? "" : quantity + "_") + number + (runs_together ? "_" : "") + unit;
+    const bool needs_separator = !unit.empty() && unit.front() >= '0' && unit.front() <= '9';  // "3 1/m"
+    return column + "_at_" + (is_load ? "" : quantity + "_") + number + (needs_separator ? "_" : "") + unit;
 }
 
 Outputs outputs_of(const Sweep& sweep, const post::Curve& curve, std::span<const solution::LimitPoint> limit_points) {
     Outputs outputs;
-    for (const Written& place : sweep.at) {
-        const auto [values, missing] = row_at(place, curve, limit_points);
+    for (const SourceText& point : sweep.at) {
+        const auto [values, missing] = row_at(point, curve, limit_points);
         if (!values) outputs.missing.push_back(missing);
-        const std::string asked = place.text.substr(0, place.text.find('='));
+        const std::string requested_quantity = point.text.substr(0, point.text.find('='));
         for (std::size_t c = 0; c < curve.columns.size(); ++c) {
             const post::Column& column = curve.columns[c];
-            if (!is_wanted(sweep, column) || (sweep.outputs.empty() && column.quantity == asked)) continue;
+            if (!is_requested(sweep, column) || (sweep.outputs.empty() && column.quantity == requested_quantity))
+                continue;
             outputs.cells.push_back(
-                {column_at(column.name, place.text, curve), values ? std::optional{(*values)[c]} : std::nullopt});
+                {column_at(column.name, point.text, curve), values ? std::optional{(*values)[c]} : std::nullopt});
         }
     }
     return outputs;
@@ -138,13 +139,13 @@ post::Curve unsolved_curve(const model::Case& model) {
 }
 
 void check_requests(const Sweep& sweep, const post::Curve& curve) {
-    for (const Written& place : sweep.at)
-        if (!is_named_place(place)) static_cast<void>(requests_of(place, curve));
+    for (const SourceText& point : sweep.at)
+        if (!is_named_point(point)) static_cast<void>(requests_of(point, curve));
     std::vector<std::string> known;
     for (const post::Column& column : curve.columns) known.push_back(column.name);
-    for (const Written& output : sweep.outputs)
+    for (const SourceText& output : sweep.outputs)
         if (std::ranges::find(known, output.text) == known.end())
-            throw Error(ExitCode::bad_input, output.place + ": outputs",
+            throw Error(ExitCode::bad_input, output.location + ": outputs",
                         "no curve has a column " + core::quoted(output.text), core::did_you_mean(output.text, known));
 }
 

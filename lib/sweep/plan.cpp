@@ -14,13 +14,14 @@
 namespace soft::sweep {
 namespace {
 
-constexpr int digits = 9;  // more than any dimension is known to, fewer than logarithms agree on everywhere
+constexpr int significant_digits =
+    9;  // more than any tolerance, fewer than the digits in which logarithms agree on all machines
 constexpr std::size_t id_length = 16;
-constexpr std::size_t max_file = std::size_t{4} << 30;  // bytes, that of a mesh
+constexpr std::size_t max_file = std::size_t{4} << 30;  // bytes, the limit of a mesh file
 constexpr std::array file_keys{"geometry.file", "geometry.profile"};
 
-std::string number_of(const Range& range, double value) {
-    return core::rounded_text(value, digits) + (range.unit.empty() ? "" : " " + range.unit);
+std::string with_unit(const Range& range, double value) {
+    return core::rounded_text(value, significant_digits) + (range.unit.empty() ? "" : " " + range.unit);
 }
 
 double between(const Range& range, double share) {
@@ -30,10 +31,10 @@ double between(const Range& range, double share) {
 
 std::string location_of(const Factor& factor, const std::string& value) {
     if (const auto* range = std::get_if<Range>(&factor.values))
-        return value == range->to.text ? range->to.place : range->from.place;
+        return value == range->to.text ? range->to.location : range->from.location;
     const auto& choices = std::get<Choices>(factor.values);
-    const auto choice = std::ranges::find(choices, value, &Written::text);
-    return choice == choices.end() ? factor.place : choice->place;
+    const auto choice = std::ranges::find(choices, value, &SourceText::text);
+    return choice == choices.end() ? factor.location : choice->location;
 }
 
 std::vector<design::Override> settings_of(const Sweep& sweep, const std::vector<std::string>& values) {
@@ -43,31 +44,32 @@ std::vector<design::Override> settings_of(const Sweep& sweep, const std::vector<
     return settings;
 }
 
-std::string address(std::string_view content, const Basis& basis) {
-    return core::sha256_hex(std::string{basis.programs} + "\n" + std::string{content}).substr(0, id_length);
+std::string design_id(std::string_view content, const PlanInput& input) {
+    return core::sha256_hex(std::string{input.programs} + "\n" + std::string{content}).substr(0, id_length);
 }
 
-Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string> values) {
+PlannedDesign planned(const Sweep& sweep, const PlanInput& input, std::vector<std::string> values) {
     std::vector<design::Override> settings = settings_of(sweep, values);
-    Planned row;
+    PlannedDesign row;
     row.values = std::move(values);
     std::optional<std::string> refusal;
     try {
-        design::Design design = design::read_design(basis.design_text, basis.design_source, basis.families, settings);
+        design::Design design = design::read_design(input.design_text, input.design_source, input.families, settings);
         std::string content = design.effective_yaml;
-        for (const char* file_key : file_keys) {  // it is to be found from any folder, and to count by what is in it
+        for (const char* file_key : file_keys) {  // use an absolute path, and hash the content of the file
             if (!design.values.has(file_key)) continue;
-            if (design.values.text(file_key).find('\n') != std::string::npos) continue;  // the content itself
+            if (design.values.text(file_key).find('\n') != std::string::npos)
+                continue;  // the key holds the content itself
             const std::filesystem::path file =
-                design::file_from(design.values.place(file_key), design.values.text(file_key));
+                design::file_from(design.values.location(file_key), design.values.text(file_key));
             content += core::sha256_hex(core::read_regular_file(file, max_file));
             settings.push_back({file_key, std::filesystem::absolute(file).lexically_normal().string()});
-            design = design::read_design(basis.design_text, basis.design_source, basis.families, settings);
+            design = design::read_design(input.design_text, input.design_source, input.families, settings);
         }
-        row.id = address(content, basis);
+        row.id = design_id(content, input);
         row.design_yaml = std::move(design.effective_yaml);
         row.geometry_refused = true;
-        if (basis.check_geometry) basis.check_geometry(design);
+        if (input.check_geometry) input.check_geometry(design);
         row.geometry_refused = false;
     } catch (const Error& error) {
         if (error.code() != ExitCode::bad_input) throw;
@@ -76,29 +78,29 @@ Planned planned(const Sweep& sweep, const Basis& basis, std::vector<std::string>
     if (refusal) {
         row.design_yaml.clear();
         row.refusal = *refusal;
-        std::string content{basis.design_text};
+        std::string content{input.design_text};
         for (const design::Override& setting : settings)
             content.append("\n").append(setting.path).append("=").append(setting.value);
-        row.id = address(content, basis);
+        row.id = design_id(content, input);
     }
     return row;
 }
 
-bool is_about(const Planned& row, const Written& value) {
-    return !row.geometry_refused && row.refusal.starts_with(value.place + ":");
+bool is_caused_by(const PlannedDesign& row, const SourceText& value) {
+    return !row.geometry_refused && row.refusal.starts_with(value.location + ":");
 }
 
-/// A value that no design can have is a fault of the file, not of a design.
+/// Throws if all designs with a listed value are refused because of it: the error is in the sweep file, not in a design.
 void check_choices(const Sweep& sweep, const Plan& plan) {
     for (std::size_t f = 0; f < sweep.factors.size(); ++f) {
         const auto* choices = std::get_if<Choices>(&sweep.factors[f].values);
         if (choices == nullptr) continue;
-        for (const Written& choice : *choices) {
-            const Planned* refused = nullptr;
+        for (const SourceText& choice : *choices) {
+            const PlannedDesign* refused = nullptr;
             bool possible = false;
-            for (const Planned& row : plan.designs) {
+            for (const PlannedDesign& row : plan.designs) {
                 if (row.values[f] != choice.text) continue;
-                if (!is_about(row, choice)) possible = true;
+                if (!is_caused_by(row, choice)) possible = true;
                 if (refused == nullptr) refused = &row;
             }
             if (refused != nullptr && !possible) throw Error(ExitCode::bad_input, "", refused->refusal);
@@ -106,15 +108,15 @@ void check_choices(const Sweep& sweep, const Plan& plan) {
     }
 }
 
-void check_ends(const Sweep& sweep, const Basis& basis, const Planned& sound) {
+void check_range_ends(const Sweep& sweep, const PlanInput& input, const PlannedDesign& accepted) {
     for (std::size_t f = 0; f < sweep.factors.size(); ++f) {
         const auto* range = std::get_if<Range>(&sweep.factors[f].values);
         if (range == nullptr) continue;
-        for (const Written& end : {range->from, range->to}) {
-            std::vector<std::string> values = sound.values;
+        for (const SourceText& end : {range->from, range->to}) {
+            std::vector<std::string> values = accepted.values;
             values[f] = end.text;
-            const Planned row = planned(sweep, basis, std::move(values));
-            if (is_about(row, end)) throw Error(ExitCode::bad_input, "", row.refusal);
+            const PlannedDesign row = planned(sweep, input, std::move(values));
+            if (is_caused_by(row, end)) throw Error(ExitCode::bad_input, "", row.refusal);
         }
     }
 }
@@ -122,18 +124,18 @@ void check_ends(const Sweep& sweep, const Basis& basis, const Planned& sound) {
 std::vector<std::vector<std::string>> grid_values(const Sweep& sweep) {
     std::vector<std::vector<std::string>> rows{{}};
     for (const Factor& factor : sweep.factors) {
-        std::vector<std::vector<std::string>> longer;
+        std::vector<std::vector<std::string>> extended;
         for (const auto& row : rows)
             for (int k = 0; k < level_count(factor); ++k) {
-                longer.push_back(row);
-                longer.back().push_back(level(factor, k));
+                extended.push_back(row);
+                extended.back().push_back(level(factor, k));
             }
-        rows = std::move(longer);
+        rows = std::move(extended);
     }
     return rows;
 }
 
-/// For a shell.
+/// Quotes a word for a shell.
 std::string quoted_word(const std::string& word) {
     const bool plain = word.find_first_of(" \t\"'\\$`*?[]{}()<>|&;#~!") == std::string::npos;
     if (plain) return word;
@@ -144,7 +146,7 @@ std::string quoted_word(const std::string& word) {
 
 }  // namespace
 
-bool is_address(std::string_view id) noexcept {
+bool is_design_id(std::string_view id) noexcept {
     return id.size() == id_length && id.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
@@ -152,8 +154,8 @@ std::string value_at(const Factor& factor, double u) {
     if (const auto* choices = std::get_if<Choices>(&factor.values))
         return (*choices)[static_cast<std::size_t>(u * static_cast<double>(choices->size()))].text;
     const Range& range = std::get<Range>(factor.values);
-    if (range.scale == Scale::whole) return number_of(range, range.low + std::floor(u * (range.high - range.low + 1)));
-    return number_of(range, between(range, u));
+    if (range.scale == Scale::whole) return with_unit(range, range.low + std::floor(u * (range.high - range.low + 1)));
+    return with_unit(range, between(range, u));
 }
 
 int level_count(const Factor& factor) {
@@ -167,7 +169,7 @@ std::string level(const Factor& factor, int k) {
     if (k == 0) return range.from.text;
     if (k == range.steps - 1) return range.to.text;
     const double value = between(range, static_cast<double>(k) / (range.steps - 1));
-    return number_of(range, range.scale == Scale::whole ? std::round(value) : value);
+    return with_unit(range, range.scale == Scale::whole ? std::round(value) : value);
 }
 
 std::vector<std::vector<std::string>> sampled_values(const Sweep& sweep) {
@@ -183,17 +185,18 @@ std::vector<std::vector<std::string>> sampled_values(const Sweep& sweep) {
     return rows;
 }
 
-Plan make_plan(const Sweep& sweep, const Basis& basis) {
+Plan make_plan(const Sweep& sweep, const PlanInput& input) {
     Plan plan;
-    for (auto& values : sampled_values(sweep)) plan.designs.push_back(planned(sweep, basis, std::move(values)));
-    const auto sound = std::ranges::find_if(plan.designs, [](const Planned& row) { return row.refusal.empty(); });
-    if (sound == plan.designs.end()) throw Error(ExitCode::bad_input, "", plan.designs.front().refusal);
+    for (auto& values : sampled_values(sweep)) plan.designs.push_back(planned(sweep, input, std::move(values)));
+    const auto accepted =
+        std::ranges::find_if(plan.designs, [](const PlannedDesign& row) { return row.refusal.empty(); });
+    if (accepted == plan.designs.end()) throw Error(ExitCode::bad_input, "", plan.designs.front().refusal);
     check_choices(sweep, plan);
-    check_ends(sweep, basis, *sound);
+    check_range_ends(sweep, input, *accepted);
     return plan;
 }
 
-std::string settings_text(const Sweep& sweep, const Planned& design) {
+std::string settings_text(const Sweep& sweep, const PlannedDesign& design) {
     std::string text;
     for (const design::Override& setting : settings_of(sweep, design.values))
         text.append(text.empty() ? "--set " : " --set ").append(quoted_word(setting.path + "=" + setting.value));

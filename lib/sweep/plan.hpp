@@ -1,5 +1,5 @@
 #pragma once
-/// The designs of a sweep, each checked, with an address made of its content. Tested by sweep/plan_test.
+/// The designs of a sweep, each checked and identified by a hash of its content. Tested by sweep/plan_test.
 #include <functional>
 #include <span>
 #include <string>
@@ -10,42 +10,42 @@
 
 namespace soft::sweep {
 
-/// What all designs of a sweep are made of.
-struct Basis {
+/// The inputs that all designs of a sweep share.
+struct PlanInput {
     std::string_view design_text;
-    std::string_view design_source;  ///< file, for errors and for files the design names
+    std::string_view design_source;  ///< file name, for errors and to resolve files that the design names
     std::span<const design::FamilyKeys> families;
-    std::string_view programs;  ///< versions of the programs that will run it; part of the address
-    /// Refuses a geometry, with Error(bad_input); it is a row of the plan, whatever its values.
+    std::string_view programs;  ///< versions of the programs that will run the designs; part of the identifier
+    /// Throws Error(bad_input) for an invalid geometry. Such a design is always a row of the plan, never an error of the sweep.
     std::function<void(const design::Design&)> check_geometry = {};
 };
 
-struct Planned {
-    /// 16 hex digits: SHA-256 of the effective design (of a mesh file its content, not its name) and of the programs.
-    /// Where the design is refused, of the design's text and the settings instead.
+struct PlannedDesign {
+    /// 16 hex digits of the SHA-256 of the effective design (with the content of a mesh file, not its name) and of the programs.
+    /// For a refused design, of the design text and the settings instead.
     std::string id;
-    std::vector<std::string> values;  ///< one a factor, as a design would have them
-    std::string design_yaml;          ///< effective; files it names by their whole path; empty where refused
-    std::string refusal;              ///< one line; empty where nothing is wrong with it
-    bool geometry_refused = false;    ///< by Basis::check_geometry rather than by the keys of the design
+    std::vector<std::string> values;  ///< one per factor, as written in a design
+    std::string design_yaml;          ///< effective design with absolute file paths; empty if refused
+    std::string refusal;              ///< one line; empty for a valid design
+    bool geometry_refused = false;    ///< refused by Basis::check_geometry rather than by the keys of the design
 };
 
 struct Plan {
-    std::vector<Planned> designs;  ///< of a grid the last factor varies fastest; designs may be equal
+    std::vector<PlannedDesign> designs;  ///< in a grid the last factor varies fastest; designs may be equal
 };
 
-/// Whether it is one of these: 16 hex digits.
-[[nodiscard]] bool is_address(std::string_view id) noexcept;
+/// Whether `id` is a valid design identifier: 16 hex digits.
+[[nodiscard]] bool is_design_id(std::string_view id) noexcept;
 
-/// A combination of values that is refused is a row with its refusal. The sweep itself is refused, with Error(bad_input) as
-/// read_design would: where no design is left, where a listed value is refused in all designs that have it, or an end of a
-/// range in the first design that is sound.
-[[nodiscard]] Plan make_plan(const Sweep& sweep, const Basis& basis);
+/// Makes the designs of a sweep. A refused combination of values becomes a row with its refusal. Throws Error(bad_input), as
+/// read_design does, if all designs are refused, if a listed value is refused in all designs that have it, or if an end of a range
+/// is refused in the first valid design.
+[[nodiscard]] Plan make_plan(const Sweep& sweep, const PlanInput& input);
 
 /// The values of the factors of each design, before any check.
 [[nodiscard]] std::vector<std::vector<std::string>> sampled_values(const Sweep& sweep);
 
-/// "--set mesh.size=3mm --set 'geometry.cap=4 mm'": what gives mesh-gen this design.
-[[nodiscard]] std::string settings_text(const Sweep& sweep, const Planned& design);
+/// The arguments that make mesh-gen produce this design: "--set mesh.size=3mm --set 'geometry.cap=4 mm'".
+[[nodiscard]] std::string settings_text(const Sweep& sweep, const PlannedDesign& design);
 
 }  // namespace soft::sweep

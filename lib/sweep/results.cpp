@@ -21,10 +21,10 @@ bool is_number(const std::string& text) {
     return std::holds_alternative<double>(core::parse_quantity(text, core::Dimension::ratio));
 }
 
-/// The unit that all values of a factor have; empty where there is none.
+/// The common unit of all values of a factor; empty if there is none.
 std::string common_unit(const Plan& plan, std::size_t factor) {
     std::string unit;
-    for (const Planned& design : plan.designs) {
+    for (const PlannedDesign& design : plan.designs) {
         const core::QuantityParts quantity = core::quantity_parts(design.values[factor]);
         if (!is_number(quantity.number) || quantity.unit.empty() || (!unit.empty() && quantity.unit != unit)) return "";
         unit = quantity.unit;
@@ -32,7 +32,7 @@ std::string common_unit(const Plan& plan, std::size_t factor) {
     return unit;
 }
 
-/// "kg/m^3" as part of a name: "kg_per_m3".
+/// A unit as part of a column name: "kg_per_m3" for "kg/m^3".
 std::string unit_name(const std::string& unit) {
     std::string name;
     for (const char c : unit) {
@@ -43,7 +43,7 @@ std::string unit_name(const std::string& unit) {
     return name;
 }
 
-/// Header and cells of the factors.
+/// Header and cells of the factor columns.
 class FactorColumns {
 public:
     FactorColumns(const Sweep& sweep, const Plan& plan) {
@@ -56,7 +56,7 @@ public:
         }
     }
     [[nodiscard]] const std::string& header() const noexcept { return header_; }
-    [[nodiscard]] std::string of(const Planned& design) const {
+    [[nodiscard]] std::string of(const PlannedDesign& design) const {
         std::string text;
         for (std::size_t f = 0; f < units_.size(); ++f)
             text.append(",").append(
@@ -78,7 +78,7 @@ std::string_view word(State state) {
     return "waiting";
 }
 
-/// Column names of all outcomes, place by place as each design has them; what only some have stands behind.
+/// Column names of all outcomes in order of first appearance; columns that only later designs have come last.
 std::vector<std::string> output_columns(std::span<const Outcome> outcomes) {
     std::vector<std::string> columns;
     for (const Outcome& outcome : outcomes)
@@ -93,9 +93,9 @@ void check_outputs(const Sweep& sweep, std::span<const Outcome> outcomes) {
         for (const std::string& column : outcome.columns)
             if (std::ranges::find(known, column) == known.end()) known.push_back(column);
     if (known.empty()) return;
-    for (const Written& output : sweep.outputs)
+    for (const SourceText& output : sweep.outputs)
         if (std::ranges::find(known, output.text) == known.end())
-            throw Error(ExitCode::bad_input, output.place + ": outputs",
+            throw Error(ExitCode::bad_input, output.location + ": outputs",
                         "no curve has a column " + core::quoted(output.text), core::did_you_mean(output.text, known));
 }
 
@@ -113,7 +113,7 @@ std::string plan_csv(const Sweep& sweep, const Plan& plan, std::span<const State
     const FactorColumns factors{sweep, plan};
     std::string text = "id,state" + factors.header() + ",settings,refusal\n";
     for (std::size_t d = 0; d < plan.designs.size(); ++d) {
-        const Planned& design = plan.designs[d];
+        const PlannedDesign& design = plan.designs[d];
         text.append(design.id).append(",").append(word(states[d])).append(factors.of(design)).append(",");
         text.append(cell(settings_text(sweep, design))).append(",").append(cell(design.refusal)).append("\n");
     }

@@ -1,9 +1,10 @@
 #pragma once
-/// The tables of a sweep as comma-separated text (RFC 4180, lines ended by '\n'), one row a design. Held by
+/// The tables of a sweep as comma-separated text (RFC 4180, lines end with '\n'), one row per design. Tested by
 /// sweep/results_test.
 ///
-/// Columns of a factor: its key path with _ for each dot, with the unit behind it (geometry_cap_mm) and numbers below where all its
-/// values have the same; else the values as written. Columns of outputs: outcome.hpp, column_at.
+/// Column of a factor: its key path with _ for each dot. If all its values have the same unit, the unit is appended
+/// (geometry_cap_mm) and the cells are numbers; otherwise the cells are the values as written. Columns of outputs: column_at in
+/// outcome.hpp.
 #include <span>
 #include <string>
 #include <vector>
@@ -15,14 +16,14 @@ namespace soft::sweep {
 
 enum class State { waiting, done, refused };
 
-/// The addresses of the designs that wait, each once, in the order of the plan.
+/// The identifiers of the waiting designs, without duplicates, in the order of the plan.
 [[nodiscard]] std::vector<std::string> waiting_ids(const Plan& plan, std::span<const State> states);
 
-/// id, state, the factors, settings (arguments of mesh-gen), refusal. `states`: one a design.
+/// Columns: id, state, the factors, settings (arguments of mesh-gen), refusal. `states` has one entry per design.
 [[nodiscard]] std::string plan_csv(const Sweep& sweep, const Plan& plan, std::span<const State> states);
 
-/// id, the factors, the outputs (empty where a design has none), stop_reason, exit_code, error. `outcomes`: one a design.
-/// Error(bad_input), with the place in the sweep's file: an output that no curve has, though there are curves.
+/// Columns: id, the factors, the outputs (empty for a design without them), stop_reason, exit_code, error. `outcomes` has one entry
+/// per design. Error(bad_input), with the location in the sweep file: there are curves, but none has a requested output.
 [[nodiscard]] std::string results_csv(const Sweep& sweep, const Plan& plan, std::span<const Outcome> outcomes);
 
 }  // namespace soft::sweep

@@ -9,10 +9,10 @@ namespace {
 
 using Engine = std::mt19937_64;
 
-/// The upper 53 bits as a binary fraction: every double is exact, 1 is never reached.
+/// Uniform number in [0, 1) from the upper 53 bits: exact in double precision, and less than 1.
 double uniform(Engine& engine) { return static_cast<double>(engine() >> 11) * 0x1p-53; }
 
-/// A whole number below `bound`, each equally often: numbers beyond the last whole multiple of it are drawn again.
+/// Uniform integer in [0, bound) by rejection: draws beyond the last multiple of `bound` are repeated.
 std::uint64_t below(Engine& engine, std::uint64_t bound) {
     const std::uint64_t excess = (Engine::max() % bound + 1) % bound;
     std::uint64_t drawn = engine();
@@ -20,7 +20,7 @@ std::uint64_t below(Engine& engine, std::uint64_t bound) {
     return drawn % bound;
 }
 
-/// Fisher and Yates.
+/// Random permutation by the Fisher-Yates shuffle.
 std::vector<int> permutation(Engine& engine, int count) {
     std::vector<int> order(static_cast<std::size_t>(count));
     std::iota(order.begin(), order.end(), 0);

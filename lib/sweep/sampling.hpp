@@ -1,6 +1,6 @@
 #pragma once
-/// Points of the unit cube [0, 1)^d, the same on every machine for the same seed: the standard fixes the numbers of
-/// std::mt19937_64, but not what its distributions make of them, so that these are here. Tested by sweep/sampling_test.
+/// Points in the unit cube [0, 1)^d that are identical on every machine for the same seed. The C++ standard fixes the sequence of
+/// std::mt19937_64 but not the algorithms of its distributions, so they are implemented here. Tested by sweep/sampling_test.
 #include <cstdint>
 #include <vector>
 
@@ -13,11 +13,11 @@ struct SampleSize {
     int dimensions;
 };
 
-/// Independent and uniform. The first n points do not depend on how many follow: a larger sample goes on with a smaller one.
+/// Independent, uniformly distributed points. A larger sample with the same seed begins with the points of a smaller one.
 [[nodiscard]] Points random_points(SampleSize size, std::uint64_t seed);
 
-/// One point in each of n equal intervals of every dimension, uniform within it, the intervals paired at random.
-/// Source: McKay, Beckman, Conover, Technometrics 21 (1979) 239. Points of another n are others.
+/// Latin hypercube sample: one point in each of n equal intervals of every dimension, uniform within the interval; the intervals are
+/// paired at random. A different n gives different points. Source: McKay, Beckman, Conover, Technometrics 21 (1979) 239.
 [[nodiscard]] Points latin_hypercube(SampleSize size, std::uint64_t seed);
 
 }  // namespace soft::sweep

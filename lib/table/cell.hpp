@@ -1,5 +1,5 @@
 #pragma once
-/// A cell as a number. Internal.
+/// Number in a cell. Private to the module.
 #include <optional>
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace soft::table {
 
-/// Decimal text for core/units ("1,5" becomes "1.5"); nullopt for anything but a finite decimal number.
-[[nodiscard]] std::optional<std::string> number_in(const std::string& cell, Decimal decimal);
+/// The number of a cell as text for core/units ("1,5" becomes "1.5"); nullopt unless the cell is a finite decimal number.
+[[nodiscard]] std::optional<std::string> decimal_text(const std::string& cell, Decimal decimal);
 
 }  // namespace soft::table

@@ -15,7 +15,7 @@ namespace soft::table {
 namespace {
 
 constexpr std::array delimiters{';', '\t', '|', ',', ' '};
-constexpr std::size_t sampled_lines = 50;  // enough to tell the delimiter
+constexpr std::size_t sampled_lines = 50;  // enough to determine the delimiter
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -24,7 +24,7 @@ std::string_view without_quotes(std::string_view cell) {
     return cell.size() > 1 && cell.starts_with('"') && cell.ends_with('"') ? cell.substr(1, cell.size() - 2) : cell;
 }
 
-/// Calls take(cell) for each; ' ' stands for a run of blanks.
+/// Calls take(cell) for each cell; the delimiter ' ' matches a run of blanks.
 template <class Take>
 void for_each_cell(std::string_view line, char delimiter, const Take& take) {
     line = core::trimmed(line);
@@ -34,38 +34,38 @@ void for_each_cell(std::string_view line, char delimiter, const Take& take) {
         if (line[i] == '"') quoted = !quoted;
         if (quoted || !(delimiter == ' ' ? is_blank(line[i]) : line[i] == delimiter)) continue;
         take(line.substr(begin, i - begin));
-        while (delimiter == ' ' && is_blank(line[i + 1])) ++i;  // a trimmed line does not end in one
+        while (delimiter == ' ' && is_blank(line[i + 1])) ++i;  // in bounds: a trimmed line does not end with a blank
         begin = i + 1;
     }
     take(line.substr(begin));
 }
 
-/// The lines that are rows of two numbers or more; no further than the first `sampled_lines` of them.
+/// Number of lines that are rows of two or more numbers, up to `sampled_lines`.
 std::size_t count_rows_of_numbers(const std::vector<std::string_view>& lines, char delimiter, Decimal decimal) {
     std::size_t count = 0;
     for (const std::string_view line : lines) {
         if (is_comment(line)) continue;
         std::vector<std::string> row;
         for_each_cell(line, delimiter, [&](std::string_view cell) { row.emplace_back(without_quotes(cell)); });
-        const Content content = content_of(row, decimal);
+        const Content content = count_content(row, decimal);
         if (content.numbers >= 2 && content.words == 0 && ++count == sampled_lines) break;
     }
     return count;
 }
 
-/// Whether more than half of the lines have the same number of cells, two or more.
-bool makes_a_grid(const std::vector<std::string_view>& lines, char delimiter) {
+/// Whether more than half of the lines have the same number of cells, with at least two cells.
+bool has_constant_width(const std::vector<std::string_view>& lines, char delimiter) {
     std::map<std::size_t, std::size_t> lines_of;  // by their number of cells
-    std::size_t sampled = 0, most = 0;
+    std::size_t sampled = 0, max_count = 0;
     for (const std::string_view line : lines) {
         if (core::trimmed(line).empty() || is_comment(line)) continue;
         std::size_t cells = 0;
         for_each_cell(line, delimiter, [&](std::string_view) { ++cells; });
         const std::size_t same = ++lines_of[cells];
-        if (cells > 1) most = std::max(most, same);
+        if (cells > 1) max_count = std::max(max_count, same);
         if (++sampled == sampled_lines) break;
     }
-    return 2 * most > sampled;
+    return 2 * max_count > sampled;
 }
 
 std::string with_tabs_for_blanks(std::string_view line) {
@@ -74,19 +74,19 @@ std::string with_tabs_for_blanks(std::string_view line) {
     return text;
 }
 
-/// libcsv's parser, and the rows it has found.
+/// RAII wrapper of libcsv's parser that collects the cells of the current row.
 class Parser {
 public:
     explicit Parser(char delimiter) {
         if (csv_init(&parser_, CSV_STRICT_FINI) != 0)
-            throw Error(ExitCode::internal, "csv", "the parser does not start");
+            throw Error(ExitCode::internal, "csv", "the parser cannot be initialised");
         csv_set_delim(&parser_, static_cast<unsigned char>(delimiter));
     }
     ~Parser() { csv_free(&parser_); }
     Parser(const Parser&) = delete;
     Parser& operator=(const Parser&) = delete;
 
-    /// The row that this line completes; nullopt for an empty line and within quotes.
+    /// Parses a line. Returns the row that it completes; nullopt for an empty line and inside a quoted cell.
     [[nodiscard]] std::optional<std::vector<std::string>> take(std::string line) {
         line += '\n';
         complete_ = false;
@@ -96,7 +96,7 @@ public:
         if (!complete_) return std::nullopt;
         return std::exchange(cells_, {});
     }
-    /// Within a quoted cell.
+    /// Whether the parser is inside a quoted cell.
     [[nodiscard]] bool is_open() const noexcept { return open_; }
 
 private:
@@ -125,21 +125,22 @@ std::vector<std::string_view> split_lines(std::string_view text) {
 
 bool is_comment(std::string_view line) { return core::trimmed(line).starts_with('#'); }
 
-Content content_of(const std::vector<std::string>& row, Decimal decimal) {
+Content count_content(const std::vector<std::string>& row, Decimal decimal) {
     Content content;
     for (const std::string& cell : row)
-        if (!core::trimmed(cell).empty()) ++(number_in(cell, decimal) ? content.numbers : content.words);
+        if (!core::trimmed(cell).empty()) ++(decimal_text(cell, decimal) ? content.numbers : content.words);
     return content;
 }
 
 char find_delimiter(const std::vector<std::string_view>& lines, Decimal decimal) {
     char best = ',';
-    std::size_t most = 0;
+    std::size_t max_count = 0;
     for (const char delimiter : delimiters)
-        if (const std::size_t count = count_rows_of_numbers(lines, delimiter, decimal); count > most)
-            best = delimiter, most = count;
-    if (most > 0) return best;
-    const auto grid = std::ranges::find_if(delimiters, [&](char delimiter) { return makes_a_grid(lines, delimiter); });
+        if (const std::size_t count = count_rows_of_numbers(lines, delimiter, decimal); count > max_count)
+            best = delimiter, max_count = count;
+    if (max_count > 0) return best;
+    const auto grid =
+        std::ranges::find_if(delimiters, [&](char delimiter) { return has_constant_width(lines, delimiter); });
     return grid == delimiters.end() ? ',' : *grid;
 }
 
@@ -156,8 +157,7 @@ void read_rows(Table& table, const std::vector<std::string_view>& lines) {
         table.lines.push_back(begin);
     }
     if (parser.is_open())
-        throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(begin),
-                    "a quote is opened and not closed");
+        throw Error(ExitCode::bad_input, table.source + ":" + std::to_string(begin), "the quote is not closed");
 }
 
 }  // namespace soft::table

@@ -1,5 +1,5 @@
 #pragma once
-/// Text to lines, lines to cells. Internal. Tested by table/read_test.
+/// Splits text into lines and lines into cells. Private to the module. Tested by table/read_test.
 #include <string_view>
 #include <vector>
 
@@ -7,21 +7,21 @@
 
 namespace soft::table {
 
-/// Lines with their ends: "\n", "\r\n" or "\r".
+/// Splits at "\n", "\r\n" or "\r"; the line ends are not included.
 [[nodiscard]] std::vector<std::string_view> split_lines(std::string_view text);
 
 [[nodiscard]] bool is_comment(std::string_view line);
 
-/// Among ; tab | , and blanks; see Table.
+/// Finds the delimiter among ; tab | , and blanks by the rules in table.hpp.
 [[nodiscard]] char find_delimiter(const std::vector<std::string_view>& lines, Decimal decimal);
 
-/// Fills rows and lines of `table`, which has its source and delimiter. Throws Error (bad_input) for a quote that stays open.
+/// Fills rows and lines of `table`; its source and delimiter must be set. Throws Error (bad_input) for an unclosed quote.
 void read_rows(Table& table, const std::vector<std::string_view>& lines);
 
-/// What a row holds, empty cells left out.
+/// Number of numeric and of other non-empty cells of a row.
 struct Content {
     int numbers = 0, words = 0;
 };
-[[nodiscard]] Content content_of(const std::vector<std::string>& row, Decimal decimal);
+[[nodiscard]] Content count_content(const std::vector<std::string>& row, Decimal decimal);
 
 }  // namespace soft::table

@@ -23,7 +23,7 @@ void check_is_text(std::string_view text, std::string_view source) {
         throw Error(ExitCode::bad_input, source, "is an archive or a spreadsheet (xlsx, ods), not a text table",
                     remedy);
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-        throw bad(source, split_lines(text.substr(0, zero + 1)).size(), "holds a zero byte: the file is no text",
+        throw bad(source, split_lines(text.substr(0, zero + 1)).size(), "contains a zero byte: the file is not text",
                   remedy);
 }
 
@@ -35,30 +35,30 @@ void check_widths(Table& table) {
         if (row.size() != width)
             throw bad(table.source, table.lines[i],
                       "has " + std::to_string(row.size()) + " cells, the first line has " + std::to_string(width),
-                      "put # before lines that are no data");
+                      "put # before lines that are not data");
     }
 }
 
-/// The unit that a cell of a line of units holds: "(kPa)", "kPa".
+/// The unit in a cell of a line of units: "(kPa)", "kPa".
 std::string unit_of(const std::string& cell) { return parse_heading("x " + cell).unit; }
 
-/// Whether the row below a header states units: no numbers, a known unit, nothing beside it in its cell.
+/// Whether a row is a line of units: no numbers, and at least one cell that consists of a known unit.
 bool is_row_of_units(const std::vector<std::string>& row, Decimal decimal) {
-    return content_of(row, decimal).numbers == 0 && std::ranges::any_of(row, [](const std::string& cell) {
+    return count_content(row, decimal).numbers == 0 && std::ranges::any_of(row, [](const std::string& cell) {
                const Heading heading = parse_heading("x " + cell);
                return !heading.unit.empty() && heading.quantity == "x";
            });
 }
 
-/// Whether row i may be the header of a row of numbers. Between blanks a sentence looks like one, unless it has more words
-/// than there are columns.
+/// Whether row i may be the header of a row of numbers. With blanks as the delimiter a sentence looks like a header; it is
+/// recognised by having more words than there are columns.
 bool may_be_header(const Table& table, std::size_t i, std::size_t numbers) {
-    const Content content = content_of(table.rows[i], table.decimal);
+    const Content content = count_content(table.rows[i], table.decimal);
     const bool is_sentence = table.delimiter == ' ' && table.rows[i].size() > table.rows[numbers].size();
     return content.numbers == 0 && content.words >= 2 && !is_sentence;
 }
 
-/// The row of the header; nullopt where there is none. What stands above it, or above the numbers, is description.
+/// The header row; nullopt without a header. The rows above the header, or above the numbers, are description.
 std::optional<std::size_t> find_header(const Table& table, std::size_t first_numbers) {
     const auto is_title = [&](std::size_t i) { return may_be_header(table, i, first_numbers); };
     for (std::size_t i = first_numbers; i-- > 0;)
@@ -67,12 +67,12 @@ std::optional<std::size_t> find_header(const Table& table, std::size_t first_num
 }
 
 bool is_row_of_numbers(const Table& table, std::size_t i) {
-    const Content content = content_of(table.rows[i], table.decimal);
+    const Content content = count_content(table.rows[i], table.decimal);
     return content.numbers >= 2 && content.words == 0;
 }
 
-/// The first row of numbers of the table that is meant. Testing machines write one of results, a row a specimen, above the
-/// measured one: a later header of other titles, with a line of units below it and over more rows of numbers, is taken.
+/// The first row of numbers of the main table. Testing machines write a table of results, one row per specimen, above the measured
+/// data. A later table is therefore chosen if its header has other titles and a line of units and more rows of numbers follow.
 std::size_t first_of_main_table(const Table& table, std::size_t first_numbers) {
     const auto header_of_first = find_header(table, first_numbers);
     if (!header_of_first) return first_numbers;
@@ -80,7 +80,7 @@ std::size_t first_of_main_table(const Table& table, std::size_t first_numbers) {
         std::size_t header, first, count;
     };
     Block best{*header_of_first, first_numbers, 0}, block = best;
-    bool is_best = true;  // the block at hand
+    bool is_best = true;  // whether `block` is the best one so far
     for (std::size_t i = first_numbers; i < table.rows.size(); ++i) {
         const bool is_header = i + 2 < table.rows.size() && may_be_header(table, i, first_numbers) &&
                                is_row_of_units(table.rows[i + 1], table.decimal) && is_row_of_numbers(table, i + 2);
@@ -97,16 +97,15 @@ std::size_t first_of_main_table(const Table& table, std::size_t first_numbers) {
     return best.first;
 }
 
-/// Takes the description away, so that the header or the numbers are the first row; equal widths.
-void take_description(Table& table, const Format& format) {
+/// Removes the description, so that the first row is the header or the first row of numbers; pads all rows to equal width.
+void remove_description(Table& table, const Format& format) {
     std::size_t first_numbers = 0;
     while (first_numbers < table.rows.size() && !is_row_of_numbers(table, first_numbers)) ++first_numbers;
     if (first_numbers == table.rows.size())
-        throw bad(table.source, table.lines.empty() ? 1 : table.lines.back(),
-                  "no line holds two numbers and nothing else",
+        throw bad(table.source, table.lines.empty() ? 1 : table.lines.back(), "no line consists of two or more numbers",
                   format.delimiter || format.decimal != Decimal::either
-                      ? "is it written with the delimiter and the decimal mark that are stated?"
-                      : "write one row a line: numbers, and a delimiter between them");
+                      ? "check the delimiter and the decimal mark that are given"
+                      : "write one row per line: numbers with a delimiter between them");
     first_numbers = first_of_main_table(table, first_numbers);
     const auto begin = static_cast<std::ptrdiff_t>(find_header(table, first_numbers).value_or(first_numbers));
     table.rows.erase(table.rows.begin(), table.rows.begin() + begin);
@@ -116,15 +115,15 @@ void take_description(Table& table, const Format& format) {
     for (auto& row : table.rows) row.resize(width);
 }
 
-/// What the first row says of the columns, and the second if it holds their units.
-void take_headings(Table& table) {
+/// Moves the header row, and a line of units below it, into `headings`.
+void read_headings(Table& table) {
     const auto take_first = [&] {
         std::vector<std::string> row = std::move(table.rows.front());
         table.rows.erase(table.rows.begin());
         table.lines.erase(table.lines.begin());
         return row;
     };
-    if (content_of(table.rows.front(), table.decimal).numbers > 0) return;
+    if (count_content(table.rows.front(), table.decimal).numbers > 0) return;
     table.header_line = table.lines.front();
     for (const std::string& name : take_first()) table.headings.push_back(parse_heading(name));
     if (table.rows.empty() || !is_row_of_units(table.rows.front(), table.decimal)) return;
@@ -145,10 +144,10 @@ Table read_table(std::string_view text, std::string_view source, const Format& f
     table.delimiter = format.delimiter ? *format.delimiter : find_delimiter(lines, format.decimal);
     read_rows(table, lines);
     if (!table.rows.empty()) {
-        format.layout == Layout::described ? take_description(table, format) : check_widths(table);
-        take_headings(table);
+        format.layout == Layout::described ? remove_description(table, format) : check_widths(table);
+        read_headings(table);
     }
-    if (table.rows.empty()) throw Error(ExitCode::bad_input, source, "holds no row of numbers");
+    if (table.rows.empty()) throw Error(ExitCode::bad_input, source, "contains no row of numbers");
     return table;
 }
 

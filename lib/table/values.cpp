@@ -18,42 +18,42 @@ std::string_view without_brackets(std::string_view text) {
     return text;
 }
 
-std::string place(const Table& table, std::size_t row, std::size_t column) {
+std::string cell_location(const Table& table, std::size_t row, std::size_t column) {
     return table.source + ":" + std::to_string(table.lines[row]) + ": " + column_text(table, column);
 }
 
-/// "1,400", "12,400": one comma with three digits behind it.
-bool may_be_thousands(std::string_view cell) {
+/// "1,400", "12,400": one comma followed by three digits, which is either a decimal comma or a thousands separator.
+bool is_ambiguous_comma(std::string_view cell) {
     cell = core::trimmed(cell);
     const std::size_t comma = cell.find(',');
     return comma != std::string_view::npos && cell.size() == comma + 4 && comma >= 1 && comma <= 4 &&
            cell.front() != '0' && cell.find_first_not_of("0123456789", comma + 1) == std::string_view::npos;
 }
 
-/// Somewhere a point stands for the decimals, so a comma does not.
+/// Whether any cell has a decimal point; a comma is then not a decimal comma.
 bool has_decimal_points(const Table& table) {
     return std::ranges::any_of(table.rows, [](const auto& row) {
         return std::ranges::any_of(row, [](const std::string& cell) {
-            return cell.find('.') != std::string::npos && number_in(cell, Decimal::point);
+            return cell.find('.') != std::string::npos && decimal_text(cell, Decimal::point);
         });
     });
 }
 
-/// The cells of one column as decimal text.
+/// Reads the cells of one column as decimal text.
 class ColumnReader {
 public:
     ColumnReader(const Table& table, std::size_t column) : table_(table), column_(column) {}
 
     [[nodiscard]] std::string number_or_throw(std::size_t row) {
         const std::string& cell = table_.rows[row][column_];
-        if (may_be_thousands(cell) && !commas_are_decimal())
-            throw Error(ExitCode::bad_input, place(table_, row, column_),
-                        core::quoted(cell) + " may have a decimal comma or one for thousands",
+        if (is_ambiguous_comma(cell) && !commas_are_decimal())
+            throw Error(ExitCode::bad_input, cell_location(table_, row, column_),
+                        core::quoted(cell) + " has a decimal comma or a thousands separator",
                         "write it without the comma");
-        if (auto number = number_in(cell, table_.decimal)) return *number;
-        throw Error(ExitCode::bad_input, place(table_, row, column_),
-                    core::trimmed(cell).empty() ? "the cell is empty" : core::quoted(cell) + " is no number",
-                    "put # before lines that are no data");
+        if (auto number = decimal_text(cell, table_.decimal)) return *number;
+        throw Error(ExitCode::bad_input, cell_location(table_, row, column_),
+                    core::trimmed(cell).empty() ? "the cell is empty" : core::quoted(cell) + " is not a number",
+                    "put # before lines that are not data");
     }
 
 private:
@@ -65,12 +65,12 @@ private:
 
     const Table& table_;
     std::size_t column_;
-    std::optional<bool> decimal_ = {};  // found out once it matters
+    std::optional<bool> decimal_ = {};  // determined on first use
 };
 
 }  // namespace
 
-std::optional<std::string> number_in(const std::string& cell, Decimal decimal) {
+std::optional<std::string> decimal_text(const std::string& cell, Decimal decimal) {
     std::string text{core::trimmed(cell)};
     if (text.starts_with('+')) text.erase(0, 1);
     const bool has_point = text.find('.') != std::string::npos;
@@ -97,7 +97,7 @@ Heading parse_heading(std::string_view name) {
     Heading heading{std::string{name}, std::string{name}, {}};
     if (const std::size_t open = name.find_last_of("(["); open != std::string_view::npos && open > 0) {
         const std::string_view unit = without_brackets(name.substr(open));
-        if (unit.size() < name.size() - open) {  // the bracket is closed at the end
+        if (unit.size() < name.size() - open) {  // the closing bracket is the last character
             heading.quantity = core::trimmed(name.substr(0, open));
             if (dimension_of(unit)) heading.unit = unit;
             return heading;
@@ -139,7 +139,7 @@ std::vector<double> values_SI(const Table& table, std::size_t column, std::strin
     ColumnReader reader(table, column);
     for (std::size_t row = 0; row < table.rows.size(); ++row)
         values.push_back(core::quantity_or_throw(reader.number_or_throw(row) + " " + std::string{unit}, dimension,
-                                                 ExitCode::bad_input, place(table, row, column)));
+                                                 ExitCode::bad_input, cell_location(table, row, column)));
     return values;
 }
 

@@ -7,7 +7,7 @@
 namespace soft::core {
 namespace {
 
-TEST(Base64, TheExamplesOfRfc4648) {
+TEST(Base64, MatchesTheExamplesOfRfc4648) {
     const auto of = [](std::string_view text) { return base64(std::as_bytes(std::span{text})); };
     EXPECT_EQ(of(""), "");
     EXPECT_EQ(of("f"), "Zg==");

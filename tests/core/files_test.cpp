@@ -44,28 +44,28 @@ soft::ExitCode code_of(auto&& action) {
     return soft::ExitCode::ok;
 }
 
-TEST_F(Files, ACommittedFileHoldsEveryByteAndNothingElseIsLeft) {
+TEST_F(Files, CommittedFileContainsAllBytesAndNoTemporaryFileRemains) {
     const std::string content = std::string(300000, 'x') + '\0' + "end";
     AtomicFile file{in("a")};
-    EXPECT_EQ(file.write(bytes(content)), Delivery::whole);
+    EXPECT_EQ(file.write(bytes(content)), WriteStatus::complete);
     EXPECT_FALSE(fs::exists(in("a")));
     file.commit();
     EXPECT_EQ(text(read_file(in("a"))), content);
     EXPECT_EQ(entries(), 1);
 }
 
-TEST_F(Files, AStrangeNameStaysOnOneLineOfTheMessage) {
+TEST_F(Files, NameWithControlCharactersStaysOnOneLineOfTheMessage) {
     try {
         static_cast<void>(read_file(in("a\nb\t\x1b[31m")));
-        FAIL() << "there is no such file";
+        FAIL() << "the file does not exist";
     } catch (const soft::Error& error) {
         EXPECT_NE(std::string_view{error.what()}.find("a?b??[31m: cannot be opened"), std::string_view::npos)
             << error.what();
     }
 }
 
-/// A design may name any file, and none that is named may keep the program waiting or reading for ever.
-TEST_F(Files, WhatADesignNamesIsReadOnlyWhenItIsAFile) {
+/// A design may name any file; none of them may block the program or be read without end.
+TEST_F(Files, FileNamedInADesignIsReadOnlyIfItIsARegularFile) {
     constexpr std::size_t limit = 1000;
     std::ofstream{in("a")} << "text";
     EXPECT_EQ(text(read_regular_file(in("a"), limit)), "text");
@@ -77,7 +77,7 @@ TEST_F(Files, WhatADesignNamesIsReadOnlyWhenItIsAFile) {
     EXPECT_EQ(code_of([&] { static_cast<void>(read_regular_file(in("long"), limit)); }), soft::ExitCode::bad_input);
 }
 
-TEST_F(Files, AnAbandonedFileLeavesTheOldOneAsItWas) {
+TEST_F(Files, UncommittedFileLeavesTheOldFileUnchanged) {
     std::ofstream{in("a")} << "old";
     {
         AtomicFile file{in("a")};
@@ -87,7 +87,7 @@ TEST_F(Files, AnAbandonedFileLeavesTheOldOneAsItWas) {
     EXPECT_EQ(entries(), 1);
 }
 
-TEST_F(Files, ReplacingKeepsPermissionsAndNewFilesFollowTheMask) {
+TEST_F(Files, ReplacedFileKeepsItsPermissionsAndNewFileFollowsTheMask) {
     std::ofstream{in("a")} << "old";
     ::chmod(in("a").c_str(), 0640);
     AtomicFile replaced{in("a")};
@@ -103,7 +103,7 @@ TEST_F(Files, ReplacingKeepsPermissionsAndNewFilesFollowTheMask) {
     EXPECT_EQ(status.st_mode & 0777, 0644u);
 }
 
-TEST_F(Files, ALinkStaysALink) {
+TEST_F(Files, SymbolicLinkIsKept) {
     std::ofstream{in("real")} << "old";
     fs::create_symlink(in("real"), in("link"));
     AtomicFile file{in("link")};
@@ -113,7 +113,7 @@ TEST_F(Files, ALinkStaysALink) {
     EXPECT_EQ(text(read_file(in("real"))), "new");
 }
 
-TEST_F(Files, ALinkThatLeadsToNoFileYetMakesItThere) {
+TEST_F(Files, DanglingSymbolicLinkCreatesItsTarget) {
     fs::create_directory(in("other"));
     fs::create_symlink("other/real", in("link"));
     fs::create_symlink("link", in("chain"));
@@ -127,17 +127,18 @@ TEST_F(Files, ALinkThatLeadsToNoFileYetMakesItThere) {
     EXPECT_TRUE(fs::is_symlink(in("loop")));
 }
 
-TEST_F(Files, ANameMayBeAsLongAsTheFileSystemTakes) {
-    constexpr std::size_t longest = 255;
-    const fs::path name = in(std::string(longest, 'a').c_str());
+TEST_F(Files, NameMayHaveTheMaximumLengthOfTheFileSystem) {
+    constexpr std::size_t max_length = 255;
+    const fs::path name = in(std::string(max_length, 'a').c_str());
     AtomicFile file{name};
     static_cast<void>(file.write(bytes("new")));
     file.commit();
     EXPECT_EQ(text(read_file(name)), "new");
-    EXPECT_EQ(code_of([&] { AtomicFile{in(std::string(longest + 1, 'a').c_str())}; }), soft::ExitCode::cannot_create);
+    EXPECT_EQ(code_of([&] { AtomicFile{in(std::string(max_length + 1, 'a').c_str())}; }),
+              soft::ExitCode::cannot_create);
 }
 
-TEST_F(Files, ALinkToAPipeIsWrittenIntoThePipe) {
+TEST_F(Files, LinkToAPipeIsWrittenToThePipe) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     fs::create_symlink("/proc/self/fd/" + std::to_string(ends[1]), in("link"));
@@ -149,21 +150,21 @@ TEST_F(Files, ALinkToAPipeIsWrittenIntoThePipe) {
     ::close(ends[0]);
 }
 
-TEST_F(Files, ADeviceIsWrittenAndNotReplaced) {
+TEST_F(Files, DeviceIsWrittenAndNotReplaced) {
     AtomicFile file{"/dev/null"};
-    EXPECT_EQ(file.write(bytes("gone")), Delivery::whole);
+    EXPECT_EQ(file.write(bytes("gone")), WriteStatus::complete);
     file.commit();
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(Files, WhatCannotBeCreatedOrOpenedHasItsOwnCode) {
+TEST_F(Files, FailureToCreateAndToOpenHaveDifferentExitCodes) {
     EXPECT_EQ(code_of([&] { AtomicFile file{in("no/such/folder")}; }), soft::ExitCode::cannot_create);
     EXPECT_EQ(code_of([&] { AtomicFile file{folder_}; }), soft::ExitCode::cannot_create);
     EXPECT_EQ(code_of([&] { static_cast<void>(read_file(in("absent"))); }), soft::ExitCode::cannot_open);
     EXPECT_EQ(code_of([&] { static_cast<void>(read_file(folder_)); }), soft::ExitCode::cannot_open);
 }
 
-TEST_F(Files, AFullDiskIsAnInputOutputError) {
+TEST_F(Files, FullDiskIsAnInputOutputError) {
     if (!fs::exists("/dev/full")) GTEST_SKIP();
     EXPECT_EQ(code_of([] {
                   AtomicFile file{"/dev/full"};
@@ -172,23 +173,23 @@ TEST_F(Files, AFullDiskIsAnInputOutputError) {
               soft::ExitCode::io_error);
 }
 
-TEST_F(Files, AnInputBeyondTheLimitIsRefused) {
+TEST_F(Files, InputBeyondTheLimitIsRejected) {
     std::ofstream{in("a")} << "12345";
     EXPECT_EQ(text(read_file(in("a"), 5)), "12345");
     EXPECT_EQ(code_of([&] { static_cast<void>(read_file(in("a"), 4)); }), soft::ExitCode::bad_input);
 }
 
-TEST_F(Files, AReaderThatLeavesIsNoError) {
+TEST_F(Files, ClosedReaderIsNotAnError) {
     const auto before = std::signal(SIGPIPE, SIG_IGN);
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     ::close(ends[0]);
-    EXPECT_EQ(write_all(ends[1], bytes("x"), "pipe"), Delivery::reader_left);
+    EXPECT_EQ(write_all(ends[1], bytes("x"), "pipe"), WriteStatus::reader_closed);
     ::close(ends[1]);
     std::signal(SIGPIPE, before);
 }
 
-TEST_F(Files, APipeIsReadToItsEndWhateverThePieces) {
+TEST_F(Files, PipeIsReadToItsEndInAnyChunkSizes) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     std::string content;

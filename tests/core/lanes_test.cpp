@@ -7,7 +7,7 @@
 namespace soft {
 namespace {
 
-TEST(Lanes, HoldFourNumbersFromAnyAddressAndGiveThemBack) {
+TEST(Lanes, LoadAndStoreFourNumbersAtAnyAddress) {
     const std::array<double, 6> from{0, 1.5, -2.5, 3.5, 4.5, 5};
     std::array<double, 6> to{};
     Lanes four;
@@ -16,7 +16,7 @@ TEST(Lanes, HoldFourNumbersFromAnyAddressAndGiveThemBack) {
     EXPECT_EQ(to, (std::array<double, 6>{0, 4, -4, 8, 10, 0}));
 }
 
-TEST(Lanes, RowsArePaddedToWholeLanes) {
+TEST(Lanes, RowsArePaddedToAMultipleOfTheLaneCount) {
     EXPECT_EQ(padded(1), 4);
     EXPECT_EQ(padded(4), 4);
     EXPECT_EQ(padded(27), 28);

@@ -1,5 +1,5 @@
 #pragma once
-/// For tests of programs that are started: what they find in the environment.
+/// Sets environment variables for tests that start programs.
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace soft::test {
 
-/// Another value of an environment variable for the length of a test.
+/// Sets an environment variable and restores its value on destruction.
 class Variable {
 public:
     Variable(std::string name, const std::string& value) : name_(std::move(name)) {
@@ -28,7 +28,7 @@ private:
     std::optional<std::string> before_;
 };
 
-/// Which programs are found.
+/// Sets PATH, which determines the programs that are found.
 class PathVariable : Variable {
 public:
     explicit PathVariable(const std::string& value) : Variable("PATH", value) {}

@@ -10,7 +10,7 @@
 namespace soft {
 namespace {
 
-/// With the room behind them that the product wants, of numbers that would spoil it.
+/// Sample entries, followed by the padding that the product reads; the padding is NaN so that any use of it shows.
 std::vector<double> numbers(int count, double phase) {
     std::vector<double> values(static_cast<std::size_t>(count + gemm_padding),
                                std::numeric_limits<double>::quiet_NaN());
@@ -22,7 +22,7 @@ struct Shape {
     int depth, rows, columns;
 };
 
-/// Entry by entry in long double.
+/// Compares each entry with a reference in long double.
 void expect_product(const Shape& s) {
     const std::vector<double> A = numbers(s.depth * s.rows, 0), B = numbers(s.depth * s.columns, 1);
     const int next = s.columns + 3;
@@ -41,14 +41,14 @@ void expect_product(const Shape& s) {
         }
 }
 
-TEST(SmallProduct, IsTheSumOverTheDepthForEveryRemainder) {
+TEST(SmallProduct, MatchesTheReferenceForEveryTileRemainder) {
     for (int rows = 1; rows <= 13; ++rows)
         for (int columns = 1; columns <= 17; ++columns) expect_product({5, rows, columns});
     expect_product({81, 27, 85});
     expect_product({0, 3, 4});
 }
 
-TEST(SmallProduct, IsTheSameOnSeveralThreadsAtOnce) {
+TEST(SmallProduct, GivesTheSameResultOnConcurrentThreads) {
     const std::vector<double> A = numbers(81 * 27, 0), B = numbers(81 * 85, 1);
     const auto product = [&] {
         std::vector<double> C(27 * 85);

@@ -42,14 +42,14 @@ void expect_spectral_form(const Tensor& S, double size) {
         }
 }
 
-TEST(SpectralForm, GivesBackTheTensorWithOrthonormalVectors) {
+TEST(SpectralForm, ReconstructsTheTensorWithOrthonormalVectors) {
     expect_spectral_form(with_values({9.0, 4.0, 0.25}), 9.0);
     expect_spectral_form({2, -1, 0, -1, 2, -1, 0, -1, 2}, 4.0);
     expect_spectral_form({1, 1e-9, 0, 1e-9, 1, 0, 0, 0, 1}, 1.0);
     expect_spectral_form(Tensor{}, 1.0);
 }
 
-TEST(SpectralForm, ValuesAreAccurateHoweverNearTheyAre) {
+TEST(SpectralForm, ValuesAreAccurateForNearlyEqualEigenvalues) {
     for (const double apart : {0.3, 1e-3, 1e-6, 1e-9, 1e-12, 0.0}) {
         const Vector3 values{1.7, 1.7 * (1 + apart), 0.4};
         auto found = spectral_form(with_values(values)).value;
@@ -61,7 +61,7 @@ TEST(SpectralForm, ValuesAreAccurateHoweverNearTheyAre) {
     }
 }
 
-TEST(SpectralForm, OfADiagonalTensorIsTheTensorItself) {
+TEST(SpectralForm, DiagonalTensorIsReturnedUnchanged) {
     const Spectral form = spectral_form({4.0, 0, 0, 0, 9.0, 0, 0, 0, 4.0});
     EXPECT_EQ(form.value, (Vector3{4.0, 9.0, 4.0}));
     EXPECT_EQ(form.vector, identity_tensor);

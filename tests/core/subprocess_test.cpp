@@ -1,4 +1,4 @@
-/// Work in a process of its own: its result, and each way it may come to harm.
+/// Work in a child process: its result, and each kind of failure.
 #include "core/subprocess.hpp"
 
 #include <gtest/gtest.h>
@@ -20,16 +20,16 @@ Bytes bytes_of(std::string_view text) {
     return {bytes.begin(), bytes.end()};
 }
 
-TEST(Apart, TheResultComesBackWhole) {
-    const Bytes large(std::size_t{1} << 20, std::byte{7});  // more than a pipe holds
-    const SubprocessEnd end = run_in_subprocess([&] { return large; }, {.wall = seconds{60}});
+TEST(Subprocess, ResultIsReturnedCompletely) {
+    const Bytes large(std::size_t{1} << 20, std::byte{7});  // more than the capacity of a pipe
+    const SubprocessOutcome end = run_in_subprocess([&] { return large; }, {.wall = seconds{60}});
     ASSERT_TRUE(end.result.has_value()) << end.reason;
     EXPECT_EQ(*end.result, large);
 }
 
-TEST(Apart, WhatItChangesStaysThere) {
+TEST(Subprocess, ChangesStayInTheChild) {
     int here = 1;
-    const SubprocessEnd end = run_in_subprocess(
+    const SubprocessOutcome end = run_in_subprocess(
         [&] {
             here = 2;
             return bytes_of(std::to_string(here));
@@ -39,14 +39,14 @@ TEST(Apart, WhatItChangesStaysThere) {
     EXPECT_EQ(here, 1);
 }
 
-TEST(Apart, AnExceptionIsAFailure) {
-    const SubprocessEnd end = run_in_subprocess([]() -> Bytes { throw "a text"; }, {.wall = seconds{60}});
+TEST(Subprocess, ExceptionIsAFailure) {
+    const SubprocessOutcome end = run_in_subprocess([]() -> Bytes { throw "a text"; }, {.wall = seconds{60}});
     EXPECT_FALSE(end.result.has_value());
     EXPECT_EQ(end.reason, "it fails");
 }
 
-TEST(Apart, ACrashIsNamed) {
-    const SubprocessEnd end = run_in_subprocess(
+TEST(Subprocess, CrashIsReportedWithItsSignal) {
+    const SubprocessOutcome end = run_in_subprocess(
         []() -> Bytes {
             ::raise(SIGSEGV);
             return {};
@@ -56,30 +56,30 @@ TEST(Apart, ACrashIsNamed) {
     EXPECT_EQ(end.reason, "it crashes (Segmentation fault)");
 }
 
-TEST(Apart, WhatSleepsIsEndedByTheClock) {
-    const SubprocessEnd end = run_in_subprocess(
+TEST(Subprocess, SleepingChildIsKilledAtTheWallClockLimit) {
+    const SubprocessOutcome end = run_in_subprocess(
         []() -> Bytes {
             for (;;) ::pause();
         },
         {.wall = seconds{1}});
     EXPECT_FALSE(end.result.has_value());
-    EXPECT_EQ(end.reason, "it does not come to an end");
+    EXPECT_EQ(end.reason, "it exceeds the time limit");
 }
 
-TEST(Apart, WhatLoopsIsEndedByItsTimeOfComputing) {
+TEST(Subprocess, LoopingChildIsKilledAtTheCpuTimeLimit) {
     const auto start = std::chrono::steady_clock::now();
-    const SubprocessEnd end = run_in_subprocess(
+    const SubprocessOutcome end = run_in_subprocess(
         []() -> Bytes {
             for (std::atomic<int> i = 0;; ++i) {}
         },
         {.wall = seconds{600}, .processor = seconds{1}});
     EXPECT_FALSE(end.result.has_value());
-    EXPECT_EQ(end.reason, "it does not come to an end");
+    EXPECT_EQ(end.reason, "it exceeds the time limit");
     EXPECT_LT(std::chrono::steady_clock::now() - start, seconds{300});
 }
 
-/// The sanitizers' allocators do not go by the limit in the same way: they take from what they have reserved.
-TEST(Apart, MemoryBeyondTheLimitIsRefused) {
+/// The reason is not compared: the allocators of the sanitizers use memory that they have reserved before the limit is set.
+TEST(Subprocess, AllocationBeyondTheMemoryLimitFails) {
     constexpr std::size_t limit = std::size_t{64} << 20;
     const auto asks_for = [](std::size_t size) {
         return [size]() -> Bytes {
@@ -88,12 +88,12 @@ TEST(Apart, MemoryBeyondTheLimitIsRefused) {
         };
     };
     EXPECT_TRUE(run_in_subprocess(asks_for(limit / 4), {.wall = seconds{60}, .memory = limit}).result.has_value());
-    const SubprocessEnd end = run_in_subprocess(asks_for(4 * limit), {.wall = seconds{60}, .memory = limit});
+    const SubprocessOutcome end = run_in_subprocess(asks_for(4 * limit), {.wall = seconds{60}, .memory = limit});
     EXPECT_FALSE(end.result.has_value());
     EXPECT_NE(end.reason, "");
 }
 
-TEST(Apart, WhatItPrintsGoesNowhere) {
+TEST(Subprocess, OutputIsDiscarded) {
     ::testing::internal::CaptureStderr();
     static_cast<void>(run_in_subprocess(
         [] {

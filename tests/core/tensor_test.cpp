@@ -27,7 +27,7 @@ TEST(Tensor, EigenvaluesSatisfyTraceDeterminantAndOrder) {
     EXPECT_NEAR(determinant(C), determinant(sample) * determinant(sample), 1e-14);
 }
 
-TEST(Tensor, EigenvaluesOfADiagonalTensorAreItsEntriesAlsoWhenTwoAreEqual) {
+TEST(Tensor, EigenvaluesOfADiagonalTensorAreItsEntriesEvenIfTwoAreEqual) {
     const auto e = symmetric_eigenvalues({4.0, 0, 0, 0, 9.0, 0, 0, 0, 4.0});
     EXPECT_NEAR(e[0], 9.0, 1e-14);
     EXPECT_NEAR(e[1], 4.0, 1e-7);
@@ -37,8 +37,8 @@ TEST(Tensor, EigenvaluesOfADiagonalTensorAreItsEntriesAlsoWhenTwoAreEqual) {
     EXPECT_DOUBLE_EQ(same[2], 2.0);
 }
 
-// A body that is all but at rest.
-TEST(Tensor, EigenvaluesOfWhatDiffersFromUnityByNextToNothingAreOne) {
+// The case of an almost undeformed body.
+TEST(Tensor, EigenvaluesOfTheIdentityPlusATinyPerturbationAreOne) {
     for (const double s : {1e-20, 1e-120, 1e-200, 5e-324})
         for (const double e : symmetric_eigenvalues({1.0, s, 0, s, 1.0, -s, 0, -s, 1.0})) EXPECT_DOUBLE_EQ(e, 1.0) << s;
     const auto small = symmetric_eigenvalues({3e-120, 0, 0, 0, 1e-120, 0, 0, 0, 2e-120});

@@ -69,14 +69,14 @@ TEST(Units, FactorsThatAreNotPowersOfTenFollowTheirDefinitions) {
     EXPECT_DOUBLE_EQ(si("9810 mm/s^2", Dimension::acceleration), 9.81);
 }
 
-TEST(Units, BlanksSignsAndExponentsAreFree) {
+TEST(Units, AcceptsBlanksSignsAndExponents) {
     EXPECT_EQ(si("40kPa", Dimension::pressure), 40000.0);
     EXPECT_EQ(si("  +4.0e1   kPa ", Dimension::pressure), 40000.0);
     EXPECT_EQ(si("-.5E-2 m", Dimension::length), -0.005);
     EXPECT_EQ(si("5. mm", Dimension::length), 0.005);
 }
 
-TEST(Units, SignsOfTheKeyboardAndOfTheTextbookMeanTheSame) {
+TEST(Units, AsciiAndUnicodeSpellingsAreEquivalent) {
     EXPECT_EQ(si("7 µm", Dimension::length), si("7 um", Dimension::length));
     EXPECT_EQ(si("7 mm³", Dimension::volume), si("7 mm^3", Dimension::volume));
     EXPECT_EQ(si("7 kN/m²", Dimension::pressure), 7000.0);
@@ -88,13 +88,13 @@ TEST(Units, SignsOfTheKeyboardAndOfTheTextbookMeanTheSame) {
     EXPECT_EQ(si("90°", Dimension::angle), si("90 deg", Dimension::angle));
 }
 
-TEST(Units, ABareNumberIsRefusedWithTheSameNumberCompleted) {
+TEST(Units, BareNumberIsRejectedWithAnExampleUnit) {
     const Refusal refusal = refused("3", Dimension::length);
     EXPECT_NE(refusal.problem.find("has no unit"), std::string::npos);
     EXPECT_NE(refusal.remedy.find("3 mm"), std::string::npos);
 }
 
-TEST(Units, AWrongDimensionNamesBoth) {
+TEST(Units, WrongDimensionIsReportedWithBothNames) {
     const Refusal refusal = refused("3 kPa", Dimension::length);
     EXPECT_NE(refusal.problem.find("a pressure where a length"), std::string::npos) << refusal.problem;
     EXPECT_NE(refused("3 rad", Dimension::area).problem.find("an angle where an area"), std::string::npos);
@@ -102,28 +102,28 @@ TEST(Units, AWrongDimensionNamesBoth) {
     EXPECT_NE(refused("3 mm", Dimension::ratio).problem.find("a length where a ratio"), std::string::npos);
 }
 
-TEST(Units, AMisspeltUnitNamesTheNearest) {
+TEST(Units, MisspeltUnitGetsASuggestion) {
     EXPECT_NE(refused("3 KPA", Dimension::pressure).remedy.find("3 kPa"), std::string::npos);
     EXPECT_NE(refused("3 milimetre", Dimension::length).remedy.find("mm"), std::string::npos);
     EXPECT_NE(refused("3,5 mm", Dimension::length).remedy.find("3.5 mm"), std::string::npos);
 }
 
-TEST(Units, WhatIsNoFiniteDecimalNumberIsRefused) {
+TEST(Units, TextThatIsNotAFiniteDecimalNumberIsRejected) {
     for (const char* text : {"nan", "inf mm", "-inf", "0x10 mm", "", "   ", "mm", "- 3 mm", "1e400 m",
                              "1e99999999999 m", "+-3 mm", "3 mm mm", "..5 mm", "e5 mm", "3 mm\n4 mm"})
         refused(text, Dimension::length);
     refused("1e300 GPa", Dimension::pressure);
 }
 
-/// Writes decimal commas wherever a stream of the process formats or reads a number.
+/// A locale facet that makes all streams of the process use decimal commas.
 struct DecimalComma : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
 };
 
-TEST(Units, TheLocaleHasNoSay) {
+TEST(Units, AreIndependentOfTheLocale) {
     const std::string c_locale = std::setlocale(LC_ALL, nullptr);
     const std::locale before = std::locale::global(std::locale{std::locale::classic(), new DecimalComma});
-    static_cast<void>(std::setlocale(LC_ALL, "de_DE.UTF-8"));  // has an effect only where it is installed
+    static_cast<void>(std::setlocale(LC_ALL, "de_DE.UTF-8"));  // has an effect only if the locale is installed
     EXPECT_EQ(si("2.5 mm", Dimension::length), 2.5e-3);
     EXPECT_EQ(quantity_text(2.5e-3, Dimension::length), "2.5 mm");
     std::locale::global(before);
@@ -136,7 +136,7 @@ TEST(Units, CountsAreWholeNumbers) {
         EXPECT_TRUE(std::holds_alternative<Refusal>(parse_count(text))) << text;
 }
 
-TEST(Units, TidyTextIsTheSameQuantityAndStaysAsItIs) {
+TEST(Units, TidyingKeepsTheQuantityAndIsIdempotent) {
     EXPECT_EQ(tidy_quantity("40kPa"), "40 kPa");
     EXPECT_EQ(tidy_quantity(" +4.0e1   kPa"), "4.0e1 kPa");
     EXPECT_EQ(tidy_quantity(tidy_quantity("40kPa")), "40 kPa");
@@ -147,7 +147,7 @@ TEST(Units, TidyTextIsTheSameQuantityAndStaysAsItIs) {
     EXPECT_EQ(quantity_parts("1.5").unit, "");
 }
 
-TEST(Units, MessagesUseUnitsThatReadWell) {
+TEST(Units, MessagesUseSuitableUnits) {
     EXPECT_EQ(quantity_text(0.003, Dimension::length), "3 mm");
     EXPECT_EQ(quantity_text(1.5, Dimension::length), "1.5 m");
     EXPECT_EQ(quantity_text(5e-5, Dimension::length), "50 um");
@@ -162,7 +162,7 @@ TEST(Units, MessagesUseUnitsThatReadWell) {
     EXPECT_EQ(quantity_text(1e3, Dimension::rate), "1000 1/s");
 }
 
-TEST(Units, ThrowingFormCarriesCodeAndPlace) {
+TEST(Units, ThrowingFormReportsExitCodeAndLocation) {
     try {
         static_cast<void>(quantity_or_throw("3", Dimension::pressure, soft::ExitCode::usage, "--at pressure"));
         FAIL();

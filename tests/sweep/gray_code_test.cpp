@@ -9,7 +9,7 @@ namespace {
 
 using soft::sweep::GrayCode;
 
-TEST(GrayCode, HasEachCombinationOnceAndNeighboursDifferInOneDigitByOne) {
+TEST(GrayCode, VisitsEachCombinationOnceAndChangesOneDigitByOne) {
     for (const GrayCode code : {GrayCode{1, 2}, GrayCode{1, 5}, GrayCode{2, 3}, GrayCode{3, 4}, GrayCode{4, 2}}) {
         std::set<std::vector<int>> seen;
         std::vector<int> before(static_cast<std::size_t>(code.digits), 0);

@@ -23,7 +23,7 @@ double value(const std::vector<Cell>& cells, const std::string& column) {
     return 0;
 }
 
-TEST(OutputsOf, AreTheCurveWhereItIsAsked) {
+TEST(OutputsOf, AreTheValuesOfTheCurveAtTheRequestedPoints) {
     const auto cells =
         outputs_of(asking("at: [growth=500mm, end]\noutputs: [pressure_kPa, growth_mm]\n"), sphere(), {}).cells;
     ASSERT_EQ(cells.size(), 4u);
@@ -33,13 +33,13 @@ TEST(OutputsOf, AreTheCurveWhereItIsAsked) {
     EXPECT_DOUBLE_EQ(value(cells, "pressure_kPa_at_end") * 1000, post::test::sphere_pressure_Pa(2.0));
 }
 
-TEST(OutputsOf, OfALimitPointIsItsRow) {
+TEST(OutputsOf, AtALimitPointAreThoseOfItsRow) {
     const std::vector<solution::LimitPoint> limits{{16, 0, std::nullopt, {}}};  // stretch 1.8
     const auto cells = outputs_of(asking("at: limit\noutputs: growth_mm\n"), sphere(), limits).cells;
     EXPECT_NEAR(value(cells, "growth_mm_at_limit"), 800, 1e-9);
 }
 
-TEST(OutputsOf, WhereThePathDoesNotComeThereIsNoValueButAReason) {
+TEST(OutputsOf, AtAPointThatThePathDoesNotReachAreMissingWithAReason) {
     const auto [cells, missing] =
         outputs_of(asking("at: [growth=5m, limit, end]\noutputs: pressure_kPa\n"), sphere(), {});
     ASSERT_EQ(cells.size(), 3u);
@@ -51,7 +51,7 @@ TEST(OutputsOf, WhereThePathDoesNotComeThereIsNoValueButAReason) {
                                         "at limit: the path has no limit point"}));
 }
 
-TEST(ColumnAt, IsANameThatAScriptCanUse) {
+TEST(ColumnAt, ContainsOnlyLettersDigitsAndUnderscores) {
     const post::Curve curve = sphere();  // its load is a pressure
     EXPECT_EQ(column_at("elongation_mm", "pressure=20kPa", curve), "elongation_mm_at_20kPa");
     EXPECT_EQ(column_at("elongation_mm", "pressure=20 kPa", curve), "elongation_mm_at_20kPa");
@@ -61,7 +61,7 @@ TEST(ColumnAt, IsANameThatAScriptCanUse) {
     EXPECT_EQ(column_at("pressure_kPa", "limit", curve), "pressure_kPa_at_limit");
 }
 
-TEST(CheckRequests, RefusesBeforeASolveWhatNoCurveOfTheCaseHas) {
+TEST(CheckRequests, RejectsRequestsThatNoCurveOfTheCaseHasBeforeASolve) {
     const post::Curve curve = unsolved_curve(post::test::sample_case({"growth"}));
     const auto refusal = [&](const std::string& rest) -> std::string {
         try {
@@ -81,14 +81,14 @@ TEST(CheckRequests, RefusesBeforeASolveWhatNoCurveOfTheCaseHas) {
               "s.yaml:3:11: outputs: no curve has a column 'growth_m'; did you mean 'growth_mm'?");
 }
 
-TEST(OutputsOf, WithoutNamesAllColumnsButTheStepAndWhatIsAskedFor) {
+TEST(OutputsOf, WithoutNamesAreAllColumnsExceptTheStepAndTheRequestedQuantity) {
     const auto cells = outputs_of(asking("at: growth=500mm\n"), sphere(), {}).cells;
     EXPECT_EQ(cells.size(), sphere().columns.size() - 2);
     for (const Cell& cell : cells)
         EXPECT_TRUE(cell.column != "step_at_growth_500mm" && cell.column != "growth_mm_at_growth_500mm");
 }
 
-TEST(OutputsOf, RefusesAQuantityThatTheCurveCannotHaveAtItsPlace) {
+TEST(OutputsOf, RejectsAQuantityThatTheCurveDoesNotHaveAtItsLocation) {
     try {
         static_cast<void>(outputs_of(asking("at: [end, grwth=5mm]\n"), sphere(), {}));
         FAIL();
@@ -98,21 +98,21 @@ TEST(OutputsOf, RefusesAQuantityThatTheCurveCannotHaveAtItsPlace) {
     }
 }
 
-TEST(ReadStatus, TakesExitCodeAndErrorAmongOtherLines) {
+TEST(ReadStatus, ReadsExitCodeAndErrorAmongOtherLines) {
     const auto status = read_status("solve_s 0.1 0.2 0.3\nexit_code 65\nerror mesh-gen: a: b; c, \"d\"\n");
     ASSERT_TRUE(status);
     EXPECT_EQ(status->exit_code, 65);
     EXPECT_EQ(status->error, "mesh-gen: a: b; c, \"d\"");
 }
 
-TEST(ReadStatus, OfAFileThatIsNotWholeIsNone) {
+TEST(ReadStatus, OfAnIncompleteFileIsNullopt) {
     EXPECT_FALSE(read_status(""));
     EXPECT_FALSE(read_status("solve_s 0.1 0.2 0.3\n"));
     EXPECT_FALSE(read_status("exit_code \n"));
     EXPECT_FALSE(read_status("exit_code x\n"));
 }
 
-TEST(IsFinal, HoldsForWhatTheProgramsSayThemselvesAndNotForKillsAndDisks) {
+TEST(IsFinal, IsTrueForResultsOfTheProgramsAndFalseForKillsAndDiskErrors) {
     for (const int code : {0, 1, 2, 64, 65, 70}) EXPECT_TRUE(is_final(code)) << code;
     for (const int code : {66, 73, 74, 124, 126, 127, 137, 139}) EXPECT_FALSE(is_final(code)) << code;
 }

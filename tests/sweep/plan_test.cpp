@@ -23,7 +23,7 @@ Plan plan_of(const std::string& vary, const std::string& rest = "", const std::s
 
 std::vector<std::string> ids(const Plan& plan) {
     std::vector<std::string> list;
-    for (const Planned& row : plan.designs) list.push_back(row.id);
+    for (const PlannedDesign& row : plan.designs) list.push_back(row.id);
     return list;
 }
 
@@ -37,7 +37,7 @@ std::string plan_refusal(const std::string& vary, const std::string& rest = "") 
     return "not refused";
 }
 
-TEST(Plan, AGridHasEveryCombinationTheLastFactorFastest) {
+TEST(Plan, GridHasEveryCombinationWithTheLastFactorFastest) {
     const Plan plan = plan_of("geometry.wall: [2 mm, 3 mm], material.mu: [1 MPa, 2 MPa, 3 MPa]");
     ASSERT_EQ(plan.designs.size(), 6u);
     EXPECT_EQ(plan.designs[1].values, (std::vector<std::string>{"2 mm", "2 MPa"}));
@@ -47,7 +47,7 @@ TEST(Plan, AGridHasEveryCombinationTheLastFactorFastest) {
     EXPECT_NE(plan.designs[1].design_yaml.find("wall: 2 mm"), std::string::npos);
 }
 
-TEST(Plan, TheSameDesignHasTheSameAddressHoweverItIsWritten) {
+TEST(Plan, EqualDesignsHaveTheSameIdentifierInAnyNotation) {
     const auto plain = ids(plan_of("geometry.wall: [2 mm, 3 mm]"));
     EXPECT_EQ(ids(plan_of("geometry.wall: [2mm, 3mm]")), plain);
     EXPECT_EQ(ids(plan_of("geometry.wall: {from: 2 mm, to: 3 mm, steps: 2}")), plain);
@@ -55,35 +55,35 @@ TEST(Plan, TheSameDesignHasTheSameAddressHoweverItIsWritten) {
     EXPECT_EQ(ids(plan_of("geometry.wall: [2 mm, 3 mm]", "", "v1", design_text + "# a remark\n")), plain);
 }
 
-TEST(Plan, AnythingThatDecidesOnTheResultChangesTheAddress) {
+TEST(Plan, IdentifierChangesWithEverythingThatAffectsTheResult) {
     const auto plain = ids(plan_of("geometry.wall: [2 mm, 3 mm]"));
     EXPECT_NE(ids(plan_of("geometry.wall: [2 mm, 3 mm]", "", "v2"))[0], plain[0]);
     EXPECT_NE(ids(plan_of("geometry.wall: [2 mm, 3 mm]", "set: {mesh.size: 1 mm}\n"))[0], plain[0]);
     EXPECT_EQ(ids(plan_of("geometry.wall: [3 mm, 2 mm]"))[0], plain[1]);
 }
 
-TEST(Plan, ASampleIsTheSameEachTimeAndStaysInItsRanges) {
+TEST(Plan, SampleIsReproducibleAndWithinItsRanges) {
     const std::string vary = "geometry.wall: {from: 2 mm, to: 4 mm}, geometry.folds: {from: 3, to: 5, scale: whole}";
     const Plan plan = plan_of(vary, "method: latin-hypercube\nsamples: 30\nseed: 4\n");
     EXPECT_EQ(ids(plan), ids(plan_of(vary, "method: latin-hypercube\nsamples: 30\nseed: 4\n")));
     EXPECT_NE(ids(plan), ids(plan_of(vary, "method: latin-hypercube\nsamples: 30\nseed: 5\n")));
     std::multiset<std::string> folds;
-    for (const Planned& row : plan.designs) {
+    for (const PlannedDesign& row : plan.designs) {
         EXPECT_TRUE(row.refusal.empty()) << row.refusal;
         folds.insert(row.values[1]);
     }
     for (const char* number : {"3", "4", "5"}) EXPECT_EQ(folds.count(number), 10u);
 }
 
-/// The first n of a random sample are those of a smaller one, so that they are not computed again.
-TEST(Plan, ALargerRandomSampleKeepsTheDesignsOfASmallerOne) {
+/// The first n designs of a random sample are those of a smaller sample, so that they need not be computed again.
+TEST(Plan, LargerRandomSampleKeepsTheDesignsOfASmallerOne) {
     const std::string vary = "geometry.wall: {from: 2 mm, to: 4 mm}";
     const auto few = ids(plan_of(vary, "method: random\nsamples: 5\n")),
                many = ids(plan_of(vary, "method: random\nsamples: 9\n"));
     EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
 }
 
-TEST(Plan, ACombinationThatIsRefusedIsARowWithItsReason) {
+TEST(Plan, RefusedCombinationIsARowWithItsReason) {
     const Plan plan = plan_of("mesh.order: [1, 2], mesh.formulation: [displacement, mixed]",
                               "set: {material.kappa: 100 MPa}\n");  // mixed needs order 2
     ASSERT_EQ(plan.designs.size(), 4u);
@@ -94,7 +94,7 @@ TEST(Plan, ACombinationThatIsRefusedIsARowWithItsReason) {
     EXPECT_NE(plan.designs[1].id, plan.designs[0].id);
 }
 
-TEST(Plan, WhatTheGeometryRefusesIsARowEvenWhereItIsAListedValue) {
+TEST(Plan, InvalidGeometryIsARowEvenForAListedValue) {
     const std::vector<design::FamilyKeys> families{design::sample::pipe()};
     const Sweep sweep = read_sweep("design: pipe.yaml\nvary: {geometry.wall: [2 mm, 3 mm]}\n", "s.yaml");
     const auto refuse_thick = [](const design::Design& design) {
@@ -107,7 +107,7 @@ TEST(Plan, WhatTheGeometryRefusesIsARowEvenWhereItIsAListedValue) {
     EXPECT_TRUE(plan.designs[1].design_yaml.empty());
 }
 
-TEST(Plan, WhatNoDesignCanHaveIsAFaultOfTheFileAtItsPlace) {
+TEST(Plan, ValueThatNoDesignCanHaveIsAnErrorAtItsLocationInTheSweep) {
     EXPECT_EQ(plan_refusal("geometry.wal: [2 mm, 3 mm]"),
               "s.yaml:2:23: geometry.wal: unknown key; did you mean 'wall'?");
     EXPECT_EQ(plan_refusal("geometry.wall: [2 mm, 3]").substr(0, 42), "s.yaml:2:30: geometry.wall: '3' has no uni");
@@ -119,24 +119,24 @@ TEST(Plan, WhatNoDesignCanHaveIsAFaultOfTheFileAtItsPlace) {
               "s.yaml:4:30: geometry.wall: -1 mm is out ");
 }
 
-TEST(Plan, NoAddressLeadsOutOfTheFolder) {
-    for (const std::string& id : ids(plan_of("geometry.wall: [2 mm, 3 mm]"))) EXPECT_TRUE(is_address(id)) << id;
+TEST(Plan, IdentifierCannotEscapeTheFolder) {
+    for (const std::string& id : ids(plan_of("geometry.wall: [2 mm, 3 mm]"))) EXPECT_TRUE(is_design_id(id)) << id;
     for (const char* id :
          {"", "..", "../../evil", "/tmp/a", "0123456789abcde", "0123456789abcdeF", "0123456789abcde\n"})
-        EXPECT_FALSE(is_address(id)) << id;
+        EXPECT_FALSE(is_design_id(id)) << id;
     EXPECT_NE(plan_refusal("name: [\"ok\", \"a\\n../../evil,waiting,x\"]").find("a control character"),
               std::string::npos);
     try {
         static_cast<void>(read_sweep(
             "design: d\nvary:\n  name:\n    - ok\n    - |\n      a\n      ../../evil,waiting,x\n", "s.yaml"));
-        ADD_FAILURE() << "a value of several lines is taken";
+        ADD_FAILURE() << "a value of several lines is accepted";
     } catch (const Error& error) {
         EXPECT_NE(std::string{error.what()}.find("several lines where one value is needed"), std::string::npos)
             << error.what();
     }
 }
 
-TEST(Plan, SettingsAreWhatMeshGenTakes) {
+TEST(Plan, SettingsAreArgumentsOfMeshGen) {
     const Sweep sweep = read_sweep("design: d\nset: {mesh.size: 3mm}\nvary: {geometry.wall: [2 mm]}\n", "s.yaml");
     EXPECT_EQ(settings_text(sweep, {"", {"2 mm"}, "", ""}), "--set mesh.size=3mm --set 'geometry.wall=2 mm'");
 }

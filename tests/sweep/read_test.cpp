@@ -30,7 +30,7 @@ std::vector<std::string> levels_of(const std::string& range) {
     return levels(read_sweep("design: pipe.yaml\nvary: {a.b: " + range + "}\n", "s.yaml"));
 }
 
-TEST(ReadSweep, KnowsEveryKey) {
+TEST(ReadSweep, ReadsEveryKey) {
     const Sweep sweep = read_sweep(
         "design: ../pipe.yaml\nmethod: latin-hypercube\nsamples: 100\nseed: 5\n"
         "vary:\n  geometry.wall: {from: 2 mm, to: 4 mm, scale: log}\n  material.law: [yeoh, gent]\n"
@@ -46,17 +46,17 @@ TEST(ReadSweep, KnowsEveryKey) {
     EXPECT_EQ(std::get<Choices>(sweep.factors[1].values).at(1).text, "gent");
     ASSERT_EQ(sweep.fixed.size(), 2u);
     EXPECT_EQ(sweep.fixed[0].value, "3 mm");
-    EXPECT_EQ(sweep.fixed[0].place, "s.yaml:8:18");
+    EXPECT_EQ(sweep.fixed[0].location, "s.yaml:8:18");
     EXPECT_EQ(sweep.fixed[1].value, "[a, b]");
     std::vector<std::string> at;
-    for (const Written& place : sweep.at) at.push_back(place.text);
+    for (const SourceText& point : sweep.at) at.push_back(point.text);
     EXPECT_EQ(at, (std::vector<std::string>{"elongation=20mm", "elongation=40 mm", "limit", "end"}));
     EXPECT_EQ(sweep.outputs.at(0).text, "pressure_kPa");
 }
 
-TEST(ReadSweep, WithoutPlacesTheEndOfThePathIsMeant) { EXPECT_EQ(read_sweep(grid, "s.yaml").at.at(0).text, "end"); }
+TEST(ReadSweep, EvaluatesAtTheEndOfThePathByDefault) { EXPECT_EQ(read_sweep(grid, "s.yaml").at.at(0).text, "end"); }
 
-TEST(Levels, AreEvenAndEndWhereTheFileSays) {
+TEST(Levels, AreEvenlySpacedBetweenTheGivenEnds) {
     EXPECT_EQ(levels_of("{from: 2 mm, to: 4mm, steps: 5}"),
               (std::vector<std::string>{"2 mm", "2.5 mm", "3 mm", "3.5 mm", "4mm"}));
     EXPECT_EQ(levels_of("{from: 0, to: 0.3, steps: 4}"), (std::vector<std::string>{"0", "0.1", "0.2", "0.3"}));
@@ -66,7 +66,7 @@ TEST(Levels, AreEvenAndEndWhereTheFileSays) {
     EXPECT_EQ(levels_of("[neo-hookean, yeoh]"), (std::vector<std::string>{"neo-hookean", "yeoh"}));
 }
 
-TEST(ValueAt, IsTheShareOfTheRange) {
+TEST(ValueAt, IsTheGivenFractionOfTheRange) {
     const Factor log{"k", "", Range{{"1 Pa", ""}, {"100 Pa", ""}, 1, 100, "Pa", 0, Scale::log}};
     EXPECT_EQ(value_at(log, 0.5), "10 Pa");
     const Factor third{"k", "", Range{{"1 mm", ""}, {"2 mm", ""}, 1, 2, "mm"}};
@@ -77,15 +77,15 @@ TEST(ValueAt, IsTheShareOfTheRange) {
     EXPECT_EQ(value_at(word, 0.49) + value_at(word, 0.5), "ab");
 }
 
-TEST(ReadSweep, RefusesUnknownKeysWithTheNearest) {
+TEST(ReadSweep, RejectsUnknownKeysWithASuggestion) {
     EXPECT_EQ(refusal(grid + "methd: grid\n"), "s.yaml:4:1: methd: unknown key; did you mean 'method'?");
     EXPECT_EQ(refusal("design: d\nvary: {a.b: {form: 1, to: 2, steps: 3}}\n"),
               "s.yaml:2:14: a.b.form: unknown key; did you mean 'from'?");
     EXPECT_EQ(refusal(grid + "method: gird\n"),
-              "s.yaml:4:9: method: 'gird' is not a choice here; did you mean 'grid'?");
+              "s.yaml:4:9: method: 'gird' is not a valid value; did you mean 'grid'?");
 }
 
-TEST(ReadSweep, RefusesWhatIsMissingOrEmpty) {
+TEST(ReadSweep, RejectsMissingAndEmptyKeys) {
     EXPECT_EQ(refusal(""), "s.yaml:1:1: a sweep is a group of keys; write design: ..., vary: {...}");
     EXPECT_EQ(refusal("vary: {a.b: [1]}\n").substr(0, 28), "s.yaml:1:1: design: missing;");
     EXPECT_EQ(refusal("design: d\n").substr(0, 26), "s.yaml:1:1: vary: missing;");
@@ -97,7 +97,7 @@ TEST(ReadSweep, RefusesWhatIsMissingOrEmpty) {
     EXPECT_EQ(refusal("design: d\nmethod: random\nvary: {a.b: [1]}\n").substr(0, 29), "s.yaml:1:1: samples: missing;");
 }
 
-TEST(ReadSweep, RefusesRangesThatAreNone) {
+TEST(ReadSweep, RejectsInvalidRanges) {
     const auto range = [](const std::string& text) {
         return refusal("design: d\nvary: {k: {" + text + ", steps: 3}}\n");
     };
@@ -110,9 +110,9 @@ TEST(ReadSweep, RefusesRangesThatAreNone) {
               "s.yaml:2:35: k.steps: 1 is out of range; it ");
 }
 
-TEST(ReadSweep, RefusesWhatTheMethodDoesNotHave) {
-    EXPECT_EQ(refusal(grid + "samples: 5\n").substr(0, 37), "s.yaml:4:1: samples: a grid has none;");
-    EXPECT_EQ(refusal(grid + "seed: 5\n").substr(0, 34), "s.yaml:4:1: seed: a grid has none;");
+TEST(ReadSweep, RejectsKeysThatTheMethodDoesNotUse) {
+    EXPECT_EQ(refusal(grid + "samples: 5\n").substr(0, 37), "s.yaml:4:1: samples: unused with meth");
+    EXPECT_EQ(refusal(grid + "seed: 5\n").substr(0, 34), "s.yaml:4:1: seed: unused with meth");
     EXPECT_EQ(refusal("design: d\nmethod: random\nsamples: 3\nvary: {k: {from: 1, to: 2, steps: 3}}\n").substr(0, 40),
               "s.yaml:4:35: k.steps: only a grid has st");
     EXPECT_EQ(refusal("design: d\nvary: {a: {from: 1, to: 2, steps: 1000}, b: {from: 1, to: 2, steps: 1000}}\n")
@@ -120,13 +120,13 @@ TEST(ReadSweep, RefusesWhatTheMethodDoesNotHave) {
               "s.yaml:2:7: vary: the grid has 1e+06 designs; ");
 }
 
-TEST(ReadSweep, RefusesAKeyThatVariesAndIsSet) {
+TEST(ReadSweep, RejectsAKeyThatVariesAndIsSet) {
     EXPECT_EQ(refusal(cube + "set: {geometry.wall: 3 mm}\n"),
-              "s.yaml:6:22: geometry.wall: it varies, so it cannot be set; write it once");
+              "s.yaml:6:22: geometry.wall: a key that varies cannot be set; write it under vary or under set");
 }
 
-TEST(ReadSweep, RefusesPlacesThatAreNone) {
-    EXPECT_EQ(refusal(grid + "at: 20mm\n").substr(0, 41), "s.yaml:4:5: at: '20mm' is no place on a p");
+TEST(ReadSweep, RejectsInvalidPoints) {
+    EXPECT_EQ(refusal(grid + "at: 20mm\n").substr(0, 41), "s.yaml:4:5: at: '20mm' is not a point of ");
 }
 
 }  // namespace

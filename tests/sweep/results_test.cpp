@@ -19,14 +19,14 @@ Outcome done(const std::string& column) {
             .outputs = {{column, 0.1}}};
 }
 
-TEST(PlanCsv, HasARowADesignWithItsStateAndSettings) {
+TEST(PlanCsv, HasOneRowPerDesignWithItsStateAndSettings) {
     EXPECT_EQ(plan_csv(sweep, plan, std::vector<State>{State::done, State::refused}),
               "id,state,geometry_wall_mm,material_law,settings,refusal\n"
               "aa,done,2,yeoh,--set 'geometry.wall=2 mm' --set material.law=yeoh,\n"
               "bb,refused,3,yeoh,--set geometry.wall=3mm --set material.law=yeoh,\"s.yaml:2:3: a, \"\"b\"\"; c\"\n");
 }
 
-TEST(WaitingIds, AreThoseThatWaitEachOnce) {
+TEST(WaitingIds, AreListedWithoutDuplicates) {
     const Plan several{{{"aa", {"2 mm", "yeoh"}, "x", ""},
                         {"bb", {"3 mm", "yeoh"}, "", "refused"},
                         {"aa", {"2.0 mm", "yeoh"}, "x", ""},
@@ -44,19 +44,19 @@ TEST(ResultsCsv, FailedDesignsAreRowsWithTheirReason) {
               "bb,3,yeoh,,refused,65,\"a, b\"\n");
 }
 
-TEST(ResultsCsv, WhatIsNotComputedHasNoExitCode) {
+TEST(ResultsCsv, DesignThatIsNotComputedHasNoExitCode) {
     const std::vector<Outcome> outcomes{done("pressure_kPa_at_end"), {.stop_reason = "not_computed"}};
     EXPECT_NE(results_csv(sweep, plan, outcomes).find("\nbb,3,yeoh,,not_computed,,\n"), std::string::npos);
 }
 
-TEST(ResultsCsv, ValuesOfDifferentUnitsStayAsTheyAreWritten) {
+TEST(ResultsCsv, ValuesOfDifferentUnitsAreKeptAsWritten) {
     const Plan mixed{{{"aa", {"2 mm", "yeoh"}, "x", ""}, {"bb", {"0.3 cm", "yeoh"}, "x", ""}}};
     const std::string text = plan_csv(sweep, mixed, std::vector<State>(2));
     EXPECT_EQ(text.substr(0, text.find('\n')), "id,state,geometry_wall,material_law,settings,refusal");
     EXPECT_NE(text.find("aa,waiting,2 mm,"), std::string::npos);
 }
 
-TEST(ResultsCsv, RefusesAnOutputThatNoCurveHas) {
+TEST(ResultsCsv, RejectsAnOutputThatNoCurveHas) {
     const Sweep slip = read_sweep(
         "design: d\nvary: {geometry.wall: [2 mm, 3 mm], material.law: [yeoh]}\noutputs: [presure_kPa]\n", "s.yaml");
     try {

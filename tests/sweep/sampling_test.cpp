@@ -10,8 +10,8 @@ namespace {
 
 using namespace soft::sweep;
 
-/// genrand64_real2 of Nishimura and Matsumoto's mt19937-64, seed 1, computed with their recurrence in another language.
-TEST(RandomPoints, AreThoseOfTheReferenceGeneratorOnEveryMachine) {
+/// genrand64_real2 of Nishimura and Matsumoto's mt19937-64, seed 1, computed independently from their recurrence in another language.
+TEST(RandomPoints, MatchTheReferenceGenerator) {
     const Points points = random_points({2, 2}, 1);
     EXPECT_EQ(points[0][0], 0.13387664401253263);
     EXPECT_EQ(points[0][1], 0.13640703636619722);
@@ -19,7 +19,7 @@ TEST(RandomPoints, AreThoseOfTheReferenceGeneratorOnEveryMachine) {
     EXPECT_EQ(points[1][1], 0.02102422841672702);
 }
 
-TEST(RandomPoints, ALargerSampleGoesOnWithASmallerOne) {
+TEST(RandomPoints, LargerSampleBeginsWithASmallerOne) {
     const Points few = random_points({10, 3}, 7), many = random_points({1000, 3}, 7);
     EXPECT_TRUE(std::equal(few.begin(), few.end(), many.begin()));
     EXPECT_NE(random_points({10, 3}, 8), few);
@@ -32,7 +32,7 @@ TEST(RandomPoints, FillTheUnitCubeEvenly) {
         ASSERT_TRUE(point[0] >= 0 && point[0] < 1 && point[1] >= 0 && point[1] < 1);
         sum += point[0] - 0.5, squares += std::pow(point[0] - 0.5, 2), products += (point[0] - 0.5) * (point[1] - 0.5);
     }
-    const double deviation = 1 / std::sqrt(12.0 * samples);  // of the mean of so many
+    const double deviation = 1 / std::sqrt(12.0 * samples);  // standard deviation of the mean of `samples` values
     EXPECT_LT(std::abs(sum / samples), 4 * deviation);
     EXPECT_NEAR(squares / samples, 1.0 / 12, 0.002);
     EXPECT_LT(std::abs(products / samples), 4 / (12 * std::sqrt(samples)));
@@ -49,7 +49,7 @@ TEST(LatinHypercube, HasOnePointInEachIntervalOfEveryDimension) {
     }
 }
 
-/// Over all seeds, the first point of three is in each interval equally often: no interval pairs itself with a row.
+/// Over all seeds, the first point of three is in each pair of intervals equally often: intervals are not tied to rows.
 TEST(LatinHypercube, PairsTheIntervalsAtRandom) {
     constexpr int seeds = 3000;
     std::array<int, 9> counts{};
