@@ -3,7 +3,6 @@
 
 #include "core/text.hpp"
 #include "design/common_keys.hpp"
-#include "design/time_function_keys.hpp"
 #include "design/dynamics_keys.hpp"
 #include "design/load_keys.hpp"
 #include "design/load_names.hpp"
@@ -11,15 +10,16 @@
 #include "design/materials.hpp"
 #include "design/read_parts.hpp"
 #include "design/solver_keys.hpp"
+#include "design/time_function_keys.hpp"
 
 namespace soft::design {
 namespace {
 
-constexpr std::string_view case_source = "/design";  // the group of the case that holds the text
+constexpr std::string_view case_source = "/design";  // the dataset of the case that contains the effective design
 
-/// Sections that solve may still change; the mesh and its named faces depend on none of them.
+/// Sections that solve may change; the mesh and its named faces do not depend on them.
 constexpr std::array<std::string_view, 6> changeable = {"material", "materials", "loads", "path", "dynamics", "solver"};
-constexpr std::string_view changeable_remedy = "solve changes material, materials, loads, path, dynamics, solver";
+constexpr std::string_view changeable_remedy = "solve can change material, materials, loads, path, dynamics, solver";
 
 void check_changeable(const Override& change) {
     const std::string section = change.path.substr(0, change.path.find('.'));
@@ -27,16 +27,16 @@ void check_changeable(const Override& change) {
     const auto& known = section_notes();
     const bool exists =
         std::any_of(known.begin(), known.end(), [&](const SectionNote& s) { return s.name == section; });
-    const std::string place = "--set " + change.path;
+    const std::string location = "--set " + change.path;
     if (exists)
-        throw Error(ExitCode::usage, place,
+        throw Error(ExitCode::usage, location,
                     core::quoted(section) + " is built into the case and solve cannot change it",
                     "give the same --set to mesh-gen; " + std::string{changeable_remedy});
-    throw Error(ExitCode::bad_input, place, "unknown key", changeable_remedy);
+    throw Error(ExitCode::bad_input, location, "unknown key", changeable_remedy);
 }
 
-/// The names the case has: its load targets stand in for the faces, which a design alone does not list, and the effective
-/// design holds the other names of faces.
+/// The face names of the case. The loaded faces replace the full list of faces, which a design alone does not contain; the
+/// effective design contains the aliases.
 FaceNames faces_of(const Node& original) {
     FaceNames faces;
     for (const Member& name : members_of(original, "names")) faces.aliases[name.key] = name.value.text;
@@ -53,13 +53,13 @@ FaceNames faces_of(const Node& original) {
         add(cavity.key);
         faces.cavities.push_back(faces.faces.back());
     }
-    std::erase_if(faces.aliases, [&](const auto& alias) {  // of faces that the case does not load
+    std::erase_if(faces.aliases, [&](const auto& alias) {  // remove aliases of faces that the case does not load
         return std::ranges::find(faces.faces, alias.second) == faces.faces.end();
     });
     return faces;
 }
 
-/// What the tree holds, in the names of the case.
+/// Schema, loads and stages of the tree, with the face names of the case.
 struct Part {
     Schema schema;
     Examples examples;
@@ -72,7 +72,7 @@ Part part_of(const Node& root, FaceNames faces) {
     part.schema.dynamic = is_dynamic(root);
     const Node* model = find(root, "model");
     const bool of_revolution = model != nullptr && model->text == "axisymmetric";
-    // A solid may be of revolution or not: the mesh does not tell, and mesh-gen has written the frame where it knew of fibres.
+    // For a solid the design does not determine whether the body is axisymmetric; mesh-gen has written the fibre frame if there are fibres.
     add_material_keys(part.schema, root, case_source, part.examples, of_revolution ? "cylindrical" : "");
     part.loads = add_load_keys(part.schema, root, Node{}, case_source, part.examples);
     part.stages = add_path_keys(part.schema, root, part.loads);
@@ -82,7 +82,7 @@ Part part_of(const Node& root, FaceNames faces) {
     return part;
 }
 
-/// The mesh turned the direction of a load into a vector, so only its size can still change.
+/// mesh-gen has converted the direction of a load to a vector, so only its magnitude can change.
 std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& was, const Part& part,
                                const Values& values) {
     const std::string remedy = "give the same --set to mesh-gen";
@@ -106,13 +106,13 @@ std::vector<ScaledLoad> scaled(LoadKind kind, const Part& built, const Values& w
     return loads;
 }
 
-/// Which region is of which material is built into the case.
+/// The assignment of materials to regions is stored in the case, so materials cannot be added.
 void check_same_materials(const Node& original, const Node& changed) {
     std::vector<std::string> known;
     for (const Member& own : members_of(original, materials_group)) known.push_back(own.key);
     for (const Member& own : members_of(changed, materials_group))
         if (std::ranges::find(known, own.key) == known.end())
-            refuse(own.place, std::string{materials_group} + "." + own.key, "the case has no such material",
+            refuse(own.location, std::string{materials_group} + "." + own.key, "the case has no such material",
                    known.empty() ? "give the same --set to mesh-gen" : core::did_you_mean(own.key, known));
 }
 
@@ -134,8 +134,8 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
     for (const Override& change : overrides) check_changeable(change);
     override_tree(changed, in_names_of(original, overrides, faces));
     check_same_materials(original, changed);
-    names_to_materials(changed);
-    name_empty_ends(changed);
+    resolve_material_names(changed);
+    fill_empty_until(changed);
     const Part built = part_of(original, faces), part = part_of(changed, faces);
     const Values was = values_of(collect(only_changeable(original), built.schema, case_source, built.examples));
     const std::vector<Item> items = collect(only_changeable(changed), part.schema, case_source, part.examples);
@@ -164,15 +164,15 @@ SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Ov
 
 Override parse_override(std::string_view argument) {
     const auto equals = argument.find('=');
-    const std::string place = "--set " + core::one_line(argument);
+    const std::string location = "--set " + core::one_line(argument);
     const std::string remedy = "write --set key.path=value, for example --set geometry.wall=2.5mm";
-    if (equals == std::string_view::npos) throw Error(ExitCode::usage, place, "no '=' in it", remedy);
+    if (equals == std::string_view::npos) throw Error(ExitCode::usage, location, "no '=' in it", remedy);
     Override change{std::string{core::trimmed(argument.substr(0, equals))},
                     std::string{core::trimmed(argument.substr(equals + 1))}};
     const bool hole =
         change.path.starts_with('.') || change.path.ends_with('.') || change.path.find("..") != std::string::npos;
-    if (change.path.empty() || hole) throw Error(ExitCode::usage, place, "no key path before '='", remedy);
-    if (change.value.empty()) throw Error(ExitCode::usage, place, "no value after '='", remedy);
+    if (change.path.empty() || hole) throw Error(ExitCode::usage, location, "no key path before '='", remedy);
+    if (change.value.empty()) throw Error(ExitCode::usage, location, "no value after '='", remedy);
     if (change.path.starts_with("load.")) change.path.replace(0, 4, "loads." + std::string{cavity_name});
     return change;
 }

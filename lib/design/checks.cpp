@@ -40,7 +40,7 @@ std::optional<core::Dimension> dimension_of(Kind kind) {
 template <class T>
 T value_or_refuse(const core::Parsed<T>& parsed, const Key& key, const Node& node) {
     if (const auto* refusal = std::get_if<core::Refusal>(&parsed))
-        refuse(node.place, key.path, refusal->problem, refusal->remedy);
+        refuse(node.location, key.path, refusal->problem, refusal->remedy);
     return std::get<T>(parsed);
 }
 
@@ -61,19 +61,19 @@ std::string bounds_text(const Key& key) {
 void check_range(const Key& key, double value, const Node& node) {
     const bool low = key.min_open ? value <= key.min : value < key.min;
     if (low || value > key.max)
-        refuse(node.place, key.path, core::one_line(core::tidy_quantity(node.text)) + " is out of range",
+        refuse(node.location, key.path, core::one_line(core::tidy_quantity(node.text)) + " is out of range",
                "it must be " + bounds_text(key));
 }
 
-/// Meshers and exact predicates stumble over lengths that nobody makes, or take for ever.
+/// Limits lengths to a plausible range, because meshers and exact predicates fail or take very long outside of it.
 void check_size(const Key& key, double length_m, const Node& node) {
-    constexpr double longest_m = 100.0, shortest_m = 1e-8;
+    constexpr double max_length_m = 100.0, min_length_m = 1e-8;
     const double size_m = std::abs(length_m);
-    if (size_m > longest_m || (size_m > 0 && size_m < shortest_m))
-        refuse(node.place, key.path,
-               core::one_line(core::tidy_quantity(node.text)) + " is " + (size_m > longest_m ? "longer" : "shorter") +
-                   " than anything that is moulded",
-               "10 nm to 100 m; is the unit right?");
+    if (size_m > max_length_m || (size_m > 0 && size_m < min_length_m))
+        refuse(node.location, key.path,
+               core::one_line(core::tidy_quantity(node.text)) + " is " +
+                   (size_m > max_length_m ? "longer" : "shorter") + " than any length of an actuator",
+               "use 10 nm to 100 m; is the unit right?");
 }
 
 bool is_word(const Key& key, std::string_view text) {
@@ -82,28 +82,30 @@ bool is_word(const Key& key, std::string_view text) {
 
 void check_flag(const Key& key, Item& item, const Node& node) {
     if (node.text != "true" && node.text != "false")
-        refuse(node.place, key.path, core::quoted(node.text) + " is neither true nor false", "write true or false");
+        refuse(node.location, key.path, core::quoted(node.text) + " is neither true nor false", "write true or false");
     item.entry.number = node.text == "true" ? 1 : 0;
 }
 
 void check_choice(const Key& key, const Node& node) {
     if (!is_word(key, node.text))
-        refuse(node.place, key.path, core::quoted(node.text) + " is not a choice here",
+        refuse(node.location, key.path, core::quoted(node.text) + " is not a valid value",
                core::did_you_mean(node.text, key.choices));
 }
 
 void check_text(const Key& key, const Node& node) {
-    constexpr std::size_t longest_line = 200, longest_table = std::size_t{1} << 17;
-    const bool several_lines = key.most > 1 && node.text.find('\n') != std::string::npos;
-    const std::size_t longest = several_lines ? longest_table : longest_line;
+    constexpr std::size_t max_line_bytes = 200, max_text_bytes = std::size_t{1} << 17;
+    const bool several_lines = key.max_count > 1 && node.text.find('\n') != std::string::npos;
+    const std::size_t max_bytes = several_lines ? max_text_bytes : max_line_bytes;
     const bool control = std::any_of(node.text.begin(), node.text.end(), [&](char c) {
         const bool layout = several_lines && (c == '\n' || c == '\r' || c == '\t');
         return !layout && (static_cast<unsigned char>(c) < 0x20 || c == 0x7F);
     });
     if (core::trimmed(node.text).empty())
-        refuse(node.place, key.path, "the text is empty", "leave the key out for its default");
-    if (control) refuse(node.place, key.path, "a line break or control character in a text", "write one line");
-    if (node.text.size() > longest) refuse(node.place, key.path, "longer than " + std::to_string(longest) + " bytes");
+        refuse(node.location, key.path, "the text is empty", "leave the key out for its default");
+    if (control)
+        refuse(node.location, key.path, "the text contains a line break or a control character", "write one line");
+    if (node.text.size() > max_bytes)
+        refuse(node.location, key.path, "the text is longer than " + std::to_string(max_bytes) + " bytes");
 }
 
 void check_number(const Key& key, Item& item, const Node& node) {
@@ -122,16 +124,16 @@ void check_number(const Key& key, Item& item, const Node& node) {
     item.entry.numbers = {item.entry.number};
 }
 
-/// Each value as a single one; the first is the item's number.
+/// Checks each value of a list like a single value. Entry::number is the first one.
 void check_list(const Key& key, Item& item, const Node& node) {
-    if (node.items.empty()) refuse(node.place, key.path, "the list is empty", "write " + range_text(key));
-    if (node.items.size() > static_cast<std::size_t>(key.most))
-        refuse(node.place, key.path, std::to_string(node.items.size()) + " values are too many",
-               "at most " + std::to_string(key.most));
+    if (node.items.empty()) refuse(node.location, key.path, "the list is empty", "write " + range_text(key));
+    if (node.items.size() > static_cast<std::size_t>(key.max_count))
+        refuse(node.location, key.path, std::to_string(node.items.size()) + " values are too many",
+               "write at most " + std::to_string(key.max_count));
     std::vector<double> numbers;
     for (const Node& value : node.items) {
         if (value.kind != Node::Kind::scalar)
-            refuse(value.place, key.path, "a list of single values is needed here", "write " + range_text(key));
+            refuse(value.location, key.path, "a list of single values is needed here", "write " + range_text(key));
         check_number(key, item, value);
         numbers.push_back(item.entry.number);
         item.list.push_back(item.entry.text);
@@ -143,14 +145,14 @@ void check_list(const Key& key, Item& item, const Node& node) {
 
 void add_face(const Key& key, Item& item, const Node& node, const FaceNames& names) {
     if (node.kind != Node::Kind::scalar)
-        refuse(node.place, key.path, "a face is a single name", "write one name or [name, name]");
+        refuse(node.location, key.path, "a face is a single name", "write one name or [name, name]");
     const std::string face = resolve_face(names, node.text);
     if (face.empty())
-        refuse(node.place, key.path, "no face is called " + core::quoted(node.text),
+        refuse(node.location, key.path, "no face is called " + core::quoted(node.text),
                core::did_you_mean(node.text, all_names(names)));
     const bool twice = std::any_of(item.list.begin(), item.list.end(),
                                    [&](const std::string& other) { return resolve_face(names, other) == face; });
-    if (twice) refuse(node.place, key.path, "face " + core::quoted(face) + " is named twice");
+    if (twice) refuse(node.location, key.path, "face " + core::quoted(face) + " is named twice");
     item.list.push_back(node.text);
 }
 
@@ -169,7 +171,7 @@ std::vector<std::string> all_names(const FaceNames& names) {
 }
 
 Item check_value(const Key& key, const Node& node, const FaceNames& names) {
-    Item item{key, {.text = node.text, .place = node.place, .given = node.place != place_default}, {}};
+    Item item{key, {.text = node.text, .location = node.location, .given = node.location != default_location}, {}};
     if (key.kind == Kind::faces) {
         if (node.kind == Node::Kind::scalar && is_word(key, node.text)) return item;
         if (node.kind == Node::Kind::list)
@@ -177,19 +179,19 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
         else
             add_face(key, item, node, names);
         if (item.list.empty())
-            refuse(node.place, key.path, "the list of faces is empty", "name a face or leave the key out");
+            refuse(node.location, key.path, "the list of faces is empty", "name a face or leave the key out");
         item.entry.text = core::join(item.list);
         return item;
     }
     if (node.kind == Node::Kind::empty)
-        refuse(node.place, key.path, "has no value",
+        refuse(node.location, key.path, "has no value",
                "write " + range_text(key) + ", or leave the key out for its default");
-    if (key.most > 1 && node.kind == Node::Kind::list) {
+    if (key.max_count > 1 && node.kind == Node::Kind::list) {
         check_list(key, item, node);
         return item;
     }
     if (node.kind != Node::Kind::scalar)
-        refuse(node.place, key.path, "a single value is needed here", "write " + range_text(key));
+        refuse(node.location, key.path, "a single value is needed here", "write " + range_text(key));
     switch (key.kind) {
         case Kind::flag: check_flag(key, item, node); break;
         case Kind::choice: check_choice(key, node); break;
@@ -219,7 +221,7 @@ Item check_value(const Key& key, const Node& node, const FaceNames& names) {
 std::string range_text(const Key& key) {
     switch (key.kind) {
         case Kind::flag: return "true | false";
-        case Kind::text: return key.most > 1 ? "the name of a file, or its lines" : "one line of text";
+        case Kind::text: return key.max_count > 1 ? "the name of a file, or its lines" : "one line of text";
         case Kind::choice: return core::join(key.choices, " | ");
         case Kind::faces:
             return "a face or [face, face]" + (key.choices.empty() ? "" : " | " + core::join(key.choices, " | "));
@@ -230,7 +232,7 @@ std::string range_text(const Key& key) {
     const auto dimension = dimension_of(key.kind);
     const std::string noun{dimension ? core::name(*dimension) : "whole number"};
     text = text.empty() ? "any " + noun : noun + " " + text;
-    if (key.most > 1) text += ", or a list of up to " + std::to_string(key.most);
+    if (key.max_count > 1) text += ", or a list of up to " + std::to_string(key.max_count);
     for (const std::string& word : key.choices) text += " | " + word;
     return text;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// One value against its Key: parsing, units, range, choices, faces. Private to the module. Tested by design/read_test.
+/// Checks one value against its Key: syntax, unit, range, choices, faces. Private to the module. Tested by design/read_test.
 #include <map>
 #include <string>
 #include <string_view>
@@ -11,32 +11,33 @@
 
 namespace soft::design {
 
-/// A checked value with its key (concrete path). `list` holds the names for Kind::faces and the values of a list, as written.
+/// A checked value with its key (concrete path). `list` contains the names for Kind::faces and the values of a list, as written.
 struct Item {
     Key key;
     Values::Entry entry;
     std::vector<std::string> list;
 };
 
-/// Faces a value may name, and other names for them.
+/// The faces that a value may name, and their aliases.
 struct FaceNames {
     std::vector<std::string> faces;
     std::map<std::string, std::string> aliases;
-    std::vector<std::string> cavities = {};  ///< those of which the wall, a face of the same name, is there
+    std::vector<std::string> cavities = {};  ///< cavities whose wall, the face of the same name, exists
 };
 
-/// What a Kind::faces value may say instead of a face, where its key lists it as a choice.
+/// Value of a Kind::faces key instead of a face, if the key lists it as a choice.
 inline constexpr std::string_view no_face = "none";
 
-/// The face itself for a face or one of its other names; empty for anything else.
+/// The face for its name or one of its aliases; empty for anything else.
 [[nodiscard]] std::string resolve_face(const FaceNames& names, std::string_view face);
-/// Faces first, then other names: what "did you mean" searches.
+/// All faces, then all aliases: the candidates for "did you mean".
 [[nodiscard]] std::vector<std::string> all_names(const FaceNames& names);
 
-/// Throws Error(bad_input) with the place of `node`.
+/// Parses and checks a value. Throws Error(bad_input) with the location of `node`.
 [[nodiscard]] Item check_value(const Key& key, const Node& node, const FaceNames& names);
 
-/// "more than 0, at most 10 mm", "mixed | displacement", "any pressure": for --explain, --template and errors.
+/// The allowed values of a key: "more than 0, at most 10 mm", "mixed | displacement", "any pressure". Used by --explain, --template
+/// and errors.
 [[nodiscard]] std::string range_text(const Key& key);
 
 }  // namespace soft::design

@@ -12,7 +12,7 @@ using CheckedItems = std::map<std::string, Item>;
 
 std::string child(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
 
-/// Names that may stand directly below `path`, in schema order.
+/// Names that are allowed directly below `path`, in schema order.
 std::vector<std::string> known_below(const Schema& schema, const std::string& path) {
     const std::string prefix = path.empty() ? "" : path + ".";
     std::vector<std::string> names;
@@ -42,13 +42,14 @@ void check_group(const Schema& schema, const Node& node, const std::string& path
     const std::vector<std::string> known = known_below(schema, path);
     if (node.kind == Node::Kind::empty) return;  // "solver:" with nothing below it
     if (node.kind != Node::Kind::map)
-        refuse(node.place, path, "a group of keys is needed here",
+        refuse(node.location, path, "a group of keys is needed here",
                path.empty()    ? "write family: ..., material: ..."
                : known.empty() ? "write {name: {...}}"
                                : "write {key: value}; known: " + core::join(known));
     for (const Member& member : node.members) {
         if (member.key.find('.') != std::string::npos)
-            refuse(member.place, child(path, member.key), "a dot in a key", "write nested groups; dots are for --set");
+            refuse(member.location, child(path, member.key), "a key contains a dot",
+                   "write nested groups; dots are for --set");
         const std::string below = child(path, member.key);
         const auto key =
             std::find_if(schema.keys.begin(), schema.keys.end(), [&](const Key& k) { return k.path == below; });
@@ -57,19 +58,19 @@ void check_group(const Schema& schema, const Node& node, const std::string& path
         else if (is_group(schema, below))
             check_group(schema, member.value, below, checked);
         else
-            refuse(member.place, below, "unknown key", core::did_you_mean(member.key, known));
+            refuse(member.location, below, "unknown key", core::did_you_mean(member.key, known));
     }
 }
 
-/// The key that encloses `path` and is there, else the top of the document.
-std::string place_for_missing(const Node& root, std::string path, std::string_view source) {
+/// Location of the innermost existing key that encloses `path`; otherwise the top of the document.
+std::string location_for_missing(const Node& root, std::string path, std::string_view source) {
     const Node* node = &root;
-    std::string place = std::string{source} + ":1:1";
+    std::string location = std::string{source} + ":1:1";
     while (true) {
         const auto dot = path.find('.');
         const Member* member = dot == std::string::npos ? nullptr : find_member(*node, path.substr(0, dot));
-        if (member == nullptr || member->place == place_default) return place;
-        place = member->place;
+        if (member == nullptr || member->location == default_location) return location;
+        location = member->location;
         node = &member->value;
         path.erase(0, dot + 1);
     }
@@ -90,12 +91,12 @@ std::vector<Item> collect(const Node& root, const Schema& schema, std::string_vi
         if (key.fallback.empty()) {
             const auto example = examples.find(key.path);
             const std::string name = key.path.substr(key.path.rfind('.') + 1);
-            refuse(place_for_missing(root, key.path, source), key.path, "missing (" + key.meaning + ")",
+            refuse(location_for_missing(root, key.path, source), key.path, "missing (" + key.meaning + ")",
                    "add " + name + ": " + (example == examples.end() ? range_text(key) : example->second));
         }
-        const bool list = key.most > 1 && key.fallback.starts_with('[');
+        const bool list = key.max_count > 1 && key.fallback.starts_with('[');
         const Node fallback =
-            list ? parse_fragment(key.fallback, place_default) : scalar_node(key.fallback, place_default);
+            list ? parse_fragment(key.fallback, default_location) : scalar_node(key.fallback, default_location);
         items.push_back(check_value(key, fallback, schema.faces));
     }
     return items;
@@ -110,11 +111,11 @@ Node tree_of(std::span<const Item> items) {
         put(root, path, std::move(empty));
     };
     for (const Item& item : items) {
-        Node value = scalar_node(item.entry.text, item.entry.place);
+        Node value = scalar_node(item.entry.text, item.entry.location);
         if (item.list.size() == 1) value.text = item.list.front();
         if (item.list.size() > 1) {
             value.kind = Node::Kind::list;
-            for (const std::string& name : item.list) value.items.push_back(scalar_node(name, item.entry.place));
+            for (const std::string& name : item.list) value.items.push_back(scalar_node(name, item.entry.location));
         }
         put(root, item.key.path, std::move(value));
     }

@@ -12,7 +12,7 @@ std::vector<std::string> directions() { return {"axis", "x", "y", "z", "r", "nor
 std::vector<Key> head_keys(const FamilyKeys& family) {
     return {{.path = "family",
              .kind = Kind::choice,
-             .meaning = "kind of actuator, see `mesh-gen --list`",
+             .meaning = "actuator family, see `mesh-gen --list`",
              .choices = {family.name}},
             {.path = "name",
              .kind = Kind::text,
@@ -38,7 +38,7 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
          .kind = Kind::choice,
          .fallback = "normal",
          .meaning =
-             "cells where mesh.size is auto: draft has half as many along every length, fine one and a half times as many",
+             "number of cells where mesh.size is auto: draft has half as many along every length, fine 1.5 times as many",
          .choices = {"draft", "normal", "fine"}},
         {.path = "mesh.formulation",
          .kind = Kind::choice,
@@ -62,7 +62,7 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
     keys.push_back({.path = "mesh.refine",
                     .kind = Kind::count,
                     .fallback = "0",
-                    .meaning = "how often every cell is halved in all directions",
+                    .meaning = "number of uniform refinements; each halves every cell in all directions",
                     .min = 0,
                     .max = 8});
     for (const Key& own : family.mesh) {
@@ -77,7 +77,10 @@ std::vector<Key> model_keys(const FamilyKeys& family) {
 }
 
 Key law_key() {
-    return {.path = "material.law", .kind = Kind::choice, .meaning = "law of the rubber", .choices = law_names()};
+    return {.path = "material.law",
+            .kind = Kind::choice,
+            .meaning = "constitutive law of the rubber",
+            .choices = law_names()};
 }
 
 Key kappa_key() {
@@ -100,8 +103,8 @@ Key volumetric_key() {
 }
 
 Key support_key(const std::string& component) {
-    const std::string what =
-        component == "fixed" ? "faces held in all components" : "faces held in component " + component;
+    const std::string what = component == "fixed" ? "faces fixed in all displacement components"
+                                                  : "faces fixed in displacement component " + component;
     return {.path = "supports." + component, .kind = Kind::faces, .meaning = what};
 }
 
@@ -115,7 +118,7 @@ Key output_point_key(const std::string& output) {
             .meaning =
                 "point of the undeformed part whose displacement is measured, in place of a face: [x, r] of a body of "
                 "revolution, [x, y] in plane strain, [x, y, z] of a solid",
-            .most = 3};
+            .max_count = 3};
 }
 
 namespace {
@@ -134,16 +137,16 @@ Key output_measure_key(const std::string& output) {
         .kind = Kind::choice,
         .fallback = "displacement",
         .meaning =
-            "mean displacement of the face; angle by which it bends away from another one; mean angle by which it turns "
-            "about an axis through the origin (twist), mean growth of its distance from one (radial); rotation vector; "
-            "curvature of the circle that fits it best; force or moment with which the body pushes on what holds it",
+            "mean displacement of the face; angle between its normal and that of a reference face (bend); mean rotation "
+            "about an axis through the origin (twist); mean increase of the distance from that axis (radial); rotation vector; "
+            "curvature of the best-fit circle; force or moment of the body on its support",
         .choices = measure_words()};
 }
 
 Key output_reference_key(const std::string& output) {
     return {.path = "outputs." + output + ".reference",
             .kind = Kind::faces,
-            .meaning = "face, mostly the held one, from whose normal the bend is measured"};
+            .meaning = "face from whose normal the bend is measured, usually the fixed one"};
 }
 
 Key output_along_key(const std::string& output, std::string fallback) {
@@ -152,21 +155,27 @@ Key output_along_key(const std::string& output, std::string fallback) {
         .kind = Kind::choice,
         .fallback = std::move(fallback),
         .meaning =
-            "direction of a displacement, force or rotation, else the axis; axis is positive when the actuator gets longer",
+            "direction of a displacement, force or rotation, otherwise the axis; axis is positive when the actuator gets longer",
         .choices = directions()};
 }
 
 Key until_key(const std::string& section, const std::string& quantity) {
     const std::string path = section + "." + quantity;
     if (quantity == "pressure")
-        return {.path = path, .kind = Kind::pressure, .meaning = "it ends at this pressure of the first load"};
+        return {.path = path,
+                .kind = Kind::pressure,
+                .meaning = "the path or stage ends at this pressure of the first load"};
     if (quantity == "volume_ratio")
         return {.path = path,
                 .kind = Kind::ratio,
-                .meaning = "it ends at this cavity volume over its undeformed value",
+                .meaning = "the path or stage ends at this ratio of cavity volume to undeformed volume",
                 .min = 0,
                 .min_open = true};
-    return {.path = path, .kind = Kind::count, .meaning = "it ends after this many steps", .min = 1, .max = 1e6};
+    return {.path = path,
+            .kind = Kind::count,
+            .meaning = "the path or stage ends after this many steps",
+            .min = 1,
+            .max = 1e6};
 }
 
 std::vector<Key> name_keys(const FamilyKeys& family) {
@@ -181,34 +190,37 @@ std::vector<Key> name_keys(const FamilyKeys& family) {
 }
 
 std::vector<Key> face_rule_keys() {
-    const auto place = [](const char* path, const char* meaning) {
-        return Key{.path = path, .kind = Kind::length, .meaning = meaning, .most = 3};
+    const auto point_key = [](const char* path, const char* meaning) {
+        return Key{.path = path, .kind = Kind::length, .meaning = meaning, .max_count = 3};
     };
     const auto plane = [](const char* path) {
         return Key{.path = path, .kind = Kind::length, .meaning = "the facets that lie in this plane"};
     };
-    return {plane("plane.x"),
-            plane("plane.y"),
-            plane("plane.z"),
-            place("box.from", "the facets within this box, x, y, z of its lowest corner"),
-            place("box.to", "x, y, z of the box's highest corner"),
-            {.path = "normal",
-             .kind = Kind::ratio,
-             .meaning = "the facets that look this way, x, y, z out of the rubber",
-             .most = 3},
-            {.path = "within",
-             .kind = Kind::angle,
-             .meaning = "how far their normals may be from it (10 deg unless said)",
-             .min = 0,
-             .max = 3.1415926535897932},
-            place("point", "what hangs together with the surface nearest to x, y, z, up to sharp edges (40 deg)"),
-            {.path = "up_to", .kind = Kind::faces, .meaning = "with point: across sharp edges too, up to these faces"}};
+    return {
+        plane("plane.x"),
+        plane("plane.y"),
+        plane("plane.z"),
+        point_key("box.from", "the facets within this box, x, y, z of its lowest corner"),
+        point_key("box.to", "x, y, z of the box's highest corner"),
+        {.path = "normal",
+         .kind = Kind::ratio,
+         .meaning = "the facets whose outward normal has this direction x, y, z",
+         .max_count = 3},
+        {.path = "within",
+         .kind = Kind::angle,
+         .meaning = "largest angle between these normals and that direction (default 10 deg)",
+         .min = 0,
+         .max = 3.1415926535897932},
+        point_key("point", "the facets connected to the surface point nearest to x, y, z, up to sharp edges (40 deg)"),
+        {.path = "up_to",
+         .kind = Kind::faces,
+         .meaning = "with point: continue across sharp edges, up to these faces"}};
 }
 
-bool is_own_name(std::string_view text) {
-    constexpr std::size_t longest = 40;
+bool is_valid_name(std::string_view text) {
+    constexpr std::size_t max_length = 40;
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-    return !text.empty() && is_letter(text.front()) && text.size() <= longest &&
+    return !text.empty() && is_letter(text.front()) && text.size() <= max_length &&
            std::ranges::all_of(text, [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; });
 }
 
@@ -227,21 +239,21 @@ const std::vector<SectionNote>& section_notes() {
         {"family", ""},
         {"name", ""},
         {"geometry", "dimensions of the undeformed actuator"},
-        {"material", "of the rubber"},
-        {"materials", "of other regions, by name: what material may be"},
+        {"material", "material of the rubber"},
+        {"materials", "materials of other regions by name, each with the keys of material"},
         {"model", ""},
         {"mesh", ""},
         {"names", "other names of faces"},
-        {"supports", "component: face or [face, face]; fixed holds all components, x, y, z or r one"},
+        {"supports", "component: face or [face, face]; fixed: all components; x, y, z or r: that component"},
         {"loads",
          "cavity (or cavities: name): {pressure | volume | volume_ratio | mass | valve: closed}, sealed, gas; a face: {pressure}, "
-         "{traction, along}, {force, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also time_function: {kind: ramp, rise | "
-         "step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
+         "{traction, along}, {force, along} or {displacement, along}; gravity: {acceleration, along}; with dynamics also "
+         "time_function: {kind: ramp, rise | step | sine, frequency | table, times, shares}, and of a cavity line: {resistance}"},
         {"path",
          "from the unloaded state to the full load, or through stages: {name: {loads, control, controlled, until}, ...}"},
         {"outputs", "name: {face or point, measure, along}; becomes a column of the curve"},
         {"dynamics", "motion in time from rest in the undeformed state; needs material.density"},
-        {"solver", "methods, tolerances and limits; the defaults are good"},
+        {"solver", "methods, tolerances and limits; the defaults suit most designs"},
     };
     return notes;
 }

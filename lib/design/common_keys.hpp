@@ -1,5 +1,5 @@
 #pragma once
-/// The keys every design shares, declared once (geometry.* comes from the family, constants from the law).
+/// The keys common to all designs (geometry.* comes from the family, material constants from the law).
 /// Private to the module.
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace soft::design {
 
 [[nodiscard]] std::vector<Key> head_keys(const FamilyKeys& family);   ///< family, name
-[[nodiscard]] std::vector<Key> model_keys(const FamilyKeys& family);  ///< model, mesh.* with the family's own defaults
+[[nodiscard]] std::vector<Key> model_keys(const FamilyKeys& family);  ///< model, mesh.* with the defaults of the family
 
 [[nodiscard]] Key law_key();
 [[nodiscard]] Key kappa_key();
@@ -21,24 +21,24 @@ namespace soft::design {
 [[nodiscard]] Key output_measure_key(const std::string& output);
 [[nodiscard]] Key output_reference_key(const std::string& output);
 [[nodiscard]] Key output_along_key(const std::string& output, std::string fallback);
-/// An end that is no output; `section` is "path.until" or that of a stage.
+/// Key of an end criterion other than an output; `section` is "path.until" or the `until` of a stage.
 [[nodiscard]] Key until_key(const std::string& section, const std::string& quantity);
-/// names.<other name>: face; one word, so that solve knows the other names too.
+/// Keys names.<alias> with the face as the only choice. They are stored in the effective design, so that solve knows the aliases.
 [[nodiscard]] std::vector<Key> name_keys(const FamilyKeys& family);
 
 [[nodiscard]] std::vector<std::string> directions();  ///< axis, x, y, z, r, normal
 
-/// Whether the user may call an output or a stage so.
-/// What a face below `geometry.faces` may be named by, without that path; all are optional.
+/// Keys of a face rule below `geometry.faces.<name>`, without that prefix; all are optional.
 [[nodiscard]] std::vector<Key> face_rule_keys();
 
-[[nodiscard]] bool is_own_name(std::string_view text);
-inline constexpr std::string_view own_name_remedy = "letters, digits and _, a letter first, at most 40";
+/// Whether `text` is a valid name of an output, a stage, a face or a cavity.
+[[nodiscard]] bool is_valid_name(std::string_view text);
+inline constexpr std::string_view valid_name_rule = "letters, digits and _, a letter first, at most 40";
 
 [[nodiscard]] const std::vector<std::string>& support_components();  ///< fixed, x, y, z, r
 [[nodiscard]] const std::vector<std::string>&
-until_quantities();  ///< pressure, volume_ratio, steps; besides the outputs
-/// Top-level keys in the order in which a design is written, and a sentence on the groups for templates.
+until_quantities();  ///< pressure, volume_ratio, steps; outputs are allowed as well
+/// Top-level keys in output order, each with a comment for templates.
 struct SectionNote {
     std::string name, note;
 };

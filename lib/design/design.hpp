@@ -1,5 +1,5 @@
 #pragma once
-/// A design read from YAML: checked against the schema, defaults filled in, overrides applied, everything SI.
+/// A design read from YAML: overrides applied, checked against the schema, defaults filled in, all quantities in SI units.
 #include <functional>
 #include <map>
 #include <optional>
@@ -14,26 +14,26 @@
 
 namespace soft::design {
 
-/// Checked values by key path. Getters throw std::logic_error for a path that the schema does not have (a bug).
+/// Checked values by key path. Getters throw std::logic_error for a path that is not in the schema (a bug).
 class Values {
 public:
     struct Entry {
-        double number = 0;                 ///< SI; counts and flags as numbers
+        double number = 0;                 ///< SI; counts and flags are stored as numbers
         std::string text;                  ///< as written (choice, text), unit included for quantities
-        std::string place;                 ///< "designs/tube.yaml:7:9", "--set", or "default"
-        bool given = false;                ///< written by the user rather than a default
-        std::vector<double> numbers = {};  ///< SI, all values of a list; of a single number that one
+        std::string location;              ///< "designs/tube.yaml:7:9", "--set", or "default"
+        bool given = false;                ///< written by the user, not a default
+        std::vector<double> numbers = {};  ///< SI; all values of a list, or the single number
     };
     [[nodiscard]] double number(std::string_view path) const;
     [[nodiscard]] const std::vector<double>& numbers(std::string_view path) const;
     [[nodiscard]] int count(std::string_view path) const;
     [[nodiscard]] const std::string& text(std::string_view path) const;
     [[nodiscard]] bool given(std::string_view path) const;
-    [[nodiscard]] const std::string& place(std::string_view path) const;
+    [[nodiscard]] const std::string& location(std::string_view path) const;
     [[nodiscard]] bool has(std::string_view path) const;
-    /// What stands directly below a group, by name: "left", "right" of "geometry.cavities".
+    /// Names directly below a group: "left", "right" for "geometry.cavities".
     [[nodiscard]] std::vector<std::string> names_below(std::string_view group) const;
-    /// Error (bad_input) "file:line:col: path: problem; remedy" for a check across keys, for the families to throw.
+    /// Error (bad_input) "file:line:col: path: problem; remedy" for checks that involve several keys; the caller throws it.
     [[nodiscard]] Error refuse(std::string_view path, std::string_view problem, std::string_view remedy = {}) const;
     void set(std::string path, Entry entry);
 
@@ -41,41 +41,41 @@ private:
     std::map<std::string, Entry, std::less<>> entries_;
 };
 
-/// Names in a file that a family takes its shape from.
+/// Face names in the file that defines the shape of a design.
 struct FileFaces {
     std::vector<std::string> faces;
-    std::vector<std::string> cavities = {};  ///< those faces that are walls of cavities of their own, besides "cavity"
+    std::vector<std::string> cavities = {};  ///< faces that are walls of separate cavities, in addition to "cavity"
 };
 
-/// What the parser must know of a family; the geometry room supplies one for each (geometry::catalogue()).
+/// Description of a family for the parser; the geometry module supplies one for each family (geometry::catalogue()).
 struct FamilyKeys {
     std::string name;
     std::string summary;                         ///< one line for --list
     std::vector<Key> geometry;                   ///< keys under "geometry."
     std::vector<std::string> models;             ///< allowed values of `model`, default first
-    std::vector<std::string> faces;              ///< named faces supports, loads and outputs may refer to
-    std::map<std::string, std::string> aliases;  ///< other names of faces, e.g. end_disc -> fixed
-    /// Names of its cavities, each that of its wall among `faces`; a cavity whose wall is no face is not there.
+    std::vector<std::string> faces;              ///< named faces that supports, loads and outputs may refer to
+    std::map<std::string, std::string> aliases;  ///< alias -> face, for example end_disc -> fixed
+    /// Names of the cavities. The wall of a cavity is the face of the same name; a cavity without that face does not exist.
     std::vector<std::string> cavities = {"cavity"};
-    std::string defaults;  ///< YAML of supports, loads, outputs where the design is silent
-    /// Materials that keys "geometry.<part>.material" may name without the design stating them: name -> YAML {law: ..., ...}.
+    std::string defaults;  ///< YAML of the default supports, loads and outputs
+    /// Built-in materials that keys "geometry.<part>.material" may name: name -> YAML {law: ..., ...}.
     std::map<std::string, std::string> materials = {};
-    std::vector<Key> mesh = {};  ///< own defaults for keys under "mesh." (override the common ones)
-    /// For a family whose shape stands in a file: the names of the faces in it, from what the first key of `geometry` says
-    /// and the place where it says so; throws Error. `faces` then are those of the template's file. Such a family has
-    /// mesh.size only among its own keys, and `geometry.cavity: [face, face]` adds the face and cavity "cavity", their union; `geometry.cavities:
-    /// {left: [face, face], ...}` adds several; `geometry.faces: {name: {...}}` names faces by where they are (face_rule_keys).
-    std::function<FileFaces(const std::string& file, std::string_view place)> faces_of_file = {};
-    /// Bodies of revolution are those of a family with the model axisymmetric: always; where this key of `geometry`, a length, is
-    /// not 0; of a file in that model alone.
+    std::vector<Key> mesh = {};  ///< keys under "mesh." with defaults of this family; they replace the common keys
+    /// Set for a family whose shape is defined by a file: returns the face names in that file, given the value of the first key of
+    /// `geometry` and its location; throws Error. `faces` are then those of the template's file. Such a family declares mesh.size
+    /// itself. `geometry.cavity: [face, face]` adds the union of these faces as the face and cavity "cavity"; `geometry.cavities:
+    /// {left: [face, face], ...}` adds several cavities; `geometry.faces: {name: {...}}` defines faces by position (face_rule_keys).
+    std::function<FileFaces(const std::string& file, std::string_view location)> faces_of_file = {};
+    /// A design is axisymmetric only if its family has the model axisymmetric. If faces_of_file is set, the design must select that
+    /// model. Otherwise it is axisymmetric if this key of `geometry`, a length, is not 0, or always if the key is empty.
     std::string revolution_key = {};
-    bool has_face_rules = false;  ///< of such a family: whether `geometry.faces` is a group of keys
+    bool has_face_rules = false;  ///< whether `geometry.faces` is a group of keys; only with faces_of_file
 };
 
 struct Override {
-    std::string path;        ///< "geometry.wall"
-    std::string value;       ///< "2.5mm"
-    std::string place = {};  ///< where it is written, for errors; empty: "--set geometry.wall"
+    std::string path;           ///< "geometry.wall"
+    std::string value;          ///< "2.5mm"
+    std::string location = {};  ///< location for errors; empty: "--set geometry.wall"
 };
 
 struct Design {
@@ -84,10 +84,10 @@ struct Design {
     Values values;             ///< geometry.*, mesh.*, model, ... (scalars)
     model::Material material;  ///< region name "rubber"
     std::map<std::string, model::Material, std::less<>>
-        materials;                         ///< of other regions, by their names below `materials`
+        materials;                         ///< materials of other regions, by their names below `materials`
     std::vector<model::Support> supports;  ///< by face name (aliases resolved); symmetry planes not included
     std::vector<model::PressureLoad> loads;
-    /// Dead traction [Pa] on a face, or the force [N] on the whole face of the whole actuator; along: axis | x | y | z | r | normal
+    /// Dead traction [Pa] on a face, or dead force [N] on the whole face of the whole actuator; along: axis | x | y | z | r | normal
     enum class Spread { per_area, whole_face };
     struct TractionRequest {
         std::string face;
@@ -97,7 +97,7 @@ struct Design {
         Spread spread = Spread::per_area;
     };
     std::vector<TractionRequest> tractions;
-    /// along: axis | x | y | z, or one of these with a minus before it
+    /// along: axis | x | y | z, optionally with a leading minus
     struct BodyForceRequest {
         std::string name;
         double acceleration_m_s2;
@@ -105,66 +105,66 @@ struct Design {
         model::TimeFunction time_function = {};
     };
     std::vector<BodyForceRequest> body_forces;
-    /// A component of a face's displacement, along: axis | x | y | z | r | normal
+    /// Prescribed displacement component of a face; along: axis | x | y | z | r | normal
     struct MotionRequest {
         std::string face;
         double displacement_m;
         std::string along;
     };
     std::vector<MotionRequest> motions;
-    /// along: axis | x | y | z | r | normal; `reference` of a bend alone
+    /// along: axis | x | y | z | r | normal; `reference` is used by a bend only
     struct OutputRequest {
         std::string name;
         std::string face;
         std::string along;
         model::Measure measure = model::Measure::displacement;
         std::string reference = {};
-        std::vector<double> point_m = {};  ///< in place of the face: coordinates of the model, two or three
+        std::vector<double> point_m = {};  ///< two or three model coordinates; replaces the face
     };
     std::vector<OutputRequest> outputs;
     model::PathSettings path;
     model::SolverSettings solver;
     std::optional<model::Dynamics> dynamics;  ///< nullopt: a static path
-    std::string effective_yaml;               ///< canonical, defaults and overrides in place; reads back the same
-    std::vector<std::string> warnings;        ///< plausibility, one line each
+    std::string effective_yaml;  ///< canonical YAML with defaults and overrides; reading it gives the same design
+    std::vector<std::string> warnings;  ///< plausibility warnings, one line each
 };
 
-/// The warning for first-order triangles and tetrahedra, with the measured factor; for meshes that come from a file, of
-/// which a design alone does not know the cells.
-[[nodiscard]] std::string first_order_simplices_lock();
+/// Locking warning for first-order triangles and tetrahedra, with the measured factor. Public for meshes that are read from a file,
+/// whose cell types the design does not contain.
+[[nodiscard]] std::string first_order_simplex_warning();
 
 /// Reads `text`; `source` names it in errors ("designs/tube.yaml" or "<stdin>").
 /// Throws Error(bad_input) with "file:line:col: key: problem; remedy".
 [[nodiscard]] Design read_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
                                  std::span<const Override> overrides);
 
-/// The name of the main material where a key asks for one by name.
+/// Name of the main material in keys that refer to a material by name.
 inline constexpr std::string_view main_region = "rubber";
 
-/// Applies overrides to the keys solve may still change (material, materials, loads, path, dynamics, solver) of a case's effective design
-/// and returns the changed parts; geometry, mesh, model, supports, outputs and family are refused with the reason.
-/// Loads may change in size and kind, but stay on the faces and cavities that the case loads, whatever these are called.
-/// What has a direction keeps the one the mesh gave it: the changed load is `factor` times the case's.
+/// A load with a direction, which is fixed when the mesh is generated: the changed load is `factor` times the load of the case.
 struct ScaledLoad {
-    std::size_t index;  ///< into the case's list; one that is not listed is taken away
+    std::size_t index;  ///< into the list of the case; loads that are not listed are removed
     double factor;
-    model::TimeFunction time_function = {};  ///< in place of the case's
+    model::TimeFunction time_function = {};  ///< replaces that of the case
 };
 struct SolveChanges {
     model::Material material;
     std::map<std::string, model::Material, std::less<>> materials;
     std::vector<model::PressureLoad> loads;
-    std::vector<ScaledLoad> tractions, body_forces, motions;  ///< of Case::tractions, body_forces, motions
+    std::vector<ScaledLoad> tractions, body_forces, motions;  ///< refer to Case::tractions, body_forces, motions
     model::PathSettings path;
     model::SolverSettings solver;
     std::optional<model::Dynamics> dynamics;
     std::string effective_yaml;
 };
+/// Applies overrides to the effective design of a case and returns the changed parts. Only material, materials, loads, path, dynamics
+/// and solver may change; overrides of geometry, mesh, model, supports, outputs and family are rejected with the reason. Loads may
+/// change in magnitude and kind but stay on the faces and cavities that the case loads; any alias may be used.
 [[nodiscard]] SolveChanges apply_overrides(std::string_view effective_yaml, std::span<const Override> overrides);
 
-/// The file that a value at `place` names: one in a file is meant from that file's folder, one on the command line or stdin
-/// from the working directory.
-[[nodiscard]] std::string file_from(std::string_view place, const std::string& file);
+/// Resolves a file name that is written at `location`: relative to the folder of the design file, or to the working directory for
+/// the command line and stdin.
+[[nodiscard]] std::string file_from(std::string_view location, const std::string& file);
 
 /// "a.b=value" -> Override; Error(usage) otherwise. `load.` is short for `loads.cavity.`.
 [[nodiscard]] Override parse_override(std::string_view argument);
@@ -172,8 +172,8 @@ struct SolveChanges {
 /// A commented, runnable design of the family: every key with its default, range and meaning.
 [[nodiscard]] std::string template_yaml(const FamilyKeys& family);
 
-/// The effective design, each key with a comment: where it was given or that it is a default, and what it means.
-/// A design itself. Errors as read_design.
+/// The effective design with a comment on each key: the location where it was given or "default", and its meaning.
+/// The text is itself a valid design. Errors as read_design.
 [[nodiscard]] std::string explain_design(std::string_view text, std::string_view source,
                                          std::span<const FamilyKeys> families, std::span<const Override> overrides);
 

@@ -35,9 +35,9 @@ Key time_key(std::string path, std::string word, std::string meaning) {
 
 void check_unused(const Values& values) {
     for (const Key& key : dynamics_keys())
-        // The default itself may stand there: it does in every effective design.
+        // The default value is accepted, because every effective design contains it.
         if (key.path != duration_path && values.text(key.path) != key.fallback)
-            throw values.refuse(key.path, "without a duration nothing moves in time",
+            throw values.refuse(key.path, "unused without a duration",
                                 "add dynamics: {duration: 1 s}, or leave it out");
 }
 
@@ -46,26 +46,26 @@ void check_path_keys(const DynamicParts& parts, const Values& values) {
     for (const Item& item : parts.items) {
         const std::string& path = item.key.path;
         if (path.starts_with("path.stages."))
-            throw values.refuse(path, "a path in time has no stages",
+            throw values.refuse(path, "a dynamic path has no stages",
                                 "give the load a time_function, or leave out dynamics.duration");
         if (path.starts_with("path.until.") && path != "path.until.steps")
-            throw values.refuse(path, "a path in time ends after its duration, or after steps", remedy);
+            throw values.refuse(path, "a dynamic path ends after its duration, or after steps", remedy);
     }
     for (const char* path : {"path.control", "path.controlled"})
         if (values.text(path) != (std::string_view{path} == "path.control" ? "auto" : "first"))
-            throw values.refuse(path, "in time nothing but time itself is controlled", remedy);
+            throw values.refuse(path, "a dynamic path has no control", remedy);
     if (values.text("path.branch") == "follow")
-        throw values.refuse("path.branch", "a path in time has no branches: inertia decides where it goes", remedy);
+        throw values.refuse("path.branch", "a dynamic path has no branches: inertia determines the motion", remedy);
 }
 
 void check_loads(const DynamicParts& parts, const Values& values) {
     for (const LoadEntry& load : parts.loads) {
         if (load.kind == LoadKind::motion)
-            throw values.refuse(load.value, "a prescribed displacement cannot move in time in this version",
+            throw values.refuse(load.value, "a prescribed displacement is not supported in a dynamic analysis",
                                 "load the face by a pressure or a traction");
         if (load.kind == LoadKind::gas && load.what != model::Prescription::pressure)
             throw values.refuse(
-                load.value, "a path in time takes a pressure as its supply",
+                load.value, "a dynamic path takes a pressure as its supply",
                 "write pressure; with line: {resistance: 1e8 Pa.s/m^3} the cavity fills through a tube");
     }
 }
@@ -76,8 +76,8 @@ void check_integrator(const model::Dynamics& dynamics, std::string_view formulat
             integrator_path, "an explicit integrator has no equation for the pressure unknowns of mixed cells",
             "mesh: {formulation: displacement} or f-bar with a finite kappa, or an implicit integrator");
     if (dynamics.integrator == Integrator::hht && dynamics.spectral_radius < min_hht_radius)
-        throw values.refuse(radius_path, "hht is stable from " + core::rounded_text(min_hht_radius, 2) + " on only",
-                            "a larger radius, or integrator: generalized-alpha");
+        throw values.refuse(radius_path, "hht is unstable below " + core::rounded_text(min_hht_radius, 2),
+                            "use a larger radius, or integrator: generalized-alpha");
 }
 
 }  // namespace
@@ -85,14 +85,14 @@ void check_integrator(const model::Dynamics& dynamics, std::string_view formulat
 std::vector<Key> dynamics_keys() {
     const model::Dynamics defaults;
     std::vector<Key> keys = {
-        time_key(duration_path, "none", "how long the motion is followed from rest; none: a static path"),
+        time_key(duration_path, "none", "simulated time, starting from rest; none: a static path"),
         {.path = integrator_path,
          .kind = Kind::choice,
          .fallback = word_for(integrator_words, defaults.integrator),
-         .meaning = "how time is stepped; heun, explicit-euler and central-difference are explicit",
+         .meaning = "time integration scheme; heun, explicit-euler and central-difference are explicit",
          .choices = words_of(integrator_words)},
         time_key("dynamics.step", "auto",
-                 "length of the steps; auto: by accuracy, of an explicit integrator its stable step")};
+                 "time step; auto: from accuracy, or the stable step of an explicit integrator")};
     const auto ratio = [&](const char* path, double fallback, const char* meaning) {
         keys.push_back({.path = path,
                         .kind = Kind::ratio,
@@ -102,27 +102,25 @@ std::vector<Key> dynamics_keys() {
                         .max = 1});
     };
     ratio("dynamics.accuracy", defaults.accuracy,
-          "wanted error of a step over the size of the motion, where step is auto");
+          "target error of a step relative to the size of the motion, where step is auto");
     keys.back().min_open = true;
     ratio(radius_path, defaults.spectral_radius,
-          "what generalized-alpha and hht leave of motions too fast for the step, each step: 1 damps nothing");
+          "spectral radius of generalized-alpha and hht at infinite frequency; 1: no numerical damping");
     keys.push_back({.path = "dynamics.mass_damping",
                     .kind = Kind::rate,
                     .fallback = core::number_text(defaults.mass_damping_1_s) + " 1/s",
-                    .meaning = "Rayleigh damping: a force of this times mass times velocity",
+                    .meaning = "Rayleigh damping: coefficient of the mass matrix",
                     .min = 0});
-    keys.push_back(
-        {.path = "dynamics.stiffness_damping",
-         .kind = Kind::time,
-         .fallback = core::number_text(defaults.stiffness_damping_s) + " s",
-         .meaning =
-             "Rayleigh damping: a force of this times the undeformed stiffness times velocity; mixed cells: of the "
-             "stiffness against changes of shape",
-         .min = 0});
+    keys.push_back({.path = "dynamics.stiffness_damping",
+                    .kind = Kind::time,
+                    .fallback = core::number_text(defaults.stiffness_damping_s) + " s",
+                    .meaning = "Rayleigh damping: coefficient of the undeformed stiffness matrix; mixed cells: of the "
+                               "stiffness against changes of shape only",
+                    .min = 0});
     keys.push_back({.path = "dynamics.rows",
                     .kind = Kind::count,
                     .fallback = std::to_string(defaults.rows),
-                    .meaning = "steps that are kept at most",
+                    .meaning = "maximum number of stored steps",
                     .min = 1,
                     .max = 1e6});
     return keys;
@@ -139,7 +137,7 @@ std::optional<model::Dynamics> dynamics_of(const DynamicParts& parts, const Valu
         return std::nullopt;
     }
     model::Dynamics dynamics;
-    dynamics.integrator = meant_by(integrator_words, values.text(integrator_path));
+    dynamics.integrator = value_of_word(integrator_words, values.text(integrator_path));
     dynamics.duration_s = values.number(duration_path);
     dynamics.step_s = values.number("dynamics.step");  // "auto" is 0
     dynamics.accuracy = values.number("dynamics.accuracy");
@@ -149,7 +147,7 @@ std::optional<model::Dynamics> dynamics_of(const DynamicParts& parts, const Valu
     dynamics.rows = values.count("dynamics.rows");
     require_density(values, duration_path);
     if (dynamics.step_s > dynamics.duration_s)
-        throw values.refuse("dynamics.step", "a step longer than the duration", "a shorter step, or auto");
+        throw values.refuse("dynamics.step", "a step longer than the duration", "use a shorter step, or auto");
     check_path_keys(parts, values);
     check_loads(parts, values);
     check_integrator(dynamics, parts.formulation, values);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t note_column = 36;
 
-/// Canonical YAML with a note on every key and every section.
+/// Canonical YAML with a comment on every key and every section.
 std::string annotated(std::span<const Item> items, auto&& note_of) {
     Node root = tree_of(items);
     for (const Item& item : items) find_path(root, item.key.path)->note = note_of(item);
@@ -35,7 +35,7 @@ std::string face_list(const FamilyKeys& family) {
     return text;
 }
 
-/// What a template says of the default. Supports and outputs have none of their own but the family's.
+/// The default as shown in a template. Supports and outputs have no default of the key but one of the family.
 std::string default_text(const Item& item) {
     if (!item.key.fallback.empty()) return "default " + item.key.fallback;
     return item.entry.given ? "required" : "the family's default";
@@ -44,29 +44,29 @@ std::string default_text(const Item& item) {
 }  // namespace
 
 std::string example_design(const FamilyKeys& family) {
-    const material::LawInfo& law = *material::find_law("neo-hookean");  // the one that needs least
-    const Node defaults = parse_fragment(family.defaults, place_default);
+    const material::LawInfo& law = *material::find_law("neo-hookean");  // the law with the fewest parameters
+    const Node defaults = parse_fragment(family.defaults, default_location);
     Node root;
-    put(root, "family", scalar_node(family.name, place_default));
+    put(root, "family", scalar_node(family.name, default_location));
     if (family.faces_of_file)
         for (const char* section : {"geometry", "mesh", "supports", "outputs"})
             if (const Node* usual = find(defaults, section)) put(root, section, *usual);
-    put(root, "material.law", scalar_node(std::string{law.name}, place_default));
+    put(root, "material.law", scalar_node(std::string{law.name}, default_location));
     for (const material::Parameter& parameter : law.parameters)
-        put(root, parameter_key(parameter).path, scalar_node(std::string{parameter.example}, place_default));
+        put(root, parameter_key(parameter).path, scalar_node(std::string{parameter.example}, default_location));
     if (const Node* loads = find(defaults, "loads"); loads != nullptr && !loads->members.empty()) {
         put(root, "loads", *loads);
         return write_yaml(root);
     }
     const bool cavity = std::find(family.faces.begin(), family.faces.end(), cavity_name) != family.faces.end();
     const std::string target = cavity || family.faces.empty() ? std::string{cavity_name} : family.faces.back();
-    put(root, "loads." + target + ".pressure", scalar_node("30 kPa", place_default));
+    put(root, "loads." + target + ".pressure", scalar_node("30 kPa", default_location));
     return write_yaml(root);
 }
 
 std::string template_yaml(const FamilyKeys& family) {
     const std::string source = "template of " + family.name;
-    FamilyKeys known = family;  // a template is printed without looking for its file
+    FamilyKeys known = family;  // a template is printed without reading the file it names
     if (known.faces_of_file)
         known.faces_of_file = [&](const std::string&, std::string_view) { return FileFaces{family.faces}; };
     const Checked checked = check_design(parse_yaml(example_design(family), source), source, known);
@@ -86,7 +86,8 @@ std::string explain_design(std::string_view text, std::string_view source, std::
     const FamilyKeys& family = family_of(root, source, families);
     const Checked checked = check_design(std::move(root), source, family);
     return annotated(checked.items, [](const Item& item) {
-        return (item.entry.given ? "given at " + item.entry.place : std::string{"default"}) + "; " + item.key.meaning;
+        return (item.entry.given ? "given at " + item.entry.location : std::string{"default"}) + "; " +
+               item.key.meaning;
     });
 }
 

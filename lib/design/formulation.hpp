@@ -1,12 +1,13 @@
 #pragma once
-/// Which formulation goes with which order, cells and compressibility. Private to the module.
-/// Tested by design/formulation_test. What the cells of the finished mesh allow is checked in element/reference_cell (why_not).
+/// Checks that the formulation is compatible with order, cells and compressibility. Private to the module. Tested by
+/// design/formulation_test. element/reference_cell checks the formulation against the cell types of the mesh.
 #include "design/design.hpp"
 
 namespace soft::design {
 
-/// Error(bad_input) for: mixed of first order (no stable pair of displacement and pressure); f-bar of second order, on
-/// simplices or incompressible; displacement with an incompressible rubber. Each with a choice that works.
+/// Throws Error(bad_input) for: mixed with first-order cells (no inf-sup stable pair of displacement and pressure); f-bar with
+/// second-order cells, simplices or an incompressible material; displacement with an incompressible material. Each error names an
+/// alternative.
 void check_formulation(const Values& values);
 
 }  // namespace soft::design

@@ -9,16 +9,16 @@
 namespace soft::design {
 namespace {
 
-constexpr std::size_t widest_line = 120;
+constexpr std::size_t max_line_width = 120;
 
-/// Words of `text` in lines of at most `widest_line`, the first after `head`, the others under it.
+/// Wraps `text` at `max_line_width`; the first line starts with `head`, the others are indented by its width.
 std::string wrapped(std::string head, const std::string& text) {
     const std::size_t indent = head.size();
     std::string lines, line = std::move(head);
     std::istringstream words{text};
     bool first = true;
     for (std::string word; words >> word; first = false) {
-        if (!first && line.size() + 1 + word.size() > widest_line) {
+        if (!first && line.size() + 1 + word.size() > max_line_width) {
             lines.append(line).append("\n");
             line.assign(indent, ' ');
             first = true;
@@ -44,7 +44,7 @@ std::string range_of(const material::Parameter& parameter) {
     return text;
 }
 
-/// What every law takes besides its own parameters.
+/// The volumetric parameters of a law.
 std::string bulk_of(const material::LawInfo& law) {
     std::string text = law.bulk == material::Bulk::finite ? "kappa (required)" : "kappa or incompressible";
     if (law.takes_volumetric) text += ", volumetric";
@@ -79,7 +79,7 @@ std::string plain() {
     return text;
 }
 
-/// Markdown ends a cell at a bar.
+/// Escapes the bars of a Markdown table cell.
 std::string cell(const std::string& text) {
     std::string escaped;
     for (const char c : text) {

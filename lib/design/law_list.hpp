@@ -1,5 +1,5 @@
 #pragma once
-/// The table of the laws for people: `mesh-gen --list-materials` and the section of the README that a test holds to it.
+/// The table of constitutive laws for `mesh-gen --list-materials` and for the README section that a test compares with it.
 /// Tested by cli/material_list_test.
 #include <string>
 

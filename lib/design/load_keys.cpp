@@ -30,7 +30,7 @@ Key supply_key(const std::string& load, const SupplyWord& word, When when) {
         case Prescription::pressure:
             key.kind = Kind::pressure;
             key.meaning = "gauge pressure" + at(when) +
-                          "; positive pushes on the rubber and inflates a cavity; a cavity may "
+                          "; positive acts against the surface and inflates a cavity; a cavity may "
                           "have volume, volume_ratio, mass or valve instead";
             break;
         case Prescription::volume:
@@ -48,12 +48,12 @@ Key supply_key(const std::string& load, const SupplyWord& word, When when) {
             break;
         case Prescription::mass:
             key.kind = Kind::mass;
-            key.meaning =
-                "gas injected" + at(when) + ", counted since the path began, beyond what fills the undeformed cavity";
+            key.meaning = "mass of gas injected" + at(when) +
+                          " since the start of the path, in addition to the gas that fills the undeformed cavity";
             break;
         case Prescription::closed:
             key.kind = Kind::choice;
-            key.meaning = "closed: the gas that is there stays";
+            key.meaning = "closed: the mass of gas in the cavity stays constant";
             key.choices = {"closed"};
             break;
     }
@@ -75,18 +75,19 @@ Key sealed_key(const std::string& load, std::string fallback) {
 }
 
 Key plug_thrust_key(const std::string& load) {
-    return {.path = load + ".plug_thrust",
-            .kind = Kind::flag,
-            .fallback = "true",
-            .meaning =
-                "the plugs of a sealed cavity push on the actuator; false: a fixture or the supply line carries them"};
+    return {
+        .path = load + ".plug_thrust",
+        .kind = Kind::flag,
+        .fallback = "true",
+        .meaning =
+            "the plugs of a sealed cavity transmit their force to the actuator; false: a fixture or the supply line carries it"};
 }
 
 Key shape_key(const std::string& load) {
     return {.path = load + ".acts_on",
             .kind = Kind::choice,
             .fallback = "deformed",
-            .meaning = "shape of the body that the pressure pushes on; on the undeformed one it is a dead load",
+            .meaning = "configuration on which the pressure acts; undeformed makes it a dead load",
             .choices = {"deformed", "undeformed"}};
 }
 
@@ -97,27 +98,27 @@ std::vector<Key> gas_keys(const std::string& load) {
         {.path = path + "ambient",
          .kind = Kind::pressure,
          .fallback = si_text(gas.ambient_Pa, core::Dimension::pressure),
-         .meaning = "absolute pressure outside the body; the gas matters to mass, valve and line alone",
+         .meaning = "absolute ambient pressure; mass, valve and line alone use the gas properties",
          .min = 0,
          .min_open = true},
         {.path = path + "density",
          .kind = Kind::density,
          .fallback = si_text(gas.ambient_density_kg_m3, core::Dimension::density),
-         .meaning = "of the gas at ambient pressure; air at 20 degrees Celsius",
+         .meaning = "density of the gas at ambient pressure; default: air at 20 degrees Celsius",
          .min = 0,
          .min_open = true},
         {.path = path + "dead_volume",
          .kind = Kind::volume,
          .fallback = "0 mL",
-         .meaning = "of the tubing, filled by the same gas",
+         .meaning = "volume of the tubing, filled with the same gas",
          .min = 0},
         {.path = path + "process",
          .kind = Kind::choice,
          .fallback = "isothermal",
          .meaning =
-             "how the absolute pressure follows the density: in proportion (the gas keeps the temperature of its surroundings: "
-             "slow filling, also from a supply at that temperature), or to the power 1.4 (adiabatic: the gas that is "
-             "there, and what is injected, is compressed from the ambient state without exchange of heat: a closed "
+             "relation of absolute pressure and density: isothermal, proportional (the gas keeps the temperature of its surroundings: "
+             "slow filling, also from a supply at that temperature), or adiabatic, to the power 1.4 (the gas in the cavity "
+             "and the injected gas are compressed from the ambient state without heat exchange: a closed "
              "valve in a rapid motion)",
          .choices = {"isothermal", "adiabatic"}}};
 }
@@ -140,7 +141,8 @@ Key traction_along_key(const std::string& load) {
         .path = load + ".along",
         .kind = Kind::choice,
         .meaning =
-            "direction of a positive traction or force; normal points out of the undeformed face, axis makes longer",
+            "direction of a positive traction or force; normal points out of the undeformed face, axis is the direction in which the "
+            "actuator gets longer",
         .choices = directions()};
 }
 
@@ -154,7 +156,7 @@ Key gravity_along_key(const std::string& load, std::string fallback) {
     return {.path = load + ".along",
             .kind = Kind::choice,
             .fallback = std::move(fallback),
-            .meaning = "direction in which the weight pulls; axis is that which makes longer",
+            .meaning = "direction of gravity; axis is the direction in which the actuator gets longer",
             .choices = {"x", "y", "z", "axis", "-x", "-y", "-z", "-axis"}};
 }
 
@@ -165,10 +167,11 @@ Key displacement_key(const std::string& load, When when) {
 }
 
 Key motion_along_key(const std::string& load) {
-    return {.path = load + ".along",
-            .kind = Kind::choice,
-            .meaning = "component that moves; normal and axis where they point along one",
-            .choices = directions()};
+    return {
+        .path = load + ".along",
+        .kind = Kind::choice,
+        .meaning = "prescribed displacement component; normal or axis only where parallel to a coordinate direction",
+        .choices = directions()};
 }
 
 }  // namespace soft::design

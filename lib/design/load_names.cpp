@@ -13,7 +13,7 @@ bool is_cavity(const FaceNames& faces, std::string_view name) {
 }
 
 [[noreturn]] void refuse_short_form(const Member& member, const std::string& path, const FaceNames& faces) {
-    refuse(member.place, path, "the cavities are " + core::join(faces.cavities),
+    refuse(member.location, path, "the cavities are " + core::join(faces.cavities),
            "write cavities: {" + faces.cavities.front() + ": {...}}");
 }
 
@@ -25,7 +25,7 @@ std::vector<NamedLoad> named_loads(const Node& root, const std::string& section,
         const std::string path = section + "." + member.key, face = resolve_face(faces, member.key);
         const bool of_cavity = face.empty() && (member.key == cavities_group || member.key == cavity_name);
         if (of_cavity && faces.cavities.empty())
-            refuse(member.place, path, "there is no cavity to load", "faces: " + core::join(all_names(faces)));
+            refuse(member.location, path, "there is no cavity to load", "faces: " + core::join(all_names(faces)));
         if (member.key == cavities_group && face.empty()) {
             for (const Member& cavity : member.value.members)
                 if (const std::string name = resolve_face(faces, cavity.key); is_cavity(faces, name))

@@ -1,5 +1,5 @@
 #pragma once
-/// What the keys under `loads` mean: a cavity (`cavity` where there is one, else by name under `cavities`), gravity, or a
+/// Resolves the keys under `loads` to a cavity (`cavity` if there is only one, otherwise by name under `cavities`), gravity or a
 /// face. Private to the module. Tested by design/load_test, design/cavity_test.
 #include <span>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace soft::design {
 
-inline constexpr std::string_view cavity_name = "cavity";  ///< the short form for the one cavity of a family
+inline constexpr std::string_view cavity_name = "cavity";  ///< short form for a family with a single cavity
 inline constexpr std::string_view cavities_group = "cavities";
 inline constexpr std::string_view gravity_name = "gravity";
 
@@ -18,19 +18,19 @@ enum class LoadTarget { cavity, face, gravity };
 
 struct NamedLoad {
     std::string path;  ///< "loads.cavities.left"
-    std::string name;  ///< of the cavity, of the face itself, or "gravity"
+    std::string name;  ///< resolved name of the cavity or face, or "gravity"
     LoadTarget target;
     const Member* member;
 };
 
-/// Members of the group `section` of the tree, those of `cavities` among them; unknown names are left out. Refuses a cavity
-/// where there is none, and one among several that is not named under `cavities`.
+/// Loads in the group `section` of the tree, including those under `cavities`; unknown names are skipped. Rejects a cavity load if
+/// there is no cavity, and the short form if there are several.
 [[nodiscard]] std::vector<NamedLoad> named_loads(const Node& root, const std::string& section, const FaceNames& faces);
 
-/// The names that may stand there, for "did you mean".
+/// Adds the names that are allowed in `section`, for "did you mean".
 void add_load_names(Schema& schema, const std::string& section);
 
-/// Overrides under `loads`, each at the name of its face under which the tree has a load already.
+/// The overrides, with each face under `loads` replaced by the alias under which the tree already has a load.
 [[nodiscard]] std::vector<Override> in_names_of(const Node& root, std::span<const Override> overrides,
                                                 const FaceNames& faces);
 

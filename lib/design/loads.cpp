@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "core/text.hpp"
-#include "design/time_function_keys.hpp"
 #include "design/load_keys.hpp"
 #include "design/load_names.hpp"
 #include "design/materials.hpp"
+#include "design/time_function_keys.hpp"
 
 namespace soft::design {
 namespace {
@@ -22,11 +22,11 @@ using model::Prescription;
         : schema.faces.cavities.size() > 1 ? "cavities: {" + schema.faces.cavities.front() + ": {pressure: 30 kPa}}"
                                            : "face: {pressure: 30 kPa}";
     const Member* section = find_member(root, "loads");
-    refuse(section == nullptr ? std::string{source} + ":1:1" : section->place, "loads",
+    refuse(section == nullptr ? std::string{source} + ":1:1" : section->location, "loads",
            "missing (what drives the actuator)", "add loads: {" + example + "}");
 }
 
-/// Values of the family's loads are examples for the error that misses them.
+/// The values of the family's default loads, as examples for errors about missing values.
 void take_examples(const std::vector<Member>& members, const std::string& path, Examples& examples) {
     for (const Member& member : members) {
         const std::string below = path + "." + member.key;
@@ -35,13 +35,13 @@ void take_examples(const std::vector<Member>& members, const std::string& path, 
     }
 }
 
-/// The one key among `words` that says what kind of load it is; of two the second is refused.
+/// The single key among `words` that determines the kind of load; a second one is rejected.
 std::string_view only_one_of(const NamedLoad& load, std::span<const std::string> words) {
     std::string_view found;
     for (const Member& member : load.member->value.members) {
         if (std::ranges::find(words, member.key) == words.end()) continue;
         if (!found.empty())
-            refuse(member.place, load.path + "." + member.key, "the load has a " + std::string{found} + " already",
+            refuse(member.location, load.path + "." + member.key, "the load has a " + std::string{found} + " already",
                    "keep one of " + core::join(words) + "; --set takes a whole load too: " + load.path + "={" +
                        member.key + ": ...}");
         found = member.key;
@@ -53,7 +53,7 @@ void refuse_keys(const NamedLoad& load, std::span<const std::string> words, std:
                  std::string_view remedy) {
     for (const Member& member : load.member->value.members)
         if (std::ranges::find(words, member.key) != words.end())
-            refuse(member.place, load.path + "." + member.key, problem, remedy);
+            refuse(member.location, load.path + "." + member.key, problem, remedy);
 }
 
 std::vector<std::string> supply_names() {
@@ -68,7 +68,7 @@ const SupplyWord& supply_word(std::string_view name) {
 }
 
 LoadEntry entry_of(const NamedLoad& load, LoadKind kind, std::string_view value) {
-    return {load.path, load.member->place,     load.name,
+    return {load.path, load.member->location,  load.name,
             kind,      Prescription::pressure, load.path + "." + std::string{value}};
 }
 
@@ -106,10 +106,10 @@ LoadEntry add_gravity(Schema& schema, const NamedLoad& load) {
     return entry_of(load, LoadKind::gravity, "acceleration");
 }
 
-/// A traction that is stated as the force of the whole face.
+/// Whether a traction load is given as the total force on the face.
 bool is_force(const LoadEntry& load) { return load.value.ends_with(".force"); }
 
-/// A pressure, a traction, a force or a motion; each kind has keys that mean nothing for the others.
+/// Adds a pressure, a traction, a force or a prescribed displacement. Each kind has its own keys; keys of other kinds are rejected.
 LoadEntry add_face(Schema& schema, const NamedLoad& load) {
     refuse_keys(load, std::vector<std::string>{"volume", "volume_ratio", "mass", "valve", "shares", "gas", "line"},
                 "a face encloses no gas", "write pressure; only a cavity takes this");
@@ -189,7 +189,7 @@ void share_gas(const LoadEntry& entry, std::span<const LoadEntry> entries, Loads
     const std::string& other = values.text(entry.value);
     const std::string path = entry.value;
     if (other == entry.name)
-        throw values.refuse(path, "it would share its own gas",
+        throw values.refuse(path, "a cavity cannot share its own gas",
                             "name another cavity, or write pressure in place of shares");
     const auto owner = std::ranges::find(entries, other, &LoadEntry::name);
     if (owner == entries.end())
@@ -200,7 +200,7 @@ void share_gas(const LoadEntry& entry, std::span<const LoadEntry> entries, Loads
     std::ranges::find(loads.pressures, other, &model::PressureLoad::name)->targets.push_back(entry.name);
 }
 
-LoadSlot take(const LoadEntry& entry, double value, Loads& loads, const Values& values) {
+LoadSlot add_load(const LoadEntry& entry, double value, Loads& loads, const Values& values) {
     switch (entry.kind) {
         case LoadKind::gas:
         case LoadKind::face_pressure:
@@ -239,7 +239,8 @@ std::vector<LoadEntry> add_load_keys(Schema& schema, const Node& root, const Nod
     std::vector<LoadEntry> entries;
     for (const NamedLoad& load : named_loads(root, "loads", schema.faces)) {
         if (!schema.dynamic)
-            refuse_keys(load, std::vector<std::string>{"time_function", "line"}, "a static path does not go with time",
+            refuse_keys(load, std::vector<std::string>{"time_function", "line"},
+                        "a static path has no time function and no supply line",
                         "add dynamics: {duration: 1 s}, or leave it out");
         switch (load.target) {
             case LoadTarget::cavity: entries.push_back(add_cavity(schema, load, defaults)); break;
@@ -266,14 +267,15 @@ std::vector<StageLoad> add_stage_load_keys(Schema& schema, const Node& root, con
     for (const NamedLoad& load : named_loads(root, section, schema.faces)) {
         const auto own = std::ranges::find(loads, load.name, &LoadEntry::name);
         if (own == loads.end())
-            refuse(load.member->place, load.path, core::quoted(load.name) + " is none of the loads",
-                   "a stage changes what stands under loads: " + core::join(known));
+            refuse(load.member->location, load.path, core::quoted(load.name) + " is not one of the loads",
+                   "a stage can change these loads: " + core::join(known));
         const auto index = static_cast<std::size_t>(own - loads.begin());
         if (std::ranges::find(found, index, &StageLoad::index) != found.end())
-            refuse(load.member->place, load.path, core::quoted(load.name) + " stands there twice",
+            refuse(load.member->location, load.path, core::quoted(load.name) + " is written twice",
                    "keep one of its names");
         if (own->kind == LoadKind::shared_gas)
-            refuse(load.member->place, load.path, "its gas is that of another cavity", "change the load of that one");
+            refuse(load.member->location, load.path, "the cavity shares the gas of another cavity",
+                   "change the load of that cavity");
         const std::vector<std::string> words = supply_names();
         const std::string_view written = own->kind == LoadKind::gas ? only_one_of(load, words) : std::string_view{};
         const SupplyWord& word = supply_word(written);
@@ -287,7 +289,7 @@ std::vector<StageLoad> add_stage_load_keys(Schema& schema, const Node& root, con
 Loads loads_of(std::span<const LoadEntry> entries, const Values& values) {
     Loads loads;
     std::vector<std::string> loaded;
-    bool moves = false;
+    bool has_varying_load = false;
     for (const LoadEntry& entry : entries) {
         const bool sharing = entry.kind == LoadKind::shared_gas, closed = entry.what == Prescription::closed;
         const double value = sharing || closed ? 0 : values.number(entry.value);
@@ -296,13 +298,13 @@ Loads loads_of(std::span<const LoadEntry> entries, const Values& values) {
             throw values.refuse(entry.value, "face " + core::quoted(entry.name) + " is loaded twice",
                                 "keep one of its names");
         loaded.push_back(entry.name);
-        loads.slots.push_back(take(entry, value, loads, values));
-        moves = moves || !(sharing || closed);
+        loads.slots.push_back(add_load(entry, value, loads, values));
+        has_varying_load = has_varying_load || !(sharing || closed);
     }
     for (const LoadEntry& entry : entries)
         if (entry.kind == LoadKind::shared_gas) share_gas(entry, entries, loads, values);
-    if (!moves && !entries.empty())
-        throw values.refuse(entries.front().value, "with closed valves alone nothing changes", "add another load");
+    if (!has_varying_load && !entries.empty())
+        throw values.refuse(entries.front().value, "closed valves alone do not load the actuator", "add another load");
     return loads;
 }
 

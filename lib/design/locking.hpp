@@ -1,6 +1,6 @@
 #pragma once
-/// What is known of choices that lock: how much too stiff they are. Private to the module. The warnings of a design quote
-/// this table, nothing else does. Tested by design/plausibility_test.
+/// Measured stiffness error of cell choices that lock. Used only by the warnings of a design. Private to the module. Tested by
+/// design/plausibility_test.
 #include <array>
 #include <string_view>
 
@@ -10,10 +10,10 @@ enum class LockingChoice { first_order_simplices, first_order_displacement, seco
 
 struct LockingFactor {
     LockingChoice choice;
-    double stiffness;  ///< pressure over that of the converged curve at the same elongation
+    double stiffness;  ///< pressure divided by that of the converged curve at the same elongation
 };
 
-/// Where they were measured: tests/verification/README.md, 'Locking', elongation 20 mm, solids.
+/// Source of the factors: tests/verification/README.md, 'Locking', elongation 20 mm, solids.
 inline constexpr std::string_view locking_measured_on = "the bellows with one cell through the wall, kappa/mu = 100";
 inline constexpr std::array locking_factors{
     LockingFactor{LockingChoice::first_order_simplices, 3.6},
@@ -21,7 +21,7 @@ inline constexpr std::array locking_factors{
     LockingFactor{LockingChoice::second_order_displacement, 1.2},
 };
 
-/// Above this bulk over shear modulus displacements alone lock visibly.
+/// Above this ratio of bulk to shear modulus the displacement formulation locks visibly.
 inline constexpr double locking_bulk_ratio = 50.0;
 
 [[nodiscard]] constexpr double locking_factor(LockingChoice choice) {

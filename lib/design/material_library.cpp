@@ -12,10 +12,10 @@
 namespace soft::design {
 namespace {
 
-/// Its widest set is that of a name alone.
-constexpr std::string_view usual_law = "yeoh";
-/// Of the other laws, which fit a whole test badly: walls of soft actuators seldom pass a stretch of 4.
-constexpr std::string_view usual_strain = "300 %";
+/// The law of a name alone, with its widest set.
+constexpr std::string_view default_law = "yeoh";
+/// Default range of the other laws, which fit a whole test badly: walls of soft actuators rarely exceed a stretch of 4.
+constexpr std::string_view default_strain = "300 %";
 
 std::vector<std::string> names() {
     std::vector<std::string> list;
@@ -28,17 +28,17 @@ std::string text_of(const Node& map, std::string_view key) {
     return node == nullptr ? std::string{} : node->text;
 }
 
-double ratio_of(std::string_view text, std::string_view place) {
-    return core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::bad_input, place);
+double ratio_of(std::string_view text, std::string_view location) {
+    return core::quantity_or_throw(text, core::Dimension::ratio, ExitCode::bad_input, location);
 }
 
-/// Every place in it is that of the name: the user knows no other.
-void place_all(Node& node, const std::string& place) {
-    node.place = place;
-    for (Node& item : node.items) place_all(item, place);
+/// Sets all locations to that of the material name, the only one in the user's design.
+void set_location(Node& node, const std::string& location) {
+    node.location = location;
+    for (Node& item : node.items) set_location(item, location);
     for (Member& member : node.members) {
-        member.place = place;
-        place_all(member.value, place);
+        member.location = location;
+        set_location(member.value, location);
     }
 }
 
@@ -64,45 +64,46 @@ const MaterialSet* widest(const std::vector<MaterialSet>& sets, std::string_view
 
 double max_I1_of(const MaterialSet& set) {
     const Node& limit = *find_path(set.block, "fit.max_I1");
-    return ratio_of(limit.text, limit.place);
+    return ratio_of(limit.text, limit.location);
 }
 
-struct Wish {
+struct MaterialRequest {
     std::string section;  // "material", "materials.cap"
-    std::string name, place;
+    std::string name, location;
     std::optional<Node> law, strain;  // as written
 };
 
-const MaterialSet& chosen(const std::vector<MaterialSet>& sets, const Wish& wish) {
-    const std::string law = wish.law ? wish.law->text : std::string{usual_law};
+const MaterialSet& select_set(const std::vector<MaterialSet>& sets, const MaterialRequest& request) {
+    const std::string law = request.law ? request.law->text : std::string{default_law};
     const std::string ranges = ranges_of(sets, law);
     if (ranges.empty()) {
         std::vector<std::string> laws;
         for (const MaterialSet& set : sets)
             if (std::ranges::find(laws, set.law) == laws.end()) laws.push_back(set.law);
-        refuse(wish.law->place, wish.section + ".law", wish.name + " has no constants of " + core::quoted(law),
-               core::did_you_mean(law, laws));
+        refuse(request.law->location, request.section + ".law",
+               request.name + " has no constants of " + core::quoted(law), core::did_you_mean(law, laws));
     }
-    if (!wish.strain && law == usual_law) return *widest(sets, law);
-    const double strain = wish.strain ? ratio_of(wish.strain->text, wish.strain->place + ": " + wish.section + ".range")
-                                      : ratio_of(usual_strain, usual_strain);
+    if (!request.strain && law == default_law) return *widest(sets, law);
+    const double strain =
+        request.strain ? ratio_of(request.strain->text, request.strain->location + ": " + request.section + ".range")
+                       : ratio_of(default_strain, default_strain);
     if (const MaterialSet* set = narrowest(sets, law, strain)) return *set;
-    if (wish.strain)
-        refuse(wish.strain->place, wish.section + ".range",
-               "the data of " + wish.name + " end before " + wish.strain->text, "ranges: " + ranges);
+    if (request.strain)
+        refuse(request.strain->location, request.section + ".range",
+               "the data of " + request.name + " end before " + request.strain->text, "ranges: " + ranges);
     return *widest(sets, law);
 }
 
-Wish wish_of(const Node& material, const std::string& section) {
-    if (material.kind == Node::Kind::scalar) return {section, material.text, material.place, {}, {}};
+MaterialRequest request_of(const Node& material, const std::string& section) {
+    if (material.kind == Node::Kind::scalar) return {section, material.text, material.location, {}, {}};
     const Node& name = *find(material, "name");
     if (name.kind != Node::Kind::scalar)
-        refuse(name.place, section + ".name", "a single value is needed here", "name: dragon-skin-20");
-    Wish wish{section, name.text, name.place, {}, {}};
-    if (const Node* law = find(material, "law")) wish.law = *law;
+        refuse(name.location, section + ".name", "a single value is needed here", "name: dragon-skin-20");
+    MaterialRequest request{section, name.text, name.location, {}, {}};
+    if (const Node* law = find(material, "law")) request.law = *law;
     if (const Node* strain = find(material, "range"); strain != nullptr && strain->kind == Node::Kind::scalar)
-        wish.strain = *strain;
-    return wish;
+        request.strain = *strain;
+    return request;
 }
 
 }  // namespace
@@ -120,7 +121,7 @@ std::vector<MaterialSet> material_sets(const MaterialFile& file) {
         MaterialSet set{text_of(entry, "law"), 0, text_of(entry, "range"), entry};
         set.strain = ratio_of(set.strain_text, file.name);
         std::erase_if(set.block.members, [](const Member& member) { return member.key == "range"; });
-        put(set.block, "fit.name", scalar_node(std::string{file.name}, entry.place));
+        put(set.block, "fit.name", scalar_node(std::string{file.name}, entry.location));
         sets.push_back(std::move(set));
     }
     return sets;
@@ -133,8 +134,8 @@ void name_to_key(Node& root, const std::string& section) {
     if (written == nullptr || written->kind != Node::Kind::scalar) return;
     Node name = *written, group;
     group.kind = Node::Kind::map;
-    group.place = name.place;
-    group.members.push_back({"name", name.place, std::move(name)});
+    group.location = name.location;
+    group.members.push_back({"name", name.location, std::move(name)});
     put(root, section, std::move(group));
 }
 
@@ -144,15 +145,15 @@ void name_to_material(Node& root, const std::string& section) {
     const bool is_name = written->kind == Node::Kind::scalar;
     if (!is_name && (written->kind != Node::Kind::map || find(*written, "name") == nullptr)) return;
     const Node material = *written;
-    const Wish wish = wish_of(material, section);
-    const MaterialFile* file = find_material(wish.name);
+    const MaterialRequest request = request_of(material, section);
+    const MaterialFile* file = find_material(request.name);
     if (file == nullptr)
-        refuse(wish.place, section + ".name", "no silicone is called " + core::quoted(wish.name),
-               core::did_you_mean(wish.name, names()) + "; or write {law: neo-hookean, mu: 0.1644 MPa}");
+        refuse(request.location, section + ".name", "no silicone is called " + core::quoted(request.name),
+               core::did_you_mean(request.name, names()) + "; or write {law: neo-hookean, mu: 0.1644 MPa}");
     const std::vector<MaterialSet> sets = material_sets(*file);
-    const MaterialSet& set = chosen(sets, wish);
+    const MaterialSet& set = select_set(sets, request);
     Node block = set.block;
-    place_all(block, wish.place);
+    set_location(block, request.location);
     for (const Member& member : material.members) {
         if (member.key == "name" || member.key == "range") continue;
         if (member.key == "fit")
@@ -163,7 +164,7 @@ void name_to_material(Node& root, const std::string& section) {
     put(root, section, std::move(block));
 }
 
-/// "material" and "materials.<name>", as far as they are there.
+/// "material" and the existing "materials.<name>".
 std::vector<std::string> sections_of(const Node& root) {
     std::vector<std::string> sections{std::string{main_material}};
     for (const Member& own : members_of(root, materials_group))
@@ -173,11 +174,11 @@ std::vector<std::string> sections_of(const Node& root) {
 
 }  // namespace
 
-void names_to_keys(Node& root) {
+void expand_material_names(Node& root) {
     for (const std::string& section : sections_of(root)) name_to_key(root, section);
 }
 
-void names_to_materials(Node& root) {
+void resolve_material_names(Node& root) {
     for (const std::string& section : sections_of(root)) name_to_material(root, section);
 }
 
@@ -191,10 +192,10 @@ std::optional<FittedMaterial> fitted_material(std::string_view effective_yaml, s
                           .law = text_of(material, "law"),
                           .range = text_of(fit, "range"),
                           .max_error = text_of(fit, "max_error"),
-                          .max_I1 = ratio_of(limit->text, limit->place)};
+                          .max_I1 = ratio_of(limit->text, limit->location)};
 }
 
-std::optional<std::string> fit_advice(std::string_view effective_yaml, double stretch) {
+std::optional<std::string> fit_range_advice(std::string_view effective_yaml, double stretch) {
     const auto fitted = fitted_material(effective_yaml);
     if (!fitted || !(stretch > 1.0)) return std::nullopt;
     const MaterialFile* file = find_material(fitted->name);
@@ -204,11 +205,11 @@ std::optional<std::string> fit_advice(std::string_view effective_yaml, double st
                                                : "; material: {name: " + fitted->name + ", law: " + better->law +
                                                      ", range: " + better->strain_text + "} was fitted there";
     const std::string reached = "the rubber reaches a stretch of " + core::rounded_text(stretch, 3);
-    if (!fitted->holds(stretch))
+    if (!fitted->covers(stretch))
         return "material: " + reached + ", beyond the data its constants were fitted to (" + fitted->range +
                " of strain)" + take;
     const bool fits_whole_test =
-        fitted->law == usual_law && better != nullptr && max_I1_of(*widest(sets, usual_law)) == fitted->max_I1;
+        fitted->law == default_law && better != nullptr && max_I1_of(*widest(sets, default_law)) == fitted->max_I1;
     if (better != nullptr && !fits_whole_test && max_I1_of(*better) < fitted->max_I1)
         return "material: " + reached + ", well within the data its constants were fitted to" + take + " alone";
     return std::nullopt;

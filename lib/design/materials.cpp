@@ -8,12 +8,12 @@
 namespace soft::design {
 namespace {
 
-constexpr std::string_view usual_material = "{law: neo-hookean, mu: 0.1644 MPa}";
+constexpr std::string_view example_material = "{law: neo-hookean, mu: 0.1644 MPa}";
 
-/// The key of a section: of "material", or of "materials.<name>".
+/// Path of a key in a section, which is "material" or "materials.<name>".
 std::string at(const std::string& section, std::string_view key) { return section + "." + std::string{key}; }
 
-/// A key that is declared for the main material, in another section.
+/// Moves a key that is declared for the main material to another section.
 Key in_section(Key key, const std::string& section) {
     key.path = section + key.path.substr(key.path.rfind('.'));
     return key;
@@ -30,7 +30,7 @@ Kind kind_of(material::Quantity quantity) {
 }
 
 [[noreturn]] void refuse_law(const Node& law, const std::string& section) {
-    refuse(law.place, at(section, "law"), "no law is called " + core::quoted(law.text),
+    refuse(law.location, at(section, "law"), "no law is called " + core::quoted(law.text),
            core::did_you_mean(law.text, law_names()) + " (mesh-gen --list-materials)");
 }
 
@@ -57,7 +57,7 @@ Key density_key() {
     return {.path = "material.density",
             .kind = Kind::density,
             .fallback = "none",
-            .meaning = "of the undeformed rubber, for gravity and dynamics",
+            .meaning = "mass density of the undeformed rubber, for gravity and dynamics",
             .min = 0,
             .min_open = true,
             .choices = {"none"}};
@@ -80,14 +80,14 @@ Key bulk_key(const material::LawInfo& law) {
     return key;
 }
 
-/// A section as it stands in the tree.
-struct Written {
+/// A material section of the tree.
+struct MaterialSection {
     const std::string& section;
     const Node& material;
 };
 
-/// Whether the design states young and poisson; a mixture with mu and kappa is refused.
-bool has_young_poisson(const Written& written, const material::LawInfo& law) {
+/// Whether the design gives young and poisson; a combination with mu and kappa is rejected.
+bool has_young_poisson(const MaterialSection& written, const material::LawInfo& law) {
     if (!law.takes_young_poisson) return false;
     const Member *young = nullptr, *other = nullptr;
     for (const Member& member : written.material.members) {
@@ -95,32 +95,35 @@ bool has_young_poisson(const Written& written, const material::LawInfo& law) {
         if (member.key == "mu" || member.key == "kappa") other = &member;
     }
     if (young != nullptr && other != nullptr)
-        refuse(other->place, at(written.section, other->key), "stands beside " + core::quoted(young->key),
+        refuse(other->location, at(written.section, other->key), "cannot be combined with " + core::quoted(young->key),
                "give young and poisson, or mu and kappa");
     return young != nullptr;
 }
 
-/// What fit-material says of the data; only what is there, so that no default stands in an effective design.
-void add_fit_keys(Schema& schema, const Written& written) {
+/// Adds the keys of `fit` that the design contains. They have no defaults, so that none appear in the effective design.
+void add_fit_keys(Schema& schema, const MaterialSection& written) {
     const Node* fit = find(written.material, "fit");
     if (fit == nullptr) return;
     const std::string fit_path = at(written.section, "fit");
     static const std::vector<std::string> texts = {"name", "range", "max_error", "rmse_kPa", "r2",      "stress",
-                                                   "rows", "flags", "source",        "sha256",   "protocol"};
+                                                   "rows", "flags", "source",    "sha256",   "protocol"};
     schema.names[fit_path] = texts;
     for (const Member& member : fit->members) {
         const std::string path = at(fit_path, member.key);
         if (std::ranges::find(texts, member.key) != texts.end())
-            schema.keys.push_back({.path = path, .kind = Kind::text, .meaning = "of the data behind the constants"});
-        if (member.key == "max_I1")
             schema.keys.push_back(
-                {.path = path, .kind = Kind::ratio, .meaning = "where the data end; solve warns beyond", .min = 3});
+                {.path = path, .kind = Kind::text, .meaning = "description of the test data of the constants"});
+        if (member.key == "max_I1")
+            schema.keys.push_back({.path = path,
+                                   .kind = Kind::ratio,
+                                   .meaning = "largest I1 of the test data; solve warns beyond it",
+                                   .min = 3});
     }
     schema.names[fit_path].emplace_back("max_I1");
 }
 
-void add_law_keys(Schema& schema, const Written& written, const material::LawInfo& law, Examples& examples,
-                  std::string_view usual_frame) {
+void add_law_keys(Schema& schema, const MaterialSection& written, const material::LawInfo& law, Examples& examples,
+                  std::string_view default_frame) {
     const auto add = [&](const Key& key, std::string_view example = {}) {
         schema.keys.push_back(in_section(key, written.section));
         if (!example.empty()) examples[schema.keys.back().path] = example;
@@ -134,11 +137,11 @@ void add_law_keys(Schema& schema, const Written& written, const material::LawInf
     }
     if (law.takes_volumetric) {
         add(volumetric_key());
-        // With ln J this law is the one of the textbooks.
+        // With ln J this law is the standard compressible neo-Hookean law of the textbooks.
         if (law.name == material::NeoHookeanCompressible::info().name) schema.keys.back().fallback = "log";
     } else if (const Member* volumetric = find_member(written.material, "volumetric")) {
-        refuse(volumetric->place, at(written.section, "volumetric"),
-               "the law " + std::string{law.name} + " states its own change of volume", "leave it out");
+        refuse(volumetric->location, at(written.section, "volumetric"),
+               "the law " + std::string{law.name} + " defines its own volumetric energy", "leave it out");
     }
     add(density_key());
     add(strain_key());
@@ -146,13 +149,13 @@ void add_law_keys(Schema& schema, const Written& written, const material::LawInf
     if (law.fibers)
         add({.path = "material.frame",
              .kind = Kind::choice,
-             .fallback = std::string{usual_frame},
-             .meaning = "fibres lie in the surface of x and the hoop direction about x, or of x and y",
+             .fallback = std::string{default_frame},
+             .meaning = "plane of the fibres: x and the hoop direction about x (cylindrical), or x and y (cartesian)",
              .choices = {"cylindrical", "cartesian"}});
 }
 
-/// An error whose place is a parameter of the law, at that key.
-Error at_its_key(const Values& values, const std::string& section, const Error& error) {
+/// Converts an error about a parameter of the law to an error at the key of that parameter.
+Error error_at_key(const Values& values, const std::string& section, const Error& error) {
     const std::string_view line = error.what();
     const auto colon = line.find(": ");
     std::string path = at(section, line.substr(0, colon));
@@ -168,17 +171,18 @@ model::Material from_young_poisson(const Values& values, model::Material materia
     return material;
 }
 
-void add_section_keys(Schema& schema, const Written& written, Examples& examples, std::string_view usual_frame) {
+void add_section_keys(Schema& schema, const MaterialSection& written, Examples& examples,
+                      std::string_view default_frame) {
     schema.keys.push_back(in_section(law_key(), written.section));
     examples[schema.keys.back().path] = core::join(law_names(), " | ");
     const Node* name = find(written.material, "law");
-    if (name == nullptr || name->kind != Node::Kind::scalar) return;  // collect() asks for it
+    if (name == nullptr || name->kind != Node::Kind::scalar) return;  // collect() reports the missing law
     const material::LawInfo* law = material::find_law(name->text);
     if (law == nullptr) refuse_law(*name, written.section);
-    add_law_keys(schema, written, *law, examples, usual_frame);
+    add_law_keys(schema, written, *law, examples, default_frame);
 }
 
-/// Cell regions of files, too, may be called so.
+/// The same characters are allowed for cell regions in mesh files.
 bool is_region_name(std::string_view text) {
     return !text.empty() && std::ranges::all_of(text, [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
@@ -201,24 +205,24 @@ Key parameter_key(const material::Parameter& parameter) {
             .min = parameter.min,
             .max = parameter.max,
             .min_open = parameter.min_open,
-            .most = parameter.most};
+            .max_count = parameter.max_count};
 }
 
 void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples,
-                       std::string_view usual_frame) {
+                       std::string_view default_frame) {
     const Node* material = find(root, main_material);
     if (material == nullptr || material->kind == Node::Kind::empty)
-        refuse(material == nullptr ? std::string{source} + ":1:1" : material->place, "material", "missing (the rubber)",
-               "add material: " + std::string{usual_material});
-    add_section_keys(schema, {std::string{main_material}, *material}, examples, usual_frame);
+        refuse(material == nullptr ? std::string{source} + ":1:1" : material->location, "material",
+               "missing (the rubber)", "add material: " + std::string{example_material});
+    add_section_keys(schema, {std::string{main_material}, *material}, examples, default_frame);
     schema.names[std::string{materials_group}];
     for (const Member& own : members_of(root, materials_group)) {
         const std::string section = at(std::string{materials_group}, own.key);
         if (!is_region_name(own.key))
-            refuse(own.place, section, "not a name of a material", "letters, digits, _ and -");
+            refuse(own.location, section, "not a name of a material", "letters, digits, _ and -");
         if (own.value.kind == Node::Kind::empty)
-            refuse(own.place, section, "has no value", "write " + own.key + ": " + std::string{usual_material});
-        add_section_keys(schema, {section, own.value}, examples, usual_frame);
+            refuse(own.location, section, "has no value", "write " + own.key + ": " + std::string{example_material});
+        add_section_keys(schema, {section, own.value}, examples, default_frame);
     }
 }
 
@@ -246,7 +250,7 @@ model::Material material_of(const Values& values, const std::string& section) {
     try {
         static_cast<void>(model::make_rubber(material));
     } catch (const Error& error) {
-        throw at_its_key(values, section, error);
+        throw error_at_key(values, section, error);
     }
     return material;
 }
@@ -281,7 +285,8 @@ void check_law_formulation(const Values& values, const model::Material& material
                                                                     {"f-bar", material::Form::f_bar}};
     constexpr const char* formulation = "mesh.formulation";
     if (!values.has(formulation)) return;
-    const std::string reason = material::why_not(model::make_rubber(material), forms.at(values.text(formulation)));
+    const std::string reason =
+        material::explain_incompatibility(model::make_rubber(material), forms.at(values.text(formulation)));
     if (!reason.empty())
         throw values.refuse(values.given(formulation) ? formulation : at(material.source, "law"), reason);
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// The materials of a design, `material` and those by name below `materials`: their keys come from material::laws(), the one table of the laws; nothing of a law is repeated
-/// here. Private to the module. Tested by design/material_test.
+/// The materials of a design: `material` and the named ones below `materials`. The keys are generated from material::laws(); no
+/// property of a law is repeated here. Private to the module. Tested by design/material_test.
 #include <map>
 #include <string>
 #include <vector>
@@ -19,26 +19,27 @@ inline constexpr std::string_view main_material = "material", materials_group = 
 /// The key of a parameter of a law, "material.<name>".
 [[nodiscard]] Key parameter_key(const material::Parameter& parameter);
 
-/// Throws Error(bad_input) for a law that is unknown or missing, keys of two ways to state the
-/// moduli, and `volumetric` for a law that has its own. `usual_frame` (cylindrical | cartesian) is that of fibres; empty: fibres
-/// must state theirs.
+/// Adds the keys of all materials. Throws Error(bad_input) for an unknown or missing law, for young/poisson together with mu/kappa, and
+/// for `volumetric` with a law that defines its own volumetric energy. `default_frame` (cylindrical | cartesian) is the default of
+/// the fibre frame; if it is empty, the frame is required.
 void add_material_keys(Schema& schema, const Node& root, std::string_view source, Examples& examples,
-                       std::string_view usual_frame);
+                       std::string_view default_frame);
 
-/// Of one section; young and poisson become mu and kappa. Throws Error for constants that do not fit together, at the key's place.
+/// The material of one section; young and poisson are converted to mu and kappa. Throws Error at the location of the key for
+/// inconsistent constants.
 [[nodiscard]] model::Material material_of(const Values& values,
                                           const std::string& section = std::string{main_material});
 
-/// Those below `materials`, by name.
+/// The materials below `materials`, by name.
 [[nodiscard]] std::map<std::string, model::Material, std::less<>> materials_of(const Values& values);
 
-/// "material", "materials.cap", "materials.paper".
+/// Paths of all material sections: "material", "materials.cap", "materials.paper".
 [[nodiscard]] std::vector<std::string> material_sections(const Values& values);
 
-/// Throws Error at `needed_by` where a material has no density.
+/// Throws Error at the key `needed_by` if any material has no density.
 void require_density(const Values& values, std::string_view needed_by);
 
-/// Throws Error at mesh.formulation for a law that cannot be run in it.
+/// Throws Error at mesh.formulation if the law does not support that formulation.
 void check_law_formulation(const Values& values, const model::Material& material);
 
 }  // namespace soft::design

@@ -21,22 +21,22 @@ public:
     [[nodiscard]] model::Stage read(const StageEntry& entry, const model::Stage& before) {
         model::Stage stage = before;
         stage.name = entry.name;
-        for (const StageLoad& load : entry.loads) take(load, stage);
+        for (const StageLoad& load : entry.loads) set_target(load, stage);
         control(entry, stage);
         stage.until = until(entry);
         return stage;
     }
 
-    /// Whether path.controlled, where it is given, is what some stage controls.
+    /// Whether any stage uses path.controlled.
     [[nodiscard]] bool uses_controlled() const { return uses_controlled_; }
 
     [[noreturn]] void refuse_controlled(const std::string& key) const {
-        throw values_.refuse(key, core::quoted(values_.text(key)) + " is not what this control lets grow",
-                             "control: displacement with an output, or control: volume with a cavity");
+        throw values_.refuse(key, core::quoted(values_.text(key)) + " cannot be prescribed by this control",
+                             "use control: displacement with an output, or control: volume with a cavity");
     }
 
 private:
-    void take(const StageLoad& load, model::Stage& stage) const {
+    void set_target(const StageLoad& load, model::Stage& stage) const {
         const LoadSlot& slot = parts_.loads.slots[load.index];
         const double value = load.what == Prescription::closed ? 0 : values_.number(load.value);
         switch (slot.kind) {
@@ -49,7 +49,7 @@ private:
         }
     }
 
-    /// The key of the stage, or that of the path where the stage leaves it to the path.
+    /// The key of the stage, or that of the path if the stage inherits it.
     [[nodiscard]] std::string own_or_path(const StageEntry& entry, const char* key) const {
         const std::string own = entry.path + "." + key;
         return values_.text(own) == "path" ? std::string{"path."} + key : own;
@@ -76,7 +76,7 @@ private:
             throw values_.refuse(key, "no cavity is loaded, so there is no volume to prescribe", "use auto");
     }
 
-    /// A stage's own word must fit; what the path says is taken where it fits.
+    /// A `controlled` of the stage must match its control; that of the path is used only if it matches.
     void controlled(const StageEntry& entry, model::Stage& stage) {
         const std::string key = own_or_path(entry, "controlled");
         const std::string& name = values_.text(key);
@@ -103,7 +103,7 @@ private:
             if (what == Prescription::volume || what == Prescription::volume_ratio)
                 throw values_.refuse(key, "the volume of " + core::quoted(name) + " is prescribed by its load already",
                                      "use auto, or give the load a pressure");
-            return;  // the first, or the named one
+            return;  // only the controlled cavity is checked: the named one, or the first
         }
     }
 
@@ -127,7 +127,7 @@ private:
 
     void check_end(const Item& item, const std::string& quantity, bool of_path) const {
         if (of_path && item.entry.number == 0)
-            throw values_.refuse(item.key.path, "0 is where the path starts", "write where it shall end");
+            throw values_.refuse(item.key.path, "0 is where the path starts", "write the value at which the path ends");
         if (quantity == "volume_ratio" && !has(LoadKind::gas))
             throw values_.refuse(item.key.path, "no cavity is loaded, so there is no volume", "use pressure or steps");
         if (quantity == "pressure" && parts_.loads.pressures.empty())

@@ -1,5 +1,5 @@
 #pragma once
-/// The path of a design: how it is controlled, where it ends, and its stages. Private to the module. Tested by design/path_test.
+/// The path of a design: control, end criteria and stages. Private to the module. Tested by design/path_test.
 #include <span>
 #include <string>
 #include <vector>
@@ -8,27 +8,28 @@
 
 namespace soft::design {
 
-/// A stage as it is written; a design without stages has one, with an empty name, that brings all loads to their values.
+/// A stage as written. A design without stages has a single one with an empty name, which applies all loads.
 struct StageEntry {
     std::string name;
-    std::string path;  ///< "path.stages.inflate"; of the one stage "path"
+    std::string path;  ///< "path.stages.inflate"; "path" for the single unnamed stage
     std::vector<StageLoad> loads;
 };
 
-/// An empty `until` of a stage becomes the word `none`, so that a flat list of values can hold it.
-void name_empty_ends(Node& root);
+/// Replaces an empty `until` of a stage by the word `none`, so that it can be stored in a flat list of values.
+void fill_empty_until(Node& root);
 
-/// After name_empty_ends. Reads outputs and loads of the tree for what may be controlled or end the path.
+/// Adds the keys of the path; call fill_empty_until first. The outputs and loads of the tree determine what can be controlled and
+/// what can end the path.
 [[nodiscard]] std::vector<StageEntry> add_path_keys(Schema& schema, const Node& root, std::span<const LoadEntry> loads);
 
-/// Everything the tree says of the path; `loads` and `entries` belong together.
+/// Inputs of path_of. `loads` is the result of loads_of(entries).
 struct PathParts {
     std::span<const StageEntry> stages;
     std::span<const LoadEntry> entries;
     const Loads& loads;
     std::span<const std::string> outputs;  ///< names
 };
-/// Refuses controls and ends that the loads and outputs do not have, and loads that no stage names.
+/// The path settings. Rejects controls and end criteria that do not match the loads and outputs, and loads that no stage names.
 [[nodiscard]] model::PathSettings path_of(const PathParts& parts, std::span<const Item> items, const Values& values);
 
 }  // namespace soft::design

@@ -16,15 +16,16 @@ Key control_key(const std::string& path) {
     const bool of_stage = path != "path";
     std::vector<std::string> choices = controls();
     if (of_stage) choices.insert(choices.begin(), as_path);
-    return {.path = path + ".control",
-            .kind = Kind::choice,
-            .fallback = of_stage ? as_path : "auto",
-            .meaning =
-                of_stage
-                    ? "as path.control, or what grows by itself in this stage"
-                    : "what grows by itself along the path; auto takes the load while the body is stiff, then volume "
-                      "or arc length, and passes limit points",
-            .choices = std::move(choices)};
+    return {
+        .path = path + ".control",
+        .kind = Kind::choice,
+        .fallback = of_stage ? as_path : "auto",
+        .meaning =
+            of_stage
+                ? "as path.control, or the quantity prescribed in this stage"
+                : "quantity prescribed along the path; auto takes the load while the body is stiff, then the volume "
+                  "or the arc length, and passes limit points",
+        .choices = std::move(choices)};
 }
 
 Key controlled_key(const std::string& path, std::vector<std::string> choices) {
@@ -34,35 +35,36 @@ Key controlled_key(const std::string& path, std::vector<std::string> choices) {
             .kind = Kind::choice,
             .fallback = choices.front(),
             .meaning = of_stage ? "as path.controlled, or another output or cavity"
-                                : "output (control: displacement) or cavity (control: volume) that grows",
+                                : "output (control: displacement) or cavity (control: volume) that is prescribed",
             .choices = std::move(choices)};
 }
 
 std::vector<Key> branch_keys() {
     const model::PathSettings defaults;
-    return {{.path = "path.branch",
-             .kind = Kind::choice,
-             .fallback = "stay",
-             .meaning =
-                 "where another branch leaves the path: stay on it, or follow the branch from the first such point on",
-             .choices = {"stay", "follow"}},
-            {.path = "path.imperfection",
-             .kind = Kind::length,
-             .fallback = "0.1 mm",
-             .meaning = "how far the body is pushed onto a branch that is followed, largest displacement",
-             .min = 0,
-             .min_open = true},
-            {.path = "path.contact",
-             .kind = Kind::choice,
-             .fallback = "stop",
-             .meaning = "where walls of the body touch: end the path, or let them pass through each other",
-             .choices = {"stop", "ignore"}},
-            {.path = "path.stretch_limit",
-             .kind = Kind::ratio,
-             .fallback = core::quantity_text(defaults.stretch_limit, core::Dimension::ratio),
-             .meaning = "stretch, exceeded in 1 % of the rubber, at which loads that are never reached are given up",
-             .min = 1,
-             .min_open = true}};
+    return {
+        {.path = "path.branch",
+         .kind = Kind::choice,
+         .fallback = "stay",
+         .meaning =
+             "at a bifurcation: stay on the primary branch, or follow the other branch from the first bifurcation on",
+         .choices = {"stay", "follow"}},
+        {.path = "path.imperfection",
+         .kind = Kind::length,
+         .fallback = "0.1 mm",
+         .meaning = "amplitude of the perturbation onto a followed branch, as its largest displacement",
+         .min = 0,
+         .min_open = true},
+        {.path = "path.contact",
+         .kind = Kind::choice,
+         .fallback = "stop",
+         .meaning = "at self-contact of the walls: stop the path, or ignore it and let the walls penetrate",
+         .choices = {"stop", "ignore"}},
+        {.path = "path.stretch_limit",
+         .kind = Kind::ratio,
+         .fallback = core::quantity_text(defaults.stretch_limit, core::Dimension::ratio),
+         .meaning = "stretch, exceeded in 1 % of the rubber, at which a load that cannot be reached is abandoned",
+         .min = 1,
+         .min_open = true}};
 }
 
 Kind kind_of(const Node* measure) {
@@ -78,7 +80,7 @@ Kind kind_of(const Node* measure) {
     }
 }
 
-/// Outputs as the tree has them; an angle ends the path at an angle.
+/// An output of the tree and the kind of its values.
 struct NamedOutput {
     std::string name;
     Kind kind;
@@ -100,7 +102,7 @@ void add_until_keys(Schema& schema, const Node& root, const std::string& section
         if (output != outputs.end())
             schema.keys.push_back({.path = section + "." + until.key,
                                    .kind = output->kind,
-                                   .meaning = "it ends when this output is reached"});
+                                   .meaning = "the path or stage ends when the output reaches this value"});
         else if (std::ranges::find(ends, until.key) != ends.end())
             schema.keys.push_back(until_key(section, until.key));
     }
@@ -108,8 +110,8 @@ void add_until_keys(Schema& schema, const Node& root, const std::string& section
 }
 
 void check_stage_name(const Member& stage) {
-    if (!is_own_name(stage.key))
-        refuse(stage.place, std::string{stages_path} + "." + stage.key, "not a name of a stage", own_name_remedy);
+    if (!is_valid_name(stage.key))
+        refuse(stage.location, std::string{stages_path} + "." + stage.key, "not a name of a stage", valid_name_rule);
 }
 
 StageEntry add_stage_keys(Schema& schema, const Node& root, const Member& stage, std::span<const LoadEntry> loads) {
@@ -127,18 +129,18 @@ StageEntry add_stage_keys(Schema& schema, const Node& root, const Member& stage,
         schema.keys.push_back({.path = until,
                                .kind = Kind::choice,
                                .fallback = as_path,
-                               .meaning = "as path.until, none, or a group {quantity: value} of its own",
+                               .meaning = "as path.until, none, or a separate group {quantity: value}",
                                .choices = {as_path, no_end}});
     return entry;
 }
 
 }  // namespace
 
-void name_empty_ends(Node& root) {
+void fill_empty_until(Node& root) {
     for (const Member& stage : members_of(root, stages_path)) {
         Node* until = find_path(root, std::string{stages_path} + "." + stage.key + ".until");
         if (until == nullptr || until->kind == Node::Kind::scalar || until->kind == Node::Kind::list) continue;
-        if (until->members.empty()) *until = scalar_node(no_end, until->place);
+        if (until->members.empty()) *until = scalar_node(no_end, until->location);
     }
 }
 

@@ -13,14 +13,14 @@
 namespace soft::design {
 namespace {
 
-// Silicones: from the softest gels to hard, filled grades, with room on both sides.
-constexpr double softest_young_Pa = 1e3, hardest_young_Pa = 50e6;
-constexpr double hardest_solid_Pa = 300e9;  // above steel
-// Neo-Hookean shells pass their limit point at pressures of the order of the shear modulus.
+// Silicones: from the softest gels to hard, filled grades, with a margin on both sides.
+constexpr double min_young_Pa = 1e3, max_young_Pa = 50e6;
+constexpr double max_solid_young_Pa = 300e9;  // above steel
+// Neo-Hookean shells reach their limit point at pressures of the order of the shear modulus.
 constexpr double pressure_over_modulus = 10.0, pressure_under_modulus = 1e-5;
 // Around one standard atmosphere, 101.325 kPa.
 constexpr double atmosphere_low_Pa = 101e3, atmosphere_high_Pa = 101.6e3;
-// Below this Poisson's ratio is under 0.475 and the change of volume shows.
+// Below this ratio of bulk to shear modulus, Poisson's ratio is less than 0.475 and the change of volume is noticeable.
 constexpr double min_bulk_ratio = 20.0;
 
 std::string pressure_text(double value_Pa) { return core::quantity_text(value_Pa, core::Dimension::pressure); }
@@ -28,10 +28,10 @@ std::string pressure_text(double value_Pa) { return core::quantity_text(value_Pa
 void check_material(const model::Material& material, double mu_Pa, std::vector<std::string>& warnings) {
     const double young_Pa = 3.0 * mu_Pa;
     const bool main = material.source == main_material;  // the others may be paper, fabric, a stiff cap
-    if (main && (young_Pa < softest_young_Pa || young_Pa > hardest_young_Pa))
+    if (main && (young_Pa < min_young_Pa || young_Pa > max_young_Pa))
         warnings.push_back("material: an initial Young's modulus of " + pressure_text(young_Pa) +
                            " is unusual for a silicone (1 kPa to 50 MPa); is the unit right?");
-    if (!main && (young_Pa < softest_young_Pa || young_Pa > hardest_solid_Pa))
+    if (!main && (young_Pa < min_young_Pa || young_Pa > max_solid_young_Pa))
         warnings.push_back(material.source + ": an initial Young's modulus of " + pressure_text(young_Pa) +
                            " is softer than any gel or harder than steel; is the unit right?");
     if (!main || !material.bulk_modulus_Pa) return;
@@ -45,14 +45,14 @@ void check_law(const model::Material& material, const material::AnyRubber& rubbe
                std::vector<std::string>& warnings) {
     const std::string law{material::info_of(rubber).name};
     if (!material::has_symmetric_tangent(rubber))
-        warnings.push_back(material.source + ": the undeformed state of " + law + " carries the stress mu = " +
-                           pressure_text(mu_Pa) + "; free of load it first shrinks by about mu/(3 kappa)");
+        warnings.push_back(material.source + ": the undeformed state of " + law + " has the initial stress mu = " +
+                           pressure_text(mu_Pa) + "; without load it shrinks by about mu/(3 kappa)");
     const auto limits = material::stability_limits(rubber);
     if (limits.empty()) return;
-    const auto& range = material::usual_range;
+    const auto& range = material::default_stretch_range;
     warnings.push_back(material.source + ": " + law + " is " + material::stability_text(limits) +
-                       " (Drucker, looked at from " + core::rounded_text(range.least, 3) + " to " +
-                       core::rounded_text(range.most, 3) + ")");
+                       " (Drucker stability, checked from " + core::rounded_text(range.min, 3) + " to " +
+                       core::rounded_text(range.max, 3) + ")");
 }
 
 void check_pressure(const std::string& path, double pressure_Pa, double mu_Pa, std::vector<std::string>& warnings) {
@@ -68,7 +68,7 @@ void check_pressure(const std::string& path, double pressure_Pa, double mu_Pa, s
                            " looks like an absolute pressure; pressures are gauge, above the surroundings");
 }
 
-/// An end between neither where the stage starts nor where it leads.
+/// Warns about an end pressure that is not between the start and the target of the stage.
 void check_ends(const model::Stage& stage, const model::SupplyTarget& from, std::vector<std::string>& warnings) {
     const model::SupplyTarget& to = stage.supplies.front();
     constexpr auto pressure = model::Prescription::pressure;
@@ -88,17 +88,17 @@ std::string load_path(const Design& design, const model::Stage& stage, const std
     return (design.values.has(short_form + ".pressure") ? short_form : start + "loads.cavities." + load) + ".pressure";
 }
 
-/// A load that the stage before has left on its way, and that this one does not name.
-void check_holds(const Design& design, const model::Stage& stage, const model::Stage& before,
-                 const std::vector<bool>& moved_before, std::vector<std::string>& warnings) {
+/// Warns about a load whose target the previous stage may not reach (because of its `until`) and that this stage does not name.
+void check_unfinished_loads(const Design& design, const model::Stage& stage, const model::Stage& before,
+                            const std::vector<bool>& moved_before, std::vector<std::string>& warnings) {
     for (std::size_t i = 0; i < design.loads.size(); ++i) {
         const model::SupplyTarget &now = stage.supplies[i], &then = before.supplies[i];
         const bool on_its_way = !before.until.empty() && moved_before[i] && now.what == then.what &&
                                 now.what == model::Prescription::pressure && now.value == then.value;
         if (!on_its_way || design.values.has(load_path(design, stage, design.loads[i].name))) continue;
         warnings.push_back("path.stages." + stage.name + ": loads." + design.loads[i].name +
-                           " goes on to its full value of stage " + before.name +
-                           " where that ends by its until before; a load holds what a stage names");
+                           " continues to its full value of stage " + before.name +
+                           " if that stage ends early by its until; name the load in this stage to hold it");
     }
 }
 
@@ -113,7 +113,7 @@ void check_loads(const Design& design, double mu_Pa, std::vector<std::string>& w
                 check_pressure(load_path(design, stage, design.loads[i].name), target.value, mu_Pa, warnings);
         }
         if (!design.loads.empty()) check_ends(stage, before.supplies.front(), warnings);
-        check_holds(design, stage, before, moved_before, warnings);
+        check_unfinished_loads(design, stage, before, moved_before, warnings);
         for (std::size_t i = 0; i < design.loads.size(); ++i)
             moved_before[i] = stage.supplies[i].what != before.supplies[i].what ||
                               stage.supplies[i].value != before.supplies[i].value;
@@ -143,39 +143,40 @@ void check_locking(const Design& design, std::vector<std::string>& warnings) {
         return design.values.has(path) && design.values.text(path) == word;
     };
     if (says("mesh.cells", "simplices") && says("mesh.order", "1"))
-        warnings.push_back("mesh.cells: " + first_order_simplices_lock());
+        warnings.push_back("mesh.cells: " + first_order_simplex_warning());
     if (!says("mesh.formulation", "displacement")) return;
     const double ratio = max_bulk_ratio(design);
     const auto choice =
         says("mesh.order", "1") ? LockingChoice::first_order_displacement : LockingChoice::second_order_displacement;
     if (ratio > locking_bulk_ratio)
-        warnings.push_back("mesh.formulation: displacements alone lock at a bulk modulus of " +
+        warnings.push_back("mesh.formulation: the displacement formulation locks at a bulk modulus of " +
                            core::rounded_text(ratio, 3) + " times the shear modulus (" + too_stiff(choice) +
                            "); formulation: mixed does not");
 }
 
-/// Mixed cells have no volumetric stiffness of the displacements alone, which is what damps.
+/// The stiffness damping of mixed cells has no volumetric part, because their displacement block has no volumetric stiffness.
 void check_damping(const Design& design, std::vector<std::string>& warnings) {
     constexpr const char* damping = "dynamics.stiffness_damping";
-    constexpr double hardly_compressible = 20;
+    constexpr double compressible_bulk_ratio = 20;
     if (!design.values.has(damping) || design.values.number(damping) == 0 || !design.values.has("mesh.formulation") ||
         design.values.text("mesh.formulation") != "mixed")
         return;
     const auto is_compressible = [&](const model::Material& material) {
         return material.bulk_modulus_Pa &&
                *material.bulk_modulus_Pa <
-                   hardly_compressible * material::initial_shear_modulus_Pa(model::make_rubber(material));
+                   compressible_bulk_ratio * material::initial_shear_modulus_Pa(model::make_rubber(material));
     };
     if (is_compressible(design.material) ||
         std::ranges::any_of(design.materials, [&](const auto& named) { return is_compressible(named.second); }))
-        warnings.push_back(std::string{damping} +
-                           ": mixed cells damp changes of shape alone, which of so compressible a rubber is not all; "
-                           "mesh.formulation: displacement damps both");
+        warnings.push_back(
+            std::string{damping} +
+            ": mixed cells damp only changes of shape, but this rubber is compressible enough to change its volume too; "
+            "mesh.formulation: displacement damps both");
 }
 
 }  // namespace
 
-std::string first_order_simplices_lock() {
+std::string first_order_simplex_warning() {
     return "first-order triangles and tetrahedra lock (" + too_stiff(LockingChoice::first_order_simplices) +
            "); order: 2 with formulation: mixed does not";
 }
@@ -183,13 +184,13 @@ std::string first_order_simplices_lock() {
 std::vector<std::string> plausibility(const Design& design) {
     std::vector<std::string> warnings;
     const double mu_Pa = material::initial_shear_modulus_Pa(model::make_rubber(design.material));
-    const auto look_at = [&](const model::Material& material) {
+    const auto check = [&](const model::Material& material) {
         const material::AnyRubber law = model::make_rubber(material);
         check_material(material, material::initial_shear_modulus_Pa(law), warnings);
         check_law(material, law, material::initial_shear_modulus_Pa(law), warnings);
     };
-    look_at(design.material);
-    for (const auto& [name, material] : design.materials) look_at(material);
+    check(design.material);
+    for (const auto& [name, material] : design.materials) check(material);
     check_loads(design, mu_Pa, warnings);
     check_locking(design, warnings);
     check_damping(design, warnings);

@@ -14,7 +14,7 @@
 namespace soft::design {
 namespace {
 
-/// Names of the choices at every "known: ..." of the top level come from the schema; only family is needed before it.
+/// Names of the families, for errors about `family`.
 std::vector<std::string> names_of(std::span<const FamilyKeys> families) {
     std::vector<std::string> names;
     for (const FamilyKeys& family : families) names.push_back(family.name);
@@ -25,7 +25,7 @@ void append(std::vector<Key>& keys, std::vector<Key> more) {
     keys.insert(keys.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-/// Sections in which the design is silent come from the family; a load always states its own pressure.
+/// Fills missing sections with the defaults of the family, except loads, whose magnitude is always required.
 void fill_sections(Node& root, const Node& defaults) {
     for (const char* section : {"supports", "outputs"}) {
         const Node* usual = find(defaults, section);
@@ -33,12 +33,12 @@ void fill_sections(Node& root, const Node& defaults) {
     }
 }
 
-/// "geometry.layer.material": a part that may be of another material.
+/// Whether a key selects the material of a part: "geometry.layer.material".
 bool is_material_reference(std::string_view path) {
     return path.starts_with("geometry.") && path.ends_with(".material");
 }
 
-/// Names of materials that geometry refers to: "geometry.layer.material", as written or by default.
+/// Materials that the geometry refers to, as pairs of key and name ("geometry.layer.material", "paper"), as written or by default.
 std::vector<std::pair<std::string, std::string>> materials_named(const Node& root, const FamilyKeys& family) {
     std::vector<std::pair<std::string, std::string>> named;
     for (const Key& key : family.geometry) {
@@ -49,7 +49,7 @@ std::vector<std::pair<std::string, std::string>> materials_named(const Node& roo
     return named;
 }
 
-/// A built-in material of the family that the geometry names: what the design leaves out of it. One that states its law has all.
+/// Fills in the keys that the design omits of built-in materials of the family. A material with a law is taken as complete.
 void fill_materials(Node& root, const FamilyKeys& family) {
     const Node* group = find(root, materials_group);
     if (group != nullptr && group->kind != Node::Kind::map && group->kind != Node::Kind::empty)
@@ -58,7 +58,7 @@ void fill_materials(Node& root, const FamilyKeys& family) {
         const auto usual = family.materials.find(name);
         if (usual == family.materials.end()) continue;
         const std::string section = std::string{materials_group} + "." + name;
-        const Node own = parse_fragment(usual->second, place_default);
+        const Node own = parse_fragment(usual->second, default_location);
         const Node* written = find_path(std::as_const(root), section);
         if (written == nullptr) put(root, section, own);
         if (written == nullptr || written->kind != Node::Kind::map || find(*written, "law") != nullptr) continue;
@@ -76,7 +76,7 @@ FaceNames with_cavities(FaceNames names, const FamilyKeys& family) {
 
 constexpr const char *cavities_path = "geometry.cavities", *face_rules_path = "geometry.faces";
 
-/// The cavities a design makes of the faces of its file.
+/// Adds the keys of the cavities that a design defines from the faces of its file.
 void add_cavity_keys(Schema& schema, const Node& root) {
     for (const Member& cavity : members_of(root, cavities_path))
         schema.keys.push_back({.path = std::string{cavities_path} + "." + cavity.key,
@@ -85,7 +85,7 @@ void add_cavity_keys(Schema& schema, const Node& root) {
     schema.names[cavities_path];
 }
 
-/// Faces named by where they are: the keys that a design has written, of those that it may write.
+/// Adds the keys of faces that are defined by position, as far as the design contains them.
 void add_face_rule_keys(Schema& schema, const Node& root) {
     for (const Member& face : members_of(root, face_rules_path)) {
         const std::string own = std::string{face_rules_path} + "." + face.key;
@@ -106,28 +106,29 @@ void add_face_rule_keys(Schema& schema, const Node& root) {
 void add_face_rule_names(FaceNames& names, const Node& root) {
     for (const Member& own : members_of(root, face_rules_path)) {
         const std::string path = std::string{face_rules_path} + "." + own.key;
-        if (!is_own_name(own.key)) refuse(own.place, path, "not a name of a face", own_name_remedy);
+        if (!is_valid_name(own.key)) refuse(own.location, path, "not a name of a face", valid_name_rule);
         if (!resolve_face(names, own.key).empty())
-            refuse(own.place, path, "the file has a face of this name already", "call it otherwise");
+            refuse(own.location, path, "the file has a face of this name already", "choose another name");
         names.faces.push_back(own.key);
     }
 }
 
-/// What supports, loads and outputs may name. Other checks need the faces, so a missing file is refused before them.
+/// The names that supports, loads and outputs may refer to. Other checks need the faces, so a missing file is rejected first.
 FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys& family) {
     if (!family.faces_of_file) return with_cavities({family.faces, family.aliases}, family);
     const Key& key = family.geometry.front();
     const Node* file = find_path(root, key.path);
     if (file == nullptr || file->kind != Node::Kind::scalar) {
-        const Node usual = parse_fragment(family.defaults, place_default);
+        const Node usual = parse_fragment(family.defaults, default_location);
         const Node* example = find_path(usual, key.path);
         const bool one_line = example != nullptr && example->text.find('\n') == std::string::npos;
-        refuse(file == nullptr ? std::string{source} + ":1:1" : file->place, key.path, "missing (" + key.meaning + ")",
+        refuse(file == nullptr ? std::string{source} + ":1:1" : file->location, key.path,
+               "missing (" + key.meaning + ")",
                example == nullptr ? ""
                                   : "add geometry: {" + key.path.substr(key.path.rfind('.') + 1) + ": " +
                                         (one_line ? example->text : std::string{"FILE"}) + "}");
     }
-    FileFaces of_file = family.faces_of_file(file->text, file->place);
+    FileFaces of_file = family.faces_of_file(file->text, file->location);
     FaceNames names{std::move(of_file.faces), family.aliases, std::move(of_file.cavities)};
     if (family.has_face_rules) add_face_rule_names(names, root);
     const Node* cavity = find_path(root, "geometry.cavity");
@@ -136,9 +137,9 @@ FaceNames face_names(const Node& root, std::string_view source, const FamilyKeys
     names = with_cavities(std::move(names), family);
     for (const Member& own : members_of(root, cavities_path)) {
         const std::string path = std::string{cavities_path} + "." + own.key;
-        if (!is_own_name(own.key)) refuse(own.place, path, "not a name of a cavity", own_name_remedy);
+        if (!is_valid_name(own.key)) refuse(own.location, path, "not a name of a cavity", valid_name_rule);
         if (std::ranges::find(names.cavities, own.key) != names.cavities.end())
-            refuse(own.place, path, "there is a cavity of this name already", "call it otherwise");
+            refuse(own.location, path, "there is a cavity of this name already", "choose another name");
         if (resolve_face(names, own.key).empty()) names.faces.push_back(own.key);
         names.cavities.push_back(own.key);
     }
@@ -163,19 +164,19 @@ void check_material_references(const Values& values, const FamilyKeys& family) {
 void override_tree(Node& root, std::span<const Override> overrides) {
     for (const Override& change : overrides)
         put(root, change.path,
-            parse_fragment(change.value, change.place.empty() ? "--set " + change.path : change.place));
+            parse_fragment(change.value, change.location.empty() ? "--set " + change.path : change.location));
 }
 
 Node overridden_design(std::string_view text, std::string_view source, std::span<const FamilyKeys> families,
                        std::span<const Override> overrides) {
     Node written = parse_yaml(text, source);
-    names_to_keys(written);
+    expand_material_names(written);
     Node root = written;
     override_tree(root, overrides);
-    const FamilyKeys& family = family_of(root, source, families);  // an override may name it
+    const FamilyKeys& family = family_of(root, source, families);  // an override may set the family
     root = written;
     override_tree(root, in_names_of(written, overrides, {family.faces, family.aliases, {}}));
-    names_to_materials(root);
+    resolve_material_names(root);
     return root;
 }
 
@@ -185,17 +186,17 @@ const FamilyKeys& family_of(const Node& root, std::string_view source, std::span
         refuse(source, "", "the design is empty",
                "`mesh-gen --template " + (names.empty() ? "FAMILY" : names.front()) + "` prints one to start from");
     if (root.kind != Node::Kind::map)
-        refuse(root.place, "", "a design is a group of keys", "write family: ..., material: ..., loads: ...");
+        refuse(root.location, "", "a design is a group of keys", "write family: ..., material: ..., loads: ...");
     const Node* family = find(root, "family");
     if (family == nullptr)
         refuse(std::string{source} + ":1:1", "family", "missing (kind of actuator)",
                "add family: " + core::join(names, " | "));
     if (family->kind != Node::Kind::scalar)
-        refuse(family->place, "family", "a single value is needed here", "write " + core::join(names, " | "));
+        refuse(family->location, "family", "a single value is needed here", "write " + core::join(names, " | "));
     const auto found =
         std::find_if(families.begin(), families.end(), [&](const FamilyKeys& f) { return f.name == family->text; });
     if (found == families.end())
-        refuse(family->place, "family", "no family is called " + core::quoted(family->text),
+        refuse(family->location, "family", "no family is called " + core::quoted(family->text),
                core::did_you_mean(family->text, names));
     return *found;
 }
@@ -214,10 +215,11 @@ bool is_of_revolution(const Node& root, const FamilyKeys& family) {
 }
 
 Checked check_design(Node root, std::string_view source, const FamilyKeys& family) {
-    const Node defaults = parse_fragment(family.defaults, place_default);
-    if (!family.faces_of_file) fill_sections(root, defaults);  // faces of a file have no usual roles
+    const Node defaults = parse_fragment(family.defaults, default_location);
+    if (!family.faces_of_file)
+        fill_sections(root, defaults);  // there are no default supports and outputs for the faces of a file
     fill_materials(root, family);
-    name_empty_ends(root);
+    fill_empty_until(root);
     Checked checked;
     Schema schema;
     schema.faces = face_names(root, source, family);

@@ -10,18 +10,18 @@
 
 namespace soft::design {
 
-/// Puts the overrides into the tree; their places are "--set path" where they have none of their own.
+/// Applies the overrides to the tree; the location of an override without one is "--set path".
 void override_tree(Node& root, std::span<const Override> overrides);
 
-/// The design's tree with the overrides in it, those of loads under any name of the face.
+/// The tree of the design with the overrides applied; overrides of loads may use any alias of a face.
 [[nodiscard]] Node overridden_design(std::string_view text, std::string_view source,
                                      std::span<const FamilyKeys> families, std::span<const Override> overrides);
 
-/// The family a design names; Error(bad_input) with the nearest name.
+/// The family of a design. Error(bad_input) with the nearest name for an unknown family.
 [[nodiscard]] const FamilyKeys& family_of(const Node& root, std::string_view source,
                                           std::span<const FamilyKeys> families);
 
-/// Everything checked, defaults filled in.
+/// A checked design with all defaults filled in.
 struct Checked {
     std::vector<Item> items;
     FaceNames faces;
@@ -32,10 +32,10 @@ struct Checked {
 
 [[nodiscard]] Values values_of(std::span<const Item> items);
 
-/// One line each, for what is allowed but most likely a slip.
+/// Warnings, one line each, about valid input that is probably a mistake.
 [[nodiscard]] std::vector<std::string> plausibility(const Design& design);
 
-/// Required values a family's design needs besides its geometry, as YAML for a template.
+/// The required values of a design of the family, as YAML for a template.
 [[nodiscard]] std::string example_design(const FamilyKeys& family);
 
 }  // namespace soft::design

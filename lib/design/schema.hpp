@@ -1,5 +1,5 @@
 #pragma once
-/// Keys of a design, declared once: the table feeds the parser, the errors, --template, --explain and the README.
+/// Declaration of the keys of a design, used by the parser, the errors, --template, --explain and the README.
 #include <limits>
 #include <string>
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace soft::design {
 
-/// What a value is. Quantities carry a unit in the text and are SI once read; a bare number for them is refused.
+/// Kind of a value. Quantities are written with a unit and stored in SI; a number without a unit is rejected.
 enum class Kind {
     length,
     area,
@@ -35,15 +35,15 @@ enum class Kind {
 struct Key {
     std::string path;  ///< "geometry.wall"
     Kind kind = Kind::length;
-    std::string fallback = {};  ///< default as it would stand in the YAML; empty: the key is required
-    std::string meaning = {};   ///< one sentence, no full stop
+    std::string fallback = {};                              ///< default as written in YAML; empty: the key is required
+    std::string meaning = {};                               ///< one sentence, no full stop
     double min = -std::numeric_limits<double>::infinity();  ///< SI, inclusive unless min_open
     double max = std::numeric_limits<double>::infinity();
     bool min_open = false;                  ///< the value must be greater than min
     std::vector<std::string> choices = {};  ///< for Kind::choice; for a number, quantity or faces: words
-                                            ///< allowed in its place ("incompressible"), read as 0 or none
-    int most =
-        1;  ///< of a text: 1 is a single line, else several are allowed too; of a number or quantity: 1 is a single value, else one or a list of up to `most`
+                                            ///< allowed instead ("incompressible"), stored as 0 or as no face
+    int max_count =
+        1;  ///< text: 1 allows a single line only; number or quantity: maximum length of a list, 1 allows a single value only
 };
 
 }  // namespace soft::design

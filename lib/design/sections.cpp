@@ -10,20 +10,20 @@ namespace soft::design {
 namespace {
 
 void check_output_name(const Member& output) {
-    if (!is_own_name(output.key))
-        refuse(output.place, "outputs." + output.key, "not a name of an output", own_name_remedy);
+    if (!is_valid_name(output.key))
+        refuse(output.location, "outputs." + output.key, "not a name of an output", valid_name_rule);
     const auto& taken = until_quantities();
     constexpr std::array others{"volume", "step", "stage", "time", "load", "traction", "load_factor"};
     if (std::find(taken.begin(), taken.end(), output.key) != taken.end() || std::ranges::count(others, output.key) > 0)
-        refuse(output.place, "outputs." + output.key, "the name is that of a quantity every path has",
-               "call the output otherwise");
-    for (const char* word : {"first", "path", "none"})  // of path.controlled
+        refuse(output.location, "outputs." + output.key, "the name is reserved for a quantity of every path",
+               "choose another name");
+    for (const char* word : {"first", "path", "none"})  // words of path.controlled and of until
         if (output.key == word)
-            refuse(output.place, "outputs." + output.key, "the name is a word of the group path",
-                   "call the output otherwise");
+            refuse(output.location, "outputs." + output.key, "the name is reserved for a word of the group path",
+                   "choose another name");
 }
 
-/// Components of a support in the model's own coordinates (axisymmetric: x, r).
+/// Components of a support in the coordinates of the model (axisymmetric: x, r).
 std::array<bool, 3> components_of(const std::string& component, const Values& values, const std::string& path) {
     const bool axisymmetric = values.text("model") == "axisymmetric", plane = values.text("model") == "plane-strain";
     if (component == "fixed")
@@ -31,7 +31,7 @@ std::array<bool, 3> components_of(const std::string& component, const Values& va
     if (component == "x") return {true, false, false};
     if (plane && component != "y")
         throw values.refuse(path, "a plane strain model has the components x and y", "use x, y or fixed");
-    // Radial on a solid: y and z together, which leaves only x free.
+    // r on a solid fixes y and z, so that only x is free.
     if (component == "r") return axisymmetric ? std::array{false, true, false} : std::array{false, true, true};
     if (axisymmetric) throw values.refuse(path, "an axisymmetric model has the components x and r", "use r, or fixed");
     return component == "y" ? std::array{false, true, false} : std::array{false, false, true};
@@ -43,33 +43,33 @@ model::Measure measure_of(const std::string& word) {
 
 std::string single_face(const Item& item, const FaceNames& faces, const Values& values) {
     if (item.list.size() != 1)
-        throw values.refuse(item.key.path, "an output is measured on one face", "make one output a face");
+        throw values.refuse(item.key.path, "an output is measured on one face", "write one output per face");
     return resolve_face(faces, item.list.front());
 }
 
-/// What turns, or turns what holds it, has an axis: a section has none but its own z.
+/// Rotations and moments need an axis; for a plane section the only one is z.
 void check_axis(const Values& values, const std::string& output) {
     const std::string &model = values.text("model"), &along = values.text(output + ".along");
     if (model == "axisymmetric")
         throw values.refuse(output + ".measure", "the section of a body of revolution neither bends nor twists",
                             "measure: displacement, radial or force, or model: solid");
     if (model == "plane-strain" && along != "z")
-        throw values.refuse(output + ".along", "in plane strain faces turn about z", "along: z");
-    if (along == "r") throw values.refuse(output + ".along", "r is no axis to turn about", "axis, x, y or z");
+        throw values.refuse(output + ".along", "in plane strain faces turn about z", "write along: z");
+    if (along == "r") throw values.refuse(output + ".along", "r is not an axis of rotation", "use axis, x, y or z");
 }
 
-/// Other measures are of faces.
+/// Rejects keys of an output that only a face can have.
 void refuse_with_point(const Member& output) {
     const std::string path = "outputs." + output.key;
     if (const Member* face = find_member(output.value, "face"))
-        refuse(face->place, path + ".face", "a point is measured already", "face or point, not both");
+        refuse(face->location, path + ".face", "the output has a point already", "give a face or a point, not both");
     const Member* measure = find_member(output.value, "measure");
     if (measure != nullptr && measure->value.text != "displacement")
-        refuse(measure->place, path + ".measure", "only the displacement of a point is measured",
+        refuse(measure->location, path + ".measure", "only the displacement of a point is measured",
                "measure: displacement, or a face in place of the point");
     const Member* along = find_member(output.value, "along");
     if (along != nullptr && along->value.text == "normal")
-        refuse(along->place, path + ".along", "a point has no normal", "axis, x, y, z or r");
+        refuse(along->location, path + ".along", "a point has no normal", "use axis, x, y, z or r");
 }
 
 std::vector<double> point_of(const Item& item, const Values& values) {
@@ -105,12 +105,12 @@ void check_measure(const Values& values, const std::string& output, model::Measu
         case model::Measure::radial:
             if (model == "plane-strain" || values.text(along) == "r" || values.text(along) == "normal")
                 throw values.refuse(along, "it is the axis from which the distance is taken",
-                                    "axis, x, y or z, of a solid or a body of revolution");
+                                    "use axis, x, y or z, in a solid or axisymmetric model");
             return check_direction(values, along);
         case model::Measure::force:
             check_direction(values, along);
             if (values.text(along) == "r")
-                throw values.refuse(along, "forces along r cancel all round", "axis, x or normal");
+                throw values.refuse(along, "forces along r cancel around the circumference", "use axis, x or normal");
             return;
     }
 }
@@ -129,7 +129,7 @@ std::string name_between(const std::string& path, std::string_view prefix, std::
 }
 
 void check_direction(const Values& values, const std::string& path) {
-    if (!values.has("model")) return;  // what solve changes: the direction is that of the case
+    if (!values.has("model")) return;  // overrides of solve: the direction is that of the case
     const std::string& model = values.text("model");
     std::string along = values.text(path);
     if (along.starts_with('-')) along.erase(0, 1);
@@ -146,7 +146,7 @@ void add_support_keys(Schema& schema, const Node& root) {
         if (std::find(components.begin(), components.end(), support.key) != components.end()) {
             schema.keys.push_back(support_key(support.key));
         } else if (!resolve_face(schema.faces, support.key).empty()) {
-            refuse(support.place, "supports." + support.key, "a face stands where a component is needed",
+            refuse(support.location, "supports." + support.key, "a face is given where a component is needed",
                    "write fixed: " + support.key);
         }
     }
@@ -165,7 +165,7 @@ void add_output_keys(Schema& schema, const Node& root, const Node& defaults) {
                                    measure->text == "radial" || measure->text == "force";
         if (bend) schema.keys.push_back(output_reference_key(output.key));
         if (const Member* reference = find_member(output.value, "reference"); reference != nullptr && !bend)
-            refuse(reference->place, "outputs." + output.key + ".reference",
+            refuse(reference->location, "outputs." + output.key + ".reference",
                    "only a bend is measured from another face", "leave it out, or write measure: bend");
         const Node* along = find_path(defaults, "outputs." + output.key + ".along");
         schema.keys.push_back(output_along_key(output.key, !axis_is_usual     ? ""
@@ -214,8 +214,8 @@ std::vector<Design::OutputRequest> outputs_of(std::span<const Item> items, const
             if (other.key.path == "outputs." + name + ".reference")
                 output.reference = single_face(other, faces, values);
         if (!output.face.empty() && output.reference == output.face)
-            throw values.refuse("outputs." + name + ".reference", "a face does not bend away from itself",
-                                "name the held face");
+            throw values.refuse("outputs." + name + ".reference", "a face has no bend relative to itself",
+                                "name the fixed face");
         outputs.push_back(std::move(output));
     }
     return outputs;

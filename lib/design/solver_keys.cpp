@@ -60,7 +60,7 @@ Key number(std::string path, double fallback, std::string meaning, double min, d
             .max = max};
 }
 
-/// More than 0, at most 1.
+/// A key for a number in (0, 1].
 Key share(std::string path, double fallback, std::string meaning) {
     Key key = number(std::move(path), fallback, std::move(meaning), 0, 1);
     key.min_open = true;
@@ -80,14 +80,16 @@ std::vector<Key> newton_keys(const model::SolverSettings& defaults) {
     return {
         number("solver.residual_tolerance", defaults.residual_tolerance,
                "equilibrium is reached when the residual is below this share of the nodal forces", 1e-14, 1e-2),
-        choice("solver.newton", newton_words, defaults.newton,
-               "tangent of every iteration, of a step's first alone, or that with the updates of BFGS"),
         choice(
-            "solver.line_search", line_search_words, defaults.line_search,
-            "how far a correction is followed: halved until the residual falls, to where the residual has no part along it, "
-            "or whole"),
+            "solver.newton", newton_words, defaults.newton,
+            "full: new tangent in every iteration; modified: in the first iteration of a step only; bfgs: that tangent with "
+            "BFGS updates"),
+        choice("solver.line_search", line_search_words, defaults.line_search,
+               "step length along a correction: backtracking halves it until the residual decreases, secant finds "
+               "the zero of the residual along it, none takes the full step"),
         choice("solver.tangent", tangent_words, defaults.tangent, "exact derivatives, or differences of the residual"),
-        count("solver.newton_limit", defaults.newton_limit, "Newton iterations before a step is cut", 1000),
+        count("solver.newton_limit", defaults.newton_limit, "maximum number of Newton iterations before a step is cut",
+              1000),
         {.path = "solver.scaling",
          .kind = Kind::flag,
          .fallback = defaults.scaling ? "true" : "false",
@@ -99,17 +101,19 @@ std::vector<Key> linear_keys(const model::SolverSettings& defaults) {
     return {
         choice(
             linear_path, linear_words, defaults.linear.method,
-            "how the linear systems are solved; auto is mumps-ldlt, mumps-lu where the tangent is not symmetric, and krylov with "
+            "solver of the linear systems; auto is mumps-ldlt, mumps-lu where the tangent is not symmetric, and krylov with "
             "multigrid for solids of more than 500,000 unknowns"),
         choice(preconditioner_path, preconditioner_words, defaults.linear.preconditioner,
-               "of krylov and jacobian-free; asm is additive Schwarz with one block a rank"),
+               "preconditioner of krylov and jacobian-free; asm is additive Schwarz with one block per rank"),
         number("solver.linear_tolerance", defaults.linear.tolerance,
                "krylov and jacobian-free stop when the residual is below this share of the right-hand side", 1e-14,
                0.5),
-        count("solver.linear_limit", defaults.linear.iteration_limit,
-              "iterations after which krylov and jacobian-free give their best correction so far", 1e5),
+        count(
+            "solver.linear_limit", defaults.linear.iteration_limit,
+            "maximum number of iterations of krylov and jacobian-free, which then return their best correction so far",
+            1e5),
         count("solver.threads", defaults.threads,
-              "of a rank, in the loops over the elements; the results stay the same", 256),
+              "threads per rank in the loops over the elements; the results do not depend on it", 256),
     };
 }
 
@@ -117,21 +121,21 @@ std::vector<Key> step_keys(const model::SolverSettings& defaults) {
     return {
         choice(
             "solver.steps", step_words, defaults.steps,
-            "length of the steps: by the error of the prediction, by the Newton iterations of the step before, or first_step"),
+            "step-size control: by the predictor error, by the Newton iterations of the previous step, or constant (first_step)"),
         choice(
             "solver.predictor", predictor_words, defaults.predictor,
-            "where a step starts: on the cubic through the last two states, on the tangent of the last, or at the last"),
+            "start of a step: on the cubic through the last two states, on the tangent at the last state, or at the last state"),
         share("solver.first_step", defaults.first_step, "first step as a share of the full load"),
         number("solver.max_step", defaults.max_step,
-               "longest step as a share of the path so far; 0 leaves it to the solver", 0, 1),
+               "maximum step as a share of the path so far; 0: chosen by the solver", 0, 1),
         share("solver.min_step", defaults.min_step,
               "a step cut below this share of the first step ends the path (of an arc length: a thousandth of it)"),
         count("solver.wanted_iterations", defaults.wanted_iterations,
-              "Newton iterations a step aims at, iteration-adaptive", 100),
-        count("solver.step_limit", defaults.step_limit, "steps after which the path ends with stop reason step_limit",
-              1e6),
+              "target number of Newton iterations per step (iteration-adaptive)", 100),
+        count("solver.step_limit", defaults.step_limit,
+              "maximum number of steps; the path then ends with stop reason step_limit", 1e6),
         share("solver.step_accuracy", defaults.step_accuracy,
-              "wanted relative error of a step's prediction, error-adaptive; smaller gives denser steps"),
+              "target relative error of the predictor (error-adaptive); a smaller value gives smaller steps"),
     };
 }
 
@@ -145,7 +149,7 @@ std::vector<Key> solver_keys() {
 }
 
 model::SolverSettings solver_of(const Values& values) {
-    const auto meant = [&](const auto& table, const char* path) { return meant_by(table, values.text(path)); };
+    const auto meant = [&](const auto& table, const char* path) { return value_of_word(table, values.text(path)); };
     model::SolverSettings solver;
     solver.residual_tolerance = values.number("solver.residual_tolerance");
     solver.newton = meant(newton_words, "solver.newton");
@@ -157,7 +161,7 @@ model::SolverSettings solver_of(const Values& values) {
         solver.linear.method == LinearMethod::krylov || solver.linear.method == LinearMethod::jacobian_free;
     const Preconditioner usual = solver.linear.preconditioner;
     solver.linear.preconditioner = meant(preconditioner_words, preconditioner_path);
-    // The default itself may stand there: it does in every effective design.
+    // The default value is accepted, because every effective design contains it.
     if (!krylov && solver.linear.preconditioner != usual)
         throw values.refuse(preconditioner_path, "linear: " + values.text(linear_path) + " takes no preconditioner",
                             "linear: krylov or jacobian-free, or leave it out");

@@ -10,7 +10,7 @@ namespace soft::design {
 /// Defaults are those of model::SolverSettings.
 [[nodiscard]] std::vector<Key> solver_keys();
 
-/// Refuses a preconditioner other than the default for a method that takes none.
+/// The solver settings. Rejects a preconditioner other than the default for a method that does not use one.
 [[nodiscard]] model::SolverSettings solver_of(const Values& values);
 
 }  // namespace soft::design

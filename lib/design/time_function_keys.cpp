@@ -8,22 +8,22 @@ namespace {
 
 using model::TimeFunctionKind;
 
-constexpr int longest_table = 5000;
-constexpr std::array time_function_words{Word<TimeFunctionKind>{"ramp", TimeFunctionKind::ramp}, Word<TimeFunctionKind>{"step", TimeFunctionKind::step},
-                                  Word<TimeFunctionKind>{"sine", TimeFunctionKind::sine}, Word<TimeFunctionKind>{"table", TimeFunctionKind::table}};
+constexpr int max_table_rows = 5000;
+constexpr std::array time_function_words{
+    Word<TimeFunctionKind>{"ramp", TimeFunctionKind::ramp}, Word<TimeFunctionKind>{"step", TimeFunctionKind::step},
+    Word<TimeFunctionKind>{"sine", TimeFunctionKind::sine}, Word<TimeFunctionKind>{"table", TimeFunctionKind::table}};
 
 std::string time_function_path(const std::string& load) { return load + ".time_function."; }
 
 Key kind_key(const std::string& path) {
-    return {
-        .path = path + "kind",
-        .kind = Kind::choice,
-        .fallback = word_for(time_function_words, model::TimeFunction{}.kind),
-        .meaning = "how the load goes with time: it grows evenly, is there at once, swings about 0, or follows a table",
-        .choices = words_of(time_function_words)};
+    return {.path = path + "kind",
+            .kind = Kind::choice,
+            .fallback = word_for(time_function_words, model::TimeFunction{}.kind),
+            .meaning = "load over time: linear ramp, step, sine about 0, or table",
+            .choices = words_of(time_function_words)};
 }
 
-/// A key beside `kind`, and the kind that has it.
+/// A key other than `kind`, and the kind of time function that uses it.
 struct Detail {
     TimeFunctionKind of;
     std::string_view name;
@@ -36,38 +36,39 @@ Key detail_key(const std::string& path, std::string_view name) {
     if (name == "rise") {
         key.kind = Kind::time;
         key.fallback = "duration";
-        key.meaning = "time in which a ramp grows to the full load, where it stays";
+        key.meaning = "duration of the ramp to the full load, which is then held";
         key.min = 0;
         key.min_open = true;
         key.choices = {"duration"};
     } else if (name == "frequency") {
         key.kind = Kind::rate;
-        key.meaning = "of a sine; its amplitude is the full load";
+        key.meaning = "frequency of a sine; its amplitude is the full load";
         key.min = 0;
         key.min_open = true;
     } else if (name == "times") {
         key.kind = Kind::time;
-        key.meaning = "of a table, ascending; between them the load is linear, before and after them it stays";
+        key.meaning =
+            "times of a table, ascending; the load is linear between them and constant before the first and after the last";
         key.min = 0;
-        key.most = longest_table;
+        key.max_count = max_table_rows;
     } else {
         key.kind = Kind::ratio;
-        key.meaning = "of a table: the load at each time as a share of the full load";
-        key.most = longest_table;
+        key.meaning = "shares of a table: the load at each time as a share of the full load";
+        key.max_count = max_table_rows;
     }
     return key;
 }
 
 void check_table(const Values& values, const std::string& path, const model::TimeFunction& time_function) {
     if (time_function.shares.size() != time_function.times_s.size())
-        throw values.refuse(
-            path + "shares",
-            std::to_string(time_function.shares.size()) + " shares for " + std::to_string(time_function.times_s.size()) + " times",
-            "write as many shares as times");
+        throw values.refuse(path + "shares",
+                            std::to_string(time_function.shares.size()) + " shares for " +
+                                std::to_string(time_function.times_s.size()) + " times",
+                            "write as many shares as times");
     for (std::size_t i = 1; i < time_function.times_s.size(); ++i)
         if (!(time_function.times_s[i] > time_function.times_s[i - 1]))
-            throw values.refuse(path + "times", "the times do not ascend",
-                                "write each of them after the one before it");
+            throw values.refuse(path + "times", "the times are not ascending",
+                                "write each time after the one before it");
 }
 
 }  // namespace
@@ -78,15 +79,16 @@ void add_time_function_keys(Schema& schema, const std::string& load, const Node&
     const Node* time_function = find(written, "time_function");
     const Node* kind = time_function == nullptr ? nullptr : find(*time_function, "kind");
     const std::string word = kind == nullptr ? schema.keys.back().fallback : kind->text;
-    const bool known = std::ranges::find(time_function_words, word, &Word<TimeFunctionKind>::name) != time_function_words.end();
+    const bool known =
+        std::ranges::find(time_function_words, word, &Word<TimeFunctionKind>::name) != time_function_words.end();
     for (const Detail& detail : details) {
-        if (!known || detail.of == meant_by(time_function_words, word)) {
+        if (!known || detail.of == value_of_word(time_function_words, word)) {
             schema.keys.push_back(detail_key(path, detail.name));
             continue;
         }
         const Member* stray = time_function == nullptr ? nullptr : find_member(*time_function, detail.name);
         if (stray != nullptr)
-            refuse(stray->place, path + stray->key, "a time_function of kind " + word + " has none",
+            refuse(stray->location, path + stray->key, "a time function of kind " + word + " has no such key",
                    "kind: " + word_for(time_function_words, detail.of) + ", or leave it out");
     }
     examples[path + "frequency"] = "5 Hz";
@@ -100,8 +102,8 @@ Key line_key(const std::string& load) {
         .kind = Kind::flow_resistance,
         .fallback = "none",
         .meaning =
-            "of the tube between the source, whose pressure is that of the time_function, and the cavity: pressure drop per "
-            "volume flow at ambient pressure; none: the time_function is the pressure in the cavity",
+            "flow resistance of the tube between the source, whose pressure is the time function, and the cavity: pressure drop per "
+            "volume flow at ambient pressure; none: the time function is the pressure in the cavity",
         .min = 0,
         .min_open = true,
         .choices = {"none"}};
@@ -111,7 +113,7 @@ model::TimeFunction time_function_of(const Values& values, const std::string& lo
     model::TimeFunction time_function;
     const std::string path = time_function_path(load);
     if (!values.has(path + "kind")) return time_function;
-    time_function.kind = meant_by(time_function_words, values.text(path + "kind"));
+    time_function.kind = value_of_word(time_function_words, values.text(path + "kind"));
     switch (time_function.kind) {
         case TimeFunctionKind::ramp: time_function.time_s = values.number(path + "rise"); break;  // "duration" is 0
         case TimeFunctionKind::step: break;

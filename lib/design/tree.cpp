@@ -14,14 +14,14 @@
 namespace soft::design {
 namespace {
 
-constexpr std::size_t longest_document = std::size_t{1} << 20;
+constexpr std::size_t max_document_bytes = std::size_t{1} << 20;
 constexpr int max_nodes = 100000;
-constexpr std::size_t deepest = 16;
+constexpr std::size_t max_depth = 16;
 
-/// Where marks of yaml-cpp (from 0) stand for the user.
-struct Places {
+/// Converts marks of yaml-cpp (from 0) to locations (line and column from 1).
+struct SourceLocations {
     std::string source;
-    bool numbered;  // false: a fragment, which has one place
+    bool numbered;  // false: a fragment, which has a single location
     DocumentKind kind = {};
     [[nodiscard]] std::string a_kind() const { return "a " + std::string{kind.noun}; }
     [[nodiscard]] std::string at(int line, int column) const {
@@ -34,14 +34,14 @@ struct Places {
 /// Builds the tree from parser events. yaml-cpp's own nodes would hide duplicate keys and expand aliases.
 class TreeBuilder final : public YAML::EventHandler {
 public:
-    TreeBuilder(const Places& places, std::string_view text) : places_(places), text_(text) {}
+    TreeBuilder(const SourceLocations& locations, std::string_view text) : locations_(locations), text_(text) {}
 
     Node take() { return std::move(root_); }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         if (++documents_ > 1)
-            refuse(places_.at(mark), "", "a second document starts here",
-                   "keep one " + std::string{places_.kind.noun} + " a file");
+            refuse(locations_.at(mark), "", "a second document starts here",
+                   "keep one " + std::string{locations_.kind.noun} + " a file");
     }
     void OnDocumentEnd() override {}
     void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -52,14 +52,15 @@ public:
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   const std::string& value) override {
         check(mark, tag, anchor);
-        // An escape such as "\n" gives what check_characters has refused in the text; names go into messages, tables and paths.
-        // The lines of a block scalar are no escapes; keys that do not take several lines refuse them (checks.cpp).
+        // An escape such as "\n" can produce control characters that check_characters rejects in the text; names appear in messages,
+        // tables and paths. Line breaks of a block scalar are allowed here; keys that take a single line reject them (checks.cpp).
         std::string visible = value;
         const bool is_block = value.find('\n') != std::string::npos && begins_block(mark);
         std::ranges::replace_if(
             visible, [&](char c) { return c == '\t' || (is_block && c == '\n'); }, ' ');
         if (core::one_line(visible, visible.size()) != visible)
-            refuse(places_.at(mark), "", "a control character in " + core::quoted(value), "write letters and blanks");
+            refuse(locations_.at(mark), "", "a control character in " + core::quoted(value),
+                   "write letters and blanks");
         Node node;
         node.kind = Node::Kind::scalar;
         node.text = value;
@@ -83,7 +84,8 @@ private:
     };
 
     [[noreturn]] void refuse_anchor(const YAML::Mark& mark) const {
-        refuse(places_.at(mark), "", "anchors and aliases are not part of " + places_.a_kind(), "write the value out");
+        refuse(locations_.at(mark), "", "anchors and aliases are not part of " + locations_.a_kind(),
+               "write the value out");
     }
 
     /// Whether the scalar at this mark is written below "|" or ">".
@@ -99,20 +101,21 @@ private:
         if (anchor != 0) refuse_anchor(mark);
         const bool ordinary = tag.empty() || tag == "?" || tag == "!";  // plain and quoted scalars
         if (!ordinary)
-            refuse(places_.at(mark), "", "tags are not part of " + places_.a_kind(), "leave out " + core::quoted(tag));
+            refuse(locations_.at(mark), "", "tags are not part of " + locations_.a_kind(),
+                   "leave out " + core::quoted(tag));
         if (++nodes_ > max_nodes)
-            refuse(places_.at(mark), "", "more than " + std::to_string(max_nodes) + " values",
-                   places_.a_kind() + " is a page of text");
+            refuse(locations_.at(mark), "", "more than " + std::to_string(max_nodes) + " values",
+                   "is this the right file?");
     }
 
     void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         check(mark, tag, anchor);
-        if (stack_.size() >= deepest)
-            refuse(places_.at(mark), "", "nested more than " + std::to_string(deepest) + " levels deep");
-        if (expects_key()) refuse(places_.at(mark), "", "a group cannot be a key", "write key: value");
+        if (stack_.size() >= max_depth)
+            refuse(locations_.at(mark), "", "nested more than " + std::to_string(max_depth) + " levels deep");
+        if (expects_key()) refuse(locations_.at(mark), "", "a group cannot be a key", "write key: value");
         Frame frame;
         frame.node.kind = kind;
-        frame.node.place = places_.at(mark);
+        frame.node.location = locations_.at(mark);
         stack_.push_back(std::move(frame));
     }
 
@@ -127,15 +130,15 @@ private:
     }
 
     void add(Node node, const YAML::Mark& mark) {
-        node.place = places_.at(mark);
+        node.location = locations_.at(mark);
         if (!expects_key()) return attach(std::move(node));
         if (node.kind != Node::Kind::scalar || node.text.empty())
-            refuse(node.place, "", "a key is missing before ':'", "write key: value");
+            refuse(node.location, "", "a key is missing before ':'", "write key: value");
         const Frame& frame = stack_.back();
         if (const Member* first = find_member(frame.node, node.text))
-            refuse(node.place, "", "key " + core::quoted(node.text) + " is written twice",
-                   "the first is at " + first->place);
-        stack_.back().waiting = Member{node.text, node.place, {}};
+            refuse(node.location, "", "key " + core::quoted(node.text) + " is written twice",
+                   "the first is at " + first->location);
+        stack_.back().waiting = Member{node.text, node.location, {}};
     }
 
     void attach(Node node) {
@@ -153,7 +156,7 @@ private:
         frame.waiting.reset();
     }
 
-    const Places& places_;
+    const SourceLocations& locations_;
     std::string_view text_;
     Node root_;
     std::vector<Frame> stack_;
@@ -161,19 +164,19 @@ private:
     int documents_ = 0;
 };
 
-/// Line and column of a byte, for what is refused before yaml-cpp sees it.
-std::string place_of_byte(std::string_view text, std::size_t offset, const Places& places) {
+/// Location of a byte, for errors that are detected before parsing.
+std::string location_of_byte(std::string_view text, std::size_t offset, const SourceLocations& locations) {
     const std::string_view before = text.substr(0, offset);
     const auto line = std::count(before.begin(), before.end(), '\n');
     const auto start = before.rfind('\n');
     const std::size_t column = start == std::string_view::npos ? offset : offset - start - 1;
-    return places.at(static_cast<int>(line), static_cast<int>(column));
+    return locations.at(static_cast<int>(line), static_cast<int>(column));
 }
 
-void check_characters(std::string_view text, const Places& places) {
-    if (text.size() > longest_document)
-        refuse(places.source, "", "the " + std::string{places.kind.noun} + " is longer than 1 MiB",
-               places.a_kind() + " is a page of text; is this the right file?");
+void check_characters(std::string_view text, const SourceLocations& locations) {
+    if (text.size() > max_document_bytes)
+        refuse(locations.source, "", "the " + std::string{locations.kind.noun} + " is longer than 1 MiB",
+               "is this the right file?");
     const auto is_control = [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
@@ -183,22 +186,21 @@ void check_characters(std::string_view text, const Places& places) {
     const auto offset = std::min(static_cast<std::size_t>(control - text.begin()), invalid.value_or(text.size()));
     if (offset == text.size()) return;
     const bool is_utf8 = !invalid || offset < *invalid;
-    refuse(place_of_byte(text, offset, places), "", is_utf8 ? "a control character" : "not UTF-8 text",
-           places.a_kind() + " is a YAML text; is this the right file?");
+    refuse(location_of_byte(text, offset, locations), "", is_utf8 ? "a control character" : "not UTF-8 text",
+           "write " + locations.a_kind() + " as YAML; is this the right file?");
 }
 
-Node parse(std::string_view text, const Places& places) {
-    check_characters(text, places);
-    // yaml-cpp 0.7 takes a quote that is never closed for closed at the end of the file; a document end within it is
-    // refused.
+Node parse(std::string_view text, const SourceLocations& locations) {
+    check_characters(text, locations);
+    // yaml-cpp 0.7 accepts an unclosed quote at the end of the file. The appended document end makes it an error.
     std::istringstream stream{std::string{text} + "\n...\n"};
-    TreeBuilder builder{places, text};
+    TreeBuilder builder{locations, text};
     try {
         YAML::Parser parser{stream};
         while (parser.HandleNextDocument(builder)) {}
     } catch (const YAML::Exception& error) {
-        const std::string place = error.mark.is_null() ? places.source : places.at(error.mark);
-        refuse(place, "", "not YAML: " + core::one_line(error.msg), places.kind.example);
+        const std::string location = error.mark.is_null() ? locations.source : locations.at(error.mark);
+        refuse(location, "", "not YAML: " + core::one_line(error.msg), locations.kind.example);
     }
     return builder.take();
 }
@@ -209,7 +211,9 @@ Node parse_yaml(std::string_view text, std::string_view source, const DocumentKi
     return parse(text, {std::string{source}, true, kind});
 }
 
-Node parse_fragment(std::string_view text, std::string_view place) { return parse(text, {std::string{place}, false}); }
+Node parse_fragment(std::string_view text, std::string_view location) {
+    return parse(text, {std::string{location}, false});
+}
 
 const Member* find_member(const Node& map, std::string_view key) {
     const auto member =
@@ -234,26 +238,26 @@ const Node* find_path(const Node& root, std::string_view path) {
 }
 
 Node* find_path(Node& root, std::string_view path) {
-    // NOLINTNEXTLINE(*-const-cast): of a root that is not const
+    // NOLINTNEXTLINE(*-const-cast): the root is not const
     return const_cast<Node*>(find_path(std::as_const(root), path));
 }
 
 void put(Node& root, std::string_view path, Node value) {
     Node* node = &root;
-    const std::string place = value.place;
+    const std::string location = value.location;
     std::string_view rest = path;
     while (true) {
         if (node->kind == Node::Kind::empty) node->kind = Node::Kind::map;
         if (node->kind != Node::Kind::map) {
             const auto done = path.substr(0, path.size() - rest.size() - 1);
-            refuse(place, path, core::quoted(done) + " is a single value",
+            refuse(location, path, core::quoted(done) + " is a single value",
                    "give all of it: " + std::string{done} + "={...}");
         }
         const auto dot = rest.find('.');
         const std::string key{rest.substr(0, dot)};
         if (find_member(*node, key) == nullptr) {
-            node->members.push_back({key, place, {}});
-            node->members.back().value.place = place;
+            node->members.push_back({key, location, {}});
+            node->members.back().value.location = location;
         }
         const auto member =
             std::find_if(node->members.begin(), node->members.end(), [&](const Member& m) { return m.key == key; });
@@ -266,17 +270,17 @@ void put(Node& root, std::string_view path, Node value) {
     }
 }
 
-Node scalar_node(std::string text, std::string_view place) {
+Node scalar_node(std::string text, std::string_view location) {
     Node node;
     node.kind = Node::Kind::scalar;
     node.text = std::move(text);
-    node.place = place;
+    node.location = location;
     return node;
 }
 
-void refuse(std::string_view place, std::string_view path, std::string_view problem, std::string_view remedy) {
-    std::string where{place};
-    const bool named = path.empty() || place == "--set " + std::string{path};
+void refuse(std::string_view location, std::string_view path, std::string_view problem, std::string_view remedy) {
+    std::string where{location};
+    const bool named = path.empty() || location == "--set " + std::string{path};
     if (!named) where.append(where.empty() ? "" : ": ").append(core::one_line(path));
     throw Error(ExitCode::bad_input, where, problem, remedy);
 }

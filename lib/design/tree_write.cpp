@@ -10,7 +10,7 @@ bool is_plain_character(char c) {
            std::string_view{"_ .+-/^%()"}.find(c) != std::string_view::npos;
 }
 
-/// Words that YAML readers take for something other than text stay plain: all values of a design are read as text.
+/// Whether a text needs no quotes. Words with a special meaning in YAML, such as true, stay plain: all values are read as text.
 bool may_stay_plain(std::string_view text) {
     if (text.empty() || text == "~" || text == "null" || text == "Null" || text == "NULL") return false;
     const char first = text.front();
@@ -46,7 +46,7 @@ std::string list_text(const Node& list) {
     return text;
 }
 
-/// Lines that a block scalar keeps as they are.
+/// Whether a text can be written as a block scalar without changes.
 bool is_block(std::string_view text) {
     return text.find('\n') != std::string_view::npos && text.back() == '\n' && text.front() != ' ' &&
            text.front() != '\n' && !text.ends_with("\n\n") &&

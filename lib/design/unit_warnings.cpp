@@ -11,10 +11,10 @@ namespace soft::design {
 namespace {
 
 constexpr double standard_gravity_m_s2 = 9.80665;
-constexpr double max_gravities = 50.0;  // a centrifuge or a shaker is told by its user
-// Foamed silicone to rubber filled with metal.
-constexpr double lightest_kg_m3 = 100.0, heaviest_kg_m3 = 5000.0;
-/// No one winds fibres as steep as this from the axis; angles up to a quarter turn are, in radians.
+constexpr double max_gravities = 50.0;  // more is plausible only for a centrifuge or a shaker
+// From foamed silicone to metal-filled rubber.
+constexpr double min_density_kg_m3 = 100.0, max_density_kg_m3 = 5000.0;
+/// Fibre angles of 0 to 1.57 deg from the axis are not used in practice; such numbers are probably angles up to 90 deg in radians.
 constexpr double max_mistaken_rad = std::numbers::pi / 2;
 
 void check_gravity(const Design& design, std::vector<std::string>& warnings) {
@@ -27,13 +27,13 @@ void check_gravity(const Design& design, std::vector<std::string>& warnings) {
                                " times gravity; is the unit right (9.81 m/s^2)?");
         if (force.acceleration_m_s2 < 0)
             warnings.push_back(path + size + " along " + force.along +
-                               " points the other way; write 9.81 m/s^2 and the direction in which things fall");
+                               " points the other way; write 9.81 m/s^2 and the direction of gravity");
     }
 }
 
 void check_density(const model::Material& material, std::vector<std::string>& warnings) {
-    const double density = material.density_kg_m3.value_or(lightest_kg_m3);
-    if (density < lightest_kg_m3 || density > heaviest_kg_m3)
+    const double density = material.density_kg_m3.value_or(min_density_kg_m3);
+    if (density < min_density_kg_m3 || density > max_density_kg_m3)
         warnings.push_back(material.source + ".density: " + core::quantity_text(density, core::Dimension::density) +
                            " is unusual for a rubber (about 1100 kg/m^3); is the unit right?");
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Values that are of the right dimension and most likely of a wrong unit or sign: gravity, density, fibre angles. Private to the
-/// room; plausibility() tells them. Tested by design/plausibility_test.
+/// Warnings about values of the right dimension but probably of a wrong unit or sign: gravity, density, fibre angles. Private to the
+/// module; called by plausibility(). Tested by design/plausibility_test.
 #include <string>
 #include <vector>
 

@@ -26,7 +26,7 @@ int Values::count(std::string_view path) const {
 
 const std::string& Values::text(std::string_view path) const { return entry_at(entries_, path).text; }
 
-const std::string& Values::place(std::string_view path) const { return entry_at(entries_, path).place; }
+const std::string& Values::location(std::string_view path) const { return entry_at(entries_, path).location; }
 
 bool Values::given(std::string_view path) const {
     const auto entry = entries_.find(path);
@@ -48,15 +48,15 @@ std::vector<std::string> Values::names_below(std::string_view group) const {
 
 Error Values::refuse(std::string_view path, std::string_view problem, std::string_view remedy) const {
     const auto entry = entries_.find(path);
-    std::string place = entry == entries_.end() ? std::string{} : entry->second.place;
-    if (place != "--set " + std::string{path}) place.append(place.empty() ? "" : ": ").append(path);
-    return Error(ExitCode::bad_input, place, problem, remedy);
+    std::string location = entry == entries_.end() ? std::string{} : entry->second.location;
+    if (location != "--set " + std::string{path}) location.append(location.empty() ? "" : ": ").append(path);
+    return Error(ExitCode::bad_input, location, problem, remedy);
 }
 
-std::string file_from(std::string_view place, const std::string& file) {
-    if (place.starts_with("--set") || place.starts_with('<')) return file;
-    for (int part = 0; part < 2; ++part) place = place.substr(0, place.rfind(':'));  // "designs/part.yaml:3:9"
-    return (std::filesystem::path{place}.parent_path() / file).string();
+std::string file_from(std::string_view location, const std::string& file) {
+    if (location.starts_with("--set") || location.starts_with('<')) return file;
+    for (int part = 0; part < 2; ++part) location = location.substr(0, location.rfind(':'));  // "designs/part.yaml:3:9"
+    return (std::filesystem::path{location}.parent_path() / file).string();
 }
 
 void Values::set(std::string path, Entry entry) { entries_.insert_or_assign(std::move(path), std::move(entry)); }

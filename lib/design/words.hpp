@@ -1,5 +1,5 @@
 #pragma once
-/// Words of a choice and the enumerators they mean: one table each, for the key and for the typed value. Private to the module.
+/// Tables of the words of a choice and their enumerators, used for the key and for the typed value. Private to the module.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -14,7 +14,7 @@ struct Word {
     Enum value;
 };
 
-/// For Key::choices.
+/// The words of a table, for Key::choices.
 template <class Enum, std::size_t count>
 [[nodiscard]] std::vector<std::string> words_of(const std::array<Word<Enum>, count>& table) {
     std::vector<std::string> words;
@@ -22,15 +22,15 @@ template <class Enum, std::size_t count>
     return words;
 }
 
-/// For Key::fallback.
+/// The word of an enumerator, for Key::fallback.
 template <class Enum, std::size_t count>
 [[nodiscard]] std::string word_for(const std::array<Word<Enum>, count>& table, Enum value) {
     return std::string{std::ranges::find(table, value, &Word<Enum>::value)->name};
 }
 
-/// Of a checked choice: `name` is in the table.
+/// The enumerator of a word; `name` must be in the table.
 template <class Enum, std::size_t count>
-[[nodiscard]] Enum meant_by(const std::array<Word<Enum>, count>& table, std::string_view name) {
+[[nodiscard]] Enum value_of_word(const std::array<Word<Enum>, count>& table, std::string_view name) {
     return std::ranges::find(table, name, &Word<Enum>::name)->value;
 }
 

@@ -27,7 +27,7 @@ struct PlannedDesign {
     std::vector<std::string> values;  ///< one per factor, as written in a design
     std::string design_yaml;          ///< effective design with absolute file paths; empty if refused
     std::string refusal;              ///< one line; empty for a valid design
-    bool geometry_refused = false;    ///< refused by Basis::check_geometry rather than by the keys of the design
+    bool geometry_refused = false;    ///< refused by PlanInput::check_geometry instead of by the keys of the design
 };
 
 struct Plan {

@@ -1,4 +1,4 @@
-/// Tractions beside pressures, and plane strain's components and directions.
+/// Tractions, prescribed displacements, gravity and forces; output measures; directions in plane strain.
 #include <gtest/gtest.h>
 
 #include "sample.hpp"
@@ -9,7 +9,7 @@ using namespace soft;
 using namespace soft::design;
 using namespace soft::design::sample;
 
-/// A family without a cavity whose own load is a traction.
+/// A family without a cavity whose default load is a traction.
 FamilyKeys sheet() {
     FamilyKeys family = bar();
     family.name = "sheet";
@@ -40,27 +40,27 @@ void expect_refusal(const std::string& rest, std::string_view start, std::string
         const std::string line = error.what();
         EXPECT_EQ(error.code(), ExitCode::bad_input);
         EXPECT_EQ(line.find(start), 0u) << line;
-        EXPECT_TRUE(holds(line, remedy)) << line;
+        EXPECT_TRUE(contains(line, remedy)) << line;
     }
 }
 
 const std::string pulled = "loads: {end: {traction: 62.5 kPa, along: y}}\n";
 
-TEST(Traction, IsALoadByItself) {
+TEST(Traction, CanBeTheOnlyLoad) {
     const Design design = read_sheet(pulled);
     EXPECT_TRUE(design.loads.empty());
     ASSERT_EQ(design.tractions.size(), 1u);
     EXPECT_EQ(design.tractions[0].face, "end");
     EXPECT_EQ(design.tractions[0].size, 62500.0);
     EXPECT_EQ(design.tractions[0].along, "y");
-    EXPECT_EQ(design.path.stages.at(0).tractions, std::vector{1.0});  // all of it at the end
+    EXPECT_EQ(design.path.stages.at(0).tractions, std::vector{1.0});  // full traction at the end
     EXPECT_TRUE(design.warnings.empty());
 }
 
-TEST(Traction, StandsBesidePressuresOnOtherFaces) {
+TEST(Traction, CanBeCombinedWithPressuresOnOtherFaces) {
     const Design design = read_sheet("loads: {tip: {traction: -3 kPa, along: normal}, top: {pressure: 2 kPa}}\n");
     ASSERT_EQ(design.tractions.size(), 1u);
-    EXPECT_EQ(design.tractions[0].face, "end");  // tip is another name of it
+    EXPECT_EQ(design.tractions[0].face, "end");  // tip is an alias of end
     EXPECT_EQ(design.tractions[0].size, -3000.0);
     ASSERT_EQ(design.loads.size(), 1u);
     EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"top"});
@@ -68,7 +68,7 @@ TEST(Traction, StandsBesidePressuresOnOtherFaces) {
                    "p.yaml:3:59: loads.end.pressure: face 'end' is loaded twice", "keep one of its names");
 }
 
-TEST(Traction, WhatContradictsItselfIsRefused) {
+TEST(Traction, InvalidAndContradictoryKeysAreRejected) {
     expect_refusal("loads: {end: {traction: 3 kPa, pressure: 3 kPa, along: y}}\n",
                    "p.yaml:3:32: loads.end.pressure: the load has a traction already",
                    "keep one of pressure, traction, force, displacement");
@@ -79,8 +79,8 @@ TEST(Traction, WhatContradictsItselfIsRefused) {
                    "write the traction at full load");
     expect_refusal("loads: {end: {tracton: 3 kPa}}\n", "p.yaml:3:15: loads.end.tracton: unknown key",
                    "did you mean 'traction'?");
-    expect_refusal("loads: {end: {traction: 3 kPa, along: up}}\n", "p.yaml:3:39: loads.end.along: 'up' is not a choice",
-                   "");
+    expect_refusal("loads: {end: {traction: 3 kPa, along: up}}\n",
+                   "p.yaml:3:39: loads.end.along: 'up' is not a valid value", "");
     expect_refusal("loads: {end: {traction: 3 mm, along: y}}\n",
                    "p.yaml:3:25: loads.end.traction: '3 mm' is a length where a pressure is needed", "");
     expect_refusal("loads: {end: {traction: 3 kPa, along: y, sealed: true}}\n",
@@ -94,25 +94,25 @@ TEST(Traction, WhatContradictsItselfIsRefused) {
         << cavity;
 }
 
-TEST(Traction, FarAboveTheModulusIsNoticed) {
+TEST(Traction, FarAboveTheModulusTriggersAWarning) {
     const Design design = read_sheet("loads: {end: {traction: 30 MPa, along: y}}\n");
     ASSERT_EQ(design.warnings.size(), 1u);
     EXPECT_EQ(design.warnings[0].find("loads.end.traction: 30 MPa is far above"), 0u) << design.warnings[0];
 }
 
-TEST(Traction, IsInTheTemplateOfAFamilyThatUsesIt) {
+TEST(Traction, IsInTheTemplateOfAFamilyWithADefaultTraction) {
     const std::string text = template_yaml(sheet());
     const Design design = read_design(text, "t", sheets(), {});
     ASSERT_EQ(design.tractions.size(), 1u) << text;
     EXPECT_EQ(design.tractions[0].size, 20000.0);
     EXPECT_EQ(design.tractions[0].along, "y");
-    EXPECT_TRUE(holds(text, "force per undeformed area")) << text;
+    EXPECT_TRUE(contains(text, "force per undeformed area")) << text;
 }
 
-TEST(Traction, ReadsBackFromTheEffectiveDesign) {
+TEST(Traction, IsReproducedByTheEffectiveDesign) {
     const Design first = read_sheet(pulled);
     EXPECT_EQ(read_design(first.effective_yaml, "e", sheets(), {}).effective_yaml, first.effective_yaml);
-    EXPECT_TRUE(holds(explain_design(material + pulled, "p.yaml", sheets(), {}), "given at p.yaml:3:25; force per"));
+    EXPECT_TRUE(contains(explain_design(material + pulled, "p.yaml", sheets(), {}), "given at p.yaml:3:25; force per"));
 }
 
 TEST(PlaneStrain, HasTheComponentsAndDirectionsXAndY) {
@@ -150,7 +150,7 @@ protected:
     }
 };
 
-TEST_F(ApplyToTractions, ScalesTheCasesOwn) {
+TEST_F(ApplyToTractions, ScalesTheTractionsOfTheCase) {
     const std::vector<Override> changes = {{"loads.end.traction", "-25 kPa"}};
     const SolveChanges part = apply_overrides(effective_, changes);
     ASSERT_EQ(part.tractions.size(), 2u);
@@ -162,7 +162,7 @@ TEST_F(ApplyToTractions, ScalesTheCasesOwn) {
     EXPECT_EQ(part.effective_yaml, read_design(effective_, "e", sheets(), changes).effective_yaml);
 }
 
-TEST_F(ApplyToTractions, OneThatBecomesAPressureGoes) {
+TEST_F(ApplyToTractions, RemovesATractionThatBecomesAPressure) {
     const std::vector<Override> changes = {{"loads.end", "{pressure: 3 kPa}"}};
     const SolveChanges part = apply_overrides(effective_, changes);
     ASSERT_EQ(part.tractions.size(), 1u);
@@ -170,7 +170,7 @@ TEST_F(ApplyToTractions, OneThatBecomesAPressureGoes) {
     EXPECT_EQ(part.loads.size(), 2u);
 }
 
-TEST_F(ApplyToTractions, RefusesNewOnesAndNewDirections) {
+TEST_F(ApplyToTractions, RejectsNewTractionsAndNewDirections) {
     EXPECT_EQ(refusal_of("loads.end.along", "x"),
               "--set loads.end.along: the direction is built into the case; give the same --set to mesh-gen");
     EXPECT_EQ(
@@ -178,7 +178,7 @@ TEST_F(ApplyToTractions, RefusesNewOnesAndNewDirections) {
         "--set loads.top: loads.top.traction: the case has no traction on this face; give the same --set to mesh-gen");
 }
 
-TEST(Motion, IsThatOfAComponentOfAFace) {
+TEST(Motion, PrescribesADisplacementComponentOfAFace) {
     const Design design = read_sheet("loads: {tip: {displacement: -10 mm, along: x}}\n");
     ASSERT_EQ(design.motions.size(), 1u);
     EXPECT_EQ(design.motions[0].face, "end");
@@ -193,7 +193,7 @@ TEST(Motion, IsThatOfAComponentOfAFace) {
                    "write the displacement at full load, for example 10 mm");
 }
 
-TEST(Gravity, NeedsADensityAndADirection) {
+TEST(Gravity, RequiresADensityAndADirection) {
     const std::string weight = "loads: {gravity: {acceleration: 9.81 m/s^2, along: -y}}\n";
     const Design design = read_sheet(weight, {{"material.density", "1080 kg/m^3"}});
     ASSERT_EQ(design.body_forces.size(), 1u);
@@ -209,7 +209,7 @@ TEST(Gravity, NeedsADensityAndADirection) {
                    "p.yaml:3:33: loads.gravity.acceleration: '9.81 m' is a length where an acceleration is needed", "");
 }
 
-TEST(Stages, OfTractionsWeightAndMotionsAreLevels) {
+TEST(Stages, OfTractionsGravityAndMotionsAreFractionsOfTheFullLoad) {
     const Design design = read_sheet(
         "loads: {end: {traction: 50 kPa, along: y}, top: {displacement: 4 mm, along: x}, gravity: {acceleration: 10 m/s^2, along: x}}\n"
         "path: {stages: {a: {loads: {tip: {traction: 20 kPa}, gravity: {acceleration: 5 m/s^2}}},"
@@ -225,7 +225,7 @@ TEST(Stages, OfTractionsWeightAndMotionsAreLevels) {
     EXPECT_EQ(stages[1].body_forces, std::vector{0.5});
 }
 
-TEST(Overrides, FindALoadUnderEveryNameOfItsFace) {
+TEST(Overrides, FindALoadUnderEveryAliasOfItsFace) {
     const std::string tip = "loads: {tip: {displacement: 10 mm, along: x}}\n",
                       end = "loads: {end: {displacement: 10 mm, along: x}}\n";
     for (const std::string& design : {tip, end})
@@ -241,12 +241,12 @@ TEST(Overrides, FindALoadUnderEveryNameOfItsFace) {
         }
 }
 
-TEST_F(ApplyToTractions, RefusesFacesThatTheCaseDoesNotLoad) {
-    EXPECT_TRUE(holds(refusal_of("loads.tip.traction", "5 kPa"), "accepted"));  // another name of end
-    EXPECT_TRUE(holds(refusal_of("loads.bottom.pressure", "5 kPa"),
-                      "--set loads.bottom.pressure: loads.bottom: unknown key; known: "));
+TEST_F(ApplyToTractions, RejectsFacesThatTheCaseDoesNotLoad) {
+    EXPECT_TRUE(contains(refusal_of("loads.tip.traction", "5 kPa"), "accepted"));  // an alias of end
+    EXPECT_TRUE(contains(refusal_of("loads.bottom.pressure", "5 kPa"),
+                         "--set loads.bottom.pressure: loads.bottom: unknown key; known: "));
     EXPECT_TRUE(
-        holds(refusal_of("loads.gravity", "{acceleration: 9.81 m/s^2, along: x}"), "the rubber has no density"));
+        contains(refusal_of("loads.gravity", "{acceleration: 9.81 m/s^2, along: x}"), "the rubber has no density"));
     EXPECT_EQ(refusal_of("loads.cavity.pressure", "5 kPa"),
               "--set loads.cavity.pressure: loads.cavity: there is no cavity to load; faces: top, end, fixed, tip");
 }
@@ -265,9 +265,9 @@ protected:
     }
 };
 
-TEST_F(Angles, AreBendsFromAReferenceAndTwists) {
+TEST_F(Angles, CanBeBendsFromAReferenceAndTwists) {
     const Design design =
-        read(std::string{least} +
+        read(std::string{minimal_design} +
              "model: solid\noutputs: {b: {face: inlet, measure: bend, reference: end_disc, along: y}, "
              "t: {face: inlet, measure: twist, along: axis}, d: {face: inlet}}\n");
     ASSERT_EQ(design.outputs.size(), 3u);
@@ -278,20 +278,20 @@ TEST_F(Angles, AreBendsFromAReferenceAndTwists) {
     EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
 }
 
-TEST_F(Angles, WhatDoesNotTurnIsRefused) {
+TEST_F(Angles, InvalidReferencesAndAxesAreRejected) {
     const std::string bend = "face: inlet, measure: bend, ";
-    EXPECT_TRUE(holds(refusal_of("solid", bend + "along: y"), "outputs.a.reference: missing"));
-    EXPECT_TRUE(holds(refusal_of("solid", bend + "reference: fixed"), "outputs.a.along: missing"));
+    EXPECT_TRUE(contains(refusal_of("solid", bend + "along: y"), "outputs.a.reference: missing"));
+    EXPECT_TRUE(contains(refusal_of("solid", bend + "reference: fixed"), "outputs.a.along: missing"));
     EXPECT_TRUE(
-        holds(refusal_of("solid", bend + "reference: inlet, along: y"), "a face does not bend away from itself"));
-    EXPECT_TRUE(holds(refusal_of("solid", bend + "reference: fixed, along: r"), "r is no axis to turn about"));
+        contains(refusal_of("solid", bend + "reference: inlet, along: y"), "a face has no bend relative to itself"));
+    EXPECT_TRUE(contains(refusal_of("solid", bend + "reference: fixed, along: r"), "r is not an axis of rotation"));
     EXPECT_TRUE(
-        holds(refusal_of("solid", "face: inlet, reference: fixed"), "only a bend is measured from another face"));
-    EXPECT_TRUE(holds(refusal_of("axisymmetric", bend + "reference: fixed, along: x"), "neither bends nor twists"));
-    EXPECT_TRUE(holds(refusal_of("axisymmetric", "face: inlet, measure: twist"), "neither bends nor twists"));
+        contains(refusal_of("solid", "face: inlet, reference: fixed"), "only a bend is measured from another face"));
+    EXPECT_TRUE(contains(refusal_of("axisymmetric", bend + "reference: fixed, along: x"), "neither bends nor twists"));
+    EXPECT_TRUE(contains(refusal_of("axisymmetric", "face: inlet, measure: twist"), "neither bends nor twists"));
 }
 
-TEST(PlaneStrain, FacesTurnAboutZ) {
+TEST(PlaneStrain, RotationsAreAboutZ) {
     const Design design = read_sheet(pulled + "outputs: {a: {face: end, measure: bend, reference: fixed, along: z}}\n");
     EXPECT_EQ(design.outputs.at(0).along, "z");
     expect_refusal(pulled + "outputs: {a: {face: end, measure: bend, reference: fixed, along: y}}\n",
@@ -302,7 +302,7 @@ class Measures : public Angles {};
 
 TEST_F(Measures, ShapesAndReactionsAreReadWithTheirAxis) {
     const Design design = read(
-        std::string{least} +
+        std::string{minimal_design} +
         "model: solid\noutputs: {f: {face: end_disc, measure: force}, m: {face: end_disc, measure: moment, along: z}, "
         "w: {face: outer, measure: radial}, o: {face: inlet, measure: rotation, along: x}, "
         "k: {face: outer, measure: curvature, along: y}}\npath: {until: {f: 20 mN, m: 3 N.mm, k: 5 1/m}}\n");
@@ -321,39 +321,39 @@ TEST_F(Measures, ShapesAndReactionsAreReadWithTheirAxis) {
     EXPECT_EQ(read(design.effective_yaml).effective_yaml, design.effective_yaml);
 }
 
-TEST_F(Measures, WhatTheModelDoesNotHaveIsRefused) {
-    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: moment"), "outputs.a.along: missing"));
-    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: curvature"), "outputs.a.along: missing"));
-    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: radial, along: r"),
-                      "it is the axis from which the distance is taken"));
+TEST_F(Measures, ThatTheModelDoesNotHaveAreRejected) {
+    EXPECT_TRUE(contains(refusal_of("solid", "face: inlet, measure: moment"), "outputs.a.along: missing"));
+    EXPECT_TRUE(contains(refusal_of("solid", "face: inlet, measure: curvature"), "outputs.a.along: missing"));
+    EXPECT_TRUE(contains(refusal_of("solid", "face: inlet, measure: radial, along: r"),
+                         "it is the axis from which the distance is taken"));
+    EXPECT_TRUE(contains(refusal_of("axisymmetric", "face: inlet, measure: force, along: r"),
+                         "forces along r cancel around the circumference"));
     EXPECT_TRUE(
-        holds(refusal_of("axisymmetric", "face: inlet, measure: force, along: r"), "forces along r cancel all round"));
+        contains(refusal_of("axisymmetric", "face: inlet, measure: moment, along: x"), "neither bends nor twists"));
     EXPECT_TRUE(
-        holds(refusal_of("axisymmetric", "face: inlet, measure: moment, along: x"), "neither bends nor twists"));
-    EXPECT_TRUE(
-        holds(refusal_of("axisymmetric", "face: inlet, measure: curvature, along: x"), "neither bends nor twists"));
+        contains(refusal_of("axisymmetric", "face: inlet, measure: curvature, along: x"), "neither bends nor twists"));
     EXPECT_EQ(refusal_of("axisymmetric", "face: outer, measure: radial"), "accepted");
-    EXPECT_TRUE(holds(refusal_of("solid", "face: inlet, measure: forces"), "force"));
+    EXPECT_TRUE(contains(refusal_of("solid", "face: inlet, measure: forces"), "force"));
 }
 
-TEST(Reactions, OfAMotionInTimeAreRefused) {
+TEST(Reactions, InADynamicDesignAreRejected) {
     try {
         static_cast<void>(read(
             "family: pipe\nmaterial: {law: neo-hookean, mu: 1 kPa, density: 1000 kg/m^3}\nloads: {cavity: {pressure: 1 kPa}}\n"
             "model: solid\noutputs: {a: {face: end_disc, measure: force}}\ndynamics: {duration: 1 s}\n"));
         FAIL() << "not refused";
     } catch (const Error& error) {
-        EXPECT_TRUE(holds(error.what(), "a reaction is measured on a static path"));
+        EXPECT_TRUE(contains(error.what(), "a reaction is measured on a static path"));
     }
 }
 
-TEST(OutputNames, AreNotThoseOfTheLoad) {
+TEST(OutputNames, MustNotBeThoseOfTheLoad) {
     for (const char* name : {"load", "traction", "load_factor"}) {
         try {
-            static_cast<void>(read(std::string{least} + "outputs: {" + name + ": {face: inlet}}\n"));
+            static_cast<void>(read(std::string{minimal_design} + "outputs: {" + name + ": {face: inlet}}\n"));
             FAIL() << "not refused";
         } catch (const Error& error) {
-            EXPECT_TRUE(holds(error.what(), "the name is that of a quantity every path has"));
+            EXPECT_TRUE(contains(error.what(), "the name is reserved for a quantity of every path"));
         }
     }
 }
@@ -369,17 +369,17 @@ TEST(Forces, AreReadWithTheirUnit) {
     EXPECT_EQ(read(design.effective_yaml).tractions.at(0).size, 0.15);
 }
 
-TEST(Forces, ChangeInSolveByTheirSize) {
+TEST(Forces, CanBeScaledBySolve) {
     const Design design = read(pushed);
     const auto changes = apply_overrides(design.effective_yaml, std::vector<Override>{{"loads.inlet.force", "0.3 N"}});
     ASSERT_EQ(changes.tractions.size(), 1u);
     EXPECT_EQ(changes.tractions[0].factor, 2.0);
-    try {  // a traction is no force
+    try {  // a traction cannot replace a force
         static_cast<void>(apply_overrides(design.effective_yaml,
                                           std::vector<Override>{{"loads.inlet", "{traction: 1 kPa, along: x}"}}));
         FAIL() << "not refused";
     } catch (const Error& error) {
-        EXPECT_TRUE(holds(error.what(), "the case has no traction on this face")) << error.what();
+        EXPECT_TRUE(contains(error.what(), "the case has no traction on this face")) << error.what();
     }
 }
 

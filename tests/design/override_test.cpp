@@ -19,7 +19,7 @@ TEST(ParseOverride, LoadIsShortForTheCavitysLoad) {
     EXPECT_EQ(parse_override("load.pressure=60kPa").path, "loads.cavity.pressure");
 }
 
-TEST(ParseOverride, WhatIsNoAssignmentIsAUsageError) {
+TEST(ParseOverride, ArgumentThatIsNotAnAssignmentIsAUsageError) {
     for (const char* argument :
          {"", "geometry.wall", "=3 mm", "geometry.wall=", ".wall=3 mm", "geometry.=3 mm", "geometry..wall=3 mm"}) {
         try {
@@ -31,11 +31,11 @@ TEST(ParseOverride, WhatIsNoAssignmentIsAUsageError) {
     }
 }
 
-TEST(Overrides, ReplaceAddAndReplaceWholeGroups) {
-    const Design design = read(least, {{"geometry.wall", "2.5mm"},
-                                       {"loads.cavity.pressure", "60kPa"},
-                                       {"outputs", "{swell: {face: outer, along: r}}"},
-                                       {"supports.fixed", "[inlet, end_disc]"}});
+TEST(Overrides, ReplaceAndAddValuesAndReplaceWholeGroups) {
+    const Design design = read(minimal_design, {{"geometry.wall", "2.5mm"},
+                                                {"loads.cavity.pressure", "60kPa"},
+                                                {"outputs", "{swell: {face: outer, along: r}}"},
+                                                {"supports.fixed", "[inlet, end_disc]"}});
     EXPECT_EQ(design.values.number("geometry.wall"), 2.5e-3);
     EXPECT_TRUE(design.values.given("geometry.wall"));
     EXPECT_EQ(supply(design).value, 60000.0);
@@ -43,33 +43,37 @@ TEST(Overrides, ReplaceAddAndReplaceWholeGroups) {
     EXPECT_EQ(design.supports.size(), 2u);
 }
 
-TEST(Overrides, TheLastOfTwoCounts) {
-    EXPECT_EQ(read(least, {{"geometry.wall", "2 mm"}, {"geometry.wall", "4 mm"}}).values.number("geometry.wall"), 4e-3);
+TEST(Overrides, LastOfTwoTakesEffect) {
+    EXPECT_EQ(
+        read(minimal_design, {{"geometry.wall", "2 mm"}, {"geometry.wall", "4 mm"}}).values.number("geometry.wall"),
+        4e-3);
 }
 
-TEST(Overrides, CanSupplyWhatTheDesignLacks) {
+TEST(Overrides, CanSupplyMissingKeys) {
     const Design design =
         read("family: pipe\n", {{"material", "{law: neo-hookean, mu: 1 MPa}"}, {"loads.cavity.pressure", "5 kPa"}});
     EXPECT_EQ(supply(design).value, 5000.0);
 }
 
-TEST(Overrides, AreErrorsAtTheirOwnPlace) {
-    EXPECT_EQ(refusal(least, {{"geometry.wall", "3"}}).find("--set geometry.wall: '3' has no unit"), 0u);
-    EXPECT_EQ(refusal(least, {{"geometry.wal", "3 mm"}}).find("--set geometry.wal: unknown key; did you mean 'wall'?"),
+TEST(Overrides, ErrorsAreReportedAtTheOption) {
+    EXPECT_EQ(refusal(minimal_design, {{"geometry.wall", "3"}}).find("--set geometry.wall: '3' has no unit"), 0u);
+    EXPECT_EQ(refusal(minimal_design, {{"geometry.wal", "3 mm"}})
+                  .find("--set geometry.wal: unknown key; did you mean 'wall'?"),
               0u);
-    EXPECT_EQ(refusal(least, {{"geometry.disc", "{length: 6 mm, radius: 4}"}})
+    EXPECT_EQ(refusal(minimal_design, {{"geometry.disc", "{length: 6 mm, radius: 4}"}})
                   .find("--set geometry.disc: geometry.disc.radius: '4' has no unit"),
               0u);
-    EXPECT_EQ(refusal(least, {{"geometry.wall", "\"3"}}).find("--set geometry.wall: not YAML"), 0u);
-    EXPECT_EQ(refusal(least, {{"geometry.wall.x", "3 mm"}}).find("--set geometry.wall.x"), 0u);
+    EXPECT_EQ(refusal(minimal_design, {{"geometry.wall", "\"3"}}).find("--set geometry.wall: not YAML"), 0u);
+    EXPECT_EQ(refusal(minimal_design, {{"geometry.wall.x", "3 mm"}}).find("--set geometry.wall.x"), 0u);
 }
 
 class Apply : public testing::Test {
 protected:
-    const std::string effective_ = read(std::string{least} + "path: {until: {elongation: 40 mm}}\n").effective_yaml;
+    const std::string effective_ =
+        read(std::string{minimal_design} + "path: {until: {elongation: 40 mm}}\n").effective_yaml;
 };
 
-TEST_F(Apply, GivesWhatADesignWithTheSameOverridesWouldGive) {
+TEST_F(Apply, MatchesADesignWithTheSameOverrides) {
     const std::vector<Override> changes = {{"loads.cavity.pressure", "60kPa"}, {"loads.cavity.sealed", "false"},
                                            {"material.kappa", "3 MPa"},        {"path.control", "pressure"},
                                            {"path.until.elongation", "50 mm"}, {"solver.first_step", "0.1"}};
@@ -87,7 +91,7 @@ TEST_F(Apply, GivesWhatADesignWithTheSameOverridesWouldGive) {
 
 TEST_F(Apply, WithoutOverridesChangesNothing) { EXPECT_EQ(apply_overrides(effective_, {}).effective_yaml, effective_); }
 
-TEST_F(Apply, RefusesWhatIsBuiltIntoTheCase) {
+TEST_F(Apply, RejectsKeysThatAreBuiltIntoTheCase) {
     for (const char* path :
          {"geometry.wall", "mesh.size", "model", "supports.fixed", "outputs.elongation.face", "family"}) {
         const std::vector<Override> changes = {{path, "3 mm"}};
@@ -96,12 +100,12 @@ TEST_F(Apply, RefusesWhatIsBuiltIntoTheCase) {
             ADD_FAILURE() << path;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::usage);
-            EXPECT_TRUE(holds(error.what(), "built into the case")) << error.what();
+            EXPECT_TRUE(contains(error.what(), "built into the case")) << error.what();
         }
     }
 }
 
-TEST_F(Apply, RefusesBadValuesAndUnknownLoadsAtTheirOverride) {
+TEST_F(Apply, RejectsInvalidValuesAndUnknownLoadsAtTheirOverride) {
     const auto line = [&](const Override& change) {
         try {
             static_cast<void>(apply_overrides(effective_, std::vector{change}));

@@ -11,8 +11,8 @@ using namespace soft;
 using namespace soft::design;
 using namespace soft::design::sample;
 
-TEST(ReadDesign, FamilyMaterialAndAPressureAreEnough) {
-    const Design design = read(least);
+TEST(ReadDesign, FamilyMaterialAndAPressureAreSufficient) {
+    const Design design = read(minimal_design);
     EXPECT_EQ(design.family, "pipe");
     EXPECT_EQ(design.name, "pipe");
     EXPECT_EQ(design.values.number("geometry.wall"), 3e-3);
@@ -22,7 +22,7 @@ TEST(ReadDesign, FamilyMaterialAndAPressureAreEnough) {
     EXPECT_EQ(design.material.name, "rubber");
     EXPECT_EQ(design.material.law, "neo-hookean");
     EXPECT_EQ(design.material.constants.at("mu"), std::vector{164400.0});
-    EXPECT_EQ(design.material.bulk_modulus_Pa, std::nullopt);  // incompressible unless kappa says otherwise
+    EXPECT_EQ(design.material.bulk_modulus_Pa, std::nullopt);  // incompressible without kappa
     ASSERT_EQ(design.loads.size(), 1u);
     EXPECT_EQ(design.loads[0].name, "cavity");
     EXPECT_EQ(design.loads[0].targets, std::vector<std::string>{"cavity"});
@@ -30,7 +30,7 @@ TEST(ReadDesign, FamilyMaterialAndAPressureAreEnough) {
     EXPECT_EQ(supply(design).value, 30000.0);
     EXPECT_TRUE(design.loads[0].sealed);
     ASSERT_EQ(design.supports.size(), 1u);
-    EXPECT_EQ(design.supports[0].face, "fixed");  // end_disc is another name of it
+    EXPECT_EQ(design.supports[0].face, "fixed");  // end_disc is an alias of fixed
     EXPECT_EQ(design.supports[0].fixed, (std::array{true, true, false}));
     ASSERT_EQ(design.outputs.size(), 1u);
     EXPECT_EQ(design.outputs[0].name, "elongation");
@@ -38,7 +38,7 @@ TEST(ReadDesign, FamilyMaterialAndAPressureAreEnough) {
     EXPECT_TRUE(design.warnings.empty());
 }
 
-TEST(ReadDesign, TheContractsExampleReadsAsItsCommentsSay) {
+TEST(ReadDesign, ReadsADesignWithAllSections) {
     const Design design = read(R"(
 family: pipe
 name: kraken-bellows
@@ -68,7 +68,7 @@ solver: {residual_tolerance: 1e-8, newton_limit: 20}
     EXPECT_EQ(design.supports[0].fixed, (std::array{true, true, true}));
     EXPECT_EQ(design.supports[1].face, "inlet");
     EXPECT_EQ(design.supports[1].fixed, (std::array{false, true, false}));
-    EXPECT_EQ(design.supports[2].fixed, (std::array{false, true, true}));  // y and z of one face come together
+    EXPECT_EQ(design.supports[2].fixed, (std::array{false, true, true}));  // y and z of one face are combined
     ASSERT_EQ(design.loads.size(), 2u);
     EXPECT_EQ(design.loads[0].name, "cavity");
     EXPECT_FALSE(design.loads[0].sealed);
@@ -87,7 +87,7 @@ solver: {residual_tolerance: 1e-8, newton_limit: 20}
     EXPECT_EQ(design.solver.step_limit, model::SolverSettings{}.step_limit);
 }
 
-TEST(ReadDesign, WithoutACavityThePressureIsThatOfAFace) {
+TEST(ReadDesign, PressureActsOnAFaceInAFamilyWithoutACavity) {
     const Design design =
         read("family: bar\nmaterial: {law: neo-hookean, mu: 100 kPa}\nloads: {end: {pressure: -50 kPa}}\n");
     EXPECT_EQ(design.path.stages.at(0).control, model::Control::automatic);
@@ -95,29 +95,30 @@ TEST(ReadDesign, WithoutACavityThePressureIsThatOfAFace) {
     EXPECT_EQ(supply(design).value, -50000.0);
 }
 
-TEST(ReadDesign, AnEmptySectionIsNotAMissingOne) {
-    const Design design = read(std::string{least} + "supports: {}\noutputs: {}\nsolver:\n");
+TEST(ReadDesign, EmptySectionIsNotReplacedByTheDefault) {
+    const Design design = read(std::string{minimal_design} + "supports: {}\noutputs: {}\nsolver:\n");
     EXPECT_TRUE(design.supports.empty());
     EXPECT_TRUE(design.outputs.empty());
 }
 
-TEST(ReadDesign, ASectionOfItsOwnReplacesTheFamilys) {
+TEST(ReadDesign, GivenSectionReplacesTheDefaultOfTheFamily) {
     const Design design =
-        read(std::string{least} + "outputs: {swell: {face: outer, along: r}}\nsupports: {x: inlet}\n");
+        read(std::string{minimal_design} + "outputs: {swell: {face: outer, along: r}}\nsupports: {x: inlet}\n");
     ASSERT_EQ(design.outputs.size(), 1u);
     EXPECT_EQ(design.outputs[0].name, "swell");
     ASSERT_EQ(design.supports.size(), 1u);
     EXPECT_EQ(design.supports[0].face, "inlet");
 }
 
-TEST(Values, AKeyThatTheSchemaLacksIsABug) {
-    const Design design = read(least);
+TEST(Values, UnknownKeyThrowsALogicError) {
+    const Design design = read(minimal_design);
     EXPECT_THROW(static_cast<void>(design.values.number("geometry.colour")), std::logic_error);
     EXPECT_FALSE(design.values.has("geometry.colour"));
 }
 
-TEST(Values, ARefusalAcrossKeysHasThePlaceOfItsKey) {
-    const Design design = read(std::string{least} + "geometry:\n  wall: 12 mm\n", {{"geometry.length", "90 mm"}});
+TEST(Values, RefusalHasTheLocationOfItsKey) {
+    const Design design =
+        read(std::string{minimal_design} + "geometry:\n  wall: 12 mm\n", {{"geometry.length", "90 mm"}});
     EXPECT_STREQ(design.values.refuse("geometry.wall", "12 mm is too much", "at most 10 mm").what(),
                  "p.yaml:5:9: geometry.wall: 12 mm is too much; at most 10 mm");
     EXPECT_STREQ(design.values.refuse("geometry.length", "bad").what(), "--set geometry.length: bad");

@@ -1,5 +1,5 @@
 #pragma once
-/// A family of two dimensions for the tests of the room: the real ones belong to lib/geometry.
+/// Sample families for the tests of this module; the families of the product are in lib/geometry.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -90,7 +90,7 @@ inline const std::vector<FamilyKeys>& families() {
     return all;
 }
 
-inline constexpr std::string_view least =
+inline constexpr std::string_view minimal_design =
     "family: pipe\n"
     "material: {law: neo-hookean, mu: 0.1644 MPa}\n"
     "loads: {cavity: {pressure: 30 kPa}}\n";
@@ -99,7 +99,7 @@ inline Design read(std::string_view text, const std::vector<Override>& overrides
     return read_design(text, "p.yaml", families(), overrides);
 }
 
-/// What a design without stages prescribes of its first pressure load.
+/// The target of the first pressure load in a design without stages.
 inline model::SupplyTarget supply(const Design& design) { return design.path.stages.at(0).supplies.at(0); }
 
 /// The one-line error of a refused design; a test failure if it is accepted.
@@ -117,8 +117,8 @@ inline std::string refusal(std::string_view text, const std::vector<Override>& o
     return {};
 }
 
-inline bool holds(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
+inline bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
-inline const std::string base{least};
+inline const std::string base{minimal_design};
 
 }  // namespace soft::design::sample

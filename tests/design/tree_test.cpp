@@ -17,16 +17,16 @@ std::string tree_refusal(const std::string& text) {
     return "accepted";
 }
 
-TEST(Tree, RemembersLineAndColumnFromOne) {
+TEST(Tree, StoresLineAndColumnFromOne) {
     const Node root = parse_yaml("a: 1\nb:\n  c: [x, yy]\n", "f");
-    EXPECT_EQ(find_path(root, "a")->place, "f:1:4");
-    EXPECT_EQ(find_member(*find(root, "b"), "c")->place, "f:3:3");
-    EXPECT_EQ(find_path(root, "b.c")->items.at(1).place, "f:3:10");
+    EXPECT_EQ(find_path(root, "a")->location, "f:1:4");
+    EXPECT_EQ(find_member(*find(root, "b"), "c")->location, "f:3:3");
+    EXPECT_EQ(find_path(root, "b.c")->items.at(1).location, "f:3:10");
     EXPECT_EQ(find_path(root, "b.c.d"), nullptr);
     EXPECT_EQ(find_path(root, "b.x"), nullptr);
 }
 
-TEST(Tree, RefusesWhatADesignDoesNotNeedAtItsPlace) {
+TEST(Tree, RejectsUnsupportedYamlAtItsLocation) {
     EXPECT_EQ(tree_refusal("a: 1\nb: 2\na: 3\n").find("f:3:1: key 'a' is written twice"), 0u);
     EXPECT_EQ(tree_refusal("a: &x 1\nb: *x\n").find("f:1:4: anchors and aliases"), 0u);
     EXPECT_EQ(tree_refusal("a: !thing 1\n").find("f:1:4: tags"), 0u);
@@ -40,12 +40,12 @@ TEST(Tree, RefusesWhatADesignDoesNotNeedAtItsPlace) {
     EXPECT_EQ(tree_refusal("---\na: 1"), "accepted");
 }
 
-TEST(Tree, RefusesBytesThatAreNoText) {
+TEST(Tree, RejectsBytesThatAreNotText) {
     EXPECT_EQ(tree_refusal(std::string("a: 1\nb: \0x", 10)).find("f:2:4: a control character"), 0u);
     EXPECT_EQ(tree_refusal("a: \xff\n").find("f:1:4: not UTF-8"), 0u);
     EXPECT_EQ(tree_refusal("a: \"b\\nc\"\n").find("f:1:4: a control character in 'b?c'"), 0u);
     EXPECT_EQ(tree_refusal("\"b\\x1bc\": 1\n").find("f:1:1: a control character"), 0u);
-    EXPECT_EQ(tree_refusal("a: 1\nb: |\n  b\n  c\n"), "accepted");  // keys refuse several lines, not the text
+    EXPECT_EQ(tree_refusal("a: 1\nb: |\n  b\n  c\n"), "accepted");  // keys reject several lines, the parser does not
     EXPECT_EQ(tree_refusal("a: |\n  b\nb: \"c\\nd\"\n").find("f:3:4: a control character"), 0u);
     EXPECT_EQ(tree_refusal("a: \"b\\u00e9 \\\"c\\\"\"\n"), "accepted");
     EXPECT_NE(tree_refusal("\x89HDF\r\n\x1a\n").find("not UTF-8"), std::string::npos);
@@ -59,13 +59,13 @@ TEST(Tree, BoundsSizeDepthAndCount) {
     std::string many = "a: [";
     for (int i = 0; i < 150000; ++i) many += "1,";
     EXPECT_NE(tree_refusal(many + "]").find("more than 100000 values"), std::string::npos);
-    // Ten lines that would expand to 10^9 scalars.
+    // Aliases in ten lines that would expand to 10^9 scalars.
     std::string bomb = "a: &a [x,x,x,x,x,x,x,x,x,x]\n";
     for (char c = 'b'; c < 'k'; ++c) bomb += std::string{c} + ": &" + c + " [*" + static_cast<char>(c - 1) + "]\n";
     EXPECT_NE(tree_refusal(bomb).find("anchors and aliases"), std::string::npos);
 }
 
-TEST(Tree, WritesTextThatReadsBackToTheSameText) {
+TEST(Tree, WrittenTextParsesToTheSameText) {
     for (const char* text : {"3 mm", "plain", "a: b",  "a #b", "- x", "",    " lead", "trail ", "\"quoted\"", "it's",
                              "{x}",  "[x]",   "*x",    "&x",   "!x",  "~",   "null",  "true",   "µ-rubber",   "x\\y",
                              "%x",   "@x",    "100 %", "?",    "-",   "---", "...",   "a\tb",   "0x10",       "1e5"}) {
@@ -83,14 +83,14 @@ TEST(Tree, WritesTextThatReadsBackToTheSameText) {
     }
 }
 
-TEST(Tree, NotesAreComments) {
+TEST(Tree, NotesAreWrittenAsComments) {
     Node root;
     put(root, "a.b", scalar_node("1", ""));
     find_path(root, "a.b")->note = "what: it [is]";
     EXPECT_EQ(write_yaml(root, 10), "a:\n  b: 1    # what: it [is]\n");
 }
 
-TEST(Tree, PutMakesTheGroupsOnTheWayButDoesNotBreakAValue) {
+TEST(Tree, PutCreatesMissingGroupsButDoesNotReplaceAValue) {
     Node root = parse_yaml("material: soft\n", "f");
     put(root, "loads.cavity.pressure", scalar_node("1 kPa", "--set loads.cavity.pressure"));
     EXPECT_EQ(find_path(root, "loads.cavity.pressure")->text, "1 kPa");
