@@ -9,7 +9,7 @@
 namespace soft::io {
 namespace {
 
-/// gmsh leaves points of the axis off it by rounding; relative to the largest radius.
+/// Points on the axis in gmsh meshes may be off it by rounding errors. Relative to the largest radius.
 constexpr double axis_tolerance = 1e-8;
 
 void check_header(const Checker& check) {
@@ -25,16 +25,16 @@ void check_points(const Checker& check) {
     const model::Case& input = check.model();
     const auto& points = input.mesh.points;
     check.require(!points.empty(), "/VTKHDF/Points", "there are no points");
-    double largest = 0;
-    double least = 0;
+    double max_radius = 0;
+    double min_radius = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!std::all_of(points[i].begin(), points[i].end(), [](double x) { return std::isfinite(x); }))
             check.refuse(Checker::item("/VTKHDF/Points", i), "is not a finite number");
-        largest = std::max(largest, points[i][1]);
-        least = std::min(least, points[i][1]);
+        max_radius = std::max(max_radius, points[i][1]);
+        min_radius = std::min(min_radius, points[i][1]);
     }
     if (input.kinematics == model::Kinematics::axisymmetric)
-        check.require(least >= -axis_tolerance * largest, "/VTKHDF/Points",
+        check.require(min_radius >= -axis_tolerance * max_radius, "/VTKHDF/Points",
                       "a section has points at a negative radius");
 }
 
@@ -43,30 +43,30 @@ void require_point(const Checker& check, mesh::Index point, const std::string& l
         check.refuse(Checker::item(list, i), "point " + std::to_string(point) + " does not exist");
 }
 
-// The loops over the mesh make their messages only when they are needed: text for a million nodes takes a second.
+// The loops over the mesh format messages only on failure: formatting texts for a million nodes would take a second.
 void check_cells(const Checker& check) {
     const model::Case& input = check.model();
     const mesh::Mesh& mesh = input.mesh;
     const std::size_t cells = mesh.cell_types.size();
     check.require(cells > 0, "/VTKHDF/Types", "there are no cells");
     check.require(mesh.offsets.size() == cells + 1 && mesh.offsets[0] == 0, "/VTKHDF/Offsets",
-                  "must start at 0 and be one more than the cells");
-    check.require(mesh.cell_regions.size() == cells, "/mesh/cell_regions", "must be one a cell");
+                  "must start at 0 and have one entry more than there are cells");
+    check.require(mesh.cell_regions.size() == cells, "/mesh/cell_regions", "must have one entry per cell");
     const auto nodes = static_cast<mesh::Index>(mesh.connectivity.size());
     for (std::size_t c = 0; c < cells; ++c) {
         const auto& topology = mesh::topology(mesh.cell_types[c]);
         if (topology.dimension != mesh.dimension)
             check.refuse(Checker::item("/VTKHDF/Types", c),
-                         std::string{topology.name} + " has not the dimension of the mesh");
+                         std::string{topology.name} + " does not have the dimension of the mesh");
         if (mesh.offsets[c] > nodes || mesh.offsets[c + 1] != mesh.offsets[c] + topology.node_count)
             check.refuse(Checker::item("/VTKHDF/Offsets", c + 1),
-                         "does not fit the nodes of a " + std::string{topology.name});
+                         "does not match the number of nodes of a " + std::string{topology.name});
         const auto region = mesh.cell_regions[c];
         if (region < 0 || static_cast<std::size_t>(region) >= mesh.region_names.size())
             check.refuse(Checker::item("/mesh/cell_regions", c),
                          "region " + std::to_string(region) + " does not exist");
     }
-    check.require(mesh.offsets.back() == nodes, "/VTKHDF/Connectivity", "its length does not fit the offsets");
+    check.require(mesh.offsets.back() == nodes, "/VTKHDF/Connectivity", "its length does not match the offsets");
     for (std::size_t i = 0; i < mesh.connectivity.size(); ++i)
         require_point(check, mesh.connectivity[i], "/VTKHDF/Connectivity", i);
 }
@@ -84,14 +84,14 @@ void check_facet(const Checker& check, const mesh::Facet& facet, const std::stri
 void check_sets(const Checker& check) {
     const model::Case& input = check.model();
     for (const auto& [name, facets] : input.mesh.facet_sets) {
-        const std::string place = "/mesh/facets/" + name;
-        check.require_name(name, place);
-        for (std::size_t i = 0; i < facets.size(); ++i) check_facet(check, facets[i], place, i);
+        const std::string location = "/mesh/facets/" + name;
+        check.require_name(name, location);
+        for (std::size_t i = 0; i < facets.size(); ++i) check_facet(check, facets[i], location, i);
     }
     for (const auto& [name, points] : input.mesh.point_sets) {
-        const std::string place = "/mesh/points/" + name;
-        check.require_name(name, place);
-        for (std::size_t i = 0; i < points.size(); ++i) require_point(check, points[i], place, i);
+        const std::string location = "/mesh/points/" + name;
+        check.require_name(name, location);
+        for (std::size_t i = 0; i < points.size(); ++i) require_point(check, points[i], location, i);
     }
 }
 
@@ -101,28 +101,28 @@ void check_materials(const Checker& check) {
     check.require_unique(regions, "/mesh/region_names", [](const std::string& name) { return name; });
     check.require_unique(input.materials, "/materials", [](const model::Material& material) { return material.name; });
     for (const model::Material& material : input.materials) {
-        const std::string place = "/materials/" + material.name;
-        check.require(std::find(regions.begin(), regions.end(), material.name) != regions.end(), place,
+        const std::string location = "/materials/" + material.name;
+        check.require(std::find(regions.begin(), regions.end(), material.name) != regions.end(), location,
                       "there is no region of that name");
-        check.require_name(material.law, place + "/law");
+        check.require_name(material.law, location + "/law");
         for (const auto& [key, values] : material.constants) {
-            check.require_name(key, place + "/constants");
-            for (const double value : values) check.require_finite(value, place + "/constants/" + key);
+            check.require_name(key, location + "/constants");
+            for (const double value : values) check.require_finite(value, location + "/constants/" + key);
         }
         if (material.fibers) {
-            check.require_finite(material.fibers->angle_rad, place + "/fibers/angle");
-            check.require_positive(material.fibers->k1_Pa, place + "/fibers/k1");
-            check.require_positive(material.fibers->k2, place + "/fibers/k2");
-            check.require(material.fibers->families == 1 || material.fibers->families == 2, place + "/fibers/families",
+            check.require_finite(material.fibers->angle_rad, location + "/fibers/angle");
+            check.require_positive(material.fibers->k1_Pa, location + "/fibers/k1");
+            check.require_positive(material.fibers->k2, location + "/fibers/k2");
+            check.require(material.fibers->families == 1 || material.fibers->families == 2, location + "/fibers/families",
                           "must be 1 or 2");
         }
         const double kappa = material.bulk_modulus_Pa.value_or(1);
-        check.require_positive(kappa, place + "/bulk_modulus");
-        check.require_positive(material.density_kg_m3.value_or(1), place + "/density");
-        check.require(input.body_forces.empty() || material.density_kg_m3, place + "/density",
-                      "is missing, and a body force acts");
+        check.require_positive(kappa, location + "/bulk_modulus");
+        check.require_positive(material.density_kg_m3.value_or(1), location + "/density");
+        check.require(input.body_forces.empty() || material.density_kg_m3, location + "/density",
+                      "is missing, but a body force requires it");
     }
-    check.require(regions.size() == input.materials.size(), "/materials", "a region is without material");
+    check.require(regions.size() == input.materials.size(), "/materials", "a region has no material");
 }
 
 void check_supports(const Checker& check) {
@@ -131,7 +131,7 @@ void check_supports(const Checker& check) {
         const model::Support& support = input.supports[i];
         check.require_face(support.face, Checker::item("/supports/face", i));
         check.require(support.fixed[0] || support.fixed[1] || support.fixed[2], Checker::item("/supports/fixed", i),
-                      "holds no component");
+                      "fixes no component");
     }
 }
 
@@ -150,12 +150,12 @@ void check_case(const model::Case& model, std::string_view source, ExitCode code
 }
 
 bool is_name(std::string_view text) noexcept {
-    constexpr std::size_t longest = 100;
+    constexpr std::size_t max_length = 100;
     const auto allowed = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
                c == '.';
     };
-    return !text.empty() && text.size() <= longest && text[0] != '.' && std::all_of(text.begin(), text.end(), allowed);
+    return !text.empty() && text.size() <= max_length && text[0] != '.' && std::all_of(text.begin(), text.end(), allowed);
 }
 
 }  // namespace soft::io

@@ -10,12 +10,12 @@
 #include "io/names.hpp"
 #include "io/provenance_io.hpp"
 #include "io/solve_parts.hpp"
-#include "io/trial.hpp"
+#include "io/subprocess_read.hpp"
 
 namespace soft::io {
 namespace {
 
-constexpr std::int64_t most = std::int64_t{1} << 31;  // of points or cells: far beyond any mesh that can be solved
+constexpr std::int64_t max_entities = std::int64_t{1} << 31;  // points or cells: far beyond any mesh that can be solved
 
 void read_vtkhdf(const GroupReader& group, mesh::Mesh& mesh) {
     if (group.integer_attribute("Version", 2) != std::vector<std::int64_t>{1, 0})
@@ -23,7 +23,7 @@ void read_vtkhdf(const GroupReader& group, mesh::Mesh& mesh) {
     if (group.text_attribute("Type") != "UnstructuredGrid") throw group.refuse("Type", "is not UnstructuredGrid");
     const auto size = [&](const std::string& name) {
         const std::int64_t value = group.array<std::int64_t>(name, {1})[0];
-        if (value < 1 || value > 64 * most) throw group.refuse(name, std::to_string(value) + " is out of range");
+        if (value < 1 || value > 64 * max_entities) throw group.refuse(name, std::to_string(value) + " is out of range");
         return value;
     };
     const std::int64_t points = size("NumberOfPoints");
@@ -48,7 +48,7 @@ std::vector<mesh::Facet> read_facets(const GroupReader& group, const std::string
     const auto pairs = group.array<std::int64_t>(name, {any, 2});
     std::vector<mesh::Facet> facets(pairs.size() / 2);
     for (std::size_t i = 0; i < facets.size(); ++i) {
-        constexpr std::int64_t max_facets = 6;  // of any cell; check_case knows the cell's own number
+        constexpr std::int64_t max_facets = 6;  // of any cell type; check_case checks the number of facets of the cell
         const std::int64_t local = pairs[2 * i + 1];
         if (local < 0 || local >= max_facets)
             throw group.refuse(name + "[" + std::to_string(i) + "]", "no cell has a facet " + std::to_string(local));
@@ -63,7 +63,7 @@ void read_mesh(const GroupReader& group, model::Case& model) {
     model.model_fraction = group.number("model_fraction");
     model.symmetry_planes = triple<bool>(group.flags("symmetry_planes", {3}), 0);
     mesh::Mesh& mesh = model.mesh;
-    mesh.dimension = group.small_count("dimension", 2);
+    mesh.dimension = group.int_count("dimension", 2);
     mesh.region_names = group.texts("region_names");
     mesh.cell_regions = group.array<std::int32_t>("cell_regions", {mesh.cell_count()});
     const GroupReader facets = group.group("facets");
@@ -121,7 +121,7 @@ std::vector<std::string> ordered_names(const GroupReader& group) {
     for (const std::string& name : names) {
         const std::int64_t order = group.group(name).count("order", 0, extent(names.size()) - 1);
         auto& slot = ordered[static_cast<std::size_t>(order)];
-        if (!slot.empty()) throw group.refuse(name + "/order", "is the same as that of " + core::quoted(slot));
+        if (!slot.empty()) throw group.refuse(name + "/order", "is the same as the order of " + core::quoted(slot));
         slot = name;
     }
     return ordered;
@@ -162,7 +162,7 @@ CaseFile read_case_file(std::span<const std::byte> image, std::string_view sourc
     const QuietErrors quiet;
     const Origin origin{std::string{source}, parts.hdf5.size()};
     if (!parts.sealed)
-        try_apart(origin, [&](const Origin& noted) { static_cast<void>(read_bare_case(parts.hdf5, noted)); });
+        read_in_subprocess(origin, [&](const Origin& noted) { static_cast<void>(read_bare_case(parts.hdf5, noted)); });
     return read_bare_case(parts.hdf5, origin);
 }
 

@@ -17,10 +17,10 @@ namespace soft::io {
 namespace {
 
 void write_design(hid_t root, const std::string& name, const DesignText& design) {
-    const GroupHandle group = create_group(root, "design", "the design this case was made from");
+    const GroupHandle group = create_group(root, "design", "the design from which this case was generated");
     write_text(group.get(), {"name", "1", "name of the case"}, name);
     write_text(group.get(), {"family", "1", "actuator family"}, design.family);
-    write_text(group.get(), {"effective_yaml", "1", "the design with defaults and overrides in place"},
+    write_text(group.get(), {"effective_yaml", "1", "the design with defaults and overrides applied"},
                design.effective_yaml);
     write_text(group.get(), {"sha256", "1", "SHA-256 of effective_yaml, hexadecimal"},
                core::sha256_hex(design.effective_yaml));
@@ -38,12 +38,12 @@ void write_vtkhdf(hid_t root, const mesh::Mesh& mesh) {
     count("NumberOfPoints", mesh.points.size(), "one partition");
     count("NumberOfCells", mesh.cell_types.size(), "one partition");
     count("NumberOfConnectivityIds", mesh.connectivity.size(), "one partition");
-    write_list(group.get(), {"Points", "m", "reference position x, y, z; a section holds x, r, 0"},
+    write_list(group.get(), {"Points", "m", "reference position x, y, z; x, r, 0 in a section"},
                rows_of_three<double>(mesh.points, [](const mesh::Point& point) { return point; }),
                {mesh.points.size(), 3});
     write_list(group.get(), {"Connectivity", "1", "points of the cells, one cell after the other, in VTK order"},
                mesh.connectivity);
-    write_list(group.get(), {"Offsets", "1", "cell c has Connectivity[Offsets[c]] up to Connectivity[Offsets[c + 1]]"},
+    write_list(group.get(), {"Offsets", "1", "cell c has Connectivity[Offsets[c]] to Connectivity[Offsets[c + 1] - 1]"},
                mesh.offsets);
     write_list(group.get(), {"Types", "1", "VTK cell type"},
                column(mesh.cell_types, [](mesh::CellType type) { return static_cast<std::uint8_t>(type); }));
@@ -60,18 +60,18 @@ std::string element_types(const mesh::Mesh& mesh) {
 
 void write_mesh(hid_t root, const model::Case& model) {
     const mesh::Mesh& mesh = model.mesh;
-    const GroupHandle group = create_group(root, "mesh", "what VTKHDF has no place for");
+    const GroupHandle group = create_group(root, "mesh", "mesh data that VTKHDF does not define");
     write_text(group.get(), {"kinematics", "1", "axisymmetric | plane_strain | solid"},
                name_of(kinematics_names, model.kinematics));
-    write_text(group.get(), {"formulation", "1", "displacement | mixed (displacement and pressure)"},
+    write_text(group.get(), {"formulation", "1", "displacement | mixed (displacement and pressure) | f_bar"},
                name_of(formulation_names, model.formulation));
-    write_text(group.get(), {"element_types", "1", "cell types that occur; for people, not read"}, element_types(mesh));
-    write_count(group.get(), {"dimension", "1", "of the cells: 2 (section) or 3"}, mesh.dimension);
-    write_number(group.get(), {"model_fraction", "1", "part of the actuator in the mesh"}, model.model_fraction);
-    write_list(group.get(), {"symmetry_planes", "1", "1 where the mesh is cut at x = 0, y = 0, z = 0"},
+    write_text(group.get(), {"element_types", "1", "cell types in the mesh; for information, not read"}, element_types(mesh));
+    write_count(group.get(), {"dimension", "1", "dimension of the cells: 2 (section) or 3"}, mesh.dimension);
+    write_number(group.get(), {"model_fraction", "1", "fraction of the actuator in the mesh"}, model.model_fraction);
+    write_list(group.get(), {"symmetry_planes", "1", "1 where the mesh is cut at the symmetry plane x = 0, y = 0, z = 0"},
                std::vector<std::uint8_t>(model.symmetry_planes.begin(), model.symmetry_planes.end()));
     write_texts(group.get(), {"region_names", "1", "names of the cell regions"}, mesh.region_names);
-    write_list(group.get(), {"cell_regions", "1", "row of region_names, one a cell"}, mesh.cell_regions);
+    write_list(group.get(), {"cell_regions", "1", "row of region_names, one per cell"}, mesh.cell_regions);
     const GroupHandle facets = create_group(group.get(), "facets", "named faces: cell, local facet in VTK order");
     for (const auto& [name, list] : mesh.facet_sets) {
         std::vector<std::int64_t> pairs;
@@ -83,15 +83,15 @@ void write_mesh(hid_t root, const model::Case& model) {
 }
 
 void write_supports(hid_t root, const std::vector<model::Support>& supports) {
-    const GroupHandle group = create_group(root, "supports", "zero displacement on named faces, one row a support");
+    const GroupHandle group = create_group(root, "supports", "zero displacement on named faces, one row per support");
     write_texts(group.get(), {"face", "1", "named face"}, column(supports, [](const auto& s) { return s.face; }));
-    write_list(group.get(), {"fixed", "1", "1 where x, y, z (axisymmetric: x, r, unused) is held"},
+    write_list(group.get(), {"fixed", "1", "1 where x, y, z (axisymmetric: x, r, unused) is fixed"},
                rows_of_three<std::uint8_t>(supports, [](const auto& s) { return s.fixed; }), {supports.size(), 3});
 }
 
 void write_cavity(hid_t cavities, const model::Cavity& cavity, std::int64_t order) {
     const GroupHandle group = create_group(cavities, cavity.name, "faces that enclose the cavity");
-    write_count(group.get(), {"order", "1", "place in the list of cavities"}, order);
+    write_count(group.get(), {"order", "1", "index in the list of cavities"}, order);
     write_text(group.get(), {"wall", "1", "named face, always loaded"}, cavity.wall);
     write_texts(group.get(), {"inner_faces", "1", "closed inner faces, loaded only when sealed"}, cavity.inner_faces);
     const auto& openings = cavity.openings;
@@ -111,10 +111,10 @@ void write_cavities(hid_t root, const std::vector<model::Cavity>& cavities) {
 }
 
 void write_outputs(hid_t root, const std::vector<model::Output>& outputs) {
-    const GroupHandle group = create_group(root, "outputs", "what is measured, one row an output");
+    const GroupHandle group = create_group(root, "outputs", "measured outputs, one row per output");
     write_texts(group.get(), {"name", "1", "name of the output"},
                 column(outputs, [](const auto& o) { return o.name; }));
-    write_texts(group.get(), {"face", "1", "face over whose undeformed area the mean is taken"},
+    write_texts(group.get(), {"face", "1", "measured face"},
                 column(outputs, [](const auto& o) { return o.face; }));
     write_list(group.get(),
                {"direction", "1",
@@ -123,7 +123,7 @@ void write_outputs(hid_t root, const std::vector<model::Output>& outputs) {
     write_texts(group.get(),
                 {"measure", "1", "displacement | bend | twist | radial | rotation | curvature | force | moment"},
                 column(outputs, [](const auto& o) { return std::string{name_of(measure_names, o.measure)}; }));
-    write_texts(group.get(), {"reference", "1", "face from which a bend is measured; else empty"},
+    write_texts(group.get(), {"reference", "1", "reference face of a bend; else empty"},
                 column(outputs, [](const auto& o) { return o.reference; }));
     write_list(group.get(), {"is_point", "1", "1: the displacement of a point is measured, and face is empty"},
                column(outputs, [](const auto& o) { return static_cast<std::uint8_t>(o.point_m.has_value()); }));
@@ -149,7 +149,7 @@ std::vector<std::byte> write_case(const model::Case& model, const DesignText& de
         write_solve_parts(root.get(), model);
         write_cavities(root.get(), model.cavities);
         write_outputs(root.get(), model.outputs);
-        const GroupHandle records = create_group(root.get(), "provenance", "one record a stage");
+        const GroupHandle records = create_group(root.get(), "provenance", "one record per program");
         write_provenance(records.get(), provenance);
     }
     std::vector<std::byte> image = memory_image(file.get());

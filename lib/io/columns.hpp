@@ -1,5 +1,5 @@
 #pragma once
-/// Lists of structs as columns and back. Internal to the module.
+/// Conversion between lists of structs and columns. Internal to the module.
 #include <array>
 #include <cstdint>
 #include <string>
@@ -21,7 +21,7 @@ template <class List, class Pick>
     return values;
 }
 
-/// The same of a member that is an array of three, row after row.
+/// The same for a member that is an array of three, in row-major order.
 template <class T, class List, class Pick>
 [[nodiscard]] std::vector<T> rows_of_three(const List& list, Pick pick) {
     std::vector<T> values;
@@ -31,7 +31,7 @@ template <class T, class List, class Pick>
     return values;
 }
 
-/// Row `row` of what rows_of_three has made.
+/// Row `row` of the result of rows_of_three.
 template <class T>
 [[nodiscard]] std::array<T, 3> triple(const auto& values, std::size_t row) {
     return {static_cast<T>(values[3 * row]), static_cast<T>(values[3 * row + 1]), static_cast<T>(values[3 * row + 2])};
@@ -47,7 +47,7 @@ void write_list(hid_t group, const Label& label, const std::vector<T>& values, s
 /// Members of a group in the order of their `order` datasets, which must be 0, 1, 2 ...
 [[nodiscard]] std::vector<std::string> ordered_names(const GroupReader& group);
 
-/// A list of words of a table.
+/// Reads a list of enumerators given by their names in a table.
 template <class Enum, std::size_t size>
 [[nodiscard]] std::vector<Enum> read_words(const GroupReader& group, const std::string& name,
                                            const std::array<Named<Enum>, size>& table, std::int64_t expected) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Scoped HDF5 identifiers, and a scope in which HDF5 prints nothing. Internal to the module: no public header
+/// RAII wrappers of HDF5 identifiers, and a scope that suppresses HDF5's error output. Internal to the module: no public header
 /// includes this one.
 #include <hdf5.h>
 
@@ -7,7 +7,7 @@
 
 namespace soft::io {
 
-/// Owns one identifier and closes it with `close_id`. The raw identifier stays reachable through get().
+/// Owns one identifier and closes it with `close_id`. get() returns the raw identifier.
 template <herr_t (*close_id)(hid_t)>
 class Handle {
 public:
@@ -42,11 +42,12 @@ using TypeHandle = Handle<H5Tclose>;
 using SpaceHandle = Handle<H5Sclose>;
 using PropertiesHandle = Handle<H5Pclose>;
 
-/// Before the first call to HDF5, which crashes where memory ends while it starts: throws core::out_of_memory() then.
+/// Initialises HDF5; call before any other HDF5 function. Throws core::out_of_memory() if there is too little memory, because HDF5
+/// crashes when it runs out of memory during initialisation.
 void start_hdf5();
 
-/// HDF5 prints its error stack to stderr by default; here its failures become Errors instead. What was set before
-/// is put back at the end of the scope, so a program that uses HDF5 itself sees no change.
+/// Suppresses HDF5's default printing of its error stack to stderr; this module reports failures as Errors. The previous handler is
+/// restored at the end of the scope, so programs that use HDF5 themselves are not affected.
 class QuietErrors {
 public:
     QuietErrors() {

@@ -8,10 +8,10 @@
 namespace soft::io {
 namespace {
 
-/// Deflate turns one byte into at most 1032 (zlib technical notes); nothing honest declares more than it stores.
+/// Deflate expands one byte to at most 1032 bytes (zlib technical notes).
 constexpr std::uint64_t max_expansion = 1032;
 constexpr std::uint64_t max_dataset = std::uint64_t{1} << 32;
-/// HDF5 holds a whole chunk in memory however little of it is used; ours have 1 MiB.
+/// HDF5 loads whole chunks into memory. The chunks that this module writes have 1 MiB.
 constexpr std::uint64_t max_chunk = std::uint64_t{1} << 26;
 
 std::string shape_text(const Shape& shape) {
@@ -22,11 +22,11 @@ std::string shape_text(const Shape& shape) {
 }
 
 constexpr std::size_t memory_to_start = std::size_t{16} << 20;
-constexpr std::size_t max_for_a_dataset = std::size_t{128} << 20;  // a largest chunk, packed and unpacked
+constexpr std::size_t max_for_a_dataset = std::size_t{128} << 20;  // the largest chunk, compressed and decompressed
 
-void check_filters(const Place& place, hid_t properties) {
+void check_filters(const DatasetRef& ref, hid_t properties) {
     const int filters = H5Pget_nfilters(properties);
-    if (filters < 0 || filters > 3) throw place.refuse("has too many filters");
+    if (filters < 0 || filters > 3) throw ref.refuse("has too many filters");
     for (int i = 0; i < filters; ++i) {
         unsigned flags = 0;
         unsigned configuration = 0;
@@ -34,7 +34,7 @@ void check_filters(const Place& place, hid_t properties) {
         const H5Z_filter_t filter =
             H5Pget_filter2(properties, static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, &configuration);
         if (filter != H5Z_FILTER_DEFLATE && filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_FLETCHER32)
-            throw place.refuse("is packed by a filter other than gzip and shuffle");
+            throw ref.refuse("uses a filter other than gzip, shuffle and Fletcher32");
     }
 }
 
@@ -62,64 +62,64 @@ std::string hdf5_reason() {
             return 0;
         },
         &found);
-    // Without memory there is none for a reason either. A damaged file asks for more than any machine has.
+    // HDF5 may be unable to record a reason if memory is exhausted. If the memory for a dataset is available, the file is at fault.
     if (found.no_memory || found.text.empty()) core::require_memory(max_for_a_dataset);
     return found.text.empty() ? "no reason given" : core::one_line(found.text);
 }
 
-std::vector<hsize_t> checked_shape(const Place& place, const Shape& expected) {
-    const SpaceHandle dataspace{H5Dget_space(place.dataset)};
+std::vector<hsize_t> checked_shape(const DatasetRef& ref, const Shape& expected) {
+    const SpaceHandle dataspace{H5Dget_space(ref.dataset)};
     const hid_t space = dataspace.get();
     const int rank = H5Sget_simple_extent_ndims(space);
     const bool simple = H5Sget_simple_extent_type(space) == (expected.empty() ? H5S_SCALAR : H5S_SIMPLE);
     if (!simple || rank != static_cast<int>(expected.size()))
-        throw place.refuse("does not have the shape " + shape_text(expected));
+        throw ref.refuse("does not have the shape " + shape_text(expected));
     std::vector<hsize_t> shape(expected.size());
     if (rank > 0) H5Sget_simple_extent_dims(space, shape.data(), nullptr);
     for (std::size_t i = 0; i < shape.size(); ++i)
         if (expected[i] != any && shape[i] != static_cast<hsize_t>(expected[i])) {
             const Shape found(shape.begin(), shape.end());
-            throw place.refuse("has the shape " + shape_text(found) + ", expected " + shape_text(expected));
+            throw ref.refuse("has the shape " + shape_text(found) + ", expected " + shape_text(expected));
         }
     return shape;
 }
 
-std::uint64_t checked_bytes(const Place& place, const std::vector<hsize_t>& shape, std::size_t element_size) {
+std::uint64_t checked_bytes(const DatasetRef& ref, const std::vector<hsize_t>& shape, std::size_t element_size) {
     std::uint64_t bytes = element_size;
     for (const hsize_t extent : shape) {
-        if (extent != 0 && bytes > max_dataset / extent) throw place.refuse("is declared too large");
+        if (extent != 0 && bytes > max_dataset / extent) throw ref.refuse("is declared too large");
         bytes *= extent;
     }
     return bytes;
 }
 
-void check_storage(const Place& place, std::uint64_t bytes, std::size_t element_size) {
-    const PropertiesHandle properties{H5Dget_create_plist(place.dataset)};
-    if (!properties) throw place.refuse("cannot be read: " + hdf5_reason());
-    const std::uint64_t stored = H5Dget_storage_size(place.dataset);
-    if (stored > place.origin.image_bytes) throw place.refuse("claims more bytes than the file has");
+void check_storage(const DatasetRef& ref, std::uint64_t bytes, std::size_t element_size) {
+    const PropertiesHandle properties{H5Dget_create_plist(ref.dataset)};
+    if (!properties) throw ref.refuse("cannot be read: " + hdf5_reason());
+    const std::uint64_t stored = H5Dget_storage_size(ref.dataset);
+    if (stored > ref.origin.image_bytes) throw ref.refuse("declares more bytes than the file has");
     switch (H5Pget_layout(properties.get())) {
         case H5D_COMPACT: break;
         case H5D_CONTIGUOUS: {
-            if (H5Pget_external_count(properties.get()) != 0) throw place.refuse("keeps its data in another file");
-            const haddr_t start = H5Dget_offset(place.dataset);
-            if (bytes > 0 && (start == HADDR_UNDEF || start > place.origin.image_bytes - stored))
-                throw place.refuse("has no data in the file");
+            if (H5Pget_external_count(properties.get()) != 0) throw ref.refuse("stores its data in another file");
+            const haddr_t start = H5Dget_offset(ref.dataset);
+            if (bytes > 0 && (start == HADDR_UNDEF || start > ref.origin.image_bytes - stored))
+                throw ref.refuse("has no data in the file");
             break;
         }
         case H5D_CHUNKED: {
-            check_filters(place, properties.get());
+            check_filters(ref, properties.get());
             std::vector<hsize_t> chunk(H5S_MAX_RANK);
             const int rank = H5Pget_chunk(properties.get(), H5S_MAX_RANK, chunk.data());
             chunk.resize(static_cast<std::size_t>(std::max(rank, 0)));
-            if (checked_bytes(place, chunk, element_size) > max_chunk) throw place.refuse("has chunks too large");
+            if (checked_bytes(ref, chunk, element_size) > max_chunk) throw ref.refuse("has chunks that are too large");
             if (bytes > stored * max_expansion)
-                throw place.refuse("is declared larger than its stored data can be");
+                throw ref.refuse("is declared larger than its stored data can be");
             return;
         }
-        default: throw place.refuse("is stored in a way that is not supported");
+        default: throw ref.refuse("uses an unsupported storage layout");
     }
-    if (bytes > stored) throw place.refuse("is declared larger than its stored data");
+    if (bytes > stored) throw ref.refuse("is declared larger than its stored data");
 }
 
 }  // namespace soft::io

@@ -30,25 +30,25 @@ template <>
 constexpr std::string_view type_words<std::uint8_t> = "unsigned bytes";
 
 template <class T>
-std::vector<T> allocate(const Place& place, std::uint64_t count) {
+std::vector<T> allocate(const DatasetRef& ref, std::uint64_t count) {
     try {
         return std::vector<T>(static_cast<std::size_t>(count));
     } catch (const std::bad_alloc&) {
-        throw Error(ExitCode::io_error, place.where, "needs more memory than there is");
+        throw Error(ExitCode::io_error, ref.location, "needs more memory than is available");
     }
 }
 
 template <class T>
-void require_type(const Place& place) {
-    const TypeHandle type{H5Dget_type(place.dataset)};
-    if (H5Tequal(type.get(), file_type<T>()) <= 0) throw place.refuse("does not hold " + std::string{type_words<T>});
+void require_type(const DatasetRef& ref) {
+    const TypeHandle type{H5Dget_type(ref.dataset)};
+    if (H5Tequal(type.get(), file_type<T>()) <= 0) throw ref.refuse("does not hold " + std::string{type_words<T>});
 }
 
-/// Fixed length, padded by zeros. Variable-length text would be read through pointers within the file.
-void require_plain_text(const Place& place, hid_t type) {
+/// Fixed length, padded with zeros. Variable-length text is rejected: HDF5 would follow pointers in the untrusted file.
+void require_plain_text(const DatasetRef& ref, hid_t type) {
     const bool plain = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
                        H5Tget_strpad(type) != H5T_STR_SPACEPAD && H5Tget_size(type) > 0;
-    if (!plain) throw place.refuse("is not text of fixed length");
+    if (!plain) throw ref.refuse("is not text of fixed length");
 }
 
 std::string unpadded(std::string_view text) { return std::string{text.substr(0, text.find('\0'))}; }
@@ -56,7 +56,7 @@ std::string unpadded(std::string_view text) { return std::string{text.substr(0, 
 }  // namespace
 
 FileHandle open_image(std::span<const std::byte> hdf5, const Origin& origin) {
-    // The library takes a void* but neither writes to nor frees the bytes with these flags.
+    // With these flags HDF5 neither writes to nor frees the buffer, although it takes a void*.
     void* bytes = const_cast<std::byte*>(hdf5.data());  // NOLINT(*-const-cast)
     FileHandle file{H5LTopen_file_image(bytes, hdf5.size(), H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE)};
     if (!file) throw Error(ExitCode::bad_input, origin.source, "HDF5 cannot open it: " + hdf5_reason(), origin.remedy);
@@ -70,12 +70,12 @@ GroupReader::GroupReader(hid_t file, const Origin& origin)
     : GroupReader(GroupHandle{H5Gopen2(file, "/", H5P_DEFAULT)}, "", origin) {
     if (!group_) throw refuse("", "HDF5 cannot open the root group: " + hdf5_reason());
     if (!has_attribute("format") || text_attribute("format") != "soft-actuator")
-        throw Error(ExitCode::bad_input, origin.source, "an HDF5 file, but not one of soft-actuator",
+        throw Error(ExitCode::bad_input, origin.source, "an HDF5 file, but not a soft-actuator file",
                     "expected a case from mesh-gen or a result from solve");
     const std::int64_t version = integer_attribute("format_version", 1)[0];
     if (version != 1)
         throw Error(ExitCode::bad_input, origin.source,
-                    "format version " + std::to_string(version) + " is not known, this program reads version 1",
+                    "format version " + std::to_string(version) + " is unknown (this program reads version 1)",
                     "use the same release of mesh-gen, solve and postprocess");
 }
 
@@ -105,22 +105,22 @@ bool GroupReader::has(const std::string& name) const {
 
 void GroupReader::note(const std::string& name) const {
     if (origin_->note.empty()) return;
-    const std::string place = location_of(name).substr(0, origin_->note.size() - 1);
-    *std::ranges::copy(place, origin_->note.begin()).out = '\0';
+    const std::string location = location_of(name).substr(0, origin_->note.size() - 1);
+    *std::ranges::copy(location, origin_->note.begin()).out = '\0';
 }
 
 void GroupReader::require_hard_link(const std::string& name) const {
     note(name);
     H5L_info_t info{};
     const bool found = H5Lget_info(group_.get(), name.c_str(), &info, H5P_DEFAULT) >= 0;
-    if (!found && !has(name)) throw refuse(name, "is missing");  // asked last, as each look costs
-    if (!found || info.type != H5L_TYPE_HARD) throw refuse(name, "is a soft or external link, which is never followed");
+    if (!found && !has(name)) throw refuse(name, "is missing");  // checked only after a failure, because each lookup costs time
+    if (!found || info.type != H5L_TYPE_HARD) throw refuse(name, "is a soft or external link; only hard links are allowed");
 }
 
 GroupReader GroupReader::group(const std::string& name) const {
     require_hard_link(name);
     GroupHandle opened{H5Gopen2(group_.get(), name.c_str(), H5P_DEFAULT)};
-    if (!opened) throw refuse(name, "is not a group that can be opened: " + hdf5_reason());
+    if (!opened) throw refuse(name, "cannot be opened as a group: " + hdf5_reason());
     return {std::move(opened), path_ + "/" + name, *origin_};
 }
 
@@ -139,28 +139,28 @@ std::vector<std::string> GroupReader::names() const {
     if (H5Literate(group_.get(), H5_INDEX_NAME, H5_ITER_INC, &position, collect, &found) < 0)
         throw refuse("", "cannot be listed: " + hdf5_reason());
     for (const std::string& name : found)
-        if (!is_name(name)) throw refuse("", core::quoted(name) + " is not a name");
+        if (!is_name(name)) throw refuse("", core::quoted(name) + " is not a valid name");
     return found;
 }
 
 DatasetHandle GroupReader::open_dataset(const std::string& name) const {
     require_hard_link(name);
     DatasetHandle dataset{H5Dopen2(group_.get(), name.c_str(), H5P_DEFAULT)};
-    if (!dataset) throw refuse(name, "is not a dataset that can be opened: " + hdf5_reason());
+    if (!dataset) throw refuse(name, "cannot be opened as a dataset: " + hdf5_reason());
     return dataset;
 }
 
 template <class T>
 std::vector<T> GroupReader::array(const std::string& name, const Shape& shape) const {
     const DatasetHandle dataset = open_dataset(name);
-    const std::string where = location_of(name);
-    const Place place{dataset.get(), *origin_, where};
-    require_type<T>(place);
-    const std::uint64_t bytes = checked_bytes(place, checked_shape(place, shape), sizeof(T));
-    check_storage(place, bytes, sizeof(T));
-    auto values = allocate<T>(place, bytes / sizeof(T));
+    const std::string location = location_of(name);
+    const DatasetRef ref{dataset.get(), *origin_, location};
+    require_type<T>(ref);
+    const std::uint64_t bytes = checked_bytes(ref, checked_shape(ref, shape), sizeof(T));
+    check_storage(ref, bytes, sizeof(T));
+    auto values = allocate<T>(ref, bytes / sizeof(T));
     if (!values.empty() && H5Dread(dataset.get(), memory_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
-        throw place.refuse("cannot be read: " + hdf5_reason());
+        throw ref.refuse("cannot be read: " + hdf5_reason());
     if constexpr (std::is_floating_point_v<T>) require_finite(values, name);
     return values;
 }
@@ -172,42 +172,42 @@ template std::vector<std::uint8_t> GroupReader::array(const std::string&, const 
 
 double GroupReader::number(const std::string& name) const { return array<double>(name, {})[0]; }
 
-std::int64_t GroupReader::count(const std::string& name, std::int64_t least, std::int64_t most) const {
+std::int64_t GroupReader::count(const std::string& name, std::int64_t min, std::int64_t max) const {
     const std::int64_t value = array<std::int64_t>(name, {})[0];
-    if (value < least || value > most) throw refuse(name, std::to_string(value) + " is out of range");
+    if (value < min || value > max) throw refuse(name, std::to_string(value) + " is out of range");
     return value;
 }
 
-int GroupReader::small(const std::string& item, std::int64_t value, int least) const {
-    if (value < least || value > std::numeric_limits<int>::max())
+int GroupReader::to_int(const std::string& item, std::int64_t value, int min) const {
+    if (value < min || value > std::numeric_limits<int>::max())
         throw refuse(item, std::to_string(value) + " is out of range");
     return static_cast<int>(value);
 }
 
-int GroupReader::small_count(const std::string& name, int least) const {
-    return small(name, array<std::int64_t>(name, {})[0], least);
+int GroupReader::int_count(const std::string& name, int min) const {
+    return to_int(name, array<std::int64_t>(name, {})[0], min);
 }
 
 std::vector<std::uint8_t> GroupReader::flags(const std::string& name, const Shape& shape) const {
     auto values = array<std::uint8_t>(name, shape);
     if (std::any_of(values.begin(), values.end(), [](std::uint8_t value) { return value > 1; }))
-        throw refuse(name, "holds something else than 0 and 1");
+        throw refuse(name, "contains values other than 0 and 1");
     return values;
 }
 
 /// The fixed-length elements of a text dataset, padding included, and their width.
 GroupReader::TextBytes GroupReader::text_bytes(const std::string& name, const Shape& shape) const {
     const DatasetHandle dataset = open_dataset(name);
-    const std::string where = location_of(name);
-    const Place place{dataset.get(), *origin_, where};
+    const std::string location = location_of(name);
+    const DatasetRef ref{dataset.get(), *origin_, location};
     const TypeHandle type{H5Dget_type(dataset.get())};
-    require_plain_text(place, type.get());
+    require_plain_text(ref, type.get());
     const std::size_t width = H5Tget_size(type.get());
-    const std::uint64_t bytes = checked_bytes(place, checked_shape(place, shape), width);
-    check_storage(place, bytes, width);
-    TextBytes text{allocate<char>(place, bytes), width};
+    const std::uint64_t bytes = checked_bytes(ref, checked_shape(ref, shape), width);
+    check_storage(ref, bytes, width);
+    TextBytes text{allocate<char>(ref, bytes), width};
     if (bytes > 0 && H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, text.characters.data()) < 0)
-        throw place.refuse("cannot be read: " + hdf5_reason());
+        throw ref.refuse("cannot be read: " + hdf5_reason());
     return text;
 }
 
@@ -226,10 +226,10 @@ std::vector<std::string> GroupReader::texts(const std::string& name, std::int64_
 
 DatasetHandle GroupReader::checked_rows(const std::string& name, const Shape& shape) const {
     DatasetHandle dataset = open_dataset(name);
-    const std::string where = location_of(name);
-    const Place place{dataset.get(), *origin_, where};
-    require_type<double>(place);
-    check_storage(place, checked_bytes(place, checked_shape(place, shape), sizeof(double)), sizeof(double));
+    const std::string location = location_of(name);
+    const DatasetRef ref{dataset.get(), *origin_, location};
+    require_type<double>(ref);
+    check_storage(ref, checked_bytes(ref, checked_shape(ref, shape), sizeof(double)), sizeof(double));
     return dataset;
 }
 
@@ -257,18 +257,18 @@ bool GroupReader::has_attribute(const char* name) const { return H5Aexists(group
 
 std::string GroupReader::text_attribute(const char* name) const {
     const AttributeHandle attribute = open_attribute(name);
-    const std::string where = location_of(name);
-    const Place place{H5I_INVALID_HID, *origin_, where};
+    const std::string location = location_of(name);
+    const DatasetRef ref{H5I_INVALID_HID, *origin_, location};
     const TypeHandle type{H5Aget_type(attribute.get())};
-    require_plain_text(place, type.get());
+    require_plain_text(ref, type.get());
     const std::size_t width = H5Tget_size(type.get());
     const SpaceHandle space{H5Aget_space(attribute.get())};
-    // An attribute lives in an object header, which cannot exceed 64 KiB.
+    // Attributes are stored in an object header, which cannot exceed 64 KiB.
     if (H5Sget_simple_extent_npoints(space.get()) != 1 || width > max_attribute_bytes)
-        throw place.refuse("is not one short text");
+        throw ref.refuse("is not a single text of at most 64 KiB");
     std::vector<char> characters(width);
     if (H5Aread(attribute.get(), type.get(), characters.data()) < 0)
-        throw place.refuse("cannot be read: " + hdf5_reason());
+        throw ref.refuse("cannot be read: " + hdf5_reason());
     return unpadded({characters.data(), characters.size()});
 }
 
@@ -286,7 +286,7 @@ std::vector<std::int64_t> GroupReader::integer_attribute(const char* name, std::
 }
 
 AttributeHandle GroupReader::open_attribute(const char* name) const {
-    if (!has_attribute(name)) throw refuse(name, "is missing (an attribute)");
+    if (!has_attribute(name)) throw refuse(name, "the attribute is missing");
     AttributeHandle attribute{H5Aopen(group_.get(), name, H5P_DEFAULT)};
     if (!attribute) throw refuse(name, "cannot be opened: " + hdf5_reason());
     return attribute;

@@ -1,5 +1,5 @@
 #pragma once
-/// Reading typed datasets from a file that is not trusted. Internal to the module. Every failure is
+/// Reads typed datasets from an untrusted file. Internal to the module. Failures throw
 /// Error (bad_input, "case.h5:/mesh/points/tip", problem, remedy).
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace soft::io {
 /// Opens the image read-only without copying it; `hdf5` must outlive the file.
 [[nodiscard]] FileHandle open_image(std::span<const std::byte> hdf5, const Origin& origin);
 
-/// A group and its place in the file. Only hard links are followed, one level a call.
+/// A group and its path in the file. Only hard links are followed, one level per call.
 class GroupReader {
 public:
     /// The root group, after its attributes `format` and `format_version` are checked.
@@ -33,13 +33,14 @@ public:
     template <class T>
     [[nodiscard]] std::vector<T> array(const std::string& name, const Shape& shape) const;
     [[nodiscard]] double number(const std::string& name) const;
-    [[nodiscard]] std::int64_t count(const std::string& name, std::int64_t least, std::int64_t most) const;
-    [[nodiscard]] int small_count(const std::string& name, int least) const;
-    /// The value as an int if it is one and not below `least`.
-    [[nodiscard]] int small(const std::string& item, std::int64_t value, int least = 0) const;
+    /// Throws if the value is outside [min, max], or not representable as an int.
+    [[nodiscard]] std::int64_t count(const std::string& name, std::int64_t min, std::int64_t max) const;
+    [[nodiscard]] int int_count(const std::string& name, int min) const;
+    /// Converts a value that was read from `item` to int; throws if it is below `min` or too large.
+    [[nodiscard]] int to_int(const std::string& item, std::int64_t value, int min = 0) const;
     [[nodiscard]] std::string text(const std::string& name) const;
     [[nodiscard]] std::vector<std::string> texts(const std::string& name, std::int64_t expected = any) const;
-    /// uint8 that are all 0 or 1.
+    /// uint8 values that are all 0 or 1.
     [[nodiscard]] std::vector<std::uint8_t> flags(const std::string& name, const Shape& shape) const;
     template <class Enum, std::size_t size>
     [[nodiscard]] Enum word(const std::string& name, const std::array<Named<Enum>, size>& table) const {
@@ -48,7 +49,7 @@ public:
         throw unknown_word(name, read);
     }
 
-    /// A dataset [row, row shape ...] of doubles, checked but not read, and one of its rows.
+    /// Opens and checks a dataset [row, row shape ...] of doubles without reading it; row() reads one of its rows.
     [[nodiscard]] DatasetHandle checked_rows(const std::string& name, const Shape& shape) const;
     [[nodiscard]] std::vector<double> row(hid_t dataset, const std::string& name, std::int64_t row,
                                           std::size_t length) const;
@@ -57,14 +58,14 @@ public:
     [[nodiscard]] std::string text_attribute(const char* name) const;
     [[nodiscard]] std::vector<std::int64_t> integer_attribute(const char* name, std::size_t expected) const;
 
-    /// For the caller's own checks: "case.h5:/control/until[2]" when `item` is "until[2]".
+    /// Error for checks of the caller: its location is "case.h5:/control/until[2]" if `item` is "until[2]".
     [[nodiscard]] Error refuse(std::string_view item, std::string_view problem) const;
     [[nodiscard]] const Origin& origin() const noexcept { return *origin_; }
     [[nodiscard]] hid_t get() const noexcept { return group_.get(); }
 
 private:
     GroupReader(GroupHandle group, std::string path, const Origin& origin);
-    void note(const std::string& name) const;  ///< for Origin::note
+    void note(const std::string& name) const;  ///< writes the location to Origin::note
     void require_hard_link(const std::string& name) const;
     struct TextBytes {
         std::vector<char> characters;
@@ -79,7 +80,7 @@ private:
 
     GroupHandle group_;
     std::string path_;      ///< "/mesh"; "" for the root
-    const Origin* origin_;  ///< outlives the reader
+    const Origin* origin_;  ///< must outlive the reader
 };
 
 }  // namespace soft::io

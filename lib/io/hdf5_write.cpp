@@ -10,10 +10,10 @@
 namespace soft::io {
 namespace {
 
-/// Below this HDF5's chunk index costs more than compression saves.
+/// For smaller arrays HDF5's chunk index needs more space than compression saves.
 constexpr hsize_t compress_from_bytes = 4096;
 constexpr hsize_t chunk_bytes = hsize_t{1} << 20;
-/// Floating-point data gain little beyond level 1, which is several times faster than the default 6.
+/// Higher levels compress floating-point data little better, and the default level 6 is several times slower.
 constexpr unsigned gzip_level = 1;
 constexpr std::size_t memory_growth = std::size_t{1} << 22;
 
@@ -24,7 +24,7 @@ Status check(Status status, std::string_view what) {
     return status;
 }
 
-/// Object times would make two runs differ.
+/// Disables object time stamps, which would make the files of two runs differ.
 PropertiesHandle without_times(hid_t property_class) {
     PropertiesHandle properties{check(H5Pcreate(property_class), "H5Pcreate")};
     check(H5Pset_obj_track_times(properties.get(), false), "H5Pset_obj_track_times");
@@ -44,7 +44,7 @@ TypeHandle text_type(std::size_t length, H5T_cset_t characters) {
     return type;
 }
 
-/// Whole rows of the first dimension, about chunk_bytes; a single longer row is cut along the second.
+/// Chunks of about chunk_bytes that contain whole rows of the first dimension. Longer rows are divided along the second dimension.
 std::vector<hsize_t> chunk_shape(const std::vector<hsize_t>& shape, std::size_t element_size, Growth growth) {
     std::vector<hsize_t> chunk = shape;
     const auto bytes_from = [&](std::size_t dimension) {
@@ -82,12 +82,13 @@ SpaceHandle scalar_space() { return SpaceHandle{check(H5Screate(H5S_SCALAR), "H5
 FileHandle memory_file(std::span<const std::byte> hdf5) {
     const PropertiesHandle access{check(H5Pcreate(H5P_FILE_ACCESS), "H5Pcreate")};
     check(H5Pset_fapl_core(access.get(), memory_growth, false), "H5Pset_fapl_core");
-    // Newer superblocks are spoilt by H5Fget_file_image in HDF5 1.10.8 (status flags cleared, checksum kept).
+    // H5Fget_file_image of HDF5 1.10.8 corrupts newer superblocks: it clears the status flags without updating the checksum.
     check(H5Pset_libver_bounds(access.get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V110), "H5Pset_libver_bounds");
-    // Never a path, as there is no backing store; but HDF5 takes two open memory files of one name for the same file.
+    // The name is not a path, since there is no backing store. It must be unique: HDF5 treats two open memory files of the same name
+    // as the same file.
     const std::string name = "soft-actuator-" + std::to_string(access.get());
     if (hdf5.empty()) return FileHandle{H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get())};
-    // HDF5 takes a void* and copies from it.
+    // HDF5 takes a void* but only copies from it.
     void* bytes = const_cast<std::byte*>(hdf5.data());  // NOLINT(*-const-cast)
     check(H5Pset_file_image(access.get(), bytes, hdf5.size()), "H5Pset_file_image");
     return FileHandle{H5Fopen(name.c_str(), H5F_ACC_RDWR, access.get())};
@@ -211,7 +212,7 @@ void write_texts(hid_t parent, const Label& label, std::span<const std::string> 
 }
 
 void write_attribute(hid_t object, const char* name, std::string_view text) {
-    // ASCII wherever it is true: the VTKHDF reader compares the attribute `Type` with its character set.
+    // ASCII if possible: the VTKHDF reader compares the type of the attribute `Type` including the character set.
     const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
     const TypeHandle type = text_type(text.size(), ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8);
     const std::string padded = text.empty() ? std::string(1, '\0') : std::string{text};
@@ -234,7 +235,7 @@ DatasetHandle create_rows(hid_t parent, const Label& label, const std::vector<hs
     std::vector<hsize_t> limit = shape;
     limit[0] = H5S_UNLIMITED;
     std::vector<hsize_t> chunk = chunk_shape(shape, sizeof(double), Growth::rows);
-    chunk[0] = 1;  // a row is written once, whole: larger chunks would be packed again at every step
+    chunk[0] = 1;  // each row is written once; larger chunks would be compressed again at every step
     const PropertiesHandle properties = without_times(H5P_DATASET_CREATE);
     compress(properties.get(), chunk);
     const SpaceHandle space{

@@ -1,5 +1,5 @@
 #pragma once
-/// Writing typed, described datasets. Internal to the module. All throw Error (internal) when HDF5 refuses.
+/// Writes typed datasets with units and descriptions. Internal to the module. All functions throw Error (internal) if HDF5 fails.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace soft::io {
 
-/// Name, `units` and `description` of a dataset; every dataset carries the two as attributes. Units "1": a pure number.
+/// Name, units and description of a dataset. The latter two are stored as attributes of the dataset. Units "1": dimensionless.
 struct Label {
     std::string name;
     std::string_view units;
@@ -42,11 +42,11 @@ hid_t memory_type<std::int32_t>();
 template <>
 hid_t memory_type<std::uint8_t>();
 
-/// An empty file that lives in memory only.
+/// Creates an empty file in memory.
 [[nodiscard]] FileHandle create_memory_file();
-/// A copy of the image, open for writing, in memory only. Without a handle: HDF5 refused it.
+/// Opens a copy of the image in memory for writing. The handle is empty if HDF5 cannot open it.
 [[nodiscard]] FileHandle open_memory_copy(std::span<const std::byte> hdf5);
-/// Flushes and copies the bytes out.
+/// Flushes the file and returns a copy of its bytes.
 [[nodiscard]] std::vector<std::byte> memory_image(hid_t file);
 
 [[nodiscard]] GroupHandle create_group(hid_t parent, const std::string& name, std::string_view description);

@@ -14,7 +14,7 @@
 namespace soft::io {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "records and superblocks are read as they lie");
+static_assert(std::endian::native == std::endian::little, "records and superblocks are read without byte swapping");
 
 constexpr std::string_view hdf5_signature{"\x89HDF\r\n\x1a\n", 8};
 constexpr std::string_view record_magic = "SOFTREC1";
@@ -29,23 +29,23 @@ std::string_view text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-std::uint64_t u64_at(std::span<const std::byte> bytes, std::size_t place) {
+std::uint64_t u64_at(std::span<const std::byte> bytes, std::size_t offset) {
     std::uint64_t value = 0;
-    std::memcpy(&value, bytes.data() + place, sizeof value);
+    std::memcpy(&value, bytes.data() + offset, sizeof value);
     return value;
 }
 
 Error truncated(std::string_view source, std::size_t present, std::string_view wanted) {
     return {ExitCode::bad_input, source,
             "truncated: " + std::to_string(present) + " bytes present, " + std::string{wanted},
-            "was the stage that wrote it killed, or the disk full?"};
+            "check whether the program that wrote it was killed or the disk was full"};
 }
 
 Error damaged(std::string_view source, std::string_view problem) {
-    return {ExitCode::bad_input, source, problem, "fetch the file again, or have mesh-gen or solve write it anew"};
+    return {ExitCode::bad_input, source, problem, "copy the file again, or rerun mesh-gen or solve"};
 }
 
-/// Where the fields of a superblock lie (HDF5 File Format Specification 3.0, section II.A).
+/// Offsets of the fields of a superblock (HDF5 File Format Specification 3.0, section II.A).
 struct SuperblockLayout {
     std::size_t offset_size, base, end, driver, size;  ///< driver: 0 where the version has no such field
 };
@@ -72,10 +72,10 @@ std::size_t hdf5_size(std::span<const std::byte> image, std::string_view source)
     if (!layout) throw damaged(source, "unknown HDF5 superblock version " + std::to_string(version));
     if (image.size() < layout->size) throw truncated(source, image.size(), "too few for an HDF5 superblock");
     if (std::to_integer<int>(image[layout->offset_size]) != 8)
-        throw damaged(source, "HDF5 addresses are not of 8 bytes");
+        throw damaged(source, "HDF5 addresses do not have 8 bytes");
     if (u64_at(image, layout->base) != 0) throw damaged(source, "the HDF5 base address is not 0");
     if (layout->driver != 0 && u64_at(image, layout->driver) != no_address)
-        throw damaged(source, "the HDF5 file wants a storage driver of its own");
+        throw damaged(source, "the HDF5 file requires a special storage driver");
     const std::uint64_t end = u64_at(image, layout->end);
     if (end < layout->size) throw damaged(source, "the HDF5 end-of-file address lies within the superblock");
     if (end > image.size()) throw truncated(source, image.size(), std::to_string(end) + " expected");
@@ -85,7 +85,7 @@ std::size_t hdf5_size(std::span<const std::byte> image, std::string_view source)
 struct Record {
     RecordKind kind;
     std::span<const std::byte> payload;
-    std::size_t size;  ///< of the whole record
+    std::size_t size;  ///< of the complete record
 };
 
 std::string_view word_of(RecordKind kind) {
@@ -97,10 +97,10 @@ std::string_view word_of(RecordKind kind) {
     return {};
 }
 
-/// nullopt: a record other than the seal that the end of the image cuts short.
+/// nullopt: an incomplete record at the end of the image (not the seal, for which that is an error).
 std::optional<Record> record_at(std::span<const std::byte> tail, std::string_view source) {
     const std::string_view head = text_of(tail.first(std::min<std::size_t>(tail.size(), 16)));
-    // The head may be cut so short that it fits several kinds; all but the seal may be cut.
+    // An incomplete header may match several kinds. The last match wins, because only the seal must be complete.
     std::optional<RecordKind> kind;
     for (const RecordKind known : {RecordKind::seal, RecordKind::checkpoint, RecordKind::step})
         if ((std::string{record_magic}.append(word_of(known))).starts_with(head)) kind = known;
@@ -121,7 +121,7 @@ std::optional<Record> record_at(std::span<const std::byte> tail, std::string_vie
 }  // namespace
 
 ImageParts split_image(std::span<const std::byte> image, std::string_view source) {
-    if (image.empty()) throw Error(ExitCode::bad_input, source, "empty input", "did the stage before fail?");
+    if (image.empty()) throw Error(ExitCode::bad_input, source, "empty input", "check whether the previous program failed");
     const std::size_t end = hdf5_size(image, source);
     ImageParts parts{image.first(end), false, {}, std::nullopt};
     std::span<const std::byte> tail = image.subspan(end);
@@ -133,8 +133,8 @@ ImageParts split_image(std::span<const std::byte> image, std::string_view source
         if (record->kind == RecordKind::step) {
             parts.steps.push_back(record->payload);
         } else if (record->kind == RecordKind::checkpoint) {
-            const std::size_t place = image.size() - tail.size() + record->size;
-            parts.checkpoint = ImageParts::Checkpoint{record->payload, parts.steps.size(), place};
+            const std::size_t record_end = image.size() - tail.size() + record->size;
+            parts.checkpoint = ImageParts::Checkpoint{record->payload, parts.steps.size(), record_end};
         } else if (parts.sealed) {
             throw damaged(source, "two seals after the HDF5 data");
         } else if (core::sha256_hex(parts.hdf5) != text_of(record->payload)) {
@@ -155,8 +155,8 @@ std::size_t seal_end(std::span<const std::byte> image, std::string_view source) 
 
 std::vector<std::byte> make_record(RecordKind kind, std::span<const std::byte> payload) {
     std::vector<std::byte> record(header_size + payload.size() + hash_size);
-    auto place = record.begin();
-    const auto put = [&](std::span<const std::byte> bytes) { place = std::copy(bytes.begin(), bytes.end(), place); };
+    auto output = record.begin();
+    const auto put = [&](std::span<const std::byte> bytes) { output = std::copy(bytes.begin(), bytes.end(), output); };
     const std::uint64_t length = payload.size();
     put(std::as_bytes(std::span{record_magic}));
     put(std::as_bytes(std::span{word_of(kind)}));

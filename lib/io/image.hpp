@@ -1,14 +1,16 @@
 #pragma once
-/// A file of ours as bytes:   [HDF5 file] [seal record] [step record] ...
-/// HDF5 ignores what follows its own end-of-file address, so every HDF5 tool opens the file as it is.
-///   seal   SHA-256 of the HDF5 part. The HDF5 library is not safe on damaged metadata (1.10.8 may loop or crash):
-///          with the seal it never sees any. Files that other programs wrote or changed have none (HDF5 cuts the tail
-///          off when it opens a file for writing) and are read all the same, with every other check, on trial first (trial.hpp).
-///   step   one step of a running or killed `solve -o` (journal.hpp); a finished file has none.
-///   checkpoint   what the solver needs to go on from the steps before it (solution/checkpoint.hpp); likewise.
+/// Layout of case and result files:   [HDF5 file] [seal record] [step record] ...
+/// HDF5 ignores bytes after its end-of-file address, so every HDF5 tool can open the file directly.
+///   seal   SHA-256 of the HDF5 part. The HDF5 library is not robust against damaged metadata (1.10.8 may loop or crash); the seal
+///          detects damage before the library reads the file. Files that other programs wrote or changed have no seal (HDF5 removes
+///          the records when it opens a file for writing). They are first read in a subprocess (subprocess_read.hpp) and then with
+///          all other checks.
+///   step   one step of a running or killed `solve -o` (journal.hpp). Finished files have none.
+///   checkpoint   state from which the solver can continue after the preceding steps (solution/checkpoint.hpp). Finished files
+///          have none.
 /// Record: 8 bytes "SOFTREC1", 8 bytes kind, 8 bytes payload length (little endian), payload, 64 bytes SHA-256 (hex)
-/// of all that. A step or checkpoint record cut short at the very end is what a kill leaves and is dropped; anything else that is
-/// not whole is refused.
+/// of all preceding bytes of the record. An incomplete step or checkpoint record at the end of the file is the result of a killed
+/// process and is ignored. Any other incomplete record is an error.
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -20,8 +22,8 @@ namespace soft::io {
 struct ImageParts {
     std::span<const std::byte> hdf5;
     bool sealed = false;
-    std::vector<std::span<const std::byte>> steps;  ///< payloads of the whole step records
-    /// The last whole checkpoint: its payload, how many step records are before it, and where it ends in the image.
+    std::vector<std::span<const std::byte>> steps;  ///< payloads of the complete step records
+    /// The last complete checkpoint: its payload, the number of step records before it, and the offset of its end in the image.
     struct Checkpoint {
         std::span<const std::byte> payload;
         std::size_t steps = 0, end = 0;
@@ -31,11 +33,11 @@ struct ImageParts {
 
 enum class RecordKind { seal, step, checkpoint };
 
-/// Checks signature, superblock, end-of-file address against the bytes present, and the seal, without the HDF5
-/// library. Throws Error (bad_input), for empty input "<stdin>: empty input; did the stage before fail?".
+/// Checks the signature, the superblock, the end-of-file address against the size of the image, and the seal, without the HDF5
+/// library. Throws Error (bad_input), e.g. "<stdin>: empty input; check whether the previous program failed".
 [[nodiscard]] ImageParts split_image(std::span<const std::byte> image, std::string_view source);
 
-/// Where the seal of a sealed image ends and its other records begin.
+/// Offset of the end of the seal in a sealed image, where the other records begin.
 [[nodiscard]] std::size_t seal_end(std::span<const std::byte> image, std::string_view source);
 
 [[nodiscard]] std::vector<std::byte> make_record(RecordKind kind, std::span<const std::byte> payload);

@@ -80,7 +80,7 @@ public:
 
 private:
     [[noreturn]] void refuse() const {
-        throw Error(ExitCode::bad_input, source_, "a record after the HDF5 data does not make sense",
+        throw Error(ExitCode::bad_input, source_, "a record after the HDF5 data is corrupted",
                     "run solve again");
     }
     void take(void* to, std::size_t size) {
@@ -92,7 +92,7 @@ private:
     std::string_view source_;
 };
 
-/// Of a step, in the order of the record.
+/// Members of a step, in the order of the record.
 constexpr std::array numbers{&solution::Step::load_factor,         &solution::Step::pressure_Pa,
                              &solution::Step::tangent_load_factor, &solution::Step::tangent_pressure,
                              &solution::Step::tangent_volume,      &solution::Step::stretch_p99,
@@ -108,7 +108,7 @@ using Motion = solution::Step::Motion;
 constexpr std::array motion_numbers{&Motion::time_s, &Motion::kinetic_energy_J, &Motion::stored_energy_J,
                                     &Motion::load_work_J, &Motion::damping_work_J};
 
-/// Of a state of the solver, and of the loads where a stage begins.
+/// Members of a solver state and of the loads at the start of a stage.
 constexpr std::array state_lists{&solution::StatePoint::unknowns, &solution::StatePoint::tangent_unknowns,
                                  &solution::StatePoint::pressures_Pa, &solution::StatePoint::tangent_pressures,
                                  &solution::StatePoint::outputs};
@@ -127,9 +127,9 @@ constexpr std::array checkpoint_counts{&solution::Checkpoint::ranks,
                                        &solution::Checkpoint::control,
                                        &solution::Checkpoint::confirmed_pivots,
                                        &solution::Checkpoint::pending_factorizations};
-constexpr std::array checkpoint_flags{&solution::Checkpoint::chosen_is_left, &solution::Checkpoint::on_branch};
+constexpr std::array checkpoint_flags{&solution::Checkpoint::user_control_failed, &solution::Checkpoint::on_branch};
 
-/// Does not compile where a struct has a member more than is kept here: then a resumed path would not be the same.
+/// Fails to compile if a struct gets a member that is not stored here. A resumed path would otherwise differ.
 [[maybe_unused]] void every_member_is_kept(const solution::Step& step, const solution::Checkpoint& checkpoint) {
     [[maybe_unused]] const auto& [s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14, s15, s16, s17, s18, s19,
                                   s20, extremes, energies, motion, s21, s22] = step;
@@ -227,14 +227,14 @@ solution::StatePoint get_state(Unpacker& unpacker) {
     return point;
 }
 
-void put_place(Packer& packer, const solution::LimitPoint& point) {
+void put_point(Packer& packer, const solution::LimitPoint& point) {
     packer.put(std::int64_t{point.step});
     packer.put(point.pressure_Pa);
     packer.put_optional(point.volume_m3);
     packer.put_list(point.outputs);
 }
 
-solution::LimitPoint get_place(Unpacker& unpacker) {
+solution::LimitPoint get_point(Unpacker& unpacker) {
     solution::LimitPoint point;
     point.step = unpacker.get_count();
     point.pressure_Pa = unpacker.get<double>();
@@ -243,15 +243,15 @@ solution::LimitPoint get_place(Unpacker& unpacker) {
     return point;
 }
 
-/// Without the reason, which a path that is still followed does not have.
+/// Without the stop reason, which an unfinished path does not have.
 void put_end(Packer& packer, const solution::PathEnd& end) {
     packer.put(std::int64_t{end.newton_iterations});
     packer.put(std::int64_t{end.factorizations});
     packer.put(static_cast<std::uint64_t>(end.limit_points.size()));
-    for (const auto& limit : end.limit_points) put_place(packer, limit);
+    for (const auto& limit : end.limit_points) put_point(packer, limit);
     packer.put(static_cast<std::uint64_t>(end.bifurcations.size()));
     for (const auto& bifurcation : end.bifurcations) {
-        put_place(packer, bifurcation.at);
+        put_point(packer, bifurcation.at);
         packer.put(std::int64_t{bifurcation.modes});
         packer.put_list(bifurcation.mode);
     }
@@ -261,10 +261,10 @@ solution::PathEnd get_end(Unpacker& unpacker) {
     solution::PathEnd end;
     end.newton_iterations = unpacker.get_count();
     end.factorizations = unpacker.get_count();
-    for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) end.limit_points.push_back(get_place(unpacker));
+    for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) end.limit_points.push_back(get_point(unpacker));
     for (auto left = unpacker.get<std::uint64_t>(); left > 0; --left) {
         auto& bifurcation = end.bifurcations.emplace_back();
-        bifurcation.at = get_place(unpacker);
+        bifurcation.at = get_point(unpacker);
         bifurcation.modes = unpacker.get_count();
         bifurcation.mode = unpacker.get_list();
     }

@@ -1,7 +1,7 @@
 #pragma once
-/// Steps and checkpoints as payloads of records behind the HDF5 data (image.hpp): how a running `solve -o` keeps them.
-/// Layout: 64-bit integers and doubles, little endian, in the order of the tables in journal.cpp; lists with their length
-/// first. All doubles are finite. Tested by io/journal_test.
+/// Encodes steps and checkpoints of a running `solve -o` as payloads of records after the HDF5 data (image.hpp).
+/// Layout: 64-bit integers and doubles, little endian, in the order of the tables in journal.cpp; the length of a list precedes its
+/// values. All doubles are finite. Tested by io/journal_test.
 #include <cstddef>
 #include <span>
 #include <string_view>
@@ -20,11 +20,11 @@ struct JournalStep {
 
 [[nodiscard]] std::vector<std::byte> encode_step(const solution::Step& step, std::span<const double> displacement,
                                                  std::span<const double> pressure);
-/// Throws Error (bad_input) for a payload that is not of this layout or holds values that are not finite.
+/// Throws Error (bad_input) if the payload does not have this layout or contains non-finite values.
 [[nodiscard]] JournalStep decode_step(std::span<const std::byte> payload, std::string_view source);
 
 [[nodiscard]] std::vector<std::byte> encode_checkpoint(const solution::Checkpoint& checkpoint);
-/// Throws Error (bad_input) for a payload that is not of this layout or holds values that are not finite.
+/// Throws Error (bad_input) if the payload does not have this layout or contains non-finite values.
 [[nodiscard]] solution::Checkpoint decode_checkpoint(std::span<const std::byte> payload, std::string_view source);
 
 }  // namespace soft::io

@@ -24,33 +24,33 @@ void check_cavities(const Checker& check) {
     const auto& cavities = check.model().cavities;
     check.require_unique(cavities, "/loads/cavities", [](const model::Cavity& cavity) { return cavity.name; });
     for (const model::Cavity& cavity : cavities) {
-        const std::string place = "/loads/cavities/" + cavity.name;
-        check.require_face(cavity.wall, place + "/wall");
+        const std::string location = "/loads/cavities/" + cavity.name;
+        check.require_face(cavity.wall, location + "/wall");
         for (std::size_t i = 0; i < cavity.inner_faces.size(); ++i)
-            check.require_face(cavity.inner_faces[i], Checker::item(place + "/inner_faces", i));
+            check.require_face(cavity.inner_faces[i], Checker::item(location + "/inner_faces", i));
         for (std::size_t i = 0; i < cavity.openings.size(); ++i) {
             const model::Opening& opening = cavity.openings[i];
-            check.require_face(opening.face, Checker::item(place + "/openings/face", i));
-            check.require_positive(opening.area_m2, Checker::item(place + "/openings/area", i));
-            check.require_unit(opening.direction, Checker::item(place + "/openings/direction", i));
+            check.require_face(opening.face, Checker::item(location + "/openings/face", i));
+            check.require_positive(opening.area_m2, Checker::item(location + "/openings/area", i));
+            check.require_unit(opening.direction, Checker::item(location + "/openings/direction", i));
         }
     }
 }
 
-/// All are cavities, which no other load has, or there is one and it is a face.
+/// The targets must be cavities that no other load has, or a single face.
 void check_targets(const Checker& check, const model::PressureLoad& load, std::vector<std::string>& taken) {
-    const std::string place = "/loads/targets/name";
+    const std::string location = "/loads/targets/name";
     const model::Case& input = check.model();
-    if (load.targets.empty()) check.refuse(place, "the load " + quoted(load.name) + " acts on nothing");
+    if (load.targets.empty()) check.refuse(location, "the load " + quoted(load.name) + " has no target");
     for (const std::string& target : load.targets) {
         const bool cavity = has_name(input.cavities, target);
-        check.require(cavity || input.mesh.facet_sets.contains(target), place,
+        check.require(cavity || input.mesh.facet_sets.contains(target), location,
                       "there is no cavity or face named " + quoted(target));
-        check.require(cavity || load.targets.size() == 1, place,
-                      quoted(target) + " of the load " + quoted(load.name) + " is no cavity");
-        if (!cavity) check.require_face(target, place);
+        check.require(cavity || load.targets.size() == 1, location,
+                      quoted(target) + " of the load " + quoted(load.name) + " is not a cavity");
+        if (!cavity) check.require_face(target, location);
         if (cavity && std::find(taken.begin(), taken.end(), target) != taken.end())
-            check.refuse(place, "the cavity " + quoted(target) + " is loaded twice");
+            check.refuse(location, "the cavity " + quoted(target) + " is loaded twice");
         taken.push_back(target);
     }
 }
@@ -71,7 +71,7 @@ void check_pressures(const Checker& check) {
         if (!loads[i].line) continue;
         check.require_positive(loads[i].line->resistance_Pa_s_m3, Checker::item("/loads/line_resistance", i));
         check.require(acts_on_cavities(check.model(), loads[i]), Checker::item("/loads/line_resistance", i),
-                      "the load " + quoted(loads[i].name) + " is on a face, which no tube fills");
+                      "the load " + quoted(loads[i].name) + " acts on a face, so it cannot have a supply line");
     }
 }
 
@@ -88,11 +88,11 @@ void check_forces(const Checker& check) {
     check.require_unique(input.body_forces, "/loads/body_forces/name",
                          [](const model::BodyForce& force) { return force.name; });
     for (std::size_t i = 0; i < input.body_forces.size(); ++i) {
-        const std::string place = Checker::item("/loads/body_forces/acceleration", i);
+        const std::string location = Checker::item("/loads/body_forces/acceleration", i);
         const auto& acceleration = input.body_forces[i].acceleration_m_s2;
-        for (const double component : acceleration) check.require_finite(component, place);
+        for (const double component : acceleration) check.require_finite(component, location);
         if (input.kinematics == model::Kinematics::axisymmetric)
-            check.require(acceleration[1] == 0 && acceleration[2] == 0, place, "does not point along the axis");
+            check.require(acceleration[1] == 0 && acceleration[2] == 0, location, "does not point along the axis");
         check_time_function(check, input.body_forces[i].time_function, "/loads/body_forces", i);
     }
 }
@@ -105,16 +105,16 @@ void check_motions(const Checker& check) {
         for (const auto& component : components)
             check.require_finite(component.value_or(0), Checker::item("/loads/motions/displacement", i));
         check.require(std::any_of(components.begin(), components.end(), [](const auto& c) { return c.has_value(); }),
-                      Checker::item("/loads/motions/moved", i), "moves no component");
+                      Checker::item("/loads/motions/moved", i), "prescribes no component");
     }
 }
 
 void check_point(const Checker& check, const model::Output& output, std::size_t i) {
     for (const double coordinate : *output.point_m)
         check.require_finite(coordinate, Checker::item("/outputs/point", i));
-    check.require(output.face.empty(), Checker::item("/outputs/face", i), "a point is measured already");
+    check.require(output.face.empty(), Checker::item("/outputs/face", i), "must be empty where a point is measured");
     check.require(output.measure == model::Measure::displacement, Checker::item("/outputs/measure", i),
-                  "only the displacement of a point is measured");
+                  "must be displacement where a point is measured");
 }
 
 void check_outputs(const Checker& check) {
@@ -127,26 +127,26 @@ void check_outputs(const Checker& check) {
         else
             check.require_face(output.face, Checker::item("/outputs/face", i));
         check.require_unit(output.direction, Checker::item("/outputs/direction", i));
-        const std::string place = Checker::item("/outputs/reference", i);
+        const std::string location = Checker::item("/outputs/reference", i);
         if (output.measure == model::Measure::bend)
-            check.require_face(output.reference, place);
+            check.require_face(output.reference, location);
         else
-            check.require(output.reference.empty(), place, "only a bend is measured from another face");
+            check.require(output.reference.empty(), location, "must be empty: only a bend has a reference face");
     }
 }
 
-void check_goals(const Checker& check, const model::Stage& stage, const std::string& place) {
+void check_stop_conditions(const Checker& check, const model::Stage& stage, const std::string& location) {
     constexpr std::array<std::string_view, 3> quantities{"pressure", "volume_ratio", "steps"};
     const model::Case& input = check.model();
     for (std::size_t i = 0; i < stage.until.size(); ++i) {
         const model::Until& until = stage.until[i];
         const bool known = std::find(quantities.begin(), quantities.end(), until.quantity) != quantities.end() ||
                            has_name(input.outputs, until.quantity);
-        check.require(known, Checker::item(place + "/until/quantity", i),
+        check.require(known, Checker::item(location + "/until/quantity", i),
                       "there is no output named " + quoted(until.quantity));
-        check.require_finite(until.value, Checker::item(place + "/until/value", i));
+        check.require_finite(until.value, Checker::item(location + "/until/value", i));
     }
-    const std::string controlled = place + "/controlled";
+    const std::string controlled = location + "/controlled";
     if (stage.controlled.empty()) return;
     const bool load = has_name(input.loads, stage.controlled), output = has_name(input.outputs, stage.controlled);
     switch (stage.control) {
@@ -164,30 +164,30 @@ void check_goals(const Checker& check, const model::Stage& stage, const std::str
 }
 
 void check_supply(const Checker& check, const model::PressureLoad& load, const model::SupplyTarget& supply,
-                  const std::string& place) {
-    check.require_finite(supply.value, place);
+                  const std::string& location) {
+    check.require_finite(supply.value, location);
     const bool gas = supply.what == model::Prescription::mass || supply.what == model::Prescription::closed;
     const bool volume = supply.what == model::Prescription::volume || supply.what == model::Prescription::volume_ratio;
-    check.require(!(gas || volume) || acts_on_cavities(check.model(), load), place,
-                  "the load " + quoted(load.name) + " is on a face, which has a pressure alone");
-    if (volume) check.require_positive(supply.value, place);
+    check.require(!(gas || volume) || acts_on_cavities(check.model(), load), location,
+                  "the load " + quoted(load.name) + " acts on a face, so only its pressure can be prescribed");
+    if (volume) check.require_positive(supply.value, location);
 }
 
 void check_levels(const Checker& check, const std::vector<double>& levels, std::size_t loads,
-                  const std::string& place) {
-    check.require(levels.size() == loads, place, "must be one a load");
-    for (std::size_t i = 0; i < levels.size(); ++i) check.require_finite(levels[i], Checker::item(place, i));
+                  const std::string& location) {
+    check.require(levels.size() == loads, location, "must have one entry per load");
+    for (std::size_t i = 0; i < levels.size(); ++i) check.require_finite(levels[i], Checker::item(location, i));
 }
 
-void check_stage(const Checker& check, const model::Stage& stage, const std::string& place) {
+void check_stage(const Checker& check, const model::Stage& stage, const std::string& location) {
     const model::Case& input = check.model();
-    check_goals(check, stage, place);
-    check.require(stage.supplies.size() == input.loads.size(), place + "/prescription", "must be one a load");
+    check_stop_conditions(check, stage, location);
+    check.require(stage.supplies.size() == input.loads.size(), location + "/prescription", "must have one entry per load");
     for (std::size_t i = 0; i < stage.supplies.size(); ++i)
-        check_supply(check, input.loads[i], stage.supplies[i], Checker::item(place + "/value", i));
-    check_levels(check, stage.tractions, input.tractions.size(), place + "/tractions");
-    check_levels(check, stage.body_forces, input.body_forces.size(), place + "/body_forces");
-    check_levels(check, stage.motions, input.motions.size(), place + "/motions");
+        check_supply(check, input.loads[i], stage.supplies[i], Checker::item(location + "/value", i));
+    check_levels(check, stage.tractions, input.tractions.size(), location + "/tractions");
+    check_levels(check, stage.body_forces, input.body_forces.size(), location + "/body_forces");
+    check_levels(check, stage.motions, input.motions.size(), location + "/motions");
 }
 
 }  // namespace

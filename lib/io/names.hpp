@@ -1,5 +1,5 @@
 #pragma once
-/// The words that stand for enumerators in the file: one table each, used in both directions.
+/// Names of enumerators in the file. Each table is used for reading and for writing.
 #include <array>
 #include <optional>
 #include <string_view>

@@ -6,14 +6,14 @@
 namespace soft::io {
 
 ListColumns pressure_columns(const model::Case& model) {
-    ListColumns columns{"pressures", "of each load, above ambient", {}};
+    ListColumns columns{"pressures", "pressure of each load, above ambient", {}};
     if (model.loads.size() > 1)
         for (const model::PressureLoad& load : model.loads) columns.names.push_back({load.name, "Pa"});
     return columns;
 }
 
 ListColumns volume_columns(const model::Case& model) {
-    ListColumns columns{"volumes", "enclosed by each loaded cavity, whole actuator", {}};
+    ListColumns columns{"volumes", "volume enclosed by each loaded cavity, whole actuator", {}};
     const auto cavities = model::measured_cavities(model);
     if (cavities.size() > 1)
         for (const model::Cavity* cavity : cavities) columns.names.push_back({cavity->name, "m3"});
@@ -21,7 +21,7 @@ ListColumns volume_columns(const model::Case& model) {
 }
 
 ListColumns output_columns(const model::Case& model) {
-    ListColumns columns{"outputs", "what is measured, by name", {}};
+    ListColumns columns{"outputs", "measured outputs, by name", {}};
     for (const model::Output& output : model.outputs)
         columns.names.push_back({output.name, std::string{model::unit_of(output.measure).SI}});
     return columns;

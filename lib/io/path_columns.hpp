@@ -1,5 +1,5 @@
 #pragma once
-/// Rows of the path and points on it as columns. Internal to the module.
+/// Stores rows of the path, limit points and bifurcations as columns. Internal to the module.
 #include <optional>
 #include <span>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace soft::io {
 
-/// A group with one column for each entry of a list that every row has. A group without columns is not written.
+/// A group with one column per entry of a list member of the rows. A group without columns is not written.
 struct ListColumns {
     struct Name {
         std::string name, units;
@@ -19,14 +19,14 @@ struct ListColumns {
     std::vector<Name> names;
 };
 
-/// Of each pressure load, and of each measured cavity, where the case has several.
+/// Columns of the pressure loads and of the measured cavities; empty unless the case has several.
 [[nodiscard]] ListColumns pressure_columns(const model::Case& model);
 [[nodiscard]] ListColumns volume_columns(const model::Case& model);
-/// Of each output, in the SI unit of its measure.
+/// One column per output, in the SI unit of its measure.
 [[nodiscard]] ListColumns output_columns(const model::Case& model);
-/// Half width of the error of each output, in its unit; of rows that have them.
+/// Half width of the error bar of each output, in its unit, for rows that have error bars.
 [[nodiscard]] ListColumns output_error_columns(const model::Case& model);
-/// Pa, N of a force, or 1 of a case whose rows hold the load factor itself.
+/// Unit of the leading load: "Pa", "N" for a force, or "1" for the load factor.
 [[nodiscard]] const char* load_units(const model::Case& model);
 
 [[nodiscard]] bool all_finite(std::span<const double> values);

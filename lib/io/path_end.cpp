@@ -13,11 +13,11 @@ using solution::Bifurcation;
 using solution::LimitPoint;
 using solution::PathEnd;
 
-std::vector<LimitPoint> places(const std::vector<Bifurcation>& bifurcations) {
+std::vector<LimitPoint> positions_of(const std::vector<Bifurcation>& bifurcations) {
     return column(bifurcations, [](const Bifurcation& bifurcation) { return bifurcation.at; });
 }
 
-void require_sound(std::span<const LimitPoint> points, const model::Case& model, std::size_t steps) {
+void require_valid(std::span<const LimitPoint> points, const model::Case& model, std::size_t steps) {
     for (const LimitPoint& point : points) {
         const bool row = point.step >= 0 && static_cast<std::size_t>(point.step) < steps;
         const bool values = point.outputs.size() == model.outputs.size() && all_finite(point.outputs) &&
@@ -29,7 +29,7 @@ void require_sound(std::span<const LimitPoint> points, const model::Case& model,
 }
 
 void write_points(hid_t group, std::span<const LimitPoint> points, const model::Case& model) {
-    write_column(group, {"step", "1", "row of the path that holds the point"}, points.size(),
+    write_column(group, {"step", "1", "row of the path at the point"}, points.size(),
                  [&](std::size_t i) { return static_cast<std::int64_t>(points[i].step); });
     write_column(group, {"pressure", load_units(model), "as /path/pressure"}, points.size(),
                  [&](std::size_t i) { return points[i].pressure_Pa; });
@@ -58,27 +58,27 @@ std::vector<Bifurcation> read_bifurcations(const GroupReader& group, const model
     const auto modes = group.array<std::int64_t>("modes", {extent(points.size())});
     std::vector<Bifurcation> bifurcations;
     for (std::size_t i = 0; i < points.size(); ++i)
-        bifurcations.push_back({points[i], group.small("modes[" + std::to_string(i) + "]", modes[i], 1), {}});
+        bifurcations.push_back({points[i], group.to_int("modes[" + std::to_string(i) + "]", modes[i], 1), {}});
     return bifurcations;
 }
 
 }  // namespace
 
 void write_end(hid_t path, const PathEnd& end, const model::Case& model, std::size_t steps) {
-    const auto branching = places(end.bifurcations);
-    require_sound(end.limit_points, model, steps);
-    require_sound(branching, model, steps);
+    const auto branching = positions_of(end.bifurcations);
+    require_valid(end.limit_points, model, steps);
+    require_valid(branching, model, steps);
     // An attribute must fit into an object header of 64 KiB.
-    constexpr std::size_t longest_detail = 4096;
+    constexpr std::size_t max_detail_bytes = 4096;
     write_attribute(path, "stop_reason", name(end.reason));
-    write_attribute(path, "detail", core::one_line(end.detail, longest_detail));
+    write_attribute(path, "detail", core::one_line(end.detail, max_detail_bytes));
     write_attribute(path, "newton_iterations", std::int64_t{end.newton_iterations});
     write_attribute(path, "factorizations", std::int64_t{end.factorizations});
     write_attribute(path, "limit_points", extent(end.limit_points.size()));
     write_attribute(path, "bifurcations", extent(branching.size()));
-    const GroupHandle limits = create_group(path, "limit_points", "extrema of the load along the path, one row each");
+    const GroupHandle limits = create_group(path, "limit_points", "extrema of the leading load along the path, one row each");
     write_points(limits.get(), end.limit_points, model);
-    const GroupHandle group = create_group(path, "bifurcations", "where other branches leave the path, one row each");
+    const GroupHandle group = create_group(path, "bifurcations", "intersections with other branches, one row each");
     write_points(group.get(), branching, model);
     write_column(group.get(), {"modes", "1", "eigenvalues of the tangent that change sign"}, branching.size(),
                  [&](std::size_t i) { return static_cast<std::int64_t>(end.bifurcations[i].modes); });
@@ -91,14 +91,14 @@ PathEnd read_end(const GroupReader& path, const model::Case& model, std::size_t 
     if (!known) throw path.refuse("stop_reason", core::quoted(reason) + " is not a known value");
     end.reason = *known;
     end.detail = path.text_attribute("detail");
-    end.newton_iterations = path.small("newton_iterations", path.integer_attribute("newton_iterations", 1)[0]);
-    end.factorizations = path.small("factorizations", path.integer_attribute("factorizations", 1)[0]);
+    end.newton_iterations = path.to_int("newton_iterations", path.integer_attribute("newton_iterations", 1)[0]);
+    end.factorizations = path.to_int("factorizations", path.integer_attribute("factorizations", 1)[0]);
     end.limit_points = read_points(path.group("limit_points"), model, steps);
     end.bifurcations = read_bifurcations(path.group("bifurcations"), model, steps);
     if (path.integer_attribute("limit_points", 1)[0] != extent(end.limit_points.size()))
-        throw path.refuse("limit_points", "is not their number");
+        throw path.refuse("limit_points", "does not match the number of limit points");
     if (path.integer_attribute("bifurcations", 1)[0] != extent(end.bifurcations.size()))
-        throw path.refuse("bifurcations", "is not their number");
+        throw path.refuse("bifurcations", "does not match the number of bifurcations");
     return end;
 }
 
@@ -107,14 +107,14 @@ void write_modes(hid_t root, const PathEnd& end, std::size_t points) {
     for (std::size_t i = 0; i < end.bifurcations.size(); ++i)
         if (!end.bifurcations[i].mode.empty()) owners.push_back(extent(i));
     if (owners.empty()) return;
-    const GroupHandle group = create_group(root, "modes", "how the body begins to move onto another branch");
+    const GroupHandle group = create_group(root, "modes", "bifurcation modes: initial directions of the other branches");
     write_list(group.get(), {"bifurcation", "1", "row of /path/bifurcations of each mode"}, owners);
     const DatasetHandle rows = create_rows(
         group.get(), {"displacement", "1", "mode, point, component; the largest displacement is 1"}, {points, 3});
     for (const std::int64_t owner : owners) {
         const auto& mode = end.bifurcations[static_cast<std::size_t>(owner)].mode;
         if (mode.size() != 3 * points || !all_finite(mode))
-            throw Error(ExitCode::internal, "/modes/displacement", "a mode does not have three finite values a point");
+            throw Error(ExitCode::internal, "/modes/displacement", "a mode does not have three finite values per point");
         append_row(rows.get(), mode);
     }
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Provenance records in the file. Internal to the module.
+/// Reads and writes provenance records. Internal to the module.
 #include <vector>
 
 #include "io/hdf5_read.hpp"

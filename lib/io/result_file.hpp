@@ -1,5 +1,5 @@
 #pragma once
-/// The result file: the case as it was given plus /path, /modes, /fields and /provenance/<solver> (schema: lib/io/README.md).
+/// The result file: the unchanged case plus /path, /modes, /fields and /provenance/<solver> (format: lib/io/README.md).
 /// Tested by io/result_file_test, io/damage_test.
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,7 @@
 
 namespace soft::io {
 
-/// Which steps keep their fields. every: rows 0, N, 2N ... and the last one.
+/// Steps whose fields are stored. every: rows 0, N, 2N ... and the last one.
 struct FieldsPolicy {
     enum class Keep { all, last, none, every };
     Keep keep = Keep::all;
@@ -28,68 +28,68 @@ struct FieldsPolicy {
     friend bool operator==(const FieldsPolicy&, const FieldsPolicy&) = default;
 };
 
-/// "all", "last", "none", "every=N"; Error (usage) otherwise.
+/// Parses "all", "last", "none" or "every=N"; throws Error (usage) otherwise.
 [[nodiscard]] FieldsPolicy parse_fields_policy(std::string_view text);
 [[nodiscard]] std::string to_text(const FieldsPolicy& policy);
 
 struct ResultOptions {
     FieldsPolicy fields;
-    std::optional<DesignText> changed_design;  ///< where solve was given overrides of its own
+    std::optional<DesignText> changed_design;  ///< the design with overrides of solve, if any
 };
 
-/// What is solved: a file as read, seal included, how errors call it, and its case with solve's own overrides in place.
-/// All must outlive the call they are given to, no longer.
-struct Given {
+/// Input of solve: the file as read (including the seal), its name for errors, and its case with the overrides of solve applied.
+/// All must outlive the call to which they are passed.
+struct SolveInput {
     std::span<const std::byte> image;
     std::string_view source;
     const model::Case& solved;
 };
 
-/// Takes converged steps one by one. The bytes of the result are the same whether it is kept in memory or on disk.
+/// Writes converged steps one at a time. A result in memory and one on disk have the same bytes.
 ///
-/// On disk: the first append() makes FILE, the whole case (with an empty path) and one checksummed record behind the HDF5 data;
-/// until then what stands under that name stays. Each later append() adds a record with a single write. Nothing that is already
-/// in the file is touched, so after a kill at any time FILE opens (in every HDF5 tool: as the case) and read_result() finds all
-/// whole steps in it.
-/// finish() replaces FILE by the plain result, by renaming. Not promised: that steps survive a crash of the machine.
-/// A target that is no regular file (/dev/null, a named pipe) is written at finish() only.
-/// Memory: the fields that are kept, compressed. With policy last or every=N the records on disk still hold the fields
-/// of every step until finish(); with none they hold no fields.
+/// On disk: the first append() creates FILE, which contains the case (with an empty path) and one checksummed record after the HDF5
+/// data. An existing file of that name is replaced only then. Each later append() adds a record with a single write and does not
+/// change existing data. If the process is killed at any time, FILE can be opened (by other HDF5 tools as the case), and
+/// read_result() returns all complete steps.
+/// finish() replaces FILE with the plain result by renaming. Steps may be lost if the machine crashes.
+/// A target that is not a regular file (/dev/null, a named pipe) is written only at finish().
+/// Memory: the stored fields, compressed. With the policies last and every=N, the records on disk contain the fields of every step
+/// until finish(); with none they contain no fields.
 class ResultWriter {
 public:
-    /// `given`: a case. Throws Error (bad_input) as read_case does, or if it already has a path.
-    ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options);
-    /// The same on disk. Throws Error (cannot_create) as well, also while another process writes the file.
-    ResultWriter(const std::filesystem::path& file, const Given& given, const Provenance& provenance,
+    /// In memory. `given`: a case. Throws Error (bad_input) as read_case does, and if the case already has a path.
+    ResultWriter(const SolveInput& given, const Provenance& provenance, const ResultOptions& options);
+    /// On disk. Also throws Error (cannot_create) if the file cannot be created or another process is writing it.
+    ResultWriter(const std::filesystem::path& file, const SolveInput& given, const Provenance& provenance,
                  const ResultOptions& options);
-    /// Goes on with the file of an interrupted solve, `given` as read_interrupted gave it: what is behind its last
-    /// checkpoint is cut off, the steps before it count as appended. Throws Error (bad_input) for a file that is no such,
-    /// Error (cannot_create) where it cannot be written, is being written by another process, or has changed since.
-    static ResultWriter resume(const std::filesystem::path& file, const Given& given);
+    /// Continues the file of an interrupted solve; `given` is the file that was passed to read_interrupted. Truncates the file after its
+    /// last checkpoint; the steps before it count as appended. Throws Error (bad_input) if the file is not an interrupted solve,
+    /// Error (cannot_create) if it cannot be written, another process is writing it, or its size has changed since it was read.
+    static ResultWriter resume(const std::filesystem::path& file, const SolveInput& given);
 
     ResultWriter(ResultWriter&&) noexcept;
     ResultWriter& operator=(ResultWriter&&) noexcept;
     ~ResultWriter();
 
-    /// `displacement` [point, 3] in m, `pressure` [point] in Pa or empty (then for every step). The first step decides
-    /// whether there are volumes and pressures. Throws Error (internal) for a step that does not fit the case or the
-    /// steps before or is not finite, Error (io_error) for a full disk.
+    /// `displacement` [point, 3] in m, `pressure` [point] in Pa or empty (then for every step). The first step determines whether the
+    /// steps have volumes and pressures. Throws Error (internal) for a step that is not finite or does not match the case or the
+    /// previous steps, Error (io_error) if the disk is full.
     void append(const solution::Step& step, std::span<const double> displacement, std::span<const double> pressure);
 
-    /// Remembers what the solver needs to go on from the step last appended. Nothing to do in memory. Errors as append.
-    void remember(const solution::Checkpoint& checkpoint);
+    /// Stores the state from which the solver can continue after the last appended step. Does nothing in memory. Errors as append().
+    void save_checkpoint(const solution::Checkpoint& checkpoint);
 
-    /// `rows`, a writer in memory for the same case and options, replaces the steps appended so far; nothing is appended after
-    /// it. FILE becomes, by renaming, the whole result of them and `end`, and stays locked: it can be called again, and finish()
-    /// returns the last one. A target that is no regular file is written at finish() only.
+    /// Replaces the steps appended so far by those of `rows`, a writer in memory for the same case and options. append() must not be
+    /// called afterwards. FILE is replaced, by renaming, with the complete result of these rows and `end`, and stays locked. publish()
+    /// can be called again; finish() returns the last result. A target that is not a regular file is written only at finish().
     void publish(ResultWriter rows, const solution::PathEnd& end);
 
-    /// False where FILE has been removed, or replaced by another file, since the writer made it: steps appended since then
-    /// are in no file that can be opened. finish() makes FILE anew.
+    /// False if FILE has been removed or replaced by another file since the writer created it. Steps appended since then are not in a
+    /// file that can be opened. finish() creates FILE again.
     [[nodiscard]] bool is_in_place() const;
 
-    /// Writes path and end (those of publish(), where it was called). Returns the whole result; on disk it is also FILE. Call it
-    /// once, nothing after it. Throws Error (internal) without a step: read_result() would refuse the file.
+    /// Writes the path and its end (those of the last publish(), if it was called). Returns the complete result; on disk it is also
+    /// written to FILE. Must be the last call. Throws Error (internal) if there is no step, because read_result() would reject the file.
     std::vector<std::byte> finish(const solution::PathEnd& end);
 
 private:
@@ -98,7 +98,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// The stored fields; reads one step at a time.
+/// Reads the stored fields, one step at a time.
 class FieldReader {
 public:
     struct Values {
@@ -113,7 +113,7 @@ public:
 
     /// Rows of the path whose fields are stored, ascending.
     [[nodiscard]] const std::vector<std::int64_t>& steps() const noexcept;
-    /// nullopt for a step without fields. Throws Error (bad_input) for damaged data.
+    /// nullopt for a step without fields. Throws Error (bad_input) for invalid data.
     [[nodiscard]] std::optional<Values> read(std::int64_t step) const;
 
 private:
@@ -121,30 +121,30 @@ private:
 };
 
 struct Result {
-    model::Case model;                         ///< as it was solved: solve's own overrides in place
+    model::Case model;                         ///< as it was solved, with the overrides of solve applied
     DesignText design;                         ///< of the case
-    std::optional<DesignText> changed_design;  ///< solve's own overrides applied, where there were any
+    std::optional<DesignText> changed_design;  ///< with the overrides of solve applied, if there were any
     FieldsPolicy fields_policy;
     std::vector<Provenance> provenance;  ///< in alphabetical order of the tools
     std::vector<solution::Step> steps;
-    std::optional<solution::PathEnd> end;  ///< empty: solve was killed or is still at work
+    std::optional<solution::PathEnd> end;  ///< empty: solve was killed or is still running
     FieldReader fields;
 };
 
-/// An interrupted `solve -o` as `solve --resume` wants it.
-struct Interrupted {
-    CaseFile file;  ///< its model as it was solved, solve's own overrides in place
+/// An interrupted `solve -o`, the input of `solve --resume`.
+struct InterruptedSolve {
+    CaseFile file;  ///< its model as it was solved, with the overrides of solve applied
     std::optional<DesignText> changed_design;
     std::vector<solution::Step> steps;               ///< up to the checkpoint
-    std::optional<solution::Checkpoint> checkpoint;  ///< empty: killed before the second row; start from the beginning
+    std::optional<solution::Checkpoint> checkpoint;  ///< empty if killed before the first checkpoint: start from the beginning
 };
 
-/// Throws Error (bad_input) for a case, a finished result ("is finished") or a damaged file.
-[[nodiscard]] Interrupted read_interrupted(std::span<const std::byte> image, std::string_view source);
+/// Throws Error (bad_input) for a case, a finished result or a damaged file.
+[[nodiscard]] InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_view source);
 
-/// Reads a finished result, or what a running or killed `solve -o` has left. Checks as read_case does.
-/// The image is kept for reading fields later. A case without solution is refused with the remedy "run solve on it", a path
-/// without a row with "run solve again".
+/// Reads a finished result, or the file of a running or killed `solve -o`. Checks the file as read_case does.
+/// The result keeps the image to read fields later. Throws Error (bad_input) for a case without solution (remedy "run solve on it")
+/// and for a path without rows ("run solve again").
 [[nodiscard]] Result read_result(std::vector<std::byte> image, std::string_view source);
 
 }  // namespace soft::io

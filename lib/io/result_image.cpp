@@ -18,16 +18,16 @@ namespace {
 
 GroupHandle open_group(hid_t parent, const char* name) {
     GroupHandle group{H5Gopen2(parent, name, H5P_DEFAULT)};
-    if (!group) throw Error(ExitCode::internal, name, "the group is not there");
+    if (!group) throw Error(ExitCode::internal, name, "the group does not exist");
     return group;
 }
 
-void require_finite(std::span<const double> values, std::string_view place) {
+void require_finite(std::span<const double> values, std::string_view location) {
     if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-        throw Error(ExitCode::internal, place, "a converged step has a value that is not finite");
+        throw Error(ExitCode::internal, location, "a converged step has a value that is not finite");
 }
 
-/// All of a case but its mesh, which is large and stays the same.
+/// The case without its mesh, which is large and not needed here.
 model::Case without_mesh(const model::Case& input) {
     return {input.name,           input.kinematics,      input.formulation,
             input.model_fraction, input.symmetry_planes, {},
@@ -39,19 +39,19 @@ model::Case without_mesh(const model::Case& input) {
 
 constexpr const char* changed_design_group = "solve_design";
 
-/// Error (bad_input) where the file holds a result or what another program has left of one.
+/// Throws Error (bad_input) if the file contains a result or parts of one.
 void require_no_solution(hid_t root, const std::string& tool, std::string_view source) {
     for (const std::string& name : {std::string{"path"}, std::string{"fields"}, std::string{"modes"},
                                     std::string{changed_design_group}, "provenance/" + tool})
         if (H5Lexists(root, name.c_str(), H5P_DEFAULT) > 0)
-            throw Error(ExitCode::bad_input, std::string{source} + ":/" + name, "already holds a solution",
+            throw Error(ExitCode::bad_input, std::string{source} + ":/" + name, "already contains a solution",
                         "give solve the case from mesh-gen");
 }
 
 void write_changed_design(hid_t root, const DesignText& design, const model::Case& solved) {
     const GroupHandle group =
-        create_group(root, changed_design_group, "the design with solve's own overrides in place");
-    write_text(group.get(), {"effective_yaml", "1", "what was solved"}, design.effective_yaml);
+        create_group(root, changed_design_group, "the design with the overrides of solve applied");
+    write_text(group.get(), {"effective_yaml", "1", "the design that was solved"}, design.effective_yaml);
     write_text(group.get(), {"sha256", "1", "SHA-256 of effective_yaml, hexadecimal"},
                core::sha256_hex(design.effective_yaml));
     write_texts(group.get(), {"overrides", "1", "key.path=value, as given to --set"}, design.overrides);
@@ -71,7 +71,7 @@ FieldsPolicy parse_fields_policy(std::string_view text) {
         const auto [end, error] = std::from_chars(text.data() + every.size(), text.data() + text.size(), interval);
         if (error == std::errc{} && end == text.data() + text.size() && interval >= 1) return {Keep::every, interval};
     }
-    throw Error(ExitCode::usage, "--fields", core::quoted(text) + " is not a choice", "all, last, none or every=N");
+    throw Error(ExitCode::usage, "--fields", core::quoted(text) + " is not a valid choice", "use all, last, none or every=N");
 }
 
 std::string to_text(const FieldsPolicy& policy) {
@@ -84,7 +84,7 @@ std::string to_text(const FieldsPolicy& policy) {
     return "all";
 }
 
-ResultImage ResultImage::open(const Given& given) {
+ResultImage ResultImage::open(const SolveInput& given) {
     ResultImage image;
     const Origin origin{std::string{given.source}, given.image.size()};
     image.file_ = open_memory_copy(given.image);
@@ -99,46 +99,46 @@ ResultImage ResultImage::open(const Given& given) {
     return image;
 }
 
-ResultImage ResultImage::begin(const Given& given, const Provenance& provenance, const ResultOptions& options) {
+ResultImage ResultImage::begin(const SolveInput& given, const Provenance& provenance, const ResultOptions& options) {
     ResultImage image = open(given);
     const GroupHandle root = open_group(image.file_.get(), "/");
     require_no_solution(root.get(), provenance.tool, given.source);
     if (options.changed_design) check_case(given.solved, "<case with --set>", ExitCode::internal);
     image.policy_ = options.fields;
-    const GroupHandle path = create_group(root.get(), "path", "the equilibrium path, one row a step");
+    const GroupHandle path = create_group(root.get(), "path", "the equilibrium path, one row per step");
     const GroupHandle fields = create_group(root.get(), "fields", "nodal fields of the stored steps");
     write_attribute(fields.get(), "policy", to_text(options.fields));
     if (options.changed_design) write_changed_design(root.get(), *options.changed_design, given.solved);
     write_provenance(open_group(root.get(), "provenance").get(), provenance);
-    // HDF5 places what follows by the gaps it remembers, which are forgotten on opening: like this a path that is
-    // interrupted and resumed gives the same bytes.
+    // HDF5 allocates new objects in free gaps of the file, which it forgets when the file is reopened. Reopening here makes the bytes
+    // of an uninterrupted path equal to those of a resumed one.
     const auto begun = image.bytes();
     return resume({begun, given.source, given.solved});
 }
 
-ResultImage ResultImage::resume(const Given& given) {
+ResultImage ResultImage::resume(const SolveInput& given) {
     ResultImage image = open(given);
     const Origin origin{std::string{given.source}, given.image.size(), "run solve again"};
     const GroupReader root{image.file_.get(), origin};
     const GroupReader path = root.group("path");
-    if (!path.names().empty()) throw path.refuse("", "has rows already, and more come after the HDF5 data");
+    if (!path.names().empty()) throw path.refuse("", "already has rows, but more rows follow the HDF5 data");
     image.policy_ = parse_fields_policy(root.group("fields").text_attribute("policy"));
     return image;
 }
 
 std::vector<std::byte> ResultImage::bytes() const { return memory_image(file_.get()); }
 
-void ResultImage::require_fitting(const solution::Step& step, std::span<const double> displacement,
+void ResultImage::require_consistent(const solution::Step& step, std::span<const double> displacement,
                                   std::span<const double> pressure) const {
-    require_sound(step, solved_);
+    require_valid(step, solved_);
     if (!steps_.empty() && step.volume_m3.has_value() != steps_[0].volume_m3.has_value())
         throw Error(ExitCode::internal, "/path/cavity_volume", "some steps have a volume, some have none");
     if (!steps_.empty() && step.pressure_error_Pa.has_value() != steps_[0].pressure_error_Pa.has_value())
         throw Error(ExitCode::internal, "/path/pressure_error", "some steps have an error, some have none");
     if (displacement.size() != 3 * points_)
-        throw Error(ExitCode::internal, "/fields/displacement", "a step does not have three values a point");
+        throw Error(ExitCode::internal, "/fields/displacement", "a step does not have three values per point");
     if (!pressure.empty() && pressure.size() != points_)
-        throw Error(ExitCode::internal, "/fields/pressure", "a step does not have one value a point");
+        throw Error(ExitCode::internal, "/fields/pressure", "a step does not have one value per point");
     if (!steps_.empty() && has_pressure_ == pressure.empty())
         throw Error(ExitCode::internal, "/fields/pressure", "some steps have pressures, some have none");
     require_finite(displacement, "/fields/displacement");
@@ -149,9 +149,9 @@ void ResultImage::append(const solution::Step& step, std::span<const double> dis
                          std::span<const double> pressure) {
     using Keep = FieldsPolicy::Keep;
     if (policy_.keep == Keep::none) {
-        require_sound(step, solved_);
+        require_valid(step, solved_);
     } else {
-        require_fitting(step, displacement, pressure);
+        require_consistent(step, displacement, pressure);
         if (steps_.empty()) has_pressure_ = !pressure.empty();
     }
     const auto row = static_cast<std::int64_t>(steps_.size());

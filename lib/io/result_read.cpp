@@ -9,11 +9,11 @@
 #include "io/result_file.hpp"
 #include "io/result_image.hpp"
 #include "io/solve_parts.hpp"
-#include "io/trial.hpp"
+#include "io/subprocess_read.hpp"
 
 namespace soft::io {
 
-/// The order of members is that of dependence: handles close before the bytes go.
+/// The order of the members matters: handles must be closed before the image is freed.
 struct FieldReader::State {
     std::vector<std::byte> image;
     Origin origin;
@@ -27,8 +27,8 @@ struct FieldReader::State {
 
 namespace {
 
-/// What a running or killed solve left: the case with an empty path, and steps behind the HDF5 data.
-std::vector<std::byte> folded(const ImageParts& parts, std::string_view source, const model::Case& solved) {
+/// Result of a running or killed solve: adds the step records after the HDF5 data to the case with an empty path.
+std::vector<std::byte> replay_journal(const ImageParts& parts, std::string_view source, const model::Case& solved) {
     ResultImage image = ResultImage::resume({parts.hdf5, source, solved});
     try {
         for (const auto payload : parts.steps) {
@@ -36,14 +36,14 @@ std::vector<std::byte> folded(const ImageParts& parts, std::string_view source, 
             image.append(record.step, record.displacement_m, record.pressure_Pa);
         }
     } catch (const Error& error) {
-        // The image refuses steps of the solver as a bug; here they came from a file.
+        // ResultImage reports invalid steps as internal errors; here they come from a file.
         throw Error(ExitCode::bad_input, source, error.what(), "run solve again");
     }
     image.finish(std::nullopt);
     return image.bytes();
 }
 
-bool lacks_rows(std::span<const std::byte> hdf5, const Origin& origin) {
+bool has_no_rows(std::span<const std::byte> hdf5, const Origin& origin) {
     const FileHandle file = open_image(hdf5, origin);
     const GroupReader root{file.get(), origin};
     if (!root.has("path"))
@@ -68,7 +68,7 @@ void check_fields(FieldReader::State& state, const GroupReader& root, std::size_
     if (group.has("pressure")) state.pressure = group.checked_rows("pressure", {stored, state.points});
 }
 
-/// The case of a result and, where solve was given overrides of its own, what they changed.
+/// The case of a result as it was solved, with the design that overrides of solve changed, if any.
 struct Solved {
     CaseFile file;
     std::optional<DesignText> changed_design;
@@ -84,7 +84,7 @@ Solved read_solved(const GroupReader& root) {
     return solved;
 }
 
-/// The same of a bare HDF5 file.
+/// The same for an HDF5 file without seal and records.
 Solved read_solved(std::span<const std::byte> hdf5, const Origin& origin) {
     const FileHandle file = open_image(hdf5, origin);
     return read_solved(GroupReader{file.get(), origin});
@@ -128,11 +128,11 @@ Origin origin_of(const ImageParts& parts, std::string_view source) {
     return {std::string{source}, parts.hdf5.size(), "run solve again"};
 }
 
-/// `parts` are those of the image, or of another with the same HDF5 part.
+/// `parts` are those of the image, or of another image with the same HDF5 part.
 Result read_bare_result(std::vector<std::byte> image, const ImageParts& parts, const Origin& origin) {
     std::size_t hdf5_size = parts.hdf5.size();
-    if (lacks_rows(parts.hdf5, origin)) {
-        image = folded(parts, origin.source, read_solved(parts.hdf5, origin).file.model);
+    if (has_no_rows(parts.hdf5, origin)) {
+        image = replay_journal(parts, origin.source, read_solved(parts.hdf5, origin).file.model);
         hdf5_size = image.size();
     }
     auto state = std::make_unique<FieldReader::State>();
@@ -163,7 +163,8 @@ Result read_bare_result(std::vector<std::byte> image, const ImageParts& parts, c
             FieldReader{std::move(state)}};
 }
 
-/// Everything in the image is read, so that what comes later is no worse. A field with bad values is refused where it is asked for.
+/// Reads everything in the image, so that later reads cannot crash. Invalid values in fields are ignored here; FieldReader reports
+/// them.
 void read_all(const ImageParts& parts, const Origin& origin) {
     const Result result = read_bare_result({parts.hdf5.begin(), parts.hdf5.end()}, parts, origin);
     for (const std::int64_t step : result.fields.steps()) try {
@@ -173,23 +174,23 @@ void read_all(const ImageParts& parts, const Origin& origin) {
 
 }  // namespace
 
-Interrupted read_interrupted(std::span<const std::byte> image, std::string_view source) {
+InterruptedSolve read_interrupted(std::span<const std::byte> image, std::string_view source) {
     const QuietErrors quiet;
     const ImageParts parts = split_image(image, source);
     const Origin origin = origin_of(parts, source);
-    if (!parts.sealed) try_apart(origin, [&](const Origin& noted) { read_all(parts, noted); });
-    if (!lacks_rows(parts.hdf5, origin))
-        throw Error(ExitCode::bad_input, source, "is finished, there is nothing to resume", "postprocess reads it");
+    if (!parts.sealed) read_in_subprocess(origin, [&](const Origin& noted) { read_all(parts, noted); });
+    if (!has_no_rows(parts.hdf5, origin))
+        throw Error(ExitCode::bad_input, source, "is finished and cannot be resumed", "read it with postprocess");
     Solved solved = read_solved(parts.hdf5, origin);
-    Interrupted interrupted{std::move(solved.file), std::move(solved.changed_design), {}, std::nullopt};
+    InterruptedSolve interrupted{std::move(solved.file), std::move(solved.changed_design), {}, std::nullopt};
     if (!parts.checkpoint) return interrupted;
     interrupted.checkpoint = decode_checkpoint(parts.checkpoint->payload, source);
     for (std::size_t i = 0; i < parts.checkpoint->steps; ++i)
         interrupted.steps.push_back(decode_step(parts.steps[i], source).step);
-    // Whether its states fit the unknowns is the solver's to say.
+    // The solver checks whether the states match its unknowns.
     if (interrupted.steps.size() != static_cast<std::size_t>(interrupted.checkpoint->rows) ||
         interrupted.steps.empty() || interrupted.steps.back().stage > interrupted.checkpoint->stage)
-        throw Error(ExitCode::bad_input, source, "the last checkpoint does not fit the steps before it",
+        throw Error(ExitCode::bad_input, source, "the last checkpoint does not match the steps before it",
                     "run solve again");
     return interrupted;
 }
@@ -198,7 +199,7 @@ Result read_result(std::vector<std::byte> image, std::string_view source) {
     const QuietErrors quiet;
     const ImageParts parts = split_image(image, source);
     const Origin origin = origin_of(parts, source);
-    if (!parts.sealed) try_apart(origin, [&](const Origin& noted) { read_all(parts, noted); });
+    if (!parts.sealed) read_in_subprocess(origin, [&](const Origin& noted) { read_all(parts, noted); });
     Result result = read_bare_result(std::move(image), parts, origin);
     if (result.steps.empty())
         throw Error(ExitCode::bad_input, std::string{source} + ":/path", "the path has no row", "run solve again");

@@ -10,7 +10,7 @@
 #include "io/journal.hpp"
 #include "io/result_file.hpp"
 #include "io/result_image.hpp"
-#include "io/trial.hpp"
+#include "io/subprocess_read.hpp"
 
 namespace soft::io {
 namespace {
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 void write_whole(const fs::path& file, std::span<const std::byte> bytes) {
     core::AtomicFile whole{file};
-    // A named pipe whose reader has left wants no more: nothing to report.
+    // A named pipe whose reader has closed it is not an error.
     static_cast<void>(whole.write(bytes));
     whole.commit();
 }
@@ -36,8 +36,8 @@ bool is_replaceable(const fs::path& file) {
     return !fs::exists(status) || fs::is_regular_file(status);
 }
 
-/// One solve at a time writes to a file. The lock is on the open file, goes with its last descriptor, and leaves readers alone
-/// (HDF5's own locks are of another kind); where the file system has no locks, nothing is locked.
+/// Only one solve at a time writes to a file. The lock belongs to the open file description and is released with its last descriptor.
+/// It does not affect readers (HDF5 uses a different kind of lock). File systems without locks are not protected.
 enum class Lock { take, look };
 bool is_free([[maybe_unused]] int descriptor, [[maybe_unused]] Lock lock) {
 #ifdef F_OFD_SETLK
@@ -52,20 +52,20 @@ bool is_free([[maybe_unused]] int descriptor, [[maybe_unused]] Lock lock) {
 #endif
 }
 
-Error taken(const std::string& name) {
-    return {ExitCode::cannot_create, name, "another solve is writing it", "wait for its end, or name another file"};
+Error file_in_use(const std::string& name) {
+    return {ExitCode::cannot_create, name, "another solve is writing to it", "wait until it ends or choose another file"};
 }
 
-/// Where there is no file yet, nobody writes it.
+/// Throws if another process writes the file. A file that does not exist has no writer.
 void require_no_writer(const fs::path& file) {
     const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return;
     const bool free = is_free(descriptor, Lock::look);
     ::close(descriptor);
-    if (!free) throw taken(file.string());
+    if (!free) throw file_in_use(file.string());
 }
 
-/// A file opened for appending, by one process.
+/// A file that is locked and opened for appending.
 class Tail {
 public:
     explicit Tail(const fs::path& file) : Tail(file, ::open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC)) {}
@@ -75,22 +75,22 @@ public:
                         "cannot be opened for writing: " + std::generic_category().message(errno));
         if (is_free(descriptor_, Lock::take)) return;
         ::close(descriptor_);
-        throw taken(name_);
+        throw file_in_use(name_);
     }
     Tail(const Tail&) = delete;
     Tail& operator=(const Tail&) = delete;
     ~Tail() { ::close(descriptor_); }
-    /// Cuts the file off, so that the next bytes follow the first `size`. It still must have the `known` bytes that were read.
-    void cut(std::size_t size, std::size_t known) const {
+    /// Truncates the file to `size` bytes. Throws if its size is no longer `known`, the number of bytes that were read.
+    void truncate(std::size_t size, std::size_t known) const {
         struct stat status {};
-        if (::fstat(descriptor_, &status) != 0 || static_cast<std::size_t>(status.st_size) != known) throw taken(name_);
+        if (::fstat(descriptor_, &status) != 0 || static_cast<std::size_t>(status.st_size) != known) throw file_in_use(name_);
         if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0)
-            throw Error(ExitCode::cannot_create, name_, "cannot be cut: " + std::generic_category().message(errno));
+            throw Error(ExitCode::cannot_create, name_, "cannot be truncated: " + std::generic_category().message(errno));
     }
     void append(std::span<const std::byte> bytes) const {
         static_cast<void>(core::write_all(descriptor_, bytes, name_));
     }
-    /// Whether the name still leads to the file that was opened.
+    /// True if the path still refers to the file that was opened.
     [[nodiscard]] bool is_in_place() const {
         struct stat open_file {
         }, named{};
@@ -107,13 +107,13 @@ private:
 
 struct ResultWriter::State {
     explicit State(ResultImage begun) : image(std::move(begun)) {}
-    /// The file as it is before the first step. It has no name until the first step is in it: a solve that is refused before
-    /// leaves what stands under its name.
+    /// Creates the file without a name; it gets its name with the first step. An existing file of that name stays unchanged if solve
+    /// fails before.
     void begin_journal() {
         require_no_writer(file);
         unnamed.emplace(file);
         static_cast<void>(unnamed->write(sealed_bytes(image)));
-        // The same open file, locked before it has its name.
+        // A duplicate of the descriptor, so that the file is locked before it gets its name.
         journal.emplace(file, ::fcntl(unnamed->descriptor(), F_DUPFD_CLOEXEC, 0));
     }
     void append_record(RecordKind kind, std::span<const std::byte> payload) {
@@ -128,31 +128,31 @@ struct ResultWriter::State {
         try {
             journal->append(record);
         } catch (const Error& error) {
-            throw Error(error.code(), "", error.what(), "make room and go on with solve --resume " + file.string());
+            throw Error(error.code(), "", error.what(), "free disk space and continue with solve --resume " + file.string());
         }
     }
 
     ResultImage image;
     fs::path file;                            ///< empty: in memory only
     std::optional<core::AtomicFile> unnamed;  ///< until the first step
-    std::optional<Tail> journal;              ///< open until finish(), where the file can be appended to
+    std::optional<Tail> journal;              ///< open until finish(), if the file can be appended to
     std::vector<std::byte> published;
-    bool was_in_place = true;  ///< at every publish()
+    bool was_in_place = true;  ///< is_in_place() was true at every publish()
 };
 
-ResultWriter::ResultWriter(const Given& given, const Provenance& provenance, const ResultOptions& options) {
+ResultWriter::ResultWriter(const SolveInput& given, const Provenance& provenance, const ResultOptions& options) {
     const ImageParts parts = split_image(given.image, given.source);
     const QuietErrors quiet;
     const auto begun = [&] {
         return ResultImage::begin({parts.hdf5, given.source, given.solved}, provenance, options);
     };
-    // What can be read need not bear being written to.
+    // A file without a seal that can be read may still crash HDF5 when it is written to.
     if (!parts.sealed)
-        try_apart({std::string{given.source}, parts.hdf5.size()}, [&](const Origin&) { static_cast<void>(begun()); });
+        read_in_subprocess({std::string{given.source}, parts.hdf5.size()}, [&](const Origin&) { static_cast<void>(begun()); });
     state_ = std::make_unique<State>(begun());
 }
 
-ResultWriter::ResultWriter(const fs::path& file, const Given& given, const Provenance& provenance,
+ResultWriter::ResultWriter(const fs::path& file, const SolveInput& given, const Provenance& provenance,
                            const ResultOptions& options)
     : ResultWriter(given, provenance, options) {
     state_->file = file;
@@ -163,7 +163,7 @@ ResultWriter::ResultWriter(const fs::path& file, const Given& given, const Prove
 
 ResultWriter::ResultWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-ResultWriter ResultWriter::resume(const fs::path& file, const Given& given) {
+ResultWriter ResultWriter::resume(const fs::path& file, const SolveInput& given) {
     const QuietErrors quiet;
     const ImageParts parts = split_image(given.image, given.source);
     auto state = std::make_unique<State>(ResultImage::resume({parts.hdf5, given.source, given.solved}));
@@ -174,8 +174,8 @@ ResultWriter ResultWriter::resume(const fs::path& file, const Given& given) {
         const JournalStep record = decode_step(parts.steps[i], given.source);
         state->image.append(record.step, record.displacement_m, record.pressure_Pa);
     }
-    state->journal->cut(parts.checkpoint ? parts.checkpoint->end : seal_end(given.image, given.source),
-                        given.image.size());
+    state->journal->truncate(parts.checkpoint ? parts.checkpoint->end : seal_end(given.image, given.source),
+                             given.image.size());
     return ResultWriter{std::move(state)};
 }
 
@@ -196,7 +196,7 @@ void ResultWriter::append(const solution::Step& step, std::span<const double> di
     state_->append_record(RecordKind::step, payload);
 }
 
-void ResultWriter::remember(const solution::Checkpoint& checkpoint) {
+void ResultWriter::save_checkpoint(const solution::Checkpoint& checkpoint) {
     if (state_->journal) state_->append_record(RecordKind::checkpoint, encode_checkpoint(checkpoint));
 }
 
@@ -206,7 +206,7 @@ void ResultWriter::publish(ResultWriter rows, const solution::PathEnd& end) {
     state_->was_in_place = is_in_place();
     core::AtomicFile whole{state_->file};
     static_cast<void>(whole.write(state_->published));
-    // Locked before it has its name, so that no other solve takes the file in between.
+    // Locked before it gets its name, so that no other solve can lock the file in between.
     state_->journal.emplace(state_->file, ::fcntl(whole.descriptor(), F_DUPFD_CLOEXEC, 0));
     whole.commit();
     state_->unnamed.reset();

@@ -11,7 +11,7 @@ namespace {
 
 using model::Dynamics, model::LinearSettings, model::SolverSettings;
 
-/// One table each for writing and reading, so that the two cannot drift apart.
+/// Each table is used for writing and reading, so that the two cannot diverge.
 template <class Settings>
 struct NumberEntry {
     const char *name, *units, *description;
@@ -24,42 +24,42 @@ struct CountEntry {
 };
 
 constexpr std::array solver_numbers{
-    NumberEntry<SolverSettings>{"residual_tolerance", "1", "relative to the nodal forces",
+    NumberEntry<SolverSettings>{"residual_tolerance", "1", "residual norm relative to the size of the nodal forces",
                                 &SolverSettings::residual_tolerance},
-    NumberEntry<SolverSettings>{"first_step", "1", "fraction of the full load in the linear response",
+    NumberEntry<SolverSettings>{"first_step", "1", "fraction of the full load, in the linear response",
                                 &SolverSettings::first_step},
-    NumberEntry<SolverSettings>{"max_step", "1", "fraction of the path; 0: chosen by the solver",
+    NumberEntry<SolverSettings>{"max_step", "1", "fraction of the path so far; 0: chosen by the solver",
                                 &SolverSettings::max_step},
     NumberEntry<SolverSettings>{"min_step", "1", "fraction of the first step", &SolverSettings::min_step},
-    NumberEntry<SolverSettings>{"step_accuracy", "1", "wanted relative error of the predictor",
+    NumberEntry<SolverSettings>{"step_accuracy", "1", "target relative error of the predictor",
                                 &SolverSettings::step_accuracy},
 };
 constexpr std::array solver_counts{
-    CountEntry<SolverSettings>{"newton_limit", "iterations a step", &SolverSettings::newton_limit},
-    CountEntry<SolverSettings>{"threads", "of a rank, in the element loops", &SolverSettings::threads},
-    CountEntry<SolverSettings>{"wanted_iterations", "Newton iterations a step aims at",
+    CountEntry<SolverSettings>{"newton_limit", "maximum Newton iterations per step", &SolverSettings::newton_limit},
+    CountEntry<SolverSettings>{"threads", "threads per rank in the element loops", &SolverSettings::threads},
+    CountEntry<SolverSettings>{"wanted_iterations", "target number of Newton iterations per step",
                                &SolverSettings::wanted_iterations},
-    CountEntry<SolverSettings>{"step_limit", "most steps of a path", &SolverSettings::step_limit},
+    CountEntry<SolverSettings>{"step_limit", "maximum number of steps of the path", &SolverSettings::step_limit},
 };
 constexpr std::array linear_numbers{
-    NumberEntry<LinearSettings>{"linear_tolerance", "1", "of a Krylov method, relative to the right-hand side",
+    NumberEntry<LinearSettings>{"linear_tolerance", "1", "residual of a Krylov method relative to the right-hand side",
                                 &LinearSettings::tolerance},
 };
 constexpr std::array linear_counts{
-    CountEntry<LinearSettings>{"linear_limit", "iterations of a Krylov method", &LinearSettings::iteration_limit},
+    CountEntry<LinearSettings>{"linear_limit", "maximum iterations of a Krylov method", &LinearSettings::iteration_limit},
 };
 constexpr std::array dynamics_numbers{
-    NumberEntry<Dynamics>{"duration", "s", "how long the motion is followed", &Dynamics::duration_s},
-    NumberEntry<Dynamics>{"step", "s", "length of the steps; 0: chosen by the solver", &Dynamics::step_s},
-    NumberEntry<Dynamics>{"accuracy", "1", "wanted error of a step over the size of the motion", &Dynamics::accuracy},
-    NumberEntry<Dynamics>{"spectral_radius", "1", "at infinite frequency: 1 damps nothing", &Dynamics::spectral_radius},
-    NumberEntry<Dynamics>{"mass_damping", "1/s", "Rayleigh damping in proportion to the mass",
+    NumberEntry<Dynamics>{"duration", "s", "simulated time", &Dynamics::duration_s},
+    NumberEntry<Dynamics>{"step", "s", "time step; 0: chosen by the solver", &Dynamics::step_s},
+    NumberEntry<Dynamics>{"accuracy", "1", "target error per step relative to the size of the motion", &Dynamics::accuracy},
+    NumberEntry<Dynamics>{"spectral_radius", "1", "at infinite frequency; 1: no damping", &Dynamics::spectral_radius},
+    NumberEntry<Dynamics>{"mass_damping", "1/s", "Rayleigh damping proportional to the mass",
                           &Dynamics::mass_damping_1_s},
-    NumberEntry<Dynamics>{"stiffness_damping", "s", "Rayleigh damping in proportion to the undeformed stiffness",
+    NumberEntry<Dynamics>{"stiffness_damping", "s", "Rayleigh damping proportional to the undeformed stiffness",
                           &Dynamics::stiffness_damping_s},
 };
 constexpr std::array dynamics_counts{
-    CountEntry<Dynamics>{"rows", "of the path at most", &Dynamics::rows},
+    CountEntry<Dynamics>{"rows", "maximum number of rows of the path", &Dynamics::rows},
 };
 
 template <class Settings, class Numbers, class Counts>
@@ -72,10 +72,10 @@ void write_values(hid_t group, const Settings& settings, const Numbers& numbers,
 template <class Settings, class Numbers, class Counts>
 void read_values(const GroupReader& group, Settings& settings, const Numbers& numbers, const Counts& counts) {
     for (const auto& entry : numbers) settings.*entry.member = group.number(entry.name);
-    for (const auto& entry : counts) settings.*entry.member = group.small_count(entry.name, 1);
+    for (const auto& entry : counts) settings.*entry.member = group.int_count(entry.name, 1);
 }
 
-/// The words of a table as they stand in descriptions: "a | b | c".
+/// The names of a table for descriptions: "a | b | c".
 template <class Enum, std::size_t count>
 std::string words_of(const std::array<Named<Enum>, count>& table) {
     std::string text;
@@ -124,7 +124,7 @@ SolverSettings read_solver(const GroupReader& group) {
 void write_settings(hid_t control, const model::Case& model) {
     write_solver(control, model.solver);
     if (!model.dynamics) return;
-    const GroupHandle group = create_group(control, "dynamics", "motion in time; absent: a static path");
+    const GroupHandle group = create_group(control, "dynamics", "time integration; absent: a static path");
     write_values(group.get(), *model.dynamics, dynamics_numbers, dynamics_counts);
     write_word(group.get(), "integrator", integrator_names, model.dynamics->integrator);
 }
@@ -141,13 +141,13 @@ void read_settings(const GroupReader& control, model::Case& model) {
 
 void write_time_functions(hid_t loads, const std::vector<model::TimeFunction>& time_functions) {
     const GroupHandle group =
-        create_group(loads, "time_function", "how the loads go with time in a dynamic case, one row a load");
+        create_group(loads, "time_function", "time functions of the loads in a dynamic case, one row per load");
     const hid_t id = group.get();
     write_texts(id, {"kind", "1", words_of(time_function_names)},
                 column(time_functions, [](const auto& c) { return std::string{name_of(time_function_names, c.kind)}; }));
-    write_list(id, {"rise", "s", "of a ramp; 0: the whole duration"},
+    write_list(id, {"rise", "s", "rise time of a ramp; 0: the whole duration"},
                column(time_functions, [](const auto& c) { return c.time_s; }));
-    write_list(id, {"frequency", "1/s", "of a sine"}, column(time_functions, [](const auto& c) { return c.frequency_Hz; }));
+    write_list(id, {"frequency", "1/s", "frequency of a sine"}, column(time_functions, [](const auto& c) { return c.frequency_Hz; }));
     std::vector<std::int64_t> owners;
     std::vector<double> times, shares;
     for (std::size_t i = 0; i < time_functions.size(); ++i) {
@@ -155,10 +155,10 @@ void write_time_functions(hid_t loads, const std::vector<model::TimeFunction>& t
         times.insert(times.end(), time_functions[i].times_s.begin(), time_functions[i].times_s.end());
         shares.insert(shares.end(), time_functions[i].shares.begin(), time_functions[i].shares.end());
     }
-    const GroupHandle table = create_group(id, "table", "points of the tables, one row each, those of a load in a row");
+    const GroupHandle table = create_group(id, "table", "points of the tables, one row each; the points of a load are consecutive");
     write_list(table.get(), {"load", "1", "row of kind"}, owners);
     write_list(table.get(), {"time", "s", "ascending within a load"}, times);
-    write_list(table.get(), {"share", "1", "of the full load"}, shares);
+    write_list(table.get(), {"share", "1", "fraction of the full load"}, shares);
 }
 
 std::vector<model::TimeFunction> read_time_functions(const GroupReader& loads, std::int64_t count) {

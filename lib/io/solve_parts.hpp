@@ -1,6 +1,6 @@
 #pragma once
-/// The parts of a case that solve may change: materials, loads, and how the path is followed. They stand in the case,
-/// and once more below /solve_design where `solve --set` changed them. Internal to the module.
+/// The parts of a case that solve may change: materials, loads and control settings. They are stored in the case, and again in
+/// /solve_design if `solve --set` changed them. Internal to the module.
 #include "io/hdf5_read.hpp"
 #include "model/case.hpp"
 

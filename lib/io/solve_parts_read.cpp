@@ -23,7 +23,7 @@ std::vector<model::Material> read_materials(const GroupReader& group) {
         if (one.has("fibers")) {
             const GroupReader fibers = one.group("fibers");
             material.fibers = model::Fibers{fibers.number("angle"), fibers.number("k1"), fibers.number("k2"),
-                                            fibers.small_count("families", 1)};
+                                            fibers.int_count("families", 1)};
         }
         const GroupReader constants = one.group("constants");
         for (const std::string& key : constants.names()) material.constants[key] = constants.array<double>(key, {any});

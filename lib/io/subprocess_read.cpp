@@ -1,4 +1,4 @@
-#include "io/trial.hpp"
+#include "io/subprocess_read.hpp"
 
 #include <sys/mman.h>
 
@@ -12,15 +12,15 @@
 namespace soft::io {
 namespace {
 
-/// A text that the process made for the trial writes and this one reads.
-class SharedNote {
+/// Shared memory for a text that the subprocess writes and this process reads.
+class SharedText {
 public:
-    SharedNote() : start_(::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
+    SharedText() : start_(::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0)) {
         if (start_ == MAP_FAILED) throw std::bad_alloc{};
     }
-    ~SharedNote() { ::munmap(start_, size); }
-    SharedNote(const SharedNote&) = delete;
-    SharedNote& operator=(const SharedNote&) = delete;
+    ~SharedText() { ::munmap(start_, size); }
+    SharedText(const SharedText&) = delete;
+    SharedText& operator=(const SharedText&) = delete;
 
     [[nodiscard]] std::span<char> characters() const { return {static_cast<char*>(start_), size}; }
     [[nodiscard]] std::string text() const {
@@ -39,33 +39,33 @@ core::SubprocessLimits limits_for(std::size_t image_bytes) {
     return {.wall = 10 * processor, .processor = processor, .memory = (std::size_t{1} << 28) + 64 * image_bytes};
 }
 
-/// Exit code and message; empty where nothing was thrown.
-core::Bytes verdict_of(const std::function<void(const Origin&)>& read, const Origin& origin) {
+/// Exit code and message of the Error that `read` throws; empty if it throws none.
+core::Bytes encode_error(const std::function<void(const Origin&)>& read, const Origin& origin) {
     try {
         read(origin);
         return {};
     } catch (const Error& error) {
-        if (error.code() == ExitCode::io_error) throw std::bad_alloc{};  // the limit of the trial, not the machine's
-        core::Bytes verdict{static_cast<std::byte>(error.code())};
+        if (error.code() == ExitCode::io_error) throw std::bad_alloc{};  // the memory limit of the subprocess was reached
+        core::Bytes encoded{static_cast<std::byte>(error.code())};
         const auto message = std::as_bytes(std::span{std::string_view{error.what()}});
-        verdict.insert(verdict.end(), message.begin(), message.end());
-        return verdict;
+        encoded.insert(encoded.end(), message.begin(), message.end());
+        return encoded;
     }
 }
 
 }  // namespace
 
-void try_apart(const Origin& origin, const std::function<void(const Origin& noted)>& read) {
-    const SharedNote note;
+void read_in_subprocess(const Origin& origin, const std::function<void(const Origin& noted)>& read) {
+    const SharedText note;
     Origin noted = origin;
     noted.note = note.characters();
     const core::SubprocessLimits limits = limits_for(origin.image_bytes);
-    const core::SubprocessEnd end = core::run_in_subprocess([&] { return verdict_of(read, noted); }, limits);
+    const core::SubprocessOutcome end = core::run_in_subprocess([&] { return encode_error(read, noted); }, limits);
     if (!end.result) {
-        core::require_memory(limits.memory);  // where the machine has less, the file is not to blame
-        const std::string place = note.text();
-        throw Error(ExitCode::bad_input, place.empty() ? origin.source : core::one_line(place),
-                    "HDF5 cannot read on from here: " + end.reason + "; the file is damaged and has no seal",
+        core::require_memory(limits.memory);  // out of memory on this machine is not an error of the file
+        const std::string location = note.text();
+        throw Error(ExitCode::bad_input, location.empty() ? origin.source : core::one_line(location),
+                    "HDF5 cannot read this damaged file, which has no seal: " + end.reason,
                     origin.remedy);
     }
     if (end.result->empty()) return;

@@ -41,7 +41,7 @@ TEST(CaseFile, EmptyTextsAndListsReadBackEmpty) {
 
 TEST(CaseFile, EqualInputGivesEqualBytes) { EXPECT_EQ(section_image(), section_image()); }
 
-TEST(CaseFile, LargeMeshSurvivesChunksAndCompression) {
+TEST(CaseFile, LargeMeshReadsBackFromCompressedChunks) {
     model::Case model = solid_case();
     const auto points = model.mesh.points;
     for (int copy = 0; copy < 3000; ++copy)  // 135,000 points, 3 MB: several chunks
@@ -54,8 +54,8 @@ TEST(CaseFile, LargeMeshSurvivesChunksAndCompression) {
     expect_equal(read_case(image, "case.h5"), model);
 }
 
-/// What ParaView's reader asks for, read with plain HDF5 calls (schema of VTK 9.1, vtkHDFReader).
-TEST(CaseFile, HoldsWhatTheVtkHdfReaderAsksFor) {
+/// The objects that ParaView's reader requires, read with plain HDF5 calls (format of VTK 9.1, vtkHDFReader).
+TEST(CaseFile, ContainsTheObjectsThatTheVtkHdfReaderRequires) {
     static_cast<void>(tampered(section_image(), [](hid_t file) {
         const GroupHandle group{H5Gopen2(file, "VTKHDF", H5P_DEFAULT)};
         const AttributeHandle type{H5Aopen(group.get(), "Type", H5P_DEFAULT)};
@@ -78,7 +78,7 @@ TEST(CaseFile, HoldsWhatTheVtkHdfReaderAsksFor) {
     }));
 }
 
-TEST(CaseFile, EveryDatasetHasUnitsAndDescriptionAndNoTime) {
+TEST(CaseFile, EveryDatasetHasUnitsAndDescriptionButNoTimeStamp) {
     static_cast<void>(tampered(section_image(), [](hid_t file) {
         int datasets = 0;
         const auto visit = [](hid_t root, const char* name, const H5O_info_t* info, void* count) -> herr_t {
@@ -94,13 +94,13 @@ TEST(CaseFile, EveryDatasetHasUnitsAndDescriptionAndNoTime) {
     }));
 }
 
-TEST(CaseFile, FileChangedByAnotherProgramIsReadWithoutItsSeal) {
+TEST(CaseFile, ReadsAFileWithoutSealThatAnotherProgramChanged) {
     const auto image = tampered(
         section_image(), [](hid_t file) { overwrite(file, "/control/stages/0/value", 1, std::vector{12345.0}); });
     EXPECT_EQ(read_case(image, "case.h5").path.stages[0].supplies[1].value, 12345.0);
 }
 
-TEST(CaseFile, WriterRefusesACaseThatItsReaderWouldRefuse) {
+TEST(CaseFile, WriterRejectsACaseThatTheReaderWouldReject) {
     model::Case model = section_case();
     model.mesh.connectivity[3] = 9000;
     try {
@@ -112,7 +112,7 @@ TEST(CaseFile, WriterRefusesACaseThatItsReaderWouldRefuse) {
     }
 }
 
-TEST(CaseFile, HDF5ErrorPrintingIsLeftAsItWas) {
+TEST(CaseFile, RestoresTheHdf5ErrorHandler) {
     H5E_auto2_t before = nullptr;
     H5E_auto2_t after = nullptr;
     void* data = nullptr;

@@ -1,4 +1,4 @@
-/// Input that is cut, damaged or no HDF5 at all.
+/// Truncated and damaged files, and files that are not HDF5.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "io/case_file.hpp"
 #include "io/image.hpp"
 
-/// HDF5 asks for as much memory as damaged metadata say and copes with none; the address sanitizer would end the program.
+/// HDF5 requests as much memory as damaged metadata declare and handles a failed allocation. The address sanitizer would abort.
 extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
 
 namespace soft::io {
@@ -30,17 +30,17 @@ Image result_image() {
     return writer.finish(example_end());
 }
 
-TEST(Damage, EmptyInputAsksForTheStageBefore) {
-    EXPECT_EQ(refusal({}, "<stdin>"), "<stdin>: empty input; did the stage before fail?");
+TEST(Damage, EmptyInputPointsToThePreviousProgram) {
+    EXPECT_EQ(refusal({}, "<stdin>"), "<stdin>: empty input; check whether the previous program failed");
 }
 
-TEST(Damage, GarbageIsNamedAsSuch) {
+TEST(Damage, RejectsFilesThatAreNotHdf5) {
     for (const char* text : {"x", "family: tube\n", "\x89PNG\r\n\x1a\n and so on", "<html>"})
         EXPECT_NE(refusal(bytes_of(text)).find("not an HDF5 file"), std::string::npos) << text;
     EXPECT_EQ(refusal(bytes_of("a\x1b[2J\nb")).find('\x1b'), std::string::npos);
 }
 
-TEST(Damage, EveryTruncationIsRefused) {
+TEST(Damage, RejectsEveryTruncation) {
     for (const Image& whole : {section_image(), result_image()})
         for (std::size_t part = 0; part < 16; ++part) {
             const Image cut{whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() * part / 16)};
@@ -49,7 +49,7 @@ TEST(Damage, EveryTruncationIsRefused) {
         }
 }
 
-TEST(Damage, TruncationInTheSealIsRefused) {
+TEST(Damage, RejectsATruncatedSeal) {
     const Image whole = section_image();
     for (std::size_t missing = 1; missing < 100; missing += 7) {
         const Image cut{whole.begin(), whole.end() - static_cast<std::ptrdiff_t>(missing)};
@@ -57,7 +57,7 @@ TEST(Damage, TruncationInTheSealIsRefused) {
     }
 }
 
-TEST(Damage, TruncatedHdf5WithoutSealIsRefused) {
+TEST(Damage, RejectsTruncatedHdf5WithoutSeal) {
     const auto whole = split_image(section_image(), "").hdf5.size();
     const Image image = section_image();
     for (std::size_t part = 1; part < 16; ++part) {
@@ -66,24 +66,25 @@ TEST(Damage, TruncatedHdf5WithoutSealIsRefused) {
     }
 }
 
-TEST(Damage, BytesThatFollowAreRefused) {
+TEST(Damage, RejectsTrailingBytes) {
     Image image = section_image();
     image.push_back(std::byte{0});
     EXPECT_NE(refusal(image).find("unknown bytes after the end"), std::string::npos);
 }
 
-/// With the seal every flipped byte is found before the HDF5 library sees it.
-TEST(Damage, EveryFlippedByteIsRefused) {
+/// The seal detects every flipped byte before the HDF5 library reads the file.
+TEST(Damage, RejectsEveryFlippedByteInASealedFile) {
     const Image whole = result_image();
     const std::size_t stride = whole.size() / 397;
-    for (std::size_t place = 0; place < whole.size(); place += place < 100 ? 1 : stride) {
+    for (std::size_t offset = 0; offset < whole.size(); offset += offset < 100 ? 1 : stride) {
         Image damaged = whole;
-        damaged[place] ^= std::byte{place % 2 == 0 ? std::uint8_t{0x01} : std::uint8_t{0xff}};
-        EXPECT_THROW(static_cast<void>(read_result(damaged, "case.h5")), Error) << place;
+        damaged[offset] ^= std::byte{offset % 2 == 0 ? std::uint8_t{0x01} : std::uint8_t{0xff}};
+        EXPECT_THROW(static_cast<void>(read_result(damaged, "case.h5")), Error) << offset;
     }
 }
 
-/// Without it a changed value may pass, but nothing other than a result or an Error may come of it. In parts, as it takes long.
+/// Without a seal a changed value may be accepted, but reading must give a result or an Error. The test is divided into parts because
+/// it is slow.
 class FlippedByte : public testing::TestWithParam<std::size_t> {
 public:
     static constexpr std::size_t parts = 4;
@@ -93,14 +94,14 @@ TEST_P(FlippedByte, WithoutSealGivesAResultOrAnError) {
     const Image image = result_image();
     const auto hdf5 = split_image(image, "").hdf5;
     int refused = 0;
-    for (std::size_t place = 263 * GetParam(); place < hdf5.size(); place += 263 * parts) {
+    for (std::size_t offset = 263 * GetParam(); offset < hdf5.size(); offset += 263 * parts) {
         Image damaged{hdf5.begin(), hdf5.end()};
-        damaged[place] ^= std::byte{0xff};
+        damaged[offset] ^= std::byte{0xff};
         try {
             const Result result = read_result(damaged, "case.h5");
             for (const std::int64_t step : result.fields.steps()) static_cast<void>(result.fields.read(step));
         } catch (const Error& error) {
-            EXPECT_EQ(error.code(), ExitCode::bad_input) << place << ": " << error.what();
+            EXPECT_EQ(error.code(), ExitCode::bad_input) << offset << ": " << error.what();
             ++refused;
         }
     }
@@ -109,17 +110,17 @@ TEST_P(FlippedByte, WithoutSealGivesAResultOrAnError) {
 
 INSTANTIATE_TEST_SUITE_P(Damage, FlippedByte, testing::Range<std::size_t>(0, FlippedByte::parts));
 
-/// HDF5 1.10.8 walks the free list of a local heap without counting ("Disk Format: Level 1D - Local Heaps" of the file format
-/// specification: signature, version, size of data, head of the free list, address of data): a block that follows itself
-/// takes all memory. The trial ends it, and says where.
-TEST(Damage, AFreeListInACircleIsEndedAndNamed) {
+/// HDF5 1.10.8 follows the free list of a local heap without a limit ("Disk Format: Level 1D - Local Heaps" of the file format
+/// specification: signature, version, size of data, head of the free list, address of data). A block that links to itself
+/// exhausts the memory. Reading in a subprocess stops this and reports the location.
+TEST(Damage, StopsAndReportsACyclicFreeList) {
     const Image whole = section_image();
     const auto hdf5 = split_image(whole, "").hdf5;
     Image damaged{hdf5.begin(), hdf5.end()};
     const auto signature = std::as_bytes(std::span{std::string_view{"HEAP"}});
-    const auto number = [&](std::size_t place) {
+    const auto number = [&](std::size_t offset) {
         std::uint64_t value = 0;
-        std::memcpy(&value, damaged.data() + place, sizeof value);
+        std::memcpy(&value, damaged.data() + offset, sizeof value);
         return value;
     };
     int circles = 0;
@@ -137,8 +138,8 @@ TEST(Damage, AFreeListInACircleIsEndedAndNamed) {
     EXPECT_TRUE(message.starts_with("case.h5")) << message;
 }
 
-/// The sealed way costs no process: what a seal covers is read at once. Without one the verdict is the same.
-TEST(Damage, WithoutSealAGoodFileReadsTheSame) {
+/// Files with a seal are read without a subprocess. Files without a seal must give the same case.
+TEST(Damage, ReadsAValidFileWithoutSeal) {
     const Image whole = section_image();
     const auto hdf5 = split_image(whole, "").hdf5;
     expect_equal(read_case(Image{hdf5.begin(), hdf5.end()}, "case.h5"), section_case());

@@ -12,7 +12,7 @@
 namespace soft::io::test {
 namespace {
 
-/// Two cells side by side along x on a lattice; the nodes of a cell lie where its reference coordinates say.
+/// Two cells side by side along x on a lattice, with nodes at their reference coordinates.
 mesh::Mesh lattice(mesh::CellType type, int dimension) {
     mesh::Mesh mesh;
     mesh.dimension = dimension;
@@ -283,7 +283,7 @@ solution::Checkpoint example_checkpoint(int rows) {
     checkpoint.start = {numbers(2, 5), numbers(2, 6), numbers(2, 7), numbers(2, 8), numbers(1, 9), numbers(2, 10)};
     checkpoint.control = 3;
     checkpoint.controlled = 1;
-    checkpoint.chosen_is_left = true;
+    checkpoint.user_control_failed = true;
     checkpoint.confirmed_pivots = 3;
     checkpoint.pending_factorizations = 2;
     checkpoint.before = example_state(11);

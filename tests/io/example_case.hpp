@@ -1,5 +1,5 @@
 #pragma once
-/// Two-cell cases by hand, and an HDF5 file opened for tampering.
+/// Hand-written cases with two cells, and functions that modify HDF5 files.
 #include <functional>
 #include <limits>
 #include <string>
@@ -12,10 +12,10 @@
 
 namespace soft::io::test {
 
-[[nodiscard]] model::Case section_case();              ///< two quad9, axisymmetric; every optional part is used
+[[nodiscard]] model::Case section_case();              ///< two quad9, axisymmetric; uses every optional part
 [[nodiscard]] model::Case solid_case();                ///< two hex27; no cavity, incompressible
-[[nodiscard]] model::Case dynamic_case();              ///< solid_case in motion
-[[nodiscard]] solution::Step moving_step(int number);  ///< a row of it
+[[nodiscard]] model::Case dynamic_case();              ///< solid_case as a dynamic case
+[[nodiscard]] solution::Step moving_step(int number);  ///< a row of dynamic_case
 [[nodiscard]] DesignText example_design();
 [[nodiscard]] Provenance example_provenance(const std::string& tool);
 [[nodiscard]] std::vector<std::byte> section_image();
@@ -24,7 +24,7 @@ namespace soft::io::test {
 [[nodiscard]] std::vector<double> example_displacement(int number);  ///< of section_case
 [[nodiscard]] std::vector<double> example_pressure(int number);
 [[nodiscard]] solution::PathEnd example_end();
-[[nodiscard]] solution::Checkpoint example_checkpoint(int rows);  ///< every member has a value of its own
+[[nodiscard]] solution::Checkpoint example_checkpoint(int rows);  ///< every member has a distinct value
 
 void expect_equal(const model::Case& left, const model::Case& right);
 void expect_equal(const solution::Step& left, const solution::Step& right);
@@ -33,21 +33,22 @@ void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& 
 
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// What a file says that cannot be.
-struct Lie {
+/// A modification that makes a file inconsistent.
+struct Corruption {
     const char* what;  ///< name of the test
     std::function<void(hid_t file)> change;
-    const char* place;  ///< what the message must name
+    const char* location;  ///< must occur in the message
 };
 
-/// The image as another program would leave it after `change`: a valid HDF5 file without seal.
+/// The image after another program has applied `change`: a valid HDF5 file without seal.
 [[nodiscard]] std::vector<std::byte> tampered(const std::vector<std::byte>& image,
                                               const std::function<void(hid_t file)>& change);
-/// Replaces elements of a dataset from the flat index `first` on.
+/// Replaces elements of a dataset, starting at the flat index `first`.
 void overwrite(hid_t file, const char* dataset, std::size_t first, const std::vector<double>& values);
 void overwrite(hid_t file, const char* dataset, std::size_t first, const std::vector<std::int64_t>& values);
 
-/// The message of the Error (bad_input) that reading the image as a case throws; "" and a failure if it does not.
+/// The message of the Error (bad_input) that is thrown when the image is read as a case. Adds a test failure and returns "" if none is
+/// thrown.
 [[nodiscard]] std::string refusal(const std::vector<std::byte>& image, std::string_view source = "case.h5");
 
 }  // namespace soft::io::test

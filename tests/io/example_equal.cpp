@@ -1,4 +1,4 @@
-/// Equality in every field, with a claim a field.
+/// Equality of all fields, with one expectation per field.
 #include <gtest/gtest.h>
 
 #include "example_case.hpp"
@@ -259,7 +259,7 @@ void expect_equal(const solution::Checkpoint& left, const solution::Checkpoint& 
     EXPECT_EQ(left.control, right.control);
     EXPECT_EQ(left.controlled, right.controlled);
     EXPECT_EQ(left.stage_first_row, right.stage_first_row);
-    EXPECT_EQ(left.chosen_is_left, right.chosen_is_left);
+    EXPECT_EQ(left.user_control_failed, right.user_control_failed);
     EXPECT_EQ(left.on_branch, right.on_branch);
     EXPECT_EQ(left.confirmed_pivots, right.confirmed_pivots);
     EXPECT_EQ(left.pending_factorizations, right.pending_factorizations);

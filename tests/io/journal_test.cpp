@@ -1,4 +1,4 @@
-/// A running and a killed `solve -o`.
+/// Files of a running and of a killed `solve -o`.
 #include "io/journal.hpp"
 
 #include <gtest/gtest.h>
@@ -53,14 +53,14 @@ void expect_steps(const Result& result, int count) {
     }
 }
 
-TEST(JournalStep, KeepsTheErrorsOfARow) {
+TEST(JournalStep, StoresTheErrorBarsOfARow) {
     solution::Step step = example_step(1);
     step.pressure_error_Pa = 12.5;
     step.output_errors = {1e-5, 2e-6};
     expect_equal(decode_step(encode_step(step, {}, {}), "result.h5").step, step);
 }
 
-TEST_F(Journal, WhatStandsUnderTheNameStaysUntilTheFirstStep) {
+TEST_F(Journal, KeepsAnExistingFileUntilTheFirstStep) {
     core::AtomicFile old{file_};
     static_cast<void>(old.write(std::as_bytes(std::span{"old"})));
     old.commit();
@@ -75,7 +75,7 @@ TEST_F(Journal, WhatStandsUnderTheNameStaysUntilTheFirstStep) {
     EXPECT_EQ(std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{}), 1);
 }
 
-TEST_F(Journal, OfTwoSolvesThatBeginTogetherOneWrites) {
+TEST_F(Journal, OnlyOneOfTwoConcurrentSolvesWrites) {
     ResultWriter first = writer(), second = writer();
     append(first, 0);
     EXPECT_THROW(append(second, 0), Error);
@@ -83,7 +83,7 @@ TEST_F(Journal, OfTwoSolvesThatBeginTogetherOneWrites) {
     expect_steps(read_result(core::read_file(file_), "result.h5"), 2);
 }
 
-TEST_F(Journal, FileShowsEachStep) {
+TEST_F(Journal, FileContainsEachAppendedStep) {
     ResultWriter running = writer();
     append(running, 0);
     for (int count = 1; count < 4; ++count) {
@@ -95,7 +95,7 @@ TEST_F(Journal, FileShowsEachStep) {
     }
 }
 
-TEST_F(Journal, CutAnywhereKeepsAllWholeStepsBefore) {
+TEST_F(Journal, TruncatedFileContainsAllCompleteSteps) {
     ResultWriter running = writer();
     append(running, 0);
     std::vector<std::size_t> ends{core::read_file(file_).size()};
@@ -111,8 +111,8 @@ TEST_F(Journal, CutAnywhereKeepsAllWholeStepsBefore) {
     }
 }
 
-/// SIGKILL at moments spread over the run: the reader finds a prefix of the steps, and never less than was reported.
-TEST_F(Journal, SurvivesKillNineAtAnyTime) {
+/// SIGKILL at different times of the run: the reader finds the first steps, and at least those whose append() returned.
+TEST_F(Journal, SurvivesSigkillAtAnyTime) {
     for (int delay_us = 0; delay_us < 12000; delay_us += 800) {
         int pipe_ends[2];
         ASSERT_EQ(::pipe(pipe_ends), 0);
@@ -122,7 +122,7 @@ TEST_F(Journal, SurvivesKillNineAtAnyTime) {
             for (int i = 0; i < 200; ++i) {
                 append(running, i);
                 const char done = static_cast<char>(i + 1);
-                if (::write(pipe_ends[1], &done, 1) != 1) ::_exit(1);  // so many steps are in the file
+                if (::write(pipe_ends[1], &done, 1) != 1) ::_exit(1);  // number of steps in the file
             }
             static_cast<void>(running.finish(example_end()));
             ::_exit(0);
@@ -133,11 +133,11 @@ TEST_F(Journal, SurvivesKillNineAtAnyTime) {
         ::usleep(static_cast<useconds_t>(delay_us));
         ::kill(child, SIGKILL);
         ::waitpid(child, nullptr, 0);
-        int least = 1;
-        while (::read(pipe_ends[0], &reported, 1) == 1) least = static_cast<unsigned char>(reported);
+        int min_steps = 1;
+        while (::read(pipe_ends[0], &reported, 1) == 1) min_steps = static_cast<unsigned char>(reported);
         ::close(pipe_ends[0]);
         const Result result = read_result(core::read_file(file_), "result.h5");
-        EXPECT_GE(result.steps.size(), static_cast<std::size_t>(least));
+        EXPECT_GE(result.steps.size(), static_cast<std::size_t>(min_steps));
         expect_steps(result, static_cast<int>(result.steps.size()));
     }
 }
@@ -157,20 +157,20 @@ TEST_F(Journal, FinishedFileIsTheSameAsTheResultInMemory) {
     EXPECT_EQ(std::distance(fs::directory_iterator{folder_}, fs::directory_iterator{}), 1);
 }
 
-TEST_F(Journal, DamagedRecordIsRefused) {
+TEST_F(Journal, RejectsADamagedRecord) {
     ResultWriter running = writer();
     append(running, 0);
     const std::size_t start = seal_end(core::read_file(file_), "result.h5");
     append(running, 1);
     const Image whole = core::read_file(file_);
-    for (std::size_t place = start + 24; place < start + 400; place += 13) {
+    for (std::size_t offset = start + 24; offset < start + 400; offset += 13) {
         Image damaged = whole;
-        damaged[place] ^= std::byte{0x10};
-        EXPECT_THROW(static_cast<void>(read_result(damaged, "result.h5")), Error) << place;
+        damaged[offset] ^= std::byte{0x10};
+        EXPECT_THROW(static_cast<void>(read_result(damaged, "result.h5")), Error) << offset;
     }
 }
 
-TEST_F(Journal, RecordThatDoesNotFitTheCaseIsRefused) {
+TEST_F(Journal, RejectsARecordThatDoesNotMatchTheCase) {
     ResultWriter running = writer();
     append(running, 0);
     Image start = core::read_file(file_);
@@ -204,18 +204,18 @@ TEST(Checkpoint, ReadsBackEqualInEveryField) {
         solution::Checkpoint checkpoint = example_checkpoint(3);
         if (first) {
             checkpoint.before.reset();
-            checkpoint.chosen_is_left = false;
+            checkpoint.user_control_failed = false;
             checkpoint.on_branch = true;
         }
         const auto read = decode_checkpoint(encode_checkpoint(checkpoint), "result.h5");
         expect_equal(read, checkpoint);
-        checkpoint.so_far.reason = {};  // no meaning yet
+        checkpoint.so_far.reason = {};  // not stored in a checkpoint
         checkpoint.so_far.detail.clear();
         expect_equal(read.so_far, checkpoint.so_far);
     }
 }
 
-TEST(Checkpoint, IsRefusedWhenCutOrNotFinite) {
+TEST(Checkpoint, IsRejectedIfTruncatedOrNotFinite) {
     const Image whole = encode_checkpoint(example_checkpoint(3));
     for (std::size_t size = 0; size < whole.size(); size += 7)
         EXPECT_THROW(static_cast<void>(decode_checkpoint(std::span{whole}.first(size), "result.h5")), Error) << size;
@@ -234,7 +234,7 @@ std::string refusal_to_resume(const Image& image) {
     return "";
 }
 
-TEST_F(Journal, GoesOnBehindTheLastCheckpointAsIfNothingHadHappened) {
+TEST_F(Journal, ResumesAfterTheLastCheckpointWithTheSameResult) {
     ResultWriter whole = writer();
     for (int i = 0; i < 5; ++i) append(whole, i);
     static_cast<void>(whole.finish(example_end()));
@@ -243,15 +243,15 @@ TEST_F(Journal, GoesOnBehindTheLastCheckpointAsIfNothingHadHappened) {
     ResultWriter killed = writer();
     for (int i = 0; i < 4; ++i) {
         append(killed, i);
-        if (i < 3) killed.remember(example_checkpoint(i + 1));  // row 3 has no checkpoint behind it
+        if (i < 3) killed.save_checkpoint(example_checkpoint(i + 1));  // row 3 has no checkpoint after it
     }
     Image left = core::read_file(file_);
-    left.resize(left.size() - 5);  // and was cut short
+    left.resize(left.size() - 5);  // and is truncated
     core::AtomicFile cut{file_};
     static_cast<void>(cut.write(left));
     cut.commit();
 
-    const Interrupted from = read_interrupted(left, "result.h5");
+    const InterruptedSolve from = read_interrupted(left, "result.h5");
     test::expect_equal(from.file.model, section_case());
     ASSERT_EQ(from.steps.size(), 3U);
     for (int i = 0; i < 3; ++i) test::expect_equal(from.steps[static_cast<std::size_t>(i)], example_step(i));
@@ -264,13 +264,13 @@ TEST_F(Journal, GoesOnBehindTheLastCheckpointAsIfNothingHadHappened) {
     EXPECT_EQ(core::read_file(file_), expected);
 }
 
-TEST_F(Journal, WithoutACheckpointItStartsFromTheBeginning) {
+TEST_F(Journal, ResumesFromTheBeginningWithoutACheckpoint) {
     {
         ResultWriter killed = writer();
         append(killed, 0);
     }
     const Image left = core::read_file(file_);
-    const Interrupted from = read_interrupted(left, "result.h5");
+    const InterruptedSolve from = read_interrupted(left, "result.h5");
     EXPECT_TRUE(from.steps.empty());
     EXPECT_FALSE(from.checkpoint.has_value());
     ResultWriter resumed = ResultWriter::resume(file_, {left, "result.h5", from.file.model});
@@ -278,9 +278,9 @@ TEST_F(Journal, WithoutACheckpointItStartsFromTheBeginning) {
     expect_steps(read_result(core::read_file(file_), "result.h5"), 2);
 }
 
-TEST_F(Journal, FileThatIsBeingWrittenIsRefusedAsIsOneThatHasChangedSince) {
+TEST_F(Journal, RejectsAFileThatIsBeingWrittenOrHasChanged) {
     const auto code_of_resume = [&](const Image& read) {
-        const Interrupted from = read_interrupted(read, "result.h5");
+        const InterruptedSolve from = read_interrupted(read, "result.h5");
         try {
             static_cast<void>(ResultWriter::resume(file_, {read, "result.h5", from.file.model}));
         } catch (const Error& error) {
@@ -301,7 +301,7 @@ TEST_F(Journal, FileThatIsBeingWrittenIsRefusedAsIsOneThatHasChangedSince) {
     EXPECT_EQ(code_of_resume(core::read_file(file_)), ExitCode::ok);
 }
 
-TEST_F(Journal, FileThatIsRemovedOrReplacedIsMadeAnewAtTheEnd) {
+TEST_F(Journal, RecreatesARemovedOrReplacedFileAtTheEnd) {
     for (const bool replaced : {false, true}) {
         ResultWriter running = writer();
         append(running, 0);
@@ -320,21 +320,21 @@ TEST_F(Journal, FileThatIsRemovedOrReplacedIsMadeAnewAtTheEnd) {
     }
 }
 
-TEST_F(Journal, ResumesNothingThatIsNoInterruptedSolve) {
+TEST_F(Journal, ResumesOnlyInterruptedSolves) {
     EXPECT_NE(refusal_to_resume(section_image()).find("a case without solution"), std::string::npos);
     ResultWriter done = writer();
     append(done, 0);
     append(done, 1);
-    EXPECT_NE(refusal_to_resume(done.finish(example_end())).find("is finished, there is nothing to resume"),
+    EXPECT_NE(refusal_to_resume(done.finish(example_end())).find("is finished and cannot be resumed"),
               std::string::npos);
 }
 
-TEST_F(Journal, CheckpointThatDoesNotFitItsStepsIsRefused) {
+TEST_F(Journal, RejectsACheckpointThatDoesNotMatchItsSteps) {
     const auto left_by = [&](const solution::Checkpoint& checkpoint) {
         ResultWriter running = writer();
         append(running, 0);
         append(running, 1);
-        running.remember(checkpoint);
+        running.save_checkpoint(checkpoint);
         return core::read_file(file_);
     };
     EXPECT_EQ(refusal_to_resume(left_by(example_checkpoint(2))), "");
@@ -344,14 +344,14 @@ TEST_F(Journal, CheckpointThatDoesNotFitItsStepsIsRefused) {
     EXPECT_NE(refusal_to_resume(left_by(other)), "");
 }
 
-TEST_F(Journal, DeviceIsWrittenToAndStaysADevice) {
+TEST_F(Journal, WritesToADeviceWithoutReplacingIt) {
     ResultWriter null{"/dev/null", {section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     append(null, 0);
     static_cast<void>(null.finish({}));
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(Journal, FolderThatIsNotThereIsReported) {
+TEST_F(Journal, ReportsAMissingFolder) {
     try {
         ResultWriter lost{folder_ / "no" / "result.h5",
                           {section_image(), "case.h5", section_case()},

@@ -1,4 +1,4 @@
-/// Dynamic cases and their rows, and the settings of the solver in a file that lies.
+/// Dynamic cases and their rows, and invalid solver settings in files.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -36,18 +36,18 @@ TEST(DynamicCase, ReadsBackEqualInEveryField) {
     expect_equal(read_case(write_case(model, example_design(), example_provenance("mesh-gen")), "case.h5"), model);
 }
 
-TEST(DynamicCase, ItsRowsReadBackWithTimeAndEnergies) {
+TEST(DynamicCase, RowsReadBackWithTimeAndEnergies) {
     const Result result = read_result(motion_image(4), "result.h5");
     expect_equal(result.model, dynamic_case());
     ASSERT_EQ(result.steps.size(), 4U);
     for (int i = 0; i < 4; ++i) expect_equal(result.steps[static_cast<std::size_t>(i)], moving_step(i));
 }
 
-TEST(DynamicCase, ARowIsKeptInTheJournal) {
+TEST(DynamicCase, RowsReadBackFromTheJournal) {
     expect_equal(decode_step(encode_step(moving_step(3), {}, {}), "result.h5").step, moving_step(3));
 }
 
-TEST(DynamicCase, ARowWithoutATimeIsABugAndSoIsOneWithATimeOnAStaticPath) {
+TEST(DynamicCase, RejectsRowsWithoutTimeAndStaticRowsWithTime) {
     const Image moving = dynamic_image(), resting = section_image();
     ResultWriter writer{{moving, "case.h5", dynamic_case()}, example_provenance("solve"), {}};
     solution::Step step = moving_step(0);
@@ -62,13 +62,13 @@ TEST(DynamicCase, ARowWithoutATimeIsABugAndSoIsOneWithATimeOnAStaticPath) {
     EXPECT_THROW(other.append(step, example_displacement(0), example_pressure(0)), Error);
 }
 
-struct LieOfRows {
+struct RowCorruption {
     std::function<void(hid_t file)> change;
-    const char* place;
+    const char* location;
 };
 
-TEST(DynamicCase, LiesOfItsRowsAreRefusedWithTheirPlace) {
-    const std::vector<LieOfRows> lies{
+TEST(DynamicCase, CorruptedRowsAreRejectedWithTheirLocation) {
+    const std::vector<RowCorruption> corruptions{
         {[](hid_t f) { overwrite(f, "/path/time", 2, Numbers{0.05}); }, "/path/time[2]: must ascend"},
         {[](hid_t f) { overwrite(f, "/path/time", 0, Numbers{-1}); }, "/path/time[0]"},
         {[](hid_t f) { overwrite(f, "/path/kinetic_energy", 1, Numbers{-1e-9}); },
@@ -76,25 +76,25 @@ TEST(DynamicCase, LiesOfItsRowsAreRefusedWithTheirPlace) {
         {[](hid_t f) { overwrite(f, "/path/load_work", 1, Numbers{nan}); }, "/path/load_work[1]"},
         {[](hid_t f) { unlink(f, "/path/damping_work"); }, "/path/damping_work"},
     };
-    for (const LieOfRows& lie : lies) {
+    for (const RowCorruption& corruption : corruptions) {
         try {
-            static_cast<void>(read_result(tampered(motion_image(3), lie.change), "result.h5"));
-            ADD_FAILURE() << lie.place;
+            static_cast<void>(read_result(tampered(motion_image(3), corruption.change), "result.h5"));
+            ADD_FAILURE() << corruption.location;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::bad_input);
-            EXPECT_NE(std::string{error.what()}.find(lie.place), std::string::npos) << error.what();
+            EXPECT_NE(std::string{error.what()}.find(corruption.location), std::string::npos) << error.what();
         }
     }
 }
 
-void expect_refused(const Image& image, const std::vector<LieOfRows>& lies) {
-    for (const LieOfRows& lie : lies) {
-        const std::string message = refusal(tampered(image, lie.change));
-        EXPECT_NE(message.find(lie.place), std::string::npos) << message;
+void expect_refused(const Image& image, const std::vector<RowCorruption>& corruptions) {
+    for (const RowCorruption& corruption : corruptions) {
+        const std::string message = refusal(tampered(image, corruption.change));
+        EXPECT_NE(message.find(corruption.location), std::string::npos) << message;
     }
 }
 
-TEST(DynamicCase, LiesOfTheCaseAreRefusedWithTheirPlace) {
+TEST(DynamicCase, CorruptedSettingsAreRejectedWithTheirLocation) {
     const std::string dynamics = "/control/dynamics";
     const auto number = [](const char* name, double value) {
         return [=](hid_t f) { overwrite(f, name, 0, Numbers{value}); };
@@ -114,10 +114,10 @@ TEST(DynamicCase, LiesOfTheCaseAreRefusedWithTheirPlace) {
           },
           "/control/dynamics/spectral_radius"},
          {[](hid_t f) { unlink(f, "/materials/rubber/density"); },
-          "/materials/rubber/density: is missing, and the case is dynamic"}});
+          "/materials/rubber/density: is missing, but a dynamic case requires it"}});
 }
 
-TEST(DynamicCase, FollowsOneStageOfPressures) {
+TEST(DynamicCase, RequiresOneStageOfPressures) {
     model::Case model = dynamic_case();
     model.path.stages.push_back(model.path.stages[0]);
     model.path.stages[0].name = "a";
@@ -129,7 +129,7 @@ TEST(DynamicCase, FollowsOneStageOfPressures) {
     EXPECT_THROW(static_cast<void>(write_case(model, example_design(), example_provenance("mesh-gen"))), Error);
 }
 
-TEST(LoadTimeFunctions, LiesAreRefusedWithTheirPlace) {
+TEST(LoadTimeFunctions, CorruptedValuesAreRejectedWithTheirLocation) {
     expect_refused(
         section_image(),
         {{[](hid_t f) {
@@ -139,7 +139,7 @@ TEST(LoadTimeFunctions, LiesAreRefusedWithTheirPlace) {
          {[](hid_t f) {
               replace_texts(f, "/loads/time_function", "kind", Words{"step", "ramp"});
           },
-          "/loads/time_function/kind[0]: has points of a table"},
+          "/loads/time_function/kind[0]: has table points"},
          {[](hid_t f) {
               replace_texts(f, "/loads/time_function", "kind", Words{"table", "table"});
           },
@@ -158,13 +158,13 @@ TEST(LoadTimeFunctions, LiesAreRefusedWithTheirPlace) {
          {[](hid_t f) { overwrite(f, "/loads/line_resistance", 0, Numbers{-1}); },
           "/loads/line_resistance[0]: must be positive"},
          {[](hid_t f) { overwrite(f, "/loads/line_resistance", 1, Numbers{1e8}); },
-          "/loads/line_resistance[1]: the load 'outside' is on a face"},
+          "/loads/line_resistance[1]: the load 'outside' acts on a face"},
          {[](hid_t f) { replace_text(f, "/materials/rubber", "strain", "none"); },
           "/materials/rubber/strain: 'none'"}});
 }
 
-TEST(SolverSettings, LiesAreRefusedWithTheirPlace) {
-    std::vector<LieOfRows> lies{
+TEST(SolverSettings, CorruptedValuesAreRejectedWithTheirLocation) {
+    std::vector<RowCorruption> corruptions{
         {[](hid_t f) { overwrite(f, "/control/solver/linear_tolerance", 0, Numbers{1}); },
          "/control/solver/linear_tolerance"},
         {[](hid_t f) { overwrite(f, "/control/solver/linear_limit", 0, Integers{0}); }, "/control/solver/linear_limit"},
@@ -175,9 +175,9 @@ TEST(SolverSettings, LiesAreRefusedWithTheirPlace) {
         {[](hid_t f) { unlink(f, "/control/solver/threads"); }, "/control/solver/threads: is missing"},
     };
     for (const char* name : {"newton", "line_search", "tangent", "linear", "preconditioner", "steps", "predictor"})
-        lies.push_back(
+        corruptions.push_back(
             {[=](hid_t f) { replace_text(f, "/control/solver", name, "guess"); }, "'guess' is not a known value"});
-    expect_refused(section_image(), lies);
+    expect_refused(section_image(), corruptions);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Files that are sound HDF5 but lie: made by changing a good case with plain HDF5 calls.
+/// Valid HDF5 files with invalid content: a valid case is modified with plain HDF5 calls.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-/// A dataset with creation properties of the test's making; nothing is written into it.
+/// Creates a dataset with the given creation properties, without data.
 void declare(hid_t file, const char* name, hid_t type, hsize_t count, hid_t properties) {
     unlink(file, name);
     const hsize_t limit = H5Pget_layout(properties) == H5D_CHUNKED ? H5S_UNLIMITED : count;
@@ -65,8 +65,8 @@ using Numbers = std::vector<double>;
 using Words = std::vector<std::string>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-const std::vector<Lie>& lies() {
-    static const std::vector<Lie> list{
+const std::vector<Corruption>& corruptions() {
+    static const std::vector<Corruption> list{
         {"FacetOfNoCell", [](hid_t f) { overwrite(f, "/mesh/facets/cavity", 2, Integers{9000}); },
          "case.h5:/mesh/facets/cavity[1]: cell 9000 does not exist; rebuild the case with mesh-gen"},
         {"NegativeCell", [](hid_t f) { overwrite(f, "/mesh/facets/cavity", 0, Integers{-1}); },
@@ -158,7 +158,7 @@ const std::vector<Lie>& lies() {
          [](hid_t f) {
              replace_texts(f, "/loads/targets", "name", {"main", "inlet", "inlet"});
          },
-         "'inlet' of the load 'supply' is no cavity"},
+         "'inlet' of the load 'supply' is not a cavity"},
         {"CavityLoadedTwice",
          [](hid_t f) {
              replace_texts(f, "/loads/targets", "name", {"main", "main", "inlet"});
@@ -172,7 +172,7 @@ const std::vector<Lie>& lies() {
          [](hid_t f) {
              replace_texts(f, "/loads", "name", {"supply", "supply"});
          },
-         "/loads/name[1]: 'supply' stands there twice"},
+         "/loads/name[1]: 'supply' occurs twice"},
         {"LoadThatHasNoName",
          [](hid_t f) {
              replace_texts(f, "/loads", "name", {"supply", "a/b"});
@@ -188,7 +188,7 @@ const std::vector<Lie>& lies() {
         {"BodyForceAcrossTheAxis", [](hid_t f) { overwrite(f, "/loads/body_forces/acceleration", 1, Numbers{1}); },
          "/loads/body_forces/acceleration[0]: does not point along the axis"},
         {"BodyForceWithoutDensity", [](hid_t f) { unlink(f, "/materials/collar/density"); },
-         "/materials/collar/density: is missing, and a body force acts"},
+         "/materials/collar/density: is missing, but a body force requires it"},
         {"DensityZero", [](hid_t f) { overwrite(f, "/materials/rubber/density", 0, Numbers{0}); },
          "/materials/rubber/density"},
         {"MotionOfNoFace",
@@ -200,7 +200,7 @@ const std::vector<Lie>& lies() {
          [](hid_t f) {
              replace<std::uint8_t>(f, "/loads/motions", "moved", {0, 0, 0, 1, 1, 0}, {2, 3});
          },
-         "/loads/motions/moved[0]: moves no component"},
+         "/loads/motions/moved[0]: prescribes no component"},
         {"MotionNotFinite", [](hid_t f) { overwrite(f, "/loads/motions/displacement", 0, Numbers{infinity}); },
          "/loads/motions/displacement"},
         {"BendFromNoFace",
@@ -225,7 +225,7 @@ const std::vector<Lie>& lies() {
          "/control/stages: there is no stage"},
         {"StageThatIsMissing", [](hid_t f) { unlink(f, "/control/stages/1"); }, "/control/stages/"},
         {"TwoStagesOfOneName", [](hid_t f) { replace_text(f, "/control/stages/2", "name", "inflate"); },
-         "/control/stages[2]: 'inflate' stands there twice"},
+         "/control/stages[2]: 'inflate' occurs twice"},
         {"StageWithoutAName", [](hid_t f) { replace_text(f, "/control/stages/2", "name", ""); }, "/control/stages[2]"},
         {"UnknownControl", [](hid_t f) { replace_text(f, "/control/stages/0", "control", "hope"); },
          "/control/stages/0/control: 'hope'"},
@@ -242,7 +242,7 @@ const std::vector<Lie>& lies() {
          [](hid_t f) {
              replace_texts(f, "/control/stages/0", "prescription", {"pressure", "closed"});
          },
-         "/control/stages/0/value[1]: the load 'outside' is on a face"},
+         "/control/stages/0/value[1]: the load 'outside' acts on a face"},
         {"VolumeRatioOfZero", [](hid_t f) { overwrite(f, "/control/stages/0/value", 0, Numbers{0}); },
          "/control/stages/0/value[0]: must be positive"},
         {"FewerSupplies",
@@ -250,9 +250,9 @@ const std::vector<Lie>& lies() {
              replace_texts(f, "/control/stages/0", "prescription", {"pressure"});
              replace<double>(f, "/control/stages/0", "value", {1});
          },
-         "/control/stages/0/prescription: must be one a load"},
+         "/control/stages/0/prescription: must have one entry per load"},
         {"FewerTractions", [](hid_t f) { replace<double>(f, "/control/stages/1", "tractions", {1}); },
-         "/control/stages/1/tractions: must be one a load"},
+         "/control/stages/1/tractions: must have one entry per load"},
         {"MoreBodyForces",
          [](hid_t f) {
              replace<double>(f, "/control/stages/1", "body_forces", {1, 2});
@@ -296,7 +296,7 @@ const std::vector<Lie>& lies() {
          "/loads/exponent"},
         {"MissingGroup", [](hid_t f) { unlink(f, "/supports"); }, "case.h5:/supports: is missing"},
         {"MissingDataset", [](hid_t f) { unlink(f, "/mesh/formulation"); }, "case.h5:/mesh/formulation: is missing"},
-        {"MissingFormat", [](hid_t f) { H5Adelete(f, "format"); }, "not one of soft-actuator"},
+        {"MissingFormat", [](hid_t f) { H5Adelete(f, "format"); }, "not a soft-actuator file"},
         {"NewerVersion", set_version, "format version 2"},
         {"ChangedDesignText", [](hid_t f) { replace_text(f, "/design", "effective_yaml", "family: rod"); },
          "/design/effective_yaml"},
@@ -326,32 +326,32 @@ const std::vector<Lie>& lies() {
          "case.h5:/loads/exponent: is a soft or external link"},
         {"DanglingSoftLinkAmongFaces",
          [](hid_t f) { H5Lcreate_soft("/nowhere", f, "/mesh/facets/x", H5P_DEFAULT, H5P_DEFAULT); }, "/mesh/facets/x"},
-        {"ExternalStorage", declare_external, "/loads/exponent: keeps its data in another file"},
-        {"VirtualStorage", declare_virtual, "/loads/exponent: is stored in a way that is not supported"},
+        {"ExternalStorage", declare_external, "/loads/exponent: stores its data in another file"},
+        {"VirtualStorage", declare_virtual, "/loads/exponent: uses an unsupported storage layout"},
         {"VariableLengthText", declare_variable_text, "/design/family: is not text of fixed length"},
         {"DeclaredButNotStored", [](hid_t f) { declare_chunked(f, "/mesh/points/tip", 1ULL << 28, 1024); },
          "/mesh/points/tip: is declared larger than its stored data can be"},
         {"DeclaredBeyondReason", [](hid_t f) { declare_chunked(f, "/mesh/points/tip", 1ULL << 62, 1024); },
          "/mesh/points/tip: is declared too large"},
         {"ChunkBeyondReason", [](hid_t f) { declare_chunked(f, "/mesh/points/tip", 2, 1ULL << 27); },
-         "/mesh/points/tip: has chunks too large"},
+         "/mesh/points/tip: has chunks that are too large"},
         {"NameThatIsNone", [](hid_t f) { static_cast<void>(create_group(f, "/materials/a b", "")); },
-         "'a b' is not a name"},
+         "'a b' is not a valid name"},
     };
     return list;
 }
 
-class Lies : public testing::TestWithParam<std::size_t> {};
+class CorruptedFile : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(Lies, AreRefusedWithTheirPlace) {
-    const Lie& lie = lies()[GetParam()];
-    const std::string message = refusal(tampered(section_image(), lie.change));
-    EXPECT_NE(message.find(lie.place), std::string::npos) << message;
+TEST_P(CorruptedFile, IsRejectedWithItsLocation) {
+    const Corruption& corruption = corruptions()[GetParam()];
+    const std::string message = refusal(tampered(section_image(), corruption.change));
+    EXPECT_NE(message.find(corruption.location), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
-INSTANTIATE_TEST_SUITE_P(Refusal, Lies, testing::Range(std::size_t{0}, lies().size()),
-                         [](const auto& lie) { return std::string{lies()[lie.param].what}; });
+INSTANTIATE_TEST_SUITE_P(Refusal, CorruptedFile, testing::Range(std::size_t{0}, corruptions().size()),
+                         [](const auto& corruption) { return std::string{corruptions()[corruption.param].what}; });
 
 }  // namespace
 }  // namespace soft::io

@@ -49,7 +49,7 @@ TEST(ResultFile, ReadsBackEqualInEveryField) {
     }
 }
 
-/// As `solve --tolerance` makes it.
+/// A step as `solve --tolerance` writes it.
 solution::Step step_with_errors(int number) {
     solution::Step step = example_step(number);
     step.pressure_error_Pa = 12.5 * number;
@@ -57,7 +57,7 @@ solution::Step step_with_errors(int number) {
     return step;
 }
 
-TEST(ResultFile, KeepsTheErrorsOfRowsThatHaveThem) {
+TEST(ResultFile, ErrorBarsReadBack) {
     ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     for (int i = 0; i < 3; ++i) writer.append(step_with_errors(i), example_displacement(i), example_pressure(i));
     EXPECT_THROW(writer.append(example_step(3), example_displacement(3), example_pressure(3)), Error);
@@ -66,12 +66,12 @@ TEST(ResultFile, KeepsTheErrorsOfRowsThatHaveThem) {
     for (int i = 0; i < 3; ++i) expect_equal(result.steps[static_cast<std::size_t>(i)], step_with_errors(i));
 }
 
-/// As `solve --tolerance` does: rows without errors, then the same rows with them, each a whole result in a file that stays taken.
-TEST(ResultFile, IsWholeAfterEachPublishAndStaysTaken) {
+/// As in `solve --tolerance`: rows without error bars, then the same rows with error bars. The file is complete and locked each time.
+TEST(ResultFile, IsCompleteAfterEachPublishAndStaysLocked) {
     const auto file = std::filesystem::temp_directory_path() / ("published-" + std::to_string(::getpid()) + ".h5");
     const auto image = section_image();
     const model::Case solved = section_case();
-    const Given given{image, "case.h5", solved};
+    const SolveInput given{image, "case.h5", solved};
     const auto read = [&] {
         std::ifstream stream(file, std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -97,7 +97,7 @@ TEST(ResultFile, IsWholeAfterEachPublishAndStaysTaken) {
     std::filesystem::remove(file);
 }
 
-TEST(ResultFile, RefusesErrorsThatAreNone) {
+TEST(ResultFile, RejectsInvalidErrorBars) {
     ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     const auto refuses = [&](const solution::Step& step) {
         EXPECT_THROW(writer.append(step, example_displacement(0), example_pressure(0)), Error);
@@ -114,7 +114,7 @@ TEST(ResultFile, RefusesErrorsThatAreNone) {
     refuses(step);
 }
 
-/// The section with other loads, as `solve --set` may make it: a path of it has other columns.
+/// The section with other loads, as after `solve --set`. Its path has other columns.
 model::Case changed_case() {
     model::Case model = section_case();
     model.materials[0].law = "yeoh";
@@ -140,7 +140,7 @@ solution::Step changed_step() {
     return step;
 }
 
-TEST(ResultFile, HoldsTheCaseAsItWasSolved) {
+TEST(ResultFile, ContainsTheCaseAsItWasSolved) {
     const model::Case solved = changed_case();
     const ResultOptions options{{Keep::all}, DesignText{"", "solved: otherwise\n", {"load.pressure=1kPa"}}};
     ResultWriter writer{{section_image(), "case.h5", solved}, example_provenance("solve"), options};
@@ -154,7 +154,7 @@ TEST(ResultFile, HoldsTheCaseAsItWasSolved) {
     expect_equal(read_case(image, "result.h5"), section_case());  // as mesh-gen wrote it
 }
 
-TEST(ResultFile, CaseThatItsReaderWouldRefuseIsABug) {
+TEST(ResultFile, RejectsACaseThatTheReaderWouldRejectAsInternalError) {
     model::Case solved = changed_case();
     solved.path.stages.clear();
     const ResultOptions options{{Keep::all}, DesignText{}};
@@ -177,10 +177,10 @@ TEST(ResultFile, WithoutVolumesAndPressuresReadsBack) {
     EXPECT_TRUE(one.fields.read(0)->pressure_Pa.empty());
 }
 
-TEST(ResultFile, PathWithoutARowIsRefused) {
+TEST(ResultFile, RejectsAPathWithoutRows) {
     ResultWriter idle{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     EXPECT_THROW(static_cast<void>(idle.finish({})), Error);
-    const auto drop_rows = [](hid_t file) {  // as a solve that was killed before its first row once left it
+    const auto drop_rows = [](hid_t file) {  // as an older solve left it when it was killed before its first row
         H5Ldelete(file, "/path", H5P_DEFAULT);
         const GroupHandle path = create_group(file, "path", "");
         H5Ldelete(file, "/fields/steps", H5P_DEFAULT);
@@ -196,7 +196,7 @@ TEST(ResultFile, PathWithoutARowIsRefused) {
     }
 }
 
-TEST(ResultFile, PolicyChoosesTheStoredSteps) {
+TEST(ResultFile, PolicySelectsTheStoredSteps) {
     const auto stored = [](const FieldsPolicy& policy, int steps) {
         const Result result = read_result(result_image(steps, {policy, {}}), "result.h5");
         EXPECT_EQ(result.steps.size(), static_cast<std::size_t>(steps));
@@ -214,7 +214,7 @@ TEST(ResultFile, PolicyChoosesTheStoredSteps) {
     EXPECT_EQ(stored({Keep::every, 2}, 5), (Rows{0, 2, 4}));
 }
 
-TEST(ResultFile, PolicyIsReadAsTyped) {
+TEST(ResultFile, ParsesFieldsPolicies) {
     for (const char* text : {"all", "last", "none", "every=7"}) EXPECT_EQ(to_text(parse_fields_policy(text)), text);
     for (const char* text : {"", "every", "every=", "every=0", "every=-1", "every=2x", "every=99999999999", "All"}) {
         try {
@@ -226,7 +226,7 @@ TEST(ResultFile, PolicyIsReadAsTyped) {
     }
 }
 
-TEST(ResultFile, LeavesTheCaseUntouched) {
+TEST(ResultFile, DoesNotChangeTheCase) {
     const Image result = result_image(3);
     const CaseFile file = read_case_file(result, "result.h5");
     expect_equal(file.model, section_case());
@@ -235,7 +235,7 @@ TEST(ResultFile, LeavesTheCaseUntouched) {
 
 TEST(ResultFile, EqualInputGivesEqualBytes) { EXPECT_EQ(result_image(4), result_image(4)); }
 
-TEST(ResultFile, CaseWithoutSolutionSaysWhatToDo) {
+TEST(ResultFile, RejectsACaseWithoutSolutionWithARemedy) {
     try {
         static_cast<void>(read_result(section_image(), "case.h5"));
         FAIL();
@@ -245,12 +245,12 @@ TEST(ResultFile, CaseWithoutSolutionSaysWhatToDo) {
     }
 }
 
-TEST(ResultFile, ResultIsNotSolvedTwice) {
+TEST(ResultFile, RejectsAResultAsInputOfSolve) {
     EXPECT_THROW((ResultWriter{{result_image(2), "result.h5", section_case()}, example_provenance("solve"), {}}),
                  Error);
 }
 
-TEST(ResultFile, RemainsOfASolutionAreNotSolved) {
+TEST(ResultFile, RejectsPartsOfASolutionAsInputOfSolve) {
     const ResultOptions options{{Keep::all}, DesignText{"", "solved: otherwise\n", {"load.pressure=1kPa"}}};
     const std::vector<std::string> groups{"path", "fields", "modes", "solve_design", "provenance/solve"};
     for (const std::string& kept : groups) {
@@ -265,12 +265,12 @@ TEST(ResultFile, RemainsOfASolutionAreNotSolved) {
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::bad_input);
             EXPECT_EQ(error.what(),
-                      "result.h5:/" + kept + ": already holds a solution; give solve the case from mesh-gen");
+                      "result.h5:/" + kept + ": already contains a solution; give solve the case from mesh-gen");
         }
     }
 }
 
-TEST(ResultFile, StepsThatDoNotFitAreABug) {
+TEST(ResultFile, RejectsStepsThatDoNotMatchTheCase) {
     const auto refused = [](const solution::Step& step, const std::vector<double>& displacement,
                             const std::vector<double>& pressure) {
         ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
@@ -313,13 +313,13 @@ TEST(ResultFile, StepsThatDoNotFitAreABug) {
     EXPECT_TRUE(refused(example_step(1), wild, pressure));
 }
 
-TEST(ResultFile, LimitPointBeyondThePathIsABug) {
+TEST(ResultFile, RejectsALimitPointBeyondThePath) {
     ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
     append_steps(writer, 1);  // the limit point of example_end() is at row 1
     EXPECT_THROW(static_cast<void>(writer.finish(example_end())), Error);
 }
 
-TEST(ResultFile, ModeThatDoesNotFitTheMeshIsABug) {
+TEST(ResultFile, RejectsAModeThatDoesNotMatchTheMesh) {
     for (const bool finite : {false, true}) {
         ResultWriter writer{{section_image(), "case.h5", section_case()}, example_provenance("solve"), {}};
         append_steps(writer, 2);
@@ -332,10 +332,10 @@ TEST(ResultFile, ModeThatDoesNotFitTheMeshIsABug) {
     }
 }
 
-TEST(ResultFile, LiesAreRefusedWithTheirPlace) {
+TEST(ResultFile, CorruptedValuesAreRejectedWithTheirLocation) {
     using Integers = std::vector<std::int64_t>;
     const auto drop = [](hid_t file, const char* name) { H5Ldelete(file, name, H5P_DEFAULT); };
-    const std::vector<Lie> lies{
+    const std::vector<Corruption> corruptions{
         {"row number", [](hid_t f) { overwrite(f, "/path/step", 1, Integers{7}); }, "/path/step[1]"},
         {"pressure", [](hid_t f) { overwrite(f, "/path/pressure", 2, std::vector{nan}); }, "/path/pressure[2]"},
         {"iterations", [](hid_t f) { overwrite(f, "/path/newton_iterations", 2, Integers{-1}); },
@@ -347,7 +347,7 @@ TEST(ResultFile, LiesAreRefusedWithTheirPlace) {
         {"pressure of a load", [&](hid_t f) { drop(f, "/path/pressures/outside"); }, "/path/pressures/outside"},
         {"volume of a cavity", [](hid_t f) { overwrite(f, "/path/volumes/annex", 0, std::vector{nan}); },
          "/path/volumes/annex[0]"},
-        {"its slope", [&](hid_t f) { drop(f, "/path/tangents/volumes/annex"); }, "/path/tangents/volumes/annex"},
+        {"tangent of that volume", [&](hid_t f) { drop(f, "/path/tangents/volumes/annex"); }, "/path/tangents/volumes/annex"},
         {"bifurcation", [](hid_t f) { overwrite(f, "/path/bifurcations/step", 1, Integers{-1}); },
          "/path/bifurcations/step[1]"},
         {"number of modes", [](hid_t f) { overwrite(f, "/path/bifurcations/modes", 0, Integers{0}); },
@@ -374,18 +374,18 @@ TEST(ResultFile, LiesAreRefusedWithTheirPlace) {
          },
          "/path/stop_reason"},
     };
-    for (const Lie& lie : lies) {
+    for (const Corruption& corruption : corruptions) {
         try {
-            static_cast<void>(read_result(tampered(result_image(3), lie.change), "result.h5"));
-            ADD_FAILURE() << lie.what;
+            static_cast<void>(read_result(tampered(result_image(3), corruption.change), "result.h5"));
+            ADD_FAILURE() << corruption.what;
         } catch (const Error& error) {
             EXPECT_EQ(error.code(), ExitCode::bad_input);
-            EXPECT_NE(std::string{error.what()}.find(lie.place), std::string::npos) << error.what();
+            EXPECT_NE(std::string{error.what()}.find(corruption.location), std::string::npos) << error.what();
         }
     }
 }
 
-TEST(ResultFile, DamagedFieldIsRefusedWhenItIsRead) {
+TEST(ResultFile, RejectsADamagedFieldWhenItIsRead) {
     const Image image =
         tampered(result_image(3), [](hid_t file) { overwrite(file, "/fields/displacement", 50, std::vector{nan}); });
     const Result result = read_result(image, "result.h5");

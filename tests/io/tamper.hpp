@@ -1,5 +1,5 @@
 #pragma once
-/// Lies for a file that is otherwise sound: parts taken out of it or put in the place of others.
+/// Removes or replaces objects of a valid file.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -36,7 +36,7 @@ struct Arrays {
     }
 };
 
-TEST(VtkFields, StandInTheMeshOfTheCopyWithTheirUnits) {
+TEST(VtkFields, AreAddedToTheMeshOfTheCopy) {
     const Arrays arrays;
     const Image copy = with_vtk_fields(result_image(3), "result.h5", {&arrays.stress, 1}, {&arrays.J, 1});
     const FileHandle file = open_memory_copy(split_image(copy, "copy").hdf5);
@@ -47,7 +47,7 @@ TEST(VtkFields, StandInTheMeshOfTheCopyWithTheirUnits) {
     EXPECT_EQ(mesh.group("CellData").array<double>("J", {section_case().mesh.cell_count()}), arrays.J.values);
 }
 
-TEST(VtkFields, EverythingElseStaysAsItWas) {
+TEST(VtkFields, LeaveEverythingElseUnchanged) {
     const Arrays arrays;
     const Image copy = with_vtk_fields(result_image(3), "result.h5", {&arrays.stress, 1}, {&arrays.J, 1});
     const Result result = read_result(copy, "copy.hdf");
@@ -57,7 +57,7 @@ TEST(VtkFields, EverythingElseStaysAsItWas) {
     EXPECT_EQ(result.fields.read(2)->displacement_m, example_displacement(2));
 }
 
-TEST(VtkFields, ASecondCopyReplacesTheArraysOfTheFirst) {
+TEST(VtkFields, ReplaceTheArraysOfAnEarlierCopy) {
     const Arrays arrays;
     const Image once = with_vtk_fields(result_image(3), "result.h5", {&arrays.stress, 1}, {&arrays.J, 1});
     const Image twice = with_vtk_fields(once, "copy.hdf", {}, {&arrays.J, 1});
@@ -66,13 +66,13 @@ TEST(VtkFields, ASecondCopyReplacesTheArraysOfTheFirst) {
     EXPECT_TRUE(GroupReader(file.get(), origin).group("VTKHDF").group("PointData").names().empty());
 }
 
-TEST(VtkFields, ArraysOfAnotherMeshAreRefused) {
+TEST(VtkFields, RejectArraysOfAnotherMesh) {
     Arrays arrays;
     arrays.J.values.pop_back();
     EXPECT_THROW(static_cast<void>(with_vtk_fields(result_image(2), "result.h5", {}, {&arrays.J, 1})), Error);
 }
 
-TEST(VtkFields, DamagedFilesAreRefusedBeforeHdf5SeesThem) {
+TEST(VtkFields, RejectDamagedFilesBeforeHdf5ReadsThem) {
     Image image = result_image(2);
     image[image.size() / 2] ^= std::byte{1};
     EXPECT_THROW(static_cast<void>(with_vtk_fields(image, "result.h5", {}, {})), Error);
