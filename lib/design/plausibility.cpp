@@ -139,15 +139,15 @@ double max_bulk_ratio(const Design& design) {
 }
 
 void check_locking(const Design& design, std::vector<std::string>& warnings) {
-    const auto says = [&](const char* path, std::string_view word) {
+    const auto has_value = [&](const char* path, std::string_view word) {
         return design.values.has(path) && design.values.text(path) == word;
     };
-    if (says("mesh.cells", "simplices") && says("mesh.order", "1"))
+    if (has_value("mesh.cells", "simplices") && has_value("mesh.order", "1"))
         warnings.push_back("mesh.cells: " + first_order_simplex_warning());
-    if (!says("mesh.formulation", "displacement")) return;
+    if (!has_value("mesh.formulation", "displacement")) return;
     const double ratio = max_bulk_ratio(design);
-    const auto choice =
-        says("mesh.order", "1") ? LockingChoice::first_order_displacement : LockingChoice::second_order_displacement;
+    const auto choice = has_value("mesh.order", "1") ? LockingChoice::first_order_displacement
+                                                     : LockingChoice::second_order_displacement;
     if (ratio > locking_bulk_ratio)
         warnings.push_back("mesh.formulation: the displacement formulation locks at a bulk modulus of " +
                            core::rounded_text(ratio, 3) + " times the shear modulus (" + too_stiff(choice) +
