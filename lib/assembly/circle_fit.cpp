@@ -19,8 +19,8 @@ double inner_product(const Vector4& a, const Vector4& b) {
 /// N of the constraint v^T N v = 1 on v = (A, B, C, D).
 Vector4 times_N(const Vector4& v) { return {-2 * v[3], v[1], v[2], -2 * v[0]}; }
 
-/// The points as z = (u^2 + v^2, u, v, 1) about their middle and in units of their size: the fit does not depend on where the
-/// origin is and its curvature goes with 1 / size, so that both are constants to its derivatives.
+/// The points as z = (u^2 + v^2, u, v, 1) relative to their mean and in units of their size. The fit does not depend on the
+/// origin, and its curvature is proportional to 1 / size, so both are treated as constants in the derivatives.
 struct Features {
     std::vector<Vector4> z;
     std::vector<double> weights;  // their sum is 1
@@ -61,8 +61,8 @@ struct Fit {
     double eta;  // (M - eta N) v = 0
 };
 
-/// Of the eigenvalues of N^-1 M one is not positive, as N has one negative direction; the next one is the least residual.
-Fit least(const SmallMatrix& M) {
+/// One eigenvalue of N^-1 M is not positive, as N has one negative eigenvalue; the next one is the smallest residual.
+Fit best_fit(const SmallMatrix& M) {
     SmallMatrix pencil(4);
     for (int j = 0; j < 4; ++j) {
         pencil.at(0, j) = -0.5 * M.at(3, j);
@@ -96,8 +96,8 @@ Vector4 adjoint_of(const SmallMatrix& M, const Fit& fit) {
     return l;
 }
 
-/// Whether the way leads clockwise round the middle of v, from which the normal (2 A u + B, 2 A v + C) points away where A > 0.
-bool turns_right(const Features& features, const Vector4& v, std::span<const std::size_t> along) {
+/// Whether the polyline runs clockwise about the centre of v. The normal (2 A u + B, 2 A v + C) points away from the centre for A > 0.
+bool is_clockwise(const Features& features, const Vector4& v, std::span<const std::size_t> along) {
     double turn = 0;
     for (std::size_t k = 1; k < along.size(); ++k) {
         const Vector4 &from = features.z[along[k - 1]], &to = features.z[along[k]];
@@ -115,8 +115,8 @@ double fitted_curvature(std::span<const PlanePoint> points, std::span<const doub
     if (gradient != nullptr) gradient->assign(points.size(), {std::nan(""), std::nan("")});
     if (!(features.size > 0)) return std::nan("");
     const SmallMatrix M = moments_of(features);
-    Fit fit = least(M);
-    if (turns_right(features, fit.v, along))
+    Fit fit = best_fit(M);
+    if (is_clockwise(features, fit.v, along))
         for (double& component : fit.v) component = -component;
     const double value = 2 * fit.v[0] / features.size + 0.0;  // -0 becomes 0
     if (gradient == nullptr) return value;

@@ -15,14 +15,14 @@ constexpr PetscInt unnumbered = std::numeric_limits<PetscInt>::min(), is_free = 
 
 /// Calls visit(node) for every node of a face.
 template <class Visit>
-void for_each_node(const mesh::Mesh& mesh, const std::string& face, const std::string& place, Visit&& visit) {
+void for_each_node(const mesh::Mesh& mesh, const std::string& face, const std::string& key, Visit&& visit) {
     const auto set = mesh.facet_sets.find(face);
-    if (set == mesh.facet_sets.end()) throw Error(ExitCode::bad_input, place, "no face is called '" + face + "'");
+    if (set == mesh.facet_sets.end()) throw Error(ExitCode::bad_input, key, "no face is called '" + face + "'");
     for (const auto& facet : set->second)
         for (const auto node : mesh::facet_nodes(mesh, facet)) visit(node);
 }
 
-/// Of every component: is_free, or the negative number it gets.
+/// For every component: is_free, or its negative index.
 std::vector<PetscInt> fixed_components(const model::Case& input) {
     const auto& mesh = input.mesh;
     std::vector<PetscInt> fixed(mesh.points.size() * mesh.dimension, is_free);
@@ -33,24 +33,24 @@ std::vector<PetscInt> fixed_components(const model::Case& input) {
         });
     for (std::size_t m = 0; m < input.motions.size(); ++m) {
         const auto& motion = input.motions[m];
-        const std::string place = "loads." + motion.face;
-        for_each_node(mesh, motion.face, place, [&](mesh::Index node) {
+        const std::string key = "loads." + motion.face;
+        for_each_node(mesh, motion.face, key, [&](mesh::Index node) {
             for (int i = 0; i < mesh.dimension; ++i) {
                 const auto& value = motion.displacement_m[i];
                 if (!value) continue;
                 PetscInt& number = fixed[node * mesh.dimension + i];
                 const int slot = number == is_free ? -1 : motion_slot(number), other = slot / 3;
                 if (number == -1 && *value != 0.0)
-                    throw Error(ExitCode::bad_input, place,
-                                std::string("over-constrained: some of its nodes are to move along ") + "xyz"[i] +
-                                    " and are held in that direction by a support",
-                                "take the direction out of supports, or hold another face");
+                    throw Error(ExitCode::bad_input, key,
+                                std::string("over-constrained: the supports fix some of its nodes along ") + "xyz"[i] +
+                                    ", where it prescribes a displacement",
+                                "remove this direction from supports, or fix another face");
                 if (slot >= 0 && static_cast<std::size_t>(other) != m &&
                     input.motions[other].displacement_m[i] != value)
-                    throw Error(ExitCode::bad_input, place,
-                                "over-constrained: nodes it shares with the face '" + input.motions[other].face +
-                                    "' are to move by two different lengths",
-                                "give both the same displacement");
+                    throw Error(ExitCode::bad_input, key,
+                                "over-constrained: nodes that it shares with the face '" + input.motions[other].face +
+                                    "' have two different prescribed displacements",
+                                "prescribe the same displacement for both");
                 if (number == is_free) number = -2 - static_cast<PetscInt>(3 * m + i);
             }
         });
@@ -58,7 +58,7 @@ std::vector<PetscInt> fixed_components(const model::Case& input) {
     return fixed;
 }
 
-/// Lowest rank that uses a node, and lowest that uses it as a vertex of a Taylor-Hood cell.
+/// The lowest rank that uses a node, and the lowest that uses it as a vertex of a Taylor-Hood cell.
 struct Owners {
     std::vector<int> node, vertex;
 };
@@ -79,7 +79,7 @@ Owners find_owners(const mesh::Mesh& mesh, std::span<const element::ReferenceCel
     return owners;
 }
 
-/// Gives unknowns to one cell's nodes and pressures, in the cell's order: neighbours in space become neighbours in number.
+/// Numbers the unknowns of one cell's nodes and pressures, in the cell's order, so that neighbours in space have close indices.
 void number_cell(const model::Case& input, mesh::Index cell, const element::ReferenceCell& reference,
                  const std::vector<PetscInt>& fixed, const Owners& owners, int rank, PetscInt& next, DofMap& map) {
     const auto nodes = input.mesh.cell_nodes(cell);
@@ -88,8 +88,8 @@ void number_cell(const model::Case& input, mesh::Index cell, const element::Refe
         for (int i = 0; i < map.dimension; ++i) {
             auto& number = map.displacement[node * map.dimension + i];
             if (number != unnumbered) continue;
-            const PetscInt fate = fixed[node * map.dimension + i];
-            number = fate == is_free ? next++ : fate;
+            const PetscInt constraint = fixed[node * map.dimension + i];
+            number = constraint == is_free ? next++ : constraint;
         }
     }
     if (reference.pressure == element::PressureSpace::discontinuous_linear) {
@@ -143,7 +143,7 @@ DofMap make_dof_map(const model::Case& input, std::span<const element::Reference
         }
     }
     map.total = next;
-    std::ranges::replace(map.displacement, unnumbered, PetscInt{-1});  // points no cell uses
+    std::ranges::replace(map.displacement, unnumbered, PetscInt{-1});  // points that no cell uses
     return map;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
-/// Numbers of the unknowns: free displacement components of all nodes and the pressures of mixed cells. Held
-/// components have number -1, moved ones (model::Motion) -2 - slot with slot = 3 x motion + component; PETSc's insertion
-/// skips both. Every rank builds the same map from the whole mesh (it is
-/// cheap), owns a contiguous range of unknowns and assembles its own cells.
-/// A pressure unknown is p / pressure_scale, with pressure_scale = shear modulus / cell size, so that the rows of
-/// force and of volume have entries of like size and one norm serves both.
+/// Numbering of the unknowns: free displacement components of all nodes and the pressures of mixed cells. Fixed
+/// components have the index -1, prescribed ones (model::Motion) -2 - slot with slot = 3 x motion + component; PETSc ignores
+/// both on insertion. Every rank builds the same map from the whole mesh (it is cheap), owns a contiguous range of unknowns and
+/// assembles its own cells.
+/// A pressure unknown is p / pressure_scale, with pressure_scale = shear modulus / cell size, so that the force rows and the
+/// volume rows have entries of similar size and one norm is meaningful for both.
 /// Tested by assembly/system_test.
 #include <span>
 #include <vector>
@@ -21,9 +21,9 @@ struct DofMap {
     PetscInt begin = 0, end = 0;  ///< this rank's range
     PetscInt pressures = 0;       ///< pressure unknowns on all ranks
     double pressure_scale_Pa = 1;
-    std::vector<PetscInt> displacement;     ///< [node x dimension + component], negative where held or moved
-    std::vector<PetscInt> vertex_pressure;  ///< [node], -1 where the node carries none
-    std::vector<PetscInt> cell_pressure;    ///< [cell] first of its discontinuous pressures, -1 without
+    std::vector<PetscInt> displacement;     ///< [node x dimension + component], negative if fixed or prescribed
+    std::vector<PetscInt> vertex_pressure;  ///< [node], -1 for a node without pressure
+    std::vector<PetscInt> cell_pressure;    ///< [cell] first of its discontinuous pressures, -1 if it has none
     std::vector<int> cell_rank;             ///< [cell] the rank that assembles it
 
     /// The unknowns of a cell, component by component, then pressures: the order of element/solid_kernel.hpp.
@@ -33,12 +33,13 @@ struct DofMap {
     void node_dofs(std::span<const mesh::Index> nodes, std::vector<PetscInt>& out) const;
 };
 
-/// Slot of a moved component's number, -1 for any other.
+/// Slot of a prescribed component's index, -1 for any other index.
 [[nodiscard]] constexpr int motion_slot(PetscInt number) noexcept {
     return number <= -2 ? static_cast<int>(-2 - number) : -1;
 }
 
-/// Throws Error (bad_input) for a face the mesh lacks and a component that is held and moved, or moved twice.
+/// Throws Error (bad_input) for a face that the mesh does not have and for a component that is both fixed and prescribed, or
+/// prescribed twice.
 /// `references` gives the element of each cell type present (index: mesh::CellType's value).
 [[nodiscard]] DofMap make_dof_map(const model::Case& input, std::span<const element::ReferenceCell> references,
                                   double pressure_scale_Pa, MPI_Comm comm);

@@ -15,11 +15,11 @@ namespace {
 
 using mesh::Index;
 
-/// Of automatic: what an iteration of Newton's method gains, and twice the iterations that 1e-8 took on the worst mesh measured.
+/// For LinearMethod::automatic: relative tolerance of the linear solve, and twice the iterations to 1e-8 on the worst mesh measured.
 constexpr double newton_gain = 1e-6;
 constexpr int max_iterations = 200;
 
-/// How a node follows from vertices; a vertex follows from itself.
+/// Interpolation of a node from vertices; a vertex is its own only vertex.
 struct Weights {
     int count = 0;
     std::array<Index, 8> vertices{};
@@ -45,7 +45,7 @@ std::vector<Weights> weights_of_nodes(const mesh::Mesh& mesh) {
     return all;
 }
 
-/// Numbers among those marked, in the order of the unknowns: -1 for the others. The marked of ranks before come first.
+/// Indices among the marked unknowns, in their order; -1 for the others. Those of lower ranks come first.
 struct Numbering {
     std::vector<PetscInt> number;
     PetscInt begin = 0, end = 0, total = 0;
@@ -105,7 +105,7 @@ struct PlacedBlock {
     linalg::PressureBlock block;
 };
 
-/// This rank's, in the order of the unknowns. A vertex gets its share of every cell, those of other ranks too.
+/// The blocks of this rank, in the order of the unknowns. A vertex gets the contributions of all its cells, also of other ranks.
 std::vector<linalg::PressureBlock> pressure_blocks(const System& system) {
     using linalg::PressureBlock;
     const model::Case& input = system.input();
@@ -165,7 +165,7 @@ linalg::ElementLevels make_element_levels(const System& system) {
     const Numbering fine = number_marked(displacement, map), coarse = number_marked(vertex, map);
     if (coarse.total == 0 || coarse.total == fine.total)
         throw Error(ExitCode::bad_input, "solver.preconditioner",
-                    coarse.total == 0 ? "multigrid needs free vertices" : "multigrid is for second-order cells",
+                    coarse.total == 0 ? "multigrid needs free vertices" : "multigrid supports only second-order cells",
                     "use gamg, or linear: auto");
     linalg::ElementLevels levels;
     levels.displacements = own_marked(system, displacement, 1);
@@ -183,7 +183,7 @@ model::LinearSettings choose_linear(model::LinearSettings wanted, const model::C
     return {model::LinearMethod::krylov, model::Preconditioner::multigrid, newton_gain, max_iterations};
 }
 
-void equip(linalg::LinearSolver& solver, const System& system, Mat K) {
+void configure_preconditioner(linalg::LinearSolver& solver, const System& system, Mat K) {
     if (!solver.is_krylov()) return;
     if (solver.settings().preconditioner == model::Preconditioner::gamg) attach_rigid_motions(system, K);
     if (solver.settings().preconditioner == model::Preconditioner::multigrid)

@@ -8,14 +8,14 @@
 
 namespace soft::assembly {
 
-/// Enough of them to outweigh the start of a batch.
+/// Enough to make the overhead of a batch negligible.
 constexpr std::size_t cells_per_thread = 16;
 
 Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns) {
-    const linalg::Timed timed(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
+    const linalg::ScopedTimer timed(K != nullptr ? linalg::Phase::tangent : linalg::Phase::residual);
     prescribe(levels);
     read_state(x);
-    SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));  // it may be a vector of PETSc's own solvers
+    SOFT_PETSC(VecSetOption(R, VEC_IGNORE_NEGATIVE_INDICES, PETSC_TRUE));  // R may be created by a PETSc solver
     SOFT_PETSC(VecZeroEntries(R));
     for (const auto& column : columns) SOFT_PETSC(VecZeroEntries(column.out));
     if (K != nullptr) SOFT_PETSC(MatZeroEntries(K));
@@ -23,7 +23,7 @@ Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::
     result.min_jacobian = std::numeric_limits<double>::max();
     std::optional<linalg::BlockAdder> tangent;
     if (K != nullptr) {
-        find_places(K);
+        find_block_indices(K);
         tangent.emplace(K);
     }
     auto* adder = tangent ? &*tangent : nullptr;
@@ -56,32 +56,32 @@ Evaluation System::evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::
     return result;
 }
 
-/// The matrices of a system have one pattern, so this is done once; it would be done again for another.
-void System::find_places(Mat K) {
+/// The matrices of a system have the same pattern, so the indices are computed once; another pattern would recompute them.
+void System::find_block_indices(Mat K) {
     PetscObjectId id = 0;
     PetscObjectState state = 0;
     SOFT_PETSC(PetscObjectGetId(reinterpret_cast<PetscObject>(K), &id));
     SOFT_PETSC(MatGetNonzeroState(K, &state));
-    if (id == places_.matrix && state == places_.state) return;
-    const bool is_first = places_.matrix == 0;
+    if (id == block_indices_.matrix && state == block_indices_.state) return;
+    const bool is_first = block_indices_.matrix == 0;
     const std::uint64_t pattern = linalg::pattern_hash(K);
-    places_.matrix = id;
-    places_.state = state;
-    if (!is_first && pattern == places_.pattern) return;
-    places_.pattern = pattern;
-    places_.groups.clear();
-    places_.loads.clear();
+    block_indices_.matrix = id;
+    block_indices_.state = state;
+    if (!is_first && pattern == block_indices_.pattern) return;
+    block_indices_.pattern = pattern;
+    block_indices_.groups.clear();
+    block_indices_.loads.clear();
     std::vector<std::span<const PetscInt>> blocks;
     for (const auto& group : groups_) {
         const auto size = static_cast<std::size_t>(group.reference->dofs());
         blocks.clear();
         for (std::size_t c = 0; c < group.cells.size(); ++c) blocks.emplace_back(&group.dofs[c * size], size);
-        places_.groups.emplace_back(K, blocks);
+        block_indices_.groups.emplace_back(K, blocks);
     }
     for (const auto& load : loads_) {
         blocks.clear();
         for (const auto& facet : load.facets) blocks.emplace_back(facet.dofs);
-        places_.loads.emplace_back(K, blocks);
+        block_indices_.loads.emplace_back(K, blocks);
     }
 }
 
@@ -91,7 +91,7 @@ void System::add_cells(std::size_t index, Vec R, linalg::BlockAdder* K, std::spa
     const auto& reference = *group.reference;
     const PetscInt size = reference.dofs();
     const auto wanted = K != nullptr ? material::Wanted::stress_and_tangent : material::Wanted::stress;
-    // Cells are computed a batch at a time, by all threads, and added in their order, by one: the sums do not depend on threads.
+    // All threads compute a batch of cells; one thread adds them in order, so that the sums do not depend on the number of threads.
     const int threads = input_.solver.threads;
     const std::size_t batch = threads > 1 ? cells_per_thread * static_cast<std::size_t>(threads) : 1;
     std::vector<LocalCell> local(batch, LocalCell(reference));
@@ -110,7 +110,7 @@ void System::add_cells(std::size_t index, Vec R, linalg::BlockAdder* K, std::spa
                     const PetscInt* dofs = &group.dofs[(begin + i) * size];
                     add_residual(group.cells[begin + i], {dofs, static_cast<std::size_t>(size)}, out[i], R, result);
                     if (K == nullptr) continue;
-                    K->add(places_.groups[index], begin + i, out[i].stiffness);
+                    K->add(block_indices_.groups[index], begin + i, out[i].stiffness);
                     for (const auto& column : columns)
                         add_moved(column, -1.0, {dofs, static_cast<std::size_t>(size)}, out[i].stiffness);
                 }
@@ -176,10 +176,10 @@ void System::add_pressures(std::size_t load, const LoadLevels& levels, Vec R, li
         for (const auto& column : columns) add(column.out, column.direction.pressures_Pa[load], facet.dofs, force);
         if (stiffness.empty()) continue;
         for (double& k : stiffness) k *= -pressure;
-        K->add(places_.loads[load], f, stiffness);
+        K->add(block_indices_.loads[load], f, stiffness);
         for (const auto& column : columns) add_moved(column, -1.0, facet.dofs, stiffness);
     }
-    if (rank_ != 0) return;  // the plug's force is known whole to every rank
+    if (rank_ != 0) return;  // every rank has the whole plug force
     add(R, -pressure, surface.plug_force.dofs, surface.plug_force.values);
     for (const auto& column : columns)
         add(column.out, column.direction.pressures_Pa[load], surface.plug_force.dofs, surface.plug_force.values);

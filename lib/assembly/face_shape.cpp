@@ -40,13 +40,13 @@ double radial(const FaceShape& shape, const Points& x, Points* gradient) {
         const Vector3 here = across_of(x[a], shape.direction), there = across_of(shape.X[a], shape.direction);
         const double distance = std::sqrt(dot(here, here));
         sum += shape.weights[a] * (distance - std::sqrt(dot(there, there)));
-        for (std::size_t i = 0; i < 3 && gradient != nullptr && distance > 0; ++i)  // a point on the axis stays there
+        for (std::size_t i = 0; i < 3 && gradient != nullptr && distance > 0; ++i)  // zero gradient on the axis
             (*gradient)[a][i] = shape.weights[a] / area * here[i] / distance;
     }
     return sum / area;
 }
 
-/// Horn's matrix of S = sum w X x^T: its largest eigenvector is the unit quaternion of the turn.
+/// Horn's matrix of S = sum w X x^T: the eigenvector of its largest eigenvalue is the unit quaternion of the rotation.
 SmallMatrix horn(const Tensor& S) {
     SmallMatrix N(4);
     const std::array<double, 3> skew{S[5] - S[7], S[6] - S[2], S[1] - S[3]};
@@ -121,8 +121,8 @@ double rotation(const FaceShape& shape, const Points& x, Points* gradient) {
     return value;
 }
 
-/// Direction of the longest undeformed extent seen along d, its largest component positive.
-Vector3 longest(const FaceShape& shape) {
+/// Direction of the longest undeformed extent perpendicular to d, with its largest component positive.
+Vector3 longest_direction(const FaceShape& shape) {
     const Vector3 mean = mean_of(shape.X, shape.weights);
     Tensor moments{};
     for (std::size_t a = 0; a < shape.X.size(); ++a) {
@@ -143,13 +143,13 @@ Vector3 longest(const FaceShape& shape) {
     return t;
 }
 
-/// Seen against d: the face as points in the plane, followed along its undeformed length.
+/// Fits the nodes projected along d, in the order of the undeformed longest direction.
 double curvature(const FaceShape& shape, const Points& x, Points* gradient) {
     const auto axes = plane_axes(shape.direction);
-    const Vector3 t = longest(shape), mean = mean_of(x, shape.weights);
+    const Vector3 t = longest_direction(shape), mean = mean_of(x, shape.weights);
     std::vector<PlanePoint> points, by_points;
-    for (const Vector3& place : x) {
-        const Vector3 p = minus(place, mean);
+    for (const Vector3& position : x) {
+        const Vector3 p = minus(position, mean);
         points.push_back({dot(p, axes[0]), dot(p, axes[1])});
     }
     std::vector<std::size_t> along(x.size());

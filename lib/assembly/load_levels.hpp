@@ -1,5 +1,5 @@
 #pragma once
-/// How much of each load acts: the numbers that multiply a case's loads. One entry a load, in the order of the case.
+/// Load levels: the factors that multiply a case's loads. One entry per load, in the order of the case.
 /// Tested by assembly/system_test.
 #include <vector>
 
@@ -14,7 +14,7 @@ struct LoadLevels {
 
 [[nodiscard]] LoadLevels no_loads(const model::Case& input);
 
-/// Sum over all loads of a x b: a derivative by the levels along a direction of them.
+/// Sum over all loads of a x b: the directional derivative from a derivative with respect to the levels.
 [[nodiscard]] double product(const LoadLevels& a, const LoadLevels& b);
 
 /// levels + share x direction

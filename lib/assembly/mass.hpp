@@ -1,17 +1,17 @@
 #pragma once
-/// Mass of the displacement unknowns; undeformed density and volume, so it never changes.
+/// Mass matrix of the displacement unknowns; from undeformed density and volume, so it is constant.
 ///   consistent: M_ab = int density N_a N_b dV for each component, by a rule exact for straight cells
 ///   lumped:     M_a = M_aa x (mass of the cell) / (sum of the cell's M_aa): positive in cells of any order, where row sums
 ///               vanish or turn negative in second-order ones
-/// Pressure unknowns have none; held and moved components have no row. Collective.
+/// Pressure unknowns have no mass; fixed and prescribed components have no row. Collective.
 /// Source: Hinton, Rock and Zienkiewicz, Earthquake Engineering and Structural Dynamics 4 (1976) 245 (lumping).
 /// Tested by assembly/mass_test.
 #include "assembly/system.hpp"
 
 namespace soft::assembly {
 
-/// With the pattern of System::make_matrix, so that multiples of it can be added to a tangent; rows of pressure unknowns
-/// are there and zero. Throws Error (bad_input) for a material without density.
+/// Has the pattern of System::make_matrix, so that multiples of it can be added to a tangent; rows of pressure unknowns
+/// exist and are zero. Throws Error (bad_input) for a material without density.
 [[nodiscard]] linalg::Matrix consistent_mass(const System& system);
 
 /// Diagonal; 0 at pressure unknowns. The same errors.

@@ -5,17 +5,17 @@
 namespace soft::assembly {
 
 AnyRubber make_rubber(const model::Material& material, model::Formulation formulation) {
-    const std::string place = "materials/" + material.name;
+    const std::string location = "materials/" + material.name;
     const auto make = [&] {
         try {
             return model::make_rubber(material);
         } catch (const Error& error) {
-            throw Error(error.code(), "", place + "/" + error.what());  // the law names its constant, not the region
+            throw Error(error.code(), "", location + "/" + error.what());  // the law names only the constant
         }
     };
     AnyRubber rubber = make();
-    if (const std::string reason = material::why_not(rubber, formulation); !reason.empty())
-        throw Error(ExitCode::bad_input, place, reason);
+    if (const std::string reason = material::explain_incompatibility(rubber, formulation); !reason.empty())
+        throw Error(ExitCode::bad_input, location, reason);
     return rubber;
 }
 

@@ -1,4 +1,4 @@
-/// What System reports of a state: volume, energy, stretches, fields.
+/// Quantities that System computes from a state: volume, energy, stretches, fields.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -30,12 +30,12 @@ void System::finish_slope(Vec gradient, std::span<double> by_motion) const {
 }
 
 double System::enclosed_volume(std::size_t cavity, Vec x, Vec gradient, std::span<double> by_motion) {
-    const linalg::Timed timed(linalg::Phase::measures);
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
     return add_volumes({&cavity, 1}, x, gradient, by_motion);
 }
 
 double System::load_volume(std::size_t load, Vec x, Vec gradient, std::span<double> by_motion) {
-    const linalg::Timed timed(linalg::Phase::measures);
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
     return add_volumes(load_cavities_.at(load), x, gradient, by_motion);
 }
 
@@ -68,7 +68,7 @@ void System::add_rims(const EnclosedVolume& volume, Vec gradient, std::span<doub
     std::vector<double> y, slope;
     for (const auto& rim : volume.rims) {
         Vector3 apex{};
-        std::vector<std::pair<PetscInt, int>> rim_dofs;  // unknown and component, each node once
+        std::vector<std::pair<PetscInt, int>> rim_dofs;  // unknown and component; each node once
         std::vector<mesh::Index> seen;
         for (const auto& edge : rim.edges) {
             gather_surface(edge, y);
@@ -111,18 +111,19 @@ void System::for_each_point(Visit&& visit) const {
             points.clear();
             element::sample_cell(*group.reference, input_.kinematics, frame, local.input(map_.pressure_scale_Pa), work,
                                  points);
-            for (std::size_t q = 0; q < points.size(); ++q) visit(points[q], *group.rubber, PointPlace{&group, c, q});
+            for (std::size_t q = 0; q < points.size(); ++q)
+                visit(points[q], *group.rubber, PointLocation{&group, c, q});
         }
     }
 }
 
-Vector3 System::position_of(const PointPlace& place) const {
-    const auto& reference = *place.group->reference;
-    const auto nodes = input_.mesh.cell_nodes(place.group->cells[place.cell]);
+Vector3 System::position_of(const PointLocation& location) const {
+    const auto& reference = *location.group->reference;
+    const auto nodes = input_.mesh.cell_nodes(location.group->cells[location.cell]);
     Vector3 X{};
     for (std::size_t a = 0; a < nodes.size(); ++a)
         for (std::size_t i = 0; i < 3; ++i)
-            X[i] += reference.N[place.point * nodes.size() + a] * input_.mesh.point(nodes[a])[i];
+            X[i] += reference.N[location.point * nodes.size() + a] * input_.mesh.point(nodes[a])[i];
     return X;
 }
 
@@ -130,7 +131,7 @@ double System::stored_energy(Vec x) {
     read_state(x);
     double energy = 0;
     const material::Form form = input_.formulation;
-    for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointPlace&) {
+    for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointLocation&) {
         energy += point.weight_m3 *
                   std::visit([&](const auto& rubber) { return element::energy_density(form, rubber, point); }, any);
     });
@@ -139,7 +140,7 @@ double System::stored_energy(Vec x) {
 }
 
 StretchSummary System::stretches(Vec x) {
-    const linalg::Timed timed(linalg::Phase::measures);
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
     read_state(x);
     struct Sample {
         double stretch, volume;
@@ -152,7 +153,7 @@ StretchSummary System::stretches(Vec x) {
         double stretch;
         int rank;
     } own{0, rank_}, most{};
-    for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointPlace& place) {
+    for_each_point([&](const element::PointState& point, const AnyRubber& any, const PointLocation& location) {
         const auto eigenvalues = symmetric_eigenvalues(right_cauchy_green(point.F));
         mine.push_back({std::sqrt(std::max(eigenvalues[0], 0.0)), point.weight_m3});
         summary.min_jacobian = std::min(summary.min_jacobian, determinant(point.F));
@@ -162,7 +163,7 @@ StretchSummary System::stretches(Vec x) {
         summary.max_energy_J_m3 = std::max(summary.max_energy_J_m3, energy);
         if (mine.back().stretch <= own.stretch) return;
         own.stretch = mine.back().stretch;
-        summary.max_at_m = position_of(place);
+        summary.max_at_m = position_of(location);
     });
     MPI_Allreduce(MPI_IN_PLACE, &summary.min_jacobian, 1, MPI_DOUBLE, MPI_MIN, comm_);
     MPI_Allreduce(MPI_IN_PLACE, &summary.stored_energy_J, 1, MPI_DOUBLE, MPI_SUM, comm_);
@@ -196,7 +197,7 @@ StretchSummary System::stretches(Vec x) {
 }
 
 double System::load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates) {
-    const linalg::Timed timed(linalg::Phase::measures);
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
     prescribe(levels);
     read_state(x);
     const linalg::Vector force = make_vector();  // of the loads, with the sign of a residual
@@ -228,7 +229,7 @@ double System::load_power(Vec x, Vec velocity, const LoadLevels& levels, const L
     return moving - linalg::dot(force, velocity);
 }
 
-bool System::starts_under_stress() const {
+bool System::has_initial_stress() const {
     return std::ranges::any_of(rubbers_,
                                [](const auto& rubber) { return material::reference_stress_Pa(rubber) > 0.0; });
 }
@@ -239,7 +240,7 @@ bool System::has_fibers() const {
 bool System::has_symmetric_tangent() const { return std::ranges::all_of(rubbers_, material::has_symmetric_tangent); }
 
 System::Fields System::gather_fields(Vec x) {
-    const linalg::Timed timed(linalg::Phase::measures);
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
     linalg::Scatter to_zero;
     linalg::Vector all;
     SOFT_PETSC(VecScatterCreateToZero(x, to_zero.out(), all.out()));

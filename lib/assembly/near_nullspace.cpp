@@ -8,10 +8,10 @@ namespace {
 
 using Velocity = std::array<double, 3>;
 
-/// What is left of a motion beyond those before it, below which it is one of them.
+/// Smallest relative remainder of a motion after orthogonalisation; below it the motion depends on the previous ones.
 constexpr double min_independent_part = 1e-8;
 
-/// Velocity of a point at `r` from the middle in the rigid motion `number`: translations first, then rotations about x, y, z.
+/// Velocity of a point at `r` from the centre in the rigid motion `number`: translations first, then rotations about x, y, z.
 Velocity velocity(int number, const Velocity& r) {
     Velocity v{};
     if (number < 3) {
@@ -62,9 +62,9 @@ std::vector<linalg::Vector> rigid_motions(const System& system) {
         SOFT_PETSC(VecAssemblyEnd(motion));
         const double size = linalg::norm(motion);
         for (const auto& before : motions) linalg::add(motion, -linalg::dot(before, motion), before);
-        const double left = linalg::norm(motion);
-        if (!(left > min_independent_part * size)) continue;
-        SOFT_PETSC(VecScale(motion, 1.0 / left));
+        const double remainder = linalg::norm(motion);
+        if (!(remainder > min_independent_part * size)) continue;
+        SOFT_PETSC(VecScale(motion, 1.0 / remainder));
         motions.push_back(std::move(motion));
     }
     return motions;

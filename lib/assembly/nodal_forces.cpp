@@ -16,7 +16,7 @@ using mesh::Index;
 
 void add_component(Index node, int i, double value, const DofMap& map, SparseVector& vector) {
     const auto dof = map.displacement[node * map.dimension + i];
-    if (dof == -1 || value == 0.0) return;  // moved components count: their motion is known
+    if (dof == -1 || value == 0.0) return;  // prescribed components are included
     vector.dofs.push_back(dof);
     vector.values.push_back(value);
 }
@@ -86,7 +86,7 @@ SparseVector point_displacement(const model::Case& input, const DofMap& map, con
     const auto location = mesh::locate(input.mesh, point);
     if (!location)
         throw Error(ExitCode::bad_input, "outputs." + name, "the point is outside the mesh",
-                    "a point of the undeformed part");
+                    "use a point of the undeformed part");
     const auto nodes = input.mesh.cell_nodes(location->cell);
     return on_unknowns(spread({{nodes.begin(), nodes.end()}, location->weights, 1.0}, direction), map);
 }

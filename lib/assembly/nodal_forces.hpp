@@ -1,6 +1,6 @@
 #pragma once
-/// What does not depend on the state: means over faces, and forces that stay fixed in space.
-/// Every rank gets the whole vector. Entries of moved components keep their negative number (dof_map.hpp).
+/// Quantities that do not depend on the state: means over faces, and forces that stay fixed in space.
+/// Every rank gets the whole vector. Entries of prescribed components keep their negative index (dof_map.hpp).
 /// Tested by assembly/system_test, assembly/loads_test.
 #include <array>
 #include <span>
@@ -23,27 +23,27 @@ struct FaceWeights {
     std::vector<double> weights_m2;
     double area_m2 = 0;
 };
-/// Throws Error (bad_input) for a face the mesh lacks; so do the functions below.
+/// Throws Error (bad_input) for a face that the mesh does not have; so do the functions below.
 [[nodiscard]] FaceWeights face_weights(const model::Case& input, const std::string& face);
 
-/// Weights w with sum w_i x_i = area mean over the undeformed face of the displacement along `direction`.
+/// Weights w with sum w_i x_i = area average over the undeformed face of the displacement along `direction`.
 [[nodiscard]] SparseVector mean_displacement(const model::Case& input, const DofMap& map, const std::string& face,
                                              const std::array<double, 3>& direction);
 
-/// The same of one point of the undeformed part, by the shape functions of its cell. Throws Error (bad_input) for a point outside the
+/// The same for one point of the undeformed part, by the shape functions of its cell. Throws Error (bad_input) for a point outside the
 /// mesh; `name` is that of the output.
 [[nodiscard]] SparseVector point_displacement(const model::Case& input, const DofMap& map, const std::string& name,
                                               const mesh::Point& point, const std::array<double, 3>& direction);
 
-/// Forces at nodes, those that are held among them.
+/// Forces at nodes, including constrained nodes.
 struct NodalForces {
     std::vector<mesh::Index> nodes;
     std::vector<std::array<double, 3>> forces_N;
 };
-/// Those at components that are not held.
+/// The forces at components that are not fixed.
 [[nodiscard]] SparseVector on_unknowns(const NodalForces& forces, const DofMap& map);
 
-/// Of a dead traction [Pa] on a face: the sum of forces times displacements is its work [J].
+/// Nodal forces of a dead traction [Pa] on a face: the sum of forces times displacements is its work [J].
 [[nodiscard]] NodalForces face_force(const model::Case& input, const std::string& face,
                                      const std::array<double, 3>& traction_Pa);
 
@@ -51,7 +51,7 @@ struct NodalForces {
 [[nodiscard]] NodalForces body_force(const model::Case& input, std::span<const element::ReferenceCell> references,
                                      const model::BodyForce& force);
 
-/// Thrust per unit pressure on the plugs of a load's openings (assembly/cavity.hpp); none where it is not sealed or a fixture
+/// Thrust per unit pressure on the plugs of a load's openings (assembly/cavity.hpp); none if it is not sealed or a fixture
 /// carries them (PressureLoad::plug_thrust).
 [[nodiscard]] NodalForces plug_force(const model::Case& input, const model::PressureLoad& load);
 

@@ -15,8 +15,8 @@ void System::make_outputs() {
     for (const auto& output : input_.outputs) {
         const auto require = [&output](bool possible) {
             if (!possible)
-                throw Error(ExitCode::bad_input, "outputs." + output.name, "a section has no such measure",
-                            "use model: solid, half or quarter");
+                throw Error(ExitCode::bad_input, "outputs." + output.name,
+                            "this measure is available only in solid models", "use model: solid, half or quarter");
         };
         switch (output.measure) {
             case model::Measure::displacement: outputs_.emplace_back(make_linear(output, output.direction)); break;
@@ -24,7 +24,7 @@ void System::make_outputs() {
                 if (solid)
                     outputs_.emplace_back(make_shape(output));
                 else
-                    outputs_.emplace_back(make_linear(output, {0, 1, 0}));  // the second coordinate of a section is r
+                    outputs_.emplace_back(make_linear(output, {0, 1, 0}));  // r is the second coordinate of a section
                 break;
             case model::Measure::bend:
             case model::Measure::twist:
@@ -40,8 +40,8 @@ void System::make_outputs() {
             case model::Measure::moment:
                 if (input_.dynamics)
                     throw Error(ExitCode::bad_input, "outputs." + output.name,
-                                "a reaction is measured on a static path",
-                                "leave out dynamics, or measure: displacement");
+                                "reactions are available only in static cases",
+                                "remove dynamics, or use measure: displacement");
                 outputs_.emplace_back(complete_reaction(output));
         }
     }
@@ -76,7 +76,7 @@ Rotation System::make_rotation(const model::Output& output) {
     return rotation;
 }
 
-/// For what one rank computes of a few nodes; elsewhere nothing.
+/// The nodes and their unknowns on rank 0, which evaluates them alone; empty on other ranks.
 SurfaceCell System::nodes_on_rank_0(std::span<const mesh::Index> nodes) const {
     SurfaceCell cell;
     if (rank_ != 0) return cell;
@@ -108,7 +108,7 @@ System::ShapeOutput System::make_shape(const model::Output& output) {
 }
 
 double System::output(std::size_t index, Vec x, Vec gradient, LoadLevels* by_levels) {
-    const linalg::Timed timed(linalg::Phase::measures);
+    const linalg::ScopedTimer timed(linalg::Phase::measures);
     if (by_levels != nullptr) *by_levels = no_loads(input_);
     const std::span<double> by_motion =
         by_levels != nullptr ? std::span<double>(by_levels->motions) : std::span<double>();
@@ -148,7 +148,7 @@ double System::rotation(const Rotation& rotation, Vec x, Vec gradient, std::span
         MPI_Allreduce(MPI_IN_PLACE, phasor.data(), 2, MPI_DOUBLE, MPI_SUM, comm_);
         const double sign = face == &rotation.reference ? -1.0 : 1.0;
         if (face == &rotation.reference)
-            for (double& component : phasor) component = -component;  // from the inward normal of the held face
+            for (double& component : phasor) component = -component;  // from the inward normal of the reference face
         const PhasorAngle turned = angle_of(phasor);
         angle += sign * turned.angle;
         for (auto& share : shares) {

@@ -11,7 +11,7 @@ namespace soft::assembly {
 
 namespace {
 
-/// Neighbours over facets (vertices of a facet, sorted, identify it).
+/// Neighbours across facets (the sorted vertices of a facet identify it).
 std::vector<std::vector<PetscInt>> dual_graph(const mesh::Mesh& mesh) {
     std::vector<std::vector<PetscInt>> neighbours(mesh.cell_types.size());
     std::map<std::vector<mesh::Index>, mesh::Index> open;
@@ -31,7 +31,7 @@ std::vector<std::vector<PetscInt>> dual_graph(const mesh::Mesh& mesh) {
     return neighbours;
 }
 
-/// Memory that PETSc will free. Its macro has old-style casts.
+/// Allocates memory that PETSc will free. Its macro has old-style casts.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 void allocate(PetscInt count, PetscInt** memory) { SOFT_PETSC(PetscMalloc1(count, memory)); }
@@ -55,7 +55,7 @@ std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm, int part
     const auto graph = dual_graph(mesh);
     const auto total = static_cast<PetscInt>(graph.size());
     const PetscInt begin = total * rank / size, end = total * (rank + 1) / size;
-    PetscInt *rows = nullptr, *columns = nullptr;  // handed over to the matrix, which frees them
+    PetscInt *rows = nullptr, *columns = nullptr;  // the matrix takes ownership
     allocate(end - begin + 1, &rows);
     rows[0] = 0;
     for (PetscInt c = begin; c < end; ++c)

@@ -1,5 +1,5 @@
 #pragma once
-/// Which rank assembles which cell: the dual graph of the mesh cut by PETSc's partitioner.
+/// Assignment of cells to ranks: the dual graph of the mesh, partitioned by PETSc.
 #include <vector>
 
 #include <mpi.h>
@@ -11,7 +11,7 @@ namespace soft::assembly {
 /// Rank of every cell, the same on all ranks; all zero on one rank.
 [[nodiscard]] std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm);
 
-/// The same cut into any number of parts by the ranks there are: what a run on that many ranks would be given.
+/// The same for any number of parts, computed by the present ranks: the partition of a run on that many ranks.
 [[nodiscard]] std::vector<int> partition_cells(const mesh::Mesh& mesh, MPI_Comm comm, int parts);
 
 }  // namespace soft::assembly

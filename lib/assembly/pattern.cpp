@@ -10,7 +10,7 @@ using mesh::Index;
 
 /// The cells of each of this rank's unknowns.
 struct CellsOfRows {
-    std::vector<std::size_t> begin;  // of each row, and one beyond the last
+    std::vector<std::size_t> begin;  // of each row, and one past the last
     std::vector<Index> cells;
 };
 
@@ -44,10 +44,10 @@ CellsOfRows cells_of_rows(const mesh::Mesh& mesh, const DofMap& map,
 }
 
 /// The columns of this rank's rows, ascending. Neighbouring rows mostly have the same cells (the components of a node): their
-/// columns are found and kept once.
+/// columns are computed and stored once.
 struct Columns {
     std::vector<std::size_t> set_of;    // [row]
-    std::vector<std::size_t> begin{0};  // [set], and one beyond the last
+    std::vector<std::size_t> begin{0};  // [set], and one past the last
     std::vector<PetscInt> columns;
 
     [[nodiscard]] std::span<const PetscInt> of(std::size_t row) const {
@@ -103,7 +103,7 @@ linalg::Matrix make_zero_matrix(const mesh::Mesh& mesh, const DofMap& map,
     SOFT_PETSC(MatSetSizes(K, own, own, map.total, map.total));
     SOFT_PETSC(MatSeqAIJSetPreallocation(K, 0, here.data()));
     SOFT_PETSC(MatMPIAIJSetPreallocation(K, 0, here.data(), 0, elsewhere.data()));
-    SOFT_PETSC(MatSetOption(K, MAT_SORTED_FULL, PETSC_TRUE));  // whole rows: on one rank nothing is searched in them
+    SOFT_PETSC(MatSetOption(K, MAT_SORTED_FULL, PETSC_TRUE));  // whole rows: no search within a row on one rank
     std::vector<PetscScalar> zeros;
     for (std::size_t row = 0; row < here.size(); ++row) {
         const auto columns = found.of(row);

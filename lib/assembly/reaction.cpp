@@ -9,25 +9,25 @@ namespace soft::assembly {
 
 namespace {
 
-/// A face that is held or moved in some components.
-struct Holder {
+/// A face with some fixed or prescribed components.
+struct ConstrainedFace {
     std::string face;
     std::array<bool, 3> components;
 };
 
-std::vector<Holder> holders_of(const model::Case& input) {
-    std::vector<Holder> holders;
-    for (const auto& support : input.supports) holders.push_back({support.face, support.fixed});
+std::vector<ConstrainedFace> constrained_faces(const model::Case& input) {
+    std::vector<ConstrainedFace> faces;
+    for (const auto& support : input.supports) faces.push_back({support.face, support.fixed});
     for (const auto& motion : input.motions) {
         const auto& moved = motion.displacement_m;
-        holders.push_back({motion.face, {moved[0].has_value(), moved[1].has_value(), moved[2].has_value()}});
+        faces.push_back({motion.face, {moved[0].has_value(), moved[1].has_value(), moved[2].has_value()}});
     }
-    return holders;
+    return faces;
 }
 
-/// The reaction of a line that two held faces have in common is no more that of one than of the other.
-std::vector<Vector3> held_shares(const model::Case& input, const std::string& face,
-                                 const std::vector<mesh::Index>& nodes) {
+/// The reaction at nodes shared by several constrained faces is divided equally among them.
+std::vector<Vector3> reaction_shares(const model::Case& input, const std::string& face,
+                                     const std::vector<mesh::Index>& nodes) {
     const auto& set = input.mesh.facet_sets.at(face);
     const std::set<mesh::Facet> own(set.begin(), set.end());
     struct Count {
@@ -35,18 +35,18 @@ std::vector<Vector3> held_shares(const model::Case& input, const std::string& fa
         std::array<int, 3> by_others{};
     };
     std::vector<Count> counts(nodes.size());
-    for (const Holder& holder : holders_of(input)) {
-        std::set<std::size_t> here, beside;  // places in `nodes`
-        for (const mesh::Facet& facet : input.mesh.facet_sets.at(holder.face))
+    for (const ConstrainedFace& constrained : constrained_faces(input)) {
+        std::set<std::size_t> here, beside;  // indices into `nodes`
+        for (const mesh::Facet& facet : input.mesh.facet_sets.at(constrained.face))
             for (const mesh::Index node : mesh::facet_nodes(input.mesh, facet)) {
                 const auto found = std::ranges::lower_bound(nodes, node);
                 if (found == nodes.end() || *found != node) continue;
                 (own.contains(facet) ? here : beside).insert(static_cast<std::size_t>(found - nodes.begin()));
             }
         for (std::size_t i = 0; i < 3; ++i) {
-            if (!holder.components[i]) continue;
-            for (const std::size_t place : here) counts[place].by_face[i] = true;
-            for (const std::size_t place : beside) ++counts[place].by_others[i];
+            if (!constrained.components[i]) continue;
+            for (const std::size_t index : here) counts[index].by_face[i] = true;
+            for (const std::size_t index : beside) ++counts[index].by_others[i];
         }
     }
     std::vector<Vector3> shares(nodes.size());
@@ -71,7 +71,7 @@ Reaction make_reaction(const model::Case& input, const model::Output& output) {
     reaction.measure = output.measure;
     reaction.copies = symmetry.copies;
     reaction.nodes = weights.nodes;
-    reaction.shares = held_shares(input, output.face, reaction.nodes);
+    reaction.shares = reaction_shares(input, output.face, reaction.nodes);
     reaction.direction = output.measure == model::Measure::force
                              ? model::uncancelled_force(symmetry, output.direction)
                              : model::uncancelled_moment(symmetry, output.direction);
@@ -99,11 +99,11 @@ double add_share(const Reaction& reaction, const NodeForces& forces, double sign
     const auto dimension = static_cast<std::size_t>(forces.dimension);
     double share = 0;
     for (std::size_t a = 0; a < n; ++a) {
-        const Vector3* held = reaction.share_of(forces.nodes[a]);
-        if (held == nullptr) continue;
+        const Vector3* component_shares = reaction.share_of(forces.nodes[a]);
+        if (component_shares == nullptr) continue;
         Vector3 force{}, arm{};
         for (std::size_t i = 0; i < dimension; ++i) {
-            force[i] = (*held)[i] * forces.force[i * n + a];
+            force[i] = (*component_shares)[i] * forces.force[i * n + a];
             arm[i] = forces.x[i * n + a] - reaction.centre[i];
         }
         const bool is_force = reaction.measure == model::Measure::force;
@@ -112,7 +112,7 @@ double add_share(const Reaction& reaction, const NodeForces& forces, double sign
         if (slope.empty()) continue;
         for (std::size_t i = 0; i < dimension && !forces.stiffness.empty(); ++i)
             for (std::size_t j = 0; j < columns; ++j)
-                slope[j] += sign * weight[i] * (*held)[i] * forces.stiffness[(i * n + a) * columns + j];
+                slope[j] += sign * weight[i] * (*component_shares)[i] * forces.stiffness[(i * n + a) * columns + j];
         const Vector3 by_position = is_force ? Vector3{} : cross(force, reaction.direction);
         for (std::size_t i = 0; i < dimension; ++i) slope[i * n + a] += sign * by_position[i];
     }

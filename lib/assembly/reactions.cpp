@@ -1,4 +1,4 @@
-/// Reactions of held and moved faces at a state: the shares of cells, pressures and dead loads (reaction.hpp).
+/// Reactions of constrained faces at a state: the contributions of cells, pressures and dead loads (reaction.hpp).
 #include <algorithm>
 
 #include "assembly/system.hpp"

@@ -31,14 +31,14 @@ std::vector<Mode> rigid_modes(model::Kinematics kinematics) {
     return {};
 }
 
-/// Component i of a mode at a point, lengths measured from `centre` in units of `extent`.
+/// Component i of a mode at a point; lengths are relative to `centre` in units of `extent`.
 double motion(const Mode& mode, const mesh::Point& X, const mesh::Point& centre, double extent, int i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     return mode.translation[i] +
            (mode.rotation[j] * (X[k] - centre[k]) - mode.rotation[k] * (X[j] - centre[j])) / extent;
 }
 
-/// Parts of the mesh that share no node: the part's number of every node, -1 for points no cell uses.
+/// Parts of the mesh that share no node: the part index of every node, -1 for points that no cell uses.
 std::vector<int> connected_parts(const mesh::Mesh& mesh, int& count) {
     std::vector<Index> parent(mesh.points.size());
     std::iota(parent.begin(), parent.end(), Index{0});
@@ -64,13 +64,13 @@ std::vector<int> connected_parts(const mesh::Mesh& mesh, int& count) {
     return part;
 }
 
-/// Rows of held components, one a node and component, as values of the modes.
+/// Rows of constrained components, one per node and component, as values of the modes.
 using Row = std::array<double, 6>;
 
-/// A mode outside the row space of the held components is free: Gram-Schmidt with the row of largest remainder first.
-/// Returns the mode with the largest free share, -1 where none is free.
+/// A mode outside the row space of the constrained components is free: Gram-Schmidt, the row of largest remainder first.
+/// Returns the mode with the largest free part, -1 if none is free.
 int free_mode(std::vector<Row> rows, std::size_t modes) {
-    // A held set that sees a motion at all sees it far above this share; below is rounding.
+    // Constraints that act on a motion at all have a component far above this; smaller ones are rounding.
     constexpr double visible = 1e-6;
     std::vector<Row> basis;
     const auto dot = [modes](const Row& a, const Row& b) {
@@ -115,7 +115,7 @@ std::optional<std::string> free_rigid_motion(const model::Case& input) {
             high[part_of[node]][i] = std::max(high[part_of[node]][i], mesh.points[node][i]);
         }
     std::vector<std::vector<Row>> rows(parts);
-    const auto hold = [&](const std::string& face, const std::array<bool, 3>& fixed) {
+    const auto constrain = [&](const std::string& face, const std::array<bool, 3>& fixed) {
         const auto set = mesh.facet_sets.find(face);
         if (set == mesh.facet_sets.end()) return;  // reported where the unknowns are numbered
         for (const auto& facet : set->second)
@@ -136,10 +136,10 @@ std::optional<std::string> free_rigid_motion(const model::Case& input) {
                 }
             }
     };
-    for (const auto& support : input.supports) hold(support.face, support.fixed);
-    for (const auto& moving : input.motions)  // a prescribed displacement holds as well as a support
-        hold(moving.face, {moving.displacement_m[0].has_value(), moving.displacement_m[1].has_value(),
-                           moving.displacement_m[2].has_value()});
+    for (const auto& support : input.supports) constrain(support.face, support.fixed);
+    for (const auto& moving : input.motions)  // a prescribed displacement constrains like a support
+        constrain(moving.face, {moving.displacement_m[0].has_value(), moving.displacement_m[1].has_value(),
+                                moving.displacement_m[2].has_value()});
     for (int part = 0; part < parts; ++part)
         if (const int free = free_mode(std::move(rows[part]), modes.size()); free >= 0) {
             std::string text = modes[free].name;

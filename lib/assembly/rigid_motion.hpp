@@ -1,6 +1,6 @@
 #pragma once
-/// Does a connected part of the body move freely? Its rigid motions are tested against the held components; a motion
-/// that no support sees makes the stiffness singular. Derived here. Tested by assembly/rigid_motion_test.
+/// Checks every connected part of the body for rigid motions that the constrained components do not prevent; such a motion
+/// makes the stiffness singular. Derived here. Tested by assembly/rigid_motion_test.
 #include <optional>
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace soft::assembly {
 
-/// The first rigid motion left free, for a message ("translation along x", "rotation about an axis along y", "... of the
-/// part near x = 3 mm"); nothing where every part is held.
+/// The first rigid motion that is not prevented, for a message ("translation along x", "rotation about an axis along y", "... of the
+/// part near x = 3 mm"); nullopt if there is none.
 [[nodiscard]] std::optional<std::string> free_rigid_motion(const model::Case& input);
 
 }  // namespace soft::assembly

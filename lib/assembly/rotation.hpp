@@ -1,10 +1,10 @@
 #pragma once
 /// Rotation of faces: the outputs `bend` and `twist` (model::Measure), with their derivatives by node positions.
 ///   bend: the vector area A = int n da of a deformed face gives its mean normal; the angle is that from -A(reference)
-///         round to A(face) about the axis, seen in the plane across it;
-///   twist: atan2(sum w (X x x).e, sum w X.x), X and x across the axis e, w = int N_a dA: a rigid turn by any angle is
-///         found exactly, and the middle of a deformed face by least squares.
-/// Angles in (-pi, pi]; of a section in plane strain, per metre of depth, about z. Derived here. Tested by assembly/loads_test.
+///         to A(face) about the axis, in the plane perpendicular to it;
+///   twist: atan2(sum w (X x x).e, sum w X.x), X and x projected perpendicular to the axis e, w = int N_a dA: exact for a rigid
+///         rotation by any angle, a least-squares fit for a deformed face.
+/// Angles in (-pi, pi]; for a section in plane strain, per metre of depth, about z. Derived here. Tested by assembly/loads_test.
 #include <array>
 #include <span>
 #include <vector>
@@ -37,7 +37,7 @@ struct PhasorAngle {
 };
 [[nodiscard]] PhasorAngle angle_of(const Phasor& phasor);
 
-/// Adds a facet's share to `phasor`; x current, X reference positions, component-major. slopes[k] = d phasor[k]/dx.
+/// Adds a facet's contribution to `phasor`; x current, X reference positions, component-major. slopes[k] = d phasor[k]/dx.
 void add_phasor(const Rotation& rotation, model::Kinematics kinematics, const element::ReferenceFacet& facet,
                 std::span<const double> x, std::span<const double> X, std::span<const double> weights, Phasor& phasor,
                 std::array<std::vector<double>, 2>& slopes);

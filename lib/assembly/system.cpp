@@ -30,7 +30,8 @@ std::vector<AnyRubber> make_rubbers(const model::Case& input) {
         const auto material = std::ranges::find(input.materials, region, &model::Material::name);
         if (material == input.materials.end())
             throw Error(ExitCode::bad_input, "materials", "region '" + region + "' has no material");
-        if (const std::string reason = model::why_not(*material, input.kinematics, input.symmetry_planes);
+        if (const std::string reason =
+                model::explain_incompatibility(*material, input.kinematics, input.symmetry_planes);
             !reason.empty())
             throw Error(ExitCode::bad_input, "materials/" + region, reason);
         rubbers.push_back(make_rubber(*material, input.formulation));
@@ -60,11 +61,11 @@ double pressure_scale(const model::Case& input, std::span<const AnyRubber> rubbe
 
 System::System(const model::Case& input, MPI_Comm comm) : input_(input), comm_(comm) {
     MPI_Comm_rank(comm, &rank_);
-    if (input.mesh.cell_types.empty()) throw Error(ExitCode::bad_input, "mesh", "there are no cells");
+    if (input.mesh.cell_types.empty()) throw Error(ExitCode::bad_input, "mesh", "the mesh has no cells");
     references_ = make_references(input);
     rubbers_ = make_rubbers(input);
     map_ = make_dof_map(input, references_, pressure_scale(input, rubbers_), comm);
-    if (map_.total == 0) throw Error(ExitCode::bad_input, "supports", "every point is held", "free some face");
+    if (map_.total == 0) throw Error(ExitCode::bad_input, "supports", "the supports fix every node", "release a face");
     make_groups();
     make_loads();
     make_outputs();
@@ -76,7 +77,7 @@ System::System(const model::Case& input, MPI_Comm comm) : input_(input), comm_(c
         }
 }
 
-/// A vector known whole to every rank.
+/// Assembles a vector that every rank has completely.
 linalg::Vector System::assembled(const SparseVector& sparse) const {
     linalg::Vector vector = make_vector();
     for (std::size_t i = 0; i < sparse.dofs.size(); ++i)
@@ -162,10 +163,10 @@ void System::make_local_copy() {
 }
 
 std::vector<int> System::local_positions(std::span<const PetscInt> dofs) const {
-    const int held = static_cast<int>(ghosts_.size());
+    const int fixed = static_cast<int>(ghosts_.size());
     std::vector<int> positions;
     for (const auto dof : dofs)
-        positions.push_back(dof < 0 ? held + 1 + motion_slot(dof)
+        positions.push_back(dof < 0 ? fixed + 1 + motion_slot(dof)
                                     : static_cast<int>(std::ranges::lower_bound(ghosts_, dof) - ghosts_.begin()));
     return positions;
 }

@@ -2,7 +2,7 @@
 /// The equilibrium of a case on the free unknowns x = (displacements, scaled pressures) under given load levels:
 ///   R(x, levels) = internal forces - sum over the loads of level x force(x),    K = dR/dx,
 /// with pressure x force per unit pressure for the pressure loads, dead forces for tractions and body forces, and
-/// prescribed displacements that enter through the cells (and facets) they move. Collective over the communicator.
+/// prescribed displacements as values of the nodes of the cells (and facets) that they move. Collective over the communicator.
 /// Tested by assembly/system_test, assembly/loads_test (Taylor remainders, rank independence) and the verification suite.
 #include <optional>
 #include <span>
@@ -23,23 +23,23 @@ namespace soft::assembly {
 
 /// Outcome of one evaluation; an inverted cell is an expected failure.
 struct Evaluation {
-    double min_jacobian = 1;      ///< least det F over all quadrature points
-    mesh::Index worst_cell = -1;  ///< cell that holds it
+    double min_jacobian = 1;      ///< smallest det F over all quadrature points
+    mesh::Index worst_cell = -1;  ///< cell where it occurs
     double force_scale = 0;       ///< root of the sum of squares of all cells' nodal forces, before they cancel
     [[nodiscard]] bool admissible() const noexcept { return min_jacobian > 0.0; }
 };
 
-/// How far the rubber is stretched at a state, and what energy it holds.
+/// Stretch and stored energy of the rubber at a state.
 struct StretchSummary {
     double p99 = 1;  ///< largest principal stretch exceeded in 1 % of the volume
     double largest = 1;
     double min_jacobian = 1;
-    Vector3 max_at_m{};          ///< undeformed place of the largest stretch; a section's x, r, 0
-    double stored_energy_J = 0;      ///< of the modelled part
+    Vector3 max_at_m{};          ///< undeformed position of the largest stretch; x, r, 0 in a section
+    double stored_energy_J = 0;  ///< of the modelled part
     double max_energy_J_m3 = 0;  ///< per undeformed volume, at an integration point
 };
 
-/// A direction of the load levels, and the vector that gets -dR/d(direction).
+/// A direction of the load levels, and the vector that receives -dR/d(direction).
 struct LoadColumn {
     LoadLevels direction;
     Vec out = nullptr;
@@ -52,16 +52,16 @@ public:
     [[nodiscard]] linalg::Vector make_vector() const;
     [[nodiscard]] linalg::Matrix make_matrix() const;
 
-    /// Fills R and the columns; with K also the tangent (columns that move a face need it). Prescribes the levels' motions.
-    /// Where the result is not admissible they are unfinished.
+    /// Fills R and the columns, and with K also the tangent (required by columns that move a face). Prescribes the levels' motions.
+    /// If the result is not admissible they are incomplete.
     Evaluation evaluate(Vec x, const LoadLevels& levels, Vec R, Mat K, std::span<const LoadColumn> columns = {});
 
-    /// Sets the prescribed displacements, and for reactions the loads, that the functions below see besides x; evaluate() does
-    /// so too.
+    /// Sets the prescribed displacements, and for reactions the loads, that the functions below use in addition to x; evaluate()
+    /// also does so.
     void prescribe(const LoadLevels& levels);
 
     /// Volume [m^3] of one of model::measured_cavities, whole actuator. `gradient` by x and `by_motion` by the level of
-    /// each motion are overwritten; null and empty where they are not wanted.
+    /// each motion are overwritten; nullptr and empty if not needed.
     double enclosed_volume(std::size_t cavity, Vec x, Vec gradient, std::span<double> by_motion = {});
     [[nodiscard]] std::size_t cavity_count() const { return volumes_.size(); }
     /// The same of all cavities of a pressure load together; 0 for a load on a face.
@@ -69,34 +69,34 @@ public:
     [[nodiscard]] bool encloses_volume(std::size_t load) const { return !load_cavities_.at(load).empty(); }
 
     /// Value of an output (SI, model::unit_of) under the levels last prescribed; `gradient` by x and the derivatives by the
-    /// levels are overwritten, null where they are not wanted. Angles lie in (-pi, pi].
+    /// levels are overwritten; nullptr if not needed. Angles lie in (-pi, pi].
     double output(std::size_t index, Vec x, Vec gradient, LoadLevels* by_levels = nullptr);
     [[nodiscard]] std::size_t output_count() const { return input_.outputs.size(); }
 
-    /// False where a law is a stress without an energy; a pressure on a surface with a free rim does not count.
+    /// False if a law is a stress without an energy. Does not account for a pressure on a surface with a free rim.
     [[nodiscard]] bool has_symmetric_tangent() const;
-    /// Whether there are fibres: where one goes slack or begins to pull, the tangent jumps.
+    /// Whether a material has fibres: the tangent jumps where a fibre becomes slack or taut.
     [[nodiscard]] bool has_fibers() const;
 
-    /// True where a law puts the undeformed body under stress: it is then no state of equilibrium without load.
-    [[nodiscard]] bool starts_under_stress() const;
+    /// True if a law has stress in the undeformed state, which is then not in equilibrium without load.
+    [[nodiscard]] bool has_initial_stress() const;
 
-    /// Work per unit time that the loads do on the modelled part [W], per unit of what `velocity` of the unknowns and `rates`
-    /// of the levels are per unit of; prescribed motions by the forces that move their nodes. Prescribes the levels.
+    /// Power of the loads on the modelled part [W], in the time unit of `velocity` of the unknowns and `rates`
+    /// of the levels; prescribed motions contribute with the forces that move their nodes. Prescribes the levels.
     [[nodiscard]] double load_power(Vec x, Vec velocity, const LoadLevels& levels, const LoadLevels& rates);
 
     /// Energy stored in the rubber of the modelled part [J].
     [[nodiscard]] double stored_energy(Vec x);
     [[nodiscard]] StretchSummary stretches(Vec x);
 
-    /// Nodal displacements [point x 3] (axisymmetric: x, r, 0), prescribed ones included, and pressures [point] [Pa] (cell values averaged at
-    /// the nodes; empty without a pressure unknown) on rank 0, empty elsewhere.
+    /// Nodal displacements [point x 3] (axisymmetric: x, r, 0), including prescribed ones, and pressures [point] [Pa] (cell values
+    /// averaged at the nodes; empty without a pressure unknown) on rank 0, empty elsewhere.
     struct Fields {
         std::vector<double> displacement_m, pressure_Pa;
     };
     [[nodiscard]] Fields gather_fields(Vec x);
-    /// The other way: gives the displacement unknowns of x the values of a nodal field [point x 3], which rank 0 has;
-    /// pressures stay, and so does what is held or prescribed.
+    /// The reverse: sets the displacement unknowns of x to the values of a nodal field [point x 3], which rank 0 provides;
+    /// pressures, fixed and prescribed components are unchanged.
     void spread_displacements(std::span<const double> nodal, Vec x) const;
 
     [[nodiscard]] const DofMap& dofs() const noexcept { return map_; }
@@ -109,10 +109,10 @@ private:
         const element::ReferenceCell* reference;
         const AnyRubber* rubber;
         std::vector<mesh::Index> cells;
-        std::vector<PetscInt> dofs;  // [cell][unknown], -1 where held
+        std::vector<PetscInt> dofs;  // [cell][unknown], negative for fixed and prescribed components
         std::vector<int> local;      // the same as positions in local_
     };
-    /// One cell's numbers, component-major, reused from cell to cell.
+    /// Workspace for one cell, component-major, reused from cell to cell.
     struct LocalCell {
         explicit LocalCell(const element::ReferenceCell& reference)
             : X(reference.displacement_dofs()), unknowns(reference.dofs()) {}
@@ -129,7 +129,7 @@ private:
     void make_loads();
     void make_outputs();
     void make_local_copy();
-    void find_places(Mat K);
+    void find_block_indices(Mat K);
     [[nodiscard]] linalg::Vector assembled(const SparseVector& sparse) const;
     template <class Visit>
     void for_each_surface_cell(Visit&& visit);
@@ -138,7 +138,7 @@ private:
     void gather_cell(const CellGroup& group, std::size_t index, LocalCell& local) const;
     void gather_undeformed(const SurfaceCell& cell, std::vector<double>& X) const;
     void gather_surface(const SurfaceCell& cell, std::vector<double>& x) const;
-    /// K null: no tangent is wanted.
+    /// K nullptr: no tangent is computed.
     void add_cells(std::size_t group, Vec R, linalg::BlockAdder* K, std::span<const LoadColumn> columns,
                    Evaluation& result) const;
     static void add_residual(mesh::Index cell, std::span<const PetscInt> dofs, const element::CellOutput& out, Vec R,
@@ -146,7 +146,7 @@ private:
     void add_pressures(std::size_t load, const LoadLevels& levels, Vec R, linalg::BlockAdder* K,
                        std::span<const LoadColumn> columns) const;
     void add_dead_loads(const LoadLevels& levels, Vec R, std::span<const LoadColumn> columns) const;
-    /// out += factor x matrix x (velocity of the moved components), for one cell or facet.
+    /// out += factor x matrix x (velocity of the prescribed components), for one cell or facet.
     void add_moved(const LoadColumn& column, double factor, std::span<const PetscInt> dofs,
                    std::span<const double> matrix) const;
     void add_slope(Vec gradient, std::span<double> by_motion, std::span<const PetscInt> dofs,
@@ -171,12 +171,12 @@ private:
     double add_volumes(std::span<const std::size_t> cavities, Vec x, Vec gradient, std::span<double> by_motion);
     void add_rims(const EnclosedVolume& volume, Vec gradient, std::span<double> by_motion, double& sum) const;
 
-    struct PointPlace {
+    struct PointLocation {
         const CellGroup* group;
         std::size_t cell, point;  // of the group, of the cell
     };
-    [[nodiscard]] Vector3 position_of(const PointPlace& place) const;
-    /// Calls visit(point, rubber, place) for every quadrature point of this rank's cells at the state last read.
+    [[nodiscard]] Vector3 position_of(const PointLocation& location) const;
+    /// Calls visit(point, rubber, location) for every quadrature point of this rank's cells at the state last read.
     template <class Visit>
     void for_each_point(Visit&& visit) const;
 
@@ -196,7 +196,7 @@ private:
         linalg::Vector weights;
         std::vector<double> by_motion;
     };
-    /// The whole face, its mirror images included, as node and the sign of its components. On rank 0 alone.
+    /// The whole face, its mirror images included, as node and the sign of its components. On rank 0 only.
     struct ShapeOutput {
         FaceShape shape;
         SurfaceCell at_nodes;  // of the mesh
@@ -209,17 +209,17 @@ private:
     using OutputForm = std::variant<LinearOutput, Rotation, ShapeOutput, Reaction>;
     std::vector<OutputForm> outputs_;  // by Case::outputs
     LoadLevels levels_;                // last prescribed
-    /// Where the blocks of cells and facets lie in matrices of the pattern met last.
-    struct Places {
+    /// Indices of the blocks of cells and facets in matrices of the pattern used last.
+    struct MatrixIndices {
         PetscObjectId matrix = 0;
         PetscObjectState state = -1;
         std::uint64_t pattern = 0;
-        std::vector<linalg::BlockPlaces> groups, loads;
+        std::vector<linalg::BlockIndices> groups, loads;
     };
-    Places places_;
+    MatrixIndices block_indices_;
 
     std::vector<PetscInt> ghosts_;  // unknowns this rank reads, sorted
-    std::vector<double> local_;     // their values, a zero for held components, the prescribed values by slot
+    std::vector<double> local_;     // their values, a zero for fixed components, the prescribed values by slot
     linalg::Vector ghost_values_;
     linalg::Scatter ghost_scatter_;
 };

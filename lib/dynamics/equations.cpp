@@ -9,16 +9,16 @@ namespace soft::dynamics {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& place, const std::string& problem, const std::string& remedy) {
-    throw Error(ExitCode::bad_input, place, problem, remedy);
+[[noreturn]] void refuse(const std::string& key, const std::string& problem, const std::string& remedy) {
+    throw Error(ExitCode::bad_input, key, problem, remedy);
 }
 
 }  // namespace
 
 const model::Dynamics& dynamics_of(const model::Case& input) {
-    if (!input.dynamics) refuse("dynamics", "the case does not run in time", "give dynamics.duration");
+    if (!input.dynamics) refuse("dynamics", "the case is not dynamic", "set dynamics.duration");
     if (!(input.dynamics->duration_s > 0.0))
-        refuse("dynamics.duration", "the motion has no duration", "give a time, 0.1 s");
+        refuse("dynamics.duration", "the duration is not positive", "set a time above zero, for example 0.1 s");
     return *input.dynamics;
 }
 
@@ -53,7 +53,7 @@ MotionEquations::MotionEquations(assembly::System& system, MassKind kind)
     check_stage();
     if (kind == MassKind::lumped && system.dofs().pressures > 0)
         refuse("dynamics.integrator",
-               "explicit integrators cannot run cells with a pressure unknown, which has no mass",
+               "explicit integrators do not support cells with pressure unknowns, which have no mass",
                "use formulation: f-bar or displacement with a bulk modulus, or an implicit integrator");
     const auto& supplies = input_.path.stages[0].supplies;
     for (std::size_t load = 0; load < input_.loads.size(); ++load) {
@@ -61,7 +61,7 @@ MotionEquations::MotionEquations(assembly::System& system, MassKind kind)
         if (!line) continue;
         if (!system.encloses_volume(load) || !(line->resistance_Pa_s_m3 > 0.0))
             refuse("loads." + input_.loads[load].name, "a supply line needs a cavity and a resistance above zero",
-                   "give line.resistance, or leave the line out");
+                   "set line.resistance, or remove the line");
         lines_.push_back({load, input_.loads[load].gas, supplies[load].value, line->resistance_Pa_s_m3});
         line_forces_.push_back(system.make_vector());
     }
@@ -73,18 +73,18 @@ MotionEquations::MotionEquations(assembly::System& system, MassKind kind)
 }
 
 void MotionEquations::check_stage() const {
-    if (input_.path.stages.size() != 1) refuse("path", "a motion has one stage", "take path.stages out, or dynamics");
+    if (input_.path.stages.size() != 1)
+        refuse("path", "a dynamic case has a single stage", "remove path.stages or dynamics");
     const auto& stage = input_.path.stages[0];
     for (std::size_t load = 0; load < input_.loads.size(); ++load)
         if (stage.supplies.at(load).what != model::Prescription::pressure)
-            refuse("loads." + input_.loads[load].name, "a motion prescribes pressures alone",
-                   "give a pressure with its time_function in time, or a line that feeds the cavity");
+            refuse("loads." + input_.loads[load].name, "a dynamic case can prescribe only pressures",
+                   "set a pressure with a time_function, or a supply line of the cavity");
     for (const double level : stage.motions)
-        if (level != 0.0)
-            refuse("loads", "a motion does not prescribe displacements that change", "move the body by forces");
+        if (level != 0.0) refuse("loads", "a dynamic case cannot prescribe changing displacements", "use forces");
 }
 
-/// The rows and columns of pressure unknowns out: see the header.
+/// Removes the rows and columns of pressure unknowns: see the header.
 void MotionEquations::make_damping() {
     K0_ = system_.make_matrix();
     const linalg::Vector undeformed = system_.make_vector();
@@ -122,15 +122,17 @@ assembly::LoadLevels MotionEquations::shared_levels(Share&& share) const {
 }
 
 assembly::LoadLevels MotionEquations::levels(double time_s, std::span<const double> line_pressures_Pa) const {
-    assembly::LoadLevels levels =
-        shared_levels([&](const model::TimeFunction& time_function) { return share_at(time_function, dynamics_.duration_s, time_s); });
+    assembly::LoadLevels levels = shared_levels([&](const model::TimeFunction& time_function) {
+        return share_at(time_function, dynamics_.duration_s, time_s);
+    });
     for (std::size_t k = 0; k < lines_.size(); ++k) levels.pressures_Pa[lines_[k].load] = line_pressures_Pa[k];
     return levels;
 }
 
 assembly::LoadLevels MotionEquations::rates(double time_s, std::span<const double> line_rates) const {
-    assembly::LoadLevels rates = shared_levels(
-        [&](const model::TimeFunction& time_function) { return share_rate(time_function, dynamics_.duration_s, time_s); });
+    assembly::LoadLevels rates = shared_levels([&](const model::TimeFunction& time_function) {
+        return share_rate(time_function, dynamics_.duration_s, time_s);
+    });
     for (std::size_t k = 0; k < lines_.size(); ++k) rates.pressures_Pa[lines_[k].load] = line_rates[k];
     return rates;
 }

@@ -1,8 +1,8 @@
 #pragma once
 /// The equations of motion of a case (motion.hpp) at a state, for the integrators; internal to the module.
 ///   r = M a + C v + R(x, levels(t, p)),      C = mass_damping M + stiffness_damping K0
-/// K0 is the displacement block of the undeformed tangent: pressure rows hold undamped, so that damping leaves an
-/// incompressible body incompressible; of mixed cells it has no volumetric part (design/plausibility warns).
+/// K0 is the displacement block of the undeformed tangent. The pressure rows are not damped, so that an incompressible body stays
+/// incompressible; for mixed cells K0 has no volumetric part (design/plausibility warns).
 /// Lines: the gas behind the resistance of load k has mass m_k and pressure p_k = P(V_k(x), m_k);
 ///   dm_k/dt = rho (source_k(t) - p_k) / resistance_k.
 /// Tested by dynamics/dynamics_test.
@@ -15,20 +15,20 @@
 
 namespace soft::dynamics {
 
-/// A moment of the motion.
+/// The state of the motion at one time.
 struct MotionState {
     double time_s = 0;
     linalg::Vector x, v, a;         ///< v, a: 0 at pressure unknowns
-    linalg::Vector load_force;      ///< of all loads at the moment
+    linalg::Vector load_force;      ///< of all loads at this time
     std::vector<double> masses_kg;  ///< of the gas of each line, dead volume included
 };
 
-/// The motion a case asks for. Throws Error (bad_input): it asks for none, or for one without a duration.
+/// The dynamics settings of a case. Throws Error (bad_input) if it has none, or no positive duration.
 [[nodiscard]] const model::Dynamics& dynamics_of(const model::Case& input);
 
 [[nodiscard]] MotionState copy_of(const MotionState& state);
 
-/// Entries between -1 and 1 of no pattern, with a part along every mode.
+/// Fills `out` with entries between -1 and 1 without a pattern, which have a component along every mode.
 void fill_with_waves(Vec out);
 
 enum class MassKind { consistent, lumped };
@@ -43,9 +43,9 @@ public:
     // Loads
     [[nodiscard]] std::size_t line_count() const noexcept { return lines_.size(); }
     [[nodiscard]] assembly::LoadLevels levels(double time_s, std::span<const double> line_pressures_Pa) const;
-    /// d levels/dt; `line_rates` of the pressures behind the lines [Pa/s].
+    /// d levels/dt; `line_rates`: of the pressures behind the lines [Pa/s].
     [[nodiscard]] assembly::LoadLevels rates(double time_s, std::span<const double> line_rates) const;
-    /// Levels at share 1 of every time_function, sources in the cavities.
+    /// Levels with every time function at 1; cavities with lines have the pressure of their source.
     [[nodiscard]] assembly::LoadLevels full_levels() const;
     [[nodiscard]] std::vector<double> kink_times() const;
     [[nodiscard]] double shortest_change_s() const;
@@ -58,7 +58,7 @@ public:
     };
     [[nodiscard]] GasPressure gas_pressure(std::size_t k, double volume_m3, double mass_kg) const;
     [[nodiscard]] std::vector<double> line_pressures(Vec x, std::span<const double> masses_kg);
-    /// dm/dt [kg/s]; and -d(dm/dt)/dp.
+    /// dm/dt [kg/s]; conductance is -d(dm/dt)/dp.
     [[nodiscard]] double mass_flow(std::size_t k, double time_s, double pressure_Pa) const;
     [[nodiscard]] double conductance(std::size_t k) const;
     [[nodiscard]] std::vector<double> mass_flows(double time_s, std::span<const double> pressures_Pa) const;
@@ -66,7 +66,7 @@ public:
     [[nodiscard]] std::vector<double> line_rates(const MotionState& state);
 
     // Forces
-    /// R into residual(), the loads' force into load_force(), with K the tangent and the forces of 1 Pa in each line.
+    /// Fills residual() with R and load_force(); if K is given, also K with the tangent and line_force() (1 Pa in each line).
     [[nodiscard]] assembly::Evaluation evaluate(Vec x, const assembly::LoadLevels& levels, Mat K);
     [[nodiscard]] Vec residual() const { return R_; }
     [[nodiscard]] Vec load_force() const { return load_force_; }
@@ -78,13 +78,13 @@ public:
     [[nodiscard]] bool has_damping() const noexcept {
         return dynamics_.mass_damping_1_s != 0.0 || dynamics_.stiffness_damping_s != 0.0;
     }
-    /// Of the modelled part [J], [W].
+    /// For the modelled part [J], [W].
     [[nodiscard]] double kinetic_energy(Vec v) const;
     [[nodiscard]] double damping_power(Vec v) const;
 
     [[nodiscard]] Vec lumped_mass() const { return lumped_; }
     [[nodiscard]] Vec mask() const { return mask_; }
-    /// Root of the sum of squares of the displacement unknowns.
+    /// Euclidean norm of the displacement unknowns.
     [[nodiscard]] double displacement_norm(Vec x) const;
     [[nodiscard]] assembly::System& system() const noexcept { return system_; }
     [[nodiscard]] const model::Dynamics& dynamics() const noexcept { return dynamics_; }
@@ -97,7 +97,7 @@ private:
     };
     void check_stage() const;
     void make_damping();
-    /// Sources where there are lines, else pressures.
+    /// Source pressures where there are lines, else cavity pressures.
     template <class Share>
     [[nodiscard]] assembly::LoadLevels shared_levels(Share&& share) const;
 
@@ -105,7 +105,7 @@ private:
     const model::Case& input_;
     const model::Dynamics& dynamics_;
     std::vector<Line> lines_;
-    linalg::Matrix M_, K0_;  // M_ where the mass is consistent, K0_ where it damps
+    linalg::Matrix M_, K0_;  // M_ for consistent mass, K0_ for stiffness damping
     linalg::Vector lumped_, mask_, R_, load_force_, scratch_;
     std::vector<linalg::Vector> line_forces_;
 };

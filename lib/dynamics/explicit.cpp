@@ -9,10 +9,10 @@ namespace soft::dynamics {
 namespace {
 
 constexpr int power_iterations = 200;
-constexpr double power_tolerance = 1e-4;  // of the frequency's square from one iteration to the next
+constexpr double power_tolerance = 1e-4;  // relative change of the squared frequency between iterations
 constexpr int bisections = 60;
 
-/// |R(h s)| of the worse root s = w (-z +- sqrt(z^2 - 1)).
+/// The larger |R(h s)| of the two roots s = w (-z +- sqrt(z^2 - 1)).
 double amplification(model::Integrator integrator, double omega, double zeta, double h) {
     const std::complex<double> root = std::sqrt(std::complex<double>(zeta * zeta - 1.0));
     double worst = 0;
@@ -32,7 +32,7 @@ double longest_stable_step_s(model::Integrator integrator, const model::Dynamics
     const auto grows = [&](double h) {
         return amplification(integrator, omega, zeta, h) > std::exp(h / dynamics.duration_s);
     };
-    // Longest in the first stable interval: growth begins once and goes on.
+    // Bisection is valid: beyond the stable interval the amplification only increases.
     double stable = 0, unstable = 4.0 / omega;
     for (int i = 0; i < bisections; ++i) {
         const double middle = 0.5 * (stable + unstable);
@@ -63,7 +63,7 @@ StepResult CentralDifference::attempt(const MotionState& last, double step_s, Mo
     linalg::copy(last.x, next.x);
     linalg::add(next.x, h, next.v);
     next.time_s = last.time_s + h;
-    // The masses by Heun's rule.
+    // Heun's method for the gas masses.
     next.masses_kg = last.masses_kg;
     const auto before = equations_.mass_flows(last.time_s, equations_.line_pressures(last.x, last.masses_kg));
     for (std::size_t k = 0; k < before.size(); ++k) next.masses_kg[k] += h * before[k];
@@ -71,7 +71,7 @@ StepResult CentralDifference::attempt(const MotionState& last, double step_s, Mo
     for (std::size_t k = 0; k < before.size(); ++k)
         next.masses_kg[k] = last.masses_kg[k] + 0.5 * h * (before[k] + after[k]);
     const auto evaluation = explicit_acceleration(equations_, next);
-    // That was with alpha v(1/2); a1 = ... - alpha v1 = ... - alpha (v(1/2) + h/2 a1).
+    // So far with alpha v(1/2); correct to a1 = ... - alpha v1 = ... - alpha (v(1/2) + h/2 a1).
     SOFT_PETSC(VecScale(next.a, 1.0 / (1.0 + 0.5 * alpha * h)));
     linalg::add(next.v, 0.5 * h, next.a);
     StepResult result;
@@ -90,7 +90,7 @@ StableStep::StableStep(MotionEquations& equations, model::Integrator integrator)
       K_(equations.system().make_matrix()),
       mode_(equations.system().make_vector()),
       image_(equations.system().make_vector()) {
-    fill_with_waves(mode_);  // the highest mode changes sign from node to node: they have a part along it
+    fill_with_waves(mode_);  // the highest mode changes sign from node to node; this vector has a component along it
 }
 
 double StableStep::estimate(const MotionState& state) {
@@ -107,7 +107,7 @@ double StableStep::estimate(const MotionState& state) {
         square = next;
         if (settled) break;
     }
-    omega_ = std::sqrt(std::abs(square));  // below zero where a compressed body gives way: it leaves at that rate
+    omega_ = std::sqrt(std::abs(square));  // negative where a compressed body is unstable: then the growth rate
     return longest_stable_step_s(integrator_, equations_.dynamics(), omega_);
 }
 

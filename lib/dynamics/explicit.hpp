@@ -1,9 +1,9 @@
 #pragma once
-/// The central difference method, and how long an explicit step may be; internal to the module.
+/// The central difference method, and the longest stable explicit step; internal to the module.
 /// Central difference with the velocity in the middle of the step (lumped mass, so that no system is solved):
 ///   v(1/2) = v0 + h/2 a0,   x1 = x0 + h v(1/2),   a1 = M^-1 (-R(x1, t1) - C v(1/2)),   v1 = v(1/2) + h/2 a1
-/// (the part mass_damping M of C is taken at v1, which costs nothing and keeps the order).
-/// Longest stable steps, by w the highest frequency of (K(x), M) and its damping z = mass_damping / 2w + stiffness_damping w / 2:
+/// (the part mass_damping M of C is evaluated at v1, which needs no extra work and keeps the order).
+/// Longest stable steps; w is the highest frequency of (K(x), M), its damping z = mass_damping / 2w + stiffness_damping w / 2:
 ///   central difference: 2/w (sqrt(1 + z^2) - z). Belytschko, Liu and Moran (2000) 6.2.
 ///   Heun, explicit Euler: the longest step in which the stability function R(h s) of the mode's roots s does not exceed
 ///   exp(h / duration). Both amplify an undamped mode at any step, by about (w h)^4 / 8 and (w h)^2 / 2 a step: the bound lets
@@ -30,8 +30,8 @@ private:
 class StableStep {
 public:
     StableStep(MotionEquations& equations, model::Integrator integrator);
-    /// At a state, by power iteration on M^-1 K that starts from the mode found before. Never overestimates the frequency:
-    /// a safety factor on the step is the caller's.
+    /// The longest stable step at a state, by power iteration on M^-1 K that starts from the last mode. The iteration never
+    /// overestimates the frequency: the caller applies a safety factor to the step.
     [[nodiscard]] double estimate(const MotionState& state);
     [[nodiscard]] double frequency() const noexcept { return omega_; }
 
@@ -43,7 +43,7 @@ private:
     double omega_ = 0;
 };
 
-/// The bound itself, for a highest frequency.
+/// The longest stable step for the highest frequency omega [rad/s].
 [[nodiscard]] double longest_stable_step_s(model::Integrator integrator, const model::Dynamics& dynamics, double omega);
 
 }  // namespace soft::dynamics

@@ -23,13 +23,13 @@ constexpr std::array<double, stages> embedded{4586570599.0 / 29645900160, 0.0,
                                               178811875.0 / 945068544,    814220225.0 / 1159782912,
                                               -3700637.0 / 11593932,      61727.0 / 225920};
 
-constexpr double start_share = 1e-4;  // of the step
-constexpr int start_solves = 3;       // each takes out all but 1e-8 (w h)^2 of the error before
+constexpr double start_share = 1e-4;  // relative to the step
+constexpr int start_solves = 3;       // each reduces the error to 1e-8 (w h)^2 of itself
 
 }  // namespace
 
-/// (K + s^2 M) d = f + K d_before, displacements d alone on the right: what stands in the end is s^2 M d + (pressures) = f,
-/// with the pressure rows K_pu d + K_pp p = 0.
+/// Iterates (K + s^2 M) d = f + K d_before, with only the displacements of d on the right-hand side. The limit is
+/// s^2 M d + (pressures) = f, with the pressure rows K_pu d + K_pp p = 0.
 bool start_acceleration(MotionEquations& equations, StageSolver& solver, double step_s, MotionState& state) {
     const double square = 1.0 / std::pow(start_share * step_s, 2);
     const auto levels = equations.levels(state.time_s, equations.line_pressures(state.x, state.masses_kg));
@@ -41,19 +41,19 @@ bool start_acceleration(MotionEquations& equations, StageSolver& solver, double 
     SOFT_PETSC(VecScale(force, -1.0));
     linalg::copy(equations.load_force(), state.load_force);
     (void)solver.read_volumes(state.x);
-    const std::vector<LineRow> held(equations.line_count());
+    const std::vector<LineRow> fixed_pressures(equations.line_count());
     std::vector<double> dp;
     for (int i = 0; i < start_solves; ++i) {
         SOFT_PETSC(MatMult(solver.matrix(), moved, right));
         equations.add_inertia(right, -square, moved);
         SOFT_PETSC(VecPointwiseMult(right, equations.mask(), right));
         linalg::add(right, 1.0, force);
-        if (!solver.solve_linear(right, held, dx, dp)) return false;
+        if (!solver.solve_linear(right, fixed_pressures, dx, dp)) return false;
         SOFT_PETSC(VecPointwiseMult(moved, equations.mask(), dx));
     }
     SOFT_PETSC(VecZeroEntries(state.a));
     linalg::add(state.a, square, moved);
-    linalg::add(dx, -1.0, moved);  // the pressures alone
+    linalg::add(dx, -1.0, moved);  // only the pressures
     linalg::add(state.x, 1.0, dx);
     return true;
 }
@@ -89,7 +89,7 @@ void GeneralizedAlpha::start(const MotionState& state) {
 
 StepResult GeneralizedAlpha::attempt(const MotionState& last, double step_s, MotionState& next) {
     const double h = step_s;
-    // The guess: w stays. From there x leads, w1 = w0 + (x1 - guess) / (beta h^2).
+    // Initial guess: w1 = w0. Then x is the unknown: w1 = w0 + (x1 - guess) / (beta h^2).
     linalg::copy(last.x, next.x);
     linalg::add(next.x, h, last.v);
     linalg::add(next.x, 0.5 * h * h, w_);
@@ -98,7 +98,7 @@ StepResult GeneralizedAlpha::attempt(const MotionState& last, double step_s, Mot
     SOFT_PETSC(VecZeroEntries(next.a));
     linalg::add(next.a, 1.0 / (1.0 - p_.alpha_f), w_);
     linalg::add(next.a, -p_.alpha_f / (1.0 - p_.alpha_f), last.a);
-    linalg::copy(next.x, next_w_);  // the guess, for now
+    linalg::copy(next.x, next_w_);  // the initial guess of x, until the solve
     next.time_s = last.time_s + h;
     StageMap map{p_.gamma / (p_.beta * h), (1.0 - p_.alpha_m) / ((1.0 - p_.alpha_f) * p_.beta * h * h), 0.0,
                  last.masses_kg};
@@ -150,7 +150,7 @@ StepResult Dirk::attempt(const MotionState& last, double step_s, MotionState& ne
     StepResult result;
     for (std::size_t i = 1; i < stages; ++i) {
         const double part = h * diagonal;
-        // Guess: the acceleration of the stage before. Sums of slopes have no pressure, which comes from the stage before.
+        // Initial guess: acceleration and pressures of the previous stage; the sums of slopes contain no pressures.
         SOFT_PETSC(VecWAXPY(next.x, 1.0, displacements, pressures));
         linalg::copy(last.v, next.v);
         double share = 0;

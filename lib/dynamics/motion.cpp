@@ -15,27 +15,27 @@ using solution::StopReason;
 
 namespace {
 
-/// Adaptive steps: the first of the shortest change of the loads; after a kink of the step before it.
+/// Adaptive steps: the first step relative to the shortest change of the loads; the step after a kink relative to the one before it.
 constexpr double first_share = 1e-3, share_after_kink = 0.1;
 constexpr double growth_without_estimate = 2.0, max_growth = 2.0, min_shrink = 0.3, rejection = 1.5;
-/// The size of the motion is at least this part of the linear response.
+/// The size of the motion is at least this fraction of the linear response.
 constexpr double size_share = 0.1;
-/// Steps until generalised alpha goes on, see the header: as many as its estimate of the error needs.
+/// Steps of the starting method before generalised alpha (see the header): as many as its error estimate needs.
 constexpr int steps_of_starter = 3;
-/// Explicit steps: of the stable one, which is estimated again and again because stretching stiffens: more often where it has
-/// changed by more than the larger of two shares since the last time, less often where by less than the smaller.
+/// Explicit steps relative to the stable step, which is estimated repeatedly because stretching stiffens the body: more often where it
+/// has changed by more than `much_change` since the last estimate, less often where by less than `little_change`.
 constexpr double stable_share = 0.9;
 constexpr int first_steps_between_estimates = 4, max_steps_between_estimates = 50;
 constexpr double much_change = 0.03, little_change = 0.01;
-/// A step the user has chosen is kept up to this part of the stable one: room for what stiffens before the next estimate.
+/// A user-selected step is kept up to this fraction of the stable one: a margin for stiffening before the next estimate.
 constexpr double nearly_unstable = 0.97;
 constexpr int explicit_step_limit = 1'000'000;
-/// Forces of the undeformed body (of a law that carries stress there) below this part of the loads are none.
+/// The undeformed body counts as stress-free if its forces (of a law with initial stress) are below this fraction of the loads.
 constexpr double hardly_stressed = 1e-6;
-/// Times that differ by this part of a step are one.
+/// Times that differ by less than this fraction of a step are equal.
 constexpr double same_time = 1e-6;
 
-/// Calls `use` with the integrator that has been made.
+/// Calls `use` with the integrator in use.
 template <class Method, class Use>
 void with_method(Method& method, Use&& use) {
     std::visit(
@@ -58,7 +58,7 @@ MotionFollower::MotionFollower(assembly::System& system, const solver::Listeners
 
 solution::PathEnd MotionFollower::run() {
     start();
-    append();  // rest is a whole row, of a motion too long to begin as well
+    append();  // row 0 is the state at rest, also if the motion has already ended
     while (!finished_) advance();
     end_.factorizations = stage_ ? stage_->factorizations() : 0;
     return std::move(end_);
@@ -126,15 +126,15 @@ void MotionFollower::choose_first_step() {
         row_interval_s_ = step_s_ * std::ceil(std::ceil(duration / step_s_ * (1.0 - same_time)) / intervals);
     } else {
         kinks_ = equations_.kink_times();
-        step_s_ = coarse(first_share * equations_.shortest_change_s());
+        step_s_ = round_step_size(first_share * equations_.shortest_change_s());
     }
     if (explicit_) {
         update_stable_step();
         if (is_constant() && step_s_ > stable_step_s_)
             throw Error(ExitCode::bad_input, "dynamics.step",
-                        "an explicit step of " + short_text(step_s_) + " s is beyond the stable one of this body, " +
+                        "an explicit step of " + short_text(step_s_) + " s exceeds the stable step of this body, " +
                             short_text(stable_step_s_) + " s",
-                        "give at most " + short_text(stable_share * stable_step_s_) + " s, or leave it out");
+                        "use at most " + short_text(stable_share * stable_step_s_) + " s, or remove the key");
     } else if (!is_constant()) {
         if (!stage_->factorize(last_.x, assembly::no_loads(input_), 0.0, 1.0 / (duration * duration))) return;
         (void)equations_.evaluate(last_.x, equations_.full_levels(), nullptr);
@@ -147,15 +147,15 @@ void MotionFollower::choose_first_step() {
     first_step_s_ = step_s_;
 }
 
-/// An explicit step of our own follows the stable one; that of the user is shortened where the body has become too stiff for it.
+/// An automatic explicit step follows the stable step; a user-selected one is shortened where the body has become too stiff for it.
 void MotionFollower::update_stable_step() {
     const double before_s = std::exchange(stable_step_s_, stable_->estimate(last_));
-    if (!(stable_step_s_ > settings_.min_step * first_step_s_))  // or is no number
+    if (!(stable_step_s_ > settings_.min_step * first_step_s_))  // also true for NaN
         return finish(
             StopReason::diverged,
             "the stable step has fallen to " + short_text(stable_step_s_) + " s at " + short_text(last_.time_s) +
                 " s, from " + short_text(first_step_s_) +
-                " s: the body stretches and stiffens without bound, or the explicit motion has become unstable");
+                " s: the body stretches and stiffens without bound, or the explicit integration has become unstable");
     const double change = std::abs(stable_step_s_ - before_s) / stable_step_s_;
     if (rows_ == 0)
         between_estimates_ = first_steps_between_estimates;
@@ -164,7 +164,7 @@ void MotionFollower::update_stable_step() {
     else if (change < little_change)
         between_estimates_ = std::min(between_estimates_ * 2, max_steps_between_estimates);
     next_estimate_ = steps_ + between_estimates_;
-    const double own = coarse(stable_share * stable_step_s_);
+    const double own = round_step_size(stable_share * stable_step_s_);
     const bool keeps = is_constant() && (rows_ == 0 || dynamics_.step_s <= nearly_unstable * stable_step_s_);
     if (is_constant() && !keeps && step_s_ == dynamics_.step_s)
         log("the stable step has fallen to " + short_text(stable_step_s_) + " s: the step becomes " + short_text(own) +
@@ -175,8 +175,8 @@ void MotionFollower::update_stable_step() {
             short_text(stable_step_s_) + " s");
     const double steps = (dynamics_.duration_s - last_.time_s) / step_s_;
     if (steps_ == 0 && steps > explicit_step_limit)
-        finish(StopReason::step_limit, "the motion takes " + short_text(steps) + " explicit steps of " +
-                                           short_text(step_s_) + " s, more than a million: use an implicit integrator");
+        finish(StopReason::step_limit, "the motion needs " + short_text(steps) + " explicit steps of " +
+                                           short_text(step_s_) + " s, more than a million; use an implicit integrator");
 }
 
 double MotionFollower::next_step() {
@@ -207,19 +207,20 @@ std::optional<StepResult> MotionFollower::attempt(double step_s) {
 void MotionFollower::advance() {
     const int limit = explicit_ ? explicit_step_limit : settings_.step_limit;
     if (steps_ >= limit)
-        return finish(StopReason::step_limit, core::counted(limit, "step") + (limit == 1 ? " was" : " were") +
-                                                  " not enough" +
-                                                  (explicit_ ? "" : "; a larger solver.step_limit goes on"));
+        return finish(StopReason::step_limit,
+                      core::counted(limit, "step") + (limit == 1 ? " was" : " were") + " not enough" +
+                          (explicit_ ? "; use an implicit integrator" : "; increase solver.step_limit"));
     const double h = next_step();
     const auto result = attempt(h);
     if (!result) return;
     const auto error = relative_error(*result, h);
     if (is_adaptive() && error && *error > rejection * dynamics_.accuracy) {
-        log("step of " + short_text(h) + " s errs by " + short_text(*error) + " of the motion: taken again");
+        log("step of " + short_text(h) + " s has a relative error of " + short_text(*error) +
+            ": repeated with a shorter step");
         adapt(error, h);
         if (step_s_ < settings_.min_step * first_step_s_)
             finish(StopReason::diverged,
-                   "no step is short enough for dynamics.accuracy at " + short_text(last_.time_s) + " s");
+                   "no step meets dynamics.accuracy at " + short_text(last_.time_s) + " s; increase dynamics.accuracy");
         return;
     }
     accept(h, error);
@@ -228,7 +229,7 @@ void MotionFollower::advance() {
 void MotionFollower::accept(double step_s, std::optional<double> error) {
     if (!starter_) with_method(method_, [](auto& method) { method.accept(); });
     ++steps_;
-    keep_energies(last_, next_);
+    integrate_energies(last_, next_);
     if (is_adaptive() && error_constant_ > 0.0) {
         history_.push_front({last_.time_s, linalg::duplicate(last_.x)});
         linalg::copy(last_.x, history_.front().x);
@@ -246,8 +247,8 @@ void MotionFollower::accept(double step_s, std::optional<double> error) {
     for (const double kink : kinks_)
         if (std::abs(kink - last_.time_s) <= same_time * step_s) {
             last_.time_s = kink;
-            step_s_ = coarse(share_after_kink * step_s_);
-            history_.clear();  // a difference across it is no derivative
+            step_s_ = round_step_size(share_after_kink * step_s_);
+            history_.clear();  // a difference across a kink does not approximate a derivative
         }
     const bool ends = last_.time_s >= dynamics_.duration_s;
     if (ends || last_.time_s >= next_row_s_ - same_time * row_interval_s_) append();
@@ -286,7 +287,7 @@ void MotionFollower::adapt(std::optional<double> error, double step_s) {
         factor = 0.9 * std::pow(dynamics_.accuracy / std::max(*error, 1e-15), 1.0 / (order_ + 1));
         factor = std::clamp(factor, min_shrink, max_growth);
     }
-    step_s_ = coarse(factor * step_s);
+    step_s_ = round_step_size(factor * step_s);
     first_step_s_ = std::max(first_step_s_, step_s);
 }
 

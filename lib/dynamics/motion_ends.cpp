@@ -1,4 +1,4 @@
-// How a motion fails: a step that is cut or given up, a row that no body could have reached.
+// Failures of a motion: steps that are cut or abandoned, rows that are physically impossible.
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +12,10 @@ using solution::StopReason;
 namespace {
 
 constexpr double cut_after_failure = 0.4;
-/// From rest a body moves with no more than the work of its loads; this many times that work is no error of the sum. Of
-/// explicit steps, which resolve all motions: an implicit one may overshoot in velocity where it does not, and damp that.
-constexpr double energy_from_nowhere = 10.0;
-/// Below it both energies may be rounding.
+/// From rest a body cannot gain more energy than the work of its loads; a factor this large is not an error of the quadrature. Only
+/// for explicit steps, which resolve all modes: an implicit step may overshoot in the velocity of modes that it does not resolve.
+constexpr double max_energy_ratio = 10.0;
+/// Below this stretch both energies may be rounding.
 constexpr double visible_stretch = 1.01;
 
 bool are_finite(const std::vector<double>& values) {
@@ -34,37 +34,37 @@ bool is_finite(const solution::Step& step) {
 }  // namespace
 
 void MotionFollower::handle_failure(const StageResult& failure, double step_s) {
-    step_s_ = coarse(cut_after_failure * step_s);
+    step_s_ = round_step_size(cut_after_failure * step_s);
     const bool inverted = failure.end == NewtonEnd::inverted;
     log("step of " + short_text(step_s) + " s failed (" + std::string(text_of(failure.end)) + ", " +
-        core::counted(failure.iterations, "iteration") + ", residual " + short_text(failure.residual) +
-        ", least det F " + short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
+        core::counted(failure.iterations, "iteration") + ", residual " + short_text(failure.residual) + ", min det F " +
+        short_text(failure.min_jacobian) + "): cut to " + short_text(step_s_) + " s");
     if (step_s_ >= settings_.min_step * first_step_s_) return;
-    const std::string place = solver::location_text(failure.worst_cell, input_), when = short_text(last_.time_s) + " s";
+    const std::string location = solver::location_text(failure.worst_cell, input_),
+                      when = short_text(last_.time_s) + " s";
     if (inverted)
-        return finish(StopReason::inverted_element,
-                      "a cell turns inside out (det F = " + short_text(failure.min_jacobian) + ") " + place + " at " +
-                          when + "; use smaller cells there (mesh.size)");
+        return finish(StopReason::inverted_element, "an element inverted (det F = " + short_text(failure.min_jacobian) +
+                                                        ") " + location + " at " + when +
+                                                        "; use smaller cells there (mesh.size)");
     if (explicit_)
         return finish(StopReason::diverged,
                       "the motion grows without bound beyond " + when + ": " + std::string(text_of(failure.end)));
-    finish(StopReason::diverged, "no motion found beyond " + when + " (" + std::string(text_of(failure.end)) +
-                                     "); the most distorted cell is " + place +
+    finish(StopReason::diverged, "no solution found beyond " + when + " (" + std::string(text_of(failure.end)) +
+                                     "); the largest distortion is " + location +
                                      ", det F = " + short_text(failure.min_jacobian));
 }
 
-std::optional<std::string> MotionFollower::impossible(const solution::Step& step) const {
+std::optional<std::string> MotionFollower::check_plausibility(const solution::Step& step) const {
     const std::string when = "at " + short_text(last_.time_s) + " s ";
-    const std::string remedy = explicit_ ? "give a shorter dynamics.step, damping, or an implicit integrator"
-                                         : "give a shorter dynamics.step, or generalized-alpha";
-    if (!is_finite(step))
-        return "the motion grows without bound: " + when + "it has left the range of numbers; " + remedy;
-    const double given = max_work_J_ / input_.model_fraction;
-    if (explicit_ && is_free_of_stress_ && given > 0.0 && step.max_stretch > visible_stretch &&
-        step.motion->kinetic_energy_J > energy_from_nowhere * given)
-        return "the motion grows without bound: " + when + "its energy is " +
-               short_text(step.motion->kinetic_energy_J) + " J, where the loads have given " + short_text(given) +
-               " J; " + remedy;
+    const std::string remedy = explicit_ ? "use a shorter dynamics.step, damping, or an implicit integrator"
+                                         : "use a shorter dynamics.step, or generalized-alpha";
+    if (!is_finite(step)) return "the motion grows without bound: " + when + "it is not finite; " + remedy;
+    const double work_J = max_work_J_ / input_.model_fraction;
+    if (explicit_ && is_free_of_stress_ && work_J > 0.0 && step.max_stretch > visible_stretch &&
+        step.motion->kinetic_energy_J > max_energy_ratio * work_J)
+        return "the motion grows without bound: " + when + "its kinetic energy is " +
+               short_text(step.motion->kinetic_energy_J) + " J, but the work of the loads is only " +
+               short_text(work_J) + " J; " + remedy;
     return std::nullopt;
 }
 

@@ -1,17 +1,17 @@
 #pragma once
-/// The state machine behind integrate_motion (motion.hpp), internal to the module: motion.cpp begins, takes steps, chooses
-/// their length and ends, motion_ends.cpp says how it fails, motion_rows.cpp keeps the energies and writes rows.
+/// The state machine behind integrate_motion (motion.hpp), internal to the module: motion.cpp starts, takes steps, chooses
+/// their size and ends; motion_ends.cpp handles failures; motion_rows.cpp integrates the energies and writes rows.
 ///
 /// Steps: constant (Dynamics::step_s), by the stable step (explicit), else by the local error of x,
 ///   e = method's own (embedded) or constant x h^(q+1) |(q+1)! x[t0 .. t(q+1)]|, the divided difference of the last positions,
-/// wanted below `accuracy` x the size of the motion: the largest |x| so far, at least a tenth of the linear response
-/// (K0 + M / duration^2)^-1 f to all loads at their full level. Adaptive steps land on the kinks of the loads and start small
+/// which must be below `accuracy` x the size of the motion: the largest |x| so far, at least a tenth of the linear response
+/// (K0 + M / duration^2)^-1 f to all loads at their full level. Adaptive steps end at the kinks of the loads and are small
 /// after them.
 ///
-/// Where loads are there at once the body is accelerated in modes that no step resolves, by F/M of single cells. Generalised alpha,
-/// whose first step leans on a(0), has them at velocities of h F/M, and where the stiffness damps, that of these modes answers with
-/// a force far above the load. Its first steps are then those of the Runge-Kutta method, which forgets such modes (L-stable) and
-/// knows its error from the first step on.
+/// Loads that act suddenly accelerate the body in modes that no step resolves, by F/M of single cells. Generalised alpha, whose first
+/// step uses a(0), excites them with velocities of h F/M. With stiffness damping these velocities cause forces far above the load.
+/// In this case the first steps use the Runge-Kutta method, which is L-stable (it damps such modes within a step) and has an
+/// error estimate from the first step on.
 #include <deque>
 #include <variant>
 
@@ -23,7 +23,7 @@
 
 namespace soft::dynamics {
 
-using solver::coarse;
+using solver::round_step_size;
 using solver::short_text;
 
 class MotionFollower {
@@ -50,12 +50,12 @@ private:
 
     // motion_ends.cpp
     void handle_failure(const StageResult& failure, double step_s);
-    /// Why a body could not be in the state of this row: not finite, or explicit steps that have made energy from nothing.
-    [[nodiscard]] std::optional<std::string> impossible(const solution::Step& step) const;
+    /// Why the state of this row is impossible: it is not finite, or explicit steps have created energy. nullopt otherwise.
+    [[nodiscard]] std::optional<std::string> check_plausibility(const solution::Step& step) const;
     void finish(solution::StopReason reason, std::string detail);
 
     // motion_rows.cpp
-    void keep_energies(const MotionState& from, const MotionState& to);
+    void integrate_energies(const MotionState& from, const MotionState& to);
     [[nodiscard]] solver::PathPoint measure();
     void append();
     void log(const std::string& line) const {
@@ -72,7 +72,7 @@ private:
     std::optional<StageSolver> stage_;  // of implicit integrators
     std::optional<StableStep> stable_;  // of explicit ones
     Method method_;
-    std::optional<Dirk> starter_;  // of the first steps, see above
+    std::optional<Dirk> starter_;  // for the first steps, see above
     MotionState last_, next_;
     std::optional<solver::PathPoint> last_row_;  // for angles
     struct Position {
@@ -81,12 +81,12 @@ private:
     };
     std::deque<Position> history_;  // before `last_`, latest first
     std::vector<double> kinks_;
-    int order_ = 2;              // of the local error's power less one
+    int order_ = 2;              // the local error is proportional to h^(order_ + 1)
     double error_constant_ = 0;  // of divided differences
     double step_s_ = 0, first_step_s_ = 0, row_interval_s_ = 0, next_row_s_ = 0;
     double stable_step_s_ = 0;
-    int between_estimates_ = 0, next_estimate_ = 0;                     // of it, in steps
-    double size_ = 0;                                                   // of the motion
+    int between_estimates_ = 0, next_estimate_ = 0;                 // of the stable step, in steps
+    double size_ = 0;                                               // of the motion
     double load_work_J_ = 0, damping_work_J_ = 0, max_work_J_ = 0;  // of the modelled part
     int rows_ = 0, steps_ = 0, iterations_since_row_ = 0, factorizations_at_row_ = 0;
     bool is_free_of_stress_ = true;  // the undeformed body

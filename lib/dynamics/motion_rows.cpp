@@ -16,8 +16,8 @@ linalg::Vector duplicate_of(Vec from) {
 
 }  // namespace
 
-/// Trapezoidal sums of forces along the step.
-void MotionFollower::keep_energies(const MotionState& from, const MotionState& to) {
+/// Trapezoidal rule for the work of the forces along the step.
+void MotionFollower::integrate_energies(const MotionState& from, const MotionState& to) {
     linalg::Vector change = linalg::duplicate(to.x), force = linalg::duplicate(to.x);
     SOFT_PETSC(VecWAXPY(change, -1.0, from.x, to.x));
     SOFT_PETSC(VecPointwiseMult(change, equations_.mask(), change));
@@ -52,7 +52,7 @@ void MotionFollower::append() {
     const double stored_J = solver::read_stretches(system_, last_.x, step);
     step.motion = {last_.time_s, whole * equations_.kinetic_energy(last_.v), whole * stored_J, whole * load_work_J_,
                    whole * damping_work_J_};
-    if (auto problem = impossible(step)) return finish(solution::StopReason::diverged, std::move(*problem));
+    if (auto problem = check_plausibility(step)) return finish(solution::StopReason::diverged, std::move(*problem));
     iterations_since_row_ = 0;
     factorizations_at_row_ = factorizations;
     log("row " + std::to_string(rows_) + ": " + short_text(last_.time_s) + " s, " + solver::state_text(point, input_) +

@@ -34,7 +34,7 @@ PetscErrorCode call_inverse(PC pc, Vec b, Vec out) {
     return self(context).guarded([&] { self(context).apply_inverse(b, out); });
 }
 
-/// The rows of x and v have different units: what counts is the balance of forces.
+/// The rows of x and v have different units: convergence is tested on the balance of forces.
 PetscErrorCode call_test(SNES, PetscInt iteration, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason,
                          void* context) {
     return self(context).guarded([&] { *reason = self(context).test(iteration); });
@@ -83,7 +83,7 @@ TsIntegrator::TsIntegrator(MotionEquations& equations, StageSolver* solver, Inte
     }
     SOFT_PETSC(TSSetExactFinalTime(ts_, TS_EXACTFINALTIME_STEPOVER));
     SOFT_PETSC(TSSetMaxSteps(ts_, PETSC_MAX_INT));
-    SOFT_PETSC(TSSetMaxTime(ts_, 2.0 * equations.dynamics().duration_s));  // it wants an end; ours comes first
+    SOFT_PETSC(TSSetMaxTime(ts_, 2.0 * equations.dynamics().duration_s));  // required by TS; the caller ends earlier
     SOFT_PETSC(TSSetErrorIfStepFails(ts_, PETSC_FALSE));
     SOFT_PETSC(TSSetMaxStepRejections(ts_, 0));
     TSAdapt adapt = nullptr;
@@ -124,21 +124,21 @@ void TsIntegrator::set_up_implicit(SNES snes) {
     SNESLineSearch search = nullptr;
     SOFT_PETSC(SNESSetType(snes, SNESNEWTONLS));
     SOFT_PETSC(SNESGetLineSearch(snes, &search));
-    SOFT_PETSC(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));  // the others multiply by the shell matrix
+    SOFT_PETSC(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));  // others would multiply by the shell matrix
     SOFT_PETSC(SNESSetConvergenceTest(snes, call_test, this, nullptr));
 }
 
 SNESConvergedReason TsIntegrator::test(int iteration) {
     const auto& settings = equations_.system().input().solver;
     if (failure_ != NewtonEnd::converged || !std::isfinite(relative_residual_)) return SNES_DIVERGED_FUNCTION_DOMAIN;
-    // The rows dx/dt = v are linear: the first correction fulfils them.
+    // The rows dx/dt = v are linear: the first correction satisfies them.
     if (iteration > 0 && (relative_residual_ <= settings.residual_tolerance || is_rounding()))
         return SNES_CONVERGED_FNORM_RELATIVE;
     residual_before_ = relative_residual_;
     return iteration >= settings.newton_limit ? SNES_DIVERGED_MAX_IT : SNES_CONVERGED_ITERATING;
 }
 
-/// At the state of implicit_function's last call; the supply lines hold by themselves.
+/// At the state of implicit_function's last call. The equations of the supply lines need no such check.
 bool TsIntegrator::is_rounding() {
     if (!stalls(relative_residual_, residual_before_)) return false;
     const auto pressures = equations_.line_pressures(x_, masses_);
@@ -186,7 +186,7 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     split(rate, rate_x_, rate_v_, rate_masses_);
     const auto pressures = equations_.line_pressures(x_, masses_);
     evaluation_ = equations_.evaluate(x_, equations_.levels(time_s, pressures), nullptr);
-    if (!evaluation_.admissible()) failure_ = NewtonEnd::inverted;  // R is unfinished: the step is thrown away
+    if (!evaluation_.admissible()) failure_ = NewtonEnd::inverted;  // R is incomplete: the step is rejected
     SOFT_PETSC(VecZeroEntries(inertia_));
     equations_.add_inertia(inertia_, 1.0, rate_v_);
     SOFT_PETSC(VecWAXPY(forces_, 1.0, inertia_, equations_.residual()));
@@ -195,7 +195,7 @@ void TsIntegrator::implicit_function(double time_s, Vec y, Vec rate, Vec out) {
     relative_residual_ = scale > 0.0 ? linalg::norm(forces_) / scale : 0.0;
     scale_N_ = scale;
     stage_time_s_ = time_s;
-    // Rows of x: dx/dt - v, and what is left of the forces at pressure unknowns, whose v is 0 from the start.
+    // Rows of x: dx/dt - v, and at pressure unknowns, whose v is always 0, the residual of their equations.
     SOFT_PETSC(VecPointwiseMult(out_v_, equations_.mask(), forces_));
     SOFT_PETSC(VecWAXPY(out_x_, -1.0, v_, rate_x_));
     SOFT_PETSC(VecPointwiseMult(out_x_, equations_.mask(), out_x_));
@@ -232,7 +232,7 @@ void TsIntegrator::apply_inverse(Vec b, Vec out) {
     linalg::copy(rate_v_, v_);
     equations_.add_inertia(v_, shift_, x_);
     equations_.add_damping(v_, 1.0, x_);
-    linalg::add(v_, 1.0, rate_x_);  // rows of pressures are those of x
+    linalg::add(v_, 1.0, rate_x_);  // pressure rows are in the x part
     linalg::add(v_, -1.0, x_);
     std::vector<LineRow> rows = rows_;
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].rhs *= rhs[k];
@@ -289,7 +289,7 @@ StepResult TsIntegrator::attempt(const MotionState& last, double step_s, MotionS
     return result;
 }
 
-/// The state at the end of a step that TS has taken, and its error where the method has an embedded one.
+/// Reads the state at the end of a TS step, and its error where the method has an embedded formula.
 void TsIntegrator::read_end(double time_s, MotionState& next, StepResult& result) {
     next.time_s = time_s;
     split(y_, next.x, next.v, next.masses_kg);

@@ -3,8 +3,8 @@
 ///   implicit Euler (TSBEULER), Rosenbrock-W (TSROSW ra34pw2):  F(t, y, dy/dt) = 0 with
 ///       dx/dt - v = 0 (pressure unknowns: their rows of R),   M dv/dt + C v + R = 0,   dm/dt - flow = 0
 ///   Heun (TSRK 2a: c = 0, 1, b = 1/2, 1/2), explicit Euler (TSEULER):  dy/dt = G(t, y) by the lumped mass.
-/// TS takes single steps; their length, failed steps and the size of errors (without pressures) are the caller's. A linear
-/// solve eliminates dv = s dx - r: one factorisation of K + s C + s^2 M. Options -ts_* reach TS.
+/// TS takes single steps; the caller controls the step size, failed steps and errors (without pressures). A linear
+/// solve eliminates dv = s dx - r: one factorisation of K + s C + s^2 M. Options -ts_* are passed to TS.
 /// Tested by dynamics/dynamics_test.
 #include <exception>
 
@@ -18,9 +18,9 @@ using TimeStepper = linalg::Owned<TS, TSDestroy>;
 
 class TsIntegrator {
 public:
-    /// `solver`: of the implicit ones, null for the explicit.
+    /// `solver`: for implicit integrators; nullptr for explicit ones.
     TsIntegrator(MotionEquations& equations, StageSolver* solver, model::Integrator integrator);
-    TsIntegrator(const TsIntegrator&) = delete;  // PETSc holds its address
+    TsIntegrator(const TsIntegrator&) = delete;  // PETSc stores its address
     TsIntegrator& operator=(const TsIntegrator&) = delete;
     void start(const MotionState&) {}
     [[nodiscard]] StepResult attempt(const MotionState& last, double step_s, MotionState& next);
@@ -32,7 +32,7 @@ public:
     void apply_inverse(Vec b, Vec out);
     void explicit_function(double time_s, Vec y, Vec out);
     [[nodiscard]] SNESConvergedReason test(int iteration);
-    /// Runs a callback's body; an exception waits until PETSc has returned.
+    /// Runs the body of a callback; stores an exception until PETSc has returned.
     template <class Body>
     PetscErrorCode guarded(Body&& body);
 

@@ -11,11 +11,11 @@ namespace soft::dynamics {
 namespace {
 
 constexpr int inversion_halvings = 4;
-/// Of the body's extent: strains of cells down to a hundredth of it have squares below rounding.
+/// Relative to the body's extent: for cells down to a hundredth of it, the squares of the strains are below rounding.
 constexpr double linear_share = 1e-11;
-/// Times the rounding measured: that of one state is above or below that of the next.
+/// Times the measured rounding error, which differs from state to state.
 constexpr double rounding_margin = 10.0;
-/// Of the largest scale of forces in the motion so far: a body in free flight has none.
+/// Fraction of the largest force scale of the motion so far: a body in free flight has no forces.
 constexpr double vanishing_forces = 1e-3;
 
 double extent_m(const mesh::Mesh& mesh) {
@@ -32,7 +32,7 @@ linalg::Symmetry symmetry_of(const assembly::System& system) {
     return system.has_symmetric_tangent() ? linalg::Symmetry::symmetric : linalg::Symmetry::general;
 }
 
-/// J is assembled, mass and damping with it: the Jacobian-free method runs on it as plain Krylov.
+/// J is assembled with mass and damping: the Jacobian-free method becomes a Krylov method with this matrix.
 model::LinearSettings with_a_matrix(model::LinearSettings settings) {
     if (settings.method == model::LinearMethod::jacobian_free) settings.method = model::LinearMethod::krylov;
     return settings;
@@ -51,7 +51,7 @@ StageSolver::StageSolver(MotionEquations& equations)
       dx_(equations.system().make_vector()),
       inertia_(equations.system().make_vector()),
       masked_(equations.system().make_vector()) {
-    assembly::equip(solver_, equations.system(), J_);
+    assembly::configure_preconditioner(solver_, equations.system(), J_);
     for (std::size_t k = 0; k < equations.line_count(); ++k) {
         columns_.push_back(equations.system().make_vector());
         gradients_.push_back(equations.system().make_vector());
@@ -143,7 +143,7 @@ bool StageSolver::is_rounding(double residual_N, Vec x, const assembly::LoadLeve
     return residual_N <= rounding_margin * linalg::norm(difference);
 }
 
-/// r_ = M a + C v + R at the state last evaluated; its size over the scale of forces.
+/// Computes r_ = M a + C v + R at the state last evaluated; returns its norm over the force scale.
 double StageSolver::balance(const MotionState& state, const assembly::Evaluation& evaluation) {
     linalg::copy(equations_.residual(), r_);
     SOFT_PETSC(VecZeroEntries(inertia_));
@@ -162,7 +162,7 @@ assembly::Evaluation StageSolver::evaluate(const MotionState& state, std::span<c
     return evaluation;
 }
 
-/// Newton's correction of the state, halved while it turns a cell inside out.
+/// Newton's correction of the state, halved while an element is inverted.
 NewtonEnd StageSolver::correct(const StageMap& map, std::span<const LineRow> rows, MotionState& state,
                                std::vector<double>& pressures, StageResult& result) {
     if (!factor_is_of_stage_ || settings_.newton == model::NewtonMethod::full) {

@@ -1,9 +1,9 @@
 #pragma once
-/// One implicit stage of a motion: the state x at time t whose velocity and acceleration follow it,
+/// One implicit stage of a motion: the state x at time t with velocity and acceleration linear in x,
 ///   v = v0 + by_velocity (x - x0),   a = a0 + by_acceleration (x - x0),   m_k = m0_k + flow_share dm_k/dt(t, p_k),
-/// and that obeys the equations of motion. What makes a stage of every implicit integrator, and the one factorisation of
+/// that satisfies the equations of motion. Every implicit integrator consists of such stages. Each needs one factorisation of
 ///   J = K + by_velocity C + by_acceleration M
-/// it needs, bordered by the pressures behind the lines (newton.hpp): J d = b, J b_k = f_k, dx = d + sum dp_k b_k.
+/// bordered by the pressures behind the lines (newton.hpp): J d = b, J b_k = f_k, dx = d + sum dp_k b_k.
 /// Internal to the module. Tested by dynamics/dynamics_test.
 #include "dynamics/equations.hpp"
 #include "linalg/linear_solver.hpp"
@@ -14,7 +14,7 @@ namespace soft::dynamics {
 
 using solver::NewtonEnd;
 
-/// What a line's equation is measured by: of the order of the ambient pressure.
+/// Scale of the residual of a line's equation: of the order of the ambient pressure.
 inline constexpr double line_pressure_scale_Pa = 1e5;
 
 struct StageMap {
@@ -36,32 +36,32 @@ struct StageResult {
     mesh::Index worst_cell = -1;
 };
 
-/// Of a residual, from the iteration before to this one: it no longer falls.
+/// Whether a residual no longer falls from the previous iteration to this one.
 [[nodiscard]] inline bool stalls(double residual, double before) { return residual > 0.3 * before; }
 
 class StageSolver {
 public:
     explicit StageSolver(MotionEquations& equations);
 
-    /// `state`: a guess of x with the v and a that belong to it, its time that of the stage; on return the solution with its
-    /// masses and load force. Where the guess turns a cell inside out it is moved to `fallback` first.
+    /// `state`: an initial guess of x with the corresponding v and a, and the time of the stage; on return the solution with its
+    /// masses and load force. If an element is inverted in the guess, the state is moved to `fallback` first.
     [[nodiscard]] StageResult solve(const StageMap& map, Vec fallback, MotionState& state);
 
-    // For PETSc's TS, which keeps the loop for itself.
-    /// Tangent and line forces at x; false where a cell is inside out or J is singular.
+    // For PETSc's TS, which has its own Newton loop.
+    /// Tangent and line forces at x; false where an element is inverted or J is singular.
     [[nodiscard]] bool factorize(Vec x, const assembly::LoadLevels& levels, double by_velocity, double by_acceleration);
-    /// dx and dp by the last factor; `b` is left as it is.
+    /// dx and dp by the last factor; `b` is not modified.
     [[nodiscard]] bool solve_linear(Vec b, std::span<const LineRow> rows, Vec dx, std::vector<double>& dp);
-    /// J as it was factorised.
+    /// J as factorised.
     [[nodiscard]] Mat matrix() const { return J_; }
     /// dV_k/dx at x, for solve_linear; returns the volumes.
     [[nodiscard]] std::vector<double> read_volumes(Vec x);
 
     [[nodiscard]] int factorizations() const noexcept { return solver_.factorizations(); }
-    /// What residuals are measured by, with a floor where all forces of the motion vanish for a moment.
+    /// Scale of the residuals, bounded from below for times at which all forces of the motion vanish.
     [[nodiscard]] double force_scale(const assembly::Evaluation& evaluation, Vec inertia);
-    /// Whether a residual [N] at x is no more than the rounding of R there, as that of a stiff body that has hardly moved, or has
-    /// moved far. Rounding is what the second difference R(x + 2d) - 2 R(x + d) + R(x) leaves of a d so small that R is linear
+    /// Whether a residual [N] at x is no larger than the rounding error of R there, as for a stiff body that has moved very little or
+    /// very far. The rounding error is the second difference R(x + 2d) - 2 R(x + d) + R(x) for a d so small that R is linear
     /// in it. Leaves the equations evaluated at x.
     [[nodiscard]] bool is_rounding(double residual_N, Vec x, const assembly::LoadLevels& levels);
 
@@ -81,9 +81,9 @@ private:
     linalg::Matrix J_;
     linalg::LinearSolver solver_;
     linalg::Vector r_, dx_, inertia_, masked_;
-    linalg::Vector probe_;  // d of is_rounding, once it is asked for
+    linalg::Vector probe_;  // d of is_rounding, created at its first call
     std::vector<linalg::Vector> columns_, gradients_;
-    assembly::Evaluation evaluation_;  // of the state as it stands
+    assembly::Evaluation evaluation_;  // of the current state
     bool factor_is_of_stage_ = false;
     double max_scale_ = 0;
 };

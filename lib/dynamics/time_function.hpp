@@ -7,7 +7,7 @@
 
 namespace soft::dynamics {
 
-/// `duration_s` stands in for a ramp without a time of its own. At a jump the value after it.
+/// The value at time t; at a jump, the value after it. A ramp without its own time takes `duration_s`.
 [[nodiscard]] double share_at(const model::TimeFunction& time_function, double duration_s, double time_s);
 
 /// df/dt; at a kink the slope after it, 0 for a jump.
@@ -16,8 +16,8 @@ namespace soft::dynamics {
 /// Times within (0, duration) at which the slope jumps, ascending: a step that spans one loses its order.
 [[nodiscard]] std::vector<double> kinks(const model::TimeFunction& time_function, double duration_s);
 
-/// The shortest time in which the time_function changes by much (a ramp, a quarter of a sine's period, the shortest interval of a
-/// table); the duration for a step.
+/// The shortest time in which the time function changes substantially (a ramp, a quarter of a sine's period, the shortest interval of
+/// a table); the duration for a step.
 [[nodiscard]] double shortest_change_s(const model::TimeFunction& time_function, double duration_s);
 
 }  // namespace soft::dynamics

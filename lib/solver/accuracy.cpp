@@ -7,7 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "mesh/single_cells.hpp"
+#include "mesh/single_layer.hpp"
 #include "solver/error_bar.hpp"
 #include "solver/refined_path.hpp"
 
@@ -17,13 +17,13 @@ namespace {
 
 using Rows = std::vector<RowState>;
 
-/// Below this part of the largest load errors are no longer relative to the load itself.
+/// Below this fraction of the largest load, errors are relative to this fraction and not to the load itself.
 constexpr double small_load = 0.1;
 
-/// Of the cells, from which on a mesh counts as one with a single cell through its walls.
+/// Fraction of the cells from which on a mesh counts as one with a single cell through its walls.
 constexpr double single_cells = 0.1;
 
-/// Of the rows, from which on it is reported that their differences fall at no order.
+/// Fraction of the rows from which on it is reported that their differences decrease at no constant order.
 constexpr double without_order = 0.25;
 
 std::string percent(double share) { return core::rounded_text(100 * share, 3) + " %"; }
@@ -33,14 +33,14 @@ void require_refinable(const model::Case& input, const solution::Step& step) {
         if (mesh::topology(type).order < 2)
             throw Error(
                 ExitCode::bad_input, "--tolerance",
-                "the straight edges of first-order cells do not come nearer to a bent body when they are halved",
+                "first-order cells have straight edges, which do not approach a curved boundary under refinement",
                 "set mesh.order=2");
     if (step.outputs.empty() && !step.volume_m3)
-        throw Error(ExitCode::bad_input, "--tolerance", "the case measures nothing that an error could be stated of",
-                    "give it an output");
+        throw Error(ExitCode::bad_input, "--tolerance",
+                    "the case has no output or volume whose error could be estimated", "define an output");
 }
 
-/// A mesh finer than the given one, with everything that stands on it.
+/// A mesh finer than the given one, with its case and system.
 struct Level {
     Level(const model::Case& coarse, MPI_Comm comm)
         : refined(mesh::refine_once(coarse.mesh, mesh::Curve::circle)),
@@ -55,14 +55,14 @@ struct Level {
     assembly::System system;
 };
 
-RowPlace location_of(const Rows& rows, std::size_t i, const solution::PathEnd& end) {
-    if (i == 0) return RowPlace::first;
+RowPosition location_of(const Rows& rows, std::size_t i, const solution::PathEnd& end) {
+    if (i == 0) return RowPosition::first;
     const bool last =
         i + 1 == rows.size() ? end.reason == solution::StopReason::done : rows[i + 1].step.stage != rows[i].step.stage;
-    return last ? RowPlace::ends_stage : RowPlace::inside;
+    return last ? RowPosition::ends_stage : RowPosition::inside;
 }
 
-/// What stands for the measure of a row: an output, or the volume.
+/// The measure of a row: an output, or the volume.
 struct Measure {
     static constexpr std::size_t volume = static_cast<std::size_t>(-1);
     std::size_t output;
@@ -74,13 +74,13 @@ struct Measure {
     }
 };
 
-/// Rows of the levels around the reported one; empty where there is none.
-struct Around {
+/// Rows of the levels next to the reported one; empty where a level does not exist.
+struct NeighbourLevels {
     const Rows &finer, &before, &earlier;
     Walls walls;
 };
 
-std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, const Around& around) {
+std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, const NeighbourLevels& around) {
     std::vector<LevelRow> rows;
     for (std::size_t i = 0; i < reported.size(); ++i) {
         rows.push_back({measure.point(reported[i].step),
@@ -94,8 +94,8 @@ std::vector<ErrorBar> bars_of(const Measure& measure, const Rows& reported, cons
     return error_bars(rows, around.walls);
 }
 
-/// Puts the bars into the reported rows; those of the first measure.
-std::vector<ErrorBar> set_bars(Rows& reported, const Around& around) {
+/// Stores the bars in the reported rows; returns those of the first measure.
+std::vector<ErrorBar> set_bars(Rows& reported, const NeighbourLevels& around) {
     std::vector<ErrorBar> first;
     const std::size_t outputs = reported.front().step.outputs.size();
     for (RowState& row : reported) row.step.output_errors.clear();
@@ -120,19 +120,19 @@ double max_relative_bar(const Rows& rows, const std::vector<ErrorBar>& bars) {
     return worst;
 }
 
-/// Of a mesh, the given one or a finer one.
+/// `level` 0 is the given mesh; every finer mesh has at least two cells through its walls.
 Walls walls_of(const model::Case& input, int level) {
-    std::vector<std::string> held;
-    for (const model::Support& support : input.supports) held.push_back(support.face);
-    return level == 0 && mesh::single_cell_share(input.mesh, held) >= single_cells ? Walls::single_cell
-                                                                                   : Walls::resolved;
+    std::vector<std::string> supported;
+    for (const model::Support& support : input.supports) supported.push_back(support.face);
+    return level == 0 && mesh::single_layer_fraction(input.mesh, supported) >= single_cells ? Walls::single_cell
+                                                                                            : Walls::resolved;
 }
 
 std::vector<std::string> doubts_of(int level, Walls walls, const std::vector<ErrorBar>& bars) {
     if (level == 0) {
         std::vector<std::string> doubts{
-            "they stand on two meshes, which show no order of convergence; a smaller "
-            "--tolerance solves a third one"};
+            "they are based on two meshes, which do not show the order of convergence; a smaller "
+            "--tolerance adds a third mesh"};
         if (walls == Walls::single_cell)
             doubts.emplace_back("the mesh has one cell through its walls; use two or more");
         return doubts;
@@ -140,11 +140,11 @@ std::vector<std::string> doubts_of(int level, Walls walls, const std::vector<Err
     const auto rows = static_cast<double>(bars.size());
     const auto without = std::ranges::count_if(bars, [](const ErrorBar& bar) { return !bar.settled; });
     if (static_cast<double>(without) < without_order * rows) return {};
-    return {"the differences of the meshes fall at no order at " + std::to_string(without) + " of " +
+    return {"the differences between the meshes decrease at no constant order at " + std::to_string(without) + " of " +
             core::counted(bars.size(), "row")};
 }
 
-/// All rows on a finer level; why they are not all, if so.
+/// The rows solved on a finer level, and why some are missing.
 struct Solved {
     Rows rows;
     std::string failure;
@@ -172,7 +172,7 @@ Solved solve_rows(Level& level, const Rows& coarse, const solution::PathEnd& end
 }
 
 /// Load, volume and outputs of a row, moved along its tangent by `way` of the tangent's parameter; the load by half of its
-/// slope, which falls to zero on the way.
+/// slope, which falls linearly to zero over this distance.
 solution::LimitPoint moved(int row, const solution::Step& step, double way) {
     solution::LimitPoint point{row, step.pressure_Pa + 0.5 * way * step.tangent_pressure, step.volume_m3, step.outputs};
     if (point.volume_m3) *point.volume_m3 += way * step.tangent_volume;
@@ -180,8 +180,8 @@ solution::LimitPoint moved(int row, const solution::Step& step, double way) {
     return point;
 }
 
-/// The extremum of the load beside row i: where the slope by the volume (else the first output), linear to the neighbour on
-/// the side of the sign change, vanishes.
+/// The extremum of the load next to row i: where the slope by the volume (else the first output), interpolated linearly to the
+/// neighbour on the side of the sign change, vanishes.
 solution::LimitPoint limit_beside(const Rows& rows, std::size_t i) {
     const solution::Step& at = rows[i].step;
     const Measure measure{at.volume_m3 ? Measure::volume : 0};
@@ -189,7 +189,7 @@ solution::LimitPoint limit_beside(const Rows& rows, std::size_t i) {
         const CurvePoint tangent = measure.tangent(step);
         return tangent.load / tangent.measure;
     };
-    for (const std::size_t other : {i - 1, i + 1}) {  // i - 1 of the first row is beyond the last
+    for (const std::size_t other : {i - 1, i + 1}) {  // i - 1 wraps around for the first row and exceeds rows.size()
         if (other >= rows.size() || rows[other].step.stage != at.stage) continue;
         const solution::Step& neighbour = rows[other].step;
         const double here = slope(at), there = slope(neighbour);
@@ -207,7 +207,7 @@ void move_points(const Rows& rows, solution::PathEnd& end) {
 }
 
 std::string bound_text(std::int64_t needed, std::int64_t bound) {
-    return "the next mesh would have about " + std::to_string(needed) + " unknowns, more than the bound of " +
+    return "the next mesh would have about " + std::to_string(needed) + " unknowns, more than the limit of " +
            std::to_string(bound);
 }
 
@@ -215,7 +215,7 @@ std::string bound_text(std::int64_t needed, std::int64_t bound) {
 
 namespace {
 
-/// Why a mesh finer than those that were solved is needed.
+/// Why another finer mesh is needed.
 std::string reason_of(const Accuracy& result, double tolerance) {
     if (!result.has_bars) return "error bars need the same rows on a second mesh";
     return "the error bars of the load reach " + percent(result.reached) + ", " + percent(tolerance) + " is requested";
@@ -254,13 +254,13 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
         if (listeners.next)
             listeners.next({result.has_bars ? result.level + 2 : 1, unknowns, result.unknowns, result.rows.size(),
                             reason_of(result, target.tolerance)});
-        const bool last = growth * unknowns > bound;  // nothing is carried on from there
+        const bool last = growth * unknowns > bound;  // no finer mesh will start from it
         Solved solved = solve_rows(*next, result.has_bars ? finer : result.rows, end, listeners,
                                    last ? RefinedPath::Keep::values : RefinedPath::Keep::fields, result);
         result.obstacle = solved.failure;
         result.interrupted = solved.interrupted;
         if (!result.obstacle.empty()) break;
-        if (result.has_bars) {  // one level on
+        if (result.has_bars) {  // advance by one level
             earlier = std::move(before);
             before = std::exchange(result.rows, std::move(finer));
             ++result.level;

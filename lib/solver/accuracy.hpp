@@ -1,11 +1,11 @@
 #pragma once
 /// A path with its discretisation error: the rows are solved again on meshes with every cell halved (refined_path.hpp) until
-/// the bars (error_bar.hpp) of the last but one are within a tolerance.
-///   level 0: the given mesh; level k + 1: that of level k with every cell halved, new nodes of bent edges on the
+/// the error bars (error_bar.hpp) of the last mesh but one are within a tolerance.
+///   level 0: the given mesh; level k + 1: the mesh of level k with every cell halved; new nodes of curved edges lie on the
 ///   circle through the old ones (mesh::Curve::circle).
-/// The rows of level k are reported, with bars by level k + 1 and, where they exist, k - 1 and k - 2. The refinement ends as soon
-/// as the bars are within the tolerance, on two meshes too, whose bars are wide enough for that (error_bar.hpp).
-/// The bar of the load is that at equal value of the first output, of the volume where the case has no output. The tolerance
+/// The rows of level k are reported, with error bars from level k + 1 and, where they exist, k - 1 and k - 2. The refinement ends as
+/// soon as the bars are within the tolerance. Two meshes can be enough: their bars are wide enough for that (error_bar.hpp).
+/// The bar of the load is that at equal value of the first output, or of the volume where the case has no output. The tolerance
 /// bounds the maximum of  bar of the load / max(|load|, a tenth of the path's largest |load|).
 /// Tested by solver/accuracy_test, verification/coverage_test and the verification suite (group Error bars).
 #include <cstdint>
@@ -25,10 +25,10 @@ struct AccuracyTarget {
 
 struct Accuracy {
     std::vector<RowState> rows;  ///< of the reported level, bars in their steps; fields [point of that level] on rank 0
-    std::vector<solution::Step> finer;  ///< the same rows on the level behind it, where there are bars
-    int level = 0;  ///< that is reported; the one behind it has been solved too where there are bars
+    std::vector<solution::Step> finer;  ///< the same rows on the next finer level, where there are bars
+    int level = 0;                      ///< the reported level; the next finer one is solved too where there are bars
     bool has_bars = false;
-    double reached = 0;    ///< what the tolerance bounds, where there are bars
+    double reached = 0;    ///< the value that the tolerance bounds, where there are bars
     std::string obstacle;  ///< why there is no finer level, one clause; empty where the tolerance is met
     std::vector<std::string>
         doubts;  ///< why the bars are less reliable than those of meshes that converge at one order
@@ -37,27 +37,27 @@ struct Accuracy {
     int newton_iterations = 0, factorizations = 0;  ///< of all levels after the first
 };
 
-/// A mesh that is solved next.
+/// The mesh that is solved next.
 struct NextMesh {
     int level;
-    std::int64_t unknowns, unknowns_before;  ///< before: of the mesh that was solved last
-    std::size_t rows;                        ///< of the path, each solved on its own
+    std::int64_t unknowns, unknowns_before;  ///< unknowns_before: of the mesh solved last
+    std::size_t rows;                        ///< of the path; each is solved independently
     std::string reason;                      ///< one clause
 };
 
 /// Called by refine_path, on all ranks.
 struct RefinementListeners {
     std::function<void(const NextMesh&)> next = {};
-    /// The curve so far, with how its path ended: first that of the given mesh, which has no bars, then each that gets bars.
+    /// The curve so far, with how its path ended: first the curve of the given mesh, which has no bars, then each curve with bars.
     std::function<void(const Accuracy&, const solution::PathEnd&)> curve = {};
-    /// Before each row of a finer mesh, by its number; true ends the refinement, alike on all ranks.
+    /// Called before each row of a finer mesh, with its index; true ends the refinement. All ranks must return the same value.
     std::function<bool(std::size_t row)> is_interrupted = {};
 };
 
 /// `rows`: the whole path of `given` (Listeners::row); `end`: how it ended. Limit points and bifurcations of `end` are moved
-/// to the reported level: they stay at their rows, and where a row's slope of the load against volume (else first output)
-/// is not quite zero a limit point gets what the parabola through it and its neighbour has at its top.
-/// Collective. Throws Error (bad_input) for cells of first order, whose straight edges never approach a curved boundary, and for a
+/// to the reported level and stay at their rows. Where a row's slope of the load against the volume (else the first output) is not
+/// exactly zero, a limit point gets the values at the vertex of the parabola through it and its neighbour.
+/// Collective. Throws Error (bad_input) for first-order cells, whose straight edges do not approach a curved boundary, and for a
 /// case without output or volume. A row that does not converge ends the refinement (obstacle).
 [[nodiscard]] Accuracy refine_path(assembly::System& given, std::vector<RowState> rows, solution::PathEnd& end,
                                    const AccuracyTarget& target, const RefinementListeners& listeners = {});

@@ -1,10 +1,9 @@
 #pragma once
-/// The scalar equation c(state) = target that picks one state on the equilibrium path. Together with R = 0 and the
-/// equations of the supplies it makes the bordered system that is regular at limit points as long as c goes on growing
-/// along the path.
+/// The scalar equation c(state) = target that selects one state on the equilibrium path. Together with R = 0 and the
+/// equations of the supplies it forms the bordered system, which is regular at limit points as long as c grows along the path.
 ///   load_factor: c = lambda        pressure: c = the unknown pressure of a supply [Pa]
 ///   volume: c = volume of a load's cavities [m^3]       output: c = an output [m or rad]
-///   arc: c = t . (x - x0)          projected length along a unit direction t from a state x0 (cylindrical: no load term)
+///   arc: c = t . (x - x0)          length projected on a unit direction t from a state x0 (cylindrical: no load term)
 /// Tested by solver/solver_test.
 #include <cstddef>
 #include <string_view>
@@ -33,21 +32,21 @@ struct Constraint {
     std::size_t index = 0;        ///< of the output, of the load (volume), of the free supply (pressure)
     Vec arc_origin = nullptr;     ///< x0, kind arc only; not owned
     Vec arc_direction = nullptr;  ///< t of unit length, kind arc only; not owned
-    double scale = 0;             ///< |c - target| is measured by the larger of this and |target|
+    double scale = 0;             ///< |c - target| is compared to the larger of this and |target|
 };
 
-/// c with its derivatives besides that by x.
+/// c and its derivatives, except dc/dx.
 struct ConstraintValue {
     double value = 0;
     double by_load_factor = 0;
-    std::vector<double> by_pressures;  ///< one a free supply
+    std::vector<double> by_pressures;  ///< one per free supply
 };
 
-/// Fills `gradient` = dc/dx. The system's prescribed motions are those of the state.
+/// Fills `gradient` = dc/dx. Uses the prescribed motions of the state.
 [[nodiscard]] ConstraintValue evaluate(const Constraint& constraint, assembly::System& system, const StageLoads& loads,
                                        const State& state, Vec gradient);
 
-/// target - value; of an angle the shorter way round.
+/// target - value; for an angle, the shorter way round.
 [[nodiscard]] double remaining(const Constraint& constraint, const model::Case& input, double target, double value);
 
 }  // namespace soft::solver

@@ -7,7 +7,7 @@ namespace soft::solver {
 
 namespace {
 
-/// Of an unknown's scale (header).
+/// Relative to an unknown's scale (see the header).
 constexpr double relative_step = 1e-7;
 
 double node_distance_m(const mesh::Mesh& mesh) {
@@ -69,9 +69,9 @@ void ResidualDifferences::make_colors(Mat K) {
     SOFT_PETSC(MatColoringSetDistance(method, 2));
     SOFT_PETSC(MatColoringApply(method, classes.out()));
     SOFT_PETSC(MatFDColoringCreate(K, classes, colors_.out()));
-    const auto untyped = reinterpret_cast<void (*)(void)>(&scaled_residual);  // PETSc calls it by its true type
+    const auto untyped = reinterpret_cast<void (*)(void)>(&scaled_residual);  // PETSc casts it back to its true type
     SOFT_PETSC(MatFDColoringSetFunction(colors_, reinterpret_cast<PetscErrorCode (*)(void)>(untyped), this));
-    SOFT_PETSC(MatFDColoringSetParameters(colors_, relative_step, 1.0));  // unknowns in their scale are of order 1
+    SOFT_PETSC(MatFDColoringSetParameters(colors_, relative_step, 1.0));  // scaled unknowns are of order 1
     SOFT_PETSC(MatFDColoringSetUp(K, classes, colors_));
 }
 

@@ -6,22 +6,22 @@
 namespace soft::solver {
 namespace {
 
-/// How many times smaller differences get from level to level: the slowest part, one between, and that of second-order cells
-/// where the solution is smooth.
+/// Factors by which differences fall from level to level: the slowest part, an intermediate one, and that of second-order cells
+/// with a smooth solution.
 constexpr double slow = 5.0 / 3, middle = 4, fast = 16;
-constexpr double safety = 1.2;              ///< of three meshes
-constexpr double single_cell_safety = 1.5;  ///< of two meshes, the coarse one with one cell through its walls
-/// Of the neighbourhood's error, where the row's own is smaller.
+constexpr double safety = 1.2;              ///< safety factor for three meshes
+constexpr double single_cell_safety = 1.5;  ///< for two meshes, the coarse one with one cell through its walls
+/// Fraction of the neighbourhood's error that a row's error is at least.
 constexpr double min_share = 0.5;
-constexpr double neighbourhood = 0.25;  ///< of the path's length, either way
-/// Weight of the farthest of the neighbours, whose differences bound the errors of two meshes.
+constexpr double neighbourhood = 0.25;  ///< fraction of the path's length, either way
+/// Weight of the farthest neighbour, whose differences bound the errors of two meshes.
 constexpr double min_weight = 0.1;
-/// Of two levels' differences over a neighbourhood that fall at known rates.
+/// Of two levels' differences over a neighbourhood that fall at a known rate.
 constexpr double min_correlation = 0.8, slowest_settled = 1.25, fastest_settled = 2 * fast;
 constexpr double nearest_start =
-    0.02;  ///< of the ranges: nearer to the start differences are not taken relative to less
+    0.02;  ///< fraction of the ranges: lower bound of the distance from the start to which differences are relative
 
-/// What is still to come of parts that fall by rho a level, over the difference to the next level.
+/// Remaining error of a part that falls by rho per level, over the difference to the next level.
 constexpr double still_to_come(double rho) { return rho / (rho - 1); }
 
 /// A row in coordinates divided by their ranges.
@@ -30,8 +30,8 @@ struct Scaled {
     double cosine = 1, sine = 0;            ///< tangent in (measure, load)
     double along = 0;                       ///< path length up to here
     double from_start = 0;                  ///< distance
-    double d = 0, before = 0, earlier = 0;  ///< to the finer level; of the two levels before to their next
-    double error = 0;                       ///< that they let expect, >= 0
+    double d = 0, before = 0, earlier = 0;  ///< to the next finer level: of the reported and two coarser levels
+    double error = 0;                       ///< estimated from the differences, >= 0
     double curvature = 0;
 };
 
@@ -54,7 +54,7 @@ Ranges ranges_of(std::span<const LevelRow> rows) {
     return ranges;
 }
 
-/// Tangents that the solver does not give: from the row before to the row after.
+/// Missing tangents are taken from the row before to the row after.
 void set_tangents(std::span<const LevelRow> rows, const Ranges& ranges, std::vector<Scaled>& path) {
     for (std::size_t i = 0; i < path.size(); ++i) {
         double dm = rows[i].tangent.measure / ranges.measure, dp = rows[i].tangent.load / ranges.load;
@@ -106,8 +106,8 @@ std::vector<Scaled> scaled(std::span<const LevelRow> rows, const Ranges& ranges)
     return path;
 }
 
-/// Calls f(row, weight, scale) for the rows near row i: weights fall with the distance along the path, `scale` makes values
-/// relative to the distance from the start.
+/// Calls f(row, weight, scale) for the rows near row i: weights fall with the distance along the path; multiplying by `scale` makes
+/// values relative to the distance from the start.
 template <class F>
 void for_neighbours(const std::vector<Scaled>& path, std::size_t i, F&& f) {
     const double width = neighbourhood * path.back().along;
@@ -118,7 +118,7 @@ void for_neighbours(const std::vector<Scaled>& path, std::size_t i, F&& f) {
     }
 }
 
-/// The differences of two levels, the coarser one first, are much alike, and their ratio is one that a rate has.
+/// Whether the differences of two levels, the coarser one first, are correlated and their ratio is that of a possible rate.
 bool settled(const std::vector<Scaled>& path, std::size_t i, double Scaled::*before, double Scaled::*d,
              double slowest = slowest_settled) {
     double squares = 0, squares_before = 0, products = 0;
@@ -133,13 +133,13 @@ bool settled(const std::vector<Scaled>& path, std::size_t i, double Scaled::*bef
            norm_before <= fastest_settled * norm;
 }
 
-/// The error of parts of any sign whose sums are the differences, one slow, one fast.
+/// The error from two parts of any sign, one slow and one fast, whose sums are the differences.
 double of_two_parts(double before, double d) {
     const double rapid = (before - slow * d) / (fast - slow);  // the fast part of d
     return still_to_come(slow) * (d - rapid) + still_to_come(fast) * rapid;
 }
 
-/// The same with a third part between.
+/// The same with an intermediate third part.
 double of_three_parts(double earlier, double before, double d) {
     // Without their slow part the differences are sums of two: (4 - 5/3) m + (16 - 5/3) f, and one level earlier.
     const double late = before - slow * d, early = earlier - slow * before;
@@ -148,7 +148,7 @@ double of_three_parts(double earlier, double before, double d) {
     return still_to_come(slow) * (d - medium - rapid) + still_to_come(middle) * medium + still_to_come(fast) * rapid;
 }
 
-/// Both pairs of differences are settled, or the last one is at a rate that no middle part has.
+/// Whether both pairs of differences are settled, or the last pair has a rate that no intermediate part has.
 bool three_levels_agree(const std::vector<Scaled>& path, std::size_t i) {
     return settled(path, i, &Scaled::before, &Scaled::d, fast / 2) ||
            (settled(path, i, &Scaled::before, &Scaled::d) && settled(path, i, &Scaled::earlier, &Scaled::before));
@@ -188,9 +188,9 @@ double error_nearby(const std::vector<Scaled>& path, std::size_t i) {
     return weights > 0 ? std::sqrt(squares / weights) : 0;
 }
 
-/// How far one coordinate of the curve shifted by c across itself is away at an equal value of the other, whose share of
-/// the tangent is `other`; `own` that of the first. With s along the curve:
-///     own = 1, other = 0:  c;   straight: c / other;   at a limit of the other, other = 0: sqrt(2 c / curvature).
+/// The curve is shifted by c across itself. Returns how far one coordinate changes at an equal value of the other. `own` and
+/// `other` are the components of the tangent in the two coordinates. With s along the curve:
+///     own = 1, other = 0:  c;   straight: c / other;   at a limit point of the other, other = 0: sqrt(2 c / curvature).
 double shift(double c, double own, double other, double curvature) {
     if (c == 0) return 0;
     own = std::abs(own);
@@ -201,7 +201,7 @@ double shift(double c, double own, double other, double curvature) {
     const double towards =
         rest >= 0 ? 2 * c * own / (other + std::sqrt(rest)) : other / (curvature * own);  // the limit point
     const double result = own > 0 ? c * other + own * std::max(away, towards) : c;
-    return result < 1 ? result : 1;  // the whole range; of a plateau, where it is NaN, too
+    return result < 1 ? result : 1;  // at most the whole range, also on a plateau, where the result is NaN
 }
 
 }  // namespace

@@ -12,18 +12,18 @@ namespace {
 /// A limit point is located until its load is known to this relative accuracy (estimated from the slope's parabola).
 constexpr double limit_point_tolerance = 1e-8;
 constexpr int limit_point_solves = 12;
-/// A bifurcation is located until the load changes by less than this part of itself over what is left of the bracket.
+/// A bifurcation is located until the load changes by less than this fraction of itself over the bracket.
 constexpr double bifurcation_tolerance = 1e-6;
 constexpr int bifurcation_solves = 30;
-/// Inverse iterations for the mode: the eigenvalue that passes zero is by far the least there.
+/// Inverse iterations for the mode: the eigenvalue that passes through zero is by far the smallest there.
 constexpr int mode_iterations = 3;
-/// Of the step: how far before and behind a bifurcation its eigenvalue is looked at.
+/// Fractions of the step: distance before and after a bifurcation at which its eigenvalue is checked.
 constexpr double beside_bifurcation = 0.05, min_beside = 1e-6;
-/// Cosine between the mode at the bifurcation and on either side.
+/// Smallest cosine between the mode at the bifurcation and on either side.
 constexpr double same_mode = 0.9;
-/// Of the distance between the rows on both sides: states that stay so far apart are those of two branches.
+/// Fraction of the distance between the rows on both sides: states farther apart than this belong to two branches.
 constexpr double apart = 0.05;
-/// Contact is located to this part of the step in which it happens.
+/// The step in which contact occurs is halved this many times.
 constexpr int contact_halvings = 8;
 
 double leading_slope(const PathPoint& point, std::size_t) { return point.leading_slope; }
@@ -43,13 +43,13 @@ linalg::Vector generic_vector(const assembly::System& system) {
     return b;
 }
 
-/// A place on the path and the value of a function there.
+/// A position on the path and the value of a function there.
 struct Sample {
     double q, value;
 };
 
-/// Where to look next for the zero between two samples of opposite sign: at the secant's root, moved on by as much as it has
-/// moved since the last one towards the farther end, so that the bracket closes from both sides. `last` is the root before.
+/// The next trial position for the zero between two samples of opposite sign: the secant's root, moved towards the farther end by as
+/// much as the root has moved since the last one, so that the bracket closes from both sides. `last` is the previous root.
 double next_between(const Sample& a, const Sample& b, std::optional<double>& last) {
     const double root = a.q + (b.q - a.q) * a.value / (a.value - b.value);
     const double moved = last ? std::abs(root - *last) : 0.0;
@@ -60,23 +60,23 @@ double next_between(const Sample& a, const Sample& b, std::optional<double>& las
 
 }  // namespace
 
-/// Halves the step between the last row and `point` down to where the walls just do not touch yet.
+/// Bisects the step between the last row and `point` down to the last state without contact.
 std::optional<ContactEvent> PathFollower::find_contact(PathPoint& point) {
     if (!listeners_.contact || input_.path.contact == model::Contact::ignore) return std::nullopt;
-    const auto look = [&](const PathPoint& at) {
+    const auto contact_at = [&](const PathPoint& at) {
         system_.prescribe(loads_->levels(at.state.load_factor, at.state.pressures_Pa));
         return listeners_.contact(at.state.x);
     };
-    auto touching = look(point);
+    auto touching = contact_at(point);
     if (!touching) return std::nullopt;
-    log("walls touch before row " + std::to_string(rows_) + ": looking for where they begin to");
+    log("contact before row " + std::to_string(rows_) + ": locating its onset");
     double free_q = last_->q, touching_q = point.q;
     std::optional<PathPoint> free;
     for (int i = 0; i < contact_halvings; ++i) {
         const double q = 0.5 * (free_q + touching_q);
         auto middle = solve_between(*last_, point, q);
         if (!middle) break;
-        if (auto touch = look(*middle)) {
+        if (auto touch = contact_at(*middle)) {
             touching = std::move(touch);
             touching_q = q;
         } else {
@@ -88,7 +88,7 @@ std::optional<ContactEvent> PathFollower::find_contact(PathPoint& point) {
     return touching;
 }
 
-/// Eigenvalues that pass zero between two points and are no limit point of the load change this number.
+/// This number changes with each eigenvalue that passes through zero between two points without a limit point of the load.
 std::optional<int> PathFollower::branch_index(const PathPoint& point) const {
     if (!point.tangent.unstable_modes) return std::nullopt;
     return *point.tangent.unstable_modes - (load_falls(point) ? 1 : 0);
@@ -96,15 +96,15 @@ std::optional<int> PathFollower::branch_index(const PathPoint& point) const {
 
 bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
     std::vector<Event> events;
-    std::string ends;  // why the user's own control cannot go on
+    std::string ends;  // why the user-selected control cannot continue
     const auto watch = [&](double (*slope)(const PathPoint&, std::size_t), std::size_t index) -> PathPoint* {
         if (slope(from, index) * slope(to, index) >= 0.0) return nullptr;
         auto point = locate_extremum(from, to, slope, index);
-        if (!point) return nullptr;  // the sign change stays in the rows
+        if (!point) return nullptr;  // not located: only the rows show the sign change
         events.push_back({std::move(*point), slope == leading_slope, 0, std::nullopt});
         return &events.back().point;
     };
-    // Where the load changes by less than a limit point is known to, a change of sign is rounding: of a path that hardly moves.
+    // Where the load changes by less than the tolerance of a limit point, a change of sign is rounding: the path hardly moves.
     const double change = std::abs(to.leading - from.leading),
                  size = std::max(std::abs(to.leading), std::abs(from.leading));
     if (chosen_ || change > limit_point_tolerance * size) (void)watch(leading_slope, 0);
@@ -143,8 +143,9 @@ bool PathFollower::pass_events(const PathPoint& from, const PathPoint& to) {
         if (event.is_limit_point) end_.limit_points.push_back(location_of(event.point));
         append(event.point);
         if (ends.empty()) continue;
-        finish(StopReason::limit_point, ends + " at " + describe(event.point) +
-                                            ": no equilibrium beyond under this control; path.control: auto goes on");
+        finish(StopReason::limit_point,
+               ends + " at " + describe(event.point) +
+                   ": no equilibrium exists beyond it under this control; use path.control: auto to continue");
         return true;
     }
     return false;
@@ -157,14 +158,13 @@ std::optional<PathPoint> PathFollower::locate_extremum(const PathPoint& from, co
     for (int solve = 0; solve < limit_point_solves; ++solve) {
         const PathPoint& a = left ? *left : from;
         const PathPoint& b = right ? *right : to;
-        // Zero of the slope by the secant through both ends; bisection where that would hug an end.
+        // Zero of the slope by the secant through both ends, kept away from both ends.
         const double span = b.q - a.q;
         const double share = std::clamp(slope_of(a, index) / (slope_of(a, index) - slope_of(b, index)), 0.02, 0.98);
         auto point = solve_between(a, b, a.q + share * span);
         if (!point) return std::nullopt;
         const double curvature = (slope_of(b, index) - slope_of(a, index)) / span, slope = slope_of(*point, index);
-        const double gain =
-            std::abs(slope_of(from, index) * (to.q - from.q));  // what the quantity itself is compared to
+        const double gain = std::abs(slope_of(from, index) * (to.q - from.q));  // the scale of the quantity itself
         const double size = std::max(slope_of == leading_slope ? std::abs(point->leading) : 0.0, gain);
         const bool located = slope * slope <= 2.0 * limit_point_tolerance * std::abs(curvature) * size;
         if (located || solve + 1 == limit_point_solves) return point;
@@ -174,24 +174,24 @@ std::optional<PathPoint> PathFollower::locate_extremum(const PathPoint& from, co
 }
 
 /// Why a change of the count of negative pivots between `left` and `right`, on the step from `from` to `to`, is no bifurcation: a
-/// count is also changed by rounding, and where the corrector has left the path for another branch. Empty where the eigenvalue of
+/// count also changes by rounding, and where the corrector has converged to another branch. Empty where the eigenvalue of
 /// the mode has opposite signs on both sides.
-std::string PathFollower::object_to_bifurcation(const PathPoint& from, const PathPoint& to, const PathPoint& left,
-                                                const PathPoint& right, const std::optional<linalg::Vector>& mode) {
+std::string PathFollower::check_bifurcation(const PathPoint& from, const PathPoint& to, const PathPoint& left,
+                                            const PathPoint& right, const std::optional<linalg::Vector>& mode) {
     const auto distance = [&](const PathPoint& a, const PathPoint& b) {
         linalg::copy(b.state.x, scratch_);
         linalg::add(scratch_, -1.0, a.state.x);
         return linalg::norm(scratch_);
     };
-    if (distance(left, right) > apart * distance(from, to)) return "the states on both sides are of two branches";
-    if (!mode) return "no mode is found there";
+    if (distance(left, right) > apart * distance(from, to)) return "the states on both sides belong to two branches";
+    if (!mode) return "no mode is found";
     const double span = to.q - from.q, at = 0.5 * (left.q + right.q);
     std::optional<double> before;
     for (const double side : {-1.0, 1.0}) {
-        const double room = std::abs(side < 0.0 ? at - from.q : to.q - at);
-        const double away = std::min(beside_bifurcation * std::abs(span), 0.5 * room);
-        // A count that changes beside a row, however near it is looked at, was another one at that row itself.
-        if (away < min_beside * std::abs(span)) return "at a row itself, where no eigenvalue passes zero";
+        const double distance_to_end = std::abs(side < 0.0 ? at - from.q : to.q - at);
+        const double away = std::min(beside_bifurcation * std::abs(span), 0.5 * distance_to_end);
+        // A change arbitrarily close to a row means that the count at the row itself is different.
+        if (away < min_beside * std::abs(span)) return "only at a row itself, where no eigenvalue passes through zero";
         const auto point = solve_between(from, to, at + side * std::copysign(away, span));
         linalg::Vector b = linalg::duplicate(*mode);
         linalg::copy(*mode, b);
@@ -204,16 +204,16 @@ std::string PathFollower::object_to_bifurcation(const PathPoint& from, const Pat
             b = std::move(*v);
         }
         if (!eigenvalue || std::abs(linalg::dot(b, *mode)) < same_mode)
-            return "the least eigenvalue has another mode there";
-        if (before && *before * *eigenvalue > 0.0) return "no eigenvalue passes zero";
+            return "the smallest eigenvalue has another mode there";
+        if (before && *before * *eigenvalue > 0.0) return "no eigenvalue passes through zero";
         before = eigenvalue;
     }
     return {};
 }
 
-/// Brackets the change of branch_index by its count; the secant on 1 / (b . M^-1 b), which passes zero with the
+/// Brackets the change of branch_index by bisection on its count. The secant on 1 / (b . M^-1 b), which vanishes with the
 /// eigenvalue (Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria, 2000, 3.3), shortens the bracket as
-/// soon as b is near the mode.
+/// soon as b is close to the mode.
 std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, const PathPoint& to) {
     const int index = *branch_index(from);
     std::optional<PathPoint> left, right;
@@ -251,14 +251,14 @@ std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, con
         if (change <= bifurcation_tolerance * std::max(std::abs(left->leading), std::abs(right->leading))) break;
     }
     if (!left && !right) return std::nullopt;
-    const std::string objection = object_to_bifurcation(from, to, left ? *left : from, right ? *right : to, mode);
+    const std::string objection = check_bifurcation(from, to, left ? *left : from, right ? *right : to, mode);
     if (!objection.empty()) {
         log("the count of negative pivots changes before row " + std::to_string(rows_) + ", but " + objection +
             ": no bifurcation");
         return std::nullopt;
     }
     Event event{std::move(left ? *left : *right), false, 1, std::move(mode)};
-    if (event.mode) {  // largest displacement 1, positive where it first is large: the same on any number of ranks
+    if (event.mode) {  // largest displacement 1; the sign does not depend on the number of ranks
         system_.prescribe(assembly::no_loads(input_));
         const auto u = system_.gather_fields(*event.mode).displacement_m;
         double factor = 0;
@@ -272,8 +272,8 @@ std::optional<Event> PathFollower::locate_bifurcation(const PathPoint& from, con
     return event;
 }
 
-/// Pushes the body out of the path along the mode, its largest displacement `imperfection`, and goes on by arc length
-/// from the equilibrium found there: a point of the branch.
+/// Perturbs the state along the mode, with largest displacement `imperfection`, then re-equilibrates at this arc length: a point of
+/// the branch, from which the path continues.
 bool PathFollower::take_branch(const Event& event) {
     if (input_.path.branch != model::Branch::follow || on_branch_ || !event.mode) return false;
     const double length = linalg::norm(*event.mode);
@@ -298,11 +298,11 @@ bool PathFollower::take_branch(const Event& event) {
     State guess{linalg::duplicate(last_->state.x), last_->state.load_factor, last_->state.pressures_Pa};
     linalg::copy(last_->state.x, guess.x);
     linalg::add(guess.x, input_.path.imperfection_m, *event.mode);
-    Constraint push = bind(control_, *last_);
-    push.scale = step_;
-    auto point = solve_at(push, step_, std::move(guess));
+    Constraint perturbed = bind(control_, *last_);
+    perturbed.scale = step_;
+    auto point = solve_at(perturbed, step_, std::move(guess));
     if (!point) {
-        log("the branch is not found at path.imperfection from the bifurcation: the path goes on without it");
+        log("no branch is found at path.imperfection from the bifurcation: the path continues without it");
         control_ = saved_control;
         last_ = std::move(saved_last);
         before_ = std::move(saved_before);

@@ -12,7 +12,7 @@ namespace soft::solver {
 
 namespace {
 
-/// The scalar curve of one goal's quantity along q.
+/// The quantity of one goal as a function of q.
 struct Scalar {
     const Goal& goal;
     const PathPoint* before;  // nullptr: tangent line at `last`
@@ -26,7 +26,7 @@ struct Scalar {
     }
 };
 
-/// First q in (begin, end] where the curve meets the goal; sampled, then bisected: a cubic has at most three roots.
+/// First q in (begin, end] where the curve reaches the goal; by sampling, then bisection: a cubic has at most three roots.
 std::optional<double> first_meeting(const Scalar& curve, double begin, double end) {
     constexpr int samples = 16;
     const double target = curve.goal.target;
@@ -55,33 +55,33 @@ std::string with_unit(double value, double factor, const std::string& unit) {
     return text.str();
 }
 
-Goal pressure_goal(const model::Case& input, const StageLoads& loads, double value, const std::string& place) {
+Goal pressure_goal(const model::Case& input, const StageLoads& loads, double value, const std::string& key) {
     if (model::leading_load(input) != model::LeadingLoad::pressure)
-        throw Error(ExitCode::bad_input, place, "no pressure loads the body", "give loads.cavity.pressure");
+        throw Error(ExitCode::bad_input, key, "the case has no pressure load", "set loads.cavity.pressure");
     const std::string text = "pressure of " + with_unit(value, 1e-3, " kPa");
     const auto& free = loads.free_supplies();
     if (!free.empty() && free.front() == 0) return {{ConstraintKind::pressure}, value, text};
     const double rate = loads.rate().pressures_Pa[0];
     if (rate == 0.0)
-        throw Error(ExitCode::bad_input, place, "the first pressure does not change in this stage", "remove it");
+        throw Error(ExitCode::bad_input, key, "the first pressure does not change in this stage", "remove this goal");
     return {{ConstraintKind::load_factor}, (value - loads.start().pressures_Pa[0]) / rate, text};
 }
 
 Goal make_goal(const model::Case& input, const model::Until& until, const StageLoads& loads,
                const std::vector<double>& undeformed_volumes_m3) {
-    const std::string place = "path.until." + until.quantity;
-    if (until.quantity == "pressure") return pressure_goal(input, loads, until.value, place);
+    const std::string key = "path.until." + until.quantity;
+    if (until.quantity == "pressure") return pressure_goal(input, loads, until.value, key);
     if (until.quantity == "volume_ratio") {
         if (undeformed_volumes_m3.empty() || undeformed_volumes_m3[0] == 0.0)
-            throw Error(ExitCode::bad_input, place, "no cavity is loaded", "remove it, or load a cavity");
+            throw Error(ExitCode::bad_input, key, "no cavity is loaded", "remove this goal, or load a cavity");
         return {{ConstraintKind::volume},
                 until.value * undeformed_volumes_m3[0],
                 "volume ratio of " + with_unit(until.value, 1.0, "")};
     }
     const auto output = std::ranges::find(input.outputs, until.quantity, &model::Output::name);
     if (output == input.outputs.end())
-        throw Error(ExitCode::bad_input, place, "there is no such output",
-                    "name one of outputs, pressure, volume_ratio, steps");
+        throw Error(ExitCode::bad_input, key, "no output has this name",
+                    "use a name of outputs, or pressure, volume_ratio or steps");
     Constraint constraint{ConstraintKind::output};
     constraint.index = static_cast<std::size_t>(output - input.outputs.begin());
     const model::MeasureUnit& unit = model::unit_of(output->measure);
@@ -109,7 +109,7 @@ double goal_value(const Goal& goal, const PathPoint& point) {
         case ConstraintKind::output: return point.outputs[index];
         case ConstraintKind::arc: break;
     }
-    throw std::logic_error("goal_value: an arc length is no goal");
+    throw std::logic_error("goal_value: an arc length cannot be a goal");
 }
 
 double goal_slope(const Goal& goal, const PathPoint& point) {
@@ -121,7 +121,7 @@ double goal_slope(const Goal& goal, const PathPoint& point) {
         case ConstraintKind::output: return point.output_slopes[index];
         case ConstraintKind::arc: break;
     }
-    throw std::logic_error("goal_slope: an arc length is no goal");
+    throw std::logic_error("goal_slope: an arc length cannot be a goal");
 }
 
 std::optional<Crossing> first_predicted(const std::vector<Goal>& goals, const PathPoint* before, const PathPoint& last,

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a stage is to end: its loads in place, and whatever `until` asks for. Tested by solver/solver_test.
+/// Where a stage ends: at its full loads, or at a goal of `until`. Tested by solver/solver_test.
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@ namespace soft::solver {
 
 /// A value that one quantity of the path has to reach.
 struct Goal {
-    Constraint constraint;  ///< holds the quantity at `target`; no arc
+    Constraint constraint;  ///< prescribes the quantity at `target`; never arc
     double target = 0;
     std::string text;  ///< "elongation of 130 mm", for the message
 };
 
-/// Throws Error (bad_input) for an `until` that the case cannot measure.
+/// Throws Error (bad_input) for an `until` quantity that the case does not have.
 [[nodiscard]] std::vector<Goal> make_goals(const model::Case& input, int stage, const StageLoads& loads,
                                            const std::vector<double>& undeformed_volumes_m3);
 
@@ -28,11 +28,11 @@ struct Crossing {
     double q = 0;  ///< where the cubic through the two points (or the tangent) meets the target
 };
 
-/// The first goal met for last.q < q <= q_end by the predictor from (`before`, `last`); nothing if none is met.
+/// The first goal reached for last.q < q <= q_end by the predictor from (`before`, `last`); nullopt if none is reached.
 [[nodiscard]] std::optional<Crossing> first_predicted(const std::vector<Goal>& goals, const PathPoint* before,
                                                       const PathPoint& last, double q_end);
 
-/// The first goal met between two converged points.
+/// The first goal reached between two converged points.
 [[nodiscard]] std::optional<Crossing> first_between(const std::vector<Goal>& goals, const PathPoint& from,
                                                     const PathPoint& to);
 

@@ -36,7 +36,7 @@ State predict(const PathPoint* before, const PathPoint& last, double q) {
     return state;
 }
 
-double coarse(double step) {
+double round_step_size(double step) {
     int exponent = 0;
     const double mantissa = std::frexp(step, &exponent);
     constexpr double divisions = 256;

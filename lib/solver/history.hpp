@@ -9,7 +9,7 @@
 
 namespace soft::solver {
 
-/// A converged state with everything the path needs to know of it. Slopes are per unit q.
+/// A converged state with the values that the path needs. Slopes are per unit q.
 struct PathPoint {
     State state;
     PathTangent tangent;
@@ -20,8 +20,8 @@ struct PathPoint {
                         load_volume_slopes = {};  ///< of the cavities of each pressure load together
     std::vector<double> outputs = {}, output_slopes = {};
     LoadLevels levels = {}, level_slopes = {};  ///< of all loads
-    double load_work_J = 0;                     ///< done by the loads since the path began, of the modelled part
-    std::optional<double> stored_J = {};    ///< energy of the rubber, of the modelled part, once it has been asked for
+    double load_work_J = 0;                     ///< of the loads since the path began, of the modelled part
+    std::optional<double> stored_J = {};    ///< energy of the rubber, of the modelled part, once it has been computed
     double leading = 0, leading_slope = 0;  ///< the load a curve shows (model::leading_load): [Pa], or the load factor
 };
 
@@ -37,7 +37,7 @@ struct HermiteWeights {
 /// State at q on the cubic through `before` and `last`, or on the tangent of `last` where there is no `before`.
 [[nodiscard]] State predict(const PathPoint* before, const PathPoint& last, double q);
 
-/// Steps of few digits, so that rounding, which differs with the number of ranks, does not move the rows of the path.
-[[nodiscard]] double coarse(double step);
+/// Rounds a step to few digits, so that rounding errors, which depend on the number of ranks, do not move the rows of the path.
+[[nodiscard]] double round_step_size(double step);
 
 }  // namespace soft::solver

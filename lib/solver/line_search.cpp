@@ -10,11 +10,11 @@ namespace {
 /// Armijo's constant: any decrease proportional to the step is accepted.
 constexpr double sufficient_decrease = 1e-4;
 constexpr int trial_limit = 6;
-/// What may be left of the residual along the correction: a closer search costs more than it gains (Matthies and Strang).
+/// Fraction of g(0) that may remain: a closer search costs more than it gains (Matthies and Strang).
 constexpr double slope_left = 0.5;
 constexpr double shortest = 0.05, longest = 4.0;
 
-/// Halves until `accept`.
+/// Halves the length until `accept` returns true.
 template <class Accept>
 Search halve(const std::function<Trial(double)>& at, Accept&& accept) {
     Search found;
@@ -33,7 +33,7 @@ Search whole(const std::function<Trial(double)>& at) {
     return halve(at, [](const Trial&, double) { return true; });
 }
 
-/// The secant through the last two lengths: between them, or beyond the last where g has kept its sign.
+/// Secant method on the last two lengths: between them, or beyond the last where g has not changed sign.
 Search secant(const SearchStart& start, const std::function<Trial(double)>& at) {
     Search found = whole(at);
     if (found.end != SearchEnd::found) return found;

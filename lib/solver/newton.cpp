@@ -10,32 +10,33 @@ namespace soft::solver {
 
 namespace {
 
-/// Where a correction ends in a state without any stress (a prestressed body set free) its forces are no scale any more.
+/// Fraction of a correction's first force scale that bounds the scale from below: a correction may end in a state without any stress
+/// (a prestressed body that is released), whose forces are no scale.
 constexpr double vanishing_forces = 1e-3;
-/// A residual that has fallen to this part of itself since the last factorisation: what is left is solved with that factor.
+/// When the residual has fallen to this fraction since the last factorisation, that factor is used for the rest.
 constexpr double little_left = 0.05;
-/// Of the residual that is wanted, what the linear solves may leave.
+/// Fraction of the required residual that the linear solves may leave.
 constexpr double share_of_linear_solves = 0.1;
 constexpr double loosest_linear_tolerance = 1e-2;
-/// Beyond this a new factor is cheaper.
+/// With more iterations than this a new factor is cheaper.
 constexpr int many_iterations_for_a_kept_factor = 6;
 /// The first correction after a predictor may raise the residual of a nearly incompressible solid before it falls.
 constexpr double first_iteration_rise = 20.0;
-/// Times that change: what rounding leaves of a residual (0.1 to 2 of it, in rubber stretched fivefold to fortyfold).
+/// Times change_by_digits: bound of a residual that is rounding (0.1 to 2 times it, in rubber stretched fivefold to fortyfold).
 constexpr double rounding_margin = 4.0;
 
 }  // namespace
 
 std::string_view text_of(NewtonEnd end) {
     switch (end) {
-        case NewtonEnd::converged: return "converged to a state that is not the path's next";
-        case NewtonEnd::inverted: return "a cell turns inside out";
-        case NewtonEnd::iteration_limit: return "the iterations do not settle";
+        case NewtonEnd::converged: return "converged to another branch";
+        case NewtonEnd::inverted: return "an element inverted";
+        case NewtonEnd::iteration_limit: return "Newton's method did not converge";
         case NewtonEnd::no_descent: return "the line search finds no descent";
         case NewtonEnd::singular: return "the tangent is singular";
-        case NewtonEnd::not_definite: return "the tangent is not positive definite, as cholmod needs it";
+        case NewtonEnd::not_definite: return "the tangent is not positive definite, which cholmod requires";
         case NewtonEnd::linear_solver: return "the linear solver does not converge";
-        case NewtonEnd::not_finite: return "forces that are not finite";
+        case NewtonEnd::not_finite: return "the residual is not finite";
     }
     return "";
 }
@@ -47,8 +48,8 @@ void scale(PathTangent& tangent, double factor) {
     for (double& pressure : tangent.pressures) pressure *= factor;
 }
 
-/// Where fibres go slack or begin to pull, K jumps and |R| may rise on the way along which whole steps settle in the end (Newton's
-/// method of semismooth equations: Qi and Sun, Math. Programming 58 (1993) 353): they are tried before the correction fails.
+/// Where fibres become slack or taut, K jumps and |R| may rise along a sequence of full steps that converges in the end (Newton's
+/// method for semismooth equations: Qi and Sun, Math. Programming 58 (1993) 353). Full steps are tried before the correction fails.
 NewtonResult Newton::correct(const Constraint& constraint, double target, State& state) {
     const bool may_jump = settings_.line_search == model::LineSearch::backtracking && system_.has_fibers();
     if (!may_jump) return correct_by(settings_.line_search, constraint, target, state);
@@ -87,15 +88,15 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
     now.residual = linalg::norm(R_);
     now.first_force_scale = now.evaluation.force_scale;
     now.constraint_tolerance = settings_.residual_tolerance * std::max(std::abs(target), constraint.scale);
-    if (constraint.kind == ConstraintKind::arc)  // a short one is the small difference of large numbers
+    if (constraint.kind == ConstraintKind::arc)  // a short arc is a small difference of large numbers
         now.constraint_tolerance =
             std::max(now.constraint_tolerance, std::numeric_limits<double>::epsilon() * linalg::norm(state.x));
     for (;;) {
         evaluate_rows(constraint, state);
         now.missing = remaining(constraint, system_.input(), target, constraint_.value);
         now.loads_stay = constraint.kind == ConstraintKind::load_factor && supply_.empty() && now.missing == 0.0;
-        if (const auto end = judge(state, now)) {
-            // The inertia of a kept factor is that of the state where the correction began.
+        if (const auto end = check_convergence(state, now)) {
+            // A kept factor has the inertia of the state at the start of the correction.
             if (settings_.newton != model::NewtonMethod::full && now.result.iterations > 1) factor_is_recent_ = false;
             return report(*end);
         }
@@ -109,13 +110,13 @@ NewtonResult Newton::correct_by(model::LineSearch line_search, const Constraint&
         if (found.end != SearchEnd::found)
             return report(found.end == SearchEnd::inverted ? NewtonEnd::inverted : NewtonEnd::no_descent);
         now.residual = found.trial.residual;
-        if (settings_.newton == model::NewtonMethod::bfgs) learn(found.length);
+        if (settings_.newton == model::NewtonMethod::bfgs) add_secant_pair(found.length);
         std::swap(state, trial);
     }
 }
 
-/// Whether the correction ends at the state last evaluated, and how.
-std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
+/// How the correction ends at the state last evaluated; nullopt if it continues.
+std::optional<NewtonEnd> Newton::check_convergence(const State& state, Correction& now) {
     const double load_scale = std::abs(state.load_factor) * linalg::norm(wanted_.back().out);
     const double scale = std::max({now.evaluation.force_scale, load_scale, vanishing_forces * now.first_force_scale});
     now.result.residual = scale > 0.0 ? now.residual / scale : 0.0;
@@ -132,7 +133,7 @@ std::optional<NewtonEnd> Newton::judge(const State& state, Correction& now) {
     return std::nullopt;
 }
 
-/// The gradient that is added to one has the digits of positions: of a displacement of the cell's size.
+/// F = I + grad u is rounded like positions are: the last digit is that of a displacement of the cell's size.
 double Newton::change_by_digits(const State& state, const assembly::LoadLevels& levels) {
     const model::Case& input = system_.input();
     const double nodes = static_cast<double>(input.mesh.points.size());
@@ -156,9 +157,9 @@ double Newton::change_by_digits(const State& state, const assembly::LoadLevels& 
     return linalg::norm(change);
 }
 
-/// Whether the residual is no more than what it changes by when the unknowns change in their last digits: then the state is as
-/// near to equilibrium as numbers can be. Far stretched rubber is so much stiffer than its forces are large that this is more
-/// than the tolerance.
+/// Whether the residual is no larger than its change when the unknowns change in their last digits: then the state is as close to
+/// equilibrium as floating-point numbers allow. In highly stretched rubber the stiffness is so large relative to the forces that
+/// this change exceeds the tolerance.
 bool Newton::is_rounding(const State& state, const Correction& now) {
     if (std::abs(now.missing) > now.constraint_tolerance) return false;
     const auto levels = loads_->levels(state.load_factor, state.pressures_Pa);
@@ -175,7 +176,7 @@ linalg::LinearSolve Newton::solve_updated(Vec b, Vec x) {
     return usable ? last : linalg::LinearSolve{};
 }
 
-/// a = K^-1 (-R) and the columns, with a new K or that of the first iteration. R_ is -R afterwards.
+/// Solves for a = K^-1 (-R) and the columns, with a new K or that of the first iteration. R_ is -R afterwards.
 std::optional<NewtonEnd> Newton::solve_blocks(const State& state, const Correction& now) {
     linear_limit_met_ = false;
     const bool full = settings_.newton == model::NewtonMethod::full;
@@ -193,7 +194,7 @@ bool Newton::solve_all(const Correction& now, const SolveOne& solve) {
     return solve(R_, correction_).usable() && (now.loads_stay || solve_columns(solve));
 }
 
-/// K_ is that of this iteration, its factor that of one before.
+/// K_ is that of this iteration, the factor that of an earlier one.
 bool Newton::solve_with_kept_factor(const Correction& now) {
     if (!factor_is_recent_ || differences_ || !solver_.is_direct() || now.residual > little_left * residual_at_factor_)
         return false;
@@ -202,18 +203,18 @@ bool Newton::solve_with_kept_factor(const Correction& now) {
     const double tolerance = std::min(enough, loosest_linear_tolerance);
     SOFT_PETSC(VecScale(R_, -1.0));
     const bool served = solve_all(now, [&](Vec b, Vec x) {
-        const auto solve = solver_.solve_roughly(b, x, tolerance);
+        const auto solve = solver_.solve_to_tolerance(b, x, tolerance);
         return solve.iterations <= many_iterations_for_a_kept_factor ? solve : linalg::LinearSolve{};
     });
     if (!served) SOFT_PETSC(VecScale(R_, -1.0));
     return served;
 }
 
-/// Eliminates the border; nullopt where it is singular.
+/// Solves the border system; nullopt where it is singular.
 std::optional<Newton::Increment> Newton::increment(const Correction& now) {
     if (now.loads_stay) return Increment{{0.0}, now.residual};
     fill_border();
-    std::vector<double> wanted;  // what the rows still lack, then what `a` leaves of it
+    std::vector<double> wanted;  // the right-hand side of the rows, then less the contribution of `a`
     for (const auto& equation : supply_) wanted.push_back(-equation.value);
     wanted.push_back(now.missing);
     const auto far = linalg::solve(border_, wanted);
@@ -221,7 +222,7 @@ std::optional<Newton::Increment> Newton::increment(const Correction& now) {
     for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] -= done[i];
     auto step = linalg::solve(border_, wanted);
     if (!far || !step) return std::nullopt;
-    // What is still to be done, as a force: the residual, and the loads that move the rows to their targets.
+    // What remains, as a force: the residual, and the loads that bring the rows to their targets.
     double pending = now.residual;
     for (std::size_t j = 0; j < far->size(); ++j)
         pending = std::hypot(pending, (*far)[j] * linalg::norm(wanted_[j].out));
@@ -229,7 +230,7 @@ std::optional<Newton::Increment> Newton::increment(const Correction& now) {
     return Increment{std::move(*step), pending};
 }
 
-/// Takes as much of the increment as the line search says; the state reached is in `trial`.
+/// Applies the increment with the length of the line search; the new state is in `trial`.
 Search Newton::move(const Increment& step, const State& state, State& trial, Correction& now) {
     const auto work_of_loads = [&] {
         double work = 0;
@@ -257,14 +258,14 @@ Search Newton::move(const Increment& step, const State& state, State& trial, Cor
         const double floor =
             std::max(settings_.residual_tolerance * now.evaluation.force_scale, rounding_margin * rounding_N_);
         Trial there{true, linalg::norm(R_), floor, 0.0};
-        // R is linear in the loads: those still to come are put in without another evaluation.
+        // R is linear in the loads: those not yet applied are added without another evaluation.
         if (slopes) there.slope = linalg::dot(R_, correction_) - (1.0 - length) * work_of_loads();
         return there;
     });
 }
 
-/// The secant pair of a correction of which `length` has been taken.
-void Newton::learn(double length) {
+/// Adds the secant pair of a correction that was applied with `length`.
+void Newton::add_secant_pair(double length) {
     linalg::Vector s = linalg::duplicate(R_), y = linalg::duplicate(R_);
     linalg::add(s, length, correction_);
     linalg::copy(R_, y);

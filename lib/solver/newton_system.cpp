@@ -1,4 +1,4 @@
-/// The pieces of the bordered system at a state: residual, tangent, rows, columns.
+/// The parts of the bordered system at a state: residual, tangent, rows, columns.
 #include <algorithm>
 #include <numeric>
 
@@ -28,7 +28,7 @@ Newton::Newton(assembly::System& system, const model::SolverSettings& settings)
       R_(system.make_vector()),
       correction_(system.make_vector()) {
     const bool matrix_free = settings_.linear.method == model::LinearMethod::jacobian_free;
-    assembly::equip(solver_, system, K_);
+    assembly::configure_preconditioner(solver_, system, K_);
     if (matrix_free || settings.tangent == model::TangentSource::finite_difference)
         differences_.emplace(system, K_, settings.tangent);
     if (matrix_free) solver_.set_operator(differences_->jacobian());
@@ -72,7 +72,7 @@ assembly::Evaluation Newton::evaluate_at(const State& state, Assemble what) {
     return evaluation;
 }
 
-/// A finite-difference tangent moves the system to other states after its evaluation.
+/// A finite-difference tangent evaluates the system at other states afterwards.
 bool Newton::is_assembled_at(const State& state) const {
     if (!assembled_at_ || differences_ || state.load_factor != assembled_at_->load_factor ||
         state.pressures_Pa != assembled_at_->pressures_Pa)
@@ -102,7 +102,7 @@ NewtonEnd Newton::factor_failure() const {
     return settings_.linear.method == model::LinearMethod::cholmod ? NewtonEnd::not_definite : NewtonEnd::singular;
 }
 
-/// Of a good factor, all that automatic has not corrected by then is a singular tangent.
+/// With LinearMethod::automatic, a solve that still fails after a successful factorisation means a singular tangent.
 NewtonEnd Newton::solve_failure() const {
     return settings_.linear.method == model::LinearMethod::automatic ? NewtonEnd::singular : NewtonEnd::linear_solver;
 }
@@ -147,7 +147,7 @@ void Newton::fill_border() {
 
 bool Newton::solve_columns(const SolveOne& solve) {
     for (std::size_t j = 0; j < wanted_.size(); ++j) {
-        if (linalg::norm(wanted_[j].out) == 0.0) {  // only volumes or masses change with the load factor
+        if (linalg::norm(wanted_[j].out) == 0.0) {  // the load factor changes only volumes or masses
             SOFT_PETSC(VecZeroEntries(columns_[j]));
             continue;
         }

@@ -1,4 +1,4 @@
-/// The direction of the path, and what the factor says about stability.
+/// The tangent of the path, and its stability from the inertia of the factor.
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +8,16 @@ namespace soft::solver {
 
 namespace {
 
-/// A tangent solved with the last correction's factor takes 2 or 3 iterations; beyond this a new factor is cheaper.
+/// A path tangent solved with the last correction's factor takes 2 or 3 iterations; with more than this a new factor is cheaper.
 constexpr int many_iterations_for_a_recent_factor = 5;
-/// How often a Krylov method may reach its limit on the way to a direction of the path, which has to be exact.
+/// How often a Krylov method may reach its iteration limit for the path tangent, which must be accurate.
 constexpr int rounds_for_a_direction = 10;
-/// What is left of a difference of numbers so many times larger is the linear solver's tolerance.
+/// A difference below this fraction of its terms is within the linear solver's tolerance.
 constexpr double of_differences = 1e-6;
 
 }  // namespace
 
-linalg::LinearSolve Newton::solve_well(Vec b, Vec x, linalg::Factor factor) {
+linalg::LinearSolve Newton::solve_accurately(Vec b, Vec x, linalg::Factor factor) {
     auto solve = solver_.solve(b, x, factor);
     for (int round = 1; solve.at_limit && round < rounds_for_a_direction; ++round) solve = solver_.improve(b, x);
     if (!solve.converged) return {};
@@ -26,18 +26,18 @@ linalg::LinearSolve Newton::solve_well(Vec b, Vec x, linalg::Factor factor) {
 
 std::optional<NewtonEnd> Newton::solve_tangent_columns() {
     const auto with_the_last = [this](Vec b, Vec x) {
-        const auto solve = solve_well(b, x, linalg::Factor::stale);
+        const auto solve = solve_accurately(b, x, linalg::Factor::stale);
         const bool good = solver_.is_krylov() || solve.iterations <= many_iterations_for_a_recent_factor;
         return good ? solve : linalg::LinearSolve{};
     };
-    const auto with_a_new = [this](Vec b, Vec x) { return solve_well(b, x, linalg::Factor::fresh); };
-    // The factor may be that of a state a little before this one: what it says of stability counts where it says nothing new.
-    const auto says_the_same = [this] {
+    const auto with_a_new = [this](Vec b, Vec x) { return solve_accurately(b, x, linalg::Factor::fresh); };
+    // The factor may be that of a slightly earlier state: its inertia is used only if it has not changed since the last tangent.
+    const auto inertia_is_unchanged = [this] {
         const auto pivots = pivots_of_factor();
         return !pivots ||
                (factor_.negative_pivots ? *pivots == confirmed_pivots_ : (*pivots - confirmed_pivots_) % 2 == 0);
     };
-    if (factor_is_recent_ && says_the_same() && solve_columns(with_the_last)) return std::nullopt;
+    if (factor_is_recent_ && inertia_is_unchanged() && solve_columns(with_the_last)) return std::nullopt;
     factor_ = solver_.factorize();
     factor_is_recent_ = factor_.succeeded;
     if (!factor_.succeeded) return factor_failure();
@@ -79,19 +79,19 @@ std::optional<double> Newton::power_with_supplies_held() const {
     const Vec force = wanted_.back().out, response = columns_[wanted_.size() - 1];
     double power = linalg::dot(force, response), largest = std::abs(power);
     if (free == 0) return power;
-    linalg::SmallMatrix held(free);
+    linalg::SmallMatrix supply_block(free);
     for (int i = 0; i < free; ++i)
-        for (int j = 0; j < free; ++j) held.at(i, j) = border_.at(i, j);
+        for (int j = 0; j < free; ++j) supply_block.at(i, j) = border_.at(i, j);
     std::vector<double> missing = rows_times(response);
     missing.pop_back();
-    const auto pressures = linalg::solve(held, missing);
+    const auto pressures = linalg::solve(supply_block, missing);
     if (!pressures) return std::nullopt;
     for (std::size_t k = 0; k < pressures->size(); ++k) {
         const double taken_back = (*pressures)[k] * linalg::dot(force, columns_[k]);
         largest = std::max(largest, std::abs(taken_back));
         power -= taken_back;
     }
-    return std::abs(power) > of_differences * largest ? power : 0.0;  // a body that cannot move with the volume held
+    return std::abs(power) > of_differences * largest ? power : 0.0;  // the body cannot move at constant volume
 }
 
 std::optional<int> Newton::pivots_of_factor() const {
@@ -117,17 +117,17 @@ std::optional<int> Newton::unstable_modes() {
     const auto modes = excess_pivots();
     if (!modes) return std::nullopt;
     const int free = static_cast<int>(supply_.size());
-    linalg::SmallMatrix held(free);  // compliance of the gas + grad V . K^-1 f
+    linalg::SmallMatrix supply_block(free);  // compliance of the gas + grad V . K^-1 f
     for (int i = 0; i < free; ++i)
         for (int j = 0; j < free; ++j)
-            held.at(i, j) = border_.at(i, j) / supply_[static_cast<std::size_t>(i)].by_volume;
-    const int freed = linalg::negative_eigenvalues(held);
+            supply_block.at(i, j) = border_.at(i, j) / supply_[static_cast<std::size_t>(i)].by_volume;
+    const int freed = linalg::negative_eigenvalues(supply_block);
     return factor_.negative_pivots ? *modes - freed : (*modes + freed) % 2;
 }
 
 std::optional<linalg::Vector> Newton::bordered_solve(Vec b) {
     linalg::Vector v = linalg::duplicate(b);
-    if (!solve_well(b, v, linalg::Factor::stale).converged) return std::nullopt;
+    if (!solve_accurately(b, v, linalg::Factor::stale).converged) return std::nullopt;
     auto rows = rows_times(v);
     for (double& row : rows) row = -row;
     const auto border = linalg::solve(border_, rows);

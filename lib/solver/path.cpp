@@ -10,14 +10,15 @@ namespace soft::solver {
 
 using solution::PathEnd;
 
-Error no_beginning(NewtonEnd end, const std::string& problem) {
+Error start_error(NewtonEnd end, const std::string& problem) {
     if (end == NewtonEnd::not_definite)
-        return Error(ExitCode::bad_input, "solver.linear",
-                     "cholmod needs a positive definite tangent, which this case does not have",
-                     "use mumps-ldlt; pressures of mixed cells (mesh.formulation) make it indefinite");
+        return Error(
+            ExitCode::bad_input, "solver.linear",
+            "cholmod needs a positive definite tangent, which this case does not have",
+            "use mumps-ldlt; the pressure unknowns of mixed cells (mesh.formulation) make the tangent indefinite");
     if (end == NewtonEnd::linear_solver)
         return Error(ExitCode::bad_input, "solver.linear", problem + ": the linear solver does not converge",
-                     "take another solver.linear or solver.preconditioner, or a higher solver.linear_limit");
+                     "use another solver.linear or solver.preconditioner, or increase solver.linear_limit");
     return Error(ExitCode::bad_input, "materials", problem, "check the moduli of the materials");
 }
 
@@ -38,22 +39,22 @@ PathEnd PathFollower::run(const solution::Checkpoint* from) {
 
 void PathFollower::prepare() {
     if (const auto motion = assembly::free_rigid_motion(input_))
-        throw Error(ExitCode::bad_input, "supports", "nothing holds the body against a rigid " + *motion,
-                    "hold a face in that direction");
-    if (input_.path.stages.empty()) throw Error(ExitCode::bad_input, "path", "there are no stages");
+        throw Error(ExitCode::bad_input, "supports", "no support prevents a rigid " + *motion,
+                    "fix a face in that direction");
+    if (input_.path.stages.empty()) throw Error(ExitCode::bad_input, "path", "the load programme has no stages");
     undeformed_volumes_m3_ = undeformed_volumes_m3(system_);
 }
 
 void PathFollower::start() {
     set_stage(0, unloaded(input_, undeformed_volumes_m3_));
     if (!loads_->changes())
-        throw Error(ExitCode::bad_input, "loads", "nothing loads the body", "give loads.cavity.pressure");
+        throw Error(ExitCode::bad_input, "loads", "no load acts on the body", "set loads.cavity.pressure");
     State state{system_.make_vector(), 0.0, {}};
     state.pressures_Pa.assign(loads_->free_supplies().size(), 0.0);
-    if (system_.starts_under_stress()) {  // row 0 is the body free of load, not the undeformed one
+    if (system_.has_initial_stress()) {  // row 0 is the unloaded equilibrium, not the undeformed state
         newton_result_ = newton_.correct({ConstraintKind::load_factor}, 0.0, state);
         if (newton_result_.end != NewtonEnd::converged)
-            throw no_beginning(newton_result_.end, "no equilibrium without load under the law's initial stress");
+            throw start_error(newton_result_.end, "no equilibrium without load under the law's initial stress");
     }
     begin_stage(std::move(state));
     append(*last_);

@@ -1,4 +1,4 @@
-/// Where a path ends though the load asked for is not reached.
+/// Ends of a path that does not reach the requested load.
 #include <cmath>
 
 #include "solver/path_follower.hpp"
@@ -9,32 +9,33 @@ using solution::StopReason;
 
 namespace {
 
-/// Of what is left of the load, for a growth of the unknowns by themselves: less is an asymptote. Looked at over steps in which
-/// they do grow: nothing is said of a path that hardly moves.
+/// An asymptote: per relative growth of the unknowns, the load grows by less than `out_of_reach` of its remainder. Checked only over
+/// steps in which the unknowns grow by more than `steady_growth`: a path that hardly moves shows no asymptote.
 constexpr double out_of_reach = 1e-4, steady_growth = 1e-3;
-/// Times path.stretch_limit: no rubber is stretched so far. There a load whose rise falls with this power of the unknowns, or a
-/// higher one, is taken to go on so; what is still to come must be less than this part of what is left. Looked at over steps long
-/// enough for a power to be seen.
+/// Beyond `far_beyond` times path.stretch_limit, which no rubber reaches: a load whose rate falls with the power `min_power` of the
+/// unknowns, or a higher one, is extrapolated by that power; the result must be less than `reachable` of the remaining load. Checked
+/// over steps that are long enough to show a power.
 constexpr double far_beyond = 10.0, min_power = 0.5, reachable = 0.5, growth_for_a_power = 0.02;
-/// det F.
-constexpr double crushed = 0.05;
+/// det F below which a cell counts as nearly inverted.
+constexpr double nearly_inverted = 0.05;
 
 }  // namespace
 
-bool PathFollower::is_past_a_maximum() const {
+bool PathFollower::is_past_limit_point() const {
     return !end_.limit_points.empty() && end_.limit_points.back().step >= stage_first_row_ && load_falls(*last_);
 }
 
-bool PathFollower::is_goal_unreachable() const { return is_past_a_maximum() && stretch_p99_ > input_.path.stretch_limit; }
+bool PathFollower::is_goal_unreachable() const {
+    return is_past_limit_point() && stretch_p99_ > input_.path.stretch_limit;
+}
 
 bool PathFollower::is_stalled() const {
     if (settings_.steps == model::StepRule::constant || visited_.size() <= stalled_rows) return false;
     return length_of(std::span(visited_).last(stalled_rows + 1)) < stalled_length * length_of(visited_);
 }
 
-/// A load that still grows, but so little that the way to its value is beyond all numbers, as that of a long tube of
-/// neo-Hookean rubber, which has an asymptote in place of a maximum; or that, by the power of the unknowns with which its rise falls,
-/// ends far below.
+/// A load that still grows, but too slowly to reach its value with finite numbers, as that of a long tube of neo-Hookean rubber,
+/// which has an asymptote instead of a maximum; or one whose rate falls with a power of the unknowns such that its limit is far below.
 bool PathFollower::is_out_of_reach() {
     if (stretch_p99_ <= input_.path.stretch_limit || !before_) return false;
     linalg::copy(last_->state.x, scratch_);
@@ -59,32 +60,32 @@ std::string PathFollower::return_text() const {
     if (!found) return {};
     const auto row = [&](std::size_t index) { return std::to_string(stage_first_row_ + static_cast<int>(index)); };
     if (found->sense == Return::Sense::forward)
-        return "the load asked for is not reached: the path is closed, it is back at row " + row(found->earlier) +
+        return "the requested load is not reached: the path is closed and has returned to row " + row(found->earlier) +
                ", " + describe(*last_);
-    return "the load asked for is not reached: the path has turned back, from row " + row(found->first) +
-           " on it passes its earlier states in the opposite direction, now those of row " + row(found->earlier) +
+    return "the requested load is not reached: the path retraces itself, from row " + row(found->first) +
+           " on it passes its earlier states in the opposite direction, most recently row " + row(found->earlier) +
            ", " + describe(*last_);
 }
 
-bool PathFollower::is_crushed() const { return newton_result_.min_jacobian < crushed; }
+bool PathFollower::is_nearly_inverted() const { return newton_result_.min_jacobian < nearly_inverted; }
 
-void PathFollower::give_up() {
-    const std::string place = location_text(newton_result_.worst_cell, input_);
-    log("no step goes on: smaller cells (mesh.size) would be next");
+void PathFollower::abandon_path() {
+    const std::string location = location_text(newton_result_.worst_cell, input_);
+    log("no step converges: use smaller cells (mesh.size)");
     if (newton_result_.end == NewtonEnd::inverted)
         return finish(StopReason::inverted_element,
-                      "a cell turns inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " + place +
+                      "an element inverted (det F = " + short_text(newton_result_.min_jacobian) + ") " + location +
                           "; use smaller cells there (mesh.size)");
-    if (is_crushed())
+    if (is_nearly_inverted())
         return finish(StopReason::inverted_element,
-                      "a cell is all but inside out (det F = " + short_text(newton_result_.min_jacobian) + ") " +
-                          place + " at " + describe(*last_) + "; use smaller cells there (mesh.size)");
+                      "an element is nearly inverted (det F = " + short_text(newton_result_.min_jacobian) + ") " +
+                          location + " at " + describe(*last_) + "; use smaller cells there (mesh.size)");
     if (newton_result_.end == NewtonEnd::linear_solver)
         return finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + ": " + linear_remedy);
     finish(StopReason::diverged, "no equilibrium found beyond " + describe(*last_) + " (" +
-                                     std::string(text_of(newton_result_.end)) + "); the most distorted cell is " +
-                                     place + ", det F = " + short_text(newton_result_.min_jacobian) +
-                                     "; smaller cells there (mesh.size) may go on");
+                                     std::string(text_of(newton_result_.end)) + "); the largest distortion is " +
+                                     location + ", det F = " + short_text(newton_result_.min_jacobian) +
+                                     "; try smaller cells there (mesh.size)");
 }
 
 }  // namespace soft::solver

@@ -1,9 +1,9 @@
 #pragma once
-/// The state machine behind follow_path (path.hpp), internal to the module. One concern a file: path.cpp begins and ends,
-/// stages.cpp begins and ends stages and changes the control, path_step.cpp takes steps and mends failed ones,
-/// path_points.cpp measures states and writes rows, path_work.cpp sums the work of the loads, events.cpp locates limit points, bifurcations and contact,
-/// path_kink.cpp goes round corners of bodies with fibres, path_end.cpp ends paths that do not reach their load, path_resume.cpp
-/// keeps and restores checkpoints.
+/// The state machine behind follow_path (path.hpp), internal to the module. One concern per file: path.cpp begins and ends the path,
+/// stages.cpp begins and ends stages and changes the control, path_step.cpp takes steps and recovers from failed ones,
+/// path_points.cpp measures states and writes rows, path_work.cpp integrates the work of the loads, events.cpp locates limit points,
+/// bifurcations and contact, path_kink.cpp passes kinks of the path of bodies with fibres, path_end.cpp ends paths that do not reach
+/// their load, path_resume.cpp saves and restores checkpoints.
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,14 +17,14 @@
 
 namespace soft::solver {
 
-/// What a path that ends for its linear solver says, after where.
+/// The clause for a path that ends because of its linear solver; the caller puts the location before it.
 inline constexpr const char* linear_remedy =
-    "the linear solver does not converge; another solver.linear or solver.preconditioner, or a higher solver.linear_limit";
+    "the linear solver does not converge; use another solver.linear or solver.preconditioner, or increase solver.linear_limit";
 
-/// Of a path that cannot begin, by how its first equations failed: the linear solver's choice, or `problem` of the materials.
-[[nodiscard]] Error no_beginning(NewtonEnd end, const std::string& problem);
+/// The error of a path that cannot start: names solver.linear where the linear solver failed, else `problem` of the materials.
+[[nodiscard]] Error start_error(NewtonEnd end, const std::string& problem);
 
-/// A path of which so many steps are less than this part of its length goes on no more.
+/// A path stalls when its last `stalled_rows` steps are together shorter than `stalled_length` of the whole path.
 inline constexpr std::size_t stalled_rows = 150;
 inline constexpr double stalled_length = 0.01;
 
@@ -32,7 +32,7 @@ inline constexpr double stalled_length = 0.01;
 struct Event {
     PathPoint point;
     bool is_limit_point = false;
-    int modes = 0;  ///< eigenvalues that pass zero, of a bifurcation
+    int modes = 0;  ///< eigenvalues that pass through zero; 0 if not a bifurcation
     std::optional<linalg::Vector> mode;
 };
 
@@ -67,8 +67,8 @@ private:
     [[nodiscard]] double control_slope(const Constraint& control, const PathPoint& point) const;
     [[nodiscard]] double bend_under(const Constraint& control);
     [[nodiscard]] double controlled_value(const PathPoint& point, double arc_length) const;
-    [[nodiscard]] bool nears_a_maximum();
-    void soften();
+    [[nodiscard]] bool is_near_maximum();
+    void leave_load_control();
     [[nodiscard]] int wanted_steps() const;
     [[nodiscard]] double first_step(double slope, double sense) const;
     void begin_without_direction(State state);
@@ -80,10 +80,10 @@ private:
     [[nodiscard]] Constraint bind(const Constraint& constraint, const PathPoint& origin) const;
     void accept(PathPoint point);
     void handle_failure();
-    /// Of the next step. The forecast is the predictor's state there, where Newton's method starts from or not.
+    /// Target of the next step. The forecast is the predictor's state there, whether or not Newton's method starts from it.
     struct Aim {
         std::optional<Crossing> crossing = {};
-        bool straight = false;  ///< by the tangent, not the cubic
+        bool straight = false;  ///< predicted by the tangent, not the cubic
         State forecast = {};
         Constraint constraint = {};
         double target = 0;
@@ -105,16 +105,16 @@ private:
     void adapt_step(double predictor_error, double order);
 
     // path_end.cpp
-    [[nodiscard]] bool is_past_a_maximum() const;
+    [[nodiscard]] bool is_past_limit_point() const;
     [[nodiscard]] bool is_goal_unreachable() const;
-    /// Whether the last steps are so short that no number of them leads on.
+    /// Whether the last steps are too short for progress.
     [[nodiscard]] bool is_stalled() const;
     [[nodiscard]] bool is_out_of_reach();
-    /// Why the path ends where it has returned to states it has passed; empty where it has not.
+    /// Why the path ends: it has returned to states it has passed. Empty where it has not.
     [[nodiscard]] std::string return_text() const;
-    /// Whether a cell of the last attempt is all but inside out: rubber of any law has failed there, or the cells are too large.
-    [[nodiscard]] bool is_crushed() const;
-    void give_up();
+    /// Whether a cell of the last attempt is nearly inverted: the material would have failed, or the cells are too large.
+    [[nodiscard]] bool is_nearly_inverted() const;
+    void abandon_path();
 
     // path_kink.cpp
     [[nodiscard]] bool pass_kink(double failed_step);
@@ -122,7 +122,7 @@ private:
     [[nodiscard]] bool begins_at_rest() const;
     [[nodiscard]] PathTangent leave_rest(const State& rest, PathTangent slack);
     [[nodiscard]] bool stays_in_piece(const State& base, double length, PathTangent& direction);
-    [[nodiscard]] bool settle(const State& base, double length, PathTangent& direction);
+    [[nodiscard]] bool find_consistent_direction(const State& base, double length, PathTangent& direction);
     [[nodiscard]] std::optional<PathTangent> piece_between(double step, const PathTangent& far);
     [[nodiscard]] bool turns_within(double step, const PathTangent& turned, Vec x);
     [[nodiscard]] std::optional<PathPoint> point_along(double step, const PathTangent& turned);
@@ -133,7 +133,7 @@ private:
     void rescale(PathPoint& point, double factor);
     [[nodiscard]] double leading_of(const State& state) const;
     void append(PathPoint& point);
-    /// With the loads held as the case states them, and under the control in use.
+    /// With the loads prescribed as the case states them, and under the control in use.
     [[nodiscard]] bool is_stable(const PathPoint& point) const;
     [[nodiscard]] bool is_stable_under_control(const PathPoint& point) const;
     /// Along the direction of travel.
@@ -146,27 +146,27 @@ private:
 
     // path_work.cpp
     /// Work of the loads between two points, and the energy stored at both; of the modelled part.
-    struct Way {
+    struct WorkInterval {
         double work_J = 0, from_J = 0, to_J = 0;
         [[nodiscard]] double gain_J() const { return to_J - from_J; }
         [[nodiscard]] double gap_J() const { return work_J - gain_J(); }
     };
-    /// To the accuracy of the path (step_accuracy) where the law has an energy, through as many states in between as that takes.
-    [[nodiscard]] double work_on_the_way(PathPoint& from, PathPoint& to);
-    [[nodiscard]] double refined_work(const PathPoint& from, const PathPoint& to, const Way& way, double wanted_J,
-                                      int halvings_left);
+    /// To the accuracy of the path (step_accuracy) where the law has an energy, through as many intermediate states as necessary.
+    [[nodiscard]] double work_of_step(PathPoint& from, PathPoint& to);
+    [[nodiscard]] double refined_work(const PathPoint& from, const PathPoint& to, const WorkInterval& interval,
+                                      double wanted_J, int halvings_left);
     [[nodiscard]] double stored_energy_of(PathPoint& point);
 
     // events.cpp
     [[nodiscard]] std::optional<ContactEvent> find_contact(PathPoint& point);
-    /// Appends what happens between two points in the order of the path; true where the path ends or turns there.
+    /// Appends the events between two points in the order of the path; true if the path ends or turns there.
     [[nodiscard]] bool pass_events(const PathPoint& from, const PathPoint& to);
     [[nodiscard]] std::optional<PathPoint> locate_extremum(const PathPoint& from, const PathPoint& to,
                                                            double (*slope)(const PathPoint&, std::size_t),
                                                            std::size_t index);
     [[nodiscard]] std::optional<Event> locate_bifurcation(const PathPoint& from, const PathPoint& to);
-    [[nodiscard]] std::string object_to_bifurcation(const PathPoint& from, const PathPoint& to, const PathPoint& left,
-                                                    const PathPoint& right, const std::optional<linalg::Vector>& mode);
+    [[nodiscard]] std::string check_bifurcation(const PathPoint& from, const PathPoint& to, const PathPoint& left,
+                                                const PathPoint& right, const std::optional<linalg::Vector>& mode);
     [[nodiscard]] std::optional<int> branch_index(const PathPoint& point) const;
     [[nodiscard]] bool take_branch(const Event& event);
 
@@ -186,18 +186,18 @@ private:
     std::optional<StageLoads> loads_;
     std::vector<Goal> goals_;
     Constraint control_;
-    std::optional<Constraint> chosen_;  // by the user, where the path is followed by another control to see why it ends
+    std::optional<Constraint> chosen_;  // the user's control, while another one is used to find why the path ends
     std::optional<PathPoint> before_, last_;
     std::vector<VisitedState> visited_;  // rows of the stage
     double step_ = 0, first_step_ = 0;   // of q, signed
     double stretch_p99_ = 1;             // of the last row
     double work_before_stage_J_ = 0;
-    double first_slope_ = 0;                                       // |dx / d load factor| where the stage began
+    double first_slope_ = 0;                                       // |dx / d load factor| at the start of the stage
     int failures_ = 0;                                             // in a row
-    std::optional<double> rejected_error_, rejected_curve_error_;  // of the predictor, at the last attempt from here
+    std::optional<double> rejected_error_, rejected_curve_error_;  // of the predictor, in the last attempt at this row
     NewtonResult newton_result_;
     int iterations_since_row_ = 0, factorizations_at_row_ = 0;
-    int factorizations_before_ = 0;  // of the run that was interrupted
+    int factorizations_before_ = 0;  // of the interrupted run
     int rows_ = 0;
     bool on_branch_ = false;
     bool finished_ = false;

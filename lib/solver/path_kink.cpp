@@ -1,8 +1,8 @@
-/// Corners of the path. Where a fibre goes slack or begins to pull, the tangent K jumps, and with it the direction of the path: it
-/// may turn by more than a right angle, and the load may turn round; then no step along the direction before the corner goes on.
-/// Beyond it the path is that of another piece of the law, along +-K^-1 f with the K of the far side, in the sense that leads away
-/// from the corner and stays in that piece (paths of piecewise linear maps: Allgower and Georg, Introduction to Numerical
-/// Continuation Methods (2003) 12). Tested by solver/corner_test.
+/// Kinks of the path. Where a fibre becomes slack or taut, the tangent K jumps, and with it the direction of the path: it
+/// may turn by more than a right angle, and the load may reverse; then no step along the direction before the kink converges.
+/// Beyond the kink the path belongs to another smooth piece of the law, with the direction +-K^-1 f and the K of the far side. The
+/// sign is the one that leads away from the kink and stays in that piece (paths of piecewise linear maps: Allgower and Georg,
+/// Introduction to Numerical Continuation Methods (2003) 12). Tested by solver/kink_test.
 #include <algorithm>
 #include <cmath>
 
@@ -13,26 +13,26 @@ namespace soft::solver {
 
 namespace {
 
-/// Steps tried beyond a corner, each a quarter of the one before.
+/// Number of steps tried beyond a kink, each a quarter of the one before.
 constexpr int reaches = 3;
 constexpr double shorter_reach = 0.25;
-/// In failed steps: beyond the corner along the new direction.
+/// Distance beyond the kink along the new direction, in failed steps.
 constexpr double along_new_direction = 2.0;
-/// Cosine between two directions of the same piece, and of the one that the path is found to have at the end of the step.
+/// Smallest cosine between two directions of the same piece, and to the direction of the path at the end of the step.
 constexpr double same_piece = 0.9999, same_direction = 0.5;
-/// Beside rest in parts of the first step: so near that the piece is the first, so far that rounding does not say which. And what
-/// directions of one piece differ by.
+/// Distance from rest in first steps: close enough to lie in the first piece, far enough that rounding does not select the piece. And
+/// the relative difference of directions of one piece.
 constexpr double away_from_rest = 1e-5, of_the_piece = 1e-3;
-/// The way from rest is at least this part of the body's size: of tiny loads rounding does not say which fibres pull.
+/// Minimum distance from rest relative to the body's size: under tiny loads rounding would decide which fibres are taut.
 constexpr double visible_strain = 1e-9;
-/// Fibres of neighbouring points may change one right after the other: directions tried until one leads to where it is the
-/// path's, and halvings of the failed step to find the first piece where none does.
+/// Fibres of neighbouring points may change one right after the other: number of directions tried until one leads into its own
+/// piece, and of halvings of the failed step to find the first piece if none does.
 constexpr int pieces = 8, halvings = 30;
-/// Ways along a direction, each longer than the one before, to see which one leads out of a piece.
+/// Number of distances along a direction, each longer than the one before by the factor `longer`, to find which sense leaves a piece.
 constexpr int lengths = 4;
 constexpr double longer = 4.0;
-/// Of the plane through both directions, in parts of the ways along them, and of the failed step: a state that is farther off lies
-/// on another path.
+/// Allowed distance from the plane of both directions, relative to the distances along them, and tolerance relative to the failed
+/// step: a state that is farther off lies on another path.
 constexpr double off_the_plane = 0.1;
 
 State moved(const State& from, double length, const PathTangent& direction) {
@@ -45,8 +45,8 @@ State moved(const State& from, double length, const PathTangent& direction) {
 
 }  // namespace
 
-/// At rest all fibres are slack and about to pull: K there is that of the rubber alone. The direction of the path is that of the
-/// piece into which it leads.
+/// At rest all fibres are at the point of becoming taut, and K is that of the matrix material alone. The direction of the path is
+/// that of the piece into which it leads.
 PathTangent PathFollower::leave_rest(const State& rest, PathTangent slack) {
     PathTangent direction = std::move(slack);
     const double visible_m = visible_strain * model::extent_m(input_.mesh);
@@ -63,7 +63,7 @@ PathTangent PathFollower::leave_rest(const State& rest, PathTangent slack) {
     return direction;
 }
 
-/// Of unit length, in the sense of travel, as the tangent at `state` has it: near the path, not of it.
+/// The unit direction of travel by the tangent at `state`, which is near the path but not on it.
 std::optional<PathTangent> PathFollower::oriented_direction(const State& state) {
     auto direction = newton_.tangent({ConstraintKind::load_factor}, state);
     if (!direction || !direction->unstable_modes) return std::nullopt;
@@ -72,11 +72,11 @@ std::optional<PathTangent> PathFollower::oriented_direction(const State& state) 
     return direction;
 }
 
-/// At rest all fibres are at their corner: there is no way to it, and the sense of the first direction is known.
+/// At rest all fibres are at their kink: there is no step towards it, and the sense of the first direction is known.
 bool PathFollower::begins_at_rest() const { return rows_ <= stage_first_row_ + 1; }
 
-/// Gives `direction`, that of the piece at `base`, the sense in which it does not lead out of this piece again: the count of pivots
-/// knows it only where K is symmetric. False where it leads out both ways.
+/// Gives `direction`, that of the piece at `base`, the sense in which it does not leave this piece again: the count of pivots
+/// gives the sense only where K is symmetric. False where both senses leave the piece.
 bool PathFollower::stays_in_piece(const State& base, double length, PathTangent& direction) {
     const auto stays = [&](double way) {
         const auto there = oriented_direction(moved(base, way, direction));
@@ -93,8 +93,8 @@ bool PathFollower::stays_in_piece(const State& base, double length, PathTangent&
     return true;
 }
 
-/// Follows directions from piece to piece until one leads into its own; false where they go round in circles.
-bool PathFollower::settle(const State& base, double length, PathTangent& direction) {
+/// Follows directions from piece to piece until one leads into its own piece; false if none does.
+bool PathFollower::find_consistent_direction(const State& base, double length, PathTangent& direction) {
     for (int piece = 0; piece < pieces; ++piece) {
         if (stays_in_piece(base, length, direction)) return true;
         auto next = oriented_direction(moved(base, length, direction));
@@ -119,7 +119,7 @@ std::optional<PathTangent> PathFollower::piece_between(double step, const PathTa
     return std::nullopt;
 }
 
-/// Whether the way from the last row goes along its direction by no more than the step, then along `turned`.
+/// Whether x is reached from the last row along its direction by no more than the step, then along `turned`.
 bool PathFollower::turns_within(double step, const PathTangent& turned, Vec x) {
     const double length = (step < 0.0 ? -1.0 : 1.0) * linalg::norm(last_->tangent.x);
     const double cosine = linalg::dot(turned.x, last_->tangent.x) / length;
@@ -165,24 +165,24 @@ bool PathFollower::pass_kink(double failed_step) {
         const State beyond = moved(last_->state, step, last_->tangent);
         const double along = along_new_direction * std::abs(step) * linalg::norm(last_->tangent.x);
         auto turned = oriented_direction(beyond);
-        if (turned && !settle(beyond, along, *turned))
+        if (turned && !find_consistent_direction(beyond, along, *turned))
             if (auto between = piece_between(step, *turned)) {
                 turned = std::move(between);
-                static_cast<void>(settle(beyond, along, *turned));
+                static_cast<void>(find_consistent_direction(beyond, along, *turned));
             }
         auto point = turned ? point_along(step, *turned) : std::nullopt;
         if (!point) {
             newton_.confirm_pivots(pivots);
             continue;
         }
-        log("row " + std::to_string(rows_) + ": round a corner to " + describe(*point));
+        log("row " + std::to_string(rows_) + ": passed a kink to " + describe(*point));
         if (step_ < 0.0) rescale(*last_, -1.0);
         step_ = point->q - last_->q;
         failures_ = 0;
         rejected_error_.reset();
         rejected_curve_error_.reset();
         accept(std::move(*point));
-        before_.reset();  // no cubic through a corner
+        before_.reset();  // no cubic through a kink
         return true;
     }
     return false;

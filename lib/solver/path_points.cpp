@@ -21,7 +21,7 @@ void PathFollower::read_values(PathPoint& point) {
 
 double PathFollower::leading_of(const State& state) const { return solver::leading_of(input_, *loads_, state); }
 
-/// Changes the parameter of a point's slopes. They are read anew, as after a resumption, so that both agree to the byte.
+/// Changes the parameter of a point's slopes. They are recomputed, as after a resumption, so that both agree to the byte.
 void PathFollower::rescale(PathPoint& point, double factor) {
     scale(point.tangent, factor);
     auto outputs = std::move(point.outputs);  // angles stay beyond half a turn
@@ -29,9 +29,9 @@ void PathFollower::rescale(PathPoint& point, double factor) {
     point.outputs = std::move(outputs);
 }
 
-/// A row; its work is known from here on.
+/// Writes a row and sets its work.
 void PathFollower::append(PathPoint& point) {
-    if (&point != &*last_) point.load_work_J = last_->load_work_J + work_on_the_way(*last_, point);
+    if (&point != &*last_) point.load_work_J = last_->load_work_J + work_of_step(*last_, point);
     const double direction = step_ < 0.0 ? -1.0 : 1.0;  // tangents point in the direction of travel
     solution::Step step = step_of(system_, point, direction);
     step.stage = stage_;
@@ -56,8 +56,8 @@ bool PathFollower::is_stable(const PathPoint& point) const {
     return point.tangent.unstable_modes ? *point.tangent.unstable_modes == 0 : !load_falls(point);
 }
 
-/// Under a controlled volume or output the tangent may have one more direction that gives way than at fixed load, exactly
-/// where the load falls: the bordered matrix is then still definite on the constraint.
+/// Under volume or output control the tangent may have one more unstable direction than at fixed load, exactly where the load
+/// falls: the bordered matrix is then still definite on the constraint.
 bool PathFollower::is_stable_under_control(const PathPoint& point) const {
     const bool load_follows = control_.kind == ConstraintKind::volume || control_.kind == ConstraintKind::output;
     if (!load_follows) return is_stable(point);
@@ -66,9 +66,9 @@ bool PathFollower::is_stable_under_control(const PathPoint& point) const {
 }
 
 solution::LimitPoint PathFollower::location_of(const PathPoint& point) const {
-    solution::LimitPoint place{rows_, point.leading, std::nullopt, point.outputs};
-    if (!input_.loads.empty() && system_.encloses_volume(0)) place.volume_m3 = point.load_volumes_m3[0];
-    return place;
+    solution::LimitPoint location{rows_, point.leading, std::nullopt, point.outputs};
+    if (!input_.loads.empty() && system_.encloses_volume(0)) location.volume_m3 = point.load_volumes_m3[0];
+    return location;
 }
 
 }  // namespace soft::solver

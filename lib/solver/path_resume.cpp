@@ -28,7 +28,7 @@ void PathFollower::keep_checkpoint() {
     checkpoint.start = loads_->start();
     checkpoint.control = static_cast<int>(control_.kind);
     checkpoint.controlled = static_cast<std::int64_t>(control_.index);
-    checkpoint.chosen_is_left = chosen_.has_value();
+    checkpoint.user_control_failed = chosen_.has_value();
     checkpoint.on_branch = on_branch_;
     checkpoint.pending_factorizations = newton_.factorizations() - factorizations_at_row_;
     checkpoint.confirmed_pivots = newton_.confirmed_pivots();
@@ -50,11 +50,11 @@ void PathFollower::restore(const solution::Checkpoint& from) {
     int ranks = 1;
     MPI_Comm_size(system_.comm(), &ranks);
     const auto refuse = [](const std::string& problem, const char* remedy) {
-        throw Error(ExitCode::bad_input, "the interrupted path", problem, remedy);
+        throw Error(ExitCode::bad_input, "checkpoint", problem, remedy);
     };
     if (ranks != from.ranks)
-        refuse("was followed by " + std::to_string(from.ranks) + " ranks, these are " + std::to_string(ranks),
-               "use as many");
+        refuse("it was written by " + std::to_string(from.ranks) + " ranks, but this run has " + std::to_string(ranks),
+               "use the same number of ranks");
     const auto loads = input_.loads.size();
     const bool fits = from.stage >= 0 && static_cast<std::size_t>(from.stage) < input_.path.stages.size() &&
                       from.start.pressures_Pa.size() == loads && from.start.volumes_m3.size() == loads &&
@@ -62,14 +62,14 @@ void PathFollower::restore(const solution::Checkpoint& from) {
                       from.start.body_forces.size() == input_.body_forces.size() &&
                       from.start.motions.size() == input_.motions.size() && from.control >= 0 &&
                       from.control <= static_cast<int>(ConstraintKind::arc);
-    if (!fits) refuse("has other loads or stages than the case", "run solve again");
+    if (!fits) refuse("its loads or stages differ from those of the case", "solve the case again without --resume");
     set_stage(from.stage, from.start);
     const auto size = static_cast<std::size_t>(system_.dofs().total), free = loads_->free_supplies().size();
     const auto point_of = [&](const solution::StatePoint& stored) {
         if (stored.unknowns.size() != size || stored.tangent_unknowns.size() != size ||
             stored.pressures_Pa.size() != free || stored.tangent_pressures.size() != free ||
             stored.outputs.size() != system_.output_count())
-            refuse("has another number of unknowns than the case", "run solve again");
+            refuse("its number of unknowns differs from that of the case", "solve the case again without --resume");
         PathPoint point;
         point.state = {system_.make_vector(), stored.load_factor, stored.pressures_Pa};
         linalg::spread(stored.unknowns, point.state.x);
@@ -82,12 +82,12 @@ void PathFollower::restore(const solution::Checkpoint& from) {
         point.load_work_J = stored.load_work_J;
         return point;
     };
-    if (static_cast<ConstraintKind>(from.control) != control_.kind && from.chosen_is_left) chosen_ = control_;
+    if (static_cast<ConstraintKind>(from.control) != control_.kind && from.user_control_failed) chosen_ = control_;
     control_ = {static_cast<ConstraintKind>(from.control), static_cast<std::size_t>(from.controlled)};
     if (control_.kind == ConstraintKind::volume
             ? control_.index >= loads
             : control_.kind == ConstraintKind::output && control_.index >= system_.output_count())
-        refuse("has other loads or outputs than the case", "run solve again");
+        refuse("its loads or outputs differ from those of the case", "solve the case again without --resume");
     on_branch_ = from.on_branch;
     rows_ = from.rows;
     report_control();
@@ -101,7 +101,8 @@ void PathFollower::restore(const solution::Checkpoint& from) {
     first_slope_ = from.first_slope;
     stage_first_row_ = from.stage_first_row;
     rows_ = from.rows;
-    if (from.visited.size() % (2 * sketch_size) != 0) refuse("has states that no path has passed", "run solve again");
+    if (from.visited.size() % (2 * sketch_size) != 0)
+        refuse("its list of visited states is invalid", "solve the case again without --resume");
     for (std::size_t i = 0; i < from.visited.size(); i += 2 * sketch_size) {
         const auto state = from.visited.begin() + static_cast<std::ptrdiff_t>(i);
         visited_.emplace_back();

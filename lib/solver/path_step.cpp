@@ -11,42 +11,44 @@ using solution::StopReason;
 
 namespace {
 
-/// A step whose predictor errs by more than this part of the step is taken again, shorter: the corrector may have
-/// landed on another branch.
+/// A step whose predictor error exceeds this fraction of the step is repeated, shorter: the corrector may have
+/// converged to another branch.
 constexpr double predictor_error_limit = 0.5;
-/// A step along the tangent alone, whose error says as its square how far the curve between its rows may be off, is taken again
-/// where that is more than so many times step_accuracy.
+/// A step along the tangent alone is repeated where the square of its error, an estimate of the error of the curve between its
+/// rows, exceeds this multiple of step_accuracy.
 constexpr double coarse_curve = 2.0;
-/// Below this the state is the path's next one.
+/// Below this predictor error the state belongs to the same branch.
 constexpr double predictor_error_without_jump = 0.05;
-/// Of a smooth path the tangent's error falls with the step, which is cut to 0.4 between two attempts.
+/// On a smooth path the tangent's error falls with the step, which is cut to 0.4 between two attempts.
 constexpr double error_at_a_kink = 0.8;
-/// The curve between two rows is the cubic through them: its load is held as well, to as many times the error.
+/// The curve between two rows is the cubic through them: its load error is controlled as well, with this weight.
 constexpr double load_share = 0.45;
-/// Near a limit point the load's error is measured by this part of the load, not by its change.
+/// Near a limit point the load's error is relative to this fraction of the load, not to its change.
 constexpr double flat_load = 0.1;
-/// Times the tolerance of equilibrium, of the state or load: what a predictor differs from a state no better known than that
-/// says nothing about the step.
+/// Times the tolerance of equilibrium, relative to the state or load: a predictor error below the accuracy of the state itself
+/// gives no information about the step.
 constexpr double equilibrium_margin = 10.0;
-/// Step changes from one step to the next.
+/// Bounds of the step-size factor from one step to the next.
 constexpr double max_growth = 2.5, growth_of_linear_steps = 100.0, min_shrink = 0.3, min_retake = 0.1,
                  cut_after_failure = 0.4;
 /// Newton iterations beyond which the step does not grow.
 constexpr int many_iterations = 7;
-/// Failures in a row before the path is followed by another control.
+/// Consecutive failures before the path is followed by another control.
 constexpr int failures_before_other_control = 3;
-/// ... and before a body with fibres is taken to be at a corner of its path.
-constexpr int failures_before_corner = 3;
-/// The arc is that of the whole body: a fold in which but one cell snaps turns within so small a part of any other step.
+/// Consecutive failures before a body with fibres is assumed to be at a kink of its path.
+constexpr int failures_before_kink = 3;
+/// Factor on min_step under arc-length control. The arc length is that of the whole body: a fold in which only one cell snaps through
+/// turns within a very small fraction of any other step.
 constexpr double arc_of_one_cell = 1e-3;
-/// In lengths of the body: a first step that moves its nodes by less, in the mean, is not cut any further for the load alone.
+/// Relative to the size of the body: a first step that moves its nodes by less, in the root mean square, is not cut further because
+/// of the load.
 constexpr double motionless = 1e-7;
-/// Times step_accuracy, of the state and load: an error of the predictor below this part of the whole does not shorten the steps,
-/// which are so short that it may come from the tolerance of equilibrium where the body hardly resists a motion.
+/// Times step_accuracy, relative to the state and load: a smaller predictor error does not shorten the steps. Steps with such
+/// errors are so short that the error may come from the tolerance of equilibrium where the body hardly resists a motion.
 constexpr double negligible_error = 1e-3;
-/// Of step_accuracy: what a negligible error counts for, so that the next step is a little longer.
+/// Value of a negligible error in units of step_accuracy, so that the next step is slightly longer.
 constexpr double accepted_share = 0.5;
-/// A part of a step that is rounding: far above that of sums, far below any step.
+/// A fraction of a step that counts as rounding: far above the rounding of sums, far below any step.
 constexpr double sliver = 1e-6;
 
 }  // namespace
@@ -86,7 +88,7 @@ std::optional<PathPoint> PathFollower::solve_between(const PathPoint& a, const P
     return point;
 }
 
-/// A constant step under the load factor ends on its multiples, also after one that had to be cut: rows at k x first_step.
+/// A constant step under load-factor control ends on its multiples, also after a step that was cut: rows at k x first_step.
 double PathFollower::next_q() const {
     const double end = last_->q + step_;
     if (settings_.steps != model::StepRule::constant || control_.kind != ConstraintKind::load_factor) return end;
@@ -95,12 +97,12 @@ double PathFollower::next_q() const {
     return shortened && std::abs(end - last_->q) < (1.0 - sliver) * std::abs(on_grid - last_->q) ? end : on_grid;
 }
 
-/// Where the step is to end: by the cubic (or tangent) at the end of the step, or at the first goal it meets.
+/// The target of the step: its end by the cubic (or tangent), or the first goal it reaches.
 PathFollower::Aim PathFollower::aim() {
     const bool straight = !before_ || settings_.predictor == model::Predictor::tangent;
     const PathPoint* before = straight ? nullptr : &*before_;
     const double end = next_q();
-    // Of a constant step, rounding must not leave a sliver before a goal that lies on its grid.
+    // With constant steps, rounding must not leave a tiny step before a goal that lies on the grid.
     const double reach = settings_.steps == model::StepRule::constant ? end + sliver * (end - last_->q) : end;
     Aim aim{.crossing = first_predicted(goals_, before, *last_, reach), .straight = straight};
     const double q = aim.crossing ? aim.crossing->q : end;
@@ -115,7 +117,7 @@ PathFollower::Aim PathFollower::aim() {
     return aim;
 }
 
-/// What Newton's method starts from.
+/// The initial guess of Newton's method.
 State PathFollower::start_of(const Aim& aim) const {
     const State& from = settings_.predictor == model::Predictor::none ? last_->state : aim.forecast;
     State start{linalg::duplicate(from.x), from.load_factor, from.pressures_Pa};
@@ -139,25 +141,25 @@ PathFollower::PredictorError PathFollower::error_of(const Aim& aim, const PathPo
             error <= negligible * size && load_error <= negligible * std::abs(point.leading)};
 }
 
-/// Another inertia is another branch, unless the predictor says that the path has just passed a bifurcation. And steps that
-/// are chosen by the predictor's error are taken again where it is large.
+/// A changed inertia means another branch, unless the predictor shows that the path has just passed a bifurcation. Steps that
+/// are chosen by the predictor's error are also repeated where it is large.
 bool PathFollower::is_refused(const PredictorError& error, const PathPoint& point) const {
     const bool jumped = control_.kind == ConstraintKind::load_factor && error.state > predictor_error_without_jump &&
                         point.tangent.unstable_modes && last_->tangent.unstable_modes &&
                         *point.tangent.unstable_modes != *last_->tangent.unstable_modes;
     if (jumped) return true;
-    if (system_.has_fibers() && control_.kind == ConstraintKind::arc && failures_ < failures_before_corner) {
+    if (system_.has_fibers() && control_.kind == ConstraintKind::arc && failures_ < failures_before_kink) {
         const auto before = branch_index(*last_), here = branch_index(point);
         if (before && here && (*before - *here) % 2 != 0) return true;
     }
     if (settings_.steps != model::StepRule::error_adaptive) return false;
-    // At a kink of the law (fibres that start to pull) the tangent is one-sided: the error does not fall with the step.
+    // At a kink of the law (fibres that become taut) the tangent is one-sided: the error does not fall with the step.
     const bool kink = rejected_error_ && error.state > error_at_a_kink * *rejected_error_;
     return error.state > predictor_error_limit && !kink;
 }
 
-/// The first step's length comes from the loads, which may lie far beyond what the path is followed to: its rows would be exact
-/// and the curve between them read off far from the path. Not where the error does not fall with the step, at a kink.
+/// The first step's length comes from the loads, which may lie far beyond the end of the path: its rows would be exact, but
+/// the curve between them would be far from the path. Not applied where the error does not fall with the step, at a kink.
 bool PathFollower::is_too_long(const Aim& aimed, double missed, double taken) {
     const bool squared = aimed.straight && settings_.predictor != model::Predictor::tangent;
     if (settings_.steps != model::StepRule::error_adaptive || !squared) return false;
@@ -166,13 +168,13 @@ bool PathFollower::is_too_long(const Aim& aimed, double missed, double taken) {
     const double shorter = std::max(0.9 * std::sqrt(settings_.step_accuracy / error), min_retake);
     if (error <= coarse_curve * settings_.step_accuracy || kink) return false;
     if (is_first_try(shorter * taken))
-        first_step_ = coarse(shorter * taken);
+        first_step_ = round_step_size(shorter * taken);
     else if (std::abs(shorter * taken / first_step_) < settings_.min_step)
         return false;
     log("row " + std::to_string(rows_) + ": step of " + short_text(taken) +
-        " is too long for the curve (predictor error " + short_text(missed) + "): taken again");
+        " is too long for the curve (predictor error " + short_text(missed) + "): repeated with a shorter step");
     rejected_curve_error_ = error;
-    step_ = coarse(shorter * taken);
+    step_ = round_step_size(shorter * taken);
     return true;
 }
 
@@ -180,14 +182,14 @@ void PathFollower::advance() {
     if (rows_ > settings_.step_limit)
         return finish(StopReason::step_limit, core::counted(settings_.step_limit, "step") +
                                                   (settings_.step_limit == 1 ? " was" : " were") +
-                                                  " not enough; a larger solver.step_limit goes on");
+                                                  " not enough; increase solver.step_limit");
     if (is_stalled()) {
         const std::string where = ": the last " + std::to_string(stalled_rows) +
-                                  " steps are less than a hundredth of the path, at " + describe(*last_);
-        return is_past_a_maximum()
+                                  " steps cover less than 1 % of its length, at " + describe(*last_);
+        return is_past_limit_point()
                    ? finish(StopReason::limit_point,
-                            "the load asked for is not reached: its maximum lies behind, and the path stalls" + where)
-                   : finish(StopReason::diverged, "the path stalls" + where + "; another mesh.size may go on");
+                            "the requested load is not reached: the path is past the limit point and stalls" + where)
+                   : finish(StopReason::diverged, "the path stalls" + where + "; try another mesh.size");
     }
     if (rows_ > wanted_steps()) return end_stage("number of steps");
     const Aim aimed = aim();
@@ -214,11 +216,11 @@ void PathFollower::advance() {
         adapt_step(missed, 1.0);
     else
         adapt_step(missed * missed,
-                   3.0);  // the cubic comes next: of a series whose terms go on falling so it errs by 4 missed^3
-    soften();
+                   3.0);  // the next predictor is the cubic: for a series with decreasing terms its error is 4 missed^3
+    leave_load_control();
 }
 
-/// The rest of a step that Newton's method has found: contact, goals passed by, events, the row. True where the path goes on
+/// Completes a step that Newton's method has solved: contact, goals passed, events, the row. True where the path continues
 /// from there in the same stage.
 bool PathFollower::arrive(PathPoint point, const Goal* goal) {
     const auto contact = find_contact(point);
@@ -241,12 +243,11 @@ bool PathFollower::arrive(PathPoint point, const Goal* goal) {
     else if (std::string returned = return_text(); !returned.empty())
         finish(StopReason::limit_point, std::move(returned));
     else if (is_out_of_reach())
-        finish(StopReason::limit_point, "the load asked for is never reached: it tends to little more than at " +
-                                            describe(*last_) +
-                                            ", and the rubber is stretched by more than path.stretch_limit");
+        finish(StopReason::limit_point, "the requested load is never reached: the load tends to little more than at " +
+                                            describe(*last_) + ", and the stretch exceeds path.stretch_limit");
     else if (is_goal_unreachable())
         finish(StopReason::limit_point,
-               "the load asked for is never reached: its maximum lies behind, and the rubber is stretched by more than "
+               "the requested load is never reached: the path is past the limit point, and the stretch exceeds "
                "path.stretch_limit at " +
                    describe(*last_));
     else
@@ -263,20 +264,20 @@ void PathFollower::accept(PathPoint point) {
 void PathFollower::adapt_step(double predictor_error, double order) {
     const double taken = last_->q - before_->q;
     switch (settings_.steps) {
-        case model::StepRule::constant:  // grows back where it had to be cut
+        case model::StepRule::constant:  // grows back after a cut
             step_ = std::abs(2.0 * step_) < std::abs(first_step_) ? 2.0 * step_ : first_step_;
             return;
         case model::StepRule::iteration_adaptive: {  // Ramm 1981; Crisfield 1991 9.5.1
             const double iterations = std::max(newton_result_.iterations, 1);
-            step_ = coarse(std::clamp(std::sqrt(settings_.wanted_iterations / iterations), 0.5, 2.0) * taken);
+            step_ = round_step_size(std::clamp(std::sqrt(settings_.wanted_iterations / iterations), 0.5, 2.0) * taken);
             break;
         }
-        case model::StepRule::error_adaptive: {  // the error goes with the power order + 1 of the step
+        case model::StepRule::error_adaptive: {  // the error is proportional to the power order + 1 of the step
             double factor = std::pow(settings_.step_accuracy / std::max(predictor_error, 1e-12), 1.0 / order);
             const bool is_linear = newton_result_.iterations == 0 && newton_result_.within_rounding;
             factor = std::clamp(0.9 * factor, min_shrink, is_linear ? growth_of_linear_steps : max_growth);
             if (newton_result_.iterations > many_iterations) factor = std::min(factor, 0.7);
-            step_ = coarse(factor * taken);
+            step_ = round_step_size(factor * taken);
         }
     }
     if (settings_.max_step > 0.0) {
@@ -285,7 +286,7 @@ void PathFollower::adapt_step(double predictor_error, double order) {
     }
 }
 
-/// The first step comes from the load asked for, which may be beyond all that the body takes: it is cut as far as it still moves
+/// The first step comes from the requested load, which may exceed what the body can carry: it is cut as long as it still moves
 /// the body, by the root mean square of the unknowns.
 bool PathFollower::is_first_try(double step) const {
     if (!begins_at_rest() || settings_.steps == model::StepRule::constant) return false;
@@ -294,24 +295,24 @@ bool PathFollower::is_first_try(double step) const {
     return moves > motionless * model::extent_m(input_.mesh);
 }
 
-/// The ladder: a shorter step (the line search has had its turn inside each attempt), another control, and at last the
-/// reason with the place where smaller cells would help.
+/// The recovery strategy: a shorter step (the line search has already acted inside each attempt), then another control, and finally
+/// the end of the path with the location where smaller cells would help.
 void PathFollower::handle_failure() {
     ++failures_;
     const double next = step_ * cut_after_failure;
     log("row " + std::to_string(rows_) + ": step of " + short_text(step_) + " failed (" +
         std::string(text_of(newton_result_.end)) + ", " + core::counted(newton_result_.iterations, "iteration") + ", " +
         core::counted(newton_result_.halvings, "halving") + " of the line search, residual " +
-        short_text(newton_result_.residual) + ", least det F " + short_text(newton_result_.min_jacobian) +
-        "): cut to " + short_text(next));
+        short_text(newton_result_.residual) + ", min det F " + short_text(newton_result_.min_jacobian) + "): cut to " +
+        short_text(next));
     const double failed = step_;
     step_ = next;
     if (is_first_try(step_)) first_step_ = step_;
     const double share = std::abs(step_ / first_step_) / settings_.min_step;
     const bool too_short = share < 1.0;
-    const bool may_be_corner = system_.has_fibers() && newton_result_.end != NewtonEnd::not_finite &&
-                               (failures_ >= failures_before_corner || too_short);
-    if (may_be_corner && pass_kink(failed)) return;
+    const bool may_be_kink = system_.has_fibers() && newton_result_.end != NewtonEnd::not_finite &&
+                             (failures_ >= failures_before_kink || too_short);
+    if (may_be_kink && pass_kink(failed)) return;
     const bool automatic = stage().control == model::Control::automatic;
     if (control_.kind != ConstraintKind::arc && (too_short || failures_ >= failures_before_other_control ||
                                                  (automatic && control_.kind == ConstraintKind::load_factor))) {
@@ -320,11 +321,11 @@ void PathFollower::handle_failure() {
         if (!automatic) chosen_ = control_;
         return change_control({ConstraintKind::arc}, "steps under the " + std::string(name(control_.kind)) + " fail");
     }
-    if (failures_ > 1) before_.reset();  // a bad extrapolation: go back to the tangent
-    // A step of no more than a state is known to has no direction: it may as well lead back.
+    if (failures_ > 1) before_.reset();  // the cubic extrapolates badly: return to the tangent
+    // A step below the accuracy of a state has no reliable direction: it may lead back.
     const double known = equilibrium_margin * settings_.residual_tolerance * linalg::norm(last_->state.x);
-    const bool lost = share < arc_of_one_cell || std::abs(step_) < known || is_crushed();
-    if (too_short && lost) give_up();
+    const bool lost = share < arc_of_one_cell || std::abs(step_) < known || is_nearly_inverted();
+    if (too_short && lost) abandon_path();
 }
 
 }  // namespace soft::solver

@@ -31,7 +31,7 @@ std::string state_text(const PathPoint& point, const model::Case& input) {
 }
 
 std::string location_text(mesh::Index cell, const model::Case& input) {
-    if (cell < 0) return "somewhere";
+    if (cell < 0) return "in an unknown cell";
     mesh::Point centre{};
     const auto nodes = input.mesh.cell_nodes(cell);
     for (const auto node : nodes)

@@ -1,5 +1,5 @@
 #pragma once
-/// Words for the states and places of a path, for messages: kPa, mm and mL, six digits.
+/// Text for the states and locations of a path, for messages: kPa, mm and mL, six digits.
 #include <string>
 
 #include "solver/history.hpp"

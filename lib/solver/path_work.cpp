@@ -1,4 +1,4 @@
-/// Work of the loads from row to row, held to the energy that the rubber stores on the way.
+/// Work of the loads from row to row, checked against the change of the stored energy.
 #include <algorithm>
 #include <cmath>
 
@@ -8,10 +8,10 @@ namespace soft::solver {
 
 namespace {
 
-/// An energy that hardly changes over a step is compared to this part of itself.
+/// An energy that hardly changes over a step is compared to this fraction of itself.
 constexpr double flat_energy = 0.1;
-/// Halving a smooth way reduces the error of its work to a sixteenth, at a corner to a half. A difference that stays is no error of
-/// the quadrature.
+/// Halving a smooth interval reduces the error of its work to a sixteenth, at a kink to a half. A difference that does not fall is no
+/// error of the quadrature.
 constexpr double falling = 0.7;
 constexpr int halvings = 7;
 
@@ -25,32 +25,34 @@ double PathFollower::stored_energy_of(PathPoint& point) {
     return *point.stored_J;
 }
 
-double PathFollower::work_on_the_way(PathPoint& from, PathPoint& to) {
+double PathFollower::work_of_step(PathPoint& from, PathPoint& to) {
     const double work_J = work_between(system_, from, to, FromTangent::along_the_path);
     if (!system_.has_symmetric_tangent()) return work_J;
-    const Way way{work_J, stored_energy_of(from), stored_energy_of(to)};
-    const double size_J = std::max(std::abs(way.gain_J()), flat_energy * std::abs(way.to_J));
+    const WorkInterval interval{work_J, stored_energy_of(from), stored_energy_of(to)};
+    const double size_J = std::max(std::abs(interval.gain_J()), flat_energy * std::abs(interval.to_J));
     const double wanted_J = settings_.step_accuracy * size_J;
-    if (!(std::abs(way.gap_J()) > wanted_J)) return work_J;
+    if (!(std::abs(interval.gap_J()) > wanted_J)) return work_J;
     const int pivots = newton_.confirmed_pivots();
     const NewtonResult result = newton_result_;
-    const double refined_J = refined_work(from, to, way, wanted_J, halvings);
+    const double refined_J = refined_work(from, to, interval, wanted_J, halvings);
     newton_result_ = result;
     newton_.confirm_pivots(pivots);
     return refined_J;
 }
 
-/// Through the state of equilibrium in the middle of the way, and so on.
-double PathFollower::refined_work(const PathPoint& from, const PathPoint& to, const Way& way, double wanted_J,
-                                  int halvings_left) {
-    if (!(std::abs(way.gap_J()) > wanted_J) || halvings_left == 0 || !(std::abs(to.q - from.q) > 0.0))
-        return way.work_J;
+/// Recursively bisects the interval at its equilibrium state in the middle.
+double PathFollower::refined_work(const PathPoint& from, const PathPoint& to, const WorkInterval& interval,
+                                  double wanted_J, int halvings_left) {
+    if (!(std::abs(interval.gap_J()) > wanted_J) || halvings_left == 0 || !(std::abs(to.q - from.q) > 0.0))
+        return interval.work_J;
     auto middle = solve_between(from, to, 0.5 * (from.q + to.q));
-    if (!middle) return way.work_J;
+    if (!middle) return interval.work_J;
     const double stored_J = stored_energy_of(*middle);
-    const Way first{work_between(system_, from, *middle, FromTangent::along_the_path), way.from_J, stored_J};
-    const Way second{work_between(system_, *middle, to, FromTangent::along_the_path), stored_J, way.to_J};
-    if (!(std::abs(first.gap_J()) + std::abs(second.gap_J()) < falling * std::abs(way.gap_J()))) return way.work_J;
+    const WorkInterval first{work_between(system_, from, *middle, FromTangent::along_the_path), interval.from_J,
+                             stored_J};
+    const WorkInterval second{work_between(system_, *middle, to, FromTangent::along_the_path), stored_J, interval.to_J};
+    if (!(std::abs(first.gap_J()) + std::abs(second.gap_J()) < falling * std::abs(interval.gap_J())))
+        return interval.work_J;
     return refined_work(from, *middle, first, 0.5 * wanted_J, halvings_left - 1) +
            refined_work(*middle, to, second, 0.5 * wanted_J, halvings_left - 1);
 }

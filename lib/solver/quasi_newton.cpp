@@ -4,7 +4,7 @@ namespace soft::solver {
 
 namespace {
 
-/// Cosine of the angle between s and y that a pair has at least: below it the tangent is not positive along s, or y is rounding.
+/// Smallest cosine of the angle between s and y of a pair: below it the tangent is not positive along s, or y is rounding.
 constexpr double min_cosine = 1e-8;
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace soft::solver {
 
 namespace {
 
-/// A stage has ended by the goal that the carried state meets up to this part of it: what the mesh changes at most.
+/// Relative tolerance to find the goal that ended a stage from the transferred state: the largest change due to the mesh.
 constexpr double meets_goal = 5e-3;
 
 }  // namespace
@@ -59,50 +59,50 @@ bool RefinedPath::converges(const Constraint& constraint, double target, State& 
     return result.end == NewtonEnd::converged;
 }
 
-/// Holds the goal that the coarse path has met, if it can be told and held.
+/// Solves for the goal that the coarse path has reached. False if no goal is close enough, or the solution does not converge.
 bool RefinedPath::end_stage(State& state) {
     const auto goals = make_goals(system_.input(), stage_, *loads_, undeformed_volumes_m3_);
     system_.prescribe(loads_->levels(state.load_factor, state.pressures_Pa));
     const linalg::Vector gradient = system_.make_vector();
     const Goal* met = nullptr;
-    double least = meets_goal;
+    double smallest = meets_goal;
     for (const Goal& goal : goals) {
         const double value = evaluate(goal.constraint, system_, *loads_, state, gradient).value;
         const double off = std::abs(remaining(goal.constraint, system_.input(), goal.target, value) / goal.target);
-        if (!(off < least)) continue;
-        least = off;
+        if (!(off < smallest)) continue;
+        smallest = off;
         met = &goal;
     }
     return met != nullptr && converges(nearest_, 0.0, state) && converges(met->constraint, met->target, state);
 }
 
-std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPlace place) {
-    if (place == RowPlace::first) {
+std::optional<State> RefinedPath::equilibrium(const RowState& coarse, RowPosition position) {
+    if (position == RowPosition::first) {
         State state = carry_over(coarse);
         SOFT_PETSC(VecZeroEntries(state.x));
-        if (system_.starts_under_stress() && !converges({ConstraintKind::load_factor}, 0.0, state)) return std::nullopt;
+        if (system_.has_initial_stress() && !converges({ConstraintKind::load_factor}, 0.0, state)) return std::nullopt;
         return state;
     }
     State state = carry_over(coarse);
-    if (nearest_.kind != ConstraintKind::arc) {  // a hold
+    if (nearest_.kind != ConstraintKind::arc) {  // a stage in which nothing changes
         if (converges(nearest_, coarse.step.load_factor, state)) return state;
         return std::nullopt;
     }
-    if (place == RowPlace::ends_stage) {
+    if (position == RowPosition::ends_stage) {
         if (end_stage(state)) return state;
         state = carry_over(coarse);
     }
     if (converges(nearest_, 0.0, state)) return state;
-    SOFT_PETSC(VecZeroEntries(pressures_));  // once more, without those of the row before
+    SOFT_PETSC(VecZeroEntries(pressures_));  // retry without the pressures of the row before
     state = carry_over(coarse);
     if (converges(nearest_, 0.0, state)) return state;
     return std::nullopt;
 }
 
-std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPlace place, Keep keep) {
+std::optional<RowState> RefinedPath::solve(const RowState& coarse, RowPosition position, Keep keep) {
     set_stage(coarse.step.stage);
     const int iterations = iterations_, factorizations = newton_.factorizations();
-    auto state = equilibrium(coarse, place);
+    auto state = equilibrium(coarse, position);
     if (!state) return std::nullopt;
     auto tangent = newton_.tangent(nearest_, *state);
     if (!tangent) return std::nullopt;

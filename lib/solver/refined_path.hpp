@@ -1,12 +1,12 @@
 #pragma once
-/// The rows of a path solved again, each for itself, on the mesh with every cell halved.
+/// The rows of a path solved again, each independently, on the mesh with every cell halved.
 ///
-/// A row is carried over as displacements u0 and direction t (mesh::prolong) and solved for with
+/// A row is transferred as displacements u0 and direction t (mesh::prolong) and solved for with
 ///     t . (u - u0) = 0
-/// (the arc constraint, t of unit length, zero in the pressure unknowns) and the load factor free: the state of the finer
-/// body nearest to where the coarse one was, which exists at limit points and on branches alike. The last row of a stage
-/// holds instead what the stage ended by (its load factor or an `until`). Levels of the loads are measured from the finer
-/// body's own state at the end of the stage before.
+/// (the arc constraint, t of unit length, zero in the pressure unknowns) and a free load factor: the state of the finer
+/// mesh nearest to that of the coarse one, which exists at limit points and on branches alike. The last row of a stage
+/// instead prescribes what ended the stage (its load factor or an `until`). Load levels are relative to the state that the finer
+/// mesh has at the end of the stage before.
 /// Tested by solver/accuracy_test and the verification suite.
 #include <optional>
 
@@ -16,26 +16,26 @@
 
 namespace soft::solver {
 
-enum class RowPlace { first, inside, ends_stage };
+enum class RowPosition { first, inside, ends_stage };
 
 class RefinedPath {
 public:
     /// `fine`: the system of the same case on the mesh of `refined`. Both must outlive it.
     RefinedPath(assembly::System& fine, const mesh::Refined& refined);
 
-    /// Rows in the order of the path, `first` only the first. The result's stability is that of the coarse row; its fields
-    /// are left out where `fields` says so. nullopt where Newton's method does not converge.
+    /// Call for the rows in the order of the path, `first` only for the first. The result's stability is that of the coarse row; its fields
+    /// are omitted with Keep::values. nullopt where Newton's method does not converge.
     enum class Keep { fields, values };
-    [[nodiscard]] std::optional<RowState> solve(const RowState& coarse, RowPlace place, Keep keep);
+    [[nodiscard]] std::optional<RowState> solve(const RowState& coarse, RowPosition position, Keep keep);
 
     [[nodiscard]] int iterations() const noexcept { return iterations_; }
     [[nodiscard]] int factorizations() const noexcept { return newton_.factorizations(); }
 
 private:
     void set_stage(int stage);
-    /// The guess of a row; sets nearest_, the arc constraint, or the load factor where the path does not move.
+    /// The initial guess of a row. Sets nearest_: the arc constraint, or the load factor where the tangent is zero.
     [[nodiscard]] State carry_over(const RowState& coarse);
-    [[nodiscard]] std::optional<State> equilibrium(const RowState& coarse, RowPlace place);
+    [[nodiscard]] std::optional<State> equilibrium(const RowState& coarse, RowPosition position);
     [[nodiscard]] bool end_stage(State& state);
     [[nodiscard]] bool converges(const Constraint& constraint, double target, State& state);
 
@@ -44,7 +44,7 @@ private:
     Newton newton_;
     int stage_ = -1;
     std::optional<StageLoads> loads_;
-    linalg::Vector origin_, direction_, pressures_;  // pressures_: the row before, a guess of the pressure unknowns
+    linalg::Vector origin_, direction_, pressures_;  // pressures_: of the previous row, an initial guess
     std::vector<double> undeformed_volumes_m3_;      // by load
     Constraint nearest_;
     std::optional<PathPoint> last_;

@@ -13,7 +13,7 @@ double traction_size_Pa(const model::Case& input) {
     return std::hypot(t[0], t[1], t[2]);
 }
 
-/// Of levels, or of their slopes.
+/// The leading load from levels, or its slope from their slopes.
 double leading_of(const model::Case& input, const LoadLevels& levels, double load_factor) {
     switch (model::leading_load(input)) {
         case model::LeadingLoad::pressure: return levels.pressures_Pa[0];
@@ -88,7 +88,7 @@ void read_values(assembly::System& system, const LoadLevels& levels, const LoadL
     for (std::size_t i = 0; i < system.output_count(); ++i) {
         assembly::LoadLevels by_levels;
         double value = system.output(i, point.state.x, gradient, &by_levels);
-        if (model::is_angle(input.outputs[i].measure) && before != nullptr)  // a turn goes on beyond 180 degrees
+        if (model::is_angle(input.outputs[i].measure) && before != nullptr)  // angles continue beyond 180 degrees
             value = before->outputs[i] + std::remainder(value - before->outputs[i], 2.0 * std::numbers::pi);
         point.outputs.push_back(value);
         point.output_slopes.push_back(linalg::dot(gradient, point.tangent.x) + assembly::product(by_levels, slopes));
@@ -149,7 +149,7 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
     SOFT_PETSC(VecWAXPY(change, -1.0, from.state.x, to.state.x));
     const double length = linalg::norm(change);
     if (!(length > 0.0)) return 0;
-    // Both tangents by one parameter from 0 to 1, of about constant speed, toward `to`; the levels go with them.
+    // Both tangents by one parameter from 0 to 1, of about constant speed, toward `to`; the levels use the same parameter.
     const auto scaled = [&](const PathPoint& point, Vec tangent) {
         const double size = linalg::norm(point.tangent.x);
         const double factor = size > 0.0 ? std::copysign(length / size, linalg::dot(point.tangent.x, change)) : 0.0;
@@ -182,7 +182,7 @@ double work_between(assembly::System& system, const PathPoint& from, const PathP
     linalg::add(change, -0.25, end);
     const double in_middle = system.load_power(middle, change, levels, rate);
     system.prescribe(to.levels);
-    // The middle of a step far too long is no state of equilibrium: its forces may be beyond all numbers.
+    // At the middle of a step that is far too long the forces may overflow.
     return std::isfinite(in_middle) ? (at_start + 4.0 * in_middle + at_end) / 6.0 : 0.5 * (at_start + at_end);
 }
 

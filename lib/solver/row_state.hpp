@@ -1,6 +1,6 @@
 #pragma once
-/// What a converged state says of itself, and a row of the path with its fields, free of the numbering of unknowns: what
-/// carries a row to another mesh. Tested by solver/solver_test, solver/accuracy_test.
+/// The values of a converged state, and a row of the path with its fields, independent of the numbering of unknowns, so that
+/// a row can be transferred to another mesh. Tested by solver/solver_test, solver/accuracy_test.
 #include <vector>
 
 #include "solution/path.hpp"
@@ -10,7 +10,7 @@ namespace soft::solver {
 
 /// A row of the path. The fields are on rank 0 alone.
 struct RowState {
-    solution::Step step;                    ///< as it is reported
+    solution::Step step;                    ///< as reported
     std::vector<double> displacement_m;     ///< [point x 3]
     std::vector<double> tangent;            ///< [point x 3] displacement along the path, any positive scale
     std::vector<double> pressure_Pa;        ///< [point], empty without pressure unknowns
@@ -20,36 +20,36 @@ struct RowState {
 /// The load that a curve shows (model::leading_load), at a state.
 [[nodiscard]] double leading_of(const model::Case& input, const StageLoads& loads, const State& state);
 
-/// Where the stage after this one starts: loads, volumes and gas of a point that has been read.
+/// The start of the next stage: loads, volumes and gas of a point whose values have been read.
 [[nodiscard]] StageStart stage_start_at(const model::Case& input, const StageLoads& loads, const PathPoint& point);
 
-/// Of each pressure load, 0 for one on a face.
+/// Per pressure load, 0 for one on a face.
 [[nodiscard]] std::vector<double> undeformed_volumes_m3(assembly::System& system);
 
-/// Fills the pressures, volumes and outputs of a point with their slopes along its tangent. Angles go on from `before`
-/// beyond half a turn, where there is one. Prescribes the motions of the state.
+/// Fills the pressures, volumes and outputs of a point with their slopes along its tangent. If `before` is given, angles
+/// continue from it beyond half a turn. Prescribes the motions of the state.
 void read_values(assembly::System& system, const StageLoads& loads, const PathPoint* before, PathPoint& point);
 
-/// The same under loads that are known as `levels` and their `slopes`, per unit of what the tangent is per unit of.
+/// The same for given `levels` and their `slopes`, per unit of the same parameter as the tangent.
 void read_values(assembly::System& system, const LoadLevels& levels, const LoadLevels& slopes, const PathPoint* before,
                  PathPoint& point);
 
-/// Loads, volumes and outputs of a point that has been read, its slopes times `direction` (1 or -1).
+/// Loads, volumes and outputs of a point whose values have been read, its slopes times `direction` (1 or -1).
 [[nodiscard]] solution::Step step_of(const assembly::System& system, const PathPoint& point, double direction);
 
-/// Whether the tangent of a point is that of the path which leaves it: at the end of a stage it is not that of the next one.
+/// Whether the tangent of a point is that of the path that leaves it: at the end of a stage it is not that of the next stage.
 enum class FromTangent { along_the_path, of_another_stage };
 
-/// Work of the loads [J], modelled part, on the way between two points that have been read: Simpson's rule of the power along
-/// the cubic with both tangents, so that its error falls with the fourth power of the step. Prescribes the motions of `to`.
+/// Work of the loads [J], modelled part, between two points whose values have been read: Simpson's rule of the power along
+/// the cubic with both tangents; its error falls with the fourth power of the step. Prescribes the motions of `to`.
 /// Tested by solver/work_test.
 [[nodiscard]] double work_between(assembly::System& system, const PathPoint& from, const PathPoint& to,
                                   FromTangent of_from);
 
-/// Stretches of a state; gives the energy stored in the modelled part [J]. The motions prescribed are those of the state.
+/// Fills the stretches of a state; returns the energy stored in the modelled part [J]. The motions prescribed are those of the state.
 double read_stretches(assembly::System& system, Vec x, solution::Step& step);
 
-/// Stretches and energies of a point that has been read, its slopes times `direction` (1 or -1). Prescribes its motions.
+/// Stretches and energies of a point whose values have been read, its slopes times `direction` (1 or -1). Prescribes its motions.
 void read_rubber(assembly::System& system, const PathPoint& point, double direction, solution::Step& step);
 
 /// `step` with the fields of the point. The motions prescribed are those of the state.

@@ -18,7 +18,7 @@ void PathFollower::set_stage(int index, solution::StageStart start) {
     chosen_.reset();
 }
 
-/// The control that a stage begins with.
+/// The control at the start of a stage.
 Constraint PathFollower::stage_control() const {
     const auto refuse = [](const char* problem, const char* remedy) {
         throw Error(ExitCode::bad_input, "path.control", problem, remedy);
@@ -47,13 +47,13 @@ Constraint PathFollower::stage_control() const {
                     constraint.index = output;
                     return constraint;
                 }
-            refuse("displacement control needs an output", "name one under outputs");
+            refuse("displacement control needs an output", "define one under outputs");
         }
     }
     return {};
 }
 
-/// What automatic control goes over to: the volume where the pressure of a single cavity is what grows.
+/// The control that automatic control changes to: the volume where only the pressure of a single cavity grows, else arc length.
 Constraint PathFollower::softer_control() const {
     std::size_t growing = 0, others = loads_->free_supplies().size();
     std::optional<std::size_t> load;
@@ -83,7 +83,7 @@ double PathFollower::control_slope(const Constraint& control, const PathPoint& p
     throw std::logic_error("control_slope: not a control");
 }
 
-/// How much the path's direction per unit of a control turns and stretches over the last step, relative to itself.
+/// Relative change, over the last step, of the path's tangent per unit of a control.
 double PathFollower::bend_under(const Constraint& control) {
     const double slope = control_slope(control, *last_), before = control_slope(control, *before_);
     linalg::copy(last_->tangent.x, scratch_);
@@ -102,8 +102,8 @@ double PathFollower::controlled_value(const PathPoint& point, double arc_length)
     throw std::logic_error("controlled_value: not a control");
 }
 
-/// Volumes that change by less than this part of themselves over the whole stage are lost in rounding: such a path is straight, and
-/// followed by its load factor.
+/// A relative change of the volume over the whole stage below this is lost in rounding: such a path is straight and is followed by
+/// its load factor.
 constexpr double min_volume_change = 1e-6;
 
 void PathFollower::leave_volume_control_of_tiny_loads(const PathPoint& by_load) {
@@ -114,8 +114,8 @@ void PathFollower::leave_volume_control_of_tiny_loads(const PathPoint& by_load) 
         control_ = {ConstraintKind::load_factor};
 }
 
-/// Finds the direction of the path and the first step: `first_step` of the stage's loads in the linear response. Of the
-/// two directions the one in which the growing loads do work; in a stable state, and where a face is moved, the one in which the
+/// Computes the direction of the path and the first step: `first_step` of the stage's loads in the linear response. The sense is
+/// the one in which the growing loads do work; in a stable state, and where a face is moved, the one in which the
 /// load factor grows.
 void PathFollower::begin_stage(State state) {
     stage_first_row_ = rows_;
@@ -128,9 +128,9 @@ void PathFollower::begin_stage(State state) {
         if (newton_.tangent_end() == NewtonEnd::linear_solver) {
             begin_without_direction(std::move(state));
             return finish(StopReason::diverged,
-                          std::string("no direction of the path where it begins: ") + linear_remedy);
+                          std::string("the tangent of the path cannot be computed at its start: ") + linear_remedy);
         }
-        if (rows_ == 0) throw no_beginning(newton_.tangent_end(), "the undeformed body has a singular stiffness");
+        if (rows_ == 0) throw start_error(newton_.tangent_end(), "the undeformed body has a singular stiffness");
         return finish(StopReason::diverged, "the tangent is singular where stage '" + stage().name + "' begins");
     }
     if (rows_ == 0 && system_.has_fibers()) by_load = leave_rest(state, std::move(*by_load));
@@ -145,7 +145,7 @@ void PathFollower::begin_stage(State state) {
     const double slope = control_slope(control_, point);
     if (loads_->changes() && !std::isfinite(1.0 / slope))
         throw Error(ExitCode::bad_input, "path.control", "the load does not move the controlled quantity",
-                    "control another one, or use auto");
+                    "use another quantity, or auto");
     first_step_ = step_ = first_step(slope, control_.kind == ConstraintKind::arc ? 1.0 : sense);
     if (loads_->changes()) rescale(point, 1.0 / slope);
     point.q = controlled_value(point, 0.0);
@@ -162,13 +162,13 @@ void PathFollower::report_control() const {
                                                               : std::string(name(control_.kind)));
 }
 
-/// In units of the controlled quantity, which moves by `slope` per load factor.
+/// In units of the controlled quantity, which changes by `slope` per load factor.
 double PathFollower::first_step(double slope, double sense) const {
-    if (settings_.steps != model::StepRule::constant) return coarse(settings_.first_step * sense * slope);
+    if (settings_.steps != model::StepRule::constant) return round_step_size(settings_.first_step * sense * slope);
     return control_.kind == ConstraintKind::load_factor ? settings_.first_step : settings_.first_step * sense * slope;
 }
 
-/// The state as a row, for a path that ends where it begins.
+/// Stores the state without a tangent, for a path that ends at its start.
 void PathFollower::begin_without_direction(State state) {
     PathTangent none{linalg::duplicate(state.x), 0.0, std::vector(state.pressures_Pa.size(), 0.0), std::nullopt, 0.0};
     last_ = PathPoint{std::move(state), std::move(none)};
@@ -189,12 +189,12 @@ void PathFollower::end_stage(const std::string& text) {
     for (const std::size_t load : loads_->free_supplies()) state.pressures_Pa.push_back(start.pressures_Pa[load]);
     begin_stage(std::move(state));
     if (finished_ || loads_->changes()) return;
-    last_->state.load_factor = 1.0;  // hold: the same state once more
+    last_->state.load_factor = 1.0;  // nothing changes: the same state again
     append(*last_);
-    end_stage("end of the hold");
+    end_stage("end of a stage without load changes");
 }
 
-/// Goes on from the last point under another control, in the same direction.
+/// Continues from the last point under another control, in the same direction.
 void PathFollower::change_control(const Constraint& control, const std::string& why) {
     log(why + ": following the path by " + std::string(name(control.kind)));
     const double sense = step_ < 0.0 ? -1.0 : 1.0, reach = std::abs(step_) * linalg::norm(last_->tangent.x);
@@ -215,16 +215,16 @@ void PathFollower::change_control(const Constraint& control, const std::string& 
             (*point)->q = controlled_value(**point, point == &before_ ? -span : 0.0);
         }
     const double step = direction * reach / linalg::norm(last_->tangent.x);
-    step_ = first_step_ = settings_.steps == model::StepRule::constant ? step : coarse(step);
+    step_ = first_step_ = settings_.steps == model::StepRule::constant ? step : round_step_size(step);
     report_control();
     failures_ = 0;
     rejected_error_.reset();
     rejected_curve_error_.reset();
 }
 
-/// Whether the load is at its maximum within a few steps, by how its slope over the length of the path falls, and the steps are
-/// short already.
-bool PathFollower::nears_a_maximum() {
+/// Whether the load reaches its maximum within a few steps, estimated from the decrease of its slope over the path length, and the
+/// steps are already short.
+bool PathFollower::is_near_maximum() {
     if (!before_ || std::abs(step_) > short_step_of_load * std::abs(last_->q)) return false;
     linalg::copy(last_->state.x, scratch_);
     linalg::add(scratch_, -1.0, before_->state.x);
@@ -236,12 +236,12 @@ bool PathFollower::nears_a_maximum() {
     return length > 0.0 && slope(*last_) < steps_to_a_maximum * fall;
 }
 
-/// Away from the load factor while the path is still easy under it: automatic control; and, where the user has chosen the load,
-/// before steps that may not pass its maximum become shorter and shorter.
-void PathFollower::soften() {
+/// Leaves load control early: under automatic control when another control is better; under user-selected load control before
+/// the steps towards a maximum become shorter and shorter.
+void PathFollower::leave_load_control() {
     if (control_.kind != ConstraintKind::load_factor) return;
     if (stage().control != Control::automatic) {
-        if (settings_.steps != model::StepRule::error_adaptive || !nears_a_maximum()) return;
+        if (settings_.steps != model::StepRule::error_adaptive || !is_near_maximum()) return;
         chosen_ = control_;
         return change_control({ConstraintKind::arc}, "the load nears a maximum");
     }

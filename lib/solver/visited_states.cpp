@@ -9,15 +9,16 @@ namespace soft::solver {
 
 namespace {
 
-/// Cosine of the angle between directions that count as the same (or opposite).
+/// Smallest cosine of the angle between directions that count as the same (or opposite).
 constexpr double same_direction = 0.9;
 /// In lengths of the earlier step: far above the error of the cubic between two rows of an error-adaptive path.
 constexpr double on_the_curve = 2e-3;
 constexpr std::size_t forward_rows = 2, backward_rows = 3;
-/// How far a path that runs back may be beside its earlier states, in lengths run back and of the whole path; and how far it has
-/// to run back, in lengths of the whole path.
+/// Largest distance of a path that retraces itself from its earlier states, relative to the length retraced and to the whole path,
+/// and the shortest length retraced, relative to the whole path.
 constexpr double beside_the_run = 0.05, beside_the_path = 2e-3, shortest_run = 0.02;
-/// In lengths of the whole path: a path that has turned twice, as where one cell after another snaps, goes on along its first part.
+/// Relative to the whole path: a path that has turned twice, as where one cell after another snaps through, continues along its
+/// first part.
 constexpr double alongside = 0.02;
 
 double dot(const Sketch& a, const Sketch& b) {
@@ -34,7 +35,7 @@ Sketch difference(const Sketch& a, const Sketch& b) {
 
 double norm(const Sketch& a) { return std::sqrt(dot(a, a)); }
 
-/// The cubic between two states by a parameter from 0 to 1, both tangents of the chord's length.
+/// The cubic between two states with a parameter from 0 to 1; both tangents have the length of the chord.
 struct Segment {
     const VisitedState &from, &to;
     double chord = norm(difference(to.state, from.state));
@@ -56,16 +57,16 @@ struct Segment {
     }
 };
 
-/// Parameter of the segment's state that is nearest to `state`: the best of some samples, then a golden section about it.
+/// Parameter of the segment's state that is nearest to `state`: the best of some samples, then golden-section search around it.
 double nearest_parameter(const Segment& segment, const Sketch& state) {
     constexpr int samples = 8, sections = 30;
     const auto distance = [&](double t) { return norm(difference(segment.at(t), state)); };
-    double best = 0, least = distance(0);
+    double best = 0, smallest = distance(0);
     for (int i = 1; i <= samples; ++i) {
         const double t = static_cast<double>(i) / samples, there = distance(t);
-        if (there < least) {
+        if (there < smallest) {
             best = t;
-            least = there;
+            smallest = there;
         }
     }
     double low = std::max(0.0, best - 1.0 / samples), high = std::min(1.0, best + 1.0 / samples);
@@ -80,7 +81,7 @@ double nearest_parameter(const Segment& segment, const Sketch& state) {
     return 0.5 * (low + high);
 }
 
-/// Where a state lies beside the path before it; `position` is the length along the path.
+/// The nearest position to a state on the path before it; `position` is the length along the path.
 struct Match {
     std::size_t segment = 0;
     double position = 0, distance = 0, cosine = 0, chord = 0;
@@ -99,7 +100,7 @@ public:
     [[nodiscard]] std::optional<Match> match(std::size_t index, double sense) const {
         return match(index, sense, index - std::min<std::size_t>(index, 1));
     }
-    /// On the first `segments` alone.
+    /// The same on the first `segments` only.
     [[nodiscard]] std::optional<Match> match(std::size_t index, double sense, std::size_t segments) const {
         std::optional<Match> best;
         const VisitedState& state = states_[index];
@@ -163,7 +164,7 @@ Sketch sketch_of(Vec x) {
     const PetscScalar* values = nullptr;
     SOFT_PETSC(VecGetArrayRead(x, &values));
     for (PetscInt i = begin; i < end; ++i) {
-        // Signs from the bits of a hash of the unknown's number (splitmix64: Steele, Lea and Flood, OOPSLA 2014).
+        // Signs from the bits of a hash of the unknown's index (splitmix64: Steele, Lea and Flood, OOPSLA 2014).
         std::uint64_t bits = (static_cast<std::uint64_t>(i) + 1) * 0x9e3779b97f4a7c15ULL;
         bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ULL;
         bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebULL;

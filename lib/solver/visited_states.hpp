@@ -1,8 +1,8 @@
 #pragma once
-/// Recognizes a path that returns to states it has passed: a closed branch, or a path that runs back along itself. A state x is
-/// kept as its sketch s = A x / sqrt(k) with k = 16 rows of signs +-1, whose distances estimate those of the states (random
-/// projections: Achlioptas, J. Comput. Syst. Sci. 66 (2003) 671); between two rows the path is the cubic through both sketches
-/// with their tangents. Lengths are those of the unknowns, as of the arc length.
+/// Detects a path that returns to states it has passed: a closed branch, or a path that retraces itself. A state x is
+/// stored as its sketch s = A x / sqrt(k) with k = 16 rows of signs +-1, whose distances estimate those of the states (random
+/// projections: Achlioptas, J. Comput. Syst. Sci. 66 (2003) 671). Between two rows the path is the cubic through both sketches
+/// with their tangents. Lengths are in the norm of the unknowns, as for the arc length.
 /// Tested by solver/visited_states_test.
 #include <array>
 #include <optional>
@@ -15,7 +15,7 @@ namespace soft::solver {
 inline constexpr std::size_t sketch_size = 16;
 using Sketch = std::array<double, sketch_size>;
 
-/// Collective, the same on every rank. The signs go with the numbers of the unknowns.
+/// Collective, the same on every rank. The signs depend on the indices of the unknowns.
 [[nodiscard]] Sketch sketch_of(Vec x);
 
 /// A row of the path, with its unit tangent in the direction of travel.
@@ -34,9 +34,9 @@ struct Return {
     std::size_t first = 0;    ///< index of the first of the last states, which all lie on earlier ones
 };
 
-/// Nothing where the last of the states, in the order of the path, lies on no earlier part of it. forward: the last two states do,
-/// to the accuracy of the cubic. backward: the last three or more, over a fiftieth of the path's length or more, within 0.2 % of that
-/// length and a twentieth of the length run back: a state that differs in one cell alone from the earlier one counts as the same; not
+/// nullopt where the last state lies on no earlier part of the path. forward: the last two states do, to the accuracy of the cubic.
+/// backward: the last three or more do, over at least a fiftieth of the path's length, within 0.2 % of that length and a
+/// twentieth of the length retraced: a state that differs from the earlier one in one cell only counts as the same. Not reported
 /// where they also lie beside a part that the path has passed in their own direction.
 [[nodiscard]] std::optional<Return> find_return(std::span<const VisitedState> states);
 

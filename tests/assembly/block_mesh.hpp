@@ -1,6 +1,6 @@
 #pragma once
 /// A block of n x n (x n) squares (cubes), each one cell or split into simplices or wedges, placed by a map. Vertices inside
-/// are moved by up to `shake` of the cell size, so that no two cells are alike; edges stay straight.
+/// are moved by up to `shake` of the cell size, so that no two cells are equal; edges stay straight.
 #include <array>
 #include <cmath>
 #include <map>
@@ -54,7 +54,7 @@ inline std::vector<std::vector<Corner>> cells_of_a_cube(mesh::CellType type) {
     return {};
 }
 
-/// Where the vertex (i, j, k) of the block lies in the unit cube.
+/// Position of the vertex (i, j, k) of the block in the unit cube.
 inline std::array<double, 3> block_vertex(const Corner& v, int dimension, const BlockShape& shape) {
     std::array<double, 3> s{};
     bool inside = true;
@@ -70,9 +70,9 @@ inline std::array<double, 3> block_vertex(const Corner& v, int dimension, const 
 
 }  // namespace detail
 
-/// `type_of(i, j, k)` gives the cell type of a cube, `place(s)` the position [m] of a place s of the unit cube.
-template <class TypeOf, class Place>
-mesh::Mesh block_mesh(int dimension, const BlockShape& shape, TypeOf&& type_of, Place&& place) {
+/// `type_of(i, j, k)` gives the cell type of a cube, `position_of(s)` the position [m] of a point s of the unit cube.
+template <class TypeOf, class PositionOf>
+mesh::Mesh block_mesh(int dimension, const BlockShape& shape, TypeOf&& type_of, PositionOf&& position_of) {
     using detail::Corner;
     mesh::Mesh mesh;
     mesh.dimension = dimension;
@@ -100,7 +100,7 @@ mesh::Mesh block_mesh(int dimension, const BlockShape& shape, TypeOf&& type_of, 
                                          static_cast<int>(std::lround(twice[2]))};
                         const auto [entry, fresh] =
                             numbers.try_emplace(key, static_cast<mesh::Index>(mesh.points.size()));
-                        if (fresh) mesh.points.push_back(place(s));
+                        if (fresh) mesh.points.push_back(position_of(s));
                         nodes.push_back(entry->second);
                     }
                     mesh::add_cell(mesh, type, nodes, 0);

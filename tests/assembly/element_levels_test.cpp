@@ -57,7 +57,7 @@ std::vector<PetscInt> numbers_of(IS set) {
     return numbers;
 }
 
-void expect_linear_fields_to_be_kept(const model::Case& input, const Field& field) {
+void expect_exact_interpolation(const model::Case& input, const Field& field) {
     System system(input, PETSC_COMM_WORLD);
     const auto levels = make_element_levels(system);
     linalg::Vector coarse, fine;
@@ -71,15 +71,15 @@ void expect_linear_fields_to_be_kept(const model::Case& input, const Field& fiel
     EXPECT_LT(linalg::norm(to), 1e-13 * size);
 }
 
-TEST(ElementLevels, InterpolationKeepsFieldsThatAreLinearAndVanishWhereHeld) {
+TEST(ElementLevels, InterpolationIsExactForLinearFieldsThatVanishOnSupports) {
     auto box = box_case(2, false);
     box.supports[0].fixed = {true, true, true};
     const Field stretched = [](const mesh::Point& X, int i) { return (i + 2.0) * X[0] * (i == 0 ? 1.0 : 0.3); };
-    auto glued = box;
-    glued.supports.resize(1);
-    expect_linear_fields_to_be_kept(glued, stretched);
-    glued.mesh = mesh::split_into_simplices(glued.mesh);
-    expect_linear_fields_to_be_kept(glued, stretched);
+    auto clamped = box;
+    clamped.supports.resize(1);
+    expect_exact_interpolation(clamped, stretched);
+    clamped.mesh = mesh::split_into_simplices(clamped.mesh);
+    expect_exact_interpolation(clamped, stretched);
 }
 
 TEST(ElementLevels, DisplacementsAndPressuresTogetherAreAllUnknowns) {
@@ -111,7 +111,7 @@ TEST(ElementLevels, MassOfAConstantPressureIsTheVolume) {
     EXPECT_NEAR(sum, wanted, 1e-12 * wanted);
 }
 
-TEST(ElementLevels, AutomaticIsMultigridForLargeSolidsOfSecondOrderAlone) {
+TEST(ElementLevels, AutomaticSelectsMultigridOnlyForLargeSecondOrderSolids) {
     const auto box = box_case(1, false), section = sphere_case(1, 2);
     auto first_order = box;
     first_order.mesh.cell_types = {mesh::CellType::hex8};
@@ -126,7 +126,7 @@ TEST(ElementLevels, AutomaticIsMultigridForLargeSolidsOfSecondOrderAlone) {
     EXPECT_FALSE(is_multigrid(choose_linear({.method = model::LinearMethod::mumps_ldlt}, box, max_factorised + 1)));
 }
 
-TEST(ElementLevels, FirstOrderCellsAreRefused) {
+TEST(ElementLevels, RejectsFirstOrderCells) {
     auto input = box_case(1, false);
     input.formulation = model::Formulation::f_bar;
     auto& mesh = input.mesh;
@@ -139,9 +139,9 @@ TEST(ElementLevels, FirstOrderCellsAreRefused) {
     System system(input, PETSC_COMM_WORLD);
     try {
         (void)make_element_levels(system);
-        FAIL() << "it was taken";
+        FAIL() << "accepted";
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("solver.preconditioner: multigrid is for second-order cells"),
+        EXPECT_NE(std::string(error.what()).find("solver.preconditioner: multigrid supports only second-order cells"),
                   std::string::npos)
             << error.what();
     }

@@ -1,4 +1,4 @@
-/// Shapes of faces: what the measures are on motions of which they are known, and their derivatives.
+/// Shapes of faces: the measures on motions with known values, and their derivatives.
 #include "assembly/face_shape.hpp"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ Vector3 turned(const Vector3& X, const Vector3& axis, double angle) {  // Rodrig
     return x;
 }
 
-/// The strip bent about y to an arc of this curvature, neither stretched; positive turns x toward -z. Then turned and moved.
+/// The strip bent about y to an arc of this curvature, not stretched; positive turns x toward -z. Then rotated and translated.
 std::vector<Vector3> bent(const FaceShape& shape, double curvature, double tilt = 0) {
     std::vector<Vector3> x;
     for (const Vector3& X : shape.X) {
@@ -50,7 +50,7 @@ std::vector<Vector3> moved(const std::vector<Vector3>& X, double size, double ph
     return x;
 }
 
-TEST(Curvature, IsExactOnAnArcWhereverItLies) {
+TEST(Curvature, IsExactOnAnArcInAnyPosition) {
     const FaceShape shape = strip(model::Measure::curvature, {0, 1, 0});
     for (const double curvature :
          {-1000.0, -450.0, -180.0, -50.0, -1.0, 1.0, 50.0, 200.0, 700.0})  // 20 rad of bend at most
@@ -59,10 +59,10 @@ TEST(Curvature, IsExactOnAnArcWhereverItLies) {
                 << tilt;
 }
 
-TEST(Curvature, OfAStraightFaceIsNothing) {
+TEST(Curvature, OfAStraightFaceIsZero) {
     const FaceShape shape = strip(model::Measure::curvature, {0, 1, 0});
     for (const double tilt : {0.0, 1.0, 2.5}) EXPECT_NEAR(value_of(shape, bent(shape, 0, tilt), nullptr), 0.0, 1e-9);
-    // The slope is there too: 1e-4 of an arc is seen through it.
+    // The derivative also exists there: it gives the curvature of a slightly bent strip.
     std::vector<Vector3> gradient;
     const auto straight = bent(shape, 0), arc = bent(shape, 1e-2);
     (void)value_of(shape, straight, &gradient);
@@ -72,7 +72,7 @@ TEST(Curvature, OfAStraightFaceIsNothing) {
     EXPECT_NEAR(slope, 1e-2, 1e-6);
 }
 
-TEST(Curvature, TimesTheLengthIsTheBendWithItsSign) {
+TEST(Curvature, TimesTheLengthIsTheSignedBend) {
     // Bend about +y turns the normal of the end from +x toward -z (loads_test): so does this arc.
     const FaceShape shape = strip(model::Measure::curvature, {0, 1, 0});
     const auto x = bent(shape, 40);
@@ -103,13 +103,13 @@ TEST(Radial, IsTheGrowthOfARing) {
     }
     std::vector<Vector3> x;
     for (const Vector3& X : shape.X)
-        x.push_back({X[0] + 0.02, 1.3 * X[2], -1.3 * X[1]});  // also turned: it does not count
+        x.push_back({X[0] + 0.02, 1.3 * X[2], -1.3 * X[1]});  // also rotated, which has no effect
     EXPECT_NEAR(value_of(shape, x, nullptr), 3e-3, 1e-16);
 }
 
 TEST(FaceShapes, GradientIsTheDerivative) {
     for (const auto measure : {model::Measure::radial, model::Measure::rotation, model::Measure::curvature})
-        for (const double size : {0.0, 1e-3}) {  // in the undeformed state too
+        for (const double size : {0.0, 1e-3}) {  // also in the undeformed state
             const FaceShape shape = strip(measure, {0.36, 0.48, 0.8});
             const auto x = moved(bent(shape, size * 4e4), size, 0.3);
             std::vector<Vector3> gradient;

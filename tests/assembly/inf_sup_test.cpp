@@ -1,8 +1,8 @@
 /// Numerical inf-sup constants of the mixed pairs, Chapelle and Bathe, Comput. Struct. 47 (1993) 537:
-///   beta^2 = least nonzero eigenvalue of B A^-1 B^T q = beta^2 M q,
+///   beta^2 = smallest nonzero eigenvalue of B A^-1 B^T q = beta^2 M q,
 /// with A/mu = int grad v : grad v + (div v)^2/3 (twice the deviatoric strain's square, for v = 0 on the boundary), B the
 /// divergence and M the pressures' mass, all read from the assembled stiffness of the undeformed block. A pair is stable
-/// where beta does not fall under refinement. The constant pressure, which a held boundary does not see, is left out.
+/// if beta does not fall under refinement. The constant pressure, which has no effect with a fixed boundary, is excluded.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -112,7 +112,7 @@ std::vector<double> times(const Dense& A, const std::vector<double>& x) {
     return y;
 }
 
-/// Least eigenvalue of S q = lambda M q off the constant, which is moved to `above`. 0 where S has another null vector.
+/// Smallest eigenvalue of S q = lambda M q except that of the constant, which is shifted to `above`. 0 if S has another null vector.
 double min_eigenvalue(Dense S, const Dense& M, const std::vector<double>& constant, double above) {
     const auto weight = times(M, constant);
     const double volume = dot(weight.data(), constant.data(), S.size);
@@ -135,7 +135,7 @@ double min_eigenvalue(Dense S, const Dense& M, const std::vector<double>& consta
     return lambda;
 }
 
-/// beta of a block with held boundary.
+/// beta of a block with a fixed boundary.
 double inf_sup_constant(mesh::Mesh mesh, model::Kinematics kinematics) {
     model::Case input;
     input.kinematics = kinematics;

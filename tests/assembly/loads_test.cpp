@@ -1,4 +1,4 @@
-/// Loads besides pressures, and outputs besides displacements.
+/// Loads other than pressures, and outputs other than displacements.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,12 +13,12 @@
 namespace soft::assembly {
 namespace {
 
-/// The box with its end moved along x and y, pressed on its top.
+/// The box with its end moved along x and y and a pressure on its top.
 model::Case moved_box() {
     auto input = box_case(2, true);
     input.loads = {{.name = "top", .targets = {"top"}, .gas = {}}};
     input.motions = {{"end", {2e-3, 5e-4, std::nullopt}}};
-    // The plane y = 0 is held in y and meets the end, which is to move in y.
+    // The plane y = 0 is fixed in y and shares nodes with the end, which moves in y.
     std::erase_if(input.supports, [](const model::Support& support) { return support.face == "left"; });
     return input;
 }
@@ -47,7 +47,7 @@ TEST(Motion, ColumnIsTheDerivativeOfTheResidualByTheLevel) {
     EXPECT_NEAR(error(0.2) / error(0.1), 4.0, 0.3);
 }
 
-TEST(Motion, MovedNodesAreInTheFieldsAndInTheOutputs) {
+TEST(Motion, FieldsAndOutputsIncludeMovedNodes) {
     const auto input = moved_box();
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
@@ -61,12 +61,12 @@ TEST(Motion, MovedNodesAreInTheFieldsAndInTheOutputs) {
         EXPECT_NEAR(fields.displacement_m[3 * node + 1], input.mesh.points[node][0] > 0.0099 ? 2.5e-4 : 0.0, 1e-15);
 }
 
-TEST(Motion, RefusesAComponentThatIsHeldAndMoved) {
+TEST(Motion, RejectsAComponentThatIsFixedAndPrescribed) {
     auto input = moved_box();
     input.supports.push_back({"left", {false, true, false}});
     try {
         System system(input, PETSC_COMM_WORLD);
-        FAIL() << "not refused";
+        FAIL() << "accepted";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("over-constrained"), std::string::npos);
         EXPECT_EQ(error.code(), ExitCode::bad_input);
@@ -76,7 +76,7 @@ TEST(Motion, RefusesAComponentThatIsHeldAndMoved) {
     EXPECT_THROW(System(input, PETSC_COMM_WORLD), Error);
 }
 
-TEST(Motion, HoldsTheBodyAsASupportDoes) {
+TEST(Motion, PreventsRigidMotionsLikeASupport) {
     auto input = moved_box();
     input.supports = {{"bottom", {false, true, true}}, {"left", {false, true, false}}};
     input.motions = {{"end", {2e-3, std::nullopt, std::nullopt}}};
@@ -85,7 +85,7 @@ TEST(Motion, HoldsTheBodyAsASupportDoes) {
     EXPECT_TRUE(free_rigid_motion(input));
 }
 
-TEST(BodyForce, AddsUpToTheWeight) {
+TEST(BodyForce, SumsToTheWeight) {
     for (auto input : {box_case(2, true), sphere_case(3, 16)}) {
         input.materials[0].density_kg_m3 = 1080.0;
         input.loads.clear();
@@ -109,7 +109,7 @@ TEST(BodyForce, AddsUpToTheWeight) {
     EXPECT_THROW(System(without, PETSC_COMM_WORLD), Error);
 }
 
-/// The box turned as a whole about an axis through the origin.
+/// Rigid rotation of the box about an axis through the origin.
 linalg::Vector turned(const System& system, const std::array<double, 3>& axis, double angle) {
     auto x = system.make_vector();
     const auto& mesh = system.input().mesh;
@@ -137,7 +137,7 @@ model::Case measured_box() {
     return input;
 }
 
-TEST(Rotation, TwistOfARigidTurnIsItsAngleAndBendOfItIsNothing) {
+TEST(Rotation, ARigidRotationHasItsAngleAsTwistAndNoBend) {
     const auto input = measured_box();
     System system(input, PETSC_COMM_WORLD);
     for (const double angle : {-2.5, -0.3, 0.0, 0.7, 3.0}) {
@@ -147,7 +147,7 @@ TEST(Rotation, TwistOfARigidTurnIsItsAngleAndBendOfItIsNothing) {
     }
 }
 
-// A block bent to a circular arc about y: the end's normal has turned by the arc's angle against the held face's.
+// A block bent to a circular arc about y: the normals of its end and its fixed face differ by the angle of the arc.
 TEST(Rotation, BendIsTheAngleBetweenTheFaces) {
     const auto input = measured_box();
     System system(input, PETSC_COMM_WORLD);
@@ -165,7 +165,7 @@ TEST(Rotation, BendIsTheAngleBetweenTheFaces) {
     EXPECT_NEAR(system.output(1, x, nullptr), angle, 1e-12);
 }
 
-/// A quarter of a ring in plane strain, held nowhere.
+/// A quarter of a ring in plane strain, without supports.
 model::Case measured_ring() {
     auto input = sphere_case(2, 8);
     input.kinematics = model::Kinematics::plane_strain;
@@ -177,7 +177,7 @@ model::Case measured_ring() {
     return input;
 }
 
-/// Each point at an angle f about the origin goes to one of `share` f + `turn`.
+/// Maps each point at an angle f about the origin to the angle `share` f + `turn`.
 linalg::Vector opened(const System& system, double share, double turn) {
     auto x = system.make_vector();
     const auto& points = system.input().mesh.points;
@@ -194,7 +194,7 @@ linalg::Vector opened(const System& system, double share, double turn) {
     return x;
 }
 
-TEST(Rotation, FacesInPlaneStrainTurnAboutZ) {
+TEST(Rotation, FacesInPlaneStrainRotateAboutZ) {
     const auto input = measured_ring();
     System system(input, PETSC_COMM_WORLD);
     constexpr double right_angle = std::numbers::pi / 2;
@@ -224,7 +224,7 @@ TEST(Rotation, GradientIsTheDerivative) {
     }
 }
 
-TEST(Rotation, ASectionOfRevolutionDoesNotBend) {
+TEST(Rotation, RejectsABendInAnAxisymmetricSection) {
     auto input = sphere_case(1, 2);
     input.outputs = {{"bend", "outer", {0, 1, 0}, model::Measure::bend, "cavity"}};
     EXPECT_THROW(System(input, PETSC_COMM_WORLD), Error);

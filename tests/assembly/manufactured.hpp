@@ -1,6 +1,6 @@
 #pragma once
 /// Manufactured solutions at finite strain: a displacement u*(X) that vanishes on the boundary, the body force
-/// B = -Div P(F*) per undeformed volume that holds it there, and the errors of what the elements answer.
+/// B = -Div P(F*) per undeformed volume that equilibrates it, and the errors of the finite-element solution.
 /// div P from the law's tangent and second derivatives of u*: dP/dX_M = A : dF/dX_M. In a body of revolution
 /// (Div P)_x = P_xx,x + P_xr,r + P_xr/R and (Div P)_r = P_rx,x + P_rr,r + (P_rr - P_hoop)/R.
 #include <array>
@@ -30,10 +30,10 @@ inline Number bump(const Number& s) {
 inline Number wave(const Number& s) { return sine(2.0 * std::numbers::pi * s); }
 
 /// general: products of sines, with a change of volume of some 20 %. isochoric: the flow of a stream function, J = 1 but for
-/// a small given part, so that a nearly incompressible rubber answers with a pressure of the size of its shear modulus.
+/// a small given part, so that the pressure of a nearly incompressible rubber is of the order of its shear modulus.
 enum class Flow { general, isochoric };
 
-/// What is solved: the field in the kinematics of the block.
+/// The field and the kinematics of the block.
 struct Problem {
     model::Kinematics kinematics = model::Kinematics::solid;
     Flow flow = Flow::general;
@@ -111,19 +111,19 @@ inline std::array<double, 3> body_force(const material::AnyRubber& rubber, const
     return B;
 }
 
-/// A point of a cell with what the integrals need.
-struct Place {
+/// A quadrature point of a cell with the data of the integrals.
+struct QuadraturePoint {
     mesh::Point X{};
     double volume = 0;                ///< 2 pi R included
     std::vector<double> N, gradient;  ///< [node], [direction x node + node]
 };
 
-/// Calls visit(cell, place) for every point of a rule two degrees finer than the elements' own.
+/// Calls visit(cell, point) for every point of a rule two degrees higher than that of the elements.
 template <class Visit>
-void for_each_place(const model::Case& input, Visit&& visit) {
+void for_each_quadrature_point(const model::Case& input, Visit&& visit) {
     const auto& mesh = input.mesh;
     const int dim = mesh.dimension;
-    Place place;
+    QuadraturePoint point;
     for (mesh::Index cell = 0; cell < mesh.cell_count(); ++cell) {
         const auto& type = mesh::topology(mesh.cell_type(cell));
         const bool tensor = type.shape == mesh::Shape::quadrilateral || type.shape == mesh::Shape::hexahedron;
@@ -131,27 +131,27 @@ void for_each_place(const model::Case& input, Visit&& visit) {
         for (const auto& [xi, weight] : mesh::quadrature(type.shape, tensor ? 7 : 5)) {
             const auto shapes = mesh::shape_values(type.type, xi);
             Tensor dX = identity_tensor;
-            place.X = {};
+            point.X = {};
             for (int i = 0; i < dim; ++i)
                 for (int d = 0; d < dim; ++d) dX[3 * i + d] = 0;
             for (std::size_t a = 0; a < nodes.size(); ++a)
                 for (int i = 0; i < dim; ++i) {
-                    place.X[i] += shapes[a].value * mesh.point(nodes[a])[i];
+                    point.X[i] += shapes[a].value * mesh.point(nodes[a])[i];
                     for (int d = 0; d < dim; ++d) dX[3 * i + d] += shapes[a].gradient[d] * mesh.point(nodes[a])[i];
                 }
             const double det = determinant(dX);
             const Tensor cof = cofactor(dX);
-            place.volume = det * weight;
-            if (input.kinematics == model::Kinematics::axisymmetric) place.volume *= 2 * std::numbers::pi * place.X[1];
-            place.N.clear();
-            place.gradient.assign(3 * nodes.size(), 0.0);
+            point.volume = det * weight;
+            if (input.kinematics == model::Kinematics::axisymmetric) point.volume *= 2 * std::numbers::pi * point.X[1];
+            point.N.clear();
+            point.gradient.assign(3 * nodes.size(), 0.0);
             for (std::size_t a = 0; a < nodes.size(); ++a) {
-                place.N.push_back(shapes[a].value);
+                point.N.push_back(shapes[a].value);
                 for (int J = 0; J < dim; ++J)
                     for (int d = 0; d < dim; ++d)
-                        place.gradient[J * nodes.size() + a] += cof[3 * J + d] * shapes[a].gradient[d] / det;
+                        point.gradient[J * nodes.size() + a] += cof[3 * J + d] * shapes[a].gradient[d] / det;
             }
-            visit(cell, place);
+            visit(cell, point);
         }
     }
 }
@@ -161,14 +161,14 @@ inline linalg::Vector force(const assembly::System& system, const material::AnyR
     const auto& input = system.input();
     const int dim = input.mesh.dimension;
     auto f = system.make_vector();
-    for_each_place(input, [&](mesh::Index cell, const Place& place) {
-        const auto B = body_force(rubber, {input.kinematics, flow}, place.X);
+    for_each_quadrature_point(input, [&](mesh::Index cell, const QuadraturePoint& point) {
+        const auto B = body_force(rubber, {input.kinematics, flow}, point.X);
         const auto nodes = input.mesh.cell_nodes(cell);
         for (std::size_t a = 0; a < nodes.size(); ++a)
             for (int i = 0; i < dim; ++i)
                 SOFT_PETSC(VecSetValue(f, system.dofs().displacement[nodes[a] * dim + i],
-                                       place.volume * place.N[a] * B[i],
-                                       ADD_VALUES));  // held unknowns have number -1, which PETSc skips
+                                       point.volume * point.N[a] * B[i],
+                                       ADD_VALUES));  // fixed components have index -1, which PETSc ignores
     });
     SOFT_PETSC(VecAssemblyBegin(f));
     SOFT_PETSC(VecAssemblyEnd(f));
@@ -178,13 +178,13 @@ inline linalg::Vector force(const assembly::System& system, const material::AnyR
 /// Far below the errors measured (1e-5), above the rounding of forces that cancel 1000-fold near incompressibility.
 inline constexpr double converged = 1e-9;
 
-/// Newton from rest, full steps.
+/// Newton's method from the undeformed state with full steps.
 inline linalg::Vector solve(assembly::System& system, const material::AnyRubber& rubber, Flow flow) {
     auto x = system.make_vector(), R = system.make_vector(), step = system.make_vector();
     const auto f = force(system, rubber, flow);
     const auto K = system.make_matrix();
     linalg::LinearSolver solver(K);
-    for (const double share : {0.5, 1.0})  // half the force first: a step from rest to the end may fold a cell
+    for (const double share : {0.5, 1.0})  // half the force first: a single step may invert a cell
         for (int iteration = 0;; ++iteration) {
             if (iteration == 12 || !system.evaluate(x, assembly::no_loads(system.input()), R, K).admissible())
                 throw std::runtime_error("manufactured::solve: Newton did not converge");
@@ -201,7 +201,7 @@ struct Errors {
     double displacement = 0, gradient = 0, pressure = 0;  ///< L2 norms
 };
 
-/// Of the pressure at a place of a cell: its nodal values, which lie in the pressure space, interpolated.
+/// The pressure in a cell is interpolated from its nodal values, which is exact in the pressure space.
 inline Errors errors(const assembly::System& system, const material::AnyRubber& rubber, Flow flow, Vec x) {
     const auto& input = system.input();
     const int dim = input.mesh.dimension;
@@ -212,7 +212,7 @@ inline Errors errors(const assembly::System& system, const material::AnyRubber& 
     std::vector<double> u, pressures;
     std::vector<PetscInt> dofs;
     element::ReferenceCell reference;
-    for_each_place(input, [&](mesh::Index cell, const Place& place) {
+    for_each_quadrature_point(input, [&](mesh::Index cell, const QuadraturePoint& point) {
         const auto nodes = input.mesh.cell_nodes(cell);
         const std::size_t n = nodes.size();
         if (cell != last) {
@@ -229,22 +229,22 @@ inline Errors errors(const assembly::System& system, const material::AnyRubber& 
             if (!unknowns.empty())
                 pressures = element::nodal_pressures(reference, X, unknowns, system.dofs().pressure_scale_Pa);
         }
-        const Field exact = field({input.kinematics, flow}, place.X);
+        const Field exact = field({input.kinematics, flow}, point.X);
         for (int i = 0; i < dim; ++i) {
             double difference = -exact.u[i];
-            for (std::size_t a = 0; a < n; ++a) difference += place.N[a] * u[i * n + a];
-            sum.displacement += place.volume * difference * difference;
+            for (std::size_t a = 0; a < n; ++a) difference += point.N[a] * u[i * n + a];
+            sum.displacement += point.volume * difference * difference;
             for (int J = 0; J < dim; ++J) {
                 double slope = (i == J ? 1.0 : 0.0) - exact.F[3 * i + J];
-                for (std::size_t a = 0; a < n; ++a) slope += place.gradient[J * n + a] * u[i * n + a];
-                sum.gradient += place.volume * slope * slope;
+                for (std::size_t a = 0; a < n; ++a) slope += point.gradient[J * n + a] * u[i * n + a];
+                sum.gradient += point.volume * slope * slope;
             }
         }
         if (reference.pressure_dofs == 0) return;
         const double kappa_Pa = material::bulk_modulus_Pa(rubber).value();
         double difference = -kappa_Pa * (determinant(exact.F) - 1.0);  // volumetric: quadratic
-        for (std::size_t a = 0; a < n; ++a) difference += place.N[a] * pressures[a];
-        sum.pressure += place.volume * difference * difference;
+        for (std::size_t a = 0; a < n; ++a) difference += point.N[a] * pressures[a];
+        sum.pressure += point.volume * difference * difference;
     });
     SOFT_PETSC(VecRestoreArrayRead(x, &value));
     return {std::sqrt(sum.displacement), std::sqrt(sum.gradient), std::sqrt(sum.pressure)};

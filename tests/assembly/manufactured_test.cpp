@@ -46,7 +46,7 @@ std::string label(const Study& s) {
 
 class Manufactured : public ::testing::TestWithParam<Study> {};
 
-TEST_P(Manufactured, ErrorsFallWithTheOrderOfTheory) {
+TEST_P(Manufactured, ErrorsDecreaseWithTheTheoreticalOrder) {
     const Study s = GetParam();
     const Result coarse = run(s, s.coarse), fine = run(s, s.fine);
     const double ratio = std::log(coarse.cell_size / fine.cell_size);

@@ -55,7 +55,7 @@ linalg::Vector translation(const System& system, double velocity) {
     return v;
 }
 
-TEST(Mass, ATranslatedBodyHasHalfItsMassTimesVelocitySquared) {
+TEST(Mass, ATranslationHasTheExactKineticEnergy) {
     for (const auto& sample : samples()) {
         const auto input = body(sample);
         const System system(input, PETSC_COMM_WORLD);
@@ -90,7 +90,7 @@ TEST(Mass, LumpedMassesArePositiveAndPressuresHaveNone) {
     }
 }
 
-// x^2 over the unit square: a quad9 holds it exactly, int rho x^4 dA = rho / 5.
+// x^2 over the unit square: a quad9 represents it exactly, int rho x^4 dA = rho / 5.
 TEST(Mass, TheConsistentMatrixIntegratesSquaresOfQuadraticFields) {
     auto input = block_case(CellType::quad9, Kinematics::plane_strain, Formulation::mixed, {.n = 2, .shake = 0.0});
     input.materials[0].density_kg_m3 = density;
@@ -106,7 +106,7 @@ TEST(Mass, TheConsistentMatrixIntegratesSquaresOfQuadraticFields) {
     EXPECT_NEAR(linalg::dot(momentum, v) / (density / 5.0), 1.0, 1e-12);
 }
 
-TEST(Mass, AMaterialWithoutDensityIsRefused) {
+TEST(Mass, RejectsAMaterialWithoutDensity) {
     auto input = body(samples()[0]);
     input.materials[0].density_kg_m3.reset();
     const System system(input, PETSC_COMM_WORLD);

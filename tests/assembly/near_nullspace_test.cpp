@@ -7,7 +7,7 @@
 namespace soft::assembly {
 namespace {
 
-// Held by nothing, K of the undeformed body sees no rigid motion at all.
+// Without supports, rigid motions are in the null space of K of the undeformed body.
 TEST(NearNullspace, AFreeBodyDoesNotResistItsRigidMotions) {
     for (const bool mixed : {false, true}) {
         auto input = box_case(1, false);
@@ -30,7 +30,7 @@ TEST(NearNullspace, AFreeBodyDoesNotResistItsRigidMotions) {
     }
 }
 
-TEST(NearNullspace, ASectionHasThoseOfItsPlane) {
+TEST(NearNullspace, ASectionHasTheMotionsOfItsPlane) {
     const auto sphere = sphere_case(1, 2);
     EXPECT_EQ(rigid_motions(System(sphere, PETSC_COMM_WORLD)).size(), 1u);  // along the axis
     auto strip = sphere;
@@ -38,10 +38,10 @@ TEST(NearNullspace, ASectionHasThoseOfItsPlane) {
     EXPECT_EQ(rigid_motions(System(strip, PETSC_COMM_WORLD)).size(), 3u);
 }
 
-TEST(NearNullspace, AMotionThatTheSupportsTakeAwayIsLeftOut) {
+TEST(NearNullspace, OmitsAMotionThatTheSupportsPrevent) {
     auto input = box_case(1, false);
     for (const auto& [name, facets] : input.mesh.facet_sets) input.supports.push_back({name, {true, false, false}});
-    // Without x the two nodes inside... only y and z move: rotations about y and z keep their part across x.
+    // Outer nodes are fixed in x and move only in y and z: the rotations about y and z keep these components.
     System system(input, PETSC_COMM_WORLD);
     for (const auto& motion : rigid_motions(system)) EXPECT_NEAR(linalg::norm(motion), 1.0, 1e-13);
 }

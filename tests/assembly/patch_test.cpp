@@ -1,4 +1,4 @@
-/// The patch test on a mesh: an affine displacement of the boundary is answered by the same affine field inside, whatever
+/// The patch test on a mesh: an affine displacement of the boundary gives the same affine field inside, whatever
 /// the shapes of the cells. Irons and Razzaque (1972); Hughes, The Finite Element Method (1987), 4.6.
 #include <gtest/gtest.h>
 
@@ -75,14 +75,14 @@ std::vector<PetscInt> boundary_dofs(const System& system) {
     return rows;
 }
 
-/// The affine field on the boundary, inside moved away from it by about 1 % of a cell; pressures 0.
-linalg::Vector start(const System& system, const Patch& p, const std::vector<PetscInt>& held) {
+/// The affine field on the boundary; inside perturbed by about 1 % of a cell; pressures 0.
+linalg::Vector start(const System& system, const Patch& p, const std::vector<PetscInt>& fixed) {
     auto x = system.make_vector();
     const auto& mesh = system.input().mesh;
     for (std::size_t node = 0; node < mesh.points.size(); ++node)
         for (int i = 0; i < mesh.dimension; ++i) {
             const PetscInt dof = system.dofs().displacement[node * mesh.dimension + i];
-            const bool inside = !std::ranges::binary_search(held, dof);
+            const bool inside = !std::ranges::binary_search(fixed, dof);
             const double away = inside ? 0.004 * std::sin(1.0 + 3.1 * static_cast<double>(dof)) : 0.0;
             SOFT_PETSC(VecSetValue(x, dof, affine(p, mesh.points[node], i) + away, INSERT_VALUES));
         }
@@ -91,16 +91,16 @@ linalg::Vector start(const System& system, const Patch& p, const std::vector<Pet
     return x;
 }
 
-/// Newton's method for the unknowns that are not held.
-void solve_inside(System& system, const std::vector<PetscInt>& held, Vec x) {
+/// Newton's method for the unknowns that are not fixed.
+void solve_inside(System& system, const std::vector<PetscInt>& fixed, Vec x) {
     auto R = system.make_vector(), step = system.make_vector();
-    const auto count = static_cast<PetscInt>(held.size());
+    const auto count = static_cast<PetscInt>(fixed.size());
     for (int iteration = 0; iteration < 8; ++iteration) {
         const auto K = system.make_matrix();
         ASSERT_TRUE(system.evaluate(x, no_loads(system.input()), R, K).admissible());
-        SOFT_PETSC(MatZeroRowsColumns(K, count, held.data(), 1.0, nullptr, nullptr));
-        const std::vector<double> zeros(held.size(), 0.0);
-        SOFT_PETSC(VecSetValues(R, count, held.data(), zeros.data(), INSERT_VALUES));
+        SOFT_PETSC(MatZeroRowsColumns(K, count, fixed.data(), 1.0, nullptr, nullptr));
+        const std::vector<double> zeros(fixed.size(), 0.0);
+        SOFT_PETSC(VecSetValues(R, count, fixed.data(), zeros.data(), INSERT_VALUES));
         SOFT_PETSC(VecAssemblyBegin(R));
         SOFT_PETSC(VecAssemblyEnd(R));
         linalg::LinearSolver solver(K, linalg::Symmetry::general);
@@ -114,10 +114,10 @@ TEST(Patch, AnAffineBoundaryGivesTheAffineFieldInside) {
     for (const auto& p : all_patches()) {
         const auto input = block_case(p.type, p.kinematics, p.formulation, {2, 0.3});
         System system(input, PETSC_COMM_WORLD);
-        const auto held = boundary_dofs(system);
-        ASSERT_LT(held.size(), static_cast<std::size_t>(system.dofs().total)) << label(p);
-        auto x = start(system, p, held);
-        solve_inside(system, held, x);
+        const auto fixed = boundary_dofs(system);
+        ASSERT_LT(fixed.size(), static_cast<std::size_t>(system.dofs().total)) << label(p);
+        auto x = start(system, p, fixed);
+        solve_inside(system, fixed, x);
         const auto fields = system.gather_fields(x);
         for (std::size_t node = 0; node < input.mesh.points.size(); ++node)
             for (int i = 0; i < input.mesh.dimension; ++i)

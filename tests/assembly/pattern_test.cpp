@@ -26,7 +26,7 @@ std::set<std::pair<PetscInt, PetscInt>> pairs(const System& system) {
     return found;
 }
 
-TEST(Pattern, HoldsThePairsOfUnknownsThatShareACellAndNoOthers) {
+TEST(Pattern, ContainsExactlyThePairsOfUnknownsThatShareACell) {
     auto input = box_case(2, false);
     auto tetrahedra = input;
     tetrahedra.mesh = mesh::split_into_simplices(input.mesh);

@@ -1,4 +1,4 @@
-// gtest's main with MPI and PETSc alive for the whole run.
+// gtest's main with MPI and PETSc initialised for the whole run.
 #include <gtest/gtest.h>
 
 #include "linalg/session.hpp"

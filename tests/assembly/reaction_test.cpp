@@ -1,4 +1,4 @@
-/// Reactions of held and moved faces: derivatives, ranks' independence of symmetry cuts, and what they add up to.
+/// Reactions of constrained faces: derivatives, symmetry planes, and resultants.
 #include "assembly/reaction.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using model::Measure;
 
-/// A block held at one end; the other end moves along x and is free across. Loads of every kind act on held nodes too.
+/// A block fixed at one end; the other end moves along x and is free in y and z. Loads of every kind also act on fixed nodes.
 model::Case loaded_block() {
     auto input = box_case(2, true);
     input.supports = {{"fixed", {true, true, true}}};
@@ -54,7 +54,7 @@ TEST(Reaction, DerivativesByStateAndLoadsAreExact) {
     }
 }
 
-/// All nodal forces of R at once, as if nothing were held.
+/// Sum of all nodal forces of R, without any constraint.
 Vector3 total_force(model::Case input, const LoadLevels& at, const std::vector<double>& displacement_m) {
     input.supports.clear();
     input.motions.clear();
@@ -74,7 +74,7 @@ Vector3 total_force(model::Case input, const LoadLevels& at, const std::vector<d
     return sum;
 }
 
-// Internal forces of any state add up to nothing, so that the residual of the free nodes and the reactions are the loads.
+// Internal forces of any state sum to zero, so that the residual of the free nodes plus the reactions equals the loads.
 TEST(Reaction, OfAllNodesIsTheResultantOfTheLoadsInAnyState) {
     auto input = loaded_block();
     input.mesh.facet_sets["skin"];
@@ -94,7 +94,7 @@ TEST(Reaction, OfAllNodesIsTheResultantOfTheLoadsInAnyState) {
     at.motions.clear();
     system.prescribe(at);
     const Vector3 total = total_force(input, at, std::vector(3 * input.mesh.points.size(), 0.0));
-    // The mean pressure of the undeformed mixed cells is 0, so the free inner nodes carry their weight alone.
+    // The mean pressure of the undeformed mixed cells is 0, so the only force at free inner nodes is their weight.
     auto R = system.make_vector();
     system.evaluate(x, at, R, nullptr);
     Vector3 inner{};
@@ -108,8 +108,8 @@ TEST(Reaction, OfAllNodesIsTheResultantOfTheLoadsInAnyState) {
         EXPECT_NEAR(system.output(i, x, nullptr) + inner[i], total[i], 1e-12 * std::abs(total[i]));
 }
 
-// The mirror at y = 0 of the block's half: the whole face, the whole force.
-TEST(Reaction, OfAHalfIsThatOfTheWhole) {
+// Half of the block, mirrored at y = 0, gives the whole face and the whole force.
+TEST(Reaction, OfAHalfModelIsThatOfTheWhole) {
     auto half = box_case(2, true);
     half.symmetry_planes = {false, true, false};
     half.model_fraction = 0.5;
@@ -118,13 +118,13 @@ TEST(Reaction, OfAHalfIsThatOfTheWhole) {
     EXPECT_EQ(fixed.mirrored, (std::array<bool, 3>{false, true, false}));
     EXPECT_EQ(model::uncancelled_force(fixed, {1, 2, 3}), (Vector3{1, 0, 3}));
     EXPECT_EQ(model::uncancelled_moment(fixed, {1, 2, 3}), (Vector3{0, 2, 0}));
-    const model::Cuts cuts{half.kinematics, half.symmetry_planes};
+    const model::ModelSymmetry cuts{half.kinematics, half.symmetry_planes};
     EXPECT_EQ(model::face_symmetry(half.mesh, cuts, "right").copies, 1);  // its image is another face
     EXPECT_EQ(model::face_symmetry(half.mesh, cuts, "left").copies, 1);   // it lies in the plane
     EXPECT_THROW((void)model::face_symmetry(half.mesh, cuts, "no face"), Error);
 }
 
-/// A block on rollers that its top is pressed on: z is held by the bottom alone, y by "left", x by "fixed".
+/// A block on rollers under a pressure on its top: only the bottom is fixed in z, "left" in y, "fixed" in x.
 model::Case block_on_rollers(int n) {
     auto input = box_case(n, true);
     input.supports = {
@@ -133,8 +133,8 @@ model::Case block_on_rollers(int n) {
     return input;
 }
 
-// Faces that share an edge with the bottom slide along z: the edge's reaction is not theirs.
-TEST(Reaction, IsThatOfTheFaceAndNotOfItsNeighbours) {
+// Faces that share an edge with the bottom slide along z: the reaction at the edge does not belong to them.
+TEST(Reaction, ExcludesThatOfNeighbouringFaces) {
     for (const int n : {1, 2}) {
         auto input = block_on_rollers(n);
         input.outputs = {{"fixed_z", "fixed", {0, 0, 1}, Measure::force},
@@ -144,13 +144,13 @@ TEST(Reaction, IsThatOfTheFaceAndNotOfItsNeighbours) {
         const auto x = wavy(system, 4e-5, 0.3);
         system.prescribe({{3e4}, {}, {}, {}});
         EXPECT_EQ(system.output(0, x, nullptr), 0.0);
-        EXPECT_GT(std::abs(system.output(1, x, nullptr)), 1e-3);  // the bottom's own
+        EXPECT_GT(std::abs(system.output(1, x, nullptr)), 1e-3);  // that of the bottom itself
         EXPECT_EQ(system.output(2, x, nullptr), 0.0);
     }
 }
 
-// An edge that two faces hold in the same components is half of each: together they feel what one feels that is both.
-TEST(Reaction, OfFacesWithACommonEdgeAddUp) {
+// The reaction at an edge of two faces fixed in the same components is divided equally: their sum is that of the joined face.
+TEST(Reaction, OfFacesWithACommonEdgeSumToThatOfTheirUnion) {
     auto input = loaded_block();
     input.supports = {{"fixed", {true, true, true}}, {"bottom", {true, true, true}}};
     auto& both = input.mesh.facet_sets["both"];
@@ -169,7 +169,7 @@ TEST(Reaction, OfFacesWithACommonEdgeAddUp) {
     EXPECT_NEAR(system.output(0, x, nullptr) + system.output(1, x, nullptr), sum, 1e-12 * std::abs(sum));
 }
 
-TEST(Reaction, OfAMotionInTimeIsRefused) {
+TEST(Reaction, RejectsADynamicCase) {
     auto input = loaded_block();
     input.dynamics.emplace();
     EXPECT_THROW(System(input, PETSC_COMM_WORLD), Error);

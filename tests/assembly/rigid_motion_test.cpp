@@ -7,12 +7,12 @@
 namespace soft::assembly {
 namespace {
 
-TEST(RigidMotion, AFullyHeldBodyHasNone) {
+TEST(RigidMotion, AFullySupportedBodyHasNone) {
     EXPECT_FALSE(free_rigid_motion(box_case(2, true)));
     EXPECT_FALSE(free_rigid_motion(sphere_case(2, 4)));
 }
 
-TEST(RigidMotion, NamesTheTranslationThatNothingHolds) {
+TEST(RigidMotion, NamesTheFreeTranslation) {
     auto input = box_case(2, true);
     input.supports = {{"fixed", {true, false, false}}, {"left", {false, true, false}}};
     EXPECT_EQ(free_rigid_motion(input), "translation along z");
@@ -21,8 +21,8 @@ TEST(RigidMotion, NamesTheTranslationThatNothingHolds) {
     EXPECT_EQ(free_rigid_motion(sphere), "translation along x");
 }
 
-// A hinge: the held face is squashed onto the line y = z = 0, so that nothing sees the rotation about it.
-TEST(RigidMotion, NamesTheRotationThatNothingHolds) {
+// A hinge: the fixed face is collapsed onto the line y = z = 0, so that no constraint prevents the rotation about it.
+TEST(RigidMotion, NamesTheFreeRotation) {
     auto input = box_case(1, true);
     auto& mesh = input.mesh;
     for (auto& point : mesh.points)
@@ -33,7 +33,7 @@ TEST(RigidMotion, NamesTheRotationThatNothingHolds) {
     EXPECT_FALSE(free_rigid_motion(input));
 }
 
-TEST(RigidMotion, FindsTheLoosePartOfTwo) {
+TEST(RigidMotion, FindsTheUnsupportedPartOfTwo) {
     auto input = box_case(1, true);
     const auto other = box_case(1, true);
     const auto shift = static_cast<mesh::Index>(input.mesh.points.size());

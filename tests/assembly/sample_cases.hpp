@@ -1,5 +1,5 @@
 #pragma once
-/// Small cases built by hand, so that the solver rooms are tested without the geometry room.
+/// Small cases built by hand, so that the solver modules are tested without the geometry module.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -19,7 +19,7 @@ inline model::Material sample_material(bool incompressible) {
     return material;
 }
 
-/// Puts every outer facet into the first named set whose test on the facet's middle node says yes.
+/// Adds every outer facet to the set that `name_of` returns for the mean of its vertices.
 template <class Name>
 void name_boundary(mesh::Mesh& mesh, Name&& name_of) {
     for (const auto& facet : mesh::boundary_facets(mesh)) {
@@ -82,7 +82,7 @@ inline model::Case sphere_case(int layers, int sectors) {
     return input;
 }
 
-/// Two such spheres, apart from each other as bodies (no node in common, though drawn at the same place), on one gas: a
+/// Two such spheres, separate bodies (no common node, although at the same position), with a common gas: a
 /// volume of `ratio` times both cavities at load factor 1. Cavities "left" and "right".
 inline model::Case two_spheres_case(int layers, int sectors, double ratio) {
     model::Case input = sphere_case(layers, sectors);

@@ -1,4 +1,4 @@
-/// Choices of a case that change what is assembled, or only how: threads, scaling, the shape that is loaded, small strain.
+/// Settings that change the assembled system or only its assembly: threads, scaling, the loaded shape, small strain.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ Assembled assemble(const model::Case& input, double pressure_Pa) {
     return result;
 }
 
-TEST(Threads, LeaveEveryBitOfResidualAndTangentAsItIs) {
+TEST(Threads, DoNotChangeAnyBitOfResidualAndTangent) {
     auto input = box_case(3, true);
     const auto one = assemble(input, -1e4);
     for (const int threads : {2, 3}) {
@@ -64,7 +64,7 @@ TEST(Threads, FindTheSameWorstCell) {
     EXPECT_EQ(worst[0], worst[1]);
 }
 
-TEST(Scaling, OffTakesPressuresInPascal) {
+TEST(Scaling, OffGivesPressuresInPascal) {
     auto input = box_case(1, true);
     System scaled(input, PETSC_COMM_WORLD);
     EXPECT_NEAR(scaled.dofs().pressure_scale_Pa, sample_mu_Pa / 0.01, 1e-6 * sample_mu_Pa / 0.01);
@@ -73,7 +73,7 @@ TEST(Scaling, OffTakesPressuresInPascal) {
     EXPECT_EQ(plain.dofs().pressure_scale_Pa, 1.0);
 }
 
-TEST(UndeformedShape, TakesTheForceAtEveryStateFromTheUndeformedArea) {
+TEST(UndeformedShape, ForceActsOnTheUndeformedAreaInEveryState) {
     auto input = box_case(2, false);
     input.formulation = model::Formulation::displacement;
     input.loads[0].shape = model::LoadShape::undeformed;
@@ -85,7 +85,7 @@ TEST(UndeformedShape, TakesTheForceAtEveryStateFromTheUndeformedArea) {
     levels.pressures_Pa = {-sample_mu_Pa};
     system.evaluate(x, levels, with, nullptr);
     linalg::add(with, -1.0, without);  // -(force of the load)
-    // Along x alone, in total the pull times the undeformed area.
+    // Only along x; the total is the pressure times the undeformed area.
     const auto mean = system.output(0, with, nullptr);  // weights of the face's mean
     EXPECT_LT(mean, 0.0);
     double total = 0;
@@ -120,7 +120,7 @@ TEST(SmallStrain, GivesEveryLawTheResidualOfHooke) {
     EXPECT_LT(linalg::norm(apart), 1e-14 * linalg::norm(small.R));
 }
 
-TEST(SmallStrain, IsTheSlopeOfTheFiniteLawWithoutDeformation) {
+TEST(SmallStrain, IsTheTangentOfTheFiniteLawWithoutDeformation) {
     auto input = box_case(2, false);
     input.formulation = model::Formulation::displacement;
     const auto tangent = [&](model::Strain strain) {
@@ -132,12 +132,12 @@ TEST(SmallStrain, IsTheSlopeOfTheFiniteLawWithoutDeformation) {
         return K;
     };
     EXPECT_LT(difference(tangent(model::Strain::finite), tangent(model::Strain::small)), 1e-12);
-    input.materials[0].bulk_modulus_Pa = 1.5 * sample_mu_Pa;  // not what its volumetric term alone gives
+    input.materials[0].bulk_modulus_Pa = 1.5 * sample_mu_Pa;  // differs from that of its volumetric term alone
     input.materials[0].law = "neo-hookean-compressible";
     EXPECT_LT(difference(tangent(model::Strain::finite), tangent(model::Strain::small)), 1e-12);
 }
 
-TEST(SmallStrain, IsRefusedWhereALawHasNoLinearCounterpart) {
+TEST(SmallStrain, RejectsALawWithoutLinearCounterpart) {
     auto input = box_case(1, false);
     input.formulation = model::Formulation::displacement;
     input.materials[0].law = "kraken";

@@ -21,7 +21,7 @@ model::Case open_box() {
     return input;
 }
 
-/// Every load at this share of a full load of its own.
+/// Every load at this fraction of its full load.
 LoadLevels levels_at(const model::Case& input, double share) {
     LoadLevels full{{},
                     std::vector(input.tractions.size(), 1.0),
@@ -31,7 +31,7 @@ LoadLevels levels_at(const model::Case& input, double share) {
         full.pressures_Pa.push_back((i == 0 ? 0.3 : 0.2) * sample_mu_Pa);
     return moved(no_loads(input), share, full);
 }
-/// R alone, and the derivative by the share.
+/// R, and its derivative with respect to the fraction.
 void evaluate_at(System& system, Vec x, double share, Vec R, Vec load, Mat K = nullptr) {
     const LoadColumn column{levels_at(system.input(), 1.0), load};
     system.evaluate(x, levels_at(system.input(), share), R, K, {&column, 1});
@@ -72,7 +72,7 @@ TEST(System, LoadIsTheDerivativeOfTheResidualByTheLoadFactor) {
     EXPECT_NEAR(linalg::norm(R1), 0.0, 1e-12 * linalg::norm(load));
 }
 
-// Without pressure the load is the traction's alone; in the box every node of the end is free.
+// Without pressure only the traction acts; every node of the box's end is free.
 TEST(System, ForceOfADeadTractionIsItsAreaAndDoesNotFollowTheBody) {
     auto input = box_case(2, true);
     input.loads.clear();
@@ -120,7 +120,7 @@ TEST(System, VolumeGradientIsTheDerivativeOfTheVolumeWithRims) {
     }
 }
 
-TEST(System, EnclosedVolumeOfTheSphereIsFourThirdsPiCubedOfTheWholeBall) {
+TEST(System, EnclosedVolumeOfTheHalfSphereModelIsThatOfTheWholeSphere) {
     const auto input = sphere_case(1, 16);
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
@@ -130,7 +130,7 @@ TEST(System, EnclosedVolumeOfTheSphereIsFourThirdsPiCubedOfTheWholeBall) {
 
 // A flat wall of the box, y = 10 mm, closed by a cap in its own plane: the volume between the wall and the cap is zero,
 // but the divergence theorem counts the wall and its flat cap about the origin, which cancel.
-TEST(System, AFlatWallWithItsCapEnclosesNothing) {
+TEST(System, AFlatWallWithItsCapEnclosesNoVolume) {
     auto input = open_box();
     System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector();
@@ -156,7 +156,7 @@ TEST(System, ReportsTheInvertedCellAndItsJacobian) {
     const auto input = box_case(2, true);
     System system(input, PETSC_COMM_WORLD);
     auto x = system.make_vector(), R = system.make_vector(), load = system.make_vector();
-    // Push the nodes of the far corner cell through itself.
+    // Invert the far corner cell.
     const auto nodes = input.mesh.cell_nodes(7);
     for (const auto node : nodes)
         if (input.mesh.point(node)[0] > 0.0099)
@@ -171,7 +171,7 @@ TEST(System, ReportsTheInvertedCellAndItsJacobian) {
     EXPECT_TRUE(std::ranges::any_of(worst, [&](auto n) { return std::ranges::find(nodes, n) != nodes.end(); }));
 }
 
-TEST(System, StretchSummaryOfAHomogeneousStateIsThatState) {
+TEST(System, StretchSummaryIsExactForAHomogeneousState) {
     const auto input = box_case(1, true);
     System system(input, PETSC_COMM_WORLD);
     auto x = system.make_vector();
@@ -192,13 +192,13 @@ TEST(System, StretchSummaryOfAHomogeneousStateIsThatState) {
 }
 
 TEST(DofMap, CountsFreeComponentsAndPressures) {
-    const auto input = box_case(2, true);  // 125 nodes, three faces of 25 nodes held in one component each, 8 cells
+    const auto input = box_case(2, true);  // 125 nodes, three faces of 25 nodes fixed in one component each, 8 cells
     System system(input, PETSC_COMM_WORLD);
     EXPECT_EQ(system.dofs().pressures, 8 * 4);
     EXPECT_EQ(system.dofs().total, 3 * 125 - 3 * 25 + 8 * 4);
 }
 
-TEST(System, RefusesACaseItCannotRun) {
+TEST(System, RejectsUnsupportedCases) {
     auto unknown_face = box_case(1, true);
     unknown_face.supports.push_back({"nowhere", {true, true, true}});
     EXPECT_THROW(System(unknown_face, PETSC_COMM_WORLD), Error);
@@ -214,17 +214,17 @@ TEST(System, RefusesACaseItCannotRun) {
     fibres.fiber_frame = model::FiberFrame::cylindrical;
     using model::Kinematics;
     const std::array<bool, 3> whole{}, half{false, true, false};
-    EXPECT_FALSE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
-    EXPECT_TRUE(model::why_not(fibres, Kinematics::solid, whole).empty());
-    EXPECT_FALSE(model::why_not(fibres, Kinematics::solid, half).empty());
+    EXPECT_FALSE(model::explain_incompatibility(fibres, Kinematics::axisymmetric, whole).empty());
+    EXPECT_TRUE(model::explain_incompatibility(fibres, Kinematics::solid, whole).empty());
+    EXPECT_FALSE(model::explain_incompatibility(fibres, Kinematics::solid, half).empty());
     fibres.constants["families"] = {2.0};
-    EXPECT_TRUE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
-    EXPECT_TRUE(model::why_not(fibres, Kinematics::solid, half).empty());
+    EXPECT_TRUE(model::explain_incompatibility(fibres, Kinematics::axisymmetric, whole).empty());
+    EXPECT_TRUE(model::explain_incompatibility(fibres, Kinematics::solid, half).empty());
     fibres.fibers = model::Fibers{0.5, 1e5, 1, 1};
-    EXPECT_FALSE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
+    EXPECT_FALSE(model::explain_incompatibility(fibres, Kinematics::axisymmetric, whole).empty());
     fibres.fibers->angle_rad = 0;  // along the axis: its own mirror image
-    EXPECT_TRUE(model::why_not(fibres, Kinematics::axisymmetric, whole).empty());
-    EXPECT_TRUE(model::why_not(fibres, Kinematics::solid, half).empty());
+    EXPECT_TRUE(model::explain_incompatibility(fibres, Kinematics::axisymmetric, whole).empty());
+    EXPECT_TRUE(model::explain_incompatibility(fibres, Kinematics::solid, half).empty());
     auto no_material = box_case(1, true);
     no_material.materials.clear();
     EXPECT_THROW(System(no_material, PETSC_COMM_WORLD), Error);

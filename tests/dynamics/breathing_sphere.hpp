@@ -1,8 +1,8 @@
 #pragma once
-/// The one equation of motion of an incompressible thick sphere: r^3 - a^3 = R^3 - A^3 leaves one unknown, the inner radius a.
+/// The equation of motion of an incompressible thick sphere: r^3 - a^3 = R^3 - A^3 leaves one unknown, the inner radius a.
 /// Its kinetic energy is m(a)/2 a'^2 with m = 4 pi rho a^4 (1/a - 1/b), and Lagrange's equation
 ///     m a'' + m'(a)/2 a'^2 = 4 pi a^2 (p - p_elastic(a/A)),     b^3 = B^3 + a^3 - A^3,   db/da = a^2 / b^2.
-/// Derived here; no part of the library is in it. Used by dynamics/dynamics_test and the verification.
+/// Derived here; independent of the library. Used by dynamics/dynamics_test and the verification.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -13,8 +13,8 @@ struct BreathingSphere {
     double inner_m, outer_m, density_kg_m3;
 };
 
-/// a/A at `count` times, equal parts of the duration, from rest under a constant pressure; `elastic_Pa(a/A)` of the wall. By
-/// Runge's fourth-order method in 4000 steps or a few more.
+/// a/A at `count` equally spaced times of the duration, from rest under a constant pressure; `elastic_Pa(a/A)` is that of the wall.
+/// Fourth-order Runge-Kutta method with 4000 steps or slightly more.
 template <class Elastic>
 [[nodiscard]] std::vector<double> breathing_stretches(const BreathingSphere& sphere, double pressure_Pa,
                                                       Elastic&& elastic_Pa, double duration_s, int count) {

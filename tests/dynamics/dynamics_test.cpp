@@ -16,9 +16,9 @@ using model::Integrator;
 
 constexpr double density = 1000.0;
 
-// A soft incompressible square, held by nothing, pulled at one edge: it deforms and turns, and its centre of mass moves as
-// force over mass says, x = F t^2 / 2 m; so does its momentum, F t, whose integral that is.
-TEST(Motion, AFreeBodyTakesUpTheMomentumOfItsLoads) {
+// An unsupported soft incompressible square, pulled at one edge, deforms and rotates. Its centre of mass moves by x = F t^2 / 2 m,
+// the time integral of its momentum F t over the mass.
+TEST(Motion, AFreeBodyHasTheMomentumOfItsLoads) {
     auto input = block_case(mesh::CellType::quad9, model::Kinematics::plane_strain, model::Formulation::mixed,
                             {.n = 2, .shake = 0.1});
     input.materials = {sample_material(true)};
@@ -58,7 +58,7 @@ TEST(Motion, AFreeBodyTakesUpTheMomentumOfItsLoads) {
     EXPECT_GT(largest, 0.0);
 }
 
-/// Half the sphere, from rest under `share` x mu at once.
+/// Half the sphere, from rest under a sudden pressure of `share` x mu.
 model::Case breathing_case(double share, double duration) {
     auto input = sphere_case(3, 6);
     input.materials[0].density_kg_m3 = density;
@@ -68,7 +68,7 @@ model::Case breathing_case(double share, double duration) {
     return input;
 }
 
-/// Inner stretch at the end by the one equation of the sphere of sphere.hpp.
+/// Inner stretch at the end by the equation of motion of the sphere in sphere.hpp.
 double breathing_stretch(double share, double duration) {
     const auto elastic_Pa = [](double stretch) { return sample_mu_Pa * solver::sphere_pressure(stretch); };
     return breathing_stretches({0.01, 0.02, density}, share * sample_mu_Pa, elastic_Pa, duration, 1).back();
@@ -86,8 +86,8 @@ double breathing_end(Integrator integrator, int steps) {
     return solver::inner_stretch(moved.last());
 }
 
-// The constraint of incompressibility holds at every step, and the order stays that of the method.
-TEST(Motion, TheIncompressibleSphereBreathesAsItsOneEquationSays) {
+// The incompressibility constraint is satisfied at every step, and the order is that of the method.
+TEST(Motion, TheIncompressibleSphereFollowsItsEquationOfMotion) {
     const double exact = breathing_stretch(0.4, breathing_s), limit = breathing_end(Integrator::ark4, 100);
     EXPECT_NEAR(limit, exact, 3e-4);  // 18 cells; their error, not that of the steps
     struct Wanted {
@@ -126,8 +126,8 @@ TEST(Motion, WorkAndEnergiesAreThoseOfTheWholeBody) {
     EXPECT_NEAR((last.motion->kinetic_energy_J + last.motion->stored_energy_J) / work, 1.0, 2e-3);
 }
 
-// A ramp of 1 s leads through the states of rest: its kick at the start leaves the undamped body swinging by 1 / (w t) of the
-// load at t, 0.06 % and less after 0.6 s (w above 2700 1/s). Steps of 20 ms do not resolve that and damp it.
+// A ramp of 1 s follows the static states: its start leaves an oscillation of the undamped body with the amplitude 1 / (w t) of the
+// load at t, 0.06 % or less after 0.6 s (w above 2700 1/s). Steps of 20 ms do not resolve this oscillation and damp it.
 TEST(Motion, ASlowRampFollowsTheStaticPath) {
     auto input = breathing_case(0.6, 1.0);
     input.loads[0].time_function = ramp_time_function();
@@ -145,9 +145,9 @@ TEST(Motion, ASlowRampFollowsTheStaticPath) {
     }
 }
 
-// A ramp so slow that the pressure is 2e-8 to 4e-7 of the modulus in the first steps: a residual of 1e-9 of its force is beyond the digits
-// of the stress, which are eps of the modulus. The wall is a free mass yet, m a'' = 4 pi A^2 p t / T with m of breathing_sphere.hpp:
-// dV/dt = (4 pi A^2)^2 p t^2 / (2 T m).
+// A ramp so slow that the pressure is 2e-8 to 4e-7 of the modulus in the first steps: a residual of 1e-9 of its force is below the
+// rounding of the stress, which is eps times the modulus. At this time the wall still moves like a free mass,
+// m a'' = 4 pi A^2 p t / T with m of breathing_sphere.hpp: dV/dt = (4 pi A^2)^2 p t^2 / (2 T m).
 TEST(Motion, LoadsNearRoundingMoveTheBody) {
     constexpr double ramp_s = 1.0;
     for (const auto integrator : {Integrator::generalized_alpha, Integrator::hht, Integrator::newmark,
@@ -166,8 +166,8 @@ TEST(Motion, LoadsNearRoundingMoveTheBody) {
     }
 }
 
-// A bar whose damping hides its mass, C = b K: all its modes creep alike, u = u_end (1 - exp(-t/b)). The load is there at once, and
-// accelerates its last cell by far more than any step resolves.
+// A bar with dominant damping C = b K: all its modes creep alike, u = u_end (1 - exp(-t/b)). The load is applied suddenly and
+// accelerates the last cell far more than any step resolves.
 TEST(Motion, AStepOnAHeavilyDampedBarCreeps) {
     constexpr double traction_Pa = 10.0, end_m = traction_Pa * bar_length_m / bar_modulus_Pa;
     for (const auto integrator : {Integrator::generalized_alpha, Integrator::hht, Integrator::newmark}) {
@@ -190,11 +190,11 @@ TEST(Motion, AStepOnAHeavilyDampedBarCreeps) {
     }
 }
 
-/// A sphere so stiff that its volume stays, isothermal gas: dp/dt = (source - p) / (resistance (V + D) / ambient).
+/// A sphere so stiff that its volume is constant, isothermal gas: dp/dt = (source - p) / (resistance (V + D) / ambient).
 model::Case line_case(double time_constant_s) {
     auto input = sphere_case(1, 2);
     input.materials[0].density_kg_m3 = density;
-    input.materials[0].constants["mu"] = {1e10};  // p / mu of its volume, 1e-5 of its capacity
+    input.materials[0].constants["mu"] = {1e10};  // the volume changes by p / mu, 1e-5 of the capacity
     input.loads[0].time_function = step_time_function();
     input.loads[0].gas.dead_volume_m3 = 2e-6;
     input.path.stages = {full_load(input, {3e4})};
@@ -226,8 +226,8 @@ TEST(Motion, ARigidCavityFillsWithResistanceTimesCapacity) {
     }
 }
 
-// A soft body on a line: the gas that has come in through the resistance is the gas that is there.
-TEST(Motion, ALineKeepsTheBalanceOfItsGas) {
+// A soft body on a supply line: the gas in the cavity equals the inflow through the resistance.
+TEST(Motion, ALineKeepsTheMassBalanceOfItsGas) {
     auto input = breathing_case(0.4, 0.1);
     input.loads[0].line = model::SupplyLine{5e8};
     input.dynamics->integrator = Integrator::ark4;
@@ -248,7 +248,7 @@ TEST(Motion, ALineKeepsTheBalanceOfItsGas) {
     EXPECT_NEAR(inflow / before, 1.0, 1e-3);
 }
 
-TEST(Motion, WhatItCannotRunIsRefused) {
+TEST(Motion, RejectsUnsupportedCases) {
     const auto refused = [](const model::Case& input, const std::string& word) {
         try {
             (void)move(input);

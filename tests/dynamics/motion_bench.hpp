@@ -1,5 +1,5 @@
 #pragma once
-/// Small bodies in motion with answers in closed form.
+/// Small bodies in motion with closed-form solutions.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -49,8 +49,8 @@ inline model::TimeFunction sine_time_function(double frequency_Hz) {
 inline constexpr double bar_length_m = 0.01, bar_density = 1000.0;
 inline constexpr double bar_modulus_Pa = 1e5;  // of uniaxial strain: kappa + 4/3 mu
 
-/// A bar of `cells` quad4 along x in plane strain, 10 mm long, a square of the cell's length high, held against y everywhere:
-/// it moves in x alone, under uniaxial strain. Held at x = 0, a traction of `traction_Pa` at its end, output "elongation" there.
+/// A bar of `cells` square quad4 cells along x in plane strain, 10 mm long, fixed in y everywhere, so that it moves only in x, under
+/// uniaxial strain. Fixed at x = 0, a traction of `traction_Pa` at its end, output "elongation" there.
 inline model::Case bar_case(int cells, double traction_Pa, const model::TimeFunction& time_function) {
     model::Case input;
     input.kinematics = model::Kinematics::plane_strain;

@@ -1,4 +1,4 @@
-/// TimeFunction of loads in time.
+/// Time functions of loads.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ TEST(TimeFunction, ARampEndsAfterItsTimeOrTheDuration) {
     EXPECT_DOUBLE_EQ(shortest_change_s(own, duration), 0.5);
 }
 
-TEST(TimeFunction, AStepIsThereFromTheStart) {
+TEST(TimeFunction, AStepIsConstantFromTheStart) {
     const auto step = step_time_function();
     EXPECT_EQ(share_at(step, duration, 0.0), 1.0);
     EXPECT_EQ(share_at(step, duration, -1e-9), 0.0);
@@ -39,8 +39,9 @@ TEST(TimeFunction, ASineHasItsFrequency) {
     EXPECT_NEAR(shortest_change_s(sine, duration), 1.0 / 12.0, 1e-15);
 }
 
-TEST(TimeFunction, ATableIsLinearBetweenItsTimesAndHeldBeyond) {
-    const model::TimeFunction table{.kind = model::TimeFunctionKind::table, .times_s = {0.5, 1.0, 3.0}, .shares = {1.0, 0.0, 4.0}};
+TEST(TimeFunction, ATableIsLinearBetweenItsTimesAndConstantBeyond) {
+    const model::TimeFunction table{
+        .kind = model::TimeFunctionKind::table, .times_s = {0.5, 1.0, 3.0}, .shares = {1.0, 0.0, 4.0}};
     EXPECT_EQ(share_at(table, duration, 0.1), 1.0);
     EXPECT_DOUBLE_EQ(share_at(table, duration, 0.75), 0.5);
     EXPECT_DOUBLE_EQ(share_at(table, duration, 2.0), 2.0);

@@ -1,4 +1,4 @@
-/// Paths solved again on finer meshes: the thick sphere's bars against the closed form, stages, refusals, bounds.
+/// Paths solved again on finer meshes: error bars of the thick sphere against the closed form, stages, errors, limits.
 #include "solver/accuracy.hpp"
 
 #include <gtest/gtest.h>
@@ -16,19 +16,20 @@ namespace {
 
 using model::Prescription;
 
-struct Judged {
+struct Estimated {
     Accuracy accuracy;
     std::vector<RowState> given;  ///< rows of the given mesh
     solution::PathEnd end;
 };
 
-Judged judge(const model::Case& input, const AccuracyTarget& target, const RefinementListeners& listeners = {}) {
+Estimated estimate_errors(const model::Case& input, const AccuracyTarget& target,
+                          const RefinementListeners& listeners = {}) {
     assembly::System system(input, PETSC_COMM_WORLD);
-    Judged judged;
-    judged.end = follow_path(system, {.step = [](const solution::Step&, Vec) {},
-                                      .row = [&](const RowState& row) { judged.given.push_back(row); }});
-    judged.accuracy = refine_path(system, judged.given, judged.end, target, listeners);
-    return judged;
+    Estimated estimated;
+    estimated.end = follow_path(system, {.step = [](const solution::Step&, Vec) {},
+                                         .row = [&](const RowState& row) { estimated.given.push_back(row); }});
+    estimated.accuracy = refine_path(system, estimated.given, estimated.end, target, listeners);
+    return estimated;
 }
 
 model::Case inflated_sphere(int layers, int sectors) {
@@ -44,12 +45,12 @@ model::Case refined(model::Case input) {
 
 AccuracyTarget tolerance(double value) { return {.tolerance = value}; }
 
-/// Room for one finer mesh, not for two: the given mesh itself is then what is reported.
+/// Limits that allow one finer mesh but not two: the given mesh is the reported one.
 AccuracyTarget two_meshes(const model::Case& input, double value) {
     return {.tolerance = value, .max_unknowns_2d = 4 * assembly::System(input, PETSC_COMM_WORLD).dofs().total};
 }
 
-/// Largest |p - exact p| of the rows, and by how much of it a bar falls short at most.
+/// Largest |p - exact p| of the rows.
 double max_error(const std::vector<RowState>& rows) {
     double largest = 0;
     for (const auto& row : rows)
@@ -61,7 +62,8 @@ double max_error(const std::vector<RowState>& rows) {
 TEST(Accuracy, BarsOfTheSphereCoverTheClosedFormAtEveryRow) {
     for (const double wanted : {0.5, 1e-3, 1e-4}) {  // levels 0, 1, 2
         const auto input = wanted == 0.5 ? inflated_sphere(2, 2) : inflated_sphere(1, 2);
-        const auto [accuracy, given, end] = judge(input, wanted == 0.5 ? two_meshes(input, wanted) : tolerance(wanted));
+        const auto [accuracy, given, end] =
+            estimate_errors(input, wanted == 0.5 ? two_meshes(input, wanted) : tolerance(wanted));
         ASSERT_TRUE(accuracy.has_bars);
         EXPECT_TRUE(accuracy.obstacle.empty()) << accuracy.obstacle;
         EXPECT_LE(accuracy.reached, wanted);
@@ -73,28 +75,28 @@ TEST(Accuracy, BarsOfTheSphereCoverTheClosedFormAtEveryRow) {
             ratios.push_back(*row.step.pressure_error_Pa / std::abs(error));
         }
         std::ranges::nth_element(ratios, ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2));
-        // The median. Bars of two meshes assume the slowest order, 2.3 times too slow here, and take the range of their neighbours.
+        // The median. Bars from two meshes assume the slowest order, which overestimates 2.3 times here, and use their neighbours' range.
         EXPECT_LT(ratios[ratios.size() / 2], accuracy.level == 0 ? 5 : 3) << accuracy.level;
     }
 }
 
-TEST(Accuracy, FinerMeshesAreNearerToTheClosedFormAndSoIsTheLimitPoint) {
+TEST(Accuracy, FinerMeshesReduceTheErrorOfRowsAndLimitPoint) {
     const auto input = inflated_sphere(1, 2);
-    const auto coarse = judge(input, two_meshes(input, 0.5)), fine = judge(input, tolerance(1e-3));
+    const auto coarse = estimate_errors(input, two_meshes(input, 0.5)), fine = estimate_errors(input, tolerance(1e-3));
     EXPECT_EQ(coarse.accuracy.level, 0);
     ASSERT_GE(fine.accuracy.level, 1);
     EXPECT_LT(max_error(fine.accuracy.rows), 0.2 * max_error(coarse.accuracy.rows));
     ASSERT_EQ(fine.end.limit_points.size(), 1u);
     EXPECT_EQ(fine.end.limit_points[0].step, coarse.end.limit_points[0].step);
-    const auto off = [](const Judged& judged) {
-        return std::abs(judged.end.limit_points[0].pressure_Pa / sample_mu_Pa - sphere_limit);
+    const auto off = [](const Estimated& estimated) {
+        return std::abs(estimated.end.limit_points[0].pressure_Pa / sample_mu_Pa - sphere_limit);
     };
     EXPECT_LT(off(fine), 0.2 * off(coarse));
 }
 
-TEST(Accuracy, RowsOfTheGivenMeshStayAsTheyWere) {
+TEST(Accuracy, RowsOfTheGivenMeshAreUnchanged) {
     const auto input = inflated_sphere(1, 2);
-    const auto [accuracy, given, end] = judge(input, two_meshes(input, 0.5));
+    const auto [accuracy, given, end] = estimate_errors(input, two_meshes(input, 0.5));
     ASSERT_EQ(accuracy.level, 0);
     for (std::size_t i = 0; i < given.size(); ++i) {
         EXPECT_EQ(accuracy.rows[i].step.pressure_Pa, given[i].step.pressure_Pa);
@@ -107,9 +109,9 @@ TEST(Accuracy, StopsAtTheFirstMeshWhoseBarsMeetTheTolerance) {
     for (const double wanted : {0.5, 0.05, 1e-3, 1e-4}) {
         std::vector<double> reached;
         const auto [accuracy, given, end] =
-            judge(input, tolerance(wanted), {.curve = [&](const Accuracy& so_far, const solution::PathEnd&) {
-                      if (so_far.has_bars) reached.push_back(so_far.reached);
-                  }});
+            estimate_errors(input, tolerance(wanted), {.curve = [&](const Accuracy& so_far, const solution::PathEnd&) {
+                                if (so_far.has_bars) reached.push_back(so_far.reached);
+                            }});
         ASSERT_FALSE(reached.empty());
         for (std::size_t i = 0; i + 1 < reached.size(); ++i) EXPECT_GT(reached[i], wanted);
         EXPECT_LE(reached.back(), wanted);
@@ -117,10 +119,10 @@ TEST(Accuracy, StopsAtTheFirstMeshWhoseBarsMeetTheTolerance) {
     }
 }
 
-TEST(Accuracy, NamesTheMeshThatIsSolvedNextAndWhy) {
+TEST(Accuracy, ReportsTheNextMeshAndTheReason) {
     std::vector<NextMesh> meshes;
-    const auto [accuracy, given, end] =
-        judge(inflated_sphere(1, 2), tolerance(1e-3), {.next = [&](const NextMesh& next) { meshes.push_back(next); }});
+    const auto [accuracy, given, end] = estimate_errors(
+        inflated_sphere(1, 2), tolerance(1e-3), {.next = [&](const NextMesh& next) { meshes.push_back(next); }});
     ASSERT_EQ(meshes.size(), static_cast<std::size_t>(accuracy.level) + 1);
     EXPECT_EQ(meshes.back().unknowns, accuracy.unknowns);
     for (std::size_t i = 0; i < meshes.size(); ++i) {
@@ -137,7 +139,7 @@ TEST(Accuracy, KeepsTheLastCurveWhenItIsInterrupted) {
     for (const int mesh : {1, 2}) {
         std::vector<int> bars;  // of each curve so far: rows with a bar
         int level = 0;
-        const auto [accuracy, given, end] = judge(
+        const auto [accuracy, given, end] = estimate_errors(
             input, tolerance(1e-9),
             {.next = [&](const NextMesh& next) { level = next.level; },
              .curve =
@@ -156,35 +158,37 @@ TEST(Accuracy, KeepsTheLastCurveWhenItIsInterrupted) {
     }
 }
 
-TEST(Accuracy, DoubtsTheBarsOfTwoMeshesAndOfOneCellThroughTheWall) {
-    const auto doubts = [](const model::Case& input) { return judge(input, two_meshes(input, 1e-9)).accuracy.doubts; };
+TEST(Accuracy, WarnsAboutTwoMeshesAndAboutOneCellThroughTheWall) {
+    const auto doubts = [](const model::Case& input) {
+        return estimate_errors(input, two_meshes(input, 1e-9)).accuracy.doubts;
+    };
     EXPECT_EQ(doubts(inflated_sphere(2, 2)).size(), 1u);
     ASSERT_EQ(doubts(inflated_sphere(1, 2)).size(), 2u);
     EXPECT_EQ(doubts(inflated_sphere(1, 2))[1], "the mesh has one cell through its walls; use two or more");
-    EXPECT_TRUE(judge(inflated_sphere(2, 4), tolerance(1e-5)).accuracy.doubts.empty());
+    EXPECT_TRUE(estimate_errors(inflated_sphere(2, 4), tolerance(1e-5)).accuracy.doubts.empty());
 }
 
-// Halved cells have less than four times the unknowns: what is kept of a mesh goes by those it has, not by the four times.
-TEST(Accuracy, GoesOnToAMeshThatJustFits) {
+// Halving the cells gives less than four times the unknowns: the limit applies to the actual number, not to the estimate.
+TEST(Accuracy, SolvesAMeshThatJustFitsTheLimit) {
     const auto input = inflated_sphere(1, 2), halved = refined(input);
     const auto unknowns = [](const model::Case& of) { return assembly::System(of, PETSC_COMM_WORLD).dofs().total; };
     const std::int64_t bound = 4 * unknowns(halved);
     ASSERT_LT(bound, 16 * unknowns(input));
-    const auto judged = judge(input, {.tolerance = 1e-12, .max_unknowns_2d = bound});
-    EXPECT_EQ(judged.accuracy.level, 1);
-    EXPECT_FALSE(judged.accuracy.obstacle.empty());
+    const auto estimated = estimate_errors(input, {.tolerance = 1e-12, .max_unknowns_2d = bound});
+    EXPECT_EQ(estimated.accuracy.level, 1);
+    EXPECT_FALSE(estimated.accuracy.obstacle.empty());
 }
 
-/// The points of the given mesh keep their numbers, so that its displacements are the first of the finer one's.
+/// The points of the given mesh keep their indices, so that its displacements come first in those of the finer mesh.
 TEST(Accuracy, FieldsOfAFinerLevelBeginWithTheGivenPoints) {
-    const auto [accuracy, given, end] = judge(inflated_sphere(1, 2), tolerance(1e-3));
+    const auto [accuracy, given, end] = estimate_errors(inflated_sphere(1, 2), tolerance(1e-3));
     ASSERT_GE(accuracy.level, 1);
     const auto &fine = accuracy.rows.back().displacement_m, &coarse = given.back().displacement_m;
     ASSERT_GT(fine.size(), coarse.size());
     for (std::size_t i = 0; i < coarse.size(); ++i) EXPECT_NEAR(fine[i], coarse[i], 2e-4);  // of 10 mm
 }
 
-/// Gas goes in, the valve is shut, the pressure is let out: the ends of the stages are held, the gas stays.
+/// A mass of gas is injected, the valve is closed, then the cavity is vented: each stage reaches its end, the gas mass is conserved.
 TEST(Accuracy, StagesEndAtTheirLoadsAndClosedGasKeepsItsMass) {
     auto input = sphere_case(1, 2);
     auto hold = input.path.stages[0], vent = hold;
@@ -196,7 +200,7 @@ TEST(Accuracy, StagesEndAtTheirLoadsAndClosedGasKeepsItsMass) {
     vent.name = "vent";
     input.path.stages.push_back(hold);
     input.path.stages.push_back(vent);
-    const auto [accuracy, given, end] = judge(input, tolerance(1e-3));
+    const auto [accuracy, given, end] = estimate_errors(input, tolerance(1e-3));
     ASSERT_GE(accuracy.level, 1) << accuracy.obstacle;
     const auto& rows = accuracy.rows;
     const auto mass = [&](const solution::Step& step) { return (step.pressure_Pa / 101325.0 + 1) * *step.volume_m3; };
@@ -208,20 +212,20 @@ TEST(Accuracy, StagesEndAtTheirLoadsAndClosedGasKeepsItsMass) {
     EXPECT_NEAR(rows.back().step.pressure_Pa, 1e3, 1e-6);
 }
 
-TEST(Accuracy, SaysWhichBoundStopsIt) {
+TEST(Accuracy, ReportsTheLimitThatStopsTheRefinement) {
     const auto bound = two_meshes(inflated_sphere(1, 2), 1e-9);
-    const auto one = judge(inflated_sphere(1, 2), bound);
+    const auto one = estimate_errors(inflated_sphere(1, 2), bound);
     EXPECT_TRUE(one.accuracy.has_bars);
     EXPECT_EQ(one.accuracy.level, 0);
     EXPECT_NE(one.accuracy.obstacle.find(std::to_string(bound.max_unknowns_2d)), std::string::npos)
         << one.accuracy.obstacle;
-    const auto none = judge(inflated_sphere(1, 2), {.tolerance = 1e-9, .max_unknowns_2d = 10});
+    const auto none = estimate_errors(inflated_sphere(1, 2), {.tolerance = 1e-9, .max_unknowns_2d = 10});
     EXPECT_FALSE(none.accuracy.has_bars);
     EXPECT_EQ(none.accuracy.rows.size(), none.given.size());
     EXPECT_FALSE(none.accuracy.obstacle.empty());
 }
 
-TEST(Accuracy, RefusesCellsOfFirstOrder) {
+TEST(Accuracy, RejectsFirstOrderCells) {
     auto input = sphere_case(1, 1);
     const auto second = input.mesh;
     input.formulation = model::Formulation::displacement;

@@ -1,5 +1,5 @@
 #pragma once
-/// A case with the loads of its first stage and a Newton that sees them; and whole paths without files.
+/// A case with the loads of its first stage and a Newton solver with these loads; and whole paths without files.
 #include "assembly/system.hpp"
 #include "solver/newton.hpp"
 #include "solver/path.hpp"

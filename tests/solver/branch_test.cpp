@@ -49,12 +49,12 @@ model::Case strut_case(int n, double share) {
     return input;
 }
 
-/// Strain at which it buckles into half a wave, exactly: displacements u2 = -k f(y) cos kx, f = A cosh ky + B cosh(l1/l2 ky)
+/// Exact strain at which the strut buckles into half a wave: displacements u2 = -k f(y) cos kx, f = A cosh ky + B cosh(l1/l2 ky)
 /// of an incompressible neo-Hookean slab under thrust have no traction on y = +-h where
 ///     tanh(kh) / tanh(kh l1/l2) = 4 l1 l2^3 / (l1^2 + l2^2)^2,   k = pi / (l1 L),  h = l2 H / 2,  l2 = 1 / l1
-/// (flexural mode of Sawyers and Rivlin, Int. J. Solids Structures 10 (1974) 483; derived again here).
+/// (flexural mode of Sawyers and Rivlin, Int. J. Solids Structures 10 (1974) 483; rederived here).
 double buckling_strain() {
-    const auto lack = [](double l1) {
+    const auto residual = [](double l1) {
         const double l2 = 1 / l1, kh = std::numbers::pi / (l1 * strut_length) * l2 * strut_height / 2;
         const double sum = l1 * l1 + l2 * l2;
         return std::tanh(kh) / std::tanh(kh * l1 / l2) - 4 * l1 * l2 * l2 * l2 / (sum * sum);
@@ -62,7 +62,7 @@ double buckling_strain() {
     double stable = 0.999, unstable = 0.9;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (stable + unstable);
-        (lack(middle) * lack(0.999) > 0 ? stable : unstable) = middle;
+        (residual(middle) * residual(0.999) > 0 ? stable : unstable) = middle;
     }
     return 1 - stable;
 }
@@ -73,7 +73,7 @@ TEST(Bifurcation, AStrutBucklesAtItsExactStrainInItsExactMode) {
     EXPECT_EQ(end.reason, StopReason::done);
     ASSERT_EQ(end.bifurcations.size(), 1u);
     const double at = end.bifurcations[0].at.pressure_Pa;   // the leading "load" is the load factor
-    EXPECT_NEAR(0.02 * at / buckling_strain(), 1.0, 2e-3);  // the level facet has a length
+    EXPECT_NEAR(0.02 * at / buckling_strain(), 1.0, 2e-3);  // the facet 'level' has a finite length
     EXPECT_EQ(end.bifurcations[0].modes, 1);
     for (const auto& step : steps)
         if (step.load_factor != at) {
@@ -90,10 +90,10 @@ TEST(Bifurcation, AStrutBucklesAtItsExactStrainInItsExactMode) {
         error = std::max(error,
                          std::abs(sign * mode[3 * node + 1] -
                                   0.5 * (1 - std::cos(std::numbers::pi * input.mesh.points[node][0] / strut_length))));
-    EXPECT_LT(error, 0.02);  // the level facet, a fortieth of the length, does not turn
+    EXPECT_LT(error, 0.02);  // the facet 'level', a fortieth of the length, does not rotate
 }
 
-// Shortening of a cosine of height a beyond buckling: (pi a)^2 / (4 L) to lowest order; the end sways by 2 a.
+// Shortening of a cosine of amplitude a beyond buckling: (pi a)^2 / (4 L) to lowest order; the end moves sideways by 2 a.
 TEST(Bifurcation, TheBuckledBranchIsFollowedFromTheStatedImperfection) {
     auto input = strut_case(20, 0.012);
     input.path.branch = model::Branch::follow;
@@ -107,7 +107,7 @@ TEST(Bifurcation, TheBuckledBranchIsFollowedFromTheStatedImperfection) {
     EXPECT_TRUE(steps.back().stable);
 }
 
-TEST(Bifurcation, WithAnLuFactorTheSignOfTheDeterminantFindsIt) {
+TEST(Bifurcation, IsLocatedByTheSignOfTheDeterminantWithAnLuFactor) {
     auto input = strut_case(40, 0.02);
     struct Lu {
         Lu() {
@@ -125,7 +125,7 @@ TEST(Bifurcation, WithAnLuFactorTheSignOfTheDeterminantFindsIt) {
     EXPECT_NEAR(0.02 * end.bifurcations[0].at.pressure_Pa / buckling_strain(), 1.0, 2e-3);
 }
 
-// A listener that sees walls touch once the cavity has shrunk to 80 %.
+// A listener that reports contact once the cavity has shrunk to 80 %.
 TEST(Contact, EndsThePathJustBeforeWallsTouch) {
     auto input = sphere_case(2, 4);
     input.path.stages = {full_load(input, {-3 * sample_mu_Pa})};
@@ -149,8 +149,8 @@ TEST(Contact, EndsThePathJustBeforeWallsTouch) {
     EXPECT_NE(run(input, touches).end.reason, StopReason::self_contact);
 }
 
-TEST(Ladder, NamesEachAttemptAndThePlaceWhereItEnds) {
-    // A box pressed flat: no state of the body carries this at so few cells.
+TEST(Recovery, LogsEachAttemptAndReportsTheLocationOfTheFailure) {
+    // A box pressed flat: with so few cells no state of the body carries this load.
     auto input = box_case(1, false);
     input.supports = {{"fixed", {true, true, true}}};
     input.path.stages = {full_load(input, {60 * sample_mu_Pa})};

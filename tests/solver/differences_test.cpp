@@ -40,7 +40,7 @@ protected:
     }
 };
 
-TEST_P(Differences, ColouredOnesAreTheTangent) {
+TEST_P(Differences, ColouredDifferencesAreTheTangent) {
     const auto sample = input();
     Deformed at(sample, 0.1);
     auto K = at.bench.system.make_matrix();

@@ -17,7 +17,7 @@ using ErrorOfRow = std::function<double(double m, double h)>;  ///< of the load 
 
 enum class Levels { two, three };
 
-/// Rows of a path reported on cells of size h = 1, judged by h = 1/2, and with three levels by h = 2 as well.
+/// Rows of a path reported on cells of size h = 1 with a finer level h = 1/2, and with three levels also h = 2.
 std::vector<LevelRow> rows_of(const ErrorOfRow& error, Levels levels = Levels::two, double last = 0.8, int count = 40) {
     std::vector<LevelRow> rows;
     for (int i = 0; i <= count; ++i) {
@@ -50,7 +50,7 @@ Quality quality(const std::vector<LevelRow>& rows, const ErrorOfRow& error) {
     return result;
 }
 
-/// Errors grow with the load and bend on the way.
+/// Errors grow with the load, not linearly.
 double shape(double m) { return 1e-3 * m * (1 + 0.5 * m); }
 
 TEST(ErrorBar, OfTwoMeshesCoversEveryRateAndIsAtMostThreeTimesTooWide) {
@@ -73,7 +73,7 @@ TEST(ErrorBar, IsNarrowedByTheMeasuredRate) {
     }
 }
 
-/// A fast and a slow part: the rate still falls from level to level, so that the measured one is too high.
+/// A fast and a slow part: the rate still falls from level to level, so that the measured rate is too high.
 TEST(ErrorBar, CoversASmoothPartWithACorners) {
     for (const double corner : {1.0, 1.2})
         for (double share = 1e-3; share < 100; share *= 2)
@@ -87,8 +87,8 @@ TEST(ErrorBar, CoversASmoothPartWithACorners) {
             }
 }
 
-/// An error that passes through zero does so on all meshes; there no bar can be narrow against it.
-TEST(ErrorBar, GoesOnWhereTheErrorPassesThroughZero) {
+/// An error that passes through zero does so on all meshes; there no bar can be close to the error.
+TEST(ErrorBar, CoversAnErrorThatPassesThroughZero) {
     for (const double rate : {1.0, 2.0, 4.0})
         for (const Levels levels : {Levels::two, Levels::three}) {
             const ErrorOfRow error = [=](double m, double h) { return 1e-3 * m * std::cos(5 * m) * std::pow(h, rate); };
@@ -110,9 +110,9 @@ TEST(ErrorBar, CoversTheErrorWhereTheCurvesOfTwoMeshesCross) {
     }
 }
 
-/// The measured differences of the closed tube with one cell through its wall (designs/verification/tube.yaml, 4 mm): across the
-/// curve from the first mesh to the second, and the error against the fourth mesh and as much again as it differs from the third,
-/// in 1e-4 of the ranges.
+/// Measured differences of the closed tube with one cell through its wall (designs/verification/tube.yaml, 4 mm): across the
+/// curve from the first mesh to the second, and the error extrapolated from the third and fourth mesh (the fourth plus its difference
+/// from the third), in 1e-4 of the ranges.
 TEST(ErrorBar, OfASingleCellThroughTheWallCoversTheMeasuredErrorsOfATube) {
     struct Measured {
         double load, measure, difference, error;
@@ -145,14 +145,14 @@ TEST(ErrorBar, OfASingleCellThroughTheWallCoversTheMeasuredErrorsOfATube) {
     }
 }
 
-/// Loads at one elongation on meshes halved again and again, in parts of the last one's, and how the sequence goes on.
+/// Loads at one elongation on successively halved meshes, relative to the last one.
 struct Sequence {
     const char* of;
     std::vector<double> loads;
 };
 
-/// Half width of the load and largest error of the sequence, both relative: on a straight path, at the row where the bar is least.
-/// The reference is the last level and as much again as it differs from the one before.
+/// Half width of the load and error of the sequence, both relative, on a straight path at the row with the smallest bar.
+/// The reference is extrapolated: the last level plus its difference from the one before.
 struct Relative {
     double bar, error, error_before;
 };
@@ -193,8 +193,8 @@ std::vector<Sequence> measured_sequences() {
     };
 }
 
-/// Differences that change sign, grow or fall by a hundred: what d alone hides is in the level before.
-TEST(ErrorBar, CoversSequencesThatWereMeasuredAtEveryLevelThatHasThreeMeshes) {
+/// Differences that change sign, grow or fall by a factor of a hundred: the next coarser level shows what d alone hides.
+TEST(ErrorBar, CoversMeasuredSequencesAtEveryLevelWithThreeMeshes) {
     for (const Sequence& sequence : measured_sequences())
         for (std::size_t level = 1; level + 2 < sequence.loads.size(); ++level) {
             const Relative found = relative(sequence, level);
@@ -205,7 +205,7 @@ TEST(ErrorBar, CoversSequencesThatWereMeasuredAtEveryLevelThatHasThreeMeshes) {
         }
 }
 
-/// A fast part that a slow one of opposite sign nearly cancels in the difference, over a whole neighbourhood.
+/// A slow part of opposite sign nearly cancels a fast one in the difference, over a whole neighbourhood.
 TEST(ErrorBar, OfThreeMeshesCoversPartsThatNearlyCancel) {
     for (double share = 1e-3; share < 10; share *= 1.3)
         for (const double corner : {0.9, 1.0, 1.2}) {
@@ -216,8 +216,8 @@ TEST(ErrorBar, OfThreeMeshesCoversPartsThatNearlyCancel) {
         }
 }
 
-/// Rows whose own differences fall at a rate are not believed where their neighbours' do not.
-TEST(ErrorBar, IsSettledWhereOneRateLeads) {
+/// A row whose own differences fall at a rate is not settled where those of its neighbours do not.
+TEST(ErrorBar, IsSettledWhereOneRateDominates) {
     const auto settled = [](const ErrorOfRow& error) {
         const auto bars = error_bars(rows_of(error, Levels::three));
         return std::count_if(bars.begin() + 1, bars.end(), [](const ErrorBar& bar) { return bar.settled; });
@@ -231,7 +231,7 @@ TEST(ErrorBar, IsSettledWhereOneRateLeads) {
         EXPECT_FALSE(bar.settled && bar.load > 0);
 }
 
-TEST(ErrorBar, OfACaseThatAnyMeshHoldsIsTheSolversTolerance) {
+TEST(ErrorBar, IsTheSolverToleranceWhereEveryMeshIsExact) {
     const auto bars = error_bars(rows_of([](double, double) { return 0.0; }));
     for (const ErrorBar& bar : bars) {
         EXPECT_LE(bar.load, 10 * solved_to);
@@ -241,7 +241,7 @@ TEST(ErrorBar, OfACaseThatAnyMeshHoldsIsTheSolversTolerance) {
 }
 
 /// The same errors with the finer mesh at another point of its curve.
-TEST(ErrorBar, DoesNotMindWhereOnItsCurveTheFinerMeshStands) {
+TEST(ErrorBar, DoesNotDependOnTheFinerMeshsPositionAlongItsCurve) {
     const ErrorOfRow error = [](double m, double h) { return shape(m) * h * h; };
     const std::vector<LevelRow> rows = rows_of(error);
     std::vector<LevelRow> moved = rows;
@@ -251,10 +251,10 @@ TEST(ErrorBar, DoesNotMindWhereOnItsCurveTheFinerMeshStands) {
     }
     const auto at_equal = error_bars(rows), elsewhere = error_bars(moved);
     for (std::size_t i = 1; i < rows.size(); ++i)
-        EXPECT_NEAR(elsewhere[i].load / at_equal[i].load, 1, 0.01) << i;  // the shift's square is left
+        EXPECT_NEAR(elsewhere[i].load / at_equal[i].load, 1, 0.01) << i;  // up to the square of the shift
 }
 
-TEST(ErrorBar, OfTheMeasureIsThatOfTheLoadOverTheSlope) {
+TEST(ErrorBar, OfTheMeasureIsTheBarOfTheLoadOverTheSlope) {
     const ErrorOfRow error = [](double m, double h) { return 0.01 * shape(m) * h * h; };
     const std::vector<LevelRow> rows = rows_of(error, Levels::two, 0.6);
     const auto bars = error_bars(rows);
@@ -273,7 +273,7 @@ TEST(ErrorBar, StaysFiniteAtALimitPointOfTheLoad) {
     for (const ErrorBar& bar : bars) EXPECT_LT(bar.measure, 2.2 * std::sqrt(2 * bars[top].load));
 }
 
-/// A load that does not change along the path says nothing of where the measure is.
+/// A load that is constant along the path does not determine the measure.
 TEST(ErrorBar, IsAtMostTheWholeRange) {
     std::vector<LevelRow> rows;
     for (int i = 0; i <= 10; ++i) {

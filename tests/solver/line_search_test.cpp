@@ -9,7 +9,7 @@ namespace {
 
 using model::LineSearch;
 
-// One spring with force atan(x): Newton's method leaps too far where |x| > 1.392.
+// One spring with force atan(x): Newton's method overshoots where |x| > 1.392.
 struct Arctangent {
     double x, dx = -std::atan(x) * (1.0 + x * x);
     int trials = 0;
@@ -30,7 +30,7 @@ TEST(LineSearch, BacktrackingHalvesUntilTheResidualFalls) {
     EXPECT_GT(found.halvings, 0);
 }
 
-TEST(LineSearch, SecantFindsWhereTheResidualIsAcrossTheCorrection) {
+TEST(LineSearch, SecantFindsTheZeroOfTheResidualAlongTheCorrection) {
     for (const double x : {3.0, 6.0}) {
         Arctangent spring{x};
         const auto found = search(LineSearch::secant, spring.start(), std::ref(spring));
@@ -54,7 +54,7 @@ TEST(LineSearch, NoneTakesTheWholeCorrection) {
     EXPECT_EQ(spring.trials, 1);
 }
 
-TEST(LineSearch, AllStayWhereTheJacobianIsPositive) {
+TEST(LineSearch, EveryMethodKeepsTheJacobianPositive) {
     const auto inverts = [](double length) { return Trial{length < 0.3, 1.0 - length, 0.0, -(1.0 - length)}; };
     for (const auto kind : {LineSearch::backtracking, LineSearch::secant, LineSearch::none}) {
         const auto found = search(kind, {1.0, 1.0, -1.0}, inverts);
@@ -66,7 +66,7 @@ TEST(LineSearch, AllStayWhereTheJacobianIsPositive) {
     EXPECT_EQ(search(LineSearch::none, {1.0, 1.0, -1.0}, never).end, SearchEnd::inverted);
 }
 
-TEST(LineSearch, BacktrackingSaysWhereNothingFalls) {
+TEST(LineSearch, BacktrackingReportsNoDescent) {
     const auto rises = [](double length) { return Trial{true, 1.0 + length, 0.0, 0.0}; };
     EXPECT_EQ(search(LineSearch::backtracking, {1.0, 1.0, 0.0}, rises).end, SearchEnd::no_descent);
 }

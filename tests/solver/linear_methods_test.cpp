@@ -16,12 +16,12 @@ using model::Preconditioner;
 
 constexpr int rows = 4;
 
-/// The box pulled in `rows` equal steps, so that every solver passes the same load factors.
+/// The box pulled in `rows` equal steps, so that every solver has rows at the same load factors.
 model::Case pulled_box(model::Formulation formulation) {
     auto input = box_case(2, false);
     input.formulation = formulation;
     input.materials[0].bulk_modulus_Pa = 5 * sample_mu_Pa;
-    input.supports[0].fixed = {true, true, true};                  // glued: no homogeneous state
+    input.supports[0].fixed = {true, true, true};                  // clamped: no homogeneous state
     input.path.stages[0].supplies[0].value = -0.4 * sample_mu_Pa;  // well below the maximum of its load
     input.solver.steps = model::StepRule::constant;
     input.solver.first_step = 1.0 / rows;
@@ -61,7 +61,7 @@ TEST(LinearMethods, EveryPreconditionerGivesTheSameCurve) {
         expect_the_curve_of_the_default(input, LinearMethod::krylov, preconditioner);
 }
 
-TEST(LinearMethods, WithPressureUnknownsThePivotingOnesGiveTheSameCurve) {
+TEST(LinearMethods, PivotingFactorisationsGiveTheSameCurveWithPressureUnknowns) {
     const auto input = pulled_box(model::Formulation::mixed);
     for (const auto method : {LinearMethod::mumps_ldlt, LinearMethod::mumps_lu, LinearMethod::superlu_dist})
         expect_the_curve_of_the_default(input, method, Preconditioner::none);
@@ -73,7 +73,7 @@ TEST(LinearMethods, WithPressureUnknownsThePivotingOnesGiveTheSameCurve) {
         expect_the_curve_of_the_default(input, LinearMethod::krylov, preconditioner);
 }
 
-TEST(LinearMethods, WithPressureUnknownsMultigridGivesTheSameCurve) {
+TEST(LinearMethods, MultigridGivesTheSameCurveWithPressureUnknowns) {
     auto input = pulled_box(model::Formulation::mixed);
     auto tetrahedra = input;  // Taylor and Hood: a pressure at each vertex
     tetrahedra.mesh = mesh::split_into_simplices(input.mesh);
@@ -84,7 +84,7 @@ TEST(LinearMethods, WithPressureUnknownsMultigridGivesTheSameCurve) {
     expect_the_curve_of_the_default(input, LinearMethod::jacobian_free, Preconditioner::multigrid);
 }
 
-/// Iterations of the first linear solve of a glued box of n x n x n mixed cells, incompressible.
+/// Iterations of the first linear solve of a clamped box of n x n x n mixed cells, incompressible.
 int multigrid_iterations(int n) {
     auto input = pulled_box(model::Formulation::mixed);
     input.mesh = box_case(n, true).mesh;
@@ -96,20 +96,20 @@ int multigrid_iterations(int n) {
     return static_cast<int>(bench.newton.linear_iterations());
 }
 
-// Published bounds of the smoother, the coarse space and the Schur complement know no cell size.
+// The published bounds of the smoother, the coarse space and the Schur complement do not depend on the cell size.
 TEST(LinearMethods, IterationsOfMultigridDoNotGrowWithTheMesh) {
     EXPECT_LE(multigrid_iterations(8), 1.2 * multigrid_iterations(4));
 }
 
-TEST(LinearMethods, WithoutAJacobianTheCurveIsTheSame) {
+TEST(LinearMethods, JacobianFreeGivesTheSameCurve) {
     for (const auto formulation : {model::Formulation::displacement, model::Formulation::mixed})
         expect_the_curve_of_the_default(pulled_box(formulation), LinearMethod::jacobian_free, Preconditioner::asm_lu);
     expect_the_curve_of_the_default(pulled_box(model::Formulation::displacement), LinearMethod::jacobian_free,
                                     Preconditioner::gamg);
 }
 
-// K of a mixed body is indefinite from the start: Sylvester, one negative pivot a pressure.
-TEST(LinearMethods, CholmodSaysThatTheTangentIsNotDefinite) {
+// K of mixed cells is indefinite from the start: Sylvester, one negative pivot per pressure.
+TEST(LinearMethods, CholmodReportsATangentThatIsNotDefinite) {
     auto input = pulled_box(model::Formulation::mixed);
     input.solver.linear.method = LinearMethod::cholmod;
     Bench bench(input, input.solver);
@@ -119,7 +119,7 @@ TEST(LinearMethods, CholmodSaysThatTheTangentIsNotDefinite) {
     EXPECT_EQ(bench.newton.tangent_end(), NewtonEnd::not_definite);
 }
 
-TEST(LinearMethods, RigidMotionsSpareGamgIterations) {
+TEST(LinearMethods, RigidMotionsReduceTheIterationsOfGamg) {
     auto input = pulled_box(model::Formulation::displacement);
     input.materials[0].bulk_modulus_Pa = sample_mu_Pa;
     Bench bench(input, input.solver);
@@ -144,7 +144,7 @@ TEST(LinearMethods, RigidMotionsSpareGamgIterations) {
     EXPECT_LT(iterations(), without);
 }
 
-TEST(LinearMethods, APathEndsForItsLinearSolverWhereItsLimitIsFarTooLow) {
+TEST(LinearMethods, APathReportsALinearLimitThatIsFarTooLow) {
     auto input = pulled_box(model::Formulation::displacement);
     input.solver.linear = {LinearMethod::krylov, Preconditioner::none, 1e-8, 1};
     const auto [steps, end, log] = run(input);
@@ -154,7 +154,7 @@ TEST(LinearMethods, APathEndsForItsLinearSolverWhereItsLimitIsFarTooLow) {
     EXPECT_EQ(steps[0].outputs[0], 0.0);
 }
 
-TEST(LinearMethods, AnInexactCorrectionStillLeadsToEquilibrium) {
+TEST(LinearMethods, InexactCorrectionsConvergeToEquilibrium) {
     auto input = pulled_box(model::Formulation::displacement);
     input.solver.newton_limit = 60;
     input.solver.linear = {LinearMethod::krylov, Preconditioner::asm_ilu, 1e-8, 6};
@@ -171,7 +171,7 @@ TEST(LinearMethods, AnInexactCorrectionStillLeadsToEquilibrium) {
     EXPECT_GT(inexact.newton.linear_iterations(), exact.newton.linear_iterations());
 }
 
-TEST(LinearMethods, OnlyAFactorisationWithPivotsKnowsWhetherAStateIsStable) {
+TEST(LinearMethods, OnlyAFactorisationWithPivotsDeterminesStability) {
     auto input = pulled_box(model::Formulation::displacement);
     const auto modes = [&](LinearMethod method, Preconditioner preconditioner) {
         input.solver.linear.method = method;

@@ -1,4 +1,4 @@
-/// Paths along which a face is moved: they begin in the direction of the motion, and its work is what the rubber stores.
+/// Paths with a prescribed displacement of a face: they start in the direction of the motion, and its work is the stored energy.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace soft::solver {
 namespace {
 
-/// A block of random shape, from a pad to a rod, held at x = 0, whose other end moves by `strain` of its length along x.
+/// A block of random shape, from a pad to a rod, fixed at x = 0, whose other end moves by `strain` of its length along x.
 model::Case moved_block(Dice& dice, double strain) {
     const bool incompressible = dice.chance(0.5);
     model::Case input = box_case(dice.whole(1, 2), incompressible);
@@ -33,12 +33,12 @@ void expect_path_of_the_motion(const Run& path, double motion_m, const std::stri
     ASSERT_EQ(path.end.reason, solution::StopReason::done) << what << path.end.detail;
     double before = 0, energy_J = 0;
     for (const auto& step : path.steps) {
-        const double way = step.outputs[0] / motion_m;
-        EXPECT_GE(way, before) << what;
-        EXPECT_LE(way, 1 + 1e-9) << what;
+        const double share = step.outputs[0] / motion_m;
+        EXPECT_GE(share, before) << what;
+        EXPECT_LE(share, 1 + 1e-9) << what;
         EXPECT_GE(step.energies->load_work_J, energy_J) << what;
         EXPECT_NEAR(step.energies->load_work_J, step.energies->stored_J, 1e-3 * step.energies->stored_J) << what;
-        before = way;
+        before = share;
         energy_J = step.energies->load_work_J;
     }
     EXPECT_NEAR(before, 1, 1e-9) << what;
@@ -55,7 +55,7 @@ TEST(Motion, MovesTheFaceInItsOwnDirection) {
     }
 }
 
-/// Sliding ends: the state is uniaxial, and the energy of incompressible rubber mu/2 (l^2 + 2/l - 3) of the volume.
+/// Sliding ends: the state is uniaxial, and the energy of incompressible rubber is mu/2 (l^2 + 2/l - 3) per volume.
 TEST(Motion, StoresTheEnergyOfTheUniaxialState) {
     for (const double strain : {-0.03, -0.3, 0.03, 0.6}) {
         auto input = box_case(1, true);

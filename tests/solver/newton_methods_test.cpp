@@ -1,4 +1,4 @@
-// Variants of Newton's method and its line searches: the same states by other ways.
+// Variants of Newton's method and its line searches: the same states at different cost.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using model::NewtonMethod;
 
-/// A glued box pulled in four equal steps.
+/// A clamped box pulled in four equal steps.
 model::Case pulled_box(bool incompressible) {
     auto input = box_case(2, incompressible);
     input.supports[0].fixed = {true, true, true};
@@ -47,7 +47,7 @@ TEST(NewtonMethods, KeptTangentsReachTheSameStatesWithFewerFactorisationsAndMore
     }
 }
 
-TEST(NewtonMethods, BfgsNeedsFewerIterationsThanTheKeptTangentAlone) {
+TEST(NewtonMethods, BfgsNeedsFewerIterationsThanAKeptTangent) {
     auto input = pulled_box(false);
     input.formulation = model::Formulation::displacement;
     input.solver.predictor = model::Predictor::none;
@@ -57,8 +57,8 @@ TEST(NewtonMethods, BfgsNeedsFewerIterationsThanTheKeptTangentAlone) {
     EXPECT_LT(cost_of(run(input)).iterations, cost_of(modified).iterations);
 }
 
-// Of a load of 1e-8 mu all but the last digits of det F = 1 + strain are the one's: what they leave of the residual is beyond the
-// tolerance. Strain p / (3 mu).
+// With a load of 1e-8 mu only the last digits of det F = 1 + strain carry the strain: their rounding error in the residual exceeds
+// the tolerance. Strain p / (3 mu).
 TEST(NewtonMethods, ALoadNearRoundingHasTheElongationOfLinearElasticity) {
     auto input = box_case(3, true);
     const double pressure_Pa = 1e-8 * sample_mu_Pa;
@@ -68,7 +68,7 @@ TEST(NewtonMethods, ALoadNearRoundingHasTheElongationOfLinearElasticity) {
     EXPECT_NEAR(steps.back().outputs[0] / (0.01 * pressure_Pa / (3 * sample_mu_Pa)), 1.0, 1e-5);
 }
 
-// Under volume control the pressure is an unknown of the border.
+// Under volume control the pressure is an unknown of the bordered system.
 TEST(NewtonMethods, KeptTangentsFollowTheSphereThroughItsLimitPoint) {
     for (const auto method : {NewtonMethod::modified, NewtonMethod::bfgs}) {
         auto input = sphere_case(2, 4);
@@ -83,7 +83,7 @@ TEST(NewtonMethods, KeptTangentsFollowTheSphereThroughItsLimitPoint) {
     }
 }
 
-// A face that is moved: its column needs a tangent of its own where K stays.
+// A moving face: its column needs a separate tangent while K is kept.
 TEST(NewtonMethods, KeptTangentsMoveAFace) {
     auto input = pulled_box(false);
     input.loads.clear();
@@ -109,7 +109,7 @@ TEST(NewtonMethods, TangentsByDifferencesGiveTheSameCurve) {
         EXPECT_NEAR(differences.steps[i].outputs[0] / exact.steps[i].outputs[0], 1.0, 1e-8);
 }
 
-/// Newton's method from the undeformed state to this load factor at once.
+/// Newton's method from the undeformed state to this load factor in a single step.
 NewtonResult leap(model::Case input, model::LineSearch line_search, double load_factor) {
     input.solver.line_search = line_search;
     Bench bench(input, input.solver);
@@ -117,7 +117,7 @@ NewtonResult leap(model::Case input, model::LineSearch line_search, double load_
     return bench.newton.correct({ConstraintKind::load_factor}, load_factor, state);
 }
 
-TEST(NewtonMethods, ALineSearchReachesWhatWholeCorrectionsDoNot) {
+TEST(NewtonMethods, ALineSearchConvergesWhereFullCorrectionsDoNot) {
     auto input = pulled_box(false);
     input.formulation = model::Formulation::displacement;
     input.solver.newton_limit = 30;
@@ -132,7 +132,7 @@ TEST(NewtonMethods, ALineSearchReachesWhatWholeCorrectionsDoNot) {
         << " secant";
 }
 
-TEST(NewtonMethods, EquilibriumIsAsCloseAsTheToleranceAsks) {
+TEST(NewtonMethods, TheResidualMeetsTheTolerance) {
     auto input = pulled_box(false);
     int iterations = 0;
     for (const double tolerance : {1e-2, 1e-6, 1e-11}) {

@@ -12,21 +12,21 @@ namespace {
 
 using solution::StopReason;
 
-/// A block held on one side under its own weight, a pressure on its top and a pull on its end.
+/// A block fixed on one side under its own weight, a pressure on its top and a traction on its end.
 model::Case loaded_block() {
     auto input = box_case(2, true);
     input.supports = {{"fixed", {true, true, true}}};
     input.materials[0].density_kg_m3 = 1080;
     input.loads = {{.name = "top", .targets = {"top"}, .gas = {}}};
     input.tractions = {{"end", {2e4, 0, 5e3}}};
-    input.body_forces = {{"gravity", {0, 0, -300}}};  // thirty times the earth's: to be seen at all
+    input.body_forces = {{"gravity", {0, 0, -300}}};  // thirty times the earth's, for a visible effect
     input.outputs = {{"sag", "end", {0, 0, 1}}, {"bend", "end", {0, 1, 0}, model::Measure::bend, "fixed"}};
     input.path.stages = {full_load(input, {1e4})};
     return input;
 }
 
-// An elastic body does not remember the way.
-TEST(Programme, TheSameLoadsGiveTheSameStateInWhateverOrderTheyCome) {
+// The state of an elastic body does not depend on the load history.
+TEST(Programme, TheSameLoadsGiveTheSameStateInAnyOrder) {
     auto input = loaded_block();
     const auto together = run(input);
     ASSERT_EQ(together.end.reason, StopReason::done);
@@ -39,7 +39,7 @@ TEST(Programme, TheSameLoadsGiveTheSameStateInWhateverOrderTheyCome) {
     for (const std::size_t output : {0, 1})
         EXPECT_NEAR(in_turn.steps.back().outputs[output], together.steps.back().outputs[output],
                     1e-7 * std::abs(together.steps.back().outputs[output]));
-    // There and back again.
+    // Loading and unloading.
     auto none = full_load(input, {0.0});
     none.tractions = none.body_forces = {0.0};
     input.path.stages.push_back(none);
@@ -47,7 +47,7 @@ TEST(Programme, TheSameLoadsGiveTheSameStateInWhateverOrderTheyCome) {
     EXPECT_NEAR(back.steps.back().outputs[0], 0.0, 1e-9 * 0.01);
 }
 
-TEST(Programme, AnAngleCanBeControlledAndBeTheGoal) {
+TEST(Programme, AnAngleCanBeControlledAndCanBeAGoal) {
     auto input = loaded_block();
     input.tractions.clear();
     input.body_forces.clear();
@@ -67,8 +67,8 @@ TEST(Programme, AnAngleCanBeControlledAndBeTheGoal) {
         EXPECT_GT(steps[i].outputs[1] / bend, steps[i - 1].outputs[1] / bend);
 }
 
-// Uniaxial: pulled by a motion, a block between smooth planes thins by 1/sqrt(l) and its energy is mu/2 (l^2 + 2/l - 3).
-TEST(Programme, APrescribedMotionStretchesTheBlockAsTheClosedFormSays) {
+// Uniaxial: a block between smooth planes, pulled by a motion, thins by 1/sqrt(l); its energy is mu/2 (l^2 + 2/l - 3).
+TEST(Programme, APrescribedMotionStretchesTheBlockByTheClosedForm) {
     auto input = box_case(1, true);
     input.loads.clear();
     input.motions = {{"end", {0.005, std::nullopt, std::nullopt}}};
@@ -88,7 +88,7 @@ TEST(Programme, APrescribedMotionStretchesTheBlockAsTheClosedFormSays) {
     EXPECT_DOUBLE_EQ(steps.back().pressure_Pa, 1.0);  // without pressures and tractions a curve shows the load factor
 }
 
-TEST(Programme, ACaseInWhichNothingGrowsIsRefused) {
+TEST(Programme, RejectsACaseWithoutAnyLoad) {
     auto input = box_case(1, true);
     input.path.stages = {full_load(input, {0.0})};
     EXPECT_THROW((void)run(input), Error);

@@ -22,7 +22,7 @@ linalg::Vector vector(const Three& values) {
 /// K = [[4 1 0] [1 3 1] [0 1 2]]
 Three K_times(const Three& x) { return {4 * x[0] + x[1], x[0] + 3 * x[1] + x[2], x[1] + 2 * x[2]}; }
 
-bool like_the_unit_matrix(Vec q, Vec r) {
+bool apply_identity(Vec q, Vec r) {
     linalg::copy(q, r);
     return true;
 }
@@ -39,11 +39,11 @@ TEST(SecantUpdates, TheNewestPairIsReproduced) {
     updates.add(vector(s1), vector(K_times(s1)));
     updates.add(vector(s2), vector(K_times(s2)));
     auto x = vector({0, 0, 0});
-    ASSERT_TRUE(updates.apply(vector(K_times(s2)), x, like_the_unit_matrix));
+    ASSERT_TRUE(updates.apply(vector(K_times(s2)), x, apply_identity));
     EXPECT_LT(distance(x, s2), 1e-13);
 }
 
-// Pairs that are conjugate (s_i . K s_j = 0): after as many as unknowns, H is K^-1.
+// With conjugate pairs (s_i . K s_j = 0), as many as unknowns, H is K^-1.
 TEST(SecantUpdates, ConjugatePairsOfEveryDirectionGiveTheInverse) {
     SecantUpdates updates;
     std::array<Three, 3> s{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -57,18 +57,18 @@ TEST(SecantUpdates, ConjugatePairsOfEveryDirectionGiveTheInverse) {
     }
     const Three wanted{0.2, -1.3, 0.4};
     auto x = vector({0, 0, 0});
-    ASSERT_TRUE(updates.apply(vector(K_times(wanted)), x, like_the_unit_matrix));
+    ASSERT_TRUE(updates.apply(vector(K_times(wanted)), x, apply_identity));
     EXPECT_LT(distance(x, wanted), 1e-12);
 }
 
-TEST(SecantUpdates, APairAcrossItsForceOrAgainstItIsLeftOut) {
+TEST(SecantUpdates, SkipsPairsWithoutPositiveCurvature) {
     SecantUpdates updates;
     updates.add(vector({1, 0, 0}), vector({0, 1, 0}));
     updates.add(vector({1, 0, 0}), vector({-1, 0.5, 0}));
     EXPECT_TRUE(updates.empty());
 }
 
-TEST(SecantUpdates, AFailedSolveIsPassedOn) {
+TEST(SecantUpdates, ReportsAFailedSolve) {
     SecantUpdates updates;
     auto x = vector({0, 0, 0});
     EXPECT_FALSE(updates.apply(vector({1, 1, 1}), x, [](Vec, Vec) { return false; }));

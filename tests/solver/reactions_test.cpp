@@ -1,4 +1,4 @@
-/// Blocked bodies: what holds them feels what the formulas say, on the way as well as at its end.
+/// Reactions of constrained bodies against closed forms, along the whole path.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 using model::Measure;
 
-/// Piece of a tube between two planes, which hold it in x: A = 10 mm, B = 20 mm, 10 mm long, sealed by plugs in both planes.
+/// Segment of a tube between two planes that fix it in x: A = 10 mm, B = 20 mm, 10 mm long, sealed by plugs in both planes.
 model::Case tube_between_planes(int layers) {
     constexpr double A = 0.01, B = 0.02, length = 0.01;
     model::Case input;
@@ -52,7 +52,7 @@ model::Case tube_between_planes(int layers) {
 // Force of the wall N = pi [int (2 s_z - s_t - s_r) r dr + p a^2], as int (sigma_t + sigma_r) r dr = p a^2 (verification/
 // inflation_formula.cpp); s_i = mu l_i^2 in plane strain, l_t = r/R, r^2 = R^2 + c: the integral in closed form. The plug pushes
 // with the pressure on the undeformed hole.
-TEST(Reactions, OfATubeBetweenPlanesAreThrustLessThePullOfTheWall) {
+TEST(Reactions, OfATubeBetweenPlanesAreThrustMinusWallForce) {
     const auto input = tube_between_planes(8);
     const auto result = run(input);
     ASSERT_EQ(result.end.reason, solution::StopReason::done);
@@ -65,10 +65,10 @@ TEST(Reactions, OfATubeBetweenPlanesAreThrustLessThePullOfTheWall) {
         EXPECT_NEAR(step.outputs[0], -step.outputs[1], 1e-9 * std::abs(step.outputs[0]) + 1e-12);
         EXPECT_NEAR(*step.volume_m3, pi * a * a * 0.01, 1e-8 * *step.volume_m3);
     }
-    EXPECT_GT(result.steps.back().outputs[2], 1e-3);  // it is inflated by much
+    EXPECT_GT(result.steps.back().outputs[2], 1e-3);  // the inflation is large
 }
 
-// A bar of A = 10 x 10 mm pulled to l pulls back with A mu (l - 1/l^2); whoever moves its end feels the opposite of who holds it.
+// A bar of A = 10 x 10 mm stretched to l has the force A mu (l - 1/l^2); the reactions at its two ends are opposite.
 TEST(Reactions, OfAStretchedBarAreItsNominalStress) {
     auto input = box_case(1, true);
     input.loads.clear();
@@ -96,7 +96,7 @@ TEST(Reactions, CanBeTheGoalOfAPath) {
     EXPECT_EQ(end.reason, solution::StopReason::done);
     EXPECT_NEAR(steps.back().outputs[0], -0.2, 1e-8);
     EXPECT_NE(end.detail.find("right of -0.2 N"), std::string::npos) << end.detail;
-    auto bar = box_case(1, true);  // moved, so that the force depends on the load factor through the motion alone
+    auto bar = box_case(1, true);  // moved: the force depends on the load factor only through the motion
     bar.loads.clear();
     bar.motions = {{"end", {0.01, std::nullopt, std::nullopt}}};
     bar.outputs = {{"hold", "fixed", {1, 0, 0}, Measure::force}};
@@ -105,8 +105,8 @@ TEST(Reactions, CanBeTheGoalOfAPath) {
     EXPECT_NEAR(run(bar).steps.back().outputs[0], 10.0, 1e-7);
 }
 
-/// A block held at both ends, under its weight and a push from below: bent, sheared and pulled.
-model::Case held_twice() {
+/// A block fixed at both ends, under its weight, a traction and a pressure from below: bending, shear and tension.
+model::Case clamped_block() {
     auto input = box_case(2, true);
     input.supports = {{"fixed", {true, true, true}}, {"end", {true, true, true}}};
     input.materials[0].density_kg_m3 = 1080;
@@ -127,7 +127,7 @@ model::Case held_twice() {
 }
 
 TEST(Reactions, OfBothEndsAreTheResultantOfDeadLoads) {
-    auto input = held_twice();
+    auto input = clamped_block();
     const auto result = run(input);
     ASSERT_EQ(result.end.reason, solution::StopReason::done);
     const auto& outputs = result.steps.back().outputs;
@@ -136,9 +136,9 @@ TEST(Reactions, OfBothEndsAreTheResultantOfDeadLoads) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(outputs[2 * i] + outputs[6 + 2 * i], loads[i], 1e-8 * loads[i]);
 }
 
-// A pressure all over a closed surface that follows it makes neither force nor moment; the ends' then balance each other.
+// A follower pressure on a closed surface has neither resultant force nor moment; the reactions at both ends balance each other.
 TEST(Reactions, MomentsBalanceAboutAnyPoint) {
-    auto input = held_twice();
+    auto input = clamped_block();
     input.supports = {{"fixed", {true, true, true}}, {"left", {true, true, true}}};
     for (auto& output : input.outputs)
         if (output.face == "end") output.face = "left";
@@ -147,13 +147,13 @@ TEST(Reactions, MomentsBalanceAboutAnyPoint) {
     input.loads = {{.name = "all", .targets = {"all"}, .gas = {}}};
     for (const char* face : {"fixed", "end", "left", "bottom", "right", "top"})
         for (const auto& facet : input.mesh.facet_sets.at(face)) input.mesh.facet_sets["all"].push_back(facet);
-    // The faces held have an edge in common, which would count twice: hold all but that edge through two sets without it.
+    // The fixed faces share an edge, which would count twice: remove the facets at that edge from one set.
     std::erase_if(input.mesh.facet_sets.at("left"), [&](const mesh::Facet& facet) {
         for (const auto node : mesh::facet_nodes(input.mesh, facet))
             if (input.mesh.point(node)[0] == 0.0) return true;
         return false;
     });
-    input.motions = {{"left", {1e-3, std::nullopt, 1e-3}}};  // so that it is not at rest
+    input.motions = {{"left", {1e-3, std::nullopt, 1e-3}}};  // so that the block deforms
     input.supports[1].fixed = {false, true, false};
     input.path.stages = {full_load(input, {2e4})};
     const auto result = run(input);
@@ -170,8 +170,8 @@ TEST(Reactions, MomentsBalanceAboutAnyPoint) {
     }
 }
 
-// The half of a symmetric block gives what the whole gives.
-TEST(Reactions, OfAHalfAreThoseOfTheWhole) {
+// The half of a symmetric block gives the reactions of the whole.
+TEST(Reactions, OfAHalfModelAreThoseOfTheWhole) {
     auto half = box_case(2, true);
     half.supports = {{"fixed", {true, true, true}}, {"end", {true, true, true}}, {"left", {false, true, false}}};
     half.symmetry_planes = {false, true, false};

@@ -14,7 +14,7 @@
 namespace soft::solver {
 namespace {
 
-TEST(History, HermiteWeightsReproduceACubicBetweenAndBeyond) {
+TEST(History, HermiteWeightsInterpolateAndExtrapolateACubic) {
     const auto y = [](double q) { return 2.0 - q + 3.0 * q * q - 0.5 * q * q * q; };
     const auto slope = [](double q) { return -1.0 + 6.0 * q - 1.5 * q * q; };
     for (const double q : {0.3, 0.7, 1.1, 1.9, 3.0}) {
@@ -40,7 +40,7 @@ TEST(Newton, ConvergesQuadratically) {
     std::vector<double> residuals;
     for (int limit = 2; limit <= 5; ++limit) {
         settings.newton_limit = limit;
-        settings.residual_tolerance = 1e-30;  // never reached: the residual after `limit` iterations is wanted
+        settings.residual_tolerance = 1e-30;  // never reached: the test needs the residual after `limit` iterations
         Bench bench(input, settings);
         State state = bench.rest();
         state.load_factor = 0.3;
@@ -101,7 +101,7 @@ TEST(Path, SphereFollowsItsClosedFormThroughTheLimitPointUnderVolumeControl) {
     ASSERT_EQ(end.limit_points.size(), 1u);
     EXPECT_NEAR(end.limit_points[0].pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
     EXPECT_NEAR(inner_stretch(steps[end.limit_points[0].step]), 1.8281, 1e-3 * 1.8281);
-    for (const auto& step : steps) {  // at a given pressure stable up to its maximum; at a given volume beyond it too
+    for (const auto& step : steps) {  // stable up to the maximum at a given pressure; at a given volume also beyond it
         if (std::abs(inner_stretch(step) / 1.8281 - 1) > 2e-3) {
             EXPECT_EQ(step.stable, inner_stretch(step) < 1.8281);
         }
@@ -109,7 +109,7 @@ TEST(Path, SphereFollowsItsClosedFormThroughTheLimitPointUnderVolumeControl) {
     }
 }
 
-TEST(Path, AutomaticControlGoesThroughTheLimitPoint) {
+TEST(Path, AutomaticControlPassesTheLimitPoint) {
     auto input = sphere_case(4, 8);
     input.path.stages[0].until = {{"volume_ratio", 27.0}};
     const auto [steps, end, log] = run(input);
@@ -130,7 +130,7 @@ TEST(Path, ArcLengthControlFindsTheSameLimitPoint) {
     EXPECT_NEAR(end.limit_points[0].pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
 }
 
-TEST(Path, PressureControlEndsAtTheLimitPointWithTheCurveUpToIt) {
+TEST(Path, PressureControlEndsAtTheLimitPoint) {
     auto input = sphere_case(4, 8);
     input.path.stages[0].control = model::Control::pressure;
     const auto [steps, end, log] = run(input);
@@ -183,19 +183,19 @@ TEST(Path, EndsAtTheFirstGoalReached) {
     EXPECT_EQ(run(input).steps.size(), 4u);  // the undeformed state and three steps
 }
 
-TEST(Path, TellsAStepLimitFromAGoal) {
+TEST(Path, ReportsAStepLimit) {
     auto input = box_case(1, true);
     input.solver.step_limit = 2;
     EXPECT_EQ(run(input).end.reason, solution::StopReason::step_limit);
 }
 
-TEST(Path, RefusesABodyThatCanMoveFreely) {
+TEST(Path, RejectsABodyWithARigidMotion) {
     auto input = box_case(1, false);
     input.supports = {{"left", {false, true, false}}};
     EXPECT_THROW((void)run(input), Error);
 }
 
-TEST(Path, RefusesAControlOrGoalTheCaseCannotMeasure) {
+TEST(Path, RejectsAControlOrGoalThatTheCaseDoesNotHave) {
     auto input = box_case(1, true);
     input.path.stages[0].control = model::Control::volume;
     EXPECT_THROW((void)run(input), Error);

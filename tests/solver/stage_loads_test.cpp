@@ -14,7 +14,7 @@ TEST(Gas, PressureAndMassAreInverseToEachOther) {
         EXPECT_NEAR(gas_pressure_Pa(gas, 2e-6, gas_mass_kg(gas, 2e-6, pressure)), pressure, 1e-6);
 }
 
-// Boyle: half the volume, twice the absolute pressure. Poisson: p V^1.4 stays.
+// Boyle: half the volume, twice the absolute pressure. Poisson: p V^1.4 is constant.
 TEST(Gas, FollowsBoyleAndPoisson) {
     model::Gas gas;
     const double mass = gas_mass_kg(gas, 4e-6, 0.0);
@@ -32,7 +32,7 @@ model::Case supplied(model::SupplyTarget target) {
     return input;
 }
 
-TEST(StageLoads, EquationsOfSuppliesHaveTheRightDerivatives) {
+TEST(StageLoads, SupplyEquationsHaveExactDerivatives) {
     const std::vector<double> undeformed{4e-6};
     for (const auto target : {model::SupplyTarget{model::Prescription::volume, 9e-6},
                               {model::Prescription::volume_ratio, 3.0},
@@ -57,7 +57,7 @@ TEST(StageLoads, EquationsOfSuppliesHaveTheRightDerivatives) {
     }
 }
 
-TEST(StageLoads, AStageStartsWhereItsSuppliesAre) {
+TEST(StageLoads, AStageStartsFromTheCurrentSupplies) {
     const std::vector<double> undeformed{4e-6};
     for (const auto target : {model::SupplyTarget{model::Prescription::volume, 9e-6},
                               {model::Prescription::mass, 5e-6},
@@ -73,7 +73,7 @@ TEST(StageLoads, AStageStartsWhereItsSuppliesAre) {
     }
 }
 
-TEST(StageLoads, LevelsGoInProportionFromStartToEnd) {
+TEST(StageLoads, LevelsAreLinearFromStartToEnd) {
     auto input = sphere_case(1, 2);
     input.path.stages[0].supplies[0].value = 8e3;
     auto start = unloaded(input, {4e-6});

@@ -1,4 +1,4 @@
-// model::StepRule and model::Predictor: where the rows of a path lie.
+// model::StepRule and model::Predictor: positions of the rows of a path.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void expect_closed_form(const std::vector<solution::Step>& steps) {
     }
 }
 
-TEST(StepRules, ConstantRowsLieAtTheMultiplesOfTheFirstStep) {
+TEST(StepRules, ConstantStepsEndAtMultiplesOfTheFirstStep) {
     for (const int n : {49, 300}) {  // 49 x (1 / 49) < 1 in floating point
         const auto [steps, end, log] = run(box(StepRule::constant, 1.0 / n));
         EXPECT_EQ(end.reason, solution::StopReason::done);
@@ -40,7 +40,7 @@ TEST(StepRules, ConstantRowsLieAtTheMultiplesOfTheFirstStep) {
     }
 }
 
-TEST(StepRules, AGoalBetweenTwoConstantRowsIsHit) {
+TEST(StepRules, AGoalBetweenTwoConstantStepsIsReached) {
     auto input = box(StepRule::constant, 0.05);
     input.path.stages[0].until = {{"elongation", 0.002}};
     const auto [steps, end, log] = run(input);
@@ -50,10 +50,10 @@ TEST(StepRules, AGoalBetweenTwoConstantRowsIsHit) {
         EXPECT_NEAR(steps[k].load_factor, 0.05 * static_cast<double>(k), 1e-14);
 }
 
-TEST(StepRules, AConstantStepThatHadToBeCutComesBackToItsMultiples) {
+TEST(StepRules, AConstantStepReturnsToItsMultiplesAfterACut) {
     auto input = box(StepRule::constant, 0.25);
     input.path.stages[0].control = model::Control::pressure;
-    input.solver.newton_limit = 2;  // the whole step takes more, a part of it does not
+    input.solver.newton_limit = 2;  // too few for the whole step, enough for a shorter one
     input.solver.predictor = Predictor::none;
     input.solver.residual_tolerance = 1e-5;
     const auto [steps, end, log] = run(input);
@@ -65,7 +65,7 @@ TEST(StepRules, AConstantStepThatHadToBeCutComesBackToItsMultiples) {
         })) << k;
 }
 
-TEST(StepRules, StepsGrowByTheRootOfTheIterationsWantedOverThoseTaken) {
+TEST(StepRules, StepsGrowByTheRootOfWantedOverActualIterations) {
     auto input = box(StepRule::iteration_adaptive, 0.01);
     input.solver.wanted_iterations = 4;
     const auto [steps, end, log] = run(input);
@@ -75,14 +75,14 @@ TEST(StepRules, StepsGrowByTheRootOfTheIterationsWantedOverThoseTaken) {
         const double grown =
             (steps[i].load_factor - steps[i - 1].load_factor) / (steps[i - 1].load_factor - steps[i - 2].load_factor);
         const double wanted = std::clamp(std::sqrt(4.0 / steps[i - 1].newton_iterations), 0.5, 2.0);
-        EXPECT_NEAR(grown / wanted, 1.0, 2.0 / 256);  // steps have few digits
+        EXPECT_NEAR(grown / wanted, 1.0, 2.0 / 256);  // steps are rounded to few digits
     }
     expect_closed_form(steps);
     input.solver.wanted_iterations = 2;
     EXPECT_GT(run(input).steps.size(), steps.size());
 }
 
-TEST(StepRules, EveryPredictorFollowsTheSamePathTheBetterOnesInFewerIterations) {
+TEST(StepRules, BetterPredictorsFollowTheSamePathInFewerIterations) {
     std::vector<int> iterations;
     for (const auto predictor : {Predictor::cubic, Predictor::tangent, Predictor::none}) {
         auto input = box(StepRule::constant, 0.05);
@@ -97,7 +97,7 @@ TEST(StepRules, EveryPredictorFollowsTheSamePathTheBetterOnesInFewerIterations) 
     EXPECT_LT(iterations[1], iterations[2]);
 }
 
-TEST(StepRules, ErrorAdaptiveStepsNeedNoPredictedStart) {
+TEST(StepRules, ErrorAdaptiveStepsWorkWithoutAPredictedInitialGuess) {
     auto input = box(StepRule::error_adaptive, 0.02);
     const auto cubic = run(input).steps;
     input.solver.predictor = Predictor::none;
@@ -107,7 +107,7 @@ TEST(StepRules, ErrorAdaptiveStepsNeedNoPredictedStart) {
     for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_NEAR(steps[i].load_factor, cubic[i].load_factor, 1e-6);
 }
 
-// The error of a predictor below what equilibrium is known to would shorten the steps until they end the path.
+// Predictor errors below the accuracy of equilibrium must not shorten the steps until the path ends.
 TEST(StepRules, ALooseEquilibriumDoesNotEndThePath) {
     auto input = box(StepRule::error_adaptive, 1.0 / 300);
     input.path.stages[0].control = model::Control::pressure;

@@ -18,12 +18,12 @@ TEST(Supply, PrescribedVolumeGivesThePressureOfTheClosedForm) {
     input.path.stages[0].supplies = {{Prescription::volume_ratio, 8.0}};  // l_a = 2
     const auto [steps, end, log] = run(input);
     EXPECT_EQ(end.reason, solution::StopReason::done);
-    EXPECT_NEAR(inner_stretch(steps.back()), 2.0, 1e-5);  // the mesh's sphere is not quite round
+    EXPECT_NEAR(inner_stretch(steps.back()), 2.0, 1e-5);  // the mesh is not exactly spherical
     EXPECT_NEAR(relative_pressure(steps.back()), 0.806927, 1e-4);
     ASSERT_EQ(end.limit_points.size(), 1u);
     EXPECT_NEAR(end.limit_points[0].pressure_Pa / sample_mu_Pa / sphere_limit, 1.0, 1e-4);
     EXPECT_TRUE(end.bifurcations.empty());
-    for (const auto& step : steps) EXPECT_TRUE(step.stable);  // whoever holds the volume holds the body
+    for (const auto& step : steps) EXPECT_TRUE(step.stable);  // a prescribed volume stabilises the body
 }
 
 // Both laws at once: the sphere's closed form and the gas.
@@ -40,8 +40,8 @@ TEST(Supply, InjectedMassFillsTheSphereByTheGasLaw) {
     EXPECT_GT(inner_stretch(last), 1.5);
 }
 
-// Closed at 40 kPa, then pressed from outside: p V^n of the gas stays what it was.
-TEST(Supply, ClosedValveKeepsTheGas) {
+// Closed at 40 kPa, then loaded from outside: p V^n of the gas is constant.
+TEST(Supply, AClosedValveConservesTheGas) {
     auto input = sphere_case(3, 6);
     input.loads[0].gas = {.dead_volume_m3 = 1e-6, .exponent = 1.4};
     input.loads.push_back({.name = "outer", .targets = {"outer"}, .gas = {}});
@@ -61,14 +61,14 @@ TEST(Supply, ClosedValveKeepsTheGas) {
     }
     EXPECT_NEAR(steps.back().pressures_Pa[1], 3e4, 1e-6);
     EXPECT_GT(steps.back().pressures_Pa[0], 4e4 + 1e3);
-    // An incompressible wall feels the difference of the pressures alone.
+    // Only the pressure difference acts on an incompressible wall.
     EXPECT_NEAR((steps.back().pressures_Pa[0] - 3e4) / sample_mu_Pa, sphere_pressure(inner_stretch(steps.back())),
                 2e-4);
 }
 
-// A cavity that is filled while its body is pressed from outside: that load gives way all the while, its work is negative, and yet
-// the body is stable and the volume is to grow, not to fall. An incompressible wall feels the difference of the pressures alone.
-TEST(Supply, ACavityIsFilledAgainstALoadThatGivesWay) {
+// A cavity is filled while an outside pressure acts on its body. The outside load does negative work, but the body is stable and the
+// volume must grow, not fall. Only the pressure difference acts on an incompressible wall.
+TEST(Supply, ACavityIsFilledAgainstAnOutsidePressure) {
     for (const auto control : {model::Control::automatic, model::Control::arc_length, model::Control::pressure})
         for (const auto& supply : {model::SupplyTarget{Prescription::volume_ratio, 3.375}, {Prescription::mass, 4e-5}})
             for (const int stages : {1, 2}) {
@@ -95,19 +95,19 @@ TEST(Supply, AStageWithoutChangeIsOneRow) {
     input.path.stages = {full_load(input, {3e4}), full_load(input, {3e4}), full_load(input, {0.0})};
     const auto [steps, end, log] = run(input);
     EXPECT_EQ(end.reason, solution::StopReason::done);
-    int held = 0;
+    int rows = 0;
     for (const auto& step : steps)
         if (step.stage == 1) {
-            ++held;
+            ++rows;
             EXPECT_NEAR(step.pressure_Pa, 3e4, 1e-9);
         }
-    EXPECT_EQ(held, 1);
+    EXPECT_EQ(rows, 1);
     EXPECT_NEAR(steps.back().pressure_Pa, 0.0, 1e-9);
-    EXPECT_NEAR(inner_stretch(steps.back()), 1.0, 1e-4);  // back where it came from
+    EXPECT_NEAR(inner_stretch(steps.back()), 1.0, 1e-4);  // undeformed again
 }
 
-// Inflated past its limit point by volume, then vented: the path goes back over the maximum, not away from it.
-TEST(Supply, VentingBeyondTheLimitPointLetsTheGasOut) {
+// Inflated past its limit point by volume, then vented: the path returns over the maximum instead of leaving it.
+TEST(Supply, VentingBeyondTheLimitPointDeflatesTheSphere) {
     auto input = sphere_case(3, 6);
     auto inflate = full_load(input, {0.0}), vent = full_load(input, {0.0});
     inflate.supplies = {{Prescription::volume_ratio, 8.0}};
@@ -118,20 +118,20 @@ TEST(Supply, VentingBeyondTheLimitPointLetsTheGasOut) {
     EXPECT_NEAR(inner_stretch(steps.back()), 1.0, 1e-4);
 }
 
-// Given up is a load that falls behind its maximum, not a volume that is on its way to what was asked for.
-TEST(Supply, TheStretchLimitEndsALoadThatIsNeverReachedAndNothingElse) {
+// A load that falls past its maximum is abandoned; a volume that still approaches its target is not.
+TEST(Supply, TheStretchLimitEndsOnlyALoadThatIsNeverReached) {
     auto input = sphere_case(3, 6);
     input.path.stretch_limit = 1.5;
     auto never = input;
     never.path.stages = {full_load(input, {2 * sample_mu_Pa})};
-    const auto given_up = run(never);
-    EXPECT_EQ(given_up.end.reason, solution::StopReason::limit_point);
-    EXPECT_NE(given_up.end.detail.find("stretch_limit"), std::string::npos);
+    const auto abandoned = run(never);
+    EXPECT_EQ(abandoned.end.reason, solution::StopReason::limit_point);
+    EXPECT_NE(abandoned.end.detail.find("stretch_limit"), std::string::npos);
     input.path.stages[0].supplies = {{Prescription::volume_ratio, 8.0}};
     EXPECT_EQ(run(input).end.reason, solution::StopReason::done);
 }
 
-// Two equal spheres on one gas stay equal until the pressure has its maximum; there one grows at the other's cost
+// Two equal spheres with a common gas stay equal up to the maximum of the pressure; there one grows while the other shrinks
 // (Weinitschke and others; here by p(V1) = p(V2), V1 + V2 given, of the closed form).
 TEST(Supply, TwoSpheresOnOneGasBranchAtTheMaximumOfThePressure) {
     const auto input = two_spheres_case(3, 6, 12.0);
@@ -143,7 +143,7 @@ TEST(Supply, TwoSpheresOnOneGasBranchAtTheMaximumOfThePressure) {
     EXPECT_NEAR(std::cbrt(*end.bifurcations[0].at.volume_m3 / (2 * sphere_cavity_m3)), 1.8281, 1e-3 * 1.8281);
     const auto row = static_cast<std::size_t>(end.bifurcations[0].at.step);
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        EXPECT_NEAR(steps[i].volumes_m3[0] / steps[i].volumes_m3[1], 1.0, 1e-6);  // the path itself stays symmetric
+        EXPECT_NEAR(steps[i].volumes_m3[0] / steps[i].volumes_m3[1], 1.0, 1e-6);  // the primary path stays symmetric
         if (i != row) {
             EXPECT_EQ(steps[i].stable, i < row) << i;
         }

@@ -1,4 +1,4 @@
-/// Loads so small that strains drown in the digits of positions: the response is linear, and takes next to no steps.
+/// Loads so small that strains are lost in the rounding of positions: the response is linear and takes few steps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ model::Case with_pressure(model::Case input, double pressure_Pa) {
     return input;
 }
 
-/// The last row of a path that is done within a few steps and keeps its energy.
+/// The last row of a path that is done within a few steps and conserves energy.
 solution::Step end_of(const model::Case& input, const std::string& what) {
     const auto path = run(input);
     EXPECT_EQ(path.end.reason, solution::StopReason::done) << what << path.end.detail;

@@ -1,4 +1,4 @@
-/// States that a path passes again: on closed and reversed curves with known returns, on curves without, and on a closed branch.
+/// Paths that return to earlier states: closed and reversed curves with known returns, curves without, and a closed branch.
 #include "solver/visited_states.hpp"
 
 #include <gtest/gtest.h>
@@ -57,8 +57,8 @@ TEST(VisitedStates, ASpiralAndALineNeverReturn) {
     EXPECT_FALSE(first_found(line, Return::Sense::forward));
 }
 
-// Back at a distance of a thousandth of the path's length, as where one cell alone has changed.
-TEST(VisitedStates, APathThatRunsBackIsFoundAfterAFiftiethOfItsLength) {
+// The return is offset by a thousandth of the path's length, as where a single cell has changed.
+TEST(VisitedStates, AReversedPathIsDetectedAfterAFiftiethOfItsLength) {
     std::vector<VisitedState> path;
     for (int i = 0; i <= 50; ++i) path.push_back(state_at(i, 0, 0));
     for (int i = 1; i <= 50; ++i) path.push_back(state_at(50 - 0.3 * i, 0, std::numbers::pi, 0.05));
@@ -68,8 +68,8 @@ TEST(VisitedStates, APathThatRunsBackIsFoundAfterAFiftiethOfItsLength) {
     EXPECT_LE(path[*found].state[0], 49.1);
 }
 
-// One of ten parts snaps, while the others go back along the way they came: a fold, no reversal.
-TEST(VisitedStates, AFoldInWhichOnePartGoesOnIsNoReversal) {
+// One of ten parts snaps through while the others reverse: a fold, not a reversal.
+TEST(VisitedStates, AFoldOfOnePartIsNoReversal) {
     std::vector<VisitedState> path;
     for (int i = 0; i <= 50; ++i) path.push_back(state_at(i, 0, 0));
     for (int i = 1; i <= 20; ++i) path.push_back(state_at(50 - 0.3 * i, 0, std::numbers::pi, 0.3 * i));
@@ -77,8 +77,8 @@ TEST(VisitedStates, AFoldInWhichOnePartGoesOnIsNoReversal) {
     EXPECT_FALSE(first_found(path, Return::Sense::backward));
 }
 
-// Two folds one after the other, at each of which one cell of very many snaps: the path goes on behind them.
-TEST(VisitedStates, APathThatTurnsTwiceGoesOn) {
+// Two successive folds, at each of which one of many cells snaps through: the path continues beyond them.
+TEST(VisitedStates, TwoFoldsAreNoReversal) {
     std::vector<VisitedState> path;
     for (int i = 0; i <= 50; ++i) path.push_back(state_at(i, 0, 0));
     for (int i = 1; i <= 9; ++i) path.push_back(state_at(50 - i, 0, std::numbers::pi, 0.4));
@@ -86,7 +86,7 @@ TEST(VisitedStates, APathThatTurnsTwiceGoesOn) {
     EXPECT_FALSE(first_found(path, Return::Sense::backward));
 }
 
-TEST(VisitedStates, SketchesKeepDistances) {
+TEST(VisitedStates, SketchesPreserveDistances) {
     const auto input = sphere_case(2, 4);
     const assembly::System system(input, PETSC_COMM_WORLD);
     const auto x = system.make_vector(), y = system.make_vector();
@@ -104,8 +104,8 @@ TEST(VisitedStates, SketchesKeepDistances) {
     EXPECT_LT(std::sqrt(distance2) / linalg::norm(x), 2.0);
 }
 
-// Beyond the pressure minimum of a Mooney-Rivlin shell the branch on which one of two spheres is larger comes back to the path, and
-// goes on as its mirror image: a closed curve.
+// Beyond the pressure minimum of a Mooney-Rivlin shell the branch on which one of two spheres is larger returns to the path and
+// continues as its mirror image: a closed curve.
 TEST(VisitedStates, AClosedBranchOfTwoSpheresIsFollowedOnce) {
     auto input = two_spheres_case(1, 6, 200.0);
     for (auto& point : input.mesh.points) {  // thin walls, outer radius 1.1 inner radii: the shells stay spheres
@@ -121,16 +121,16 @@ TEST(VisitedStates, AClosedBranchOfTwoSpheresIsFollowedOnce) {
     const auto [steps, end, log] = run(input);
     EXPECT_EQ(end.reason, solution::StopReason::limit_point);
     EXPECT_NE(end.detail.find("the path is closed"), std::string::npos) << end.detail;
-    // Pressure and both volumes of the last row lie on the straight line between two rows of the branch, but for its curvature.
-    const auto place = [](const solution::Step& step) {
+    // Pressure and both volumes of the last row lie on the line between two rows of the branch, up to its curvature.
+    const auto values_of = [](const solution::Step& step) {
         return std::array{step.pressure_Pa / sample_mu_Pa, step.volumes_m3[0] / sphere_cavity_m3 / 100,
                           step.volumes_m3[1] / sphere_cavity_m3 / 100};
     };
-    const auto last = place(steps.back());
+    const auto last = values_of(steps.back());
     double least = 1;
     ASSERT_FALSE(end.bifurcations.empty());
     for (auto i = static_cast<std::size_t>(end.bifurcations[0].at.step) + 1; i + 5 < steps.size(); ++i) {
-        const auto a = place(steps[i]), b = place(steps[i + 1]);
+        const auto a = values_of(steps[i]), b = values_of(steps[i + 1]);
         double along = 0, length2 = 0, distance2 = 0;
         for (std::size_t j = 0; j < 3; ++j) {
             along += (last[j] - a[j]) * (b[j] - a[j]);

@@ -1,4 +1,4 @@
-/// What the loads do on the way is what the rubber holds at its end: every load that has a potential, and its order.
+/// The work of the loads along a path equals the stored energy, for every load with a potential; and its order of convergence.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ TEST(Work, OfAnInflationIsTheEnergyOfTheRubber) {
     EXPECT_GT(result.steps.back().energies->stored_J, 0.1);  // of the whole sphere
 }
 
-/// A block under a pull, its weight, a dead pressure and a motion: each does work of its own.
+/// A block under a traction, its weight, a dead pressure and a motion, each of which does work.
 model::Case loaded_block() {
     auto input = box_case(2, true);
     input.supports = {{"fixed", {true, true, true}}};
@@ -43,7 +43,7 @@ TEST(Work, OfDeadLoadsAndMotionsIsTheEnergyOfTheRubber) {
     const auto together = run(input);
     ASSERT_EQ(together.end.reason, solution::StopReason::done);
     EXPECT_LT(gap(together.steps.back()), 1e-5);
-    // In stages the direction turns between them; the energy is that of the state.
+    // With stages the direction of the path changes between them; the energy depends only on the state.
     auto weight = full_load(input, {0.0}), all = full_load(input, {1e4});
     weight.tractions = {0.0};
     weight.motions = {0.5};
@@ -54,7 +54,7 @@ TEST(Work, OfDeadLoadsAndMotionsIsTheEnergyOfTheRubber) {
 }
 
 /// At a row the power of all loads is the derivative of the energy, here by differences of a path of short steps.
-TEST(Work, ItsPowerIsTheDerivativeOfTheEnergy) {
+TEST(Work, PowerIsTheDerivativeOfTheEnergy) {
     auto input = loaded_block();
     input.solver.steps = model::StepRule::constant;
     input.solver.first_step = 0.01;
@@ -83,7 +83,7 @@ TEST(Work, ConvergesWithTheFourthPowerOfTheStep) {
     EXPECT_GT(coarse / fine, 12);
 }
 
-// The place of the largest stretch: the inner wall of a sphere.
+// The position of the largest stretch: the inner wall of a sphere.
 TEST(Extremes, OfASphereAreAtItsInnerWall) {
     const auto result = run(sphere_case(2, 8));
     const auto& extremes = *result.steps.back().extremes;

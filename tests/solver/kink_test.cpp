@@ -1,4 +1,4 @@
-/// Fibres that go slack or begin to pull: the tangent jumps, and the path may have corners.
+/// Fibres that become slack or taut: the tangent jumps, and the path may have kinks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,9 +21,9 @@ model::Case fiber_sphere(int layers, int sectors, double stiffness, double angle
     return input;
 }
 
-// At rest every fibre is at its corner: which ones pull is the answer, and an answer to the load l is, times 2, one to 2 l (the
-// response is homogeneous of degree one, though not linear). |R| does not fall on the way there.
-TEST(Corner, AtRestNewtonFindsTheFibresThatPull) {
+// At rest every fibre is at its kink, and which fibres are taut is part of the solution. The response is homogeneous of degree one,
+// though not linear: the solution for the load 2 l is twice that for l. |R| does not fall monotonically.
+TEST(Kink, NewtonFindsTheTautFibresAtRest) {
     const auto input = fiber_sphere(2, 4, 300, 0.4, 1);
     const auto at = [&](double load_factor) {
         Bench bench(input, input.solver);
@@ -42,9 +42,10 @@ TEST(Corner, AtRestNewtonFindsTheFibresThatPull) {
     EXPECT_LT(linalg::norm(difference), 1e-2 * linalg::norm(twice.x));
 }
 
-// So is the direction in which a path begins: a block pulled along its fibres grows by L / (3 mu + 4 k1) a pascal, from dT/dl of
-// T = mu (l - l^-2) + 2 k1 (l^2 - 1) exp(k2 (l^2 - 1)^2) l at l = 1; pulled across them, which shortens them, as if they were not there.
-TEST(Corner, AtRestThePathHasTheDirectionOfTheFibresThatPull) {
+// The first direction of a path also depends on the taut fibres. A block pulled along its fibres elongates by L / (3 mu + 4 k1) per
+// pascal, from dT/dl of T = mu (l - l^-2) + 2 k1 (l^2 - 1) exp(k2 (l^2 - 1)^2) l at l = 1; a block pulled across its fibres, which
+// shortens them, elongates as without fibres.
+TEST(Kink, ThePathStartsInTheDirectionOfTheTautFibres) {
     for (const bool along : {true, false}) {
         auto input = box_case(1, true);
         constexpr double stiffness = 7, edge_m = 0.01;
@@ -61,13 +62,13 @@ TEST(Corner, AtRestThePathHasTheDirectionOfTheFibresThatPull) {
     }
 }
 
-// Hoops about the axis under a vacuum: the sphere, of one cell through the wall, folds, and its load turns from falling to rising
-// where hoops begin to pull, at a corner of more than a right angle. Steps of two lengths turn it from other distances: the states
-// beyond it are the same, and the load there is the one to which steps without an end come, 0.5536 of the whole. (Shorter steps leave for
-// another branch before, which has no such corner.)
-TEST(Corner, APathGoesOnRoundACornerAtWhichTheLoadTurns) {
+// Hoop fibres about the axis under a vacuum: the sphere, with one cell through the wall, folds, and its load turns from falling to
+// rising where hoops become taut, at a kink of more than a right angle. Steps of two lengths approach the kink from different
+// distances: the states beyond it are the same, and the load at the kink is the limit for small steps, 0.5536 of the full load.
+// (Shorter steps converge to another branch before, which has no such kink.)
+TEST(Kink, APathContinuesPastAKinkAtWhichTheLoadReverses) {
     struct Seen {
-        double corner, end_m3, beyond_m3;
+        double kink, end_m3, beyond_m3;
     };
     const auto seen = [](double accuracy) {
         constexpr double beyond = 0.75;
@@ -75,7 +76,7 @@ TEST(Corner, APathGoesOnRoundACornerAtWhichTheLoadTurns) {
         input.solver.step_accuracy *= accuracy;
         const auto [steps, end, log] = run(input);
         EXPECT_EQ(end.reason, solution::StopReason::done) << end.detail;
-        EXPECT_EQ(std::ranges::count_if(log, [](const auto& line) { return line.find("corner") != line.npos; }), 1);
+        EXPECT_EQ(std::ranges::count_if(log, [](const auto& line) { return line.find("kink") != line.npos; }), 1);
         const auto top = std::ranges::adjacent_find(
             steps, [](const auto& a, const auto& b) { return b.load_factor < a.load_factor; });
         const auto least = std::min_element(top, steps.end(),
@@ -86,8 +87,8 @@ TEST(Corner, APathGoesOnRoundACornerAtWhichTheLoadTurns) {
                     *next[-1].volume_m3 + share * (*next->volume_m3 - *next[-1].volume_m3)};
     };
     const Seen by_one = seen(2), by_other = seen(3);
-    for (const Seen& one : {by_one, by_other}) EXPECT_NEAR(one.corner, 0.5536, 2e-3);
-    EXPECT_NEAR(by_one.beyond_m3 / by_other.beyond_m3, 1.0, 1e-3);  // by straight lines between rows
+    for (const Seen& one : {by_one, by_other}) EXPECT_NEAR(one.kink, 0.5536, 2e-3);
+    EXPECT_NEAR(by_one.beyond_m3 / by_other.beyond_m3, 1.0, 1e-3);  // linear interpolation between rows
     EXPECT_NEAR(by_one.end_m3 / by_other.end_m3, 1.0, 1e-6);
 }
 
