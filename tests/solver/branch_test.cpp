@@ -1,4 +1,4 @@
-/// Bifurcations, contact, and how a path that cannot go on says so.
+/// Bifurcations, contact, and the messages of a path that cannot continue.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@ using solution::StopReason;
 
 constexpr double strut_length = 0.1, strut_height = 0.01;
 
-/// A strut in plane strain between smooth plates, `n` x 2 quad9 cells, pushed in along x by `share` of its length. The plates
-/// let it slide sideways; the facet of its top next to x = 0, where a cosine is level, stays at its height.
+/// A strut in plane strain between smooth plates, `n` x 2 quad9 cells, compressed along x by `share` of its length. It slides freely
+/// along the plates; the facet of its top next to x = 0, where the buckling mode has zero slope, is fixed in y.
 model::Case strut_case(int n, double share) {
     model::Case input;
     input.kinematics = model::Kinematics::plane_strain;
