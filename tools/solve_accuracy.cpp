@@ -114,7 +114,7 @@ void estimate_error(assembly::System& system, std::vector<solver::RowState> rows
     summary.end.factorizations += accuracy.factorizations;
     summary.accuracy = {tolerance,         accuracy.reached,
                         accuracy.level,    accuracy.unknowns,
-                        accuracy.has_bars, accuracy.obstacle,
+                        accuracy.has_bars, accuracy.end_reason,
                         accuracy.doubts,   accuracy.interrupted ? static_cast<int>(caught_signal) : 0};
     summary.last = accuracy.rows.back().step;
     if (output.writer != nullptr) output.writer->publish(rows_of(accuracy, points, output), summary.end);

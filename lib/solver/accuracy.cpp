@@ -246,7 +246,7 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
     while (!result.has_bars || result.reached > target.tolerance) {
         const std::int64_t needed = growth * result.unknowns;
         if (needed > bound) {
-            result.obstacle = bound_text(needed, bound);
+            result.end_reason = bound_text(needed, bound);
             break;
         }
         auto next = std::make_unique<Level>(*coarse, given.comm());
@@ -257,9 +257,9 @@ Accuracy refine_path(assembly::System& given, Rows rows, solution::PathEnd& end,
         const bool last = growth * unknowns > bound;  // no finer mesh will start from it
         Solved solved = solve_rows(*next, result.has_bars ? finer : result.rows, end, listeners,
                                    last ? RefinedPath::Keep::values : RefinedPath::Keep::fields, result);
-        result.obstacle = solved.failure;
+        result.end_reason = solved.failure;
         result.interrupted = solved.interrupted;
-        if (!result.obstacle.empty()) break;
+        if (!result.end_reason.empty()) break;
         if (result.has_bars) {  // advance by one level
             earlier = std::move(before);
             before = std::exchange(result.rows, std::move(finer));

@@ -28,8 +28,8 @@ struct Accuracy {
     std::vector<solution::Step> finer;  ///< the same rows on the next finer level, where there are bars
     int level = 0;                      ///< the reported level; the next finer one is solved too where there are bars
     bool has_bars = false;
-    double reached = 0;    ///< the value that the tolerance bounds, where there are bars
-    std::string obstacle;  ///< why there is no finer level, one clause; empty where the tolerance is met
+    double reached = 0;      ///< the value that the tolerance bounds, where there are bars
+    std::string end_reason;  ///< why there is no finer level, one clause; empty where the tolerance is met
     std::vector<std::string>
         doubts;  ///< why the bars are less reliable than those of meshes that converge at one order
     bool interrupted = false;
@@ -58,7 +58,7 @@ struct RefinementListeners {
 /// to the reported level and stay at their rows. Where a row's slope of the load against the volume (else the first output) is not
 /// exactly zero, a limit point gets the values at the vertex of the parabola through it and its neighbour.
 /// Collective. Throws Error (bad_input) for first-order cells, whose straight edges do not approach a curved boundary, and for a
-/// case without output or volume. A row that does not converge ends the refinement (obstacle).
+/// case without output or volume. A row that does not converge ends the refinement (end_reason).
 [[nodiscard]] Accuracy refine_path(assembly::System& given, std::vector<RowState> rows, solution::PathEnd& end,
                                    const AccuracyTarget& target, const RefinementListeners& listeners = {});
 

@@ -65,7 +65,7 @@ TEST(Accuracy, BarsOfTheSphereCoverTheClosedFormAtEveryRow) {
         const auto [accuracy, given, end] =
             estimate_errors(input, wanted == 0.5 ? two_meshes(input, wanted) : tolerance(wanted));
         ASSERT_TRUE(accuracy.has_bars);
-        EXPECT_TRUE(accuracy.obstacle.empty()) << accuracy.obstacle;
+        EXPECT_TRUE(accuracy.end_reason.empty()) << accuracy.end_reason;
         EXPECT_LE(accuracy.reached, wanted);
         ASSERT_EQ(accuracy.rows.size(), given.size());
         std::vector<double> ratios;
@@ -150,7 +150,7 @@ TEST(Accuracy, KeepsTheLastCurveWhenItIsInterrupted) {
                  },
              .is_interrupted = [&](std::size_t row) { return level == mesh && row == 3; }});
         EXPECT_TRUE(accuracy.interrupted);
-        EXPECT_EQ(accuracy.obstacle, "the refinement was interrupted");
+        EXPECT_EQ(accuracy.end_reason, "the refinement was interrupted");
         EXPECT_EQ(accuracy.has_bars, mesh == 2);
         EXPECT_EQ(accuracy.rows.size(), given.size());
         const int rows = static_cast<int>(given.size());
@@ -176,7 +176,7 @@ TEST(Accuracy, SolvesAMeshThatJustFitsTheLimit) {
     ASSERT_LT(bound, 16 * unknowns(input));
     const auto estimated = estimate_errors(input, {.tolerance = 1e-12, .max_unknowns_2d = bound});
     EXPECT_EQ(estimated.accuracy.level, 1);
-    EXPECT_FALSE(estimated.accuracy.obstacle.empty());
+    EXPECT_FALSE(estimated.accuracy.end_reason.empty());
 }
 
 /// The points of the given mesh keep their indices, so that its displacements come first in those of the finer mesh.
@@ -201,7 +201,7 @@ TEST(Accuracy, StagesEndAtTheirLoadsAndClosedGasKeepsItsMass) {
     input.path.stages.push_back(hold);
     input.path.stages.push_back(vent);
     const auto [accuracy, given, end] = estimate_errors(input, tolerance(1e-3));
-    ASSERT_GE(accuracy.level, 1) << accuracy.obstacle;
+    ASSERT_GE(accuracy.level, 1) << accuracy.end_reason;
     const auto& rows = accuracy.rows;
     const auto mass = [&](const solution::Step& step) { return (step.pressure_Pa / 101325.0 + 1) * *step.volume_m3; };
     for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
@@ -217,12 +217,12 @@ TEST(Accuracy, ReportsTheLimitThatStopsTheRefinement) {
     const auto one = estimate_errors(inflated_sphere(1, 2), bound);
     EXPECT_TRUE(one.accuracy.has_bars);
     EXPECT_EQ(one.accuracy.level, 0);
-    EXPECT_NE(one.accuracy.obstacle.find(std::to_string(bound.max_unknowns_2d)), std::string::npos)
-        << one.accuracy.obstacle;
+    EXPECT_NE(one.accuracy.end_reason.find(std::to_string(bound.max_unknowns_2d)), std::string::npos)
+        << one.accuracy.end_reason;
     const auto none = estimate_errors(inflated_sphere(1, 2), {.tolerance = 1e-9, .max_unknowns_2d = 10});
     EXPECT_FALSE(none.accuracy.has_bars);
     EXPECT_EQ(none.accuracy.rows.size(), none.given.size());
-    EXPECT_FALSE(none.accuracy.obstacle.empty());
+    EXPECT_FALSE(none.accuracy.end_reason.empty());
 }
 
 TEST(Accuracy, RejectsFirstOrderCells) {
