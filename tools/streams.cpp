@@ -21,18 +21,17 @@ void to_stderr(std::string_view text) {
     std::fflush(stderr);
 }
 
-/// Open MPI gives every rank a terminal of its own as stdout and passes the bytes on unchanged: what the user sees is
-/// the launcher's stdout.
+/// Open MPI gives each rank a pseudo-terminal as stdout and forwards the bytes unchanged; the stdout of the launcher decides.
 bool writes_to_terminal() {
     if (::isatty(STDOUT_FILENO) != 1) return false;
     if (std::getenv("OMPI_COMM_WORLD_SIZE") == nullptr) return true;
     std::error_code unknown;
-    const auto behind = std::filesystem::read_symlink("/proc/" + std::to_string(::getppid()) + "/fd/1", unknown);
-    return unknown || behind.string().starts_with("/dev/pts/") || behind.string().starts_with("/dev/tty");
+    const auto target = std::filesystem::read_symlink("/proc/" + std::to_string(::getppid()) + "/fd/1", unknown);
+    return unknown || target.string().starts_with("/dev/pts/") || target.string().starts_with("/dev/tty");
 }
 
 bool wants_colour(bool terminal) {
-    const char* no_colour = std::getenv("NO_COLOR");  // https://no-color.org: any text but none
+    const char* no_colour = std::getenv("NO_COLOR");  // https://no-color.org: any non-empty text
     return terminal && (no_colour == nullptr || *no_colour == '\0');
 }
 
@@ -41,7 +40,7 @@ bool wants_colour(bool terminal) {
 Input read_input(const std::string& name, std::size_t limit, std::string_view signature) {
     if (!name.empty() && name != "-") return {core::read_file(name, limit, signature), name};
     if (name.empty() && ::isatty(STDIN_FILENO) == 1)
-        throw Error(ExitCode::usage, "", "no input is named and stdin is a terminal", "name a file, or pipe one in");
+        throw Error(ExitCode::usage, "", "no input is given and stdin is a terminal", "give a file, or use a pipe");
     return {core::read_descriptor(STDIN_FILENO, "<stdin>", limit, signature), "<stdin>"};
 }
 
@@ -53,7 +52,7 @@ bool stdout_is_file() {
 void check_output(const std::string& name, Content content) {
     if (name == "-" && content == Content::binary && writes_to_terminal())
         throw Error(ExitCode::usage, "<stdout>", "binary data is not written to a terminal",
-                    "use -o FILE, or pipe it on");
+                    "use -o FILE or a pipe");
 }
 
 void write_output(const std::string& name, std::span<const std::byte> bytes, Content content) {
@@ -78,7 +77,7 @@ void make_folder(const std::string& name) {
 }
 
 void write_json(const std::string& name, const nlohmann::ordered_json& json) {
-    // File names need not be UTF-8; JSON must be.
+    // File names may contain invalid UTF-8, which JSON does not allow.
     constexpr int indent = 2;
     write_output(name, json.dump(indent, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }

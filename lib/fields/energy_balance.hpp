@@ -1,8 +1,8 @@
 #pragma once
-/// Whether the rows of a path keep their energy: work of the loads = stored + kinetic + taken by damping, all since the first row.
-/// The difference is that of the worst row, over the largest of the four that any row has. Along a static path only the first two
-/// are there. A law that is a stress without an energy has no balance. Tested by fields/energy_balance_test,
-/// Pipeline.AnEarlyEndKeepsTheStepsReached and Pipeline.AMotionInTimeKeepsItsEnergyAndItsRows.
+/// Energy balance of the rows of a path: work of the loads = stored + kinetic energy + dissipation by damping, all relative to the
+/// first row. The error is the difference in the worst row divided by the largest of the four energies in any row. A static path has
+/// only the first two terms. For a law without an energy function there is no balance. Tested by fields/energy_balance_test,
+/// Pipeline.AnEarlyEndKeepsTheConvergedSteps and Pipeline.MotionInTimeKeepsItsEnergyBalanceAndItsRows.
 #include <optional>
 #include <string>
 
@@ -10,14 +10,14 @@
 
 namespace soft::fields {
 
-/// Beyond it the rows are wrong, or too coarse to be trusted.
-inline constexpr double tolerated_energy_error = 0.01;
+/// A larger error means that the rows are wrong or too coarse.
+inline constexpr double max_energy_error = 0.01;
 
 class EnergyBalance {
 public:
     void add(const solution::Step& row);
-    [[nodiscard]] std::optional<double> error() const;  ///< empty where nothing has moved
-    /// "the energies do not balance: ...; ..." beyond the tolerated error, else empty.
+    [[nodiscard]] std::optional<double> error() const;  ///< empty if all energies are zero
+    /// "the energies do not balance: ...; ..." if the error exceeds max_energy_error, else empty.
     [[nodiscard]] std::string problem() const;
 
 private:

@@ -12,7 +12,7 @@ using namespace soft;
 using namespace soft::process;
 
 std::string stderr_of(cli::Verbosity verbosity, auto&& action) {
-    testing::internal::CaptureStderr();  // a file, no terminal
+    testing::internal::CaptureStderr();  // a file, not a terminal
     {
         cli::Console console{"tool", verbosity};
         action(console);
@@ -20,7 +20,7 @@ std::string stderr_of(cli::Verbosity verbosity, auto&& action) {
     return testing::internal::GetCapturedStderr();
 }
 
-TEST(Console, QuietSaysNothingAndVerboseSaysMore) {
+TEST(Console, QuietPrintsNothingAndVerbosePrintsMore) {
     const auto action = [](cli::Console& console) {
         console.say("said");
         console.detail("detail");
@@ -33,7 +33,7 @@ TEST(Console, QuietSaysNothingAndVerboseSaysMore) {
               "tool: said\ntool: detail\ntool: warning: careful\ntool: 50 % half\n");
 }
 
-TEST(Console, NoNameSteersTheTerminalOrAddsALine) {
+TEST(Console, RemovesControlCharactersAndLineBreaks) {
     const std::string wild = "a\nb\033[31m\xff";
     const auto action = [&](cli::Console& console) {
         console.say(wild);
@@ -44,10 +44,10 @@ TEST(Console, NoNameSteersTheTerminalOrAddsALine) {
               "tool: a?b?[31m?\ntool: warning: a?b?[31m?\ntool: 50 % a?b?[31m?\n");
 }
 
-TEST(Console, NoNameOfAFileOrKeyReachesStderrAsItIs) {
+TEST(Console, RemovesControlCharactersFromNamesInErrors) {
     Folder folder;
     ASSERT_EQ(run(folder, "mesh-gen --template tube > tube.yaml").code, 0);
-    const std::string name = "n=$(printf 'x\\033[31m\\ny\\377'); ";  // an escape sequence, a line end, no UTF-8
+    const std::string name = "n=$(printf 'x\\033[31m\\ny\\377'); ";  // an escape sequence, a line break, invalid UTF-8
     for (const char* command :
          {"mesh-gen \"$n\"", "mesh-gen tube.yaml -o \"$n/a\"", "cp tube.yaml \"$n\"; mesh-gen \"$n\" --set a.b=1",
           "mesh-gen tube.yaml --set \"supports={$n: fixed}\"", "mesh-gen tube.yaml --set \"geometry.$n=1\"",
@@ -59,7 +59,7 @@ TEST(Console, NoNameOfAFileOrKeyReachesStderrAsItIs) {
     }
 }
 
-TEST(Console, ProgressOffATerminalIsALineATenth) {
+TEST(Console, ProgressWithoutATerminalPrintsOneLinePerTenPercent) {
     const std::string text = stderr_of(cli::Verbosity::normal, [](cli::Console& console) {
         for (int i = 0; i <= 1000; ++i) console.progress(i / 1000.0, "steps");
         console.progress(std::nan(""), "odd");
@@ -69,7 +69,7 @@ TEST(Console, ProgressOffATerminalIsALineATenth) {
     EXPECT_FALSE(holds(text, "\033"));
 }
 
-TEST(Console, ColourIsForTerminalsWithoutNoColor) {
+TEST(Console, UsesColourOnlyOnTerminalsWithoutNoColor) {
     Folder folder;
     ASSERT_EQ(run(folder, "mesh-gen --template tube > tube.yaml").code, 0);
     const std::string command = "mesh-gen tube.yaml --set mesh.size=9mm -o x.h5";  // coarse: one warning

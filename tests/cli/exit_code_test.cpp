@@ -11,7 +11,7 @@ namespace {
 using namespace soft;
 using namespace soft::process;
 
-/// One line on stderr that starts "mesh-gen: ", nothing on stdout, the code.
+/// Expects this exit code, one line on stderr that starts with "mesh-gen: ", and nothing on stdout.
 void expect_refusal(const Folder& folder, const std::string& command, int code, const std::string& part) {
     const Outcome outcome = run(folder, command);
     EXPECT_EQ(outcome.code, code) << command << "\n" << outcome.err;
@@ -45,7 +45,7 @@ TEST_F(ExitCodes, UsageIs64) {
     expect_refusal(folder_, "mesh-gen --quiet --verbose tube.yaml", 64, "exclude each other");
 }
 
-TEST_F(ExitCodes, BadInputIs65) {
+TEST_F(ExitCodes, InvalidInputIs65) {
     expect_refusal(folder_, "sed 's/cap: auto/cap: 5/' tube.yaml | mesh-gen", 65, "<stdin>:");
     expect_refusal(folder_, "sed 's/cap: auto/cpa: 5/' tube.yaml > x.yaml; mesh-gen x.yaml", 65,
                    "geometry.cpa: unknown key; did you mean 'cap'?");
@@ -69,39 +69,39 @@ TEST_F(ExitCodes, AnOutputThatCannotBeCreatedIs73) {
 
 TEST_F(ExitCodes, AFullDiskIs74AndLeavesNothing) {
     expect_refusal(folder_, "mesh-gen tube.yaml > /dev/full", 74, "No space left");
-    // A limit on the size of files stands in for a full disk: the same failed write, without a mount.
+    // A file size limit causes the same write error as a full disk, without a mount.
     const auto before = entries();
     expect_refusal(folder_, "ulimit -f 8; mesh-gen tube.yaml -o x.h5", 74, "x.h5: cannot be written");
     EXPECT_EQ(entries(), before);
 }
 
-TEST_F(ExitCodes, AClosedStreamIsAnErrorAndNotTheNextFile) {
+TEST_F(ExitCodes, AClosedStreamIsAnErrorAndItsDescriptorIsNotReused) {
     expect_refusal(folder_, "mesh-gen tube.yaml >&-", 74, "<stdout>");
     expect_refusal(folder_, "mesh-gen - <&-", 74, "<stdin>");
     EXPECT_EQ(run(folder_, "mesh-gen tube.yaml -o x.h5 2>&-").code, 0);
     EXPECT_EQ(slurp(folder_ / "x.h5").substr(1, 3), "HDF");  // messages did not go into the file
 }
 
-TEST_F(ExitCodes, AReaderThatLeavesEndsTheWriterQuietly) {
+TEST_F(ExitCodes, AClosedPipeEndsTheWriterWithoutAnError) {
     const Outcome outcome = run(folder_, "mesh-gen --quiet tube.yaml | head -c 5 > /dev/null; exit ${PIPESTATUS[0]}");
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
 }
 
-TEST_F(ExitCodes, BinaryIsNotWrittenToATerminal) {
+TEST_F(ExitCodes, BinaryDataAreNotWrittenToATerminal) {
     const Outcome outcome = run_on_terminal(folder_, 1, "mesh-gen tube.yaml");
     EXPECT_EQ(outcome.code, 64);
     EXPECT_EQ(outcome.out, "");
     EXPECT_TRUE(holds(outcome.err, "use -o FILE")) << outcome.err;
 }
 
-TEST_F(ExitCodes, ATerminalIsNoInput) {
+TEST_F(ExitCodes, ATerminalIsNotAcceptedAsInput) {
     const Outcome outcome = run_on_terminal(folder_, 0, "mesh-gen -o x.h5");
     EXPECT_EQ(outcome.code, 64);
-    EXPECT_TRUE(holds(outcome.err, "stdin is a terminal; name a file")) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, "stdin is a terminal; give a file")) << outcome.err;
 }
 
-TEST(Guarded, TurnsEveryExceptionIntoItsCode) {
+TEST(Guarded, MapsEveryExceptionToItsExitCode) {
     char name[] = "path/to/tool";
     char* argv[] = {name, nullptr};
     testing::internal::CaptureStderr();
@@ -118,7 +118,7 @@ TEST(Guarded, TurnsEveryExceptionIntoItsCode) {
     EXPECT_TRUE(holds(text, "this is a bug, please report it")) << text;
 }
 
-TEST(TakeRest, CutsAtTheFirstDoubleDash) {
+TEST(TakeLibraryOptions, SplitsAtTheFirstDoubleDash) {
     std::string words[] = {"solve", "case.h5", "--", "-ksp_view", "--", "x"};
     char* argv[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(),
                     words[4].data(), words[5].data(), nullptr};

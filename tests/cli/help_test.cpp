@@ -43,7 +43,7 @@ TEST(Help, ShowsTwoExamplesAndEveryExitCode) {
               (std::set<std::string>{"0", "1", "2", "64", "65", "66", "70", "73", "74"}));
 }
 
-TEST(Help, ItsExamplesRun) {
+TEST(Help, ExamplesRun) {
     Folder folder;
     const Outcome outcome = run(folder, "mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5");
     EXPECT_EQ(outcome.code, 0) << outcome.err;

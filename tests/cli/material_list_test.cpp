@@ -1,4 +1,4 @@
-// The list of material laws: on a terminal, and in the README.
+// The list of material laws, on a terminal and in the README.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -11,7 +11,7 @@ using namespace soft::process;
 
 constexpr std::string_view begin_mark = "<!-- materials -->\n", end_mark = "<!-- /materials -->";
 
-/// What stands between the marks in the section '## Materials' of a page; empty where there is no such section.
+/// The text between the marks in the section '## Materials' of a page; empty if there is no such section.
 std::string materials_section(const std::string& page) {
     const auto heading = page.find("\n## Materials\n");
     const auto begin = page.find(begin_mark, heading == std::string::npos ? page.size() : heading);
@@ -35,7 +35,7 @@ TEST(MaterialList, FitsATerminalAndNamesEveryLaw) {
     EXPECT_TRUE(holds(outcome.out, "Yeoh, Rubber Chem. Technol. 66 (1993) 754"));
 }
 
-TEST(MaterialList, IsTheSectionOfTheReadme) {
+TEST(MaterialList, EqualsTheSectionOfTheReadme) {
     Folder folder;
     const Outcome outcome = run(folder, "mesh-gen --list-materials --markdown");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -43,14 +43,14 @@ TEST(MaterialList, IsTheSectionOfTheReadme) {
         << "put the output of `mesh-gen --list-materials --markdown` between the marks in README.md";
 }
 
-TEST(MaterialList, ComparisonWithTheReadmeFindsAPlantedFault) {
+TEST(MaterialList, ComparisonWithTheReadmeDetectsADifference) {
     const std::string page = "# x\n## Materials\n\n<!-- materials -->\n| a |\n<!-- /materials -->\n";
     EXPECT_EQ(materials_section(page), "| a |\n");
     EXPECT_NE(materials_section(page), "| b |\n");
     EXPECT_EQ(materials_section("# x\n<!-- materials -->\n| a |\n<!-- /materials -->\n"), "");
 }
 
-TEST(MaterialList, MarkdownAloneIsAUsageError) {
+TEST(MaterialList, MarkdownWithoutTheListIsAUsageError) {
     Folder folder;
     EXPECT_EQ(run(folder, "mesh-gen --markdown").code, 64);
 }

@@ -19,12 +19,12 @@ std::vector<std::string> families(const Folder& folder) {
     return names;
 }
 
-TEST(MeshGen, EveryTemplateRunsWithoutAChange) {
+TEST(MeshGen, EveryTemplateRunsUnchanged) {
     Folder folder;
     const auto names = families(folder);
     EXPECT_GE(names.size(), 5u);
     for (const std::string& name : names) {
-        const Outcome outcome =  // from a folder without any file
+        const Outcome outcome =  // in an empty folder
             run(folder, "mkdir -p empty && cd empty && mesh-gen --template " + name + " | mesh-gen -q | head -c 4");
         EXPECT_EQ(outcome.code, 0) << name << outcome.err;
         EXPECT_EQ(outcome.out, "\x89HDF") << name;
@@ -32,14 +32,14 @@ TEST(MeshGen, EveryTemplateRunsWithoutAChange) {
     }
 }
 
-/// A bar of 40 x 10 x 10 with a closed cavity of 20 x 4 x 4, in the lengths of an OBJ file.
+/// A bar of 40 x 10 x 10 with a closed cavity of 20 x 4 x 4, in the length unit of an OBJ file.
 constexpr const char* hollow_bar =
     "printf 'v 0 0 0\\nv 40 0 0\\nv 40 10 0\\nv 0 10 0\\nv 0 0 10\\nv 40 0 10\\nv 40 10 10\\nv 0 10 10\\n"
     "v 10 3 3\\nv 30 3 3\\nv 30 7 3\\nv 10 7 3\\nv 10 3 7\\nv 30 3 7\\nv 30 7 7\\nv 10 7 7\\n"
     "f 4 3 2 1\\nf 5 6 7 8\\nf 1 2 6 5\\nf 2 3 7 6\\nf 3 4 8 7\\nf 4 1 5 8\\n"
     "f 9 10 11 12\\nf 16 15 14 13\\nf 13 14 10 9\\nf 14 15 11 10\\nf 15 16 12 11\\nf 16 13 9 12\\n' > bar.obj; ";
 
-TEST(MeshGen, ADescribedPartIsTheBeginningOfADesign) {
+TEST(MeshGen, DescriptionOfAPartIsTheBeginningOfADesign) {
     Folder folder;
     const Outcome described = run(
         folder, std::string{hollow_bar} + "mesh-gen --describe bar.obj --picture bar.svg -o bar.yaml && cat bar.yaml");
@@ -52,13 +52,13 @@ TEST(MeshGen, ADescribedPartIsTheBeginningOfADesign) {
     EXPECT_NE(run(folder, "cat bar.svg").out.find(">12</text>"), std::string::npos);
     const Outcome built =
         run(folder,
-            "held=$(sed -n 's/^ *\\(face_[0-9]*\\): {plane: {x: 0 mm}}.*/\\1/p' bar.yaml); "
+            "face=$(sed -n 's/^ *\\(face_[0-9]*\\): {plane: {x: 0 mm}}.*/\\1/p' bar.yaml); "
             "printf 'material: {law: neo-hookean, mu: 0.1 MPa, kappa: incompressible}\\nsupports: {fixed: %s}\\n"
-            "loads: {cavity: {pressure: 5 kPa}}\\n' $held >> bar.yaml; mesh-gen bar.yaml --check");
+            "loads: {cavity: {pressure: 5 kPa}}\\n' $face >> bar.yaml; mesh-gen bar.yaml --check");
     EXPECT_EQ(built.code, 0) << built.err;
 }
 
-TEST(MeshGen, APartOfOneMillimetreMayBeInInches) {
+TEST(MeshGen, WarnsThatAPartOfOneMillimetreMayBeInInches) {
     Folder folder;
     const std::string small = std::string{hollow_bar} + "sed '/^v/s/ \\([0-9]*\\)/ \\1e-2/g' bar.obj > small.obj; ";
     EXPECT_NE(run(folder, small + "mesh-gen --describe small.obj")
@@ -68,7 +68,7 @@ TEST(MeshGen, APartOfOneMillimetreMayBeInInches) {
     EXPECT_EQ(run(folder, "mesh-gen --describe bar.obj").err, "");
 }
 
-TEST(MeshGen, APartInPlaceOfADesignIsNamed) {
+TEST(MeshGen, APartGivenInsteadOfADesignIsReported) {
     Folder folder;
     for (const char* file : {"chamber.step", "a.STL", "b.obj"}) {
         const Outcome outcome = run(folder, std::string{"mesh-gen "} + file);
@@ -88,7 +88,7 @@ TEST(MeshGen, PipeAndFileGiveTheSameBytesTwice) {
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 
-TEST(MeshGen, SeveralDesignsGiveTheBytesOfEachAlone) {
+TEST(MeshGen, SeveralDesignsGiveTheSameBytesAsSeparateRuns) {
     Folder folder;
     const Outcome outcome = run(
         folder,
@@ -101,7 +101,7 @@ TEST(MeshGen, SeveralDesignsGiveTheBytesOfEachAlone) {
     EXPECT_EQ(outcome.err, "");
 }
 
-TEST(MeshGen, OfSeveralDesignsOneThatIsRefusedDoesNotStopTheOthers) {
+TEST(MeshGen, AnInvalidDesignDoesNotStopTheOthers) {
     Folder folder;
     const Outcome outcome = run(
         folder,
@@ -114,7 +114,7 @@ TEST(MeshGen, OfSeveralDesignsOneThatIsRefusedDoesNotStopTheOthers) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 2) << outcome.err;
 }
 
-/// Loading it and what it needs takes longer than everything else that a program does to start.
+/// Loading gmsh and its dependencies takes longer than the rest of the program start.
 TEST(MeshGen, GmshIsLoadedOnlyToMakeAMesh) {
     Folder folder;
     const auto loads = [&folder](const std::string& command) {
@@ -130,7 +130,7 @@ TEST(MeshGen, GmshIsLoadedOnlyToMakeAMesh) {
     EXPECT_EQ(loads("mesh-gen --check t.yaml"), 1);
 }
 
-TEST(MeshGen, TheSummaryHoldsTheVolumesOfTheClosedForm) {
+TEST(MeshGen, TheSummaryContainsTheExactVolumes) {
     Folder folder;
     const Outcome outcome =
         run(folder,
@@ -147,7 +147,7 @@ TEST(MeshGen, TheSummaryHoldsTheVolumesOfTheClosedForm) {
     EXPECT_FALSE(json.contains("mass_kg"));  // without a density
 }
 
-TEST(MeshGen, TheSummaryWeighsTheWholeActuator) {
+TEST(MeshGen, TheSummaryContainsTheMassOfTheWholeActuator) {
     Folder folder;
     const Outcome outcome =
         run(folder,
@@ -168,7 +168,7 @@ TEST(MeshGen, AQuarterSolidReportsTheWholeActuator) {
     EXPECT_NEAR(cavity, inside, 1e-3 * inside);  // second-order arcs, four around the quarter
 }
 
-TEST(MeshGen, TheUnknownsOfABarCanBeCounted) {
+TEST(MeshGen, CountsTheUnknownsOfABar) {
     Folder folder;
     const Outcome outcome =
         run(folder,
@@ -178,10 +178,10 @@ TEST(MeshGen, TheUnknownsOfABarCanBeCounted) {
     const auto json = nlohmann::json::parse(outcome.out);
     ASSERT_EQ(json.at("cells"), 2);
     ASSERT_EQ(json.at("points"), 5 * 3 * 3);
-    EXPECT_EQ(json.at("unknowns"), 3 * (5 * 3 * 3 - 9) + 2 * 4);  // one face held; four pressures a hexahedron
+    EXPECT_EQ(json.at("unknowns"), 3 * (5 * 3 * 3 - 9) + 2 * 4);  // one fixed face; four pressures per hexahedron
 }
 
-TEST(MeshGen, CheckCountsItsWarnings) {
+TEST(MeshGen, CheckCountsWarnings) {
     Folder folder;
     const Outcome outcome = run(folder,
                                 "mesh-gen --template tube > t.yaml && mesh-gen --check t.yaml --set material.mu=100MPa "
@@ -194,7 +194,7 @@ TEST(MeshGen, CheckCountsItsWarnings) {
     EXPECT_TRUE(holds(outcome.err, "t.yaml: valid, 2 warnings\n")) << outcome.err;
 }
 
-TEST(MeshGen, WarnsOfTheMemoryOfAMillionUnknowns) {
+TEST(MeshGen, WarnsAboutTheMemoryOfAMillionUnknowns) {
     Folder folder;
     const Outcome large = run(
         folder, "mesh-gen --template rod > r.yaml && mesh-gen --check r.yaml --set mesh.size=0.6mm --set mesh.order=2");
@@ -217,14 +217,14 @@ TEST(MeshGen, CheckAndExplainWriteNoCase) {
     EXPECT_TRUE(holds(explain.out, "given at --set geometry.wall"));
 }
 
-TEST(MeshGen, StdoutByItsNameIsStdout) {
+TEST(MeshGen, AcceptsTheDeviceNameOfStdout) {
     Folder folder;
     const Outcome outcome = run(folder, "mesh-gen --template rod | mesh-gen --check --json /dev/stdout | cat");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(nlohmann::json::parse(outcome.out).at("name"), "rod");
 }
 
-TEST(MeshGen, ShortAndLongPathsOfAnOverrideMeanTheSame) {
+TEST(MeshGen, ShortAndLongPathsOfAnOverrideAreEquivalent) {
     Folder folder;
     const Outcome outcome =
         run(folder,

@@ -25,7 +25,7 @@ inline std::string slurp(const fs::path& path) {
     return text.str();
 }
 
-/// A folder that goes with the object; commands run in it.
+/// A temporary folder in which commands run; the destructor removes it.
 class Folder {
 public:
     Folder() {
@@ -45,7 +45,7 @@ private:
     fs::path path_;
 };
 
-/// bash -c command with `mesh-gen` on the path, stdin empty unless the command redirects it.
+/// Runs `bash -c command` with `mesh-gen` on PATH; stdin is empty unless the command redirects it.
 inline Outcome run(const Folder& folder, const std::string& command) {
     const fs::path out = fs::path{folder.path()} += ".out", err = fs::path{folder.path()} += ".err";
     const pid_t child = ::fork();
@@ -66,13 +66,13 @@ inline Outcome run(const Folder& folder, const std::string& command) {
     return outcome;
 }
 
-/// The same with a terminal as the given stream (0, 1 or 2); what reaches the terminal is in `out`.
+/// Like run, with a terminal as the given stream (0, 1 or 2); `out` also contains the terminal output.
 inline Outcome run_on_terminal(const Folder& folder, int stream, const std::string& command) {
     const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
     ::grantpt(terminal);
     ::unlockpt(terminal);
     const std::string name = ::ptsname(terminal);
-    // Open until the end: a terminal that nobody has open loses what was written to it.
+    // Keep the terminal open: otherwise the written data are lost when the command ends.
     const int keep = ::open(name.c_str(), O_RDWR | O_NOCTTY);
     Outcome outcome = run(folder, "exec " + std::to_string(stream) + (stream == 0 ? "<" : ">") + name + "; " + command);
     ::fcntl(terminal, F_SETFL, O_NONBLOCK);

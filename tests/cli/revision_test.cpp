@@ -28,7 +28,7 @@ TEST_F(Revision, IsUnknownOutsideAClone) {
     EXPECT_EQ(revision(), "unknown");
 }
 
-TEST_F(Revision, NamesTheCommitAndMarksChanges) {
+TEST_F(Revision, ContainsTheCommitAndMarksChanges) {
     const std::string setup =
         "export HOME=$PWD; git init -q source && cd source && echo a > file && git add file && "
         "git -c user.name=n -c user.email=e@x commit -q -m m && git rev-parse --short=12 HEAD";
@@ -38,7 +38,7 @@ TEST_F(Revision, NamesTheCommitAndMarksChanges) {
     EXPECT_EQ(revision(), commit);
     const auto written = fs::last_write_time(folder_ / "revision.hpp");
     EXPECT_EQ(revision(), commit);
-    EXPECT_EQ(fs::last_write_time(folder_ / "revision.hpp"), written);  // unchanged: nothing is built again
+    EXPECT_EQ(fs::last_write_time(folder_ / "revision.hpp"), written);  // unchanged: nothing is rebuilt
     folder_.write("source/file", "b");
     EXPECT_EQ(revision(), commit + "-dirty");
 }

@@ -5,9 +5,9 @@
 runs 'mesh-gen -q designs/tube.yaml --set solver.step_accuracy=1e-5 -o case.h5 && solve -q case.h5 -o whole && postprocess -q whole -o whole.csv'
 # A solve is at work on place/out while COMMAND runs, and the file is its own in the end.
 beside='solve -q case.h5 -o place/out & while [ ! -e place/out ] && kill -0 $! 2>/dev/null; do sleep 0.01; done;'
-row 'a second solve -o' solve 73 'place/out: another solve is writing it; wait for its end, or name another file' 'the whole curve' \
+row 'a second solve -o' solve 73 'place/out: another solve is writing to it; wait until it ends or choose another file' 'the whole curve' \
     "$beside solve -q case.h5 -o place/out; code=\$?; wait; exit \$code"
-row 'solve --resume of a file in work' solve 73 'place/out: another solve is writing it; wait for its end, or name another file' 'the whole curve' \
+row 'solve --resume of a file in work' solve 73 'place/out: another solve is writing to it; wait until it ends or choose another file' 'the whole curve' \
     "$beside solve -q --resume place/out; code=\$?; wait; exit \$code"
 row 'a reader meanwhile' solve 0 - 'the whole curve' "$beside postprocess -q place/out >part.csv; cmp part.csv <(head -n \$(wc -l <part.csv) whole.csv); wait"
 row 'two mesh-gen -o' mesh-gen 0 - 'a whole case' \

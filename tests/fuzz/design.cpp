@@ -1,4 +1,4 @@
-/// YAML designs with the keys of all families.
+/// Fuzz target: YAML designs with the keys of all families.
 #include "design/design.hpp"
 
 #include <algorithm>
@@ -7,11 +7,11 @@
 #include "geometry/family.hpp"
 #include "target.hpp"
 
-/// Families whose body is a mesh already; gmsh, which makes it, cannot be loaded under the sanitizers.
+/// Families whose build needs gmsh, which cannot be loaded under the sanitizers.
 constexpr std::array meshed{"segment", "fiber-tube", "imported"};
 
 void soft::fuzz::read(std::span<const std::byte> bytes) {
-    constexpr std::string_view source = "designs/fuzz.yaml";  // files that it names are meant from there
+    constexpr std::string_view source = "designs/fuzz.yaml";  // base of relative file names
     const auto read_again = [&](std::string_view text) {
         return design::read_design(text, source, geometry::catalogue_keys(), {});
     };

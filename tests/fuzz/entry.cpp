@@ -1,4 +1,4 @@
-/// libFuzzer's way in. A fault ends the process, as the fuzzer wants it.
+/// Entry point for libFuzzer. A fault aborts the process, as libFuzzer expects.
 #include <pthread.h>
 #include <sanitizer/common_interface_defs.h>
 
@@ -8,7 +8,7 @@
 
 #include "target.hpp"
 
-/// A process that a reader makes for itself (core/subprocess.hpp) may crash: that is no find.
+/// A crash in a subprocess of a reader (core/subprocess.hpp) is not a finding.
 extern "C" int LLVMFuzzerInitialize(int*, char***) {
     return pthread_atfork(nullptr, nullptr, [] { __sanitizer_set_death_callback(nullptr); });
 }

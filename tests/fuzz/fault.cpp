@@ -22,8 +22,8 @@ std::optional<std::string> fault_of(const Error& error) {
 
 }  // namespace
 
-void require(bool holds, std::string_view claim) {
-    if (!holds) throw Claim{std::string{claim}};
+void require(bool is_true, std::string_view claim) {
+    if (!is_true) throw Claim{std::string{claim}};
 }
 
 void even_so(const std::function<void()>& reads) {

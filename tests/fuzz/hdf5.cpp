@@ -1,4 +1,4 @@
-/// HDF5 files as bytes. Those without a seal, nearly all here, are read on trial first.
+/// Fuzz target: HDF5 files as bytes. Nearly all inputs lack a seal and are therefore first read in a subprocess.
 #include "io/case_file.hpp"
 #include "io/result_file.hpp"
 #include "target.hpp"

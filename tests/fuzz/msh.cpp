@@ -1,4 +1,4 @@
-/// Gmsh meshes.
+/// Fuzz target: Gmsh meshes.
 #include "meshing/import.hpp"
 #include "target.hpp"
 

@@ -1,4 +1,4 @@
-/// A reader with faults that the machinery must find: tests/fuzz/planted holds a file for each.
+/// A reader with planted faults that the fuzzing code must detect: tests/fuzz/planted contains a file for each.
 #include <stdexcept>
 
 #include "core/error.hpp"
@@ -10,5 +10,5 @@ void soft::fuzz::read(std::span<const std::byte> bytes) {
     if (text.starts_with("lines")) throw Error(ExitCode::bad_input, "planted", "two\nlines");
     if (text.starts_with("blame")) throw Error(ExitCode::internal, "planted", "a bug");
     if (text.starts_with("claim")) require(false, "planted");
-    throw Error(ExitCode::bad_input, "planted", "refused as it should");
+    throw Error(ExitCode::bad_input, "planted", "correctly rejected");
 }

@@ -1,4 +1,4 @@
-/// Numbers with units, read as everything that can be measured.
+/// Fuzz target: numbers with units, parsed as every dimension.
 #include <cmath>
 
 #include "core/units.hpp"
@@ -16,7 +16,7 @@ void soft::fuzz::read(std::span<const std::byte> bytes) {
         require(std::isfinite(*value), "a quantity is finite");
         const auto again = core::parse_quantity(tidy, dimension);
         require(std::holds_alternative<double>(again) && std::get<double>(again) == *value,
-                "a tidied quantity is the same");
+                "a tidied quantity parses to the same value");
         static_cast<void>(core::quantity_text(*value, dimension));
     }
     static_cast<void>(core::quantity_or_throw(text, core::Dimension::pressure, ExitCode::bad_input, "--set key"));

@@ -1,5 +1,5 @@
-/// Kept inputs once more, without a fuzzer:  replay FILE|FOLDER...   Exit 1 names the first file that is not taken as it should, or
-/// that takes more time or memory than README.md states.
+/// Replays stored inputs without a fuzzer:  replay FILE|FOLDER...   Exit code 1 with the first file that triggers a fault or exceeds
+/// the time or memory limits of README.md.
 #include <sys/resource.h>
 
 #include <chrono>

@@ -1,4 +1,4 @@
-/// Surfaces as STL and OBJ, and their repair.
+/// Fuzz target: surfaces in STL and OBJ format, and their repair.
 #include "surface/body_surface.hpp"
 
 #include <cmath>

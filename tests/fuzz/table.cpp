@@ -1,4 +1,4 @@
-/// CSV: measured curves, test data, outlines of profiles.
+/// Fuzz target: CSV with measured curves, test data and outlines of profiles.
 #include "table/table.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-/// Readers under hostile input. One file a reader defines read(); the fuzzer (entry.cpp) or the replay of kept files (replay.cpp)
-/// calls it with the bytes, through fault_of().
+/// Interface of the fuzz targets. Each target is one file that defines read(); the fuzzer (entry.cpp) or the replay of stored inputs
+/// (replay.cpp) calls it through fault_of().
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -10,20 +10,20 @@
 
 namespace soft::fuzz {
 
-/// Hands the bytes to a reader. Throws Claim where what was read contradicts itself.
+/// Passes the bytes to a reader. Throws Claim if the data read violate a property.
 void read(std::span<const std::byte> bytes);
 
-/// A property of the reader that does not hold, such as: what was written out reads back to the same.
+/// A violated property of the reader, for example that written data read back unchanged.
 struct Claim {
     std::string text;
 };
-void require(bool holds, std::string_view claim);
+void require(bool is_true, std::string_view claim);
 
-/// Runs one reader of several: what this one refuses, the others may take. A fault in the refusal is one of the target.
+/// Runs one of several readers and ignores a valid rejection, so that the next reader runs too. A faulty rejection throws Claim.
 void even_so(const std::function<void()>& reads);
 
-/// What is wrong with how the reader takes the bytes; nullopt where it takes or refuses them as it should: the only thing that
-/// may leave it is an Error that blames the input (not `internal`, not `ok`), in one line of printable text.
+/// Fault of the reader for these bytes; nullopt if it accepts or correctly rejects them. A correct rejection is an Error that blames
+/// the input (not `internal`, not `ok`) in one line of printable UTF-8.
 [[nodiscard]] std::optional<std::string> fault_of(std::span<const std::byte> bytes);
 
 [[nodiscard]] inline std::string_view text_of(std::span<const std::byte> bytes) {

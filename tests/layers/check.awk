@@ -1,8 +1,8 @@
-# Checks the arrows of the house.  awk -f check.awk dependencies.txt FILE...   with FILEs named lib/<module>/...
-# (headers, sources and the modules' CMakeLists.txt). Prints "file:line: what is wrong; what would be right" for each
-# violation and exits 1 if there was one, 2 if it was given nothing to check.
+# Checks the dependencies between modules.  awk -f check.awk dependencies.txt FILE...   with FILEs named lib/<module>/...
+# (headers, sources and the modules' CMakeLists.txt). Prints "file:line: problem; remedy" for each violation.
+# Exit code 1 if there are violations, 2 if no files were given.
 
-function violation(place, text) { print place ": " text; violations++ }
+function violation(location, text) { print location ": " text; violations++ }
 function module_of(path,  part) { split(path, part, "/"); return part[2] }
 
 # ---- the table
@@ -17,7 +17,7 @@ FILENAME == ARGV[1] {
 
 FNR == 1 {
     file = FILENAME; module = module_of(file); in_list = 0; uses = 0; files++
-    if (!(module in known)) violation(file, "module " module " is not in tests/layers/dependencies.txt; add its arrows there")
+    if (!(module in known)) violation(file, "module " module " is not in tests/layers/dependencies.txt; add it there")
 }
 
 # ---- USES lists of the modules' CMakeLists.txt
@@ -32,7 +32,7 @@ file ~ /CMakeLists\.txt$/ {
             if (!uses) continue
             declared[module, word[i]] = 1
             if (!((("module" SUBSEP module) SUBSEP word[i]) in allowed))
-                violation(file ":" FNR, "USES " word[i] " is no arrow of module " module "; see tests/layers/dependencies.txt")
+                violation(file ":" FNR, "USES " word[i] " is not an allowed dependency of module " module "; see tests/layers/dependencies.txt")
         }
         if (ends) in_list = uses = 0
     }
@@ -43,32 +43,32 @@ file ~ /CMakeLists\.txt$/ {
 /^[ \t]*#[ \t]*include[ \t]*["<]/ {
     quoted = $0 ~ /include[ \t]*"/
     header = $0; sub(/^[^"<]*["<]/, "", header); sub(/[">].*/, "", header)
-    place = file ":" FNR
+    location = file ":" FNR
     target = header; sub(/\/.*/, "", target)
     if (header ~ /\// && target in known) {
         includes++
-        edge_count++; from[edge_count] = file; to[edge_count] = "lib/" header; at[edge_count] = place
+        edge_count++; from[edge_count] = file; to[edge_count] = "lib/" header; at[edge_count] = location
         if (target != module) {
             if (!(("module", module, target) in allowed))
-                violation(place, "module " module " may not include " header "; see tests/layers/dependencies.txt")
-            if (!((module, target) in included)) included[module, target] = place
+                violation(location, "module " module " may not include " header "; see tests/layers/dependencies.txt")
+            if (!((module, target) in included)) included[module, target] = location
         }
     } else if (header ~ /(^|\/)(\.\.|tools)\//) {
-        violation(place, header " leads out of lib/; nobody includes tools, and paths start at a module")
+        violation(location, header " is outside lib/; include only files of lib, with paths that start at a module")
     } else if (quoted) {
-        violation(place, "\"" header "\" does not start with a module; write \"module/file.hpp\"")
+        violation(location, "\"" header "\" does not start with a module; write \"module/file.hpp\"")
     }
     for (i = 1; i <= header_count; i++)
         if (index(header, headers[i]) == 1) {
             reached[file, headers[i]] = 1
             if (!(("header", headers[i], module) in allowed))
-                violation(place, "module " module " may not see <" header ">; see tests/layers/dependencies.txt")
+                violation(location, "module " module " may not include <" header ">; see tests/layers/dependencies.txt")
         }
 }
 
 END {
     if (files == 0) { print "no files were given"; exit 2 }
-    # What each file reaches through the headers it includes, until nothing new is found.
+    # Propagate the restricted headers that each file reaches through its includes until nothing changes.
     do {
         changed = 0
         for (e = 1; e <= edge_count; e++)

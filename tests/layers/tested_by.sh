@@ -1,5 +1,5 @@
 #!/bin/sh
-# Every test that a header of lib/ names as its own ("Tested by module/name_test") exists.
+# Checks that every test named in a header of lib/ ("Tested by module/name_test") exists.
 #   tested_by.sh SOURCE_DIR
 cd "$1" || exit 1
 named=$(grep -rhoE '[a-z_]+/[a-z_]+_test\b' lib --include='*.hpp' | sort -u)

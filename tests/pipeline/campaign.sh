@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# A small campaign runs whole, the same twice, and its confirmations find false reasons.   campaign.sh BIN CMAKE
+# Runs a small campaign twice and checks that it detects false stop reasons.   campaign.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 campaign=$here/../../scripts/campaign
 
-# Reasons that are true, and planted ones that are not
+# True and false stop reasons
 judged() { campaign judge "$1" "$2" >"$seen/verdict" 2>&1; }
-only() {   # only RESULT REASON...: these are confirmed, no others
+only() {   # only RESULT REASON...: exactly these reasons are confirmed
     local reason
     for reason in "done" limit_point self_contact inverted_element step_limit diverged; do
         if [[ " ${*:2} " == *" $reason "* ]]; then
@@ -27,14 +27,14 @@ run "mesh-gen -q designs/sphere.yaml --set geometry.outer_radius=11mm --set mesh
 only behind.h5 limit_point
 run "mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set geometry.convolutions=2 --set loads.cavity.pressure=-30kPa --set \"path={control: auto}\" | solve -q -o touching.h5"
 only touching.h5 self_contact
-# Under the volume the load has its maximum long before the path ends; walls that meet within the first step
+# Under volume control the load has its maximum long before the path ends; and walls that touch within the first step
 run "mesh-gen -q designs/sphere.yaml --set geometry.outer_radius=11mm --set mesh.size=1mm --set \"path={control: volume, stretch_limit: 4}\" | solve -q -o inflated.h5"
 only inflated.h5 limit_point
 run "mesh-gen -q designs/bellows.yaml --set mesh.size=3mm --set geometry.convolutions=2 --set geometry.wall=2mm --set loads.cavity.pressure=-30kPa --set \"path={control: volume}\" --set solver.first_step=0.2 --set solver.steps=constant | solve -q -o atonce.h5"
 claim "two rows" [ "$(postprocess -q atonce.h5 | wc -l)" -eq 3 ]
 only atonce.h5 self_contact
 
-# Designs of all kinds, to their limit
+# Designs of all kinds
 if [ -z "$(type -P parallel)" ]; then
     echo 'skipped: parallel (package parallel) is not installed'
     exit 0
@@ -44,11 +44,11 @@ refuses 64 "campaign: 'many' is not a number" "$campaign many"
 LIMIT=240
 runs "$campaign 20 --seed 7 --jobs 1 --folder first"
 claim "twenty rows" [ "$(wc -l <first/outcomes.csv)" -eq 21 ]
-claim "each with a reason that is confirmed" [ "$(cut -d, -f 8 first/outcomes.csv | sed 1d | sort -u)" = 1 ]
-claim "of several families" [ "$(cut -d, -f 3 first/outcomes.csv | sed 1d | sort -u | wc -l)" -ge 5 ]
-claim "the tables tell what they are of" grep -q '^20 designs, .* .diverged. 0 (0 %), reason not confirmed 0 (0 %)' "$seen/out"
+claim "each stop reason is confirmed" [ "$(cut -d, -f 8 first/outcomes.csv | sed 1d | sort -u)" = 1 ]
+claim "there are several families" [ "$(cut -d, -f 3 first/outcomes.csv | sed 1d | sort -u | wc -l)" -ge 5 ]
+claim "the tables state the number of designs" grep -q '^20 designs, .* .diverged. 0 (0 %), reason not confirmed 0 (0 %)' "$seen/out"
 runs "$campaign 2 --seed 7 --jobs 1 --folder again"
-claim "a draw depends on the seed and the number alone" cmp <(cut -d, -f 1-6 again/plan.csv) <(head -n 2 first/plan.csv)
+claim "a design depends only on seed and number" cmp <(cut -d, -f 1-6 again/plan.csv) <(head -n 2 first/plan.csv)
 before=$(stat -c %Y first/*/status | sort | tail -n 1)
 runs "$campaign 20 --seed 7 --jobs 1 --folder first"
-claim "what is computed is not computed again" [ "$(stat -c %Y first/*/status | sort | tail -n 1)" = "$before" ]
+claim "existing results are not computed again" [ "$(stat -c %Y first/*/status | sort | tail -n 1)" = "$before" ]

@@ -1,8 +1,8 @@
 # shellcheck shell=bash
-# What the scripts of this folder share; the first argument of a script is the folder of the tools, the second cmake:
+# Shared functions of the test scripts. The first argument of a script is the folder of the tools, the second cmake:
 #   . check.sh BIN [CMAKE]
-# The script goes on in a scratch folder with copies of designs/ and meshes/ and the tools first on the PATH. It fails
-# when a claim is not true, when it makes no claim, and when it stops early. Held by self_check.sh.
+# The script continues in a scratch folder with copies of designs/ and meshes/; the tools are first on PATH. It fails if a claim is
+# false, if it makes no claim, or if it stops early. Tested by self_check.sh.
 set -uo pipefail
 bin=$(realpath "$1")
 cmake=${2:-cmake}
@@ -20,12 +20,12 @@ status=
 finish() {
     local code=$?
     rm -rf "$work"
-    if ((failures == 0 && code == 0)); then echo "all of $claims claims hold"; else echo "$failures of $claims claims fail"; fi
+    if ((failures == 0 && code == 0)); then echo "all $claims claims are true"; else echo "$failures of $claims claims are false"; fi
     ((code == 0 && claims > 0 && failures == 0)) || exit 1
 }
 trap finish EXIT
 
-run() {   # run COMMAND: a shell line, without input; $status, and what it printed in $seen/out and $seen/err
+run() {   # run COMMAND: runs a shell command without input; sets $status, writes its output to $seen/out and $seen/err
     line=$1
     timeout --kill-after=5 "${LIMIT:-120}" bash -o pipefail -c "$1" >"$seen/out" 2>"$seen/err" </dev/null
     status=$?
@@ -45,33 +45,33 @@ runs() {   # runs COMMAND: it must exit with 0
     claim "it runs" exits 0
 }
 
-refuses() {   # refuses CODE PATTERN COMMAND: with this exit code, an empty stdout and one line that is PATTERN on stderr
+refuses() {   # refuses CODE PATTERN COMMAND: expects this exit code, an empty stdout and one line on stderr that matches PATTERN
     run "$3"
     claim "the exit code is $1" exits "$1"
-    claim "stdout stays empty" [ ! -s "$seen/out" ]
+    claim "stdout is empty" [ ! -s "$seen/out" ]
     claim "the one line on stderr is: $2" says "$2"
 }
 
 exits() { [ "$status" -eq "$1" ]; }
 quiet() { [ ! -s "$seen/err" ]; }
 says() { [ "$(wc -l <"$seen/err")" -eq 1 ] && like "$(cat "$seen/err")" "$1"; }
-# shellcheck disable=SC2053  # the right side is a pattern
+# shellcheck disable=SC2053  # the right-hand side is a pattern
 like() { [[ $1 == $2 ]]; }
 not() { ! "$@"; }
 within() { awk -v x="$1" -v low="$2" -v high="$3" 'BEGIN { exit !(x ~ /^[-+.0-9]/ && x >= low && x <= high) }'; }   # X LOW HIGH
 
-json() { "$cmake" -D "FILE=$PWD/$1" -D "KEYS=$(IFS=';'; echo "${*:2}")" -P "$here/json.cmake"; }   # FILE KEY...: its value
+json() { "$cmake" -D "FILE=$PWD/$1" -D "KEYS=$(IFS=';'; echo "${*:2}")" -P "$here/json.cmake"; }   # json FILE KEY...: prints the value
 has() { local value; value=$(json "${@:2}") && like "$value" "$1"; }   # has PATTERN FILE KEY...
 
-column() {   # column NAME FILE.csv: its numbers
+column() {   # column NAME FILE.csv: prints the values of the column
     awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i; if (!c) exit 1; next } { print $c }' "$2"
 }
-table() {   # table FILE.csv: a header, two rows or more, as many finite numbers in each
+table() {   # table FILE.csv: has a header and at least two rows with the same number of finite numbers
     awk -F, 'NR == 1 { n = NF; if ($0 !~ /^step,(time_s,)?(stage,)?(pressure_kPa|traction_kPa|load_factor),.*,stable(,stable_under_control)?$/) bad = 1; next }
              { if (NF != n) bad = 1; for (i = 1; i <= NF; ++i) if ($i !~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/) bad = 1 }
              END { exit bad || NR < 3 }' "$1"
 }
-near() {   # near A.csv B.csv TOLERANCE: same header and rows; all columns agree, relative to the largest number of each
+near() {   # near A.csv B.csv TOLERANCE: same header and rows; all columns agree relative to the maximum of the column
     awk -F, -v tolerance="$3" '
         { if (NF != fields && NR > 1) bad = 1; fields = NF }
         NR == FNR { line[FNR] = $0; rows = FNR
@@ -89,7 +89,7 @@ near() {   # near A.csv B.csv TOLERANCE: same header and rows; all columns agree
         }
         END { exit bad || !compared || FNR != rows }' "$1" "$2"
 }
-agree() {   # agree A.csv B.csv TOLERANCE [COLUMN...]: same header and rows; all, or these, columns agree relatively
+agree() {   # agree A.csv B.csv TOLERANCE [COLUMN...]: same header and rows; all or the given columns agree relative to each value
     awk -F, -v tolerance="$3" -v only=" ${*:4} " '
         NR == FNR { line[FNR] = $0; rows = FNR; next }
         FNR == 1 { if ($0 != line[1]) bad = 1; for (i = 1; i <= NF; ++i) name[i] = $i }

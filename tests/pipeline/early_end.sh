@@ -1,97 +1,98 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016  # the commands expand their own variables
-# Exit code 2: the path ends early, the steps reached are kept.   early_end.sh BIN CMAKE
+# Exit code 2: the path ends early and the converged steps are kept.   early_end.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 runs 'mesh-gen -q designs/tube.yaml -o case.h5'
 
 refuses 2 'solve: limit_point: the load has a maximum at 44.3* kPa, *path.control: auto *' \
     'solve case.h5 --set path.control=pressure --json limit.json -o limit.h5 2>&1 | grep -Ev "solve: [0-9]* (%|unknowns)" >&2'
-claim "the cause is in the summary" has limit_point limit.json stop_reason
-claim "with the limit pressure 44.34 kPa" within "$(json limit.json limit_points 0 pressure_Pa)" 44317 44361
+claim "the summary contains the stop reason" has limit_point limit.json stop_reason
+claim "the limit pressure is 44.34 kPa" within "$(json limit.json limit_points 0 pressure_Pa)" 44317 44361
 runs 'postprocess -q limit.h5 --json curve.json -o curve.csv'
-claim "postprocess finds the cause in the file" has limit_point curve.json stop_reason
+claim "postprocess reports the stop reason" has limit_point curve.json stop_reason
 claim "the curve is kept" table curve.csv
 claim "up to the limit pressure" within "$(column pressure_kPa curve.csv | sort -g | tail -n 1)" 44.317 44.361
-claim "and no further than 13.45 mm" within "$(column elongation_mm curve.csv | sort -g | tail -n 1)" 13 13.6
+claim "up to 13.45 mm" within "$(column elongation_mm curve.csv | sort -g | tail -n 1)" 13 13.6
 
 refuses 2 'solve: step_limit: 3 steps were not enough; *' \
     'solve case.h5 --set solver.step_limit=3 --json short.json -o short.h5 2>&1 | grep -Ev "solve: [0-9]* (%|unknowns)" >&2'
-claim "the cause is in the summary" has step_limit short.json stop_reason
+claim "the summary contains the stop reason" has step_limit short.json stop_reason
 runs 'postprocess -q short.h5 -o curve.csv'
 claim "three steps are kept" [ "$(column step curve.csv | tail -n 1)" = 3 ]
 
 run 'mesh-gen -q designs/tube.yaml --set solver.step_limit=2 | solve -q | postprocess -q > piped.csv; echo "${PIPESTATUS[*]}"'
-claim "a pipe shows the 2 of solve and still brings the curve" [ "$(cat "$seen/out")" = '0 2 0' ]
-claim "which is a curve" table piped.csv
+claim "in a pipe solve returns 2 and postprocess still writes the curve" [ "$(cat "$seen/out")" = '0 2 0' ]
+claim "the curve is a table" table piped.csv
 run 'mesh-gen -q designs/tube.yaml --set solver.step_limit=2 | solve --quiet > x.h5'
-claim "--quiet leaves the exit code" exits 2
-claim "and nothing else" quiet
+claim "--quiet keeps the exit code" exits 2
+claim "--quiet prints nothing" quiet
 
-# The pressure of a long neo-Hookean ring has no maximum but an asymptote, mu ln(B/A) = 113.9534 kPa
+# The pressure of a long neo-Hookean ring has no maximum but the asymptote mu ln(B/A) = 113.9534 kPa
 run "mesh-gen -q designs/ring.yaml --set mesh.quality=fine --set \"path={control: auto}\" | solve --json ring.json -o ring.h5"
-claim "a load beyond an asymptote ends as one beyond a maximum" exits 2
-claim "with its own words" has 'the requested load is never reached: the load tends to *' ring.json detail
-claim "at the end of patience, a stretch of 10, or soon after" within "$(postprocess -q ring.h5 | column stretch_p99 /dev/stdin | tail -n 1)" 10 60
-claim "at the asymptote, to the error of the mesh" within "$(postprocess -q ring.h5 | column pressure_kPa /dev/stdin | tail -n 1)" 113.9 113.954
+claim "a load beyond an asymptote ends the path early" exits 2
+claim "the message describes the asymptote" has 'the requested load is never reached: the load tends to *' ring.json detail
+claim "the path ends soon after a stretch of 10" within "$(postprocess -q ring.h5 | column stretch_p99 /dev/stdin | tail -n 1)" 10 60
+claim "the pressure reaches the asymptote within the mesh error" within "$(postprocess -q ring.h5 | column pressure_kPa /dev/stdin | tail -n 1)" 113.9 113.954
 
-# What rounding leaves of a residual is no reason to end: far stretched rubber, and change of volume read from positions
+# A residual limited by rounding does not end the path: large stretches, and volume change computed from positions
 bladder='mesh-gen -q designs/revolved.yaml --set "material={law: yeoh, c1: 20 kPa, c2: 1.5 kPa, c3: 8 Pa}" --set loads.cavity.pressure=400kPa --set mesh.size=4mm --set mesh.through_wall=2'
 runs "$bladder --set 'path={control: pressure, contact: ignore}' | solve -q | postprocess -q -o bladder.csv"
-claim "a bladder is followed to a stretch of 15 and more" within "$(column stretch_p99 bladder.csv | tail -n 1)" 15 40
+claim "a bladder reaches a stretch above 15" within "$(column stretch_p99 bladder.csv | tail -n 1)" 15 40
 thin='mesh-gen -q designs/tube.yaml --set geometry.length=34mm --set geometry.outer_radius=7.04mm --set geometry.inner_radius=6.47mm --set loads.cavity.pressure=1kPa --set "path={control: auto}"'
 runs "$thin --set mesh.size=0.86mm --set mesh.formulation=f-bar --set mesh.order=1 --set material.kappa=700MPa | solve -q | postprocess -q -o bar.csv"
 runs "$thin --set mesh.size=0.57mm | solve -q | postprocess -q -o mixed.csv"
 bar=$(column elongation_mm bar.csv | tail -n 1)
 mixed=$(column elongation_mm mixed.csv | tail -n 1)
-claim "F-bar cells of rubber with kappa = 4000 mu come within 3 % of mixed cells" within "$(awk -v a="$bar" -v b="$mixed" 'BEGIN { print a / b }')" 0.97 1.03
+claim "F-bar cells with kappa = 4000 mu agree with mixed cells within 3 %" within "$(awk -v a="$bar" -v b="$mixed" 'BEGIN { print a / b }')" 0.97 1.03
 
-# A path that turns back past its limit point ends there: one cell of an unstable law is crushed, and the path would pass its own
-# states again, down to zero and into vacuum.
+# A path that turns back past its limit point ends there: one cell with an unstable law is crushed, and the path would return through its
+# own states to zero load and beyond.
 yeoh='material={law: yeoh, c1: 100.55 kPa, c2: 6.387 kPa, c3: -0.14916 kPa, kappa: incompressible}'
 for full in 40kPa 60kPa; do
     run "mesh-gen -q designs/bellows.yaml --set '$yeoh' --set geometry.wall=1.5mm --set geometry.convolutions=2 --set loads.cavity.pressure=$full --set path={} | solve -q --json back.json -o back.h5"
     claim "a path that turns back under $full ends early" exits 2
-    claim "and says so" has 'the requested load is not reached: the path retraces itself, *' back.json detail
+    claim "the message gives the reason" has 'the requested load is not reached: the path retraces itself, *' back.json detail
     postprocess -q back.h5 -o back.csv
-    claim "beside its limit point, 34.68 kPa, not at zero" within "$(column pressure_kPa back.csv | tail -n 1)" 34.3 34.69
+    claim "the path ends near its limit point of 34.68 kPa" within "$(column pressure_kPa back.csv | tail -n 1)" 34.3 34.69
 done
 claim "the table has one row at 10 kPa" [ "$(postprocess -q back.h5 --at pressure=10kPa | wc -l)" = 2 ]
 
-# A count of negative pivots that changes by rounding, at another place with every step, is no bifurcation.
+# A number of negative pivots that changes by rounding, at other positions with other steps, is not a bifurcation.
 for accuracy in 0.002 0.0005; do
     run "mesh-gen -q designs/bellows.yaml --set 'path={control: auto, until: {elongation: 260 mm}, stretch_limit: 4.5}' --set loads.cavity.pressure=60kPa --set loads.cavity.sealed=false --set solver.step_accuracy=$accuracy | solve -q --json open.json -o open.h5"
     claim "an open bellows has no bifurcations, with steps of accuracy $accuracy" [ "$(json open.json bifurcations)" = "[]" ]
 done
 
-# The first step comes from the load asked for, which may be far beyond all that the body takes.
+# The first step is a fraction of the requested load, which may be far beyond the limit load.
 plate='mesh-gen -q designs/plate.yaml --set path.until.deflection=3mm'
 runs "$plate | solve -q | postprocess -q --at deflection=2mm -o near.csv"
 runs "$plate --set loads.bottom.pressure=1GPa | solve -q | postprocess -q --at deflection=2mm -o far.csv"
-claim "a plate under 1 GPa is followed as under 2 kPa" within "$(awk -v a="$(column pressure_kPa near.csv)" -v b="$(column pressure_kPa far.csv)" 'BEGIN { print a / b }')" 0.995 1.005
+claim "a requested load of 1 GPa gives the same plate curve as 2 kPa" within "$(awk -v a="$(column pressure_kPa near.csv)" -v b="$(column pressure_kPa far.csv)" 'BEGIN { print a / b }')" 0.995 1.005
 
-# Past its limit point a thin tube comes to steps that lead nowhere; no number of them goes on.
+# Past its limit point the path of a thin tube stalls; more steps do not help.
 run "mesh-gen -q designs/tube.yaml --set geometry.length=74.687mm --set geometry.outer_radius=6.45655mm --set geometry.inner_radius=5.73489mm --set geometry.cap=0.806878mm --set mesh.size=1.49374mm --set 'material={law: neo-hookean, mu: 847.202 kPa, kappa: 435.516 MPa}' --set loads.cavity.pressure=116kPa --set path={} | solve -q --json stall.json -o stall.h5"
-claim "a path that is past its maximum and stalls ends early" exits 2
-claim "with the reason" has 'the requested load is n* reached: *limit point*' stall.json detail
+claim "a path that stalls past its maximum ends early" exits 2
+claim "the message gives the reason" has 'the requested load is n* reached: *limit point*' stall.json detail
 
-# A load that is never reached says nothing of the path: not of its first step either, between whose rows the curve is read off.
-# Pressures of an independent code: tests/verification/actuators.cpp.
+# The requested load must not influence the path, not even its first step, over which the curve is interpolated.
+# Reference pressures of an independent code: tests/verification/actuators.cpp.
 for full in 200kPa 1MPa; do
     runs "mesh-gen -q designs/bellows.yaml --set path.until.elongation=50mm --set loads.cavity.pressure=$full | solve -q | postprocess -q --at elongation=20mm,40mm -o far.csv"
-    claim "the bellows at 20 mm is that of $full as of less" within "$(column pressure_kPa far.csv | sed -n 1p)" 1.30586 1.30848
-    claim "and at 40 mm" within "$(column pressure_kPa far.csv | sed -n 2p)" 3.10137 3.10757
+    claim "with a full load of $full the pressure at 20 mm is unchanged" within "$(column pressure_kPa far.csv | sed -n 1p)" 1.30586 1.30848
+    claim "the pressure at 40 mm is unchanged" within "$(column pressure_kPa far.csv | sed -n 2p)" 3.10137 3.10757
 done
 
-# A face is moved the way that it is told, also of one mixed cell; and what the loads do is what the rubber stores, else it is an error
+# A prescribed displacement has the right sign also with a single mixed cell; and the work of the loads equals the stored energy, otherwise
+# solve reports an error
 for way in -0.3 0.3; do
     runs "mesh-gen -q designs/rod.yaml --set geometry.length=10mm --set mesh.size=10mm --set 'supports={fixed: fixed}' --set 'loads={end: {displacement: $way mm, along: x}}' | solve -q --json block.json | postprocess -q -o block.csv"
-    claim "a block of one cell goes $way mm" within "$(awk -v w="$way" -v e="$(column elongation_mm block.csv | tail -n 1)" 'BEGIN { print e / w }')" 0.999999 1.000001
-    claim "in a few steps" within "$(column step block.csv | tail -n 1)" 1 12
-    claim "with the energies in balance" within "$(json block.json energy_balance_error)" 0 1e-3
+    claim "a block of one cell moves by $way mm" within "$(awk -v w="$way" -v e="$(column elongation_mm block.csv | tail -n 1)" 'BEGIN { print e / w }')" 0.999999 1.000001
+    claim "a few steps suffice" within "$(column step block.csv | tail -n 1)" 1 12
+    claim "the energies balance" within "$(json block.json energy_balance_error)" 0 1e-3
 done
 fibres='mesh-gen -q designs/rod.yaml --set model=quarter --set "supports={x: fixed}" --set mesh.size=20mm --set "material={law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 0.1 MPa, k2: 1, angle: 0 deg, families: 2, kappa: KAPPA}" --set "loads={end: {displacement: 130 mm, along: x}}"'
 runs "${fibres/KAPPA/5 MPa} | solve -q --json fibres.json -o fibres.h5"
-claim "stiffening fibres: six steps, and their work is known" within "$(json fibres.json energy_balance_error)" 0 5e-3
+claim "the energies balance for stiffening fibres" within "$(json fibres.json energy_balance_error)" 0 5e-3
 refuses 1 'solve: the energies do not balance: at row * the loads have done * mJ of work, the rubber stores * mJ, *; use a smaller solver.residual_tolerance *' \
     "${fibres/KAPPA/incompressible} --set solver.residual_tolerance=1e-2 | solve -q -o wrong.h5"
 runs 'postprocess -q wrong.h5 -o wrong.csv'

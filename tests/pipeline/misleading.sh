@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# The table of tests/catalogue/README.md is what the tools say of each misleading design; sound designs give no alarm.
+# Checks the messages in the table of tests/catalogue/README.md, and that valid designs cause no warnings.
 #   misleading.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 catalogue=$here/../catalogue
 mkdir tests && cp -R "$catalogue" tests/ && cd tests/catalogue || exit 1
 
-said_by() { grep -F -e "$2" "$seen/err" | grep -q "^$1: "; }   # said_by PROGRAM WORDS
+said_by() { grep -F -e "$2" "$seen/err" | grep -q "^$1: "; }   # said_by PROGRAM WORDS: the program has printed a line with these words
 rows=0
 while IFS='|' read -r _ design _ program code words _; do
     design=${design##*(}
@@ -21,18 +21,18 @@ while IFS='|' read -r _ design _ program code words _; do
         run "mesh-gen $design.yaml -o case.h5"
     fi
     claim "$design: exit code $code" exits "$code"
-    claim "$design: $program says '$words'" said_by "$program" "$words"
+    claim "$design: $program prints '$words'" said_by "$program" "$words"
 done < <(grep '^| \[' README.md)
-claim "there are forty at least" [ "$rows" -ge 40 ]
-claim "a row a design" [ "$rows" -eq "$(find . -name '*.yaml' | wc -l)" ]
+claim "the table has at least forty rows" [ "$rows" -ge 40 ]
+claim "the table has one row per design" [ "$rows" -eq "$(find . -name '*.yaml' | wc -l)" ]
 
-# No false alarm for the designs that users start from
+# Valid designs cause no warnings
 cd "$work/run" || exit 1
 for design in designs/*.yaml; do
     run "mesh-gen --check $design"
-    claim "$design gives no alarm" not grep -q warning "$seen/err"
+    claim "$design causes no warning" not grep -q warning "$seen/err"
 done
 for design in rod panel ring sphere dome tube fiber-tube revolved; do
     run "mesh-gen -q designs/$design.yaml | solve -o result.h5"
-    claim "nor does the path of $design" not grep -q warning "$seen/err"
+    claim "the path of $design causes no warning" not grep -q warning "$seen/err"
 done

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Outputs that cannot be made (73) or not be finished (74), and what stands there before and after.
+# Outputs that cannot be created (73) or completed (74), and the state of existing files.
 #   outputs.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=3 -o case.h5 && solve -q case.h5 -o result.h5'
@@ -19,19 +19,19 @@ for tool in mesh-gen solve postprocess sweep-plan; do
         mkdir -p locked && chmod a-w locked
         refuses 73 "$tool: locked/x: cannot be created: Permission denied" "${command[$tool]} -o locked/x"
     fi
-    # A limit on the size of files stands in for a full disk.
+    # A file size limit simulates a full disk.
     echo precious >kept
     refuses 74 "$tool: kept: cannot be written: *" "(ulimit -f 0; ${command[$tool]} -o kept) 2>&1 | cat >&2"
-    claim "the file that was there is untouched" [ "$(cat kept)" = precious ]
+    claim "the existing file is unchanged" [ "$(cat kept)" = precious ]
     rm -f kept
 done
-# A solve that is refused after it has read its case leaves the result that stands there.
+# A solve that fails after reading its case keeps an existing result.
 cp result.h5 kept.h5
 refuses 65 'solve: solver.linear: cholmod needs *' 'solve -q case.h5 --set solver.linear=cholmod -o kept.h5'
 refuses 64 'solve: PETSc: has no solver *' 'solve -q case.h5 --set solver.linear=krylov -o kept.h5 -- -ksp_type no-such-type'
-claim "the result that was there is untouched" cmp result.h5 kept.h5
+claim "the existing result is unchanged" cmp result.h5 kept.h5
 runs 'postprocess -q kept.h5 | cmp - curve.csv && rm kept.h5'
-# What is made through a link is made where the link leads.
+# An output through a symbolic link is written to the target of the link.
 mkdir links && ln -s ../links/absent links/dangling && ln -s dangling links/chain && ln -s loop links/loop && ln -s no/such links/nowhere
 for tool in mesh-gen solve postprocess sweep-plan; do
     runs "${command[$tool]} -o links/chain && [ -L links/chain ] && [ -L links/dangling ] && [ -s links/absent ] && rm links/absent"
@@ -39,7 +39,7 @@ for tool in mesh-gen solve postprocess sweep-plan; do
     refuses 73 "$tool: links/nowhere: cannot be created: No such file or directory" "${command[$tool]} -o links/nowhere"
 done
 rm -r links
-# Any name that the file system takes.
+# The longest file name that the file system accepts.
 name=$(printf 'a%.0s' {1..255})
 for tool in mesh-gen solve postprocess sweep-plan; do
     runs "${command[$tool]} -o $name && [ -s $name ] && rm $name"

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
-# Drawings of the keys: every length and angle of every family stands in one, and the drawings kept show what the table says.
+# Drawings of the geometry keys: every length and angle of every family is drawn, and the stored drawings match the table.
 #   parameter_pictures.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 scripts=$here/../../scripts
-# names PICTURE-FIELD VALUE: what the rows of those pictures name
+# names PICTURE-FIELD VALUE: names in the rows of these pictures
 names() { awk -v field="$1" -v value="$2" '$1 == "picture" {on = $field == value} on && /^(dim|radius|angle|note) / {print $2}' "$scripts/parameter-pictures.txt" | sort -u; }
 for family in $(mesh-gen --list | awk '{print $1}'); do
     case $family in
-        two-spheres) continue ;;   # no solid to cut
-        revolved | extruded | imported) continue ;;   # shapes of files
+        two-spheres) continue ;;   # has no solid model
+        revolved | extruded | imported) continue ;;   # shapes are defined by files
     esac
-    # Keys with a unit by default; `same` and `auto` are lengths that follow from others.
+    # Keys whose default has a unit; `same` and `auto` are lengths derived from others.
     keys=$(mesh-gen --template "$family" | mesh-gen --explain - | awk '
         /^[a-z]/ {inside = /^geometry:/; next} !inside {next}
         {depth = int(match($0, /[^ ]/) / 2); path[depth] = $1; sub(/:$/, "", path[depth]); name = path[1]; for (i = 2; i <= depth; ++i) name = name "." path[i]}
@@ -21,9 +21,9 @@ done
 LIMIT=250 runs "BUILD_DIR='$(dirname "$bin")' OUT='$PWD/pictures' '$scripts/parameter-pictures'"
 while read -r picture; do
     for file in "pictures/$picture.svg" "$here/../../designs/pictures/$picture.svg"; do
-        claim "$file shows the table's names" [ "$(sed -n 's/.*<text>\([^<]*\)<.*/\1/p' "$file" | tr -d ' ' | grep . | sort -u)" = "$(names 2 "$picture")" ]
+        claim "$file contains the names of the table" [ "$(sed -n 's/.*<text>\([^<]*\)<.*/\1/p' "$file" | tr -d ' ' | grep . | sort -u)" = "$(names 2 "$picture")" ]
     done
-    # Rubber is grey: the section has an inside.
+    # Rubber is filled with grey.
     claim "$picture has a section" grep -qi 'rgb(217, 217, 217)\|#d9d9d9' "pictures/$picture.svg"
 done < <(awk '$1 == "picture" {print $2}' "$scripts/parameter-pictures.txt")
 refuses 64 'parameter-pictures: cube: no such picture in scripts/parameter-pictures.txt' "BUILD_DIR='$(dirname "$bin")' OUT='$PWD/pictures' '$scripts/parameter-pictures' cube"

@@ -1,5 +1,5 @@
-# What ParaView reads in a file: one line an array, "point|cell NAME COMPONENT LEAST LARGEST", and "count points N",
-# "count cells N", "count times N". With a second file name: a picture of the body, warped by its displacement.
+# Prints what ParaView reads from a file: one line per array component, "point|cell NAME COMPONENT MIN MAX", and "count points N",
+# "count cells N", "count times N". With a second file name, also writes a picture of the deformed body.
 #     pvpython read_in_paraview.py FILE [PICTURE.png]
 import sys
 from paraview import servermanager, simple

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Every refusal of an input: 64, 65 and 66, each with one line that says where, what and what would be right.
+# Rejected input: exit codes 64, 65 and 66, each with one line that contains location, problem and remedy.
 #   refusals.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 runs 'mesh-gen -q designs/tube.yaml -o case.h5 && solve -q case.h5 --set path.until.steps=3 -o result.h5'
@@ -13,7 +13,7 @@ for tool in mesh-gen solve postprocess sweep-plan; do
     refuses 64 "$tool: *exclude each other; *" "$tool --quiet --verbose x"
     refuses 64 "$tool: data and --json cannot both go to stdout; use *" "$tool --json - x"
 done
-# a shell variable that is not set switches nothing off, and no output destroys an input or another output
+# an empty value from an unset shell variable is rejected, and no output overwrites an input or another output
 refuses 64 'postprocess: --check: the value is empty; give a value or omit the option' 'postprocess --check "" --junit v.xml result.h5'
 refuses 64 'solve: --output: the value is empty; *' 'solve -o "" case.h5'
 refuses 64 'mesh-gen: --output tube.yaml: would overwrite the input; write to another file' 'cp designs/tube.yaml tube.yaml; mesh-gen tube.yaml -o tube.yaml'
@@ -24,16 +24,16 @@ refuses 64 'postprocess: --report ./x.html: is also the file of --json; *' 'post
 refuses 64 'postprocess: --output result.h5: would overwrite the input; *' 'postprocess result.h5 -o result.h5'
 refuses 64 'postprocess: --output and --junit cannot both go to stdout; *' 'postprocess result.h5 -o - --check golden.csv --junit -'
 refuses 64 'postprocess: --report x.pdf: a report is an HTML file; use the extension .html' 'postprocess result.h5 --report x.pdf'
-claim "the inputs are as they were" cmp tube.yaml designs/tube.yaml
+claim "the inputs are unchanged" cmp tube.yaml designs/tube.yaml
 rm tube.yaml
-refuses 64 "solve: --fields: 'some' is not a choice; all, last, none or every=N" 'solve --fields some case.h5'
+refuses 64 "solve: --fields: 'some' is not a valid choice; use all, last, none or every=N" 'solve --fields some case.h5'
 refuses 64 "postprocess: picture.jpg: unknown picture format; use .svg, .png or .pdf" 'postprocess --plot picture.jpg result.h5'
 refuses 64 "postprocess: --at: the curve has no 'pressur'; it has pressure, elongation, volume" 'postprocess --at pressur=1kPa result.h5'
 refuses 64 "postprocess: --at elongation: '5' has no unit, *; write for example 5 mm" 'postprocess --at elongation=5 result.h5'
 refuses 64 "solve: 'x' after -- is not a PETSc option; *" 'solve case.h5 -- x'
 refuses 66 "solve: -options_file none.txt: cannot be opened" 'solve case.h5 -- -options_file none.txt'
 refuses 64 "solve: PETSc: has no solver *; see *" 'solve -q case.h5 -- -pc_type magic'
-# a bad --set: its form is usage, its value is input
+# invalid --set: a wrong form is a usage error (64), a wrong value is invalid input (65)
 refuses 64 "mesh-gen: --set wall: no '=' in it; write --set key.path=value, *" 'mesh-gen --set wall designs/tube.yaml'
 refuses 64 "solve: --set wall: no '=' in it; write --set key.path=value, *" 'solve --set wall case.h5'
 refuses 64 "solve: --set geometry.wall: *built into the case *; give the same --set to mesh-gen; *" 'solve --set geometry.wall=2mm case.h5'
@@ -43,31 +43,31 @@ if [ -n "$(type -P script)" ]; then   # a terminal as stdout or stdin
     terminal() { line="on a terminal: $1"; timeout 20 script -qec "$1" /dev/null </dev/null 2>&1 | tr -d '\r' >"$seen/err"; status=${PIPESTATUS[0]}; }
     for command in 'mesh-gen designs/tube.yaml' 'solve case.h5'; do
         terminal "$command"
-        claim "binary data is refused" exits 64
-        claim "with a hint" says "${command%% *}: <stdout>: binary data is not written to a terminal; use -o FILE, or pipe it on"
+        claim "binary data are rejected" exits 64
+        claim "the message contains a remedy" says "${command%% *}: <stdout>: binary data is not written to a terminal; use -o FILE or a pipe"
     done
     for command in 'mesh-gen -o x' 'solve -o x' 'postprocess -o x'; do
         terminal "$command"
-        claim "a terminal is no input" exits 64
-        claim "with a hint" says "${command%% *}: no input is named and stdin is a terminal; name a file, *"
+        claim "a terminal is rejected as input" exits 64
+        claim "the message contains a remedy" says "${command%% *}: no input is given and stdin is a terminal; give a file, *"
     done
     terminal 'postprocess -q result.h5'
     claim "text may go to a terminal" exits 0
 fi
-# names that would steer the terminal or add lines
+# names with control characters or line breaks
 wild=$'x\e[31m\ny\377'
 refuses 66 'solve: x?[[]31m?y?: cannot be opened: *' "solve '$wild'"
 refuses 73 'solve: x?[[]31m?y?/a: cannot be created: *' "solve case.h5 -o '$wild/a'"
 refuses 64 'postprocess: x?[[]31m?y?: unknown picture format; *' "postprocess result.h5 --plot '$wild'"
 refuses 65 'postprocess: x?[[]31m?y?: not an HDF5 file *' "echo text >'$wild'; postprocess '$wild'"
-claim "stderr has none of it" not grep -q "$(printf '[\033\377]')" "$seen/err"
+claim "stderr contains no raw control characters" not grep -q "$(printf '[\033\377]')" "$seen/err"
 rm "$wild"
 
-# 65: a design; edit changes one thing, place is line:column of what is changed
+# 65: a design. edit changes one value, place prints line:column of the change.
 edit() { sed "$1" designs/tube.yaml >edited.yaml; claim "the edit $1 changes the design" not cmp -s designs/tube.yaml edited.yaml; }
 place() { awk -v text="$1" '{ at = index($0, text) } at { print NR ":" at; exit }' edited.yaml; }
 edit 's/inner_radius: 7 mm/inner_radius: 12 mm/'
-refuses 65 "mesh-gen: edited.yaml:$(place '12 mm'): geometry.inner_radius: 12 mm is not smaller than outer_radius 10 mm; *" 'mesh-gen edited.yaml'
+refuses 65 "mesh-gen: edited.yaml:$(place '12 mm'): geometry.inner_radius: 12 mm is not smaller than outer_radius (10 mm); *" 'mesh-gen edited.yaml'
 edit 's/cap: 5 mm/cpa: 5 mm/'
 refuses 65 "mesh-gen: edited.yaml:$(place cpa): geometry.cpa: unknown key; did you mean 'cap'[?]" 'mesh-gen edited.yaml'
 edit 's/cap: 5 mm/cap: 5/'
@@ -93,19 +93,19 @@ for tool in solve postprocess; do
     file=case.h5
     [ "$tool" = postprocess ] && file=result.h5
     bytes=$(wc -c <"$file")
-    refuses 65 "$tool: <stdin>: empty input; did the stage before fail[?]" "$tool"
+    refuses 65 "$tool: <stdin>: empty input; check whether the previous program failed" "$tool"
     refuses 65 "$tool: <stdin>: not an HDF5 file *; expected *" "yes | head -c 5000 | $tool"
     refuses 65 "$tool: designs/tube.yaml: not an HDF5 file *; expected *" "$tool designs/tube.yaml"
     refuses 65 "$tool: <stdin>: *; *" "head -c 1 $file | $tool"
     for length in 40 1000 $((bytes / 2)) $((bytes - 1)); do
-        refuses 65 "$tool: <stdin>: truncated: *; was the stage that wrote it killed, or the disk full[?]" "head -c $length $file | $tool"
+        refuses 65 "$tool: <stdin>: truncated: *; check whether the program that wrote it was killed or the disk was full" "head -c $length $file | $tool"
     done
     cp "$file" damaged.h5
     printf 'XXXX' | dd of=damaged.h5 bs=1 seek=$((bytes / 3)) conv=notrunc 2>"$seen/dd"
     refuses 65 "$tool: damaged.h5: *; *" "$tool damaged.h5"
 done
 refuses 65 'postprocess: case.h5: a case without solution; run solve on it' 'postprocess case.h5'
-refuses 65 'solve: result.h5:/path: already holds a solution; give solve the case from mesh-gen' 'solve -q result.h5'
+refuses 65 'solve: result.h5:/path: already contains a solution; give solve the case from mesh-gen' 'solve -q result.h5'
 refuses 65 'postprocess: --at pressure=99kPa: the path does not reach it; it goes from 0 to * kPa' 'postprocess --at pressure=99kPa result.h5'
 
 # 66: an input that cannot be opened
@@ -113,4 +113,4 @@ for tool in mesh-gen solve postprocess sweep-plan; do
     refuses 66 "$tool: absent: cannot be opened: No such file or directory" "$tool absent"
     refuses 66 "$tool: designs: is a folder; name a file" "$tool designs"
 done
-claim "no refusal has left a file" [ "$(echo *)" = 'case.h5 damaged.h5 designs edited.yaml meshes result.h5' ]
+claim "no file is left" [ "$(echo *)" = 'case.h5 damaged.h5 designs edited.yaml meshes result.h5' ]

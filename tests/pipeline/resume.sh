@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# kill -9 of `solve -o FILE` at 50 random instants: FILE reads, and `solve --resume FILE` ends with the curve of a run
-# without a break.   [SEED=n] resume.sh BIN CMAKE
+# kill -9 of `solve -o FILE` at 50 random times: FILE is readable, and `solve --resume FILE` gives the curve of an uninterrupted run.   [SEED=n] resume.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 rounds=50
 seed=${SEED:-$(($(date +%s) % 32768))}
 RANDOM=$seed
 echo "seed $seed"
-runs 'mesh-gen -q designs/tube.yaml --set solver.step_accuracy=1e-4 -o case.h5'   # long beside its start
+runs 'mesh-gen -q designs/tube.yaml --set solver.step_accuracy=1e-4 -o case.h5'   # much longer than the start-up time
 
 now_ms() { echo $(($(date +%s%N) / 1000000)); }
 random_below() { echo $((RANDOM * 32768 + RANDOM)) | awk -v below="$1" '{ printf "%d", $1 % below }'; }   # BELOW > 0
@@ -18,12 +17,12 @@ kill_after() {   # kill_after MILLISECONDS COMMAND...
     wait "$victim" 2>"$seen/wait"
     line="kill -9 of ${*:2} after $1 ms"
 }
-reads_as_far_as_it_goes() {   # FILE is readable and holds the first rows of the whole curve
+reads_first_rows() {   # k.h5 is readable and contains the first rows of the whole curve
     if [ -n "$(type -P h5ls)" ]; then runs 'h5ls k.h5'; fi
     runs 'postprocess k.h5 --json k.json -o k.csv'
     rows=$(json k.json rows)
     head -n $((rows + 1)) whole.csv >part.csv
-    if ((rows > 0)); then claim "its rows are those of the whole path" near part.csv k.csv 1e-10; fi
+    if ((rows > 0)); then claim "the rows are those of the whole path" near part.csv k.csv 1e-10; fi
 }
 is_finished() { [ -n "$(json k.json stop_reason)" ]; }
 
@@ -40,28 +39,28 @@ for ((i = 0; i < rounds; ++i)); do
         rm -rf ./*k.h5*
         kill_after $(((i * duration + $(random_below "$duration")) / rounds)) solve -q case.h5 -o k.h5
         if [ ! -s "$seen/kill" ]; then break; fi
-        duration=$((duration * 9 / 10))   # too late, it had ended: the machine has become faster than it was
+        duration=$((duration * 9 / 10))   # the run had already ended: assume a shorter duration
     done
-    if [ ! -e k.h5 ]; then continue; fi   # killed before it began
-    reads_as_far_as_it_goes
-    if ((i % 5 == 0)) && ! is_finished; then   # several kills of one file
+    if [ ! -e k.h5 ]; then continue; fi   # killed before the first write
+    reads_first_rows
+    if ((i % 5 == 0)) && ! is_finished; then   # kill several times
         for ((again = 0; again <= i % 3; ++again)); do
             kill_after "$(random_below $((duration / 2)))" solve -q --resume k.h5
             before=$rows
-            reads_as_far_as_it_goes
-            # Of the row in work when the first kill came there may have been no state yet.
-            claim "what was there before is there" within "$rows" $((before - 1)) 1000
+            reads_first_rows
+            # The last row before the first kill may lack its state.
+            claim "earlier rows are kept" within "$rows" $((before - 1)) 1000
             if is_finished; then break; fi
         done
     fi
     if is_finished; then
-        refuses 65 'solve: k.h5: is finished, there is nothing to resume; postprocess reads it' 'solve -q --resume k.h5'
+        refuses 65 'solve: k.h5: is finished and cannot be resumed; read it with postprocess' 'solve -q --resume k.h5'
     else
         at_work=$((at_work + 1))
         runs 'solve -q --resume k.h5'
     fi
     runs 'postprocess -q k.h5 -o k.csv'
-    claim "the curve is that of a run without a break" near whole.csv k.csv 1e-10
+    claim "the curve equals that of an uninterrupted run" near whole.csv k.csv 1e-10
 done
-echo "$at_work of $rounds kills met the path at work"
-claim "most kills met the path at work" within "$at_work" 20 "$rounds"
+echo "$at_work of $rounds kills interrupted the path"
+claim "most kills interrupted the path" within "$at_work" 20 "$rounds"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# However the stages are joined, the curve is the same to the byte.   same_curve.sh BIN CMAKE
+# The curve is identical to the byte for every way to connect the stages.   same_curve.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 few='--set path.until.steps=3'
 coarse='--set mesh.size=3mm'
@@ -7,25 +7,25 @@ path_of() { if [ -n "$(type -P h5dump)" ]; then h5dump -g /path "$1" | tail -n +
 same_path() { path_of "$1" >"$seen/a" && path_of "$2" >"$seen/b" && [ -s "$seen/a" ] && cmp "$seen/a" "$seen/b"; }
 gives() {   # gives COMMAND: writes the curve of pipe.csv to stdout
     runs "$1"
-    claim "the curve is that of the pipe" cmp "$seen/out" pipe.csv
+    claim "the curve equals that of the pipe" cmp "$seen/out" pipe.csv
 }
 
 for name in tube bellows; do
     design=designs/$name.yaml
     runs "mesh-gen -q $design $few $coarse | solve -q | tee pipe.h5 | postprocess -q > pipe.csv"
-    claim "nothing is said" quiet
-    claim "there is a curve" table pipe.csv
-    claim "of three steps after the undeformed state" [ "$(column step pipe.csv | tail -n 1)" = 3 ]
+    claim "no message is printed" quiet
+    claim "the curve is a table" table pipe.csv
+    claim "there are three steps after the undeformed state" [ "$(column step pipe.csv | tail -n 1)" = 3 ]
 
     gives "mesh-gen -q $design $few $coarse -o case.h5 && solve -q case.h5 -o result.h5 && postprocess -q result.h5 -o a.csv && cat a.csv"
-    claim "/path is the same, too" same_path pipe.h5 result.h5
+    claim "/path is identical" same_path pipe.h5 result.h5
     gives "mesh-gen -q - $few $coarse < $design > case2.h5; solve -q - -o result2.h5 < case2.h5; postprocess -q - < result2.h5"
     gives "cat case.h5 | solve -q -o - | postprocess -o - -q"
     cp result.h5 first.h5
     gives "solve -q case.h5 -o result.h5 && postprocess -q result.h5"
-    claim "a second run writes the same file" cmp first.h5 result.h5
+    claim "a second run writes an identical file" cmp first.h5 result.h5
 done
-# The tube from here on.
+# Only the tube from here on.
 runs "mesh-gen -q designs/tube.yaml $few -o case.h5 && solve -q case.h5 | tee pipe.h5 | postprocess -q > pipe.csv"
 gives "mesh-gen -q designs/tube.yaml | solve -q $few | postprocess -q"
 gives "mesh-gen --explain designs/tube.yaml | mesh-gen -q - $few | solve -q | postprocess -q"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016  # the scripts expand their own variables
-# The claims of check.sh must be able to fail: small scripts with a known outcome, on tools that exist only here.
+# Checks that the claims of check.sh can fail, with small scripts of known outcome and stand-ins for the tools.
 #   self_check.sh CMAKE
 set -uo pipefail
 here=$(dirname "$(realpath "$0")")
@@ -14,7 +14,7 @@ printf '#!/bin/sh\necho "tool: a: wrong; right" >&2; exit 65\n' >"$work/bin/refu
 printf '#!/bin/sh\necho data; echo "tool: a: wrong; right" >&2; exit 65\n' >"$work/bin/talking"
 printf '#!/bin/sh\necho "tool: a: wrong; right" >&2; echo trace >&2; exit 65\n' >"$work/bin/tracing"
 printf '#!/bin/sh\necho "step,pressure_kPa,x_mm,stable"; echo "0,0,0,1"; echo "1,10,${1:-2},1"\n' >"$work/bin/curve"
-for tool in mesh-gen solve postprocess; do   # one kind does nothing, the other always fails
+for tool in mesh-gen solve postprocess; do   # idle does nothing, broken always fails
     printf '#!/bin/sh\nexit 0\n' >"$work/idle/$tool"
     printf '#!/bin/sh\necho "x: y; z" >&2; exit 65\n' >"$work/broken/$tool"
 done
@@ -89,7 +89,7 @@ expect fails 'echo "{\"a\": 2" > j; claim "json" has 2 j a'
 expect fails 'echo "{\"a\": 2}" > j; claim "json" has "*" j b'
 expect fails 'claim "json" has "*" absent a'
 
-# None is content with tools that do nothing, or always fail; one that skips itself for want of a program says nothing.
+# Every script must fail with tools that do nothing or always fail, except if it is skipped because a program is missing.
 for script in "$here"/*.sh "$here"/../faults/*.sh; do
     name=$(basename "$script")
     case $name in check.sh | self_check.sh) continue ;; esac
@@ -101,5 +101,5 @@ for script in "$here"/*.sh "$here"/../faults/*.sh; do
         fi
     done
 done
-((failures == 0)) && echo "every script came out as expected"
+((failures == 0)) && echo "every script had the expected outcome"
 exit $((failures > 0))

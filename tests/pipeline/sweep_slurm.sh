@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# scripts/sweep --engine slurm against a real slurmctld and slurmd, started here for this test.   sweep_slurm.sh BIN CMAKE
+# scripts/sweep --engine slurm with a slurmctld and slurmd started by this test.   sweep_slurm.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 LIMIT=240
 sweep=$here/../../scripts/sweep
@@ -7,12 +7,12 @@ PATH=$PATH:/usr/sbin
 for program in slurmctld slurmd sbatch squeue; do
     if [ -z "$(type -P $program)" ]; then
         echo "skipped: $program (packages slurmctld slurmd slurm-client) is not installed"
-        claim "it is not there" [ ! -x "$(type -P $program)" ]
+        claim "the program is missing" [ ! -x "$(type -P $program)" ]
         exit 0
     fi
 done
 
-# One node, of this machine, without munge: everybody is believed. Ports by the process, so that tests do not meet.
+# One node on this machine without authentication (munge). The ports depend on the process id, so that parallel tests do not collide.
 host=$(hostname -s)
 port=$((20000 + $$ % 20000))
 mkdir slurm slurm/state slurm/spool
@@ -49,7 +49,7 @@ for _ in {1..120}; do
     if sinfo --noheader --format %t 2>/dev/null | grep -q idle; then break; fi
     sleep 0.5
 done
-claim "there is a cluster of one node" [ "$(sinfo --noheader --format %t 2>/dev/null)" = idle ]
+claim "the cluster has one node" [ "$(sinfo --noheader --format %t 2>/dev/null)" = idle ]
 
 cat >rods.yaml <<'END'
 design: designs/rod.yaml
@@ -60,20 +60,20 @@ refuses 65 "sweep: rods.yaml:2:45: geometry.width: '200 kPa' is a pressure*" "$s
 sed -i 's/, 200 kPa//' rods.yaml
 export SWEEP_POLL=1
 runs "$sweep rods.yaml --engine slurm --folder cluster -- --comment sweep"
-claim "it is a job array" grep -q '^sweep: submitted as job [0-9]*$' "$seen/err"
-claim "progress is told" grep -q '^sweep: 3 of 3 designs' "$seen/err"
+claim "a job array is submitted" grep -q '^sweep: submitted as job [0-9]*$' "$seen/err"
+claim "progress is reported" grep -q '^sweep: 3 of 3 designs' "$seen/err"
 claim "all are done" [ "$(grep -c ',done,0,$' cluster/results.csv)" -eq 3 ]
-claim "as tasks of that job" [ "$(find cluster -maxdepth 1 -name 'slurm-*_[123].log' | wc -l)" -eq 3 ]
+claim "the designs are tasks of that job" [ "$(find cluster -maxdepth 1 -name 'slurm-*_[123].log' | wc -l)" -eq 3 ]
 if [ -n "$(type -P parallel)" ]; then
     runs "$sweep rods.yaml --folder here"
-    claim "the table is that of one machine" cmp here/results.csv cluster/results.csv
+    claim "the table equals that of GNU parallel" cmp here/results.csv cluster/results.csv
 fi
 runs "$sweep rods.yaml --engine slurm --folder later --submit-only"
-claim "it says how to collect" grep -q 'the same command without --submit-only collects the results' "$seen/err"
+claim "the message says how to collect the results" grep -q 'the same command without --submit-only collects the results' "$seen/err"
 for _ in {1..240}; do
     if [ -z "$(squeue --noheader)" ]; then break; fi
     sleep 0.5
 done
 runs "$sweep rods.yaml --engine slurm --folder later"
-claim "what the job has computed is not computed again" grep -q ' 3 designs, 0 to compute ' "$seen/err"
-claim "and collected" cmp cluster/results.csv later/results.csv
+claim "results of the job are not computed again" grep -q ' 3 designs, 0 to compute ' "$seen/err"
+claim "the results are collected" cmp cluster/results.csv later/results.csv

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# scripts/sweep --engine snakemake: the workflow is sound, and gives the rows of any engine.   sweep_snakemake.sh BIN CMAKE
+# scripts/sweep --engine snakemake: the workflow is valid and gives the same rows as the other engines.   sweep_snakemake.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 LIMIT=240
 sweep=$here/../../scripts/sweep
 if [ -z "$(type -P snakemake)" ]; then
     echo 'skipped: snakemake (package snakemake) is not installed'
-    claim "it is not there" [ ! -x "$(type -P snakemake)" ]
+    claim "the program is missing" [ ! -x "$(type -P snakemake)" ]
     exit 0
 fi
 export XDG_CACHE_HOME=$PWD/cache
-# One of the two is refused by its mesh, as nothing holds the face; what the geometry refuses is not even started.
+# mesh-gen rejects one of the two designs, because the face has no support; designs with invalid geometry are not started.
 cat designs/rod.yaml - >pulled.yaml <<'END'
   pull: {face: fixed, along: x, measure: force}
 END
@@ -20,10 +20,10 @@ set: {mesh.size: 50 mm, path.until.steps: 3}
 END
 run "$sweep rods.yaml --engine snakemake --folder cloud -- --dry-run"
 claim "a dry run of the workflow computes nothing" [ -z "$(find cloud -name status)" ]
-claim "which the rows say" [ "$(grep -c ',not_computed,,$' cloud/results.csv)" -eq 2 ]
-claim "and the exit code" exits 2
+claim "the rows state that" [ "$(grep -c ',not_computed,,$' cloud/results.csv)" -eq 2 ]
+claim "the exit code is 2" exits 2
 runs "$sweep rods.yaml --engine snakemake --folder cloud --jobs 2"
 claim "one design is done" grep -q ',fixed,.*,done,0,$' cloud/results.csv
-claim "one is refused, which ends nothing" grep -q ',end,.*,refused,65,.*outputs.pull' cloud/results.csv
+claim "a rejected design does not end the sweep" grep -q ',end,.*,refused,65,.*outputs.pull' cloud/results.csv
 runs "$sweep rods.yaml --engine snakemake --folder cloud"
 claim "nothing is computed twice" grep -q ' 2 designs, 0 to compute ' "$seen/err"

@@ -1,26 +1,26 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016  # the commands expand their own variables
-# `solve --tolerance` stops at the first mesh whose error bars meet the tolerance, names the mesh that it solves next, and keeps the
-# curve known so far when it is interrupted or killed.
+# `solve --tolerance` stops at the first mesh whose error bars meet the tolerance, prints the next mesh before solving it, and keeps the
+# latest curve when it is interrupted or killed.
 #   tolerance.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 runs 'mesh-gen -q designs/tube.yaml --set mesh.size=3mm -o case.h5'
 runs 'solve -q case.h5 -o plain.h5 && postprocess -q plain.h5 -o plain.csv'
 meshes() { grep -c 'solving .* rows on mesh' "$seen/err"; }
-prints() { local text; while read -r text; do if like "$text" "$1"; then return; fi; done <"$seen/err"; return 1; }   # PATTERN: a line of stderr
+prints() { local text; while read -r text; do if like "$text" "$1"; then return; fi; done <"$seen/err"; return 1; }   # prints PATTERN: a line of stderr matches
 
 run 'solve case.h5 --tolerance 50% -o k.h5'
 claim "a wide tolerance is met" exits 0
-claim "by one finer mesh" [ "$(meshes)" = 1 ]
-claim "which is named with its reason and its size" prints 'solve: error bars need the same rows on a second mesh; solving * rows on mesh 1 (all cells halved, * unknowns, roughly *)'
-claim "its bars are called less reliable" prints 'solve: warning: the error bars are less reliable: they are based on two meshes, *'
-claim "and one cell through the wall is named" prints 'solve: warning: the error bars are less reliable: the mesh has one cell through its walls; *'
+claim "one finer mesh is solved" [ "$(meshes)" = 1 ]
+claim "the finer mesh is printed with reason and size" prints 'solve: error bars need the same rows on a second mesh; solving * rows on mesh 1 (all cells halved, * unknowns, roughly *)'
+claim "error bars of two meshes cause a warning" prints 'solve: warning: the error bars are less reliable: they are based on two meshes, *'
+claim "one cell through the wall causes a warning" prints 'solve: warning: the error bars are less reliable: the mesh has one cell through its walls; *'
 run 'solve case.h5 --tolerance 0.6% -o k.h5 --json k.json'
-claim "a narrow one too" exits 0
-claim "by more meshes" within "$(meshes)" 2 3
-claim "the last one is solved since the bars were too wide" prints 'solve: the error bars of the load reach * %, 0.6 % is requested; solving * rows on mesh * times, *'
+claim "a narrow tolerance is met" exits 0
+claim "more meshes are solved" within "$(meshes)" 2 3
+claim "the last mesh is solved because the error bars were too large" prints 'solve: the error bars of the load reach * %, 0.6 % is requested; solving * rows on mesh * times, *'
 
-interrupts() {   # SIGNAL MESH WHERE: solve gets the signal when it begins that mesh
+interrupts() {   # interrupts SIGNAL MESH OUTPUT: sends the signal when solve starts that mesh
     run ": >log; env --default-signal=INT solve case.h5 --tolerance 0.0001% $3 2>log & pid=\$!
          until grep -q 'on mesh $2 ' log || ! kill -0 \$pid 2>&-; do sleep 0.05; done; kill -$1 \$pid; wait \$pid"
     cp log "$seen/err"
@@ -28,19 +28,19 @@ interrupts() {   # SIGNAL MESH WHERE: solve gets the signal when it begins that 
 columns() { head -n 1 "$1" | tr , '\n'; }
 for where in '-o k.h5' '>k.h5'; do
     for signal in KILL TERM INT; do
-        if [ "$signal$where" = 'KILL>k.h5' ]; then continue; fi   # nothing is written before the end
+        if [ "$signal$where" = 'KILL>k.h5' ]; then continue; fi   # stdout is written only at the end
         rm -f k.h5
         interrupts $signal 1 "$where"
         runs 'postprocess -q k.h5 -o k.csv'
         claim "$signal $where: the curve of the given mesh is kept" cmp k.csv plain.csv
         interrupts $signal 2 "$where"
         if [ $signal != KILL ]; then
-            claim "$signal $where: it reports what it has" prints 'solve: warning: the tolerance of 0.0001 % is not met: the error bars of the load reach * %; the refinement was interrupted'
-            claim "$signal $where: it ends by the signal" exits $((128 + $(kill -l $signal)))
+            claim "$signal $where: the reached accuracy is reported" prints 'solve: warning: the tolerance of 0.0001 % is not met: the error bars of the load reach * %; the refinement was interrupted'
+            claim "$signal $where: the signal ends the process" exits $((128 + $(kill -l $signal)))
         fi
         runs 'postprocess -q k.h5 -o k.csv'
-        claim "$signal $where: its error bars are kept" grep -qx pressure_error_kPa <(columns k.csv)
-        claim "$signal $where: with all rows" [ "$(wc -l <k.csv)" = "$(wc -l <plain.csv)" ]
+        claim "$signal $where: the error bars are kept" grep -qx pressure_error_kPa <(columns k.csv)
+        claim "$signal $where: all rows are kept" [ "$(wc -l <k.csv)" = "$(wc -l <plain.csv)" ]
     done
 done
-refuses 65 'solve: k.h5: is finished, there is nothing to resume; postprocess reads it' 'solve -q --resume k.h5'
+refuses 65 'solve: k.h5: is finished and cannot be resumed; read it with postprocess' 'solve -q --resume k.h5'

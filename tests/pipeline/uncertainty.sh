@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The band that the errors of constants make on a curve: exact where the load is proportional to the one constant, for each kind of
-# load, and the same by sampling where there are several.
+# Uncertainty band of a curve due to the errors of the constants: exact if the load is proportional to a single constant, for each type
+# of load, and confirmed by sampling for several constants.
 . "$(dirname "$0")/check.sh" "$@"
 cp -R "$here/../fit/data" data
 uncertainty=$here/../../scripts/uncertainty
@@ -15,35 +15,35 @@ share=$(awk -v m="$mu" -v e="$error" 'BEGIN { print e / m }')
 is_share() { within "$(awk -v a="$1" -v b="$share" 'BEGIN { print a / b }')" 0.999 1.001; }
 LIMIT=250 runs "'$uncertainty' designs/rod.yaml one.json --at elongation=50mm $pulled > one.csv"
 claim 'the band of the pressure is the error of mu' is_share "$(part pressure_band_kPa pressure_kPa one.csv)"
-claim 'the quantity that is held has none' [ -z "$(band elongation_band_mm one.csv)" ]
+claim 'the quantity of --at has no band' [ -z "$(band elongation_band_mm one.csv)" ]
 LIMIT=250 runs "'$uncertainty' designs/rod.yaml one.json --at elongation=10mm $coarse --set 'loads={end: {force: 30 N, along: x}}' > force.csv"
-claim 'so is that of a force' is_share "$(part load_band_N load_N force.csv)"
+claim 'the band of a force is the error of mu' is_share "$(part load_band_N load_N force.csv)"
 LIMIT=250 runs "'$uncertainty' designs/rod.yaml one.json --at elongation=10mm $coarse --set 'loads={end: {displacement: 20 mm, along: x}}' --set 'outputs={elongation: {face: end, along: x}, pull: {face: end, along: x, measure: force}}' > motion.csv"
-claim 'and that of the force that a prescribed motion needs' is_share "$(part pull_band_N pull_N motion.csv)"
+claim 'the band of the reaction of a prescribed motion is the error of mu' is_share "$(part pull_band_N pull_N motion.csv)"
 LIMIT=250 runs "'$uncertainty' designs/rod.yaml one.json --at elongation=10mm $coarse --set 'loads={end: {displacement: 20 mm, along: x}}'"
-claim 'where nothing varies it says so' grep -q '^uncertainty: warning: elongation=10mm: no quantity of the curve depends on the constants there; ' "$seen/err"
+claim 'a warning is printed if no quantity varies' grep -q '^uncertainty: warning: elongation=10mm: no quantity of the curve depends on the constants there; ' "$seen/err"
 # p = mu (l^2 - 1/l): at a pressure, dl = -(l^2 - 1/l) / (2 l + 1/l^2) dmu/mu
 LIMIT=250 runs "'$uncertainty' designs/rod.yaml one.json --at pressure=-100kPa $coarse --set loads.end.pressure=-0.2MPa > pressure.csv"
 claim 'at a pressure the elongation has a band' within \
     "$(awk -v b="$(band elongation_band_mm pressure.csv)" -v x="$(band elongation_mm pressure.csv)" -v s="$share" \
         'BEGIN { l = 1 + x / 100; print b / (100 * s * (l * l - 1 / l) / (2 * l + 1 / (l * l))) }')" 0.998 1.002
 
-# 24 samples give a deviation to 15 %: three of these
+# the standard deviation of 24 samples has an error of 15 %; the limits are three times this
 runs 'fit-material data/dragon-skin-20.csv --law yeoh --json three.json > three.yaml'
 LIMIT=250 runs "'$uncertainty' designs/rod.yaml three.json --at elongation=25mm,50mm --samples 24 --plot band.svg $pulled > three.csv"
 claim 'linearised and sampled bands agree' within \
     "$(awk -v b="$(band pressure_band_kPa three.csv)" -v s="$(band pressure_sampled_band_kPa three.csv)" 'BEGIN { print s / b }')" 0.55 1.45
 claim 'all samples are counted' [ "$(band samples three.csv)" = 24 ]
 claim 'progress is reported' grep -q '^uncertainty: 31 of 31 runs$' "$seen/err"
-claim 'the picture shows the band' grep -q 'one standard deviation of the constants' band.svg
-# A force that ends at the value asked for: the stiffer half of the samples falls short of it.
+claim 'the plot shows the band' grep -q 'one standard deviation of the constants' band.svg
+# Full force exactly at the requested value: the stiffer half of the samples does not reach it.
 LIMIT=250 runs "'$uncertainty' designs/rod.yaml one.json --at elongation=17.6mm --samples 8 $coarse --set 'loads={end: {force: 30 N, along: x}}' > short.csv"
 claim 'samples that fall short are reported with a count' grep -Eq '^uncertainty: warning: elongation=17.6mm: [1-7] of 8 samples do(es)? not reach it and (is|are) left out$' "$seen/err"
-claim 'the table has the number of the others' within "$(band samples short.csv)" 1 7
-claim 'a stiffer pair leaves the linear band empty' [ -z "$(band load_band_N short.csv)" ]
+claim 'the table contains the number of the other samples' within "$(band samples short.csv)" 1 7
+claim 'a stiffer run that does not reach the value leaves the linear band empty' [ -z "$(band load_band_N short.csv)" ]
 
 runs "mesh-gen designs/rod.yaml $pulled | solve --quiet -o rod.h5; postprocess --quiet rod.h5 --plot rod.svg --band three.csv -o rod.csv"
-claim "postprocess draws it too" grep -q "one standard deviation of the constants" rod.svg
+claim "postprocess draws the band as well" grep -q "one standard deviation of the constants" rod.svg
 refuses 64 'uncertainty: band.jpg: unknown picture format; *' "'$uncertainty' designs/rod.yaml one.json --at elongation=50mm --plot band.jpg"
 refuses 64 'uncertainty: --at is missing: *' "'$uncertainty' designs/rod.yaml one.json"
 refuses 64 "uncertainty: --samples: '1' is not a number of samples; *" "'$uncertainty' designs/rod.yaml one.json --at elongation=50mm --samples 1"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# README.md names every package that scripts/setup would install or ask for, for each system.   packages.sh TREE
+# Checks that README.md names every package of scripts/setup for each system.   packages.sh TREE
 cd "$1" || exit 1
 missing=0
 for system in debian fedora homebrew; do

@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
-# Runs the ```sh blocks of a document as a reader would: in order, each in a fresh shell, in one scratch folder that
-# holds copies of the named folders.
-#   run_blocks.sh DOCUMENT BIN [FOLDER...]      BIN is put first on PATH
-# A block directly below  <!-- not run: reason -->  is left out, and listed. Fails when a block fails, when a fence
-# is never closed, when a block is left out without a reason, or when there is nothing to run.
+# Runs the ```sh blocks of a document in order, each in a new shell, in a scratch folder with copies of the given folders.
+#   run_blocks.sh DOCUMENT BIN [FOLDER...]      BIN is prepended to PATH
+# A block directly below  <!-- not run: reason -->  is skipped and listed. Fails if a block fails, a fence is not closed, a block is skipped
+# without a reason, or there is no block.
 set -uo pipefail
 document=$(realpath "$1")
 bin=$(realpath "$2")
@@ -13,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 mkdir "$work/blocks" "$work/tree"
 for folder in "$@"; do cp -R "$folder" "$work/tree/" || exit 1; done
 
-# One file a block: run-LINE.sh, or skip-LINE.sh whose first line is the reason.
+# One file per block: run-LINE.sh, or skip-LINE.sh whose first line is the reason.
 awk -v out="$work/blocks/" '
     /^```/ && inside { inside = 0; close(file); next }
     /^```sh[ \t]*$/ {
@@ -33,7 +32,7 @@ awk -v out="$work/blocks/" '
     END { if (inside) { print "line " opened ": this block is never closed"; bad = 1 } exit bad }
 ' "$document" || exit 1
 
-unset BUILD_DIR JOBS   # a block is run as a reader would
+unset BUILD_DIR JOBS   # as in the shell of a reader
 export PATH="$bin:$PATH"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 cd "$work/tree" || exit 1

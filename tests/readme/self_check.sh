@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016  # the backticks are fences
-# The runner of README blocks must be able to fail: small documents with a known outcome.
+# Checks that the runner of README blocks detects failures, with small documents of known outcome.
 set -uo pipefail
 runner=$(dirname "$(realpath "$0")")/run_blocks.sh
 work=$(mktemp -d) || exit 1

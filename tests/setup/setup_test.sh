@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016,SC2317  # the stand-ins expand $state; claim calls the little checks
-# scripts/setup on systems that exist only here: a copy of the scripts, and a PATH of the few real tools it needs plus
-# stand-ins for apt-get, dpkg-query, update-alternatives, sudo, id and cmake that keep their state in files.
+# Tests scripts/setup in simulated systems: a copy of the scripts, and a PATH with a few real tools and stand-ins for apt-get, dpkg-query,
+# update-alternatives, sudo, id and cmake that store their state in files.
 #   setup_test.sh TREE
 set -uo pipefail
 tree=$(realpath "$1")
@@ -10,15 +10,15 @@ trap 'rm -rf "$work"' EXIT
 bin=$work/bin
 state=$work/state
 export state
-unset BUILD_DIR JOBS   # the suite may run for another build folder; nothing here may touch it
+unset BUILD_DIR JOBS   # the suite may use another build folder, which must not be changed here
 failures=0
 
-stand_in() {   # stand_in NAME, body from stdin; every call is noted in $state/calls
+stand_in() {   # stand_in NAME, body from stdin; records every call in $state/calls
     { echo '#!/bin/sh'; echo "echo \"$1 \$*\" >>\"\$state/calls\""; cat; } >"$bin/$1"
     chmod +x "$bin/$1"
 }
 
-fresh_system() {   # every package there, an optimised BLAS, root, apt, a CMake that finds everything
+fresh_system() {   # all packages, an optimised BLAS, root, apt, and a CMake that finds everything
     rm -rf "$work/tree" "$bin" "$state"
     mkdir -p "$work/tree" "$bin" "$state"
     cp -R "$tree/scripts" "$work/tree/"
@@ -76,32 +76,32 @@ says() { [[ $output == *"$1"* ]]; }
 exits() { [[ $status -eq $1 ]]; }
 
 fresh_system; setup
-claim "with everything there nothing is installed" not called '^apt-get'
-claim "a first call configures" called '^cmake -S'
-claim "with the tests, which CGAL's own files would switch off" called '^cmake .*-DBUILD_TESTING=ON'
+claim "a complete system installs nothing" not called '^apt-get'
+claim "the first call configures" called '^cmake -S'
+claim "the tests are enabled, although CGAL's files would disable them" called '^cmake .*-DBUILD_TESTING=ON'
 setup
-claim "a second call does nothing" not called '^(cmake|apt-get)'
-claim "and says nothing" test -z "$output"
+claim "the second call runs no command" not called '^(cmake|apt-get)'
+claim "the second call prints nothing" test -z "$output"
 remove libgmsh-dev; setup
-claim "a package removed since is brought back" called '^apt-get .*install .*--no-install-recommends libgmsh-dev$'
-claim "and CMake looks again" called '^cmake'
+claim "a removed package is installed again" called '^apt-get .*install .*--no-install-recommends libgmsh-dev$'
+claim "CMake runs again after an installation" called '^cmake'
 
 fresh_system; remove libcgal-dev; remove nettle-dev; setup
 claim "only the missing packages are installed" called ' --no-install-recommends libcgal-dev nettle-dev$'
-claim "that ends well" exits 0
+claim "the installation succeeds" exits 0
 
 fresh_system; rm "$bin/ninja"; remove ninja-build; setup
-claim "a missing command brings its package" called ' ninja-build$'
+claim "a missing command installs its package" called ' ninja-build$'
 fresh_system; remove ninja-build; setup
-claim "a command from elsewhere counts" not called '^apt-get'
+claim "a command from another source satisfies the row" not called '^apt-get'
 
 fresh_system; remove libcgal-dev; echo 1000 >"$state/uid"; touch "$state/cmake-fails"; setup
-claim "without root and sudo it fails" exits 1
-claim "with the exact command" says 'apt-get install --no-install-recommends libcgal-dev'
-claim "and what CMake missed" says 'gmsh.h not found'
-claim "and touches nothing" not called '^apt-get'
+claim "setup fails without root and sudo" exits 1
+claim "the message contains the exact command" says 'apt-get install --no-install-recommends libcgal-dev'
+claim "the message contains the error of CMake" says 'gmsh.h not found'
+claim "nothing is installed without root" not called '^apt-get'
 rm "$state/cmake-fails"; setup
-claim "what CMake finds elsewhere is good enough" exits 0
+claim "a library that CMake finds elsewhere is accepted" exits 0
 
 fresh_system; remove libcgal-dev; echo 1000 >"$state/uid"
 stand_in sudo <<'E2'
@@ -109,40 +109,40 @@ stand_in sudo <<'E2'
 "$@"
 E2
 setup
-claim "sudo is used where root is not" called '^sudo env .*apt-get .* libcgal-dev$'
+claim "sudo is used by other users than root" called '^sudo env .*apt-get .* libcgal-dev$'
 
 fresh_system; remove libcgal-dev; touch "$state/apt-fails" "$state/cmake-fails"; setup
-claim "a failed installation ends in an error" exits 1
-claim "that shows apt's own words" says 'E: Unable to locate package'
+claim "a failed installation is an error" exits 1
+claim "the error contains the message of apt" says 'E: Unable to locate package'
 
 fresh_system; rm "$bin/chromium"; remove chromium; setup
-claim "what only tests want is not installed to build" not called '^apt-get'
+claim "a build does not install packages of the tests" not called '^apt-get'
 setup --tests
-claim "but to test" called '^apt-get .* chromium$'
+claim "--tests installs packages of the tests" called '^apt-get .* chromium$'
 fresh_system; rm "$bin/chromium"; remove chromium; touch "$state/apt-fails"; setup --tests
-claim "where it cannot be, its tests are skipped" says 'warning: chromium could not be installed'
+claim "a package of the tests that cannot be installed is a warning" says 'warning: chromium could not be installed'
 fresh_system; remove clang-16; rm -f "$bin/clang++-16"; setup --tests
-claim "what only the checks of .ci/run want is not installed to test" not called '^apt-get'
+claim "--tests does not install packages of .ci/run" not called '^apt-get'
 setup --checks
-claim "but for them" called '^apt-get .*install.* clang-16'
-claim "and the others run" exits 0
+claim "--checks installs packages of .ci/run" called '^apt-get .*install.* clang-16'
+claim "a missing package of the tests does not fail --checks" exits 0
 
 fresh_system; rm "$bin/apt-get"; setup
-claim "without apt a complete system goes on" exits 0
+claim "a complete system without apt succeeds" exits 0
 fresh_system; rm "$bin/apt-get"; touch "$state/cmake-fails"; setup
-claim "without apt an incomplete one stops" exits 1
-for words in libgmsh-dev gmsh-devel 'Homebrew:' 'PETSc 3.18' 'gmsh 4.8'; do claim "and names $words" says "$words"; done
+claim "an incomplete system without apt fails" exits 1
+for words in libgmsh-dev gmsh-devel 'Homebrew:' 'PETSc 3.18' 'gmsh 4.8'; do claim "the message contains $words" says "$words"; done
 
 fresh_system; echo 'libblas.so.3-x manual /usr/lib/x/blas/libblas.so.3' >"$state/alternatives"; setup
-claim "the reference BLAS is switched off" called '^update-alternatives --auto libblas.so.3-x'
+claim "the reference BLAS is replaced" called '^update-alternatives --auto libblas.so.3-x'
 fresh_system; remove libopenblas0-serial; setup
-claim "any optimised BLAS will do" not called '^apt-get'
+claim "any optimised BLAS is accepted" not called '^apt-get'
 echo 'libblas.so.3-x auto /usr/lib/x/blas/libblas.so.3' >"$state/alternatives"; setup
-claim "but the reference one brings OpenBLAS" called '^apt-get .* libopenblas0-serial$'
+claim "OpenBLAS is installed if only the reference BLAS exists" called '^apt-get .* libopenblas0-serial$'
 
 fresh_system; setup; mv "$work/tree/build/CMakeCache.txt" "$state/"
 echo 'CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere' >"$work/tree/build/CMakeCache.txt"; setup
-claim "a build folder copied from elsewhere is configured afresh" called '^cmake .*--fresh'
+claim "a copied build folder is configured again" called '^cmake .*--fresh'
 
 ((failures == 0)) && echo "every claim holds"
 exit $((failures > 0))

@@ -1,5 +1,5 @@
-/// HDF5 files that are sound as such and lie: a good result whose parts are changed as the bytes say (numbers, shapes, types,
-/// texts, links that lead elsewhere, in circles or out of the file, sizes that are not there), and sealed again.
+/// Valid HDF5 files with corrupted content: the input bytes select changes to a good result (numbers, shapes, types, texts, links to
+/// other objects, to themselves or out of the file, sizes without data), which is then sealed again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using io::DatasetHandle, io::GroupHandle, io::SpaceHandle, io::TypeHandle, io::PropertiesHandle;
 
-/// What the bytes say, one after the other; zeros at their end.
+/// Reads the input bytes in sequence; returns zeros after their end.
 class Script {
 public:
     explicit Script(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -71,7 +71,7 @@ const std::string& one_of(const std::vector<std::string>& names, Script& script)
     return names[(high << 8U | script.next()) % names.size()];
 }
 
-/// Bits of numbers that are seldom thought of.
+/// Bit patterns of special numbers.
 std::uint64_t strange_number(Script& script) {
     using Limits = std::numeric_limits<double>;
     switch (script.next() % 10) {
@@ -124,7 +124,7 @@ hid_t other_type(Script& script, hid_t own) {
     }
 }
 
-/// Another dataset of the name: of any type and shape, however large, with nothing stored.
+/// Replaces the dataset by one of any type, shape and size without stored data.
 void replace(hid_t file, const std::string& name, Script& script) {
     TypeHandle type;
     {
@@ -146,7 +146,7 @@ void replace(hid_t file, const std::string& name, Script& script) {
     if (!shape.empty() && layout % 4 != 0) H5Pset_chunk(properties.get(), static_cast<int>(shape.size()), chunk.data());
     if (!shape.empty() && layout % 4 == 1) H5Pset_deflate(properties.get(), 6);
     if (layout % 4 == 0 && layout % 3 == 0) H5Pset_external(properties.get(), "/dev/zero", 0, H5F_UNLIMITED);
-    // Never at the time of making: with all of a huge size written there would be no lie.
+    // Never allocate at creation: then the stored data would match the declared size.
     if (layout % 4 != 0) H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_INCR);
     if (layout % 4 == 0) H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_LATE);
     const DatasetHandle made{
@@ -159,10 +159,10 @@ void replace_text(hid_t file, const std::string& name, Script& script) {
         H5Gopen2(file, slash == std::string::npos ? "/" : name.substr(0, slash).c_str(), H5P_DEFAULT)};
     const std::string last = slash == std::string::npos ? name : name.substr(slash + 1);
     if (!parent || H5Ldelete(parent.get(), last.c_str(), H5P_DEFAULT) < 0) return;
-    if (script.next() % 2 == 0) return io::write_text(parent.get(), {last, "1", "a lie"}, script.text());
+    if (script.next() % 2 == 0) return io::write_text(parent.get(), {last, "1", "corrupted"}, script.text());
     std::vector<std::string> texts(script.next() % 5);
     for (std::string& text : texts) text = script.text();
-    io::write_texts(parent.get(), {last, "1", "a lie"}, texts);
+    io::write_texts(parent.get(), {last, "1", "corrupted"}, texts);
 }
 
 void relink(hid_t file, const std::string& name, const std::string& target, Script& script) {
@@ -189,7 +189,7 @@ void change_attribute(hid_t file, const std::string& name, Script& script) {
     io::write_attribute(group.get(), attribute, std::span<const std::int64_t>{values});
 }
 
-void tell_a_lie(hid_t file, const Objects& objects, Script& script) {
+void corrupt(hid_t file, const Objects& objects, Script& script) {
     const unsigned kind = script.next();
     const std::string& dataset = one_of(objects.datasets, script);
     const std::string& group = one_of(objects.groups, script);
@@ -208,14 +208,14 @@ void tell_a_lie(hid_t file, const Objects& objects, Script& script) {
     }
 }
 
-std::vector<std::byte> told(Script script) {
+std::vector<std::byte> corrupted_image(Script script) {
     static const std::vector<std::byte> good = good_result();
     const io::FileHandle file = io::open_memory_copy(io::split_image(good, "good").hdf5);
     static const Objects objects = objects_of(file.get());
-    constexpr int most = 8;
-    for (int i = 0; i < most && !script.ends(); ++i) try {
-            tell_a_lie(file.get(), objects, script);
-        } catch (const Error&) {  // HDF5 does not let this one pass
+    constexpr int max_changes = 8;
+    for (int i = 0; i < max_changes && !script.ends(); ++i) try {
+            corrupt(file.get(), objects, script);
+        } catch (const Error&) {  // HDF5 rejects this change
         }
     std::vector<std::byte> image = io::memory_image(file.get());
     io::seal(image);
@@ -228,7 +228,7 @@ void read(std::span<const std::byte> bytes) {
     std::vector<std::byte> image;
     {
         const io::QuietErrors quiet;
-        image = told(Script{bytes});
+        image = corrupted_image(Script{bytes});
     }
     even_so([&] {
         const io::Result result = io::read_result(image, "fuzz.h5");

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016  # the commands expand their own variables
 # A locale with a decimal comma, and folders with spaces and letters beyond ASCII: the same bytes come out, of scripts too.
-#   places.sh BIN CMAKE
+#   locales.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 LIMIT=300
 scripts=$(realpath "$here/../../scripts")
