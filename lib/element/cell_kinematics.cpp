@@ -1,4 +1,4 @@
-/// Maps all points of a cell at once.
+/// Evaluates the map at all points of a cell together.
 #include "element/cell_kinematics.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ namespace detail {
 
 namespace {
 
-/// values[row] += component[a] x by_node[a], for all nodes a: length numbers a row.
+/// row[m] = sum over the nodes a of component[a] x by_node[a][m], m = 0 .. length - 1.
 SOFT_VECTOR_CLONES
 void interpolate(int nodes, int length, const double* component, const double* by_node, double* __restrict row) {
     for (int m = 0; m < length; ++m) row[m] = component[0] * by_node[m];
@@ -42,7 +42,7 @@ void interpolate(int nodes, int length, const double* component, const double* b
     }
 }
 
-/// Inverse map, volume without the hoop's share, F and det F from the interpolated values.
+/// Computes the inverse map, the reference volume (with 2 pi R if axisymmetric), F and det F from the interpolated values.
 template <bool Axisymmetric>
 inline void invert(int dim, int stride, const double* values, CellPoints& points) {
     const auto at = [&](int row, int column) { return values + ((row * (dim + 1)) + column) * stride; };
@@ -116,7 +116,7 @@ void find_hoop_gradients(const ReferenceCell& cell, const double* radius, double
             *gradient++ = cell.N[static_cast<std::size_t>(q) * cell.nodes + a] / radius[q];
 }
 
-/// Middle of the box around the vertices, and 2 over its longest side.
+/// Bounding box of the vertices: its centre, and 2 / longest side.
 struct Box {
     std::array<double, 3> centre{};
     double scale = 0;
@@ -185,7 +185,7 @@ template void map_points<false>(const ReferenceCell&, const CellInput&, CellPoin
 double min_jacobian(const ReferenceCell& cell, const CellPoints& points) {
     double least = points.jacobian.front();
     for (int q = 0; q < cell.points; ++q) {
-        if (std::isnan(points.jacobian[q])) return 0.0;  // no state of a body either
+        if (std::isnan(points.jacobian[q])) return 0.0;  // NaN counts as inverted
         least = std::min(least, points.jacobian[q]);
     }
     return least;

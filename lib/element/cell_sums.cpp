@@ -1,4 +1,4 @@
-/// The sums over the points of a cell: most of the flops of the assembly.
+/// The sums over the points of a cell, which dominate the floating-point operations of the assembly.
 #include "core/small_product.hpp"
 #include "element/cell_kinematics.hpp"
 
@@ -6,26 +6,26 @@ namespace soft::element::detail {
 
 namespace {
 
-/// The directions in which component i has a gradient: those of space, and for u_r the hoop (N/R, third row of the gradient).
+/// Number of directions in which component i has a gradient: the spatial ones, and for u_r the hoop (N/R, third row of the gradient).
 template <bool Axisymmetric>
 int directions_of(int dimension, int i) {
     return Axisymmetric && i == 1 ? 3 : dimension;
 }
 
-/// Index of F's component for (component i, direction J): the hoop of u_r is F_33.
+/// Index of the component of F for (component i, direction J): the hoop direction of u_r is F_33.
 template <bool Axisymmetric>
 int tensor_index(int i, int J) {
     return Axisymmetric && J == 2 ? 8 : 3 * i + J;
 }
 
-/// Where the law's answers at a point go.
+/// Output row for the tangent of the law at a point.
 struct Row {
-    int nodes, length;  // length: of a row of the product, which is one of the stiffness
+    int nodes, length;  // length of a row of the product, which equals that of a row of the stiffness
     double* out;
 };
 
-/// out[block][b] = sum over the directions L of A[L] gradient[L][b], for one component k; the gradients lie `next` numbers apart.
-/// Whole lanes: what is written beyond the block's end is overwritten by what comes behind it.
+/// out[block][b] = sum over the directions L of A[L] gradient[L][b], for one component k; the gradients are `next` entries apart.
+/// Writes whole lanes: entries beyond the end of the block are overwritten by the next block.
 inline void combine(const Row& row, int block, int directions, const double* A, const double* gradient,
                     std::ptrdiff_t next) {
     double* out = row.out + block * row.nodes;
@@ -101,7 +101,7 @@ void mirror(const ReferenceCell& cell, std::vector<double>& stiffness) {
     const int n = cell.nodes, size = cell.dofs(), last = cell.displacement_dofs();
     double* K = stiffness.data();
     for (int column = 0; column < size; ++column) {
-        const int end = column < last ? column / n * n : column;  // blocks on the diagonal are full already
+        const int end = column < last ? column / n * n : column;  // blocks on the diagonal are already complete
         for (int row = 0; row < end; ++row)
             K[static_cast<std::size_t>(column) * size + row] = K[static_cast<std::size_t>(row) * size + column];
     }

@@ -13,13 +13,13 @@ double contract(const Tensor& A, const Tensor& B) {
     return sum;
 }
 
-/// The terms of the header at one point.
+/// The quantities Q, h, t, b of f_bar.hpp at one point.
 struct Terms {
     Tensor Q{}, h{};
     double t = 0, b = 0;
 };
 
-/// Turns P(Fbar) and A(Fbar) in `point` into P' and A' and finds what depends on them alone.
+/// Scales P(Fbar) and A(Fbar) in `point` to P' and A' and computes the terms that depend on them only.
 Terms scaled_terms(const Tensor& F, double J, double s, Wanted wanted, PointResponse& point) {
     Terms terms;
     terms.Q = cofactor(F);
@@ -35,7 +35,7 @@ Terms scaled_terms(const Tensor& F, double J, double s, Wanted wanted, PointResp
     return terms;
 }
 
-/// P' to P* and A' to A*.
+/// Converts P' to P* and A' to A*.
 void make_effective(const Terms& terms, double tau, Wanted wanted, PointResponse& point) {
     const auto& [Q, h, t, b] = terms;
     for (int m = 0; m < 9; ++m) point.first_piola[m] += (tau - t / 3.0) * Q[m];
@@ -50,7 +50,7 @@ void make_effective(const Terms& terms, double tau, Wanted wanted, PointResponse
                     point.tangent[9 * (3 * i + J) + 3 * k + L] += (t / 3.0 - tau) * Q[3 * i + L] * Q[3 * k + J];
 }
 
-/// vector += weight T : grad at point q, over the displacement unknowns.
+/// Adds weight T : grad N at point q to `vector` (over the displacement unknowns).
 template <bool Axisymmetric>
 void add_contraction(const ReferenceCell& cell, const Tensor& T, double weight, const CellPoints& points, int q,
                      std::span<double> vector) {
@@ -67,7 +67,7 @@ void add_contraction(const ReferenceCell& cell, const Tensor& T, double weight, 
 
 FBarState f_bar_state(const ReferenceCell& cell, const CellPoints& points) {
     FBarState state;
-    state.min_jacobian = min_jacobian(cell, points);  // a mean that is positive may hide an inverted corner
+    state.min_jacobian = min_jacobian(cell, points);  // a positive mean may hide an inverted corner
     for (int q = 0; q < cell.points; ++q) {
         state.volume[q] = points.volume[q];
         state.F[q] = points.law.gradient(q);
@@ -82,19 +82,19 @@ template <bool Axisymmetric>
 void assemble_f_bar(const ReferenceCell& cell, const FBarState& state, Wanted wanted, CellOutput& out) {
     CellPoints& points = out.points;
     std::array<Terms, max_f_bar_points> terms;
-    std::array<PointResponse, max_f_bar_points> answers;
+    std::array<PointResponse, max_f_bar_points> responses;
     double power = 0, c = 0;  // int t dV, int (b/9 - t/3) dV
     for (int q = 0; q < cell.points; ++q) {
-        answers[q] = points.law.response(q);
-        terms[q] = scaled_terms(state.F[q], state.jacobian[q], state.scale(q), wanted, answers[q]);
+        responses[q] = points.law.response(q);
+        terms[q] = scaled_terms(state.F[q], state.jacobian[q], state.scale(q), wanted, responses[q]);
         power += state.volume[q] * terms[q].t;
         c += state.volume[q] * (terms[q].b / 9.0 - terms[q].t / 3.0);
     }
     std::array<double, 24> g{}, B{};
     for (int q = 0; q < cell.points; ++q) {
         const double J = state.jacobian[q], volume = state.volume[q];
-        make_effective(terms[q], J * power / (3.0 * state.current_volume), wanted, answers[q]);
-        points.law.set_response(q, answers[q], wanted);
+        make_effective(terms[q], J * power / (3.0 * state.current_volume), wanted, responses[q]);
+        points.law.set_response(q, responses[q], wanted);
         if (wanted == Wanted::stress) continue;
         add_contraction<Axisymmetric>(cell, terms[q].Q, volume * J / state.current_volume, points, q, g);
         add_contraction<Axisymmetric>(cell, terms[q].h, volume / 3.0, points, q, B);

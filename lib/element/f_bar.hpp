@@ -1,12 +1,12 @@
 #pragma once
-/// F-bar for first-order quadrilaterals and hexahedra: the law sees Fbar = (Jm/J)^(1/3) F, whose dilatation is the cell's
-/// mean, so that near incompressibility a cell has one constraint and does not lock.
+/// F-bar for first-order quadrilaterals and hexahedra: the law is evaluated at Fbar = (Jm/J)^(1/3) F, whose dilatation is the mean of the
+/// cell. A nearly incompressible cell therefore has one volume constraint and does not lock.
 ///   Jm = v/V,  v = int J dV,  V = int dV,   W_cell = int W(Fbar) dV,  residual and stiffness its derivatives.
-/// For laws split into an isochoric and a volumetric part it is the mean dilatation of Q1/P0. The centroid's J in place of
-/// Jm and the stress put in without its variation, as in de Souza Neto et al., IJSS 33 (1996) 3277, give another element
-/// with a non-symmetric tangent. In plane strain and axisymmetry J is that of the three-dimensional F and all three
-/// diagonal components are scaled, so Fbar_33 = (Jm/J)^(1/3) in plane strain too: a quad4 is then a slice of hex8 between
-/// rigid walls, exactly, and the isochoric part of a law stays the three-dimensional one.
+/// For laws split into an isochoric and a volumetric part this is the mean-dilatation element Q1/P0. The element of de Souza Neto et
+/// al., IJSS 33 (1996) 3277, differs: it uses J at the centroid instead of Jm and omits the variation of Fbar in the residual, which
+/// gives a non-symmetric tangent. In plane strain and axisymmetry J is that of the three-dimensional F and all three
+/// diagonal components are scaled, so Fbar_33 = (Jm/J)^(1/3) also in plane strain: a quad4 is then exactly a slice of hex8 between
+/// rigid walls, and the isochoric part of a law remains the three-dimensional one.
 ///
 /// With Q = F^-T, s = (Jm/J)^(1/3), P' = s P(Fbar), A' = s^2 A(Fbar), t = P' : F, tau = J/(3v) int t dV,
 /// h = F : A' + P', b = h : F, and g = d ln Jm = (1/v) int J Q : grad dV (a vector over the unknowns):
@@ -25,11 +25,11 @@ namespace soft::element::detail {
 
 inline constexpr int max_f_bar_points = 8;  // hex8
 
-/// A law that may be run with F-bar (LawInfo::f_bar): one with an energy that is a function of the finite F.
+/// A law that can be used with F-bar (LawInfo::f_bar): its energy is a function of the finite F.
 template <class L>
 concept FBarLaw = !material::StressLaw<L> && !std::same_as<L, material::LinearElastic>;
 
-/// Kinematics of a cell's points.
+/// Kinematics at the points of a cell.
 struct FBarState {
     std::array<double, max_f_bar_points> volume{};  ///< reference volume
     std::array<double, max_f_bar_points> jacobian{};
@@ -49,10 +49,10 @@ struct FBarState {
     }
 };
 
-/// From the mapped points.
+/// Requires points filled by map_points.
 [[nodiscard]] FBarState f_bar_state(const ReferenceCell& cell, const CellPoints& points);
 
-/// Residual and stiffness from the laws' answers at Fbar, in out.points.law, which become P* and A*.
+/// Computes residual and stiffness from P(Fbar) and A(Fbar) in out.points.law, which are overwritten by P* and A*.
 template <bool Axisymmetric>
 void assemble_f_bar(const ReferenceCell& cell, const FBarState& state, material::Wanted wanted, CellOutput& out);
 
@@ -65,7 +65,7 @@ void integrate_f_bar(const ReferenceCell& cell, const material::Rubber<L>& rubbe
     if (!(state.min_jacobian > 0.0)) return;
     if (rubber.fibers) find_fiber_axes<Axisymmetric>(cell, rubber.fiber_frame, out.points);
     for (int q = 0; q < cell.points; ++q) out.points.law.set_gradient(q, state.law_gradient(q));
-    material::respond(rubber, cell.form, wanted, out.points.law);
+    material::evaluate_batch(rubber, cell.form, wanted, out.points.law);
     assemble_f_bar<Axisymmetric>(cell, state, wanted, out);
 }
 

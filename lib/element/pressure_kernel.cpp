@@ -142,7 +142,7 @@ ReferenceFacet make_reference_facet(mesh::CellType type) {
     facet.type = type;
     facet.dimension = cell.dimension + 1;
     facet.nodes = cell.node_count;
-    // One degree more than a stiffness: x . (t1 x t2) of a curved second-order facet is of high degree.
+    // A higher degree than for a stiffness: x . (t1 x t2) of a curved second-order facet is a polynomial of high degree.
     const int degree = cell.shape == mesh::Shape::triangle ? 5 : (cell.order == 1 ? 3 : 7);
     for (const auto& point : mesh::quadrature(cell.shape, degree)) {
         const auto shapes = mesh::shape_values(type, point.xi);

@@ -17,7 +17,7 @@ namespace soft::element {
 
 struct ReferenceFacet {
     mesh::CellType type;
-    int dimension = 0;  ///< of space: 2 for lines, 3 for surfaces
+    int dimension = 0;  ///< space dimension: 2 for lines, 3 for surfaces
     int nodes = 0;
     int points = 0;
     std::vector<double> weight;  ///< [point]
@@ -28,7 +28,7 @@ struct ReferenceFacet {
 
 [[nodiscard]] ReferenceFacet make_reference_facet(mesh::CellType type);
 
-/// Adds f (dofs) and, where `stiffness` is not empty, df/dx (dofs x dofs, row-major).
+/// Adds f (dofs) and, if `stiffness` is not empty, df/dx (dofs x dofs, row-major).
 void pressure_force(const ReferenceFacet& facet, model::Kinematics kinematics, std::span<const double> x,
                     std::span<double> force, std::span<double> stiffness);
 
@@ -36,13 +36,13 @@ void pressure_force(const ReferenceFacet& facet, model::Kinematics kinematics, s
 double swept_volume(const ReferenceFacet& facet, model::Kinematics kinematics, std::span<const double> x,
                     std::span<double> gradient);
 
-/// Adds int N_a dA over the UNDEFORMED facet to `weights` [node] and returns the facet's area (2 pi R included).
+/// Adds int N_a dA over the UNDEFORMED facet to `weights` [node] and returns the area of the facet (includes 2 pi R).
 double facet_area(const ReferenceFacet& facet, model::Kinematics kinematics, std::span<const double> X,
                   std::span<double> weights);
 
-/// Cap of an opening in a solid: cone from the apex c to one edge of the opening's rim, its share of the enclosed
-/// volume 1/6 int c.(y x dy). y: positions of the edge's nodes (component-major), oriented so that the whole loop
-/// has its normal out of the cavity. Adds dV/dy to `gradient` and dV/dc to `apex_gradient`.
+/// Cap of an opening in a solid: returns the contribution V = 1/6 int c.(y x dy) of the cone from the apex c to one edge of the opening's
+/// rim to the enclosed volume. y: positions of the edge's nodes (component-major), oriented so that the normal of the whole loop
+/// points out of the cavity. Adds dV/dy to `gradient` and dV/dc to `apex_gradient`.
 double cap_volume(const ReferenceFacet& edge, std::span<const double> y, std::span<const double, 3> apex,
                   std::span<double> gradient, std::span<double, 3> apex_gradient);
 

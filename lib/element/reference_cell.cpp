@@ -62,9 +62,10 @@ struct Refusal {
 
 Refusal refusal(const mesh::CellTopology& cell, Form form) {
     const std::string name(cell.name);
-    if (cell.dimension < 2) return {name + " is no solid cell", "use cells of the dimension of the body"};
+    if (cell.dimension < 2) return {name + " is not a solid cell", "use cells of the dimension of the model"};
     if (form == Form::mixed && cell.order == 1)
-        return {"first-order cells (" + name + ") have no stable pressure", "use mesh.order 2, or another formulation"};
+        return {"first-order cells (" + name + ") have no stable pressure space",
+                "use mesh.order 2 or another formulation"};
     if (form == Form::f_bar && (cell.order != 1 || !is_tensor_cell(cell)))
         return {"F-bar is for first-order quadrilaterals and hexahedra, not " + name,
                 cell.order == 1 ? "use mesh.order 2 with formulation mixed" : "use formulation mixed"};
@@ -73,7 +74,7 @@ Refusal refusal(const mesh::CellTopology& cell, Form form) {
 
 }  // namespace
 
-std::string why_not(mesh::CellType type, Form form) {
+std::string explain_incompatibility(mesh::CellType type, Form form) {
     const auto [problem, remedy] = refusal(mesh::topology(type), form);
     return problem.empty() ? problem : problem + "; " + remedy;
 }

@@ -1,17 +1,16 @@
 #pragma once
-/// A cell type with its quadrature tables and its pressure space: everything about an element that does not depend on
-/// the mesh.
+/// A cell type with its quadrature tables and its pressure space: all element data that do not depend on the mesh.
 ///   displacement  every cell, first and second order
 ///   mixed         second order only, in stable pairs (inf-sup): Q2/P-1 on quadrilaterals and hexahedra, P2/P1
 ///                 (Taylor-Hood) on triangles and tetrahedra, and its product with a line, 18/6 nodes, on wedges
 ///   f_bar         first-order quadrilaterals and hexahedra, see element/f_bar.hpp
 ///
-/// Points of quadrature: quad4 2x2, hex8 2x2x2, triangle3 3 (the integrands of bodies of revolution vary over the cell),
-/// tet4 1, wedge6 3 x 2; quad9 3x3, hex27 3x3x3, wedge18 7 x 3; triangle6 3 and tet10 4 with displacements alone, 7 and
-/// 14 in mixed form, where the product of a strain with a pressure and a curved side ask for more. Each integrates the
+/// Quadrature points: quad4 2x2, hex8 2x2x2, triangle3 3 (the integrands of bodies of revolution vary over the cell),
+/// tet4 1, wedge6 3 x 2; quad9 3x3, hex27 3x3x3, wedge18 7 x 3; triangle6 3 and tet10 4 in displacement form, 7 and
+/// 14 in mixed form, where the product of strain and pressure and curved sides require a higher degree. Each rule integrates the
 /// stiffness of the undistorted cell exactly (degree 2 (k - 1)) in sections of unit depth and solids; with the factor
-/// 2 pi R of bodies of revolution that degree keeps the order of convergence (Ciarlet, The Finite Element Method for
-/// Elliptic Problems (1978), 4.1). Every one leaves the rigid motions alone without stiffness: element/rank_test.
+/// 2 pi R of bodies of revolution this degree preserves the order of convergence (Ciarlet, The Finite Element Method for
+/// Elliptic Problems (1978), 4.1). No rule has zero-energy modes other than the rigid motions: element/rank_test.
 /// Sources: Boffi, Brezzi, Fortin, Mixed Finite Element Methods (2013) 8.6-8.8. Tested by element/reference_cell_test,
 /// element/solid_kernel_test; orders by assembly/manufactured_test, stability by assembly/inf_sup_test.
 #include <string>
@@ -24,8 +23,8 @@ namespace soft::element {
 
 using material::Form;
 
-/// none: displacements are the only unknowns. discontinuous_linear: {1, X - Xc, ...} of each cell in reference coordinates
-/// (not mapped, so the order survives on distorted cells). continuous_vertex: linear in the vertices, shared by cells.
+/// none: displacements are the only unknowns. discontinuous_linear: {1, X - Xc, ...} of each cell in the coordinates of the undeformed
+/// body (not mapped, which preserves the order on distorted cells). continuous_vertex: linear functions of the vertices, shared by cells.
 enum class PressureSpace { none, discontinuous_linear, continuous_vertex };
 
 struct ReferenceCell {
@@ -41,16 +40,16 @@ struct ReferenceCell {
     std::vector<double> dN_dxi;    ///< [point][direction][node]
     std::vector<double> vertex_N;  ///< [point][vertex], continuous_vertex only
     std::vector<double>
-        by_node;  ///< [node][direction, then N itself][padded(points)]: dN_dxi and N, the last point repeated
+        by_node;  ///< [node][direction, then N][padded(points)]: dN_dxi and N, padded by repeating the last point
 
     [[nodiscard]] int displacement_dofs() const noexcept { return dimension * nodes; }
     [[nodiscard]] int dofs() const noexcept { return displacement_dofs() + pressure_dofs; }
 };
 
-/// Why a cell type cannot be run in a form, with what would be right ("problem; remedy"); empty where it can.
-[[nodiscard]] std::string why_not(mesh::CellType type, Form form);
+/// Why a cell type cannot be used in a form, with a remedy ("problem; remedy"); empty if it can.
+[[nodiscard]] std::string explain_incompatibility(mesh::CellType type, Form form);
 
-/// Throws Error (bad_input, place "mesh") where why_not has something to say.
+/// Throws Error(bad_input, location "mesh") if explain_incompatibility is not empty.
 [[nodiscard]] ReferenceCell make_reference_cell(mesh::CellType type, Form form);
 
 }  // namespace soft::element

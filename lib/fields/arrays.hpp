@@ -1,6 +1,6 @@
 #pragma once
-/// All fields of a step as named arrays, for ParaView. Tensors have nine components, row by row, in the mesh's
-/// coordinates (of a section x, r, hoop); directions belong to the current configuration. Tested by fields/arrays_test.
+/// All fields of a step as named arrays, for ParaView. Tensors have nine components, row-major, in the coordinates of the mesh
+/// (for a section x, r, hoop); directions refer to the current configuration. Tested by fields/arrays_test.
 #include <vector>
 
 #include "fields/step_fields.hpp"
@@ -9,18 +9,19 @@
 namespace soft::fields {
 
 /// deformation_gradient, principal_stretches (descending), stretch_direction_1 to _3, J, cauchy_stress_Pa,
-/// first_piola_stress_Pa, von_mises_stress_Pa, pressure_Pa (positive in compression), and energy_density_J_m3 where the
-/// case has one. One entry a state.
+/// first_piola_stress_Pa, von_mises_stress_Pa, pressure_Pa (positive in compression), and energy_density_J_m3 if all laws of the
+/// case have an energy. One entry per state.
 [[nodiscard]] std::vector<solution::NamedArray> state_arrays(const model::Case& model,
                                                              std::span<const LocalState> states);
 
-/// displacement_m at region points, then state_arrays of the nodes.
-[[nodiscard]] std::vector<solution::NamedArray> node_arrays(const model::Case& model, const RegionPoints& places,
+/// displacement_m at the region points, then state_arrays of the nodal states.
+[[nodiscard]] std::vector<solution::NamedArray> node_arrays(const model::Case& model, const RegionPoints& region_points,
                                                             const NodalState& state, const StepFields& fields);
 
-/// The same with one entry a mesh point: on interfaces the mean over the regions (cells keep the jump), 0 at points of
-/// no cell.
-[[nodiscard]] std::vector<solution::NamedArray> mesh_point_arrays(const model::Case& model, const RegionPoints& places,
+/// The same with one entry per mesh point: on interfaces the mean over the regions (cell arrays keep the jump), 0 at points that
+/// belong to no cell.
+[[nodiscard]] std::vector<solution::NamedArray> mesh_point_arrays(const model::Case& model,
+                                                                  const RegionPoints& region_points,
                                                                   const NodalState& state, const StepFields& fields);
 
 }  // namespace soft::fields

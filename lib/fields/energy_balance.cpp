@@ -32,18 +32,18 @@ std::optional<double> EnergyBalance::error() const {
 
 std::string EnergyBalance::problem() const {
     const double error = this->error().value_or(0);
-    if (!(error > tolerated_energy_error)) return "";
+    if (!(error > max_energy_error)) return "";
     const auto mJ = [](double energy_J) { return core::rounded_text(1e3 * energy_J, 4) + " mJ"; };
     const std::string what = "the energies do not balance: at row " + std::to_string(worst_row_) +
                              " the loads have done " + mJ(worst_.work_J) + " of work, the rubber stores " +
                              mJ(worst_.stored_J);
-    const std::string off = ", which differ by " + core::rounded_text(100 * error, 2) + " % of the largest energy";
+    const std::string off = ", a difference of " + core::rounded_text(100 * error, 2) + " % of the largest energy";
     if (moves_)
         return what + ", " + mJ(worst_.kinetic_J) + " are kinetic and " + mJ(worst_.damping_J) +
-               " are taken by damping" + off +
-               "; use a smaller dynamics.accuracy or dynamics.step; a spectral_radius near 1 damps less";
+               " are dissipated by damping" + off +
+               "; use a smaller dynamics.accuracy or dynamics.step, or a spectral_radius near 1 for less damping";
     return what + off +
-           ": the rows are not one path of equilibrium; use a smaller solver.residual_tolerance or solver.step_accuracy, or another "
+           ": the rows do not lie on one equilibrium path; use a smaller solver.residual_tolerance or solver.step_accuracy, or another "
            "mesh.size";
 }
 

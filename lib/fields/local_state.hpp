@@ -1,9 +1,9 @@
 #pragma once
-/// Stress and strain at one place, and what is derived from them. SI units.
+/// Stress and strain at a point, and derived quantities. SI units.
 ///   sigma = P F^T / J   (small strain has one stress: sigma = P)
 ///   F = sum_a stretch_a n_a (x) N_a,   stretch_a^2 the eigenvalues of b = F F^T, n_a its eigenvectors
 ///   von Mises = sqrt(3/2 dev sigma : dev sigma),   pressure = - tr sigma / 3 (positive in compression)
-/// Components are those of the mesh's coordinates: (x, y, z); of a section (x, r, hoop), of plane strain (x, y, z).
+/// Components refer to the coordinates of the mesh: solid and plane strain (x, y, z), section of revolution (x, r, hoop).
 /// Source: Holzapfel, Nonlinear Solid Mechanics (2000), 2.6, 3.2. Tested by fields/local_state_test.
 #include <array>
 
@@ -16,7 +16,7 @@ struct LocalState {
     Tensor first_piola_Pa{};        ///< P, reference area
     Tensor cauchy_Pa{};             ///< sigma, current area
     double jacobian = 1;            ///< J = det F
-    double energy_J_m3 = 0;         ///< per undeformed volume; 0 where has_energy(case) is false
+    double energy_J_m3 = 0;         ///< per undeformed volume; 0 if has_energy(case) is false
 };
 
 /// Principal stretches in descending order, with their directions in the CURRENT configuration (unit vectors; the sign

@@ -1,7 +1,7 @@
 #pragma once
-/// What can be said against a static path only when it has been followed: laws used beyond where they hold, goals
-/// that the loads do not reach. Plain warnings, one line each. Tested by fields/reached_test and
-/// Pipeline.MisleadingDesignsAreNamed.
+/// Warnings about a finished static path: material laws used outside their range, goals that the loads do not reach. One line per
+/// warning. Tested by fields/path_warnings_test and
+/// Pipeline.MisleadingDesignsAreReported.
 #include <optional>
 #include <span>
 #include <string>
@@ -12,33 +12,35 @@
 
 namespace soft::fields {
 
-struct Reached {
-    solution::Step first, last;  ///< rows of the path
+struct PathSummary {
+    solution::Step first, last;  ///< first and last row of the path
     double max_stretch_p99 = 1;
-    solution::Step most_stretched;  ///< the row with the largest stretch at a point
-    bool gave_way = false;          ///< a row is not stable
+    solution::Step max_stretch_step;  ///< the row with the largest stretch at a point
+    bool became_unstable = false;     ///< a row is not stable
     std::span<const solution::LimitPoint> limit_points = {};
     std::optional<int> first_crushed_row = {};  ///< with det F below crushed_jacobian at a point
     double min_jacobian = 1;
 };
 
-/// Of rubber that keeps its volume no state, but what a mesh cannot resolve: shipped designs stay above 0.75.
+/// det F below this is not a physical state of nearly incompressible rubber but a local error of the mesh; the shipped designs stay
+/// above 0.75.
 inline constexpr double crushed_jacobian = 0.5;
 
-/// Whether the row's least det F is that of a few points: of a state that is the same everywhere it is what the loads ask for.
+/// Whether det F is below crushed_jacobian at a few points only. In a homogeneous state the loads prescribe the compression.
 [[nodiscard]] bool is_crushed_at_a_point(const solution::Step& row);
 
-/// stretch    a principal stretch, exceeded in 1 % of the rubber, beyond the law's first limit in tension (Drucker's stability,
-///            material/stability.hpp: in whichever mode it comes first), or beyond what small strains are; of a body that has
-///            given way or whose path has ended early also where less of the rubber is beyond that limit: a rubber that
-///            softens gathers its strain in a few cells, and unloads around them
-/// goals      path.until names values that the path, which ends at its full load, does not come to
-/// crushed    det F far below 1 at a point of rubber that hardly changes its volume: beside a held edge or a sharp corner a mesh
-///            presses it together without end, and gives way there for itself
-/// maximum    the load has passed a maximum below the pressure asked for, and the path has ended early behind it: inverted
-///            cells, contact or divergence there are not what is wrong
-/// None for a motion in time.
-[[nodiscard]] std::vector<std::string> warnings_at(const model::Case& solved, const Reached& reached,
-                                                   solution::StopReason end);
+/// Warnings for
+/// stretch    a principal stretch, exceeded in 1 % of the rubber, beyond the first tensile stability limit of the law (Drucker,
+///            material/stability.hpp; the mode with the lowest limit), or beyond the range of small strains. If the path is unstable or
+///            ended early, also if less of the rubber is beyond that limit: a softening rubber localizes its strain in a few
+///            cells and unloads around them
+/// goals      path.until has values that are not reached at full load
+/// crushed    det F far below 1 at a point of nearly incompressible rubber: next to a fixed edge or a sharp corner a mesh can be
+///            compressed without limit and become unstable, which is a mesh artefact
+/// maximum    the pressure has passed a maximum below the requested pressure and the path ended early after it: inverted
+///            cells, contact or divergence there are consequences, not the cause
+/// No warnings for a motion in time.
+[[nodiscard]] std::vector<std::string> path_warnings(const model::Case& solved, const PathSummary& reached,
+                                                     solution::StopReason end);
 
 }  // namespace soft::fields

@@ -1,5 +1,5 @@
 #pragma once
-/// The scalar fields that people look at, by name. One table feeds options, colour bars and the report.
+/// The scalar fields available for output, by name. One table feeds options, colour bars and the report.
 /// Tested by fields/quantity_test.
 #include <span>
 #include <string_view>
@@ -23,14 +23,15 @@ struct QuantityInfo {
 /// In the order of the enumeration.
 [[nodiscard]] std::span<const QuantityInfo> quantities();
 [[nodiscard]] const QuantityInfo& info(Quantity quantity);
-/// Throws Error(usage, place "--field") for another name.
+/// Throws Error(usage, location "--field") for an unknown name.
 [[nodiscard]] Quantity quantity_from_name(std::string_view name);
 
-/// Whether the case has it: energy only where its laws have one.
+/// Whether the case has the quantity: energy requires that all laws have an energy function.
 [[nodiscard]] bool is_available(Quantity quantity, const model::Case& model);
 
-/// SI values, one a region point. Throws Error(bad_input, place "--field") for a quantity the case does not have.
-[[nodiscard]] std::vector<double> nodal_values(Quantity quantity, const model::Case& model, const RegionPoints& places,
-                                               const NodalState& state, const StepFields& fields);
+/// SI values, one per region point. Throws Error(bad_input, location "--field") for a quantity that the case does not have.
+[[nodiscard]] std::vector<double> nodal_values(Quantity quantity, const model::Case& model,
+                                               const RegionPoints& region_points, const NodalState& state,
+                                               const StepFields& fields);
 
 }  // namespace soft::fields

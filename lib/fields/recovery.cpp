@@ -9,7 +9,7 @@ namespace soft::fields {
 
 namespace {
 
-/// Least squares for up to three unknowns: the matrix and the right side, with rows added one by one.
+/// Least squares for up to three unknowns: matrix and right-hand side, accumulated row by row.
 struct NormalEquations {
     Tensor matrix{};
     Vector3 right{};
@@ -20,7 +20,7 @@ struct NormalEquations {
             for (std::size_t j = 0; j < 3; ++j) matrix[3 * i + j] += row[i] * row[j];
         }
     }
-    /// The least of the nearest solutions: a hair of damping, which moves it by a billionth, chooses among them.
+    /// Minimum-norm solution: a relative damping of 1e-9 selects it and changes the solution by the same order.
     [[nodiscard]] Vector3 solve() const {
         constexpr double damping = 1e-9;
         const double size = trace(matrix);
@@ -53,7 +53,7 @@ std::vector<double> nodal_functions(const element::ReferenceCell& cell, std::spa
 
 std::vector<double> extrapolation(const element::ReferenceCell& cell, std::span<const double> X) {
     const auto points = static_cast<std::size_t>(cell.points), nodes = static_cast<std::size_t>(cell.nodes);
-    // 1 and the coordinates, made orthogonal over the points one after the other (Gram and Schmidt).
+    // 1 and the coordinates, orthogonalized over the points (Gram-Schmidt).
     struct Function {
         std::vector<double> point, node;
         double square = 0;
@@ -91,7 +91,7 @@ std::vector<double> cell_pressure(const element::ReferenceCell& cell, const Noda
         return {nodal.pressure_Pa.begin(), nodal.pressure_Pa.begin() + cell.pressure_dofs};
 
     const auto functions = nodal_functions(cell, nodal.X);
-    const std::size_t centre = static_cast<std::size_t>(cell.nodes) - 1;  // VTK's order ends with it
+    const std::size_t centre = static_cast<std::size_t>(cell.nodes) - 1;  // the last node in VTK's order
     NormalEquations equations;
     for (std::size_t a = 0; a < centre; ++a) {
         if (nodal.shared[a]) continue;

@@ -1,6 +1,6 @@
 #pragma once
-/// Within one cell: from integration points to nodes, and from nodal pressures to the cell's own pressure unknowns.
-/// For fields/step_fields.hpp, which says what is done; its tests hold it.
+/// Recovery within one cell: values at quadrature points to values at nodes, and nodal pressures to the pressure unknowns of the cell.
+/// The method is described in fields/step_fields.hpp. Tested by fields/recovery_test and fields/step_fields_test.
 #include <span>
 #include <vector>
 
@@ -8,21 +8,21 @@
 
 namespace soft::fields {
 
-/// The matrix [node][point] that takes values at the points of a cell to its nodes: the function linear in the
-/// reference position X that is nearest at the points, weighted as in the reference cell; the constant where the rule
-/// has one point. `X` [dimension x node], component-major [m].
+/// Matrix [node][point] that maps values at the quadrature points of a cell to its nodes: least-squares fit of a linear function of the
+/// reference position X, with the weights of the reference cell; a constant if the rule has one point. `X` [dimension x node],
+/// component-major [m].
 [[nodiscard]] std::vector<double> extrapolation(const element::ReferenceCell& cell, std::span<const double> X);
 
-/// What the cell's pressure is fitted to.
+/// Data to which the pressure of a cell is fitted.
 struct NodalPressures {
     std::span<const double> X;            ///< [dimension x node], component-major [m]
     std::span<const double> pressure_Pa;  ///< [node]
-    std::span<const bool> shared;         ///< [node] with cells of another region: its mean says little of this cell
+    std::span<const bool> shared;  ///< [node] shared with another region: its mean value does not represent this cell
 };
 
-/// Unknowns (scale 1 Pa) of the cell's pressure space. continuous_vertex: the vertices' own values.
-/// discontinuous_linear: exact at the centre node, which no other cell has; least squares at the nodes that are not
-/// shared. Directions that these do not determine stay constant.
+/// Unknowns (scale 1 Pa) of the cell's pressure space. continuous_vertex: the values at the vertices.
+/// discontinuous_linear: exact at the centre node, which belongs to this cell only; least squares at the nodes that are not
+/// shared. The pressure is constant along directions that these nodes do not determine.
 [[nodiscard]] std::vector<double> cell_pressure(const element::ReferenceCell& cell, const NodalPressures& nodal);
 
 }  // namespace soft::fields

@@ -5,7 +5,7 @@
 
 namespace soft::fields {
 
-RegionPoints region_points(const mesh::Mesh& mesh) {
+RegionPoints make_region_points(const mesh::Mesh& mesh) {
     using Key = std::pair<mesh::Index, std::int32_t>;
     std::vector<Key> keys;
     keys.reserve(mesh.connectivity.size());
@@ -18,16 +18,16 @@ RegionPoints region_points(const mesh::Mesh& mesh) {
     const auto repeated = std::ranges::unique(points);
     points.erase(repeated.begin(), repeated.end());
 
-    RegionPoints places;
+    RegionPoints result;
     for (const auto& [node, region] : points) {
-        places.node.push_back(node);
-        places.region.push_back(region);
+        result.node.push_back(node);
+        result.region.push_back(region);
     }
-    places.connectivity.reserve(keys.size());
+    result.connectivity.reserve(keys.size());
     for (const Key& key : keys)
-        places.connectivity.push_back(
+        result.connectivity.push_back(
             static_cast<std::int32_t>(std::ranges::lower_bound(points, key) - points.begin()));
-    return places;
+    return result;
 }
 
 }  // namespace soft::fields

@@ -1,6 +1,6 @@
 #pragma once
-/// Nodes as the regions see them: where two rubbers meet, stress and stretch jump, so a node on the interface carries
-/// one value for each region. Fields at nodes are arrays over these region points. Tested by fields/step_fields_test.
+/// Nodes duplicated per region: stress and stretch are discontinuous at the interface of two materials, so a node on the interface has
+/// one value for each region. Nodal fields are arrays over these region points. Tested by fields/step_fields_test.
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -22,7 +22,7 @@ struct RegionPoints {
     }
 };
 
-/// One point for each pair of a node and a region that has a cell there; nodes of no cell have none.
-[[nodiscard]] RegionPoints region_points(const mesh::Mesh& mesh);
+/// One point for each pair of a node and a region with a cell at that node; nodes without cells have none.
+[[nodiscard]] RegionPoints make_region_points(const mesh::Mesh& mesh);
 
 }  // namespace soft::fields

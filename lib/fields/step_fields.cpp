@@ -18,7 +18,7 @@ namespace {
 using element::PointState;
 using element::ReferenceCell;
 
-/// The components that are averaged, as one row of numbers: everything in a LocalState.
+/// sum += factor x part for all members of LocalState.
 void add_scaled(LocalState& sum, double factor, const LocalState& part) {
     for (std::size_t i = 0; i < 9; ++i) {
         sum.deformation_gradient[i] += factor * part.deformation_gradient[i];
@@ -66,34 +66,35 @@ LocalState local_state(const material::Rubber<L>& rubber, material::Form form, c
 
 class Evaluator {
 public:
-    Evaluator(const model::Case& model, const RegionPoints& places, const NodalState& state)
-        : model_(model), places_(places), state_(state), shared_(model.mesh.points.size(), false) {
+    Evaluator(const model::Case& model, const RegionPoints& region_points, const NodalState& state)
+        : model_(model), region_points_(region_points), state_(state), shared_(model.mesh.points.size(), false) {
         for (const std::string& region : model.mesh.region_names) {
             const auto material = std::ranges::find(model.materials, region, &model::Material::name);
             if (material == model.materials.end())
                 throw Error(ExitCode::bad_input, "materials/" + region, "the region has no material");
             rubbers_.push_back(model::make_rubber(*material));
         }
-        for (std::size_t k = 1; k < places.size(); ++k)
-            if (places.node[k] == places.node[k - 1]) shared_[static_cast<std::size_t>(places.node[k])] = true;
+        for (std::size_t k = 1; k < region_points.size(); ++k)
+            if (region_points.node[k] == region_points.node[k - 1])
+                shared_[static_cast<std::size_t>(region_points.node[k])] = true;
     }
 
     StepFields run() {
         StepFields out;
         out.first_point.push_back(0);
-        out.nodes.assign(places_.size(), zero_state());
-        std::vector<double> node_volumes(places_.size(), 0.0);
+        out.nodes.assign(region_points_.size(), zero_state());
+        std::vector<double> node_volumes(region_points_.size(), 0.0);
         for (mesh::Index cell = 0; cell < model_.mesh.cell_count(); ++cell) {
             const ReferenceCell& reference = reference_of(model_.mesh.cell_type(cell));
             const double volume = add_points(cell, reference, out);
-            carry_to_nodes(cell, reference, volume, out);
-            for (const std::int32_t k : places_.of_cell(model_.mesh, cell))
+            extrapolate_to_nodes(cell, reference, volume, out);
+            for (const std::int32_t k : region_points_.of_cell(model_.mesh, cell))
                 node_volumes[static_cast<std::size_t>(k)] += volume;
         }
         for (std::size_t k = 0; k < out.nodes.size(); ++k) {
             LocalState mean = zero_state();
             add_scaled(mean, 1.0 / node_volumes[k], out.nodes[k]);
-            mean.energy_J_m3 = std::max(mean.energy_J_m3, 0.0);  // it has its least in a kink that lines undershoot
+            mean.energy_J_m3 = std::max(mean.energy_J_m3, 0.0);  // linear extrapolation can undershoot the minimum 0
             out.nodes[k] = mean;
         }
         return out;
@@ -120,7 +121,7 @@ private:
         for (const PointState& sample : samples_) {
             if (!(determinant(sample.F) > 0.0))
                 throw Error(ExitCode::bad_input, "/fields/displacement",
-                            "cell " + std::to_string(cell) + " is turned inside out", "solve the case again");
+                            "cell " + std::to_string(cell) + " is inverted (det F <= 0)", "solve the case again");
             out.points.push_back(
                 std::visit([&](const auto& r) { return local_state(r, model_.formulation, sample); }, rubber));
             out.point_volumes_m3.push_back(sample.weight_m3);
@@ -154,22 +155,22 @@ private:
         p_ = cell_pressure(reference, {X_, {pressure.data(), n}, {shared.data(), n}});
     }
 
-    /// The cell is the one gathered last.
-    void carry_to_nodes(mesh::Index cell, const ReferenceCell& reference, double volume, StepFields& out) const {
+    /// `cell` must be the one gathered last.
+    void extrapolate_to_nodes(mesh::Index cell, const ReferenceCell& reference, double volume, StepFields& out) const {
         const auto points = static_cast<std::size_t>(reference.points);
         const std::vector<double> to_nodes = extrapolation(reference, X_);
         const auto* values = &out.points[out.points.size() - points];
-        const auto nodes = places_.of_cell(model_.mesh, cell);
+        const auto nodes = region_points_.of_cell(model_.mesh, cell);
         for (std::size_t a = 0; a < nodes.size(); ++a)
             for (std::size_t q = 0; q < points; ++q)
                 add_scaled(out.nodes[static_cast<std::size_t>(nodes[a])], volume * to_nodes[a * points + q], values[q]);
     }
 
     const model::Case& model_;
-    const RegionPoints& places_;
+    const RegionPoints& region_points_;
     const NodalState& state_;
-    std::vector<material::AnyRubber> rubbers_;  ///< one a region
-    std::vector<bool> shared_;                  ///< [mesh point] of several regions
+    std::vector<material::AnyRubber> rubbers_;  ///< one per region
+    std::vector<bool> shared_;                  ///< [mesh point] belongs to several regions
     std::map<mesh::CellType, ReferenceCell> references_;
     std::map<mesh::CellType, element::CellPoints> work_;
     std::vector<PointState> samples_;
@@ -190,9 +191,9 @@ void check(const model::Case& model, const NodalState& state) {
 
 }  // namespace
 
-StepFields step_fields(const model::Case& model, const RegionPoints& places, const NodalState& state) {
+StepFields step_fields(const model::Case& model, const RegionPoints& region_points, const NodalState& state) {
     check(model, state);
-    return Evaluator(model, places, state).run();
+    return Evaluator(model, region_points, state).run();
 }
 
 bool has_energy(const model::Case& model) {

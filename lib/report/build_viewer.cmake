@@ -1,4 +1,4 @@
-# Fetches the pinned packages of package-lock.json and makes viewer_bundle.cpp; where that is not possible, one that says why.
+# Fetches the pinned packages of package-lock.json and generates viewer_bundle.cpp; if that fails, the file contains the reason.
 #   cmake -D SOURCE=lib/report -D WORK=folder -D OUTPUT=viewer_bundle.cpp [-D NPM=npm -D NODE=node] -P build_viewer.cmake
 set(reason "")
 if(NPM AND NODE)

@@ -1,4 +1,4 @@
-// viewer.js and what it imports -> one C++ file that holds the script and its licence.   node build_viewer.mjs OUTPUT.cpp
+// Bundles viewer.js and its imports into one C++ file with the script and its licence.   node build_viewer.mjs OUTPUT.cpp
 import { build } from 'esbuild';
 import { readFileSync, writeFileSync } from 'node:fs';
 
@@ -12,7 +12,7 @@ if (/<\/script|<!--/i.test(script)) throw new Error('the bundle would end its sc
 const three = JSON.parse(readFileSync('node_modules/three/package.json', 'utf8'));
 const licence = readFileSync('node_modules/three/LICENSE', 'utf8');
 
-// Raw strings in pieces: compilers need not take string literals beyond 64 KiB.
+// Raw strings in pieces: compilers need not support string literals longer than 64 KiB.
 function literal(text) {
   const pieces = text.match(/[^]{1,32000}/g);
   return pieces.map((piece) => `    R"soft~(${piece})soft~"sv,`).join('\n');

@@ -20,7 +20,7 @@ thead th { border-bottom: 1px solid #999; } tbody tr { border-bottom: 1px solid 
 .controls { display: flex; flex-wrap: wrap; gap: .8rem; align-items: center; margin: .6rem 0; }
 .controls .wide { flex: 1 1 20rem; display: flex; gap: .6rem; } .controls .wide input { flex: 1; }
 .colourbar { display: flex; gap: .6rem; align-items: center; } #colours { flex: 1; height: 1.1rem; border: 1px solid #999; }
-#trouble { color: #a00000; } [hidden] { display: none !important; }
+#viewer-error { color: #a00000; } [hidden] { display: none !important; }
 )";
 
 }  // namespace
@@ -30,7 +30,7 @@ void require_viewer() {
     if (!bundle.missing.empty())
         throw Error(ExitCode::cannot_create, "--report",
                     "this program was built without the viewer of the body: " + std::string{bundle.missing},
-                    "install Node.js with npm, then configure and build again in a fresh folder");
+                    "install Node.js with npm, then configure and build in a new build directory");
 }
 
 std::string make_report(const Content& content, std::size_t body_bytes) {

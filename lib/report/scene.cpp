@@ -20,13 +20,12 @@ namespace soft::report {
 namespace {
 
 constexpr double mm_per_m = 1e3;
-constexpr double outliers = 0.01;  // share of the values at each end that the colours leave out
-constexpr int sectors = 48;        // of a full turn: chords stray 0.2 % of the radius from the circle
+constexpr double outliers = 0.01;  // fraction of the values at each end that is outside the colour range
+constexpr int sectors = 48;        // per full turn: chords deviate by 0.2 % of the radius from the circle
 
 template <class T>
 std::string packed(const std::vector<T>& values) {
-    return core::base64(
-        std::as_bytes(std::span(values)));  // the byte order of every machine this runs on, and of WebGL
+    return core::base64(std::as_bytes(std::span(values)));  // little-endian, as all supported machines and WebGL
 }
 
 struct Range {
@@ -41,13 +40,13 @@ struct Range {
     }
 };
 
-/// A field through all frames, in its unit.
+/// A field in all frames, in its unit.
 struct Field {
     const fields::QuantityInfo* info;
     std::vector<double> values;  ///< [frame][base]
 };
 
-/// The motion of the bases.
+/// Positions and fields of the bases in all frames.
 struct Motion {
     std::vector<std::int64_t> steps;
     std::vector<view::Point> positions_m;  ///< [frame][base]
@@ -62,44 +61,44 @@ std::vector<const fields::QuantityInfo*> available(const model::Case& model) {
     return list;
 }
 
-/// What the arrays of a frame take.
+/// Size of the arrays of one frame [bytes].
 std::size_t frame_bytes(const view::Skin& skin, std::size_t fields) { return 2 * skin.base_count() * (3 + fields); }
 
-view::Skin make_skin(const model::Case& model, const fields::RegionPoints& places, std::size_t fields,
+view::Skin make_skin(const model::Case& model, const fields::RegionPoints& region_points, std::size_t fields,
                      std::size_t frame_budget) {
-    view::SkinOptions options;  // as modelled: cut open, so that one sees inside; the viewer mirrors it
+    view::SkinOptions options;  // extent as modelled: cut open to show the inside; the viewer adds the mirror images
     options.sectors = sectors;
     for (options.segments = 4; options.segments > 1; options.segments /= 2) {
-        view::Skin skin = view::make_skin(model, places, options);
+        view::Skin skin = view::make_skin(model, region_points, options);
         if (frame_bytes(skin, fields) <= frame_budget) return skin;
     }
-    return view::make_skin(model, places, options);
+    return view::make_skin(model, region_points, options);
 }
 
-/// Evenly among the stored steps, first and last included.
-std::vector<std::int64_t> choose_steps(const std::vector<std::int64_t>& stored, std::size_t most) {
-    if (stored.size() <= most) return stored;
+/// Selects at most `max_steps` of the stored steps evenly, including the first and the last.
+std::vector<std::int64_t> choose_steps(const std::vector<std::int64_t>& stored, std::size_t max_steps) {
+    if (stored.size() <= max_steps) return stored;
     std::vector<std::int64_t> chosen;
-    for (std::size_t i = 0; i < most; ++i)
-        chosen.push_back(stored[most > 1 ? i * (stored.size() - 1) / (most - 1) : stored.size() - 1]);
+    for (std::size_t i = 0; i < max_steps; ++i)
+        chosen.push_back(stored[max_steps > 1 ? i * (stored.size() - 1) / (max_steps - 1) : stored.size() - 1]);
     return chosen;
 }
 
-Motion follow(const io::Result& result, const view::Skin& skin, const fields::RegionPoints& places,
+Motion follow(const io::Result& result, const view::Skin& skin, const fields::RegionPoints& region_points,
               std::size_t byte_budget) {
     Motion motion;
     for (const fields::QuantityInfo* info : available(result.model)) motion.fields.push_back({info, {}});
-    const std::size_t most = std::max<std::size_t>(2, byte_budget / frame_bytes(skin, motion.fields.size()));
-    motion.steps = choose_steps(result.fields.steps(), most);
-    motion.undeformed_m = view::base_positions(skin, result.model, places, {});
+    const std::size_t max_steps = std::max<std::size_t>(2, byte_budget / frame_bytes(skin, motion.fields.size()));
+    motion.steps = choose_steps(result.fields.steps(), max_steps);
+    motion.undeformed_m = view::base_positions(skin, result.model, region_points, {});
     for (const std::int64_t step : motion.steps) {
         const io::FieldReader::Values values = result.fields.read(step).value();
         const fields::NodalState state{values.displacement_m, values.pressure_Pa};
-        const fields::StepFields local = fields::step_fields(result.model, places, state);
-        const auto bases = view::base_positions(skin, result.model, places, values.displacement_m);
+        const fields::StepFields local = fields::step_fields(result.model, region_points, state);
+        const auto bases = view::base_positions(skin, result.model, region_points, values.displacement_m);
         motion.positions_m.insert(motion.positions_m.end(), bases.begin(), bases.end());
         for (Field& field : motion.fields) {
-            const auto nodal = fields::nodal_values(field.info->quantity, result.model, places, state, local);
+            const auto nodal = fields::nodal_values(field.info->quantity, result.model, region_points, state, local);
             for (const double value : view::base_values(skin, nodal))
                 field.values.push_back(value / field.info->SI_per_unit);
         }
@@ -150,7 +149,7 @@ std::vector<std::uint16_t> shares(const std::vector<view::Point>& points, const 
     return out;
 }
 
-/// Signs of the coordinates in the part that is in the mesh and in its mirror images.
+/// Signs of the coordinates in the modelled part and in its mirror images.
 std::vector<std::array<double, 3>> mirrors(const model::Case& model) {
     std::vector<std::array<double, 3>> signs = {{1, 1, 1}};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -171,7 +170,7 @@ void add_ranges(nlohmann::ordered_json& json, const char* low, const char* high,
     }
 }
 
-/// Positions, and the window that holds the body with its mirror images in all frames.
+/// Adds the positions and the window that contains the body with its mirror images in all frames.
 void add_positions(nlohmann::ordered_json& json, const view::Skin& skin, const Motion& motion,
                    std::span<const std::array<double, 3>> mirrors) {
     std::array<Range, 3> bases, window;
@@ -197,7 +196,7 @@ void add_skin(nlohmann::ordered_json& json, const view::Skin& skin) {
     std::vector<std::uint8_t> placement;
     for (const view::Skin::Vertex& vertex : skin.vertices) {
         base.push_back(static_cast<std::uint32_t>(vertex.base));
-        placement.push_back(static_cast<std::uint8_t>(vertex.placement));  // of at most `sectors` + 1
+        placement.push_back(static_cast<std::uint8_t>(vertex.placement));  // at most `sectors` + 1 placements
     }
     for (const auto& triangle : view::triangles(skin))
         for (const std::int32_t vertex : triangle) triangles.push_back(static_cast<std::uint32_t>(vertex));
@@ -223,10 +222,10 @@ std::string palette_bytes() {
 Scene make_scene(const io::Result& result, const post::Curve& curve, std::size_t byte_budget) {
     const std::vector<std::int64_t>& stored = result.fields.steps();
     if (stored.empty()) return {};
-    const fields::RegionPoints places = fields::region_points(result.model.mesh);
+    const fields::RegionPoints region_points = fields::make_region_points(result.model.mesh);
     const view::Skin skin =
-        make_skin(result.model, places, available(result.model).size(), byte_budget / stored.size());
-    const Motion motion = follow(result, skin, places, byte_budget);
+        make_skin(result.model, region_points, available(result.model).size(), byte_budget / stored.size());
+    const Motion motion = follow(result, skin, region_points, byte_budget);
 
     nlohmann::ordered_json json = {{"bases", skin.base_count()}, {"palette", palette_bytes()}};
     for (const std::int64_t step : motion.steps)

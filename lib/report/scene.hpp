@@ -1,12 +1,12 @@
 #pragma once
-/// The body through its steps as the viewer of a report takes it (viewer.js): JSON with base64 arrays. Internal; held by
+/// Data of the 3D viewer of a report (viewer.js): the body in all frames, as JSON with base64 arrays. Internal; tested by
 /// report/scene_test.
 ///
-/// Positions of the skin's bases [mm] and the fields are 16-bit shares of their range over all frames: the body is true to
-/// 1/65535 of the space it moves in. Frames are the steps whose fields are stored; where the arrays would be larger than
-/// `byte_budget`, curved sides are divided less, then frames are left out evenly (the last one never).
-/// The colours of a field run from its value exceeded in 99 % of places and frames to that exceeded in 1 %: a sharp corner
-/// does not wash out the rest. The ends say so where the field goes on beyond them.
+/// Positions of the skin's bases [mm] and the fields are stored as 16-bit fractions of their range over all frames, so the resolution
+/// of positions is 1/65535 of the space in which the body moves. Frames are the steps with stored fields. If the arrays would exceed
+/// `byte_budget`, curved facets are subdivided less, then frames are omitted evenly (never the last one).
+/// The colour range of a field extends from its 1 % to its 99 % quantile over all bases and frames, so that a stress peak at a sharp
+/// corner does not dominate the colours. The labels of the colour bar indicate values outside the range.
 #include <cstddef>
 #include <string>
 
@@ -16,12 +16,12 @@
 namespace soft::report {
 
 struct Scene {
-    std::string json;        ///< empty where no step has fields
+    std::string json;        ///< empty if no step has fields
     std::size_t frames = 0;  ///< shown
     std::size_t stored = 0;  ///< steps with fields
 };
 
-/// Error(bad_input) where stored fields are damaged.
+/// Error(bad_input) if stored fields are damaged.
 [[nodiscard]] Scene make_scene(const io::Result& result, const post::Curve& curve, std::size_t byte_budget);
 
 }  // namespace soft::report

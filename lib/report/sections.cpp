@@ -17,7 +17,7 @@ std::string with_unit(const post::Column& column, double value, int digits) {
     return core::rounded_text(value, digits) + (column.unit.empty() ? "" : " " + column.unit);
 }
 
-/// "pressure 44.3 kPa, elongation 20 mm": what a limit point or bifurcation says.
+/// The values at a limit point or bifurcation: "pressure 44.3 kPa, elongation 20 mm".
 std::string location_text(const post::Curve& curve, const solution::LimitPoint& point) {
     std::vector<std::string> words;
     for (const post::Column& column : curve.columns)
@@ -26,8 +26,8 @@ std::string location_text(const post::Curve& curve, const solution::LimitPoint& 
     return core::join(words);
 }
 
-/// "pressure 0 to 24.7 kPa" of each coordinate.
-std::string reach_text(const post::Curve& curve) {
+/// The range of each coordinate: "pressure 0 to 24.7 kPa".
+std::string coordinate_range_text(const post::Curve& curve) {
     std::vector<std::string> words;
     for (const post::Column& column : curve.columns) {
         if (column.role != post::Role::coordinate || column.values.empty()) continue;
@@ -55,9 +55,9 @@ std::string html_table(std::span<const std::string> head, std::span<const Row> r
 std::string summary_section(const Content& content) {
     const io::Result& result = content.result;
     const auto& end = result.end;
-    std::string html =
-        paragraph(std::to_string(result.steps.size()) + " converged steps: " + reach_text(content.curve) + ".");
-    if (!end) return html + paragraph("The path is not finished: solve was stopped or is still at work.");
+    std::string html = paragraph(std::to_string(result.steps.size()) +
+                                 " converged steps: " + coordinate_range_text(content.curve) + ".");
+    if (!end) return html + paragraph("The path is not finished: solve was stopped or is still running.");
     html += paragraph("The path ended: " + std::string{solution::name(end->reason)} +
                       (end->detail.empty() ? "" : " (" + end->detail + ")") + ".");
     for (const solution::LimitPoint& point : end->limit_points)
@@ -71,23 +71,24 @@ std::string curve_section(const Content& content) {
     const std::string script =
         post::plot_script(content.series, content.measured, content.plot, post::PictureFormat::svg);
     const std::string svg = post::gnuplot_output(script, "--report");
-    // As an image: within it neither scripts nor styles act on the page, whatever a label holds.
+    // Embedded as an image, so that no script or style in a label can affect the page.
     return "<h2>Curve</h2>\n<img id='curve' alt='" + escaped(content.result.model.name) +
            "' src='data:image/svg+xml;base64," + base64(svg) + "'>\n";
 }
 
 std::string body_section(const Scene& scene) {
     if (scene.json.empty())
-        return "<h2>Body</h2>\n" + paragraph("No step of this result holds its fields; solve --fields all keeps them.");
+        return "<h2>Body</h2>\n" +
+               paragraph("This result contains no fields; run solve with --fields all to store them.");
     const std::string left_out =
         scene.frames == scene.stored
             ? ""
             : paragraph(std::to_string(scene.frames) + " of " + std::to_string(scene.stored) +
-                        " stored steps are shown, so that this page stays small enough for a browser.");
+                        " stored steps are shown to keep this page small enough for a browser.");
     return R"(<h2>Body</h2>
-<p>Drag to turn, wheel to come nearer, right button to shift.</p>
+<p>Drag to rotate, scroll to zoom, drag with the right button to pan.</p>
 <canvas id='body' aria-label='the deformed body'></canvas>
-<p id='trouble' hidden></p>
+<p id='viewer-error' hidden></p>
 <div class='controls'>
 <label class='wide'>Step <input id='frame' type='range' min='0' step='1' value='0'></label>
 <button id='play' type='button'>Play</button> <button id='reset' type='button'>Reset view</button>
@@ -117,8 +118,9 @@ std::string comparison_section(const Content& content) {
                          error.r2 ? core::rounded_text(*error.r2, 4) : ""}});
     }
     return "<h2>Comparison with measured data</h2>\n" +
-           paragraph(content.measured->source +
-                     "; errors are calculated minus measured, over the points that the path reaches.") +
+           paragraph(
+               content.measured->source +
+               "; errors are computed minus measured values at the measured points within the range of the path.") +
            html_table(head, rows);
 }
 
@@ -132,7 +134,8 @@ std::string table_section(const Content& content) {
         for (const post::Column* column : shown) line.cells.push_back(core::rounded_text(column->values[row], 6));
     }
     return "<h2>Results</h2>\n<p><a download='curve.csv' href='data:text/csv;base64," +
-           base64(post::csv_text(content.curve)) + "'>The table as CSV, all digits</a></p>\n<div class='scroll'>" +
+           base64(post::csv_text(content.curve)) +
+           "'>Download the table as CSV with all digits</a></p>\n<div class='scroll'>" +
            html_table(head, rows, "results") + "</div>\n";
 }
 
@@ -143,7 +146,8 @@ std::string design_section(const Content& content) {
     if (!design.overrides.empty())
         html += paragraph("Changed on the command line: " + core::join(design.overrides) + ".");
     return html + "<details open><summary>" + escaped(design.family) +
-           ", defaults and changes in place</summary>\n<pre>" + escaped(design.effective_yaml) + "</pre></details>\n";
+           ", with defaults and overrides applied</summary>\n<pre>" + escaped(design.effective_yaml) +
+           "</pre></details>\n";
 }
 
 std::string provenance_section(const Content& content) {
@@ -158,7 +162,7 @@ std::string provenance_section(const Content& content) {
 std::string licence_section() {
     const ViewerBundle bundle = viewer_bundle();
     return "<h2>Licences</h2>\n<details><summary>" + escaped(bundle.library) +
-           ", which draws the body</summary>\n<pre>" + escaped(joined(bundle.licence)) + "</pre></details>\n" +
+           ", used for the 3D view</summary>\n<pre>" + escaped(joined(bundle.licence)) + "</pre></details>\n" +
            paragraph("Colours: viridis by S. van der Walt and N. Smith, public domain (CC0).");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The sections of the page, each a whole piece of HTML. Internal; held by report/report_test.
+/// The sections of the page, each a complete HTML fragment. Internal; tested by report/report_test.
 #include <span>
 #include <string>
 
@@ -19,7 +19,7 @@ namespace soft::report {
 [[nodiscard]] std::string provenance_section(const Content& content);
 [[nodiscard]] std::string licence_section();
 
-/// <table> of escaped cells. Rows may carry attributes: "data-step='3'".
+/// A <table> with escaped cells. Rows may have attributes: "data-step='3'".
 struct Row {
     std::vector<std::string> cells;
     std::string attributes = {};

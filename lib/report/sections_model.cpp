@@ -31,7 +31,7 @@ std::string_view formulation_text(const model::Case& model) {
     return "";
 }
 
-/// What `solve --tolerance` has found, or how to find it.
+/// The error estimate of `solve --tolerance`, or how to obtain one.
 std::string error_text(const post::Curve& curve) {
     std::vector<std::string> words;
     for (const post::Column& column : curve.columns) {
@@ -45,12 +45,12 @@ std::string error_text(const post::Curve& curve) {
             (largest > 0 ? " (" + core::rounded_text(100 * half / largest, 2) + " % of its largest value)" : ""));
     }
     if (words.empty() && curve.find("time") != nullptr)
-        return "The error of the mesh has not been judged. Compare with mesh.refine: 1 and a smaller dynamics.accuracy.";
+        return "The discretization error has not been estimated. Compare with mesh.refine: 1 and a smaller dynamics.accuracy.";
     if (words.empty())
-        return "The error of the mesh has not been judged. solve --tolerance 1% refines it until its error is below that and "
-               "gives every step an error bar.";
-    return "Largest error of the mesh along the path, judged by refinement: " + core::join(words) +
-           ". The table has it for every step.";
+        return "The discretization error has not been estimated. solve --tolerance 1% refines the mesh until the error is below 1 % "
+               "and adds an error bar to every step.";
+    return "Largest discretization error along the path, estimated by refinement: " + core::join(words) +
+           ". The table lists it for every step.";
 }
 
 std::string quantity_text(const material::Parameter& parameter, double value) {
@@ -85,12 +85,12 @@ std::string fibers_text(const model::Fibers& fibers) {
            ", k2 = " + core::rounded_text(fibers.k2, 6);
 }
 
-/// Where the law is stable, as far as it is looked at.
+/// The range of stretches in which the law is stable, within the range that is checked.
 std::string range_text(const model::Material& rubber) {
-    const std::string looked_at = " between stretches of " + core::rounded_text(material::usual_range.least, 2) +
-                                  " and " + core::rounded_text(material::usual_range.most, 2);
+    const std::string checked = " between stretches of " + core::rounded_text(material::default_stretch_range.min, 2) +
+                                " and " + core::rounded_text(material::default_stretch_range.max, 2);
     const std::string limits = material::stability_text(material::stability_limits(model::make_rubber(rubber)));
-    return limits.empty() ? "stable (Drucker)" + looked_at : limits + " (Drucker, looked at" + looked_at + ")";
+    return limits.empty() ? "stable (Drucker)" + checked : limits + " (Drucker, checked" + checked + ")";
 }
 
 }  // namespace
@@ -102,8 +102,8 @@ std::string mesh_section(const Content& content) {
         {{"cells", std::to_string(model.mesh.cell_count()) + " " + cell_names(model.mesh)}},
         {{"points", std::to_string(model.mesh.points.size())}},
         {{"unknowns of a cell", std::string{formulation_text(model)}}},
-        {{"part of the actuator in the mesh", core::rounded_text(model.model_fraction, 4)}},
-        {{"least scaled Jacobian of a cell", core::rounded_text(quality.min_scaled_jacobian, 3)}}};
+        {{"fraction of the actuator in the mesh", core::rounded_text(model.model_fraction, 4)}},
+        {{"minimum scaled Jacobian of a cell", core::rounded_text(quality.min_scaled_jacobian, 3)}}};
     return "<h2>Verification of the mesh</h2>\n<p id='mesh-error'>" + escaped(error_text(content.curve)) + "</p>\n" +
            html_table({}, rows);
 }
@@ -118,17 +118,19 @@ std::string material_section(const Content& content) {
             {{"law", rubber.law + (rubber.strain == model::Strain::small ? ", linear in the strain" : "")}},
             {{"energy per undeformed volume", std::string{law->energy}}},
             {{"constants", constants_text(*law, rubber)}},
-            {{"made for", std::string{law->validity}}},
+            {{"valid for", std::string{law->validity}}},
             {{"range", range_text(rubber)}},
             {{"source", std::string{law->source}}}};
-        if (rubber.fibers) rows.push_back({{"fibres besides", fibers_text(*rubber.fibers)}});
+        if (rubber.fibers) rows.push_back({{"fibres", fibers_text(*rubber.fibers)}});
         html += "<h3>" + escaped(rubber.name) + "</h3>\n" + html_table({}, rows);
     }
     const std::vector<solution::Step>& steps = content.result.steps;
-    const auto least = [](const solution::Step& a, const solution::Step& b) { return a.stretch_p99 < b.stretch_p99; };
+    const auto by_stretch = [](const solution::Step& a, const solution::Step& b) {
+        return a.stretch_p99 < b.stretch_p99;
+    };
     if (!steps.empty()) {
-        const double reached = std::max_element(steps.begin(), steps.end(), least)->stretch_p99;
-        html += "<p>On this path 99 % of the rubber stays below a principal stretch of " +
+        const double reached = std::max_element(steps.begin(), steps.end(), by_stretch)->stretch_p99;
+        html += "<p>On this path the principal stretch of 99 % of the rubber is at most " +
                 core::rounded_text(reached, 4) + ".</p>\n";
     }
     for (const std::string& note : content.material_notes) html += "<p>" + escaped(note) + "</p>\n";

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 
-/// A character of ASCII.
+/// Appends one ASCII character, escaped.
 void append_escaped(std::string& out, char c) {
     switch (c) {
         case '&': out += "&amp;"; return;

@@ -1,12 +1,12 @@
-// The moving body of a report: reads the scene that report/scene.cpp has written into the page, draws it with three.js, and
-// follows the slider, the list of fields and the pointer. Nothing is fetched; nothing is put into window.
+// 3D viewer of a report: reads the scene that report/scene.cpp wrote into the page, draws it with three.js, and responds to the
+// slider, the list of fields and the pointer. It fetches nothing and defines no global variables.
 import {
   AmbientLight, Box3, BufferAttribute, BufferGeometry, Color, DataTexture, DirectionalLight, DoubleSide, LinearFilter,
   LineBasicMaterial, LineSegments, Mesh, MeshPhongMaterial, PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
-const CREASE_COSINE = Math.cos(35 * Math.PI / 180);   // facets that meet at less than 35 degrees are shaded as one
+const CREASE_COSINE = Math.cos(35 * Math.PI / 180);   // facets whose normals differ by less than 35 degrees are shaded smoothly
 const FRAME_TIME_MS = 120;
 
 const byId = (id) => document.getElementById(id);
@@ -35,7 +35,7 @@ function basePositions(scene, packed, first) {
   return out;
 }
 
-// Bases put into space: vertex = placement matrix times base.
+// Applies the placements: vertex = placement matrix times base.
 function place(scene, bases, base, placement, out) {
   for (let v = 0; v < base.length; ++v) {
     const m = scene.placements[placement[v]], b = 3 * base[v];
@@ -45,10 +45,10 @@ function place(scene, bases, base, placement, out) {
   return out;
 }
 
-// Which vertices lie at the same place: mirror images meet at their plane.
+// Maps each vertex to the first coincident vertex (mirror images coincide at their plane).
 function welded(positions, size) {
   const grid = 2e-5 * size, seen = new Map(), same = new Uint32Array(positions.length / 3);
-  const cell = (x) => Math.round(x / grid) + 0x10000;   // 17 bits: three of them are an exact number
+  const cell = (x) => Math.round(x / grid) + 0x10000;   // 17 bits: three of them fit exactly into a double
   for (let v = 0; v < same.length; ++v) {
     const key = (cell(positions[3 * v]) * 0x20000 + cell(positions[3 * v + 1])) * 0x20000 + cell(positions[3 * v + 2]);
     if (!seen.has(key)) seen.set(key, v);
@@ -68,7 +68,7 @@ function facetNormals(triangles, positions) {
   return normals;
 }
 
-// One group for the corners around a vertex that are shaded as one surface, by union over the edges that are no creases.
+// Groups the corners around a vertex that are shaded smoothly, by union-find over the edges that are not creases.
 function smoothCorners(triangles, positions, size) {
   const same = welded(positions, size), normals = facetNormals(triangles, positions);
   const parent = Uint32Array.from(triangles.keys());
@@ -89,7 +89,7 @@ function smoothCorners(triangles, positions, size) {
   return { parent, root };
 }
 
-// Vertices of their own for each smooth group, so that the normals of three.js keep the creases.
+// Duplicates vertices per smooth group, so that the vertex normals of three.js preserve the creases.
 function buildSurface(scene) {
   const positions = place(scene, basePositions(scene, scene.undeformed, 0), scene.base, scene.placement,
     new Float32Array(3 * scene.base.length));
@@ -137,7 +137,7 @@ function makeBody(scene) {
   });
   const surfaces = scene.mirrors.map((signs) => {
     const mesh = new Mesh(geometry, material);
-    mesh.frustumCulled = false;   // its sphere would have to follow every frame
+    mesh.frustumCulled = false;   // otherwise the bounding sphere must be updated in every frame
     mesh.scale.set(...signs);
     return mesh;
   });
@@ -152,7 +152,7 @@ function makeBody(scene) {
     return line;
   });
 
-  // Vertices on a symmetry plane: the surface goes on beyond it at a right angle, what lies in the plane is the cut itself.
+  // Vertices on a symmetry plane: the surface continues beyond it and is perpendicular to it, except facets in the plane (the cut).
   const size = surface.undeformed.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
   const onPlane = [0, 1, 2].map((axis) => {
     const found = [];
@@ -188,13 +188,13 @@ function makeBody(scene) {
   return { surfaces, lines, show };
 }
 
-// Towards the eye, as --view iso of the pictures.
+// Direction towards the eye, as for --view iso of the pictures.
 function eyeDirection() {
   const azimuth = -35 * Math.PI / 180, elevation = 25 * Math.PI / 180;
   return new Vector3(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation));
 }
 
-// The mirror image that hides the others from the eye; `part` is the box of what is in the mesh.
+// The mirror image nearest to the eye, which hides the others; `part` is the bounding box of the modelled part.
 function nearestImage(scene, part) {
   const centre = part.getCenter(new Vector3()), eye = eyeDirection();
   const depth = scene.mirrors.map((signs) => centre.clone().multiply(new Vector3(...signs)).dot(eye));
@@ -241,12 +241,12 @@ function start() {
     rows.forEach((row) => row.classList.toggle('shown', Number(row.dataset.step) === scene.frames[frame].step));
     render();
   }
-  function look() {   // the whole motion fits; x to the right, y up
+  function resetView() {   // fits the whole motion; x to the right, y up
     const low = new Vector3(...scene.window_low), high = new Vector3(...scene.window_high);
     const centre = low.clone().add(high).multiplyScalar(0.5), half = high.clone().sub(centre), radius = half.length();
     const eye = eyeDirection(), right = new Vector3(0, 1, 0).cross(eye).normalize(), up = eye.clone().cross(right);
     const tangent = Math.tan(camera.fov * Math.PI / 360);
-    let distance = 0;   // from which all corners of the window are seen
+    let distance = 0;   // at which all corners of the window are visible
     for (let corner = 0; corner < 8; ++corner) {
       const c = new Vector3(...[0, 1, 2].map((i) => half.getComponent(i) * (corner >> i & 1 ? 1 : -1)));
       const wide = Math.max(Math.abs(c.dot(right)) / camera.aspect, Math.abs(c.dot(up))) / tangent;
@@ -286,16 +286,16 @@ function start() {
   cut.checked = scene.mirrors.length > 1;
   cut.parentElement.hidden = !cut.checked;
   byId('play').addEventListener('click', play);
-  byId('reset').addEventListener('click', () => { look(); render(); });
+  byId('reset').addEventListener('click', () => { resetView(); render(); });
   new ResizeObserver(resize).observe(canvas);
   resize();
-  look();
+  resetView();
   show();
 }
 
 try {
   start();
 } catch (problem) {
-  byId('trouble').textContent = `The body cannot be drawn here (${problem.message}); the rest of the page needs no 3D.`;
-  byId('trouble').hidden = false;
+  byId('viewer-error').textContent = `The 3D view cannot be shown (${problem.message}); the rest of the page does not need it.`;
+  byId('viewer-error').hidden = false;
 }

@@ -24,7 +24,7 @@ namespace {
 
 using CgalPoint = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 
-constexpr double max_coordinate = 1e30;  // products of several stay finite
+constexpr double max_coordinate = 1e30;  // keeps products of several coordinates finite
 
 std::string ending_of(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
@@ -42,7 +42,7 @@ mesh::Point corner(const BodySurface& surface, std::size_t t, std::size_t k) {
     return surface.points[static_cast<std::size_t>(surface.triangles[t][k])];
 }
 
-/// Points at the same place to rounding become one: a file of floats holds seven digits.
+/// Merges points that coincide to rounding: a file of floats has seven significant digits.
 std::size_t merge_points(FacetSoup& soup) {
     constexpr double same = 1e-7;
     mesh::Point low, high;
@@ -87,8 +87,8 @@ std::size_t merge_points(FacetSoup& soup) {
     return merged;
 }
 
-/// Polygons as triangles about their first corner; those with fewer than three different corners, and second copies, go.
-std::size_t drop_idle_facets(FacetSoup& soup) {
+/// Splits polygons into triangles about their first corner; removes triangles with fewer than three different corners and duplicates.
+std::size_t drop_degenerate_facets(FacetSoup& soup) {
     std::vector<std::vector<std::size_t>> kept;
     std::set<std::array<std::size_t, 3>> seen;
     std::size_t dropped = 0;
@@ -106,7 +106,7 @@ std::size_t drop_idle_facets(FacetSoup& soup) {
     return dropped;
 }
 
-/// OBJ may list more points than its facets use; CGAL takes each for the corner of one.
+/// OBJ may list more points than its facets use; CGAL assumes that each point is the corner of a facet.
 void drop_unused_points(FacetSoup& soup) {
     std::vector<bool> used(soup.points.size());
     for (const auto& facet : soup.facets)
@@ -170,29 +170,30 @@ FacetSoup read_soup(std::string content, const std::filesystem::path& path) {
     const bool whole = read(stream, ending_of(path), points, soup.facets);
     if (!whole || soup.facets.empty())
         throw Error(ExitCode::bad_input, path.string(),
-                    whole ? "it holds no facets" : "it cannot be read as " + ending_of(path).substr(1),
-                    "export the body again as STL or OBJ");
+                    whole ? "the file contains no facets" : "the file cannot be read as " + ending_of(path).substr(1),
+                    "export the part again as STL or OBJ");
     for (const CgalPoint& p : points) soup.points.push_back({p.x(), p.y(), p.z()});
     for (const mesh::Point& p : soup.points)
         for (const double component : p)
             if (!(std::abs(component) <= max_coordinate))
                 throw Error(ExitCode::bad_input, path.string(),
-                            std::isfinite(component) ? "a coordinate is out of range" : "a coordinate is no number",
-                            "export the body again");
+                            std::isfinite(component) ? "a coordinate is out of range" : "a coordinate is not a number",
+                            "export the part again");
     for (const auto& facet : soup.facets)
         for (const std::size_t node : facet)
             if (node >= soup.points.size())
-                throw Error(ExitCode::bad_input, path.string(), "a facet has a point that the file does not hold",
-                            "export the body again");
+                throw Error(ExitCode::bad_input, path.string(), "a facet refers to a point that is not in the file",
+                            "export the part again");
     return soup;
 }
 
 BodySurface body_surface(FacetSoup soup, const SoupOrigin& origin) {
     std::vector<std::string> repairs;
     if (const std::size_t merged = merge_points(soup); merged > 0)
-        repairs.push_back(counted(merged, "point", "points") + " merged with others in the same place");
-    if (const std::size_t dropped = drop_idle_facets(soup); dropped > 0)
-        repairs.push_back(counted(dropped, "facet", "facets") + " without area or twice there taken out");
+        repairs.push_back(counted(merged, "duplicate point", "duplicate points") + " merged");
+    if (const std::size_t dropped = drop_degenerate_facets(soup); dropped > 0)
+        repairs.push_back(counted(dropped, "degenerate or duplicate facet", "degenerate or duplicate facets") +
+                          " removed");
     drop_unused_points(soup);
     BodySurface surface = closed_shells(soup, origin);
     surface.repairs.insert(surface.repairs.begin(), repairs.begin(), repairs.end());

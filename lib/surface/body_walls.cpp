@@ -19,7 +19,7 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
 
-constexpr double growth = 0.5;  ///< of the wanted size, per distance
+constexpr double growth = 0.5;  ///< increase of the requested size per distance
 
 struct Facet {
     std::array<mesh::Point, 3> corners;
@@ -40,8 +40,9 @@ Facet facet_of(const std::vector<mesh::Point>& points, const std::array<int, 3>&
     return facet;
 }
 
-/// Evenly spread over a triangle: the plastic number's sequence, folded (M. Roberts, 2018).
-mesh::Point location_in(const Facet& facet, std::size_t number) {
+/// Evenly distributed points in a triangle: the low-discrepancy sequence of the plastic number (M. Roberts, 2018), folded into the
+/// triangle.
+mesh::Point point_in(const Facet& facet, std::size_t number) {
     constexpr double g = 1.3247179572447460;
     double u = std::fmod(1.0 / 3 + static_cast<double>(number) / g, 1.0),
            v = std::fmod(1.0 / 3 + static_cast<double>(number) / (g * g), 1.0);
@@ -58,7 +59,7 @@ mesh::Point location_in(const Facet& facet, std::size_t number) {
 }  // namespace
 
 std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vector<std::array<int, 3>>& triangles) {
-    constexpr double places = 20000;  // a few seconds; a bellows of 100 mm gets one every 2 mm
+    constexpr double sample_count = 20000;  // takes a few seconds; a bellows of 100 mm has one sample every 2 mm
     constexpr double min_cosine = 0.5;
     Triangles surface{points, triangles, {}, points, {}};
     std::vector<Facet> facets;
@@ -70,16 +71,16 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
     }
     const RayTree tree(surface);
     std::vector<Wall> found;
-    double share = 0;  // of a place that the facets so far have left over
+    double share = 0;  // fraction of a sample carried over from the previous facets
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const Facet& facet = facets[f];
-        share += places * facet.area / area;
+        share += sample_count * facet.area / area;
         const Vector inward{-facet.normal[0], -facet.normal[1], -facet.normal[2]};
         for (std::size_t number = 0; share >= 0.5; share -= 1, ++number) {
-            const mesh::Point place = location_in(facet, number);
-            const auto hit = tree.first_hit(place, inward, static_cast<int>(f));
+            const mesh::Point location = point_in(facet, number);
+            const auto hit = tree.first_hit(location, inward, static_cast<int>(f));
             if (hit && dot(facets[static_cast<std::size_t>(hit->facet)].normal, inward) >= min_cosine)
-                found.push_back({place, hit->distance_m});
+                found.push_back({location, hit->distance_m});
         }
     }
     return found;
@@ -88,7 +89,7 @@ std::vector<Wall> walls(const std::vector<mesh::Point>& points, const std::vecto
 std::vector<Bend> bends(const BodySurface& surface) {
     std::vector<Facet> facets;
     for (const auto& t : surface.triangles) facets.push_back(facet_of(surface.points, t));
-    constexpr double most_places = 200;  // of an edge: those of CAD run along a whole cylinder
+    constexpr double max_samples = 200;  // per edge: CAD exports have edges as long as a cylinder
     std::vector<Bend> found;
     for (const auto& [edge, sides] : edges_with_sides(surface)) {
         const Facet &one = facets[sides[0]], &other = facets[sides[1]];
@@ -98,46 +99,46 @@ std::vector<Bend> bends(const BodySurface& surface) {
         const double length = norm(along(b, -1, a)), turn = length * angle;
         if (angle >= sharp_rad || !(turn > 0)) continue;
         const double radius = (one.area + other.area) / turn;
-        const int places = static_cast<int>(std::clamp(std::ceil(length / radius), 1.0, most_places));
-        for (int k = 0; k < places; ++k) found.push_back({along(a, (k + 0.5) / places, along(b, -1, a)), radius});
+        const int samples = static_cast<int>(std::clamp(std::ceil(length / radius), 1.0, max_samples));
+        for (int k = 0; k < samples; ++k) found.push_back({along(a, (k + 0.5) / samples, along(b, -1, a)), radius});
     }
     return found;
 }
 
-WallFigures figures(std::vector<Wall> walls) {
-    std::ranges::sort(walls, {}, [](const Wall& wall) { return std::pair(wall.thickness_m, wall.place); });
+WallStatistics wall_statistics(std::vector<Wall> walls) {
+    std::ranges::sort(walls, {}, [](const Wall& wall) { return std::pair(wall.thickness_m, wall.location); });
     return {walls.front(), walls[walls.size() / 2].thickness_m};
 }
 
-/// Walls of about the same size share a tree: the nearest of each decides.
+/// Walls of about the same size share a search tree; the nearest wall of each tree determines the size.
 struct WallSizes::Classes {
     double max_m = 0;
-    std::map<int, std::unique_ptr<Search::Tree>> trees;  ///< size = most / step^number
+    std::map<int, std::unique_ptr<Search::Tree>> trees;  ///< size = max_m / step^number
     static constexpr double step = 1.1;
 };
 
 WallSizes::WallSizes(const std::vector<Wall>& walls, const std::vector<Bend>& bends, const SizeBounds& bounds) {
     auto classes = std::make_shared<Classes>();
     classes->max_m = bounds.max_m;
-    const auto add = [&](const mesh::Point& place, double wished_m) {
-        const double size_m = std::max(bounds.min_m, wished_m);
+    const auto add = [&](const mesh::Point& location, double requested_m) {
+        const double size_m = std::max(bounds.min_m, requested_m);
         if (size_m >= bounds.max_m) return;
         auto& tree =
             classes->trees[static_cast<int>(std::round(std::log(bounds.max_m / size_m) / std::log(Classes::step)))];
         if (!tree) tree = std::make_unique<Search::Tree>();
-        tree->insert({place[0], place[1], place[2]});
+        tree->insert({location[0], location[1], location[2]});
     };
     if (bounds.through_wall > 0)
-        for (const Wall& wall : walls) add(wall.place, wall.thickness_m / bounds.through_wall);
-    for (const Bend& bend : bends) add(bend.place, bend.radius_m);
+        for (const Wall& wall : walls) add(wall.location, wall.thickness_m / bounds.through_wall);
+    for (const Bend& bend : bends) add(bend.location, bend.radius_m);
     for (auto& [number, tree] : classes->trees) tree->build();
     classes_ = std::move(classes);
 }
 
-double WallSizes::operator()(const mesh::Point& place) const {
+double WallSizes::operator()(const mesh::Point& location) const {
     double size_m = classes_->max_m;
     for (const auto& [number, tree] : classes_->trees) {
-        const Search search(*tree, {place[0], place[1], place[2]}, 1);
+        const Search search(*tree, {location[0], location[1], location[2]}, 1);
         const double own_m = classes_->max_m * std::pow(Classes::step, -number);
         size_m = std::min(size_m, own_m + growth * std::sqrt(search.begin()->second));
     }

@@ -1,5 +1,5 @@
 #pragma once
-/// How thick a body is, seen from its surface, and how long the cells of its mesh may be.
+/// Wall thickness of a body, measured from its surface, and the mesh size that follows from it.
 /// Tested by surface/body_walls_test.
 #include <memory>
 #include <vector>
@@ -10,40 +10,41 @@
 
 namespace soft::surface {
 
-/// From places spread evenly over the surface along the inward normal to where the body ends, where that is at a surface that
-/// looks the other way (within 60 degrees): not at one that meets the place's own in a corner.
+/// Thickness at one sample point: distance along the inward normal to the opposite surface.
 struct Wall {
-    mesh::Point place;
+    mesh::Point location;  ///< sample point on the surface
     double thickness_m;
 };
+/// Thicknesses at sample points spread evenly over the surface. A sample counts only if its ray ends on a surface that faces the
+/// opposite way (within 60 degrees); a surface that joins the sample's own surface in a corner does not count.
 [[nodiscard]] std::vector<Wall> walls(const std::vector<mesh::Point>& points,
                                       const std::vector<std::array<int, 3>>& triangles);
 
-/// Where the surface is bent, at edges that are not sharp: the radius, (areas of the two facets) / (length of the edge x angle), at
-/// places along the edge no further apart than it.
+/// Radius of curvature at an edge that is not sharp: (areas of the two facets) / (length of the edge x angle between their normals).
+/// The sample points along an edge are no further apart than the radius (at most 200 per edge).
 struct Bend {
-    mesh::Point place;
+    mesh::Point location;
     double radius_m;
 };
 [[nodiscard]] std::vector<Bend> bends(const BodySurface& surface);
 
-struct WallFigures {
-    Wall least{};
-    double median_m = 0;  ///< half of the surface has thinner walls behind it
+struct WallStatistics {
+    Wall thinnest{};
+    double median_m = 0;  ///< half of the surface area has thinner walls
 };
-/// Of at least one wall.
-[[nodiscard]] WallFigures figures(std::vector<Wall> walls);
+/// `walls` has at least one entry.
+[[nodiscard]] WallStatistics wall_statistics(std::vector<Wall> walls);
 
-/// min over the walls and bends of (thickness / cells through it, or radius; no less than min_m, no more than max_m) +
-/// growth x distance. Those of about the same size (10 %) are one.
+/// Requested mesh size at a point: the minimum over all walls and bends of size + growth x distance, where size is thickness / number of
+/// cells through the wall, or the radius, clamped to [min_m, max_m]. Sizes that differ by less than about 10 % are treated as equal.
 struct SizeBounds {
     double min_m, max_m;
-    int through_wall;  ///< 0: the walls do not matter
+    int through_wall;  ///< cells through the wall; 0: wall thickness does not limit the size
 };
 class WallSizes {
 public:
     WallSizes(const std::vector<Wall>& walls, const std::vector<Bend>& bends, const SizeBounds& bounds);
-    [[nodiscard]] double operator()(const mesh::Point& place) const;
+    [[nodiscard]] double operator()(const mesh::Point& location) const;
 
 private:
     struct Classes;

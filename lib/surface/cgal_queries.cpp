@@ -28,7 +28,7 @@ Kernel::Point_3 cgal_point(const mesh::Point& p) { return {p[0], p[1], p[2]}; }
 
 Kernel::Triangle_3 cgal_triangle(Corners c) { return {cgal_point(c[0]), cgal_point(c[1]), cgal_point(c[2])}; }
 
-/// Middle of the first edge that is not run through exactly once each way; CGAL tells that there is one, not where.
+/// Midpoint of the first edge that is not used exactly once in each direction; CGAL reports that there is one, but not where.
 std::optional<mesh::Point> first_bad_edge(const Triangles& surface) {
     using Edge = std::pair<int, int>;
     std::vector<Edge> edges;
@@ -41,15 +41,15 @@ std::optional<mesh::Point> first_bad_edge(const Triangles& surface) {
     };
     for (const Edge& edge : edges) {
         if (uses(edge) == 1 && uses({edge.second, edge.first}) == 1) continue;
-        const mesh::Point& a = surface.places[static_cast<std::size_t>(edge.first)];
-        const mesh::Point& b = surface.places[static_cast<std::size_t>(edge.second)];
+        const mesh::Point& a = surface.model_points[static_cast<std::size_t>(edge.first)];
+        const mesh::Point& b = surface.model_points[static_cast<std::size_t>(edge.second)];
         return mesh::Point{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
     }
     return std::nullopt;
 }
 
-/// Faces of the mesh are numbered as the triangles are. The number of the first triangle that makes an edge or a point
-/// with more than one sheet, where there is one.
+/// Converts to a CGAL mesh whose faces are numbered as the triangles. If the surface is not manifold, returns instead the number of the
+/// first triangle at a non-manifold edge or point.
 std::variant<SurfaceMesh, std::size_t> to_mesh(const Triangles& surface) {
     SurfaceMesh mesh;
     std::vector<SurfaceMesh::Vertex_index> vertices;
@@ -62,8 +62,8 @@ std::variant<SurfaceMesh, std::size_t> to_mesh(const Triangles& surface) {
     return mesh;
 }
 
-/// The pair with the smallest triangle numbers. All pairs are listed only where there is one: the search for the first
-/// is the fast case and its order is CGAL's.
+/// The pair with the smallest triangle numbers. The fast test comes first; all pairs are listed only if it finds one, because CGAL
+/// returns them in its own order.
 std::optional<std::array<int, 2>> first_intersection(const SurfaceMesh& mesh) {
     if (!PMP::does_self_intersect(mesh)) return std::nullopt;
     std::vector<std::pair<SurfaceMesh::Face_index, SurfaceMesh::Face_index>> pairs;
@@ -76,7 +76,7 @@ std::optional<std::array<int, 2>> first_intersection(const SurfaceMesh& mesh) {
     return *std::min_element(numbers.begin(), numbers.end());
 }
 
-/// Segments with a common end p, to a and b, lie on each other.
+/// Whether the segments from the common end p to a and to b overlap.
 bool fold_back(const mesh::Point& p, const mesh::Point& a, const mesh::Point& b) {
     const auto o = cgal_point_in_plane(p), s = cgal_point_in_plane(a), t = cgal_point_in_plane(b);
     return CGAL::collinear(o, s, t) && CGAL::angle(s, o, t) == CGAL::ACUTE;
@@ -88,10 +88,10 @@ bool edges_cross(const Triangles& surface, const Triangles::Edge& a, const Trian
         for (std::size_t j = 0; j < 2; ++j)
             if (a.points[i] == b.points[j]) return fold_back(at(a.points[i]), at(a.points[1 - i]), at(b.points[1 - j]));
     const std::array ends_a{at(a.points[0]), at(a.points[1])}, ends_b{at(b.points[0]), at(b.points[1])};
-    return meet(ends_a, ends_b);
+    return intersect(ends_a, ends_b);
 }
 
-/// As first_intersection, of a revolved section: CGAL's search over its triangles, many of them in one plane, needs exact numbers
+/// As first_intersection, for a revolved section: CGAL's search over its triangles, many of them coplanar, needs exact arithmetic
 /// and took a quarter of the time of a small mesh.
 std::optional<std::array<int, 2>> first_crossing(const Triangles& surface) {
     std::vector<Box> boxes;
@@ -102,7 +102,7 @@ std::optional<std::array<int, 2>> first_crossing(const Triangles& surface) {
             {{std::min(a[0], b[0]), std::min(a[1], b[1]), 0}, {std::max(a[0], b[0]), std::max(a[1], b[1]), 0}});
     }
     std::optional<std::array<int, 2>> first;
-    for (const auto& [i, j] : overlapping(boxes)) {
+    for (const auto& [i, j] : overlapping_pairs(boxes)) {
         const Triangles::Edge &a = surface.outline[static_cast<std::size_t>(i)],
                               &b = surface.outline[static_cast<std::size_t>(j)];
         if (!edges_cross(surface, a, b)) continue;
@@ -116,19 +116,19 @@ std::optional<std::array<int, 2>> first_crossing(const Triangles& surface) {
 
 SurfaceChecks check_surface(const Triangles& surface) {
     SurfaceChecks checks;
-    checks.open_place = first_bad_edge(surface);
+    checks.open_location = first_bad_edge(surface);
     const auto converted = to_mesh(surface);
     const SurfaceMesh* mesh = std::get_if<SurfaceMesh>(&converted);
     if (mesh == nullptr) {
         const auto& triangle = surface.triangles[std::get<std::size_t>(converted)];
-        if (!checks.open_place) checks.open_place = surface.places[static_cast<std::size_t>(triangle[0])];
+        if (!checks.open_location) checks.open_location = surface.model_points[static_cast<std::size_t>(triangle[0])];
         return checks;
     }
-    checks.closed = !checks.open_place && CGAL::is_closed(*mesh);
+    checks.closed = !checks.open_location && CGAL::is_closed(*mesh);
     checks.intersecting = surface.outline.empty() ? first_intersection(*mesh) : first_crossing(surface);
     if (!checks.closed) return checks;
     checks.volume_m3 = CGAL::to_double(PMP::volume(*mesh));
-    // is_outward_oriented shoots a ray and is meaningless where the surface crosses itself
+    // is_outward_oriented casts a ray and is meaningless if the surface intersects itself
     checks.outward = checks.intersecting ? checks.volume_m3 > 0 : PMP::is_outward_oriented(*mesh);
     return checks;
 }
@@ -177,8 +177,8 @@ std::optional<RayTree::Hit> RayTree::first_hit(const mesh::Point& from, const me
                facet};
 }
 
-std::vector<std::array<int, 2>> overlapping(std::span<const Box> boxes) {
-    // numbers of their own: the algorithm moves the boxes, so an address tells nothing
+std::vector<std::array<int, 2>> overlapping_pairs(std::span<const Box> boxes) {
+    // explicit ids: the algorithm moves the boxes, so addresses do not identify them
     using Numbered = CGAL::Box_intersection_d::Box_with_info_d<double, 3, int, CGAL::Box_intersection_d::ID_EXPLICIT>;
     std::vector<Numbered> numbered;
     numbered.reserve(boxes.size());
@@ -193,7 +193,7 @@ std::vector<std::array<int, 2>> overlapping(std::span<const Box> boxes) {
     return pairs;
 }
 
-bool meet(Corners a, Corners b) {
+bool intersect(Corners a, Corners b) {
     if (a.size() == 2) {
         const auto s = cgal_segment(a), t = cgal_segment(b);
         return !s.is_degenerate() && !t.is_degenerate() && CGAL::do_intersect(s, t);
@@ -202,7 +202,7 @@ bool meet(Corners a, Corners b) {
     return !s.is_degenerate() && !t.is_degenerate() && CGAL::do_intersect(s, t);
 }
 
-bool within(Corners a, Corners b, double distance_m) {
+bool is_within(Corners a, Corners b, double distance_m) {
     const double square = distance_m * distance_m;
     if (a.size() == 2) return CGAL::squared_distance(cgal_segment(a), cgal_segment(b)) <= square;
     return CGAL::squared_distance(cgal_triangle(a), cgal_triangle(b)) <= square;

@@ -1,5 +1,5 @@
 #pragma once
-/// Questions about surfaces that CGAL answers (Polygon Mesh Processing, AABB tree, box intersection; exact predicates).
+/// Geometric queries on surfaces, implemented with CGAL (Polygon Mesh Processing, AABB tree, box intersection; exact predicates).
 /// Tested by surface/report_test and surface/contact_test.
 #include <array>
 #include <memory>
@@ -12,17 +12,17 @@
 namespace soft::surface {
 
 struct SurfaceChecks {
-    bool closed = false;                             ///< every edge has exactly two triangles, run through both ways
-    std::optional<mesh::Point> open_place;           ///< model coordinates of the first edge that has not, or near
-                                                     ///< a point where two sheets hang together
-    bool outward = false;                            ///< of a closed surface: normals point out of what it encloses
-    double volume_m3 = 0;                            ///< of a closed surface
-    std::optional<std::array<int, 2>> intersecting;  ///< first pair of triangles that meet without being neighbours
+    bool closed = false;                       ///< every edge has exactly two triangles, with opposite directions
+    std::optional<mesh::Point> open_location;  ///< model coordinates of the first edge that violates this, or near
+                                               ///< a point that is the only connection of two sheets
+    bool outward = false;                      ///< closed surface: normals point out of the enclosed volume
+    double volume_m3 = 0;                      ///< of a closed surface
+    std::optional<std::array<int, 2>> intersecting;  ///< first pair of intersecting triangles that are not neighbours
 };
 
 [[nodiscard]] SurfaceChecks check_surface(const Triangles& surface);
 
-/// Finds the first triangle along a ray.
+/// Search tree that finds the first triangle along a ray.
 class RayTree {
 public:
     explicit RayTree(const Triangles& surface);
@@ -34,7 +34,7 @@ public:
         double distance_m;
         int facet;  ///< Triangles::facets of the triangle
     };
-    /// `direction` is a unit vector; triangles of the facet `skip` are passed through.
+    /// `direction` is a unit vector; triangles of the facet `skip` are ignored.
     [[nodiscard]] std::optional<Hit> first_hit(const mesh::Point& from, const mesh::Point& direction, int skip) const;
 
 private:
@@ -42,21 +42,21 @@ private:
     std::unique_ptr<Tree> tree_;
 };
 
-/// Axis-parallel, both ends included. Sections have z = 0.
+/// Axis-aligned closed box. Sections have z = 0.
 struct Box {
     mesh::Point low, high;
 };
 
-/// All pairs (i < j) of boxes that have a point in common, in ascending order.
-[[nodiscard]] std::vector<std::array<int, 2>> overlapping(std::span<const Box> boxes);
+/// All pairs (i < j) of boxes that share a point, in ascending order.
+[[nodiscard]] std::vector<std::array<int, 2>> overlapping_pairs(std::span<const Box> boxes);
 
-/// A straight piece of a surface: the ends of a segment in the plane z = 0 (two points) or a triangle's corners (three).
+/// A flat piece of a surface: the two ends of a segment in the plane z = 0 or the three corners of a triangle.
 using Corners = std::span<const mesh::Point>;
 
-/// Whether two pieces of the same kind have a point in common; exact. A piece without length or area meets nothing.
-[[nodiscard]] bool meet(Corners a, Corners b);
+/// Whether two pieces of the same kind share a point; exact. A degenerate piece intersects nothing.
+[[nodiscard]] bool intersect(Corners a, Corners b);
 
-/// Whether they come as near to each other as this, to rounding.
-[[nodiscard]] bool within(Corners a, Corners b, double distance_m);
+/// Whether the distance of two pieces is at most `distance_m`, to rounding.
+[[nodiscard]] bool is_within(Corners a, Corners b, double distance_m);
 
 }  // namespace soft::surface

@@ -14,7 +14,7 @@
 #include "surface/crossing.hpp"
 #include "surface/free_facets.hpp"
 #include "surface/hinges.hpp"
-#include "surface/inside_out.hpp"
+#include "surface/inverted_wall.hpp"
 
 namespace soft::surface {
 namespace {
@@ -26,14 +26,14 @@ enum class Kind { pair, plane, axis, wall };
 
 struct Found {
     Kind kind;
-    Point place;
+    Point location;
     std::array<std::size_t, 2> facets;
     bool operator<(const Found& other) const {
-        return std::tie(place[0], facets, kind) < std::tie(other.place[0], other.facets, other.kind);
+        return std::tie(location[0], facets, kind) < std::tie(other.location[0], other.facets, other.kind);
     }
 };
 
-/// Names for messages: a cavity's wall before other faces, these by the alphabet.
+/// Face names for messages. The wall of a cavity takes precedence over other faces, which are in alphabetical order.
 std::map<Facet, std::string> face_names(const model::Case& model) {
     std::map<Facet, std::string> names;
     for (const model::Cavity& cavity : model.cavities)
@@ -44,13 +44,14 @@ std::map<Facet, std::string> face_names(const model::Case& model) {
     return names;
 }
 
-/// How far a facet is beyond the plane where coordinate d is zero; `side`: +1 or -1, where the body is.
+/// How far a facet extends beyond the plane where coordinate d is zero.
 struct Depth {
     double depth_m = 0;
     FacetPoint xi{};
 };
 
-/// The deepest of the division's points, then shrinking steps on the curved facet.
+/// Starts from the deepest point of the subdivision and refines it by a pattern search on the curved facet. `side`: +1 or -1, the side
+/// of the plane on which the body lies.
 Depth deepest(const FacetMap& map, const Division& division, std::size_t d, double side) {
     const auto depth_at = [&](const FacetPoint& xi) { return -side * map(xi).x[d]; };
     Depth best{depth_at(division.xi.front()), division.xi.front()};
@@ -59,12 +60,12 @@ Depth deepest(const FacetMap& map, const Division& division, std::size_t d, doub
     };
     for (const FacetPoint& xi : division.xi) try_point(xi);
     const mesh::Shape shape = mesh::topology(map.type).shape;
-    constexpr int halvings = 14;  // a step of 1e-5 of the facet, whose depth differs by its square
+    constexpr int halvings = 14;  // final step: 1e-5 of the facet; the error of the depth is of the order of its square
     double step = 0.25;
     for (int round = 0; round < halvings; ++round, step /= 2)
         for (const FacetPoint& move :
              {FacetPoint{step, 0}, FacetPoint{-step, 0}, FacetPoint{0, step}, FacetPoint{0, -step}})
-            if (const FacetPoint next{best.xi[0] + move[0], best.xi[1] + move[1]}; inside(shape, next, 0))
+            if (const FacetPoint next{best.xi[0] + move[0], best.xi[1] + move[1]}; is_inside(shape, next, 0))
                 try_point(next);
     return best;
 }
@@ -87,12 +88,12 @@ public:
             for (const Point& p : mesh_.points) sum += p[d];
             sides_[d] = sum < 0 ? -1 : 1;
         }
-        leave_out_what_touches();
+        exclude_initial_contacts();
     }
 
-    [[nodiscard]] std::vector<Point> moved(std::span<const double> displacement_m) const {
+    [[nodiscard]] std::vector<Point> current_positions(std::span<const double> displacement_m) const {
         if (displacement_m.size() != 3 * mesh_.points.size())
-            throw std::logic_error("ContactFinder: the displacement has another number of points than the mesh");
+            throw std::logic_error("ContactFinder: the displacement and the mesh have different numbers of points");
         std::vector<Point> positions = mesh_.points;
         for (std::size_t n = 0; n < positions.size(); ++n)
             for (std::size_t d = 0; d < 3; ++d) positions[n][d] += displacement_m[3 * n + d];
@@ -106,48 +107,48 @@ public:
         };
         const DividedShape now = facets_.shape(positions);
         const std::vector<NormalCone> cones = normal_cones(now);
-        for (const auto& [i, j] : overlapping(now.boxes)) {
+        for (const auto& [i, j] : overlapping_pairs(now.boxes)) {
             const FacetPair pair{&facets_, static_cast<std::size_t>(i), static_cast<std::size_t>(j)};
-            if (pair.neighbours() && seen_from_one_side(cones[pair.first], cones[pair.second])) continue;
-            if (left_out(i, j) || rubber_between(pair)) continue;
-            const auto xi = crossing(pair, undeformed_, now);
-            if (xi && stays(pair, positions))
-                keep({kind_of(pair, positions), undeformed_place(pair.first, *xi), {pair.first, pair.second}});
+            if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
+            if (is_initial_contact(i, j) || has_rubber_between(pair)) continue;
+            const auto xi = find_crossing(pair, undeformed_, now);
+            if (xi && is_confirmed(pair, positions))
+                keep({kind_of(pair, positions), undeformed_location(pair.first, *xi), {pair.first, pair.second}});
         }
         for (const Hinge& hinge : hinges_)
-            if (closed(hinge, cones, positions)) keep(found_at(hinge));
+            if (is_closed(hinge, cones, positions)) keep(found_at(hinge));
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
-                if (mirrors_[d] && !passes_[d].contains(f))
+                if (mirrors_[d] && !initially_beyond_[d].contains(f))
                     if (const Depth at = depth(f, d, positions);
                         at.depth_m > tolerance_m_ && faces_plane(f, d, at.xi, positions))
-                        keep({kind_of(d), undeformed_place(f, at.xi), {f, f}});
+                        keep({kind_of(d), undeformed_location(f, at.xi), {f, f}});
         return best ? std::optional(contact(*best)) : std::nullopt;
     }
 
 private:
-    void leave_out_what_touches() {
+    void exclude_initial_contacts() {
         const std::vector<NormalCone> cones = normal_cones(undeformed_);
         std::vector<Box> grown = undeformed_.boxes;
         for (Box& box : grown)
             for (std::size_t d = 0; d < 3; ++d) {
-                const double margin = same_place * (box.high[d] - box.low[d]) + tolerance_m_;
+                const double margin = coincidence_tolerance * (box.high[d] - box.low[d]) + tolerance_m_;
                 box.low[d] -= margin;
                 box.high[d] += margin;
             }
-        for (const auto& [i, j] : overlapping(grown)) {
+        for (const auto& [i, j] : overlapping_pairs(grown)) {
             const FacetPair pair{&facets_, static_cast<std::size_t>(i), static_cast<std::size_t>(j)};
-            if (pair.neighbours() && seen_from_one_side(cones[pair.first], cones[pair.second])) continue;
-            if (touching(pair, undeformed_)) left_out_.insert({i, j});
+            if (pair.are_neighbours() && is_visible_from_one_side(cones[pair.first], cones[pair.second])) continue;
+            if (is_touching(pair, undeformed_)) initial_contacts_.insert({i, j});
         }
         hinges_ = hinges(mesh_, free_);
-        constexpr double closed_slit = 1e-6;  // [rad] from a full turn
+        constexpr double closed_slit = 1e-6;  // [rad] below a full turn
         std::erase_if(hinges_, [&](const Hinge& hinge) {
             return filled_angle(mesh_, hinge, mesh_.points) > 2 * std::numbers::pi - closed_slit;
         });
         for (std::size_t f = 0; f < facets_.size(); ++f)
             for (std::size_t d = 0; d < 3; ++d)
-                if (mirrors_[d] && depth(f, d, mesh_.points).depth_m > tolerance_m_) passes_[d].insert(f);
+                if (mirrors_[d] && depth(f, d, mesh_.points).depth_m > tolerance_m_) initially_beyond_[d].insert(f);
     }
 
     [[nodiscard]] std::vector<NormalCone> normal_cones(const DividedShape& shape) const {
@@ -156,12 +157,12 @@ private:
         return cones;
     }
 
-    /// Sides of one cell, or of two that hang together by a side while the facets have no node in common: between them is rubber,
-    /// not air. Where they cross, a cell is inside out, which det F tells.
-    [[nodiscard]] bool rubber_between(const FacetPair& pair) const {
+    /// Whether the facets are sides of one cell, or of two cells that share a side while the facets share no node: then rubber, not air,
+    /// is between them. If such facets intersect, a cell is inverted, which det F <= 0 reports.
+    [[nodiscard]] bool has_rubber_between(const FacetPair& pair) const {
         const mesh::Index a = facets_.facet(pair.first).cell, b = facets_.facet(pair.second).cell;
         if (a == b) return true;
-        if (pair.neighbours()) return false;
+        if (pair.are_neighbours()) return false;
         const auto corners = [&](mesh::Index cell) {
             return mesh_.cell_nodes(cell).first(
                 static_cast<std::size_t>(mesh::topology(mesh_.cell_type(cell)).vertex_count));
@@ -172,20 +173,20 @@ private:
                }) >= mesh_.dimension;
     }
 
-    /// Whether the facets cross as well where their pieces are so fine that the two sides of a thin wall keep apart.
-    [[nodiscard]] bool stays(const FacetPair& pair, const std::vector<Point>& positions) const {
+    /// Whether the facets intersect in the fine subdivision too, which separates the two sides of a thin wall.
+    [[nodiscard]] bool is_confirmed(const FacetPair& pair, const std::vector<Point>& positions) const {
         const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
         const DividedFacets fine{mesh_, both, Fineness::fine};
-        return crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
+        return find_crossing({&fine, 0, 1}, fine.shape(mesh_.points), fine.shape(positions)).has_value();
     }
 
     [[nodiscard]] Kind kind_of(const FacetPair& pair, const std::vector<Point>& positions) const {
         const std::array<Facet, 2> both{facets_.facet(pair.first), facets_.facet(pair.second)};
-        return wall_is_inside_out(mesh_, both, positions) ? Kind::wall : Kind::pair;
+        return is_wall_inverted(mesh_, both, positions) ? Kind::wall : Kind::pair;
     }
 
-    /// Whether the air is between a facet and the plane that it passes. Where it is the rubber, a cell is inside out. A facet that
-    /// begins at the plane is looked at there: further on it may have turned round.
+    /// Whether air is between a facet and the plane that it crosses. If rubber is between them, a cell is inverted. For a facet that
+    /// starts at the plane, the normal is evaluated there, because it may reverse further along the facet.
     [[nodiscard]] bool faces_plane(std::size_t f, std::size_t d, const FacetPoint& deepest,
                                    const std::vector<Point>& positions) const {
         const auto distance = [&](const FacetPoint& xi) { return std::hypot(xi[0] - deepest[0], xi[1] - deepest[1]); };
@@ -197,11 +198,11 @@ private:
         return sides_[d] * cross(at.t1, at.t2)[d] < 0;
     }
 
-    [[nodiscard]] bool left_out(int i, int j) const { return left_out_.contains({i, j}); }
+    [[nodiscard]] bool is_initial_contact(int i, int j) const { return initial_contacts_.contains({i, j}); }
 
-    /// Just past a full turn the walls face each other; all other hinges are spared the look at their cells.
-    [[nodiscard]] bool closed(const Hinge& hinge, const std::vector<NormalCone>& cones,
-                              const std::vector<Point>& positions) const {
+    /// Just past a full turn the walls face each other; for all other hinges the cells need not be evaluated.
+    [[nodiscard]] bool is_closed(const Hinge& hinge, const std::vector<NormalCone>& cones,
+                                 const std::vector<Point>& positions) const {
         constexpr double facing = -0.5;
         const auto &a = cones[static_cast<std::size_t>(hinge.facets[0])],
                    &b = cones[static_cast<std::size_t>(hinge.facets[1])];
@@ -212,15 +213,16 @@ private:
     }
 
     [[nodiscard]] Found found_at(const Hinge& hinge) const {
-        Point place{};
+        Point location{};
         for (const mesh::Index end : hinge.vertices)
-            for (std::size_t d = 0; d < 3; ++d) place[d] += mesh_.point(end)[d] / 2;
-        return {
-            Kind::pair, place, {static_cast<std::size_t>(hinge.facets[0]), static_cast<std::size_t>(hinge.facets[1])}};
+            for (std::size_t d = 0; d < 3; ++d) location[d] += mesh_.point(end)[d] / 2;
+        return {Kind::pair,
+                location,
+                {static_cast<std::size_t>(hinge.facets[0]), static_cast<std::size_t>(hinge.facets[1])}};
     }
 
-    /// Not looked at closely where the nodes say that the curved facet cannot reach the plane: a parabola through three values
-    /// goes beyond them by at most 1/8 of their range, a side (both ways, or a triangle's) by less than half.
+    /// Skips the search if the nodal positions exclude that the curved facet reaches the plane: a parabola through three values
+    /// exceeds their range by at most 1/8 of it, a second-order facet in two directions by less than half.
     [[nodiscard]] Depth depth(std::size_t f, std::size_t d, std::span<const Point> positions) const {
         FacetMap map{facets_.type(f), {}};
         double least = std::numeric_limits<double>::infinity(), largest = -least;
@@ -239,15 +241,15 @@ private:
         return kinematics_ == model::Kinematics::axisymmetric && d == 1 ? Kind::axis : Kind::plane;
     }
 
-    [[nodiscard]] Point undeformed_place(std::size_t f, const FacetPoint& xi) const {
-        Point place = facet_map(mesh_, facets_.facet(f), mesh_.points)(xi).x;
-        for (double& coordinate : place)
-            if (std::abs(coordinate) <= tolerance_m_) coordinate = 0;  // on a plane: rounding is no news
-        return place;
+    [[nodiscard]] Point undeformed_location(std::size_t f, const FacetPoint& xi) const {
+        Point location = facet_map(mesh_, facets_.facet(f), mesh_.points)(xi).x;
+        for (double& coordinate : location)
+            if (std::abs(coordinate) <= tolerance_m_) coordinate = 0;  // on a plane: do not print rounding errors
+        return location;
     }
 
     [[nodiscard]] Contact contact(const Found& found) const {
-        Contact result{found.place,
+        Contact result{found.location,
                        {facets_.facet(found.facets[0]), facets_.facet(found.facets[1])},
                        found.kind == Kind::wall,
                        {}};
@@ -256,21 +258,21 @@ private:
             return at == names_.end() ? std::string{} : at->second;
         };
         const std::string first = name(0), second = name(1);
-        const std::string face = first.empty() ? "a face without name" : "the face " + first;
-        const std::string other = second.empty() ? "a face without name" : "the face " + second;
+        const std::string face = first.empty() ? "an unnamed face" : "the face " + first;
+        const std::string other = second.empty() ? "an unnamed face" : "the face " + second;
         if (found.kind == Kind::axis)
             result.text = face + " touches the axis";
         else if (found.kind == Kind::plane)
             result.text = face + " touches its mirror image";
         else if (found.kind == Kind::wall)
-            result.text = "the wall between " + face + " and " + other + " is inside out";
+            result.text = "the wall between " + face + " and " + other + " is inverted";
         else if (first == second)
             result.text = face + " touches itself";
         else if (first.empty() || second.empty())
             result.text = face + " and " + other + " touch";
         else
             result.text = "the faces " + first + " and " + second + " touch";
-        result.text += " at " + model::location_text(kinematics_, found.place) + " of the undeformed part";
+        result.text += " at " + model::location_text(kinematics_, found.location) + " of the undeformed part";
         return result;
     }
 
@@ -282,9 +284,9 @@ private:
     DividedFacets facets_;
     DividedShape undeformed_;
     double tolerance_m_;
-    std::array<double, 3> sides_{};                ///< of the mirrors
-    std::set<std::array<int, 2>> left_out_;        ///< pairs of facets that touch in the undeformed body
-    std::array<std::set<std::size_t>, 3> passes_;  ///< facets beyond each mirror in the undeformed body
+    std::array<double, 3> sides_{};                  ///< side of each mirror plane on which the body lies, +1 or -1
+    std::set<std::array<int, 2>> initial_contacts_;  ///< pairs of facets that touch in the undeformed body
+    std::array<std::set<std::size_t>, 3> initially_beyond_;  ///< facets beyond each mirror plane in the undeformed body
     std::vector<Hinge> hinges_;
 };
 
@@ -294,7 +296,7 @@ ContactFinder::ContactFinder(ContactFinder&&) noexcept = default;
 ContactFinder& ContactFinder::operator=(ContactFinder&&) noexcept = default;
 
 std::optional<Contact> ContactFinder::find(std::span<const double> displacement_m) const {
-    return surface_->find(surface_->moved(displacement_m));
+    return surface_->find(surface_->current_positions(displacement_m));
 }
 
 }  // namespace soft::surface

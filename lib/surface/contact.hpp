@@ -1,15 +1,16 @@
 #pragma once
-/// Where do walls of the deformed body touch? Nothing in the equilibrium keeps them from passing through each other; this
-/// finds that they have. A contact is
-///   two facets of the surface whose deformed shapes cross,
-///   a crease that has closed: the rubber around the edge between two facets fills more than a full turn,
-///   a facet that passes a symmetry plane (it meets its mirror image) or, in a section of revolution, the axis.
-/// The surface is what surface/free_facets.hpp says; facets are taken as their pieces (surface/divided.hpp), the planes and
-/// creases on the curved facets. What crosses or touches in the undeformed body already is left out, pair by pair. Of
-/// neighbouring facets, the pieces that have a point in common are not compared. A body wholly inside another is not found.
-/// Where the two sides of one wall cross, its cells are inside out: nothing touches, and no state beyond is one of the body. Where
-/// a cell is inside out at a plane, so that rubber and not air is between, nothing is said; det F tells.
-/// A section of 300 facets takes 0.2 ms, a solid of 5000 some 30 ms, three times that where much overlaps.
+/// Detects contact between walls of the deformed body. The equilibrium has no contact constraint, so walls can pass through each
+/// other. A contact is one of
+///   two facets of the surface whose deformed shapes intersect,
+///   a closed crease: the angle filled by the rubber around the edge between two facets exceeds a full turn,
+///   a facet that crosses a symmetry plane (it touches its mirror image) or, in a section of revolution, the axis.
+/// The surface is defined in surface/free_facets.hpp. Intersections are tested on the subdivided facets (surface/divided.hpp), planes
+/// and creases on the curved facets. Pairs that intersect or touch in the undeformed body are excluded. For neighbouring facets,
+/// pieces that share a point are not compared. A body that lies completely inside another one is not detected.
+/// If the two sides of one wall intersect, the cells between them are inverted: this is reported as `is_inverted`, not as contact, and
+/// later states are not physical. A cell that is inverted at a plane, with rubber and not air between facet and plane, is not
+/// reported here, because det F <= 0 reports it.
+/// Cost: 0.2 ms for a section of 300 facets, about 30 ms for a solid of 5000 facets, three times that if many boxes overlap.
 /// Tested by surface/contact_test and surface/no_contact_test.
 #include <array>
 #include <memory>
@@ -23,22 +24,22 @@
 namespace soft::surface {
 
 struct Contact {
-    mesh::Point place;                  ///< undeformed, model coordinates, on the first facet
-    std::array<mesh::Facet, 2> facets;  ///< ascending; twice the same one where it meets a plane or the axis
-    bool inside_out = false;            ///< no walls touch: the one between the facets has passed through itself
+    mesh::Point location;               ///< undeformed, model coordinates, on the first facet
+    std::array<mesh::Facet, 2> facets;  ///< ascending; twice the same facet for contact with a plane or the axis
+    bool is_inverted = false;           ///< not a contact: the wall between the facets has passed through itself
     std::string text;  ///< "the faces cavity and outer touch at x = 12.3 mm, r = 4.5 mm of the undeformed part"
 };
 
 class ContactFinder {
 public:
-    /// Keeps what it needs of the case.
+    /// Copies what it needs from the case.
     explicit ContactFinder(const model::Case& model);
     ~ContactFinder();
     ContactFinder(ContactFinder&&) noexcept;
     ContactFinder& operator=(ContactFinder&&) noexcept;
 
-    /// The contact whose place has the least x (then the least facets); nullopt without one. `displacement_m`: [point x 3]
-    /// as in the result file, finite. std::logic_error for another length.
+    /// The contact with the smallest x of its location (then the smallest facets); nullopt if there is none. `displacement_m`:
+    /// [point x 3] as in the result file, finite. std::logic_error if the length is wrong.
     [[nodiscard]] std::optional<Contact> find(std::span<const double> displacement_m) const;
 
 private:

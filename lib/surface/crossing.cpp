@@ -23,13 +23,12 @@ Box grown(Box box, double margin_m) {
 
 double size(const Box& box) { return norm(difference(box.high, box.low)); }
 
-/// Where two segments that meet cross.
+/// Intersection of two segments, as weights of the ends of the first.
 Weights on_segment(const Triangle& a, const Triangle& b) {
     const Vector u = difference(a[1], a[0]), v = difference(b[1], b[0]), gap = difference(b[0], a[0]);
     const double determinant = u[0] * v[1] - u[1] * v[0], length2 = dot(u, u);
     double s = (gap[0] * v[1] - gap[1] * v[0]) / determinant;
-    if (std::abs(determinant) <=
-        1e-12 * std::sqrt(length2 * dot(v, v))) {  // one along the other: middle of what they share
+    if (std::abs(determinant) <= 1e-12 * std::sqrt(length2 * dot(v, v))) {  // collinear: middle of the overlap
         const double from = dot(gap, u) / length2, to = dot(difference(b[1], a[0]), u) / length2;
         s = (std::clamp(from, 0.0, 1.0) + std::clamp(to, 0.0, 1.0)) / 2;
     }
@@ -43,7 +42,7 @@ Weights weights_at(const Triangle& t, const Point& x) {
     return {1 - w1 - w2, w1, w2};
 }
 
-/// Points where the edges of `edges` go through the triangle `through`.
+/// Calls `found` for each point where an edge of `edges` intersects the triangle `through`.
 template <class Found>
 void for_each_piercing(const Triangle& edges, const Triangle& through, const Found& found) {
     const Vector n = cross(difference(through[1], through[0]), difference(through[2], through[0]));
@@ -57,7 +56,7 @@ void for_each_piercing(const Triangle& edges, const Triangle& through, const Fou
     }
 }
 
-/// Middle of where two triangles that meet cross; the first one's centre where they only touch.
+/// Middle of the intersection of two triangles, as weights of the corners of the first; its centre if they only touch.
 Weights on_triangle(const Triangle& a, const Triangle& b) {
     Weights sum{};
     int count = 0;
@@ -73,7 +72,7 @@ Weights on_triangle(const Triangle& a, const Triangle& b) {
     return sum;
 }
 
-/// The pieces of a facet near a box.
+/// The pieces of a facet whose bounding boxes overlap `box`.
 std::vector<std::size_t> pieces_near(const DividedFacets& facets, const DividedShape& shape, std::size_t f,
                                      const Box& box) {
     std::vector<std::size_t> near;
@@ -86,11 +85,11 @@ std::vector<std::size_t> pieces_near(const DividedFacets& facets, const DividedS
     return near;
 }
 
-/// For each point of the first facet the point of the second that is the same, or -1.
+/// For each point of the first facet the coincident point of the second, or -1.
 std::vector<int> common_points(const FacetPair& pair, const DividedShape& undeformed) {
     const auto P = pair.facets->points(undeformed, pair.first), Q = pair.facets->points(undeformed, pair.second);
     const double tolerance_m =
-        same_place * std::min(size(undeformed.boxes[pair.first]), size(undeformed.boxes[pair.second]));
+        coincidence_tolerance * std::min(size(undeformed.boxes[pair.first]), size(undeformed.boxes[pair.second]));
     std::vector<int> same;
     for (const Point& p : P) {
         const auto found =
@@ -108,7 +107,7 @@ bool share(const std::vector<int>& same, const std::array<int, 3>& a, const std:
     return false;
 }
 
-/// Calls `visit` with the numbers of pieces whose boxes come this near in `shape`, until it returns false.
+/// Calls `visit` for pairs of pieces whose bounding boxes are within `margin_m` in `shape`, until it returns false.
 template <class Visit>
 void for_each_near(const FacetPair& pair, const DividedShape& undeformed, const DividedShape& shape, double margin_m,
                    const Visit& visit) {
@@ -117,7 +116,7 @@ void for_each_near(const FacetPair& pair, const DividedShape& undeformed, const 
     const auto ours = pieces_near(facets, shape, pair.first, grown(shape.boxes[pair.second], margin_m));
     const auto theirs = pieces_near(facets, shape, pair.second, first);
     if (ours.empty() || theirs.empty()) return;
-    const std::vector<int> same = pair.neighbours() ? common_points(pair, undeformed) : std::vector<int>{};
+    const std::vector<int> same = pair.are_neighbours() ? common_points(pair, undeformed) : std::vector<int>{};
     const Division &mine = facets.division(pair.first), &other = facets.division(pair.second);
     const auto P = facets.points(shape, pair.first), Q = facets.points(shape, pair.second);
     for (const std::size_t i : ours) {
@@ -134,19 +133,20 @@ void for_each_near(const FacetPair& pair, const DividedShape& undeformed, const 
 
 }  // namespace
 
-bool FacetPair::neighbours() const {
+bool FacetPair::are_neighbours() const {
     const auto a = facets->nodes(first), b = facets->nodes(second);
     return std::any_of(a.begin(), a.end(),
                        [&](mesh::Index node) { return std::find(b.begin(), b.end(), node) != b.end(); });
 }
 
-std::optional<FacetPoint> crossing(const FacetPair& pair, const DividedShape& undeformed, const DividedShape& now) {
+std::optional<FacetPoint> find_crossing(const FacetPair& pair, const DividedShape& undeformed,
+                                        const DividedShape& now) {
     const Division& division = pair.facets->division(pair.first);
     FacetPoint sum{};
     int count = 0;
     for_each_near(
         pair, undeformed, now, 0, [&](std::size_t piece, Corners a, Corners b, const Triangle& s, const Triangle& t) {
-            if (!meet(a, b)) return true;
+            if (!intersect(a, b)) return true;
             const Weights weights = a.size() == 2 ? on_segment(s, t) : on_triangle(s, t);
             for (std::size_t i = 0; i < a.size(); ++i)
                 for (std::size_t d = 0; d < 2; ++d)
@@ -158,19 +158,19 @@ std::optional<FacetPoint> crossing(const FacetPair& pair, const DividedShape& un
     return FacetPoint{sum[0] / count, sum[1] / count};
 }
 
-bool touching(const FacetPair& pair, const DividedShape& undeformed) {
+bool is_touching(const FacetPair& pair, const DividedShape& undeformed) {
     const double near_m =
-        same_place * std::min(size(undeformed.boxes[pair.first]), size(undeformed.boxes[pair.second]));
+        coincidence_tolerance * std::min(size(undeformed.boxes[pair.first]), size(undeformed.boxes[pair.second]));
     bool found = false;
     for_each_near(pair, undeformed, undeformed, near_m,
                   [&](std::size_t, Corners a, Corners b, const Triangle&, const Triangle&) {
-                      found = within(a, b, near_m);
+                      found = is_within(a, b, near_m);
                       return !found;
                   });
     return found;
 }
 
-bool seen_from_one_side(const NormalCone& a, const NormalCone& b) {
+bool is_visible_from_one_side(const NormalCone& a, const NormalCone& b) {
     const double between = std::acos(std::clamp(dot(a.axis, b.axis), -1.0, 1.0));
     return between + a.angle + b.angle < std::numbers::pi;
 }

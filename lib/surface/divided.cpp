@@ -44,7 +44,7 @@ void divide_triangle(int parts, Division& division) {
         }
 }
 
-/// Out of the cell, as long as the piece is large.
+/// Normal out of the cell, with the length of the segment or twice the area of the triangle.
 Vector normal(const std::array<Point, 3>& c, std::size_t corners) {
     const Vector first = along(c[1], -1, c[0]);
     return corners == 2 ? Vector{first[1], -first[0], 0} : cross(first, along(c[2], -1, c[0]));

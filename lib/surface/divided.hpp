@@ -1,8 +1,9 @@
 #pragma once
-/// Curved facets as many small straight pieces, in any configuration: for questions about crossings. A second-order edge is
-/// cut into 4 segments, a side into 4 x 4 quadrilaterals of two triangles (4 x 4 triangles); their chords stray from the
-/// curved facet by 1/16 of its rise. Where that is more than a wall is thick (one that is stretched tenfold and more), the
-/// fine division tells whether its two sides cross: 64 segments or 16 x 16, 1/4096 or 1/256 of the rise. Neighbours match: equal points of the reference edge are points of both.
+/// Subdivision of curved facets into flat pieces, in any configuration, for intersection tests. A second-order edge is divided into
+/// 4 segments, a quadrilateral into 4 x 4 quadrilaterals of two triangles, a triangle into 4 x 4 triangles; the deviation of the
+/// chords from the curved facet is 1/16 of its sagitta. If that exceeds the thickness of a wall (stretched tenfold or more), the fine
+/// division decides whether the two sides intersect: 64 segments or 16 x 16 pieces, with 1/4096 or 1/256 of the sagitta.
+/// Neighbours are conforming: both use the same points of their common reference edge.
 /// Tested by surface/contact_test.
 #include <map>
 #include <span>
@@ -16,16 +17,16 @@ namespace soft::surface {
 
 /// How facets of a type are divided.
 struct Division {
-    std::vector<FacetPoint> xi;              ///< of the points
+    std::vector<FacetPoint> xi;              ///< reference coordinates of the points
     std::vector<double> N;                   ///< [point][node]
-    std::vector<std::array<int, 3>> pieces;  ///< points; of a segment the first two. Oriented as the facet
-    std::size_t corners;                     ///< of a piece: 2 or 3
+    std::vector<std::array<int, 3>> pieces;  ///< point indices (two for a segment), oriented as the facet
+    std::size_t corners;                     ///< per piece: 2 or 3
 };
 
 enum class Fineness { coarse, fine };
 [[nodiscard]] Division divide(mesh::CellType facet, Fineness fineness = Fineness::coarse);
 
-/// The directions of a facet's normals: within this angle of the axis. Angle pi where they go all ways.
+/// Cone that contains the normals of a facet: directions within `angle` [rad] of the axis. Angle pi if it contains all directions.
 struct NormalCone {
     Vector axis{};
     double angle = 0;
@@ -34,7 +35,7 @@ struct NormalCone {
 /// A configuration of a set of facets.
 struct DividedShape {
     std::vector<mesh::Point> points;  ///< facet by facet
-    std::vector<Box> boxes;           ///< of the pieces of each facet
+    std::vector<Box> boxes;           ///< bounding box of each facet's points
 };
 
 class DividedFacets {
@@ -51,14 +52,14 @@ public:
     }
     [[nodiscard]] const Division& division(std::size_t f) const { return *facets_[f].division; }
 
-    /// `positions`: one a mesh point.
+    /// `positions`: one per mesh point.
     [[nodiscard]] DividedShape shape(std::span<const mesh::Point> positions) const;
 
     /// Points of a facet in a shape, in the order of its division.
     [[nodiscard]] std::span<const mesh::Point> points(const DividedShape& shape, std::size_t f) const {
         return std::span{shape.points}.subspan(facets_[f].first_point, facets_[f].division->xi.size());
     }
-    /// Of a coarse division.
+    /// Requires the coarse division.
     [[nodiscard]] NormalCone normals(const DividedShape& shape, std::size_t f) const;
 
 private:
@@ -73,7 +74,7 @@ private:
     std::vector<Entry> facets_;
 };
 
-/// Corners of a piece.
+/// Corners of a piece; the third is zero for a segment.
 [[nodiscard]] std::array<mesh::Point, 3> piece_corners(std::span<const mesh::Point> points,
                                                        const std::array<int, 3>& piece);
 

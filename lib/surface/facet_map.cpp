@@ -6,7 +6,7 @@
 
 namespace soft::surface {
 
-bool inside(mesh::Shape shape, const FacetPoint& xi, double margin) {
+bool is_inside(mesh::Shape shape, const FacetPoint& xi, double margin) {
     if (shape == mesh::Shape::line) return std::abs(xi[0]) <= 1 - margin && xi[1] == 0;
     if (shape == mesh::Shape::triangle) return xi[0] >= margin && xi[1] >= margin && xi[0] + xi[1] <= 1 - margin;
     return std::max(std::abs(xi[0]), std::abs(xi[1])) <= 1 - margin;

@@ -1,6 +1,6 @@
 #pragma once
-/// A facet's true shape: the Lagrange map of its nodes. An edge of a section is drawn out along z, so that sections and
-/// solids are one case to geometry. Tested by surface/facet_map_test.
+/// The curved shape of a facet: the Lagrange map of its nodes. An edge of a section is extruded along z, so that sections and
+/// solids use the same geometry functions. Tested by surface/facet_map_test.
 #include <array>
 #include <cmath>
 #include <span>
@@ -21,11 +21,11 @@ using Vector = std::array<double, 3>;
     return {p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2]};
 }
 
-/// Reference coordinates on a facet; a line uses the first, its second runs along z.
+/// Reference coordinates on a facet; for a line the first is the reference coordinate and the second runs along z.
 using FacetPoint = std::array<double, 2>;
 
-/// Whether a point lies in the reference facet, this far from its border.
-[[nodiscard]] bool inside(mesh::Shape shape, const FacetPoint& xi, double margin);
+/// Whether a point lies in the reference facet, at least `margin` from its boundary.
+[[nodiscard]] bool is_inside(mesh::Shape shape, const FacetPoint& xi, double margin);
 
 struct FacetMap {
     mesh::CellType type;
@@ -38,7 +38,7 @@ struct FacetMap {
     [[nodiscard]] Value operator()(const FacetPoint& xi) const;
 };
 
-/// `positions`: one a mesh point (mesh.points, or points + displacement).
+/// `positions`: one per mesh point (mesh.points, or points + displacement).
 [[nodiscard]] FacetMap facet_map(const mesh::Mesh& mesh, const mesh::Facet& facet,
                                  std::span<const mesh::Point> positions);
 

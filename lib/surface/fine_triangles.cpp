@@ -10,10 +10,10 @@
 namespace soft::surface {
 namespace {
 
-/// An arc whose middle is this part of its chord away from the chord turns by 8 times as much: 15 degrees.
-constexpr double bent = 0.033;
+/// Sagitta of an arc of 15 degrees over its chord: the angle [rad] of an arc is 8 times this ratio.
+constexpr double max_sagitta_ratio = 0.033;
 constexpr int max_halvings =
-    6;  // a facet is no more than 90 degrees of a circle, and the deviation no less than 1e-4 of it
+    6;  // enough for a facet that spans up to 90 degrees of a circle and a deviation of at least 1e-4 of it
 
 struct Corner {
     int point;
@@ -25,7 +25,7 @@ class Refiner {
 public:
     Refiner(const mesh::Mesh& mesh, double deviation_m) : mesh_(mesh), deviation_m_(deviation_m) {}
 
-    /// The facet in pieces of its own nodes.
+    /// Adds the facet, divided at its own nodes.
     void add(const mesh::Facet& facet, int number) {
         const FacetMap map = facet_map(mesh_, facet, mesh_.points);
         const auto nodes = facet_nodes(mesh_, facet);
@@ -42,7 +42,7 @@ public:
         shapes_.push_back(map);
     }
 
-    /// Halves every edge that strays; a piece with one, two or three such edges becomes two, three or four.
+    /// Bisects every edge whose chord deviates too much; a piece with one, two or three such edges becomes two, three or four pieces.
     bool halve() {
         std::vector<Piece> pieces;
         std::vector<int> facets;
@@ -68,7 +68,7 @@ public:
             surface_.triangles.push_back({a.point, b.point, c.point});
             surface_.facets.push_back(facets_[p]);
         }
-        surface_.places = surface_.points;
+        surface_.model_points = surface_.points;
         return std::move(surface_);
     }
 
@@ -88,7 +88,7 @@ private:
         return found->second;
     }
 
-    /// Whether the edge is halved, and where. The first facet that asks decides for both.
+    /// Whether the edge is bisected, and where. The result for the first of the two facets is reused for the second.
     bool middle(int facet, const Corner& a, const Corner& b, Corner& mid) {
         mid.xi = {(a.xi[0] + b.xi[0]) / 2, (a.xi[1] + b.xi[1]) / 2};
         const auto [found, fresh] = middles_.try_emplace(std::minmax(a.point, b.point), whole);
@@ -100,9 +100,9 @@ private:
                 off[d] = x[d] - (p[d] + q[d]) / 2;
                 along[d] = q[d] - p[d];
             }
-            const double least = 1e-3 * deviation_m_;  // rounding bends no edge
-            const double strays = norm(off), length = norm(along);
-            if (strays > deviation_m_ || strays > std::max(bent * length, least)) {
+            const double rounding = 1e-3 * deviation_m_;  // smaller deviations are treated as zero
+            const double deviation = norm(off), length = norm(along);
+            if (deviation > deviation_m_ || deviation > std::max(max_sagitta_ratio * length, rounding)) {
                 found->second = static_cast<int>(surface_.points.size());
                 surface_.points.push_back(x);
             }
@@ -132,7 +132,7 @@ private:
             const auto k = static_cast<std::size_t>(std::find(split.begin(), split.end(), true) - split.begin());
             pieces.push_back({old[k], mid[k], old[(k + 2) % 3]});
             pieces.push_back({mid[k], old[(k + 1) % 3], old[(k + 2) % 3]});
-        } else {  // edge k stays whole: corners a -> b along it, c opposite; b-c and c-a are halved
+        } else {  // edge k (from a to b, opposite to c) is not split; b-c and c-a are bisected
             const auto k = static_cast<std::size_t>(std::find(split.begin(), split.end(), false) - split.begin());
             const Corner &a = old[k], &b = old[(k + 1) % 3], &c = old[(k + 2) % 3], &bc = mid[(k + 1) % 3],
                          &ca = mid[(k + 2) % 3];

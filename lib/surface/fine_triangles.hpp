@@ -1,7 +1,7 @@
 #pragma once
-/// Curved facets as plain triangles that stay near them: for files. Edges are halved until their chords are within
-/// `deviation_m` of the facet's true edge and turn by no more than about 15 degrees each (so that a reader who looks for sharp
-/// edges does not take a fillet for one); neighbours match. Tested by surface/fine_triangles_test.
+/// Triangulation of curved facets for file export. Edges are bisected until their chords are within `deviation_m` of the curved edge
+/// and the angle per chord is at most about 15 degrees (so that programs that detect sharp edges do not mistake a fillet for one).
+/// The triangulation is conforming. Tested by surface/fine_triangles_test.
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -9,7 +9,7 @@
 
 namespace soft::surface {
 
-/// Of a solid; normals out of the rubber.
+/// `facets` belong to a solid mesh; the normals of the triangles point out of the rubber.
 [[nodiscard]] Triangles fine_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets,
                                        double deviation_m);
 

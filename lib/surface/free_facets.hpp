@@ -1,5 +1,5 @@
 #pragma once
-/// The surface of a body that is really there: the boundary of the mesh without the cuts through the whole actuator.
+/// The physical surface of the body: the boundary of the mesh without the facets on symmetry planes.
 /// Tested by surface/wall_test and surface/contact_test.
 #include <array>
 #include <vector>
@@ -8,10 +8,11 @@
 
 namespace soft::surface {
 
-/// Coordinates whose zero is a mirror of the body: symmetry planes, and the axis r = 0 of a section.
+/// Coordinates d for which coordinate d = 0 is a mirror plane of the body: the symmetry planes, and the axis r = 0 of a section of
+/// revolution.
 [[nodiscard]] std::array<bool, 3> mirrors(const model::Case& model);
 
-/// Facets of one cell only that do not lie on a mirror in the undeformed body, in ascending order.
+/// Boundary facets (of exactly one cell) that do not lie on a mirror plane in the undeformed body, in ascending order.
 [[nodiscard]] std::vector<mesh::Facet> free_facets(const model::Case& model);
 
 }  // namespace soft::surface

@@ -15,7 +15,7 @@ using mesh::Facet;
 using mesh::Index;
 using Ends = std::array<Index, 2>;
 
-/// The corners of a section's facet, the edges of a solid's; repeated nodes give none.
+/// The corners of a facet of a section, or the edges of a facet of a solid; empty for facets with repeated nodes.
 std::vector<Ends> borders(const mesh::Mesh& mesh, const Facet& facet) {
     const mesh::CellTopology& type = mesh::topology(mesh::facet_type(mesh, facet));
     const std::vector<Index> nodes = mesh::facet_nodes(mesh, facet);
@@ -29,7 +29,7 @@ std::vector<Ends> borders(const mesh::Mesh& mesh, const Facet& facet) {
     return all;
 }
 
-/// Where the middle of the ends is on a facet; empty if they are not both its corners.
+/// Reference coordinates of the midpoint of the ends on a facet; empty if not both ends are its corners.
 std::vector<FacetPoint> middle_on(const mesh::Mesh& mesh, const Facet& facet, const Ends& ends) {
     const mesh::CellTopology& type = mesh::topology(mesh::facet_type(mesh, facet));
     const std::vector<Index> nodes = mesh::facet_nodes(mesh, facet);
@@ -43,7 +43,7 @@ std::vector<FacetPoint> middle_on(const mesh::Mesh& mesh, const Facet& facet, co
     return {middle};
 }
 
-/// Outward unit normals, at the middle of the hinge, of the sides of a cell that meet there.
+/// Outward unit normals, at the middle of the hinge, of the facets of a cell that share the hinge.
 std::vector<Vector> normals_at(const mesh::Mesh& mesh, Index cell, const Ends& ends,
                                std::span<const mesh::Point> positions) {
     std::vector<Vector> normals;

@@ -1,6 +1,6 @@
 #pragma once
-/// Creases: where two facets of the surface meet, the rubber of the cells between them fills an angle. Beyond a full turn the
-/// crease is closed and the two walls have passed through each other, although they cross nowhere else near by.
+/// Creases: at an edge shared by two facets of the surface, the rubber of the cells between them fills an angle. If it exceeds a full
+/// turn, the crease is closed and the two walls have passed through each other, although they intersect nowhere else nearby.
 /// Private to the module. Tested by surface/hinges_test and surface/contact_test.
 #include <array>
 #include <span>
@@ -12,16 +12,16 @@ namespace soft::surface {
 
 /// A corner of a section or an edge of a solid that exactly two facets of the surface share.
 struct Hinge {
-    std::array<int, 2> facets;            ///< numbers in the list given
+    std::array<int, 2> facets;            ///< indices into the list of facets
     std::array<mesh::Index, 2> vertices;  ///< ends of the edge; equal in a section
-    std::vector<mesh::Index> cells;       ///< all that have both vertices
+    std::vector<mesh::Index> cells;       ///< all cells that have both vertices
 };
 
-/// Hinges between facets of the list; none where cells are collapsed.
+/// Hinges between facets of the list; edges with collapsed cells are omitted.
 [[nodiscard]] std::vector<Hinge> hinges(const mesh::Mesh& mesh, std::span<const mesh::Facet> facets);
 
-/// Angle that the rubber fills, summed over the cells, at the middle of the edge [rad]. Each cell's is below pi while its
-/// det F is positive, so the sum knows full turns. `positions`: one a mesh point.
+/// Angle filled by the rubber at the middle of the edge, summed over the cells [rad]. The angle of each cell is below pi while its
+/// det F is positive, so the sum is not limited to a full turn. `positions`: one per mesh point.
 [[nodiscard]] double filled_angle(const mesh::Mesh& mesh, const Hinge& hinge, std::span<const mesh::Point> positions);
 
 }  // namespace soft::surface

@@ -16,7 +16,7 @@ double hull_volume_m3(std::span<const mesh::Point> points) {
     if (cloud.size() < 4) return 0;
     CGAL::Surface_mesh<Kernel::Point_3> hull;
     CGAL::convex_hull_3(cloud.begin(), cloud.end(), hull);
-    // Of points in one plane CGAL makes a flat polygon, which encloses nothing.
+    // For coplanar points CGAL returns a flat polygon, which encloses no volume.
     return hull.number_of_vertices() >= 4 && CGAL::is_closed(hull) ? CGAL::Polygon_mesh_processing::volume(hull) : 0.0;
 }
 

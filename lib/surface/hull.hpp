@@ -1,5 +1,5 @@
 #pragma once
-/// Volume of the convex hull of points [m^3], by CGAL; 0 for points in one plane. Tested by surface/hull_test.
+/// Volume of the convex hull of points [m^3], by CGAL; 0 for coplanar points. Tested by surface/hull_test.
 #include <span>
 
 #include "mesh/mesh.hpp"

@@ -1,4 +1,4 @@
-#include "surface/inside_out.hpp"
+#include "surface/inverted_wall.hpp"
 
 #include <algorithm>
 #include <set>
@@ -11,7 +11,7 @@ namespace {
 
 using mesh::Index;
 
-/// At the middle of a facet's corners.
+/// Position and tangents at the mean of the corners of a facet.
 FacetMap::Value middle(const mesh::Mesh& mesh, const mesh::Facet& facet) {
     const mesh::CellTopology& type = mesh::topology(mesh::facet_type(mesh, facet));
     FacetPoint xi{};
@@ -20,7 +20,7 @@ FacetMap::Value middle(const mesh::Mesh& mesh, const mesh::Facet& facet) {
     return facet_map(mesh, facet, mesh.points)(xi);
 }
 
-/// Opposed by more than this, as the sides of a wall; those of an edge or of a curved surface are not.
+/// Cosine between the normals of the two sides of a wall is below this; for facets at an edge or on a curved surface it is above.
 constexpr double opposed = -0.5;
 
 bool behind_each_other(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>& facets) {
@@ -29,8 +29,8 @@ bool behind_each_other(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>&
     return dot(m, n) < opposed * norm(m) * norm(n) && dot(m, between) < 0 && dot(n, between) > 0;
 }
 
-/// det F has the sign of the deformed map's determinant; cells that are flat at a node from the start say nothing there.
-bool is_inside_out(const mesh::Mesh& undeformed, const mesh::Mesh& deformed, Index cell) {
+/// det F has the sign of the determinant of the deformed map. Nodes at which the undeformed cell is degenerate are ignored.
+bool has_inverted_node(const mesh::Mesh& undeformed, const mesh::Mesh& deformed, Index cell) {
     const mesh::CellType type = deformed.cell_type(cell);
     return std::ranges::any_of(mesh::topology(type).nodes, [&](const mesh::Point& xi) {
         const auto shapes = mesh::shape_values(type, xi);
@@ -41,8 +41,8 @@ bool is_inside_out(const mesh::Mesh& undeformed, const mesh::Mesh& deformed, Ind
 
 }  // namespace
 
-bool wall_is_inside_out(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>& facets,
-                        std::span<const mesh::Point> positions) {
+bool is_wall_inverted(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>& facets,
+                      std::span<const mesh::Point> positions) {
     if (!behind_each_other(mesh, facets)) return false;
     std::set<Index> nodes;
     for (const mesh::Facet& facet : facets)
@@ -51,7 +51,7 @@ bool wall_is_inside_out(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>
     deformed.points.assign(positions.begin(), positions.end());
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
         if (std::ranges::any_of(mesh.cell_nodes(cell), [&](Index node) { return nodes.contains(node); }) &&
-            is_inside_out(mesh, deformed, cell))
+            has_inverted_node(mesh, deformed, cell))
             return true;
     return false;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Where rubber has passed through itself because cells are inside out, the surface crosses itself as well, but no walls meet:
-/// between its two sides is no air. Tested by surface/contact_test and surface/no_contact_test.
+/// Distinguishes inverted walls from contact: inverted cells also make the surface intersect itself, but no air is between the two
+/// sides. Tested by surface/contact_test and surface/no_contact_test.
 #include <array>
 #include <span>
 
@@ -8,9 +8,9 @@
 
 namespace soft::surface {
 
-/// Of two facets that cross at `positions` (one a mesh point): each lies behind the other in the undeformed body and looks the
-/// other way, as the sides of one wall do, and det F <= 0 at a node of a cell next to them.
-[[nodiscard]] bool wall_is_inside_out(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>& facets,
-                                      std::span<const mesh::Point> positions);
+/// For two facets that intersect at `positions` (one per mesh point): true if they are the two sides of one wall (in the undeformed body
+/// each lies behind the other and they face opposite ways) and det F <= 0 at a node of an adjacent cell.
+[[nodiscard]] bool is_wall_inverted(const mesh::Mesh& mesh, const std::array<mesh::Facet, 2>& facets,
+                                    std::span<const mesh::Point> positions);
 
 }  // namespace soft::surface

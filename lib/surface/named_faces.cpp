@@ -28,7 +28,7 @@ bool is_sharp(const BodySurface& surface, const std::array<std::size_t, 2>& side
     return dot(unit_normal(surface, sides[0]), unit_normal(surface, sides[1])) < min_cosine;
 }
 
-/// Triangles that hang together with `start`; `closed` edges and triangles are not passed.
+/// Triangles connected to `start`; the search does not cross `barred` triangles, nor sharp edges unless `across_sharp_edges`.
 std::vector<bool> flooded(const BodySurface& surface, std::size_t start, const std::vector<bool>& barred,
                           bool across_sharp_edges) {
     std::vector<std::array<std::size_t, 3>> around(surface.triangles.size());
@@ -58,7 +58,8 @@ std::vector<bool> flood(const BodySurface& surface, const FaceRule::Flood& rule,
     std::vector<bool> barred(surface.triangles.size());
     for (const std::string& name : rule.up_to) {
         const auto face = std::ranges::find(earlier, name, &NamedFace::name);
-        if (face == earlier.end()) throw std::logic_error("no face " + name + " before the one that goes up to it");
+        if (face == earlier.end())
+            throw std::logic_error("named_faces: up_to names face " + name + ", which is not defined before");
         for (std::size_t t = 0; t < barred.size(); ++t) barred[t] = barred[t] || face->facets[t];
     }
     const auto start =
@@ -67,9 +68,9 @@ std::vector<bool> flood(const BodySurface& surface, const FaceRule::Flood& rule,
 }
 
 std::vector<bool> facets_of(const BodySurface& surface, const FaceRule& rule, const std::vector<NamedFace>& earlier) {
-    constexpr double rounding = 1e-6;  // files of floats hold seven digits
+    constexpr double rounding = 1e-6;  // files of floats have seven significant digits
     const double tolerance_m = rounding * surface.extent_m();
-    const auto holds = [&](std::size_t t, auto&& is_in) {
+    const auto all_corners = [&](std::size_t t, auto&& is_in) {
         return std::ranges::all_of(surface.triangles[t],
                                    [&](int corner) { return is_in(surface.points[static_cast<std::size_t>(corner)]); });
     };
@@ -77,11 +78,11 @@ std::vector<bool> facets_of(const BodySurface& surface, const FaceRule& rule, co
     if (rule.flood) in = flood(surface, *rule.flood, earlier);
     for (std::size_t t = 0; t < in.size(); ++t) {
         if (rule.plane)
-            in[t] = in[t] && holds(t, [&](const mesh::Point& p) {
+            in[t] = in[t] && all_corners(t, [&](const mesh::Point& p) {
                         return std::abs(p[rule.plane->component] - rule.plane->at_m) <= tolerance_m;
                     });
         if (rule.box)
-            in[t] = in[t] && holds(t, [&](const mesh::Point& p) {
+            in[t] = in[t] && all_corners(t, [&](const mesh::Point& p) {
                         for (std::size_t d = 0; d < 3; ++d)
                             if (p[d] < rule.box->from[d] - tolerance_m || p[d] > rule.box->to[d] + tolerance_m)
                                 return false;
@@ -97,7 +98,7 @@ std::vector<bool> facets_of(const BodySurface& surface, const FaceRule& rule, co
 }  // namespace
 
 std::map<Edge, std::array<std::size_t, 2>> edges_with_sides(const BodySurface& surface) {
-    std::map<Edge, std::array<std::size_t, 2>> found;  // the surface is closed
+    std::map<Edge, std::array<std::size_t, 2>> found;  // two per edge, because the surface is closed
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
         for (std::size_t k = 0; k < 3; ++k) {
             const auto [a, b] = std::minmax(surface.triangles[t][k], surface.triangles[t][(k + 1) % 3]);

@@ -1,5 +1,5 @@
 #pragma once
-/// Faces of a body's surface by where they are: facets of the file that fulfil a rule. Tested by surface/named_faces_test.
+/// Named faces of a body's surface: the facets of the file that satisfy a geometric rule. Tested by surface/named_faces_test.
 #include <array>
 #include <map>
 #include <optional>
@@ -12,16 +12,16 @@
 
 namespace soft::surface {
 
-/// Where the surface turns by more than this between two facets, a face ends.
+/// A face ends at an edge if the angle between the normals of its two facets exceeds this.
 inline constexpr double sharp_rad = 0.6981317007977318;  // 40 degrees
 
-/// The two triangles beside each edge (its points ascending).
+/// The two triangles of each edge (points of the edge ascending).
 [[nodiscard]] std::map<std::array<int, 2>, std::array<std::size_t, 2>> edges_with_sides(const BodySurface& surface);
 
 /// Edges whose facets' normals differ by more than sharp_rad, ascending.
 [[nodiscard]] Creases sharp_edges(const BodySurface& surface);
 
-/// What is given holds for every facet of the face.
+/// A facet belongs to the face if it satisfies every condition that is given.
 struct FaceRule {
     struct Plane {
         std::size_t component;  ///< 0, 1, 2: x, y, z
@@ -31,11 +31,11 @@ struct FaceRule {
         mesh::Point from, to;  ///< [m]
     };
     struct Direction {
-        mesh::Point normal;  ///< of any length
+        mesh::Point normal;  ///< need not be a unit vector
         double within_rad;
     };
-    /// What hangs together with the place on the surface that is nearest to `point`, up to sharp edges; with `up_to`, across
-    /// sharp edges up to these faces.
+    /// The facets connected to the surface point nearest to `point`, bounded by sharp edges; if `up_to` is given, bounded by those
+    /// faces instead.
     struct Flood {
         mesh::Point point;  ///< [m]
         std::vector<std::string> up_to;
@@ -49,14 +49,14 @@ struct FaceRule {
 
 struct NamedFace {
     std::string name;
-    std::vector<bool> facets;  ///< one a triangle of the surface
+    std::vector<bool> facets;  ///< one entry per triangle of the surface
 };
 
-/// The shells' faces ("outer", "cavity", ...), then those of the rules in their order; `up_to` names faces before its own.
-/// A rule that no facet fulfils gives a face without facets. std::logic_error for an unknown name in `up_to`.
+/// The faces of the shells ("outer", "cavity", ...), then those of the rules in their order; `up_to` names earlier faces.
+/// A rule that no facet satisfies gives a face without facets. std::logic_error for an unknown name in `up_to`.
 [[nodiscard]] std::vector<NamedFace> named_faces(const BodySurface& surface, const std::vector<FaceRule>& rules);
 
-/// Sharp edges and the borders of the faces: what the mesh must keep.
+/// Sharp edges and boundaries of the faces: the edges that the mesh must preserve.
 [[nodiscard]] Creases creases_of(const BodySurface& surface, const std::vector<NamedFace>& faces);
 
 }  // namespace soft::surface

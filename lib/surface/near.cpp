@@ -12,7 +12,7 @@
 namespace soft::surface {
 namespace {
 
-using Kernel = CGAL::Simple_cartesian<double>;  // distances: nothing here decides what is inside or out
+using Kernel = CGAL::Simple_cartesian<double>;  // inexact: distances only, no inside/outside decisions
 
 Kernel::Point_3 at(const std::vector<mesh::Point>& points, int number) {
     const mesh::Point& p = points[static_cast<std::size_t>(number)];
@@ -31,7 +31,8 @@ struct NearestOn<corners>::Tree {
     using Aabb = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
     Aabb aabb;
 
-    [[nodiscard]] Place place(const mesh::Point& from, const typename Aabb::Point_and_primitive_id& found) const {
+    [[nodiscard]] ClosestPoint closest_point(const mesh::Point& from,
+                                             const typename Aabb::Point_and_primitive_id& found) const {
         const mesh::Point point{found.first.x(), found.first.y(), found.first.z()};
         return {point, static_cast<int>(found.second - elements.cbegin()),
                 std::hypot(point[0] - from[0], point[1] - from[1], point[2] - from[2])};
@@ -61,17 +62,18 @@ template <std::size_t corners>
 NearestOn<corners>& NearestOn<corners>::operator=(NearestOn&&) noexcept = default;
 
 template <std::size_t corners>
-auto NearestOn<corners>::operator()(const mesh::Point& from) const -> Place {
-    return tree_->place(from, tree_->aabb.closest_point_and_primitive(Kernel::Point_3(from[0], from[1], from[2])));
+auto NearestOn<corners>::operator()(const mesh::Point& from) const -> ClosestPoint {
+    return tree_->closest_point(from,
+                                tree_->aabb.closest_point_and_primitive(Kernel::Point_3(from[0], from[1], from[2])));
 }
 
 template <std::size_t corners>
-auto NearestOn<corners>::within(const mesh::Point& from, double distance_m) const -> std::optional<Place> {
+auto NearestOn<corners>::within(const mesh::Point& from, double distance_m) const -> std::optional<ClosestPoint> {
     const typename Tree::Aabb::Point_and_primitive_id border{Kernel::Point_3(from[0] + distance_m, from[1], from[2]),
                                                              tree_->elements.cbegin()};
     const auto found = tree_->aabb.closest_point_and_primitive(Kernel::Point_3(from[0], from[1], from[2]), border);
-    if (found.first == border.first) return std::nullopt;  // the search goes out from there, and found nothing nearer
-    return tree_->place(from, found);
+    if (found.first == border.first) return std::nullopt;  // initial guess of the search: nothing is nearer
+    return tree_->closest_point(from, found);
 }
 
 template class NearestOn<3>;

@@ -1,5 +1,5 @@
 #pragma once
-/// The nearest place of a set of triangles, or of segments (CGAL AABB tree). Tested by surface/remesh_test.
+/// Closest point on a set of triangles or of segments (CGAL AABB tree). Tested by surface/remesh_test.
 #include <array>
 #include <memory>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace soft::surface {
 
-/// Elements of two (segments) or three (triangles) of `points`; at least one, none without length or area.
+/// Elements connect two (segments) or three (triangles) of `points`; at least one element, none degenerate.
 template <std::size_t corners>
 class NearestOn {
 public:
@@ -18,14 +18,14 @@ public:
     NearestOn(NearestOn&&) noexcept;
     NearestOn& operator=(NearestOn&&) noexcept;
 
-    struct Place {
+    struct ClosestPoint {
         mesh::Point point;
         int element;
         double distance_m;
     };
-    [[nodiscard]] Place operator()(const mesh::Point& from) const;
-    /// The same where it is no further away; much faster than to look everywhere.
-    [[nodiscard]] std::optional<Place> within(const mesh::Point& from, double distance_m) const;
+    [[nodiscard]] ClosestPoint operator()(const mesh::Point& from) const;
+    /// The closest point if it is within `distance_m`, else nullopt; much faster than the unbounded search.
+    [[nodiscard]] std::optional<ClosestPoint> within(const mesh::Point& from, double distance_m) const;
 
 private:
     struct Tree;

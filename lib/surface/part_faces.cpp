@@ -13,19 +13,19 @@ namespace {
 
 using mesh::Point;
 
-struct FacetFigures {
+struct FacetGeometry {
     Vector normal{};
     double area = 0;
     Point centre{};
 };
 
-std::vector<FacetFigures> figures_of(const BodySurface& surface) {
-    std::vector<FacetFigures> all;
+std::vector<FacetGeometry> facet_geometries(const BodySurface& surface) {
+    std::vector<FacetGeometry> all;
     for (const auto& t : surface.triangles) {
         const Point &a = surface.points[static_cast<std::size_t>(t[0])],
                     &b = surface.points[static_cast<std::size_t>(t[1])],
                     &c = surface.points[static_cast<std::size_t>(t[2])];
-        FacetFigures& one = all.emplace_back();
+        FacetGeometry& one = all.emplace_back();
         one.normal = cross(along(b, -1, a), along(c, -1, a));
         const double length = norm(one.normal);
         one.area = length / 2;
@@ -41,7 +41,7 @@ std::vector<FacetFigures> figures_of(const BodySurface& surface) {
 class Regions {
 public:
     explicit Regions(const BodySurface& surface)
-        : surface_(surface), facets_(figures_of(surface)), region_(surface.triangles.size(), none) {
+        : surface_(surface), facets_(facet_geometries(surface)), region_(surface.triangles.size(), none) {
         around_.resize(surface.triangles.size());
         for (const auto& [edge, sides] : edges_with_sides(surface)) {
             around_[sides[0]].push_back(sides[1]);
@@ -59,7 +59,7 @@ public:
 private:
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-    /// All that is connected with `start` through facets without a region for which `joins(from, to)` holds.
+    /// Assigns to `region` all facets without a region that are connected to `start` by steps for which `joins(from, to)` is true.
     template <class Joins>
     std::vector<std::size_t> flood(std::size_t start, std::size_t region, Joins&& joins) {
         std::vector<std::size_t> found{start};
@@ -79,7 +79,7 @@ private:
     }
 
     void find_planes() {
-        constexpr double flat = 1e-5, parallel = 0.9994;  // 2 degrees: thin facets of rounded points
+        constexpr double flat = 1e-5, parallel = 0.9994;  // 2 degrees: rounded coordinates tilt thin facets
         const double near_m = flat * surface_.extent_m();
         std::vector<std::size_t> order(facets_.size());
         std::iota(order.begin(), order.end(), std::size_t{0});
@@ -87,7 +87,7 @@ private:
         std::vector<std::vector<std::size_t>> regions;
         for (const std::size_t seed : order) {
             if (region_[seed] != none) continue;
-            const FacetFigures& plane = facets_[seed];
+            const FacetGeometry& plane = facets_[seed];
             regions.push_back(flood(seed, regions.size(), [&](std::size_t, std::size_t next) {
                 if (dot(facets_[next].normal, plane.normal) < parallel) return false;
                 return std::ranges::all_of(surface_.triangles[next], [&](int corner) {
@@ -99,7 +99,7 @@ private:
         keep_planes(regions);
     }
 
-    /// A strip of a curved surface has neighbours like itself.
+    /// Keeps regions much larger than their smooth neighbours: a strip of a curved surface has neighbours of similar area.
     void keep_planes(const std::vector<std::vector<std::size_t>>& regions) {
         constexpr double larger = 4;
         static const double smooth = std::cos(sharp_rad);
@@ -147,10 +147,11 @@ private:
         faces_.push_back(std::move(face));
     }
 
-    /// The direction to which the normals are closest to perpendicular: inverse to the largest eigenvector of the rest.
+    /// The direction most nearly perpendicular to the normals: eigenvector of the largest eigenvalue of trace(M) I - M with
+    /// M = sum of area n n^T, by power iteration.
     [[nodiscard]] Vector axis_of(const std::vector<std::size_t>& facets) const {
         constexpr int rounds = 200;
-        std::array<Vector, 3> rest{};  // trace - sum of area n n^T
+        std::array<Vector, 3> rest{};  // trace(M) I - M
         for (const std::size_t f : facets)
             for (std::size_t i = 0; i < 3; ++i)
                 for (std::size_t j = 0; j < 3; ++j)
@@ -190,7 +191,7 @@ private:
         face.direction = axis;
         face.radius_m = radius;
         for (std::size_t d = 0; d < 3; ++d) face.centre[d] = a * u[d] + b * v[d] + 0.5 * (low + high) * axis[d];
-        const FacetFigures& one = facets_[face.facets.front()];
+        const FacetGeometry& one = facets_[face.facets.front()];
         face.is_bore = dot(one.normal, along(one.centre, -1, face.centre)) < 0;
     }
 
@@ -228,7 +229,7 @@ private:
     }
 
     const BodySurface& surface_;
-    std::vector<FacetFigures> facets_;
+    std::vector<FacetGeometry> facets_;
     std::vector<std::vector<std::size_t>> around_;
     std::vector<std::size_t> region_;
     std::vector<PartFace> faces_;
@@ -248,7 +249,7 @@ FaceRule::Box box_around(const BodySurface& surface, const PartFace& face) {
     return box;
 }
 
-/// The simplest first.
+/// Candidate rules for a face, the simplest first.
 std::vector<FaceRule> candidates(const BodySurface& surface, const PartFace& face) {
     constexpr double along_an_axis = 1 - 1e-9, within_rad = 0.05;
     const FaceRule empty{"face", {}, {}, {}, {}};

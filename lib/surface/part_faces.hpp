@@ -1,5 +1,5 @@
 #pragma once
-/// The faces that a part's surface consists of, found from its facets: planes, cylinders and other curved pieces.
+/// Segments the surface of a part into faces: planes, cylinders and other curved faces.
 /// Tested by surface/part_faces_test.
 #include <optional>
 #include <vector>
@@ -16,15 +16,16 @@ struct PartFace {
     mesh::Point direction{};  ///< unit normal out of the body (plane), unit vector of the axis (cylinder)
     mesh::Point centre{};     ///< area centroid of the facets (plane, curved); on the axis in the middle (cylinder) [m]
     double radius_m = 0;      ///< of a cylinder, through the corners of its facets
-    bool is_bore = false;     ///< of a cylinder: the body lies outside of it
-    mesh::Point on_face{};    ///< a point on the face: the middle of its largest facet [m]
-    /// Selects exactly these facets; nullopt where no rule of named_faces.hpp does.
+    bool is_bore = false;     ///< of a cylinder: the material lies outside of it
+    mesh::Point on_face{};    ///< a point on the face: the centroid of its largest facet [m]
+    /// A rule that selects exactly these facets; nullopt if no rule of named_faces.hpp does.
     std::optional<FaceRule> rule;
 };
 
-/// Ordered by area, the largest first. Planes are regions whose points are within 1e-5 of the extent of one plane and that are larger than
-/// four times each such region joined to them smoothly (facets of a cylinder are not). What remains is divided at sharp edges
-/// (sharp_rad); it is a cylinder if its normals and the distance of its corners from an axis agree to 1/1000.
+/// Faces in descending order of area. A plane is a region whose points are within 1e-5 of the extent of one plane and whose area is at
+/// least four times that of each such region that joins it smoothly (this excludes the facets of a cylinder). The remaining facets are
+/// divided at sharp edges (sharp_rad); such a region is a cylinder if its normals are perpendicular to an axis to 1/100 and the
+/// distances of its corners from the axis agree to 1/1000.
 [[nodiscard]] std::vector<PartFace> part_faces(const BodySurface& surface);
 
 }  // namespace soft::surface

@@ -27,7 +27,7 @@ Vector between(const Point& a, const Point& b) { return along(b, -1, a); }
 double distance(const Point& a, const Point& b) { return norm(between(a, b)); }
 Vector area_vector(const std::array<Point, 3>& t) { return cross(between(t[0], t[1]), between(t[0], t[2])); }
 
-/// 1 for an equilateral triangle, 0 for a flat one: 2 sqrt(3) |area vector| over the sum of the squared edges.
+/// Shape quality: 1 for an equilateral triangle, 0 for a degenerate one: 2 sqrt(3) |area vector| / sum of the squared edge lengths.
 double shape_of(const std::array<Point, 3>& t) {
     double squares = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -61,11 +61,11 @@ public:
         for (const Vertex v : mesh_.vertices()) fixed_[v] = is_corner(v);
     }
 
-    /// False if there would be more than `most` points.
-    bool run(std::size_t most) {
-        constexpr int rounds = 6;  // later ones change next to nothing
+    /// False if more than `max_points` points would be needed.
+    bool run(std::size_t max_points) {
+        constexpr int rounds = 6;  // further rounds change almost nothing
         for (int round = 0; round < rounds; ++round) {
-            if (!split(most)) return false;
+            if (!split(max_points)) return false;
             collapse();
             flip();
             move();
@@ -99,7 +99,7 @@ private:
         return {p.x(), p.y(), p.z()};
     }
     [[nodiscard]] double length(EdgeIndex e) const { return distance(at(mesh_.vertex(e, 0)), at(mesh_.vertex(e, 1))); }
-    [[nodiscard]] double wanted(EdgeIndex e) const {
+    [[nodiscard]] double requested(EdgeIndex e) const {
         return (sizes_[mesh_.vertex(e, 0)] + sizes_[mesh_.vertex(e, 1)]) / 2;
     }
 
@@ -113,7 +113,7 @@ private:
         return mesh_.vertex(e, 0) == v ? mesh_.vertex(e, 1) : mesh_.vertex(e, 0);
     }
 
-    /// Where creases end, cross or turn sharply.
+    /// Whether creases end, cross or turn sharply at the vertex.
     [[nodiscard]] bool is_corner(Vertex v) const {
         constexpr double sharp_turn = 0.77;  // cosine of 40 degrees
         const auto own = creases_at(v);
@@ -127,7 +127,7 @@ private:
         return {at(mesh_.source(h)), at(mesh_.target(h)), at(mesh_.target(mesh_.next(h)))};
     }
 
-    /// Whether the triangle lies on the surface of the file, on the right side, to what its size allows.
+    /// Whether the triangle lies on the surface of the file to within a fraction of its size, with the same orientation.
     enum class Where { everywhere, in_the_middle };
     [[nodiscard]] bool fits(const std::array<Point, 3>& t, double size_m, Where where = Where::everywhere) const {
         constexpr double share = 0.05, min_cosine = 0.5;
@@ -135,14 +135,14 @@ private:
         const double area = norm(n);
         if (!(area > 0)) return false;
         const auto near = [&](const Point& p) {
-            const auto place = original_.within(p, share * size_m);
-            return place && dot(normals_[static_cast<std::size_t>(place->element)], n) >= min_cosine * area;
+            const auto location = original_.within(p, share * size_m);
+            return location && dot(normals_[static_cast<std::size_t>(location->element)], n) >= min_cosine * area;
         };
         const Point centre{(t[0][0] + t[1][0] + t[2][0]) / 3, (t[0][1] + t[1][1] + t[2][1]) / 3,
                            (t[0][2] + t[1][2] + t[2][2]) / 3};
         if (!near(centre)) return false;
         if (where == Where::in_the_middle) return true;
-        for (std::size_t k = 0; k < 3; ++k) {  // beside the edges: on a crease either side would do
+        for (std::size_t k = 0; k < 3; ++k) {  // next to the edges, because on a crease the normal is ambiguous
             const Point &a = t[k], &b = t[(k + 1) % 3];
             if (!near({0.45 * (a[0] + b[0]) + 0.1 * centre[0], 0.45 * (a[1] + b[1]) + 0.1 * centre[1],
                        0.45 * (a[2] + b[2]) + 0.1 * centre[2]}))
@@ -151,16 +151,16 @@ private:
         return true;
     }
 
-    bool split(std::size_t most) {
+    bool split(std::size_t max_points) {
         constexpr double too_long = 4.0 / 3.0;
         for (bool any = true; any;) {
             any = false;
             std::vector<std::pair<double, EdgeIndex>> todo;
             for (const EdgeIndex e : mesh_.edges())
-                if (const double ratio = length(e) / wanted(e); ratio > too_long) todo.emplace_back(-ratio, e);
+                if (const double ratio = length(e) / requested(e); ratio > too_long) todo.emplace_back(-ratio, e);
             std::ranges::sort(todo);
             for (const auto& [ratio, e] : todo) {
-                if (mesh_.number_of_vertices() >= most) return false;
+                if (mesh_.number_of_vertices() >= max_points) return false;
                 split(e);
                 any = true;
             }
@@ -172,10 +172,10 @@ private:
         const Point a = at(mesh_.vertex(e, 0)), b = at(mesh_.vertex(e, 1));
         const Point middle{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
         const bool crease = creases_[e];
-        const Point place = crease ? (*lines_)(middle).point : original_(middle).point;
+        const Point location = crease ? (*lines_)(middle).point : original_(middle).point;
         const Halfedge half = CGAL::Euler::split_edge(mesh_.halfedge(e), mesh_), opposite = mesh_.opposite(half);
         const Vertex v = mesh_.target(half);
-        put(v, place, size_m_(place));
+        put(v, location, size_m_(location));
         fixed_[v] = false;
         creases_[mesh_.edge(half)] = crease;
         for (const Halfedge across : {CGAL::Euler::split_face(half, mesh_.next(mesh_.next(half)), mesh_),
@@ -187,10 +187,10 @@ private:
         constexpr double too_short = 0.8;
         std::vector<std::pair<double, EdgeIndex>> todo;
         for (const EdgeIndex e : mesh_.edges())
-            if (const double ratio = length(e) / wanted(e); ratio < too_short) todo.emplace_back(ratio, e);
+            if (const double ratio = length(e) / requested(e); ratio < too_short) todo.emplace_back(ratio, e);
         std::ranges::sort(todo);
         for (const auto& [ratio, e] : todo) {
-            if (mesh_.is_removed(e) || length(e) >= too_short * wanted(e)) continue;
+            if (mesh_.is_removed(e) || length(e) >= too_short * requested(e)) continue;
             const Halfedge h = mesh_.halfedge(e);
             const auto one = after_collapse(h), other = after_collapse(mesh_.opposite(h));
             if (!one && !other) continue;
@@ -198,14 +198,15 @@ private:
         }
     }
 
-    /// The worst shape around, if the source of the halfedge may go to its target.
+    /// Worst shape of the triangles around the vertex after collapsing the source of the halfedge into its target; nullopt if the collapse
+    /// is not allowed.
     [[nodiscard]] std::optional<double> after_collapse(Halfedge h) const {
         constexpr double too_long = 4.0 / 3.0, worst_shape = 0.05;
         const Vertex from = mesh_.source(h), to = mesh_.target(h);
         if (fixed_[from]) return std::nullopt;
         const bool crease = creases_[mesh_.edge(h)];
         if (!crease && !creases_at(from).empty()) return std::nullopt;
-        for (const Halfedge side : {h, mesh_.opposite(h)})  // two creases would become one
+        for (const Halfedge side : {h, mesh_.opposite(h)})  // would merge two creases
             if (creases_[mesh_.edge(mesh_.next(side))] && creases_[mesh_.edge(mesh_.prev(side))]) return std::nullopt;
         if (!CGAL::Euler::does_satisfy_link_condition(mesh_.edge(h), mesh_)) return std::nullopt;
         double worst = 1, worst_before = 1;
@@ -227,7 +228,7 @@ private:
         return worst;
     }
 
-    /// A collapse along a crease makes one edge of two: its middle must stay on the line.
+    /// A collapse along a crease replaces two edges by one, whose midpoint must stay on the crease.
     [[nodiscard]] bool crease_fits(Halfedge h) const {
         constexpr double share = 0.05;
         for (const EdgeIndex e : creases_at(mesh_.source(h))) {
@@ -240,24 +241,25 @@ private:
         return true;
     }
 
-    /// The source goes to the target. CGAL removes the edges p-t and q-b of the edge p-q, whose flags go over to those that stay.
+    /// Collapses the source into the target. For the edge p-q, CGAL removes the edges p-t and q-b; their crease flags are transferred to
+    /// the edges that remain.
     void collapse(Halfedge h) {
         const Vertex target = mesh_.target(h);
-        const Point place = at(target);
+        const Point location = at(target);
         const double size_m = sizes_[target];
         const bool fixed = fixed_[target];
         const Halfedge pq = mesh_.halfedge(mesh_.edge(h)), qp = mesh_.opposite(pq);
         for (const Halfedge side : {pq, qp}) {
-            const EdgeIndex stays = mesh_.edge(mesh_.next(side)), goes = mesh_.edge(mesh_.prev(side));
-            creases_[stays] = creases_[stays] || creases_[goes];
+            const EdgeIndex remaining = mesh_.edge(mesh_.next(side)), removed = mesh_.edge(mesh_.prev(side));
+            creases_[remaining] = creases_[remaining] || creases_[removed];
         }
         const Vertex kept = CGAL::Euler::collapse_edge(mesh_.edge(h), mesh_);
-        put(kept, place, size_m);
+        put(kept, location, size_m);
         fixed_[kept] = fixed;
     }
 
     void flip() {
-        constexpr double better = 1e-6;  // rounding must not flip edges to and fro
+        constexpr double better = 1e-6;  // prevents edges from flipping back and forth by rounding
         for (const EdgeIndex e : mesh_.edges()) {
             if (creases_[e]) continue;
             const Halfedge h = mesh_.halfedge(e), back = mesh_.opposite(h);
@@ -273,7 +275,7 @@ private:
         }
     }
 
-    /// Points go to the middle of their neighbours, along the surface or the crease, where the triangles gain by it.
+    /// Laplacian smoothing along the surface or the crease: a point moves to the mean of its neighbours if the worst triangle improves.
     void move() {
         constexpr double gain = 1.01;
         for (const Vertex v : mesh_.vertices()) {
@@ -286,15 +288,15 @@ private:
             Point middle{};
             for (const Point& p : around)
                 for (std::size_t d = 0; d < 3; ++d) middle[d] += p[d] / static_cast<double>(around.size());
-            const Point old = at(v), place = lines.empty() ? original_(middle).point : (*lines_)(middle).point;
+            const Point old = at(v), location = lines.empty() ? original_(middle).point : (*lines_)(middle).point;
             const double before = worst_around(v), old_size_m = sizes_[v];
-            put(v, place, size_m_(place));
+            put(v, location, size_m_(location));
             if (worst_around(v) <= gain * before || !fits_around(v)) put(v, old, old_size_m);
         }
     }
 
-    void put(Vertex v, const Point& place, double size_m) {
-        mesh_.point(v) = {place[0], place[1], place[2]};
+    void put(Vertex v, const Point& location, double size_m) {
+        mesh_.point(v) = {location[0], location[1], location[2]};
         sizes_[v] = size_m;
     }
 
@@ -323,12 +325,12 @@ private:
 }  // namespace
 
 Remeshed remesh(const BodySurface& surface, const Creases& creases, const SizeAt& size_m, const SoupOrigin& origin,
-                std::size_t most) {
+                std::size_t max_points) {
     Remesher remesher(surface, creases, size_m);
-    if (!remesher.run(most))
+    if (!remesher.run(max_points))
         throw Error(ExitCode::bad_input, origin.name,
-                    "cells of this size would take more than " + std::to_string(most) + " points on the surface",
-                    "a larger mesh.size");
+                    "cells of this size need more than " + std::to_string(max_points) + " points on the surface",
+                    "use a larger mesh.size");
     return remesher.take();
 }
 

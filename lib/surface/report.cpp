@@ -14,20 +14,20 @@
 namespace soft::surface {
 namespace {
 
-/// Middle of what the bounding boxes of a pair of triangles have in common, in model coordinates.
-mesh::Point meeting_place(const Triangles& surface, const std::array<int, 2>& pair) {
-    mesh::Point place{};
+/// Centre of the intersection of the bounding boxes of two triangles, in model coordinates.
+mesh::Point intersection_location(const Triangles& surface, const std::array<int, 2>& pair) {
+    mesh::Point location{};
     for (std::size_t d = 0; d < 3; ++d) {
         double from = -std::numeric_limits<double>::infinity(), to = -from;
         for (const int triangle : pair) {
             const auto& [a, b, c] = surface.triangles[static_cast<std::size_t>(triangle)];
-            const auto at = [&](int corner) { return surface.places[static_cast<std::size_t>(corner)][d]; };
+            const auto at = [&](int corner) { return surface.model_points[static_cast<std::size_t>(corner)][d]; };
             from = std::max(from, std::min({at(a), at(b), at(c)}));
             to = std::min(to, std::max({at(a), at(b), at(c)}));
         }
-        place[d] = (from + to) / 2;
+        location[d] = (from + to) / 2;
     }
-    return place;
+    return location;
 }
 
 CavityReport inspect(const model::Case& model, const model::Cavity& cavity) {
@@ -38,31 +38,31 @@ CavityReport inspect(const model::Case& model, const model::Cavity& cavity) {
     report.triangles = surface.triangles.size();
     report.closed = checks.closed;
     report.oriented = checks.outward;
-    report.open_place = checks.open_place;
-    if (checks.intersecting) report.self_intersection = meeting_place(surface, *checks.intersecting);
+    report.open_location = checks.open_location;
+    if (checks.intersecting) report.self_intersection = intersection_location(surface, *checks.intersecting);
     report.faceted_volume_m3 = checks.volume_m3;
     report.volume_m3 = enclosed_volume_m3(model, cavity_facets(model, cavity), model.mesh.points);
     if (const auto wall = min_wall(model, cavity)) {
         report.min_wall_m = wall->thickness_m;
-        report.min_wall_place = wall->place;
+        report.min_wall_location = wall->location;
     }
     return report;
 }
 
-void refuse_unsound(const model::Case& model, const CavityReport& report) {
+void refuse_defective(const model::Case& model, const CavityReport& report) {
     const auto refuse = [&](const std::string& problem, const char* remedy) {
         throw Error(ExitCode::bad_input, report.name, problem, remedy);
     };
     if (report.self_intersection)
-        refuse(
-            "the cavity's surface meets itself near " + model::location_text(model.kinematics, *report.self_intersection),
-            "parts of the geometry overlap: check its lengths and radii");
+        refuse("the cavity surface intersects itself near " +
+                   model::location_text(model.kinematics, *report.self_intersection),
+               "parts of the geometry overlap: check its lengths and radii");
     if (!report.closed)
-        refuse("the cavity's surface is open near " +
-                   model::location_text(model.kinematics, report.open_place.value_or(mesh::Point{})),
+        refuse("the cavity surface is open near " +
+                   model::location_text(model.kinematics, report.open_location.value_or(mesh::Point{})),
                "its faces must enclose the cavity up to its declared openings");
     if (!report.oriented || !(report.volume_m3 > 0))
-        refuse("the cavity's surface is inside out (it encloses rubber)", "name the inner faces of the body");
+        refuse("the cavity surface has the wrong orientation (it encloses rubber)", "name the inner faces of the part");
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ std::vector<CavityReport> inspect_cavities(const model::Case& model) {
 
 std::vector<CavityReport> check_cavities(const model::Case& model) {
     std::vector<CavityReport> reports = inspect_cavities(model);
-    for (const CavityReport& report : reports) refuse_unsound(model, report);
+    for (const CavityReport& report : reports) refuse_defective(model, report);
     return reports;
 }
 

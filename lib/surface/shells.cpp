@@ -45,7 +45,7 @@ mesh::Point middle(const mesh::Point& a, const mesh::Point& b) {
     return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
 }
 
-/// Edges by their ends, with the number of facets that have them.
+/// Edges by their ends, with the number of facets that share each edge.
 std::map<Edge, int> edges_of(const FacetSoup& soup) {
     std::map<Edge, int> edges;
     for (const auto& t : soup.facets)
@@ -53,7 +53,7 @@ std::map<Edge, int> edges_of(const FacetSoup& soup) {
     return edges;
 }
 
-/// Rims of holes: connected chains of edges with one facet, each as its edges.
+/// Rims of holes: connected chains of edges that belong to one facet only.
 std::vector<std::vector<Edge>> rims_of(const std::map<Edge, int>& edges) {
     std::multimap<std::size_t, Edge> open;
     for (const auto& [edge, uses] : edges)
@@ -86,10 +86,10 @@ void refuse_open(const FacetSoup& soup, const SoupOrigin& origin) {
     for (const auto& [edge, uses] : edges)
         if (uses > 2)
             refuse(origin,
-                   counted(static_cast<std::size_t>(crowded), "edge has", "edges have") +
-                       " more than two facets, one with " + std::to_string(uses) + " near " +
+                   counted(static_cast<std::size_t>(crowded), "edge is", "edges are") +
+                       " shared by more than two facets, the first by " + std::to_string(uses) + " near " +
                        location_text(middle(soup.points[edge.first], soup.points[edge.second]), origin),
-                   "join the parts to one body, or part them");
+                   "unite the parts into one body or separate them");
     const auto rims = rims_of(edges);
     if (rims.empty()) return;
     double length = 0;
@@ -101,24 +101,23 @@ void refuse_open(const FacetSoup& soup, const SoupOrigin& origin) {
     }
     refuse(origin,
            counted(rims.size(), "hole", "holes") + " in the surface, " + (rims.size() > 1 ? "the first " : "") +
-               "near " + location_text(centre, origin) + " with a rim " + core::rounded_text(length, 4) +
-               (origin.unit.empty() ? "" : " ") + origin.unit + " long",
-           "close the surface where it was drawn; a body is solid, its openings are walls around a channel");
+               "near " + location_text(centre, origin) + " with a rim of length " + core::rounded_text(length, 4) +
+               (origin.unit.empty() ? "" : " ") + origin.unit,
+           "close the surface in the CAD program: a part is a solid, and an opening is a channel through its wall");
 }
 
-/// Every facet the same way round as its neighbours.
+/// CGAL mesh in which every facet has an orientation consistent with its neighbours.
 SurfaceMesh oriented(const FacetSoup& soup, const SoupOrigin& origin) {
     std::vector<Kernel::Point_3> points;
     for (const mesh::Point& p : soup.points) points.emplace_back(p[0], p[1], p[2]);
     std::vector<std::vector<std::size_t>> facets = soup.facets;
     const std::size_t before = points.size();
     if (!PMP::orient_polygon_soup(points, facets) && points.size() != before) {
-        const Kernel::Point_3& p =
-            points[before];  // the copies of points in which sheets hang together stand at the end
+        const Kernel::Point_3& p = points[before];  // CGAL duplicates non-manifold points and appends the copies
         refuse(origin,
-               "sheets of the surface hang together at a point, or have only one side, near " +
+               "the surface is not manifold (connected at a single point, or not orientable) near " +
                    location_text({p.x(), p.y(), p.z()}, origin),
-               "join the parts properly, or part them");
+               "unite the parts into one body or separate them");
     }
     SurfaceMesh mesh;
     PMP::polygon_soup_to_polygon_mesh(points, facets, mesh);
@@ -132,7 +131,7 @@ void refuse_crossings(const SurfaceMesh& mesh, const SoupOrigin& origin) {
     for (auto& [a, b] : pairs)
         if (b < a) std::swap(a, b);
     const auto [first, second] = *std::ranges::min_element(pairs);
-    mesh::Point place{};  // middle of what the boxes of the two have in common
+    mesh::Point location{};  // centre of the intersection of their bounding boxes
     for (int d = 0; d < 3; ++d) {
         double from = -std::numeric_limits<double>::infinity(), to = -from;
         for (const auto face : {first, second}) {
@@ -140,16 +139,16 @@ void refuse_crossings(const SurfaceMesh& mesh, const SoupOrigin& origin) {
             from = std::max(from, box.min(d));
             to = std::min(to, box.max(d));
         }
-        place[static_cast<std::size_t>(d)] = (from + to) / 2;
+        location[static_cast<std::size_t>(d)] = (from + to) / 2;
     }
     refuse(origin,
-           counted(pairs.size(), "pair of facets cuts", "pairs of facets cut") + " each other, the first near " +
-               location_text(place, origin),
-           "unite the overlapping parts where the body was drawn");
+           counted(pairs.size(), "pair of facets intersects", "pairs of facets intersect") + ", the first near " +
+               location_text(location, origin),
+           "unite the overlapping parts in the CAD program");
 }
 
-/// Facets that run the other way round than in the file.
-std::size_t turned_over(const FacetSoup& soup, const SurfaceMesh& mesh) {
+/// Number of facets whose orientation differs from that in the file.
+std::size_t count_reoriented(const FacetSoup& soup, const SurfaceMesh& mesh) {
     std::size_t turned = 0;
     std::map<std::array<std::size_t, 3>, std::array<std::size_t, 3>> written;
     for (const auto& t : soup.facets) {
@@ -174,10 +173,10 @@ std::size_t turned_over(const FacetSoup& soup, const SurfaceMesh& mesh) {
 }
 
 [[noreturn]] void refuse_empty(const SoupOrigin& origin) {
-    refuse(origin, "the surface encloses nothing, all of it is flat", "export a solid body");
+    refuse(origin, "the surface is flat and encloses no volume", "export a solid part");
 }
 
-/// A sheet's facets, what it encloses (negative: a cavity) and its box.
+/// A connected component of the surface: its facets, the enclosed volume (negative: a cavity) and its bounding box.
 struct Sheet {
     std::vector<SurfaceMesh::Face_index> faces;
     double volume = 0;
@@ -193,14 +192,14 @@ std::vector<Sheet> sheets_of(const SurfaceMesh& mesh, const SoupOrigin& origin) 
         sheet.faces.push_back(face);
         sheet.box = sheet.faces.size() == 1 ? PMP::face_bbox(face, mesh) : sheet.box + PMP::face_bbox(face, mesh);
     }
-    for (Sheet& sheet : sheets)  // about the origin: each sheet is closed
+    for (Sheet& sheet : sheets)  // tetrahedra with the origin: each sheet is closed
         for (const auto face : sheet.faces) {
             const auto h = mesh.halfedge(face);
             const Kernel::Point_3 &a = mesh.point(mesh.source(h)), &b = mesh.point(mesh.target(h)),
                                   &c = mesh.point(mesh.target(mesh.next(h)));
             sheet.volume += CGAL::to_double(CGAL::volume(CGAL::ORIGIN + Kernel::Vector_3(0, 0, 0), a, b, c));
         }
-    std::ranges::sort(sheets, [](const Sheet& a, const Sheet& b) {  // the outside first, cavities by place
+    std::ranges::sort(sheets, [](const Sheet& a, const Sheet& b) {  // the outside first, then cavities by location
         if ((a.volume > 0) != (b.volume > 0)) return a.volume > 0;
         return std::array{a.box.xmin(), a.box.ymin(), a.box.zmin()} <
                std::array{b.box.xmin(), b.box.ymin(), b.box.zmin()};
@@ -214,7 +213,7 @@ std::vector<Sheet> sheets_of(const SurfaceMesh& mesh, const SoupOrigin& origin) 
                    location_text(
                        {(box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2, (box.zmin() + box.zmax()) / 2},
                        origin),
-               "unite them, or put each into a file of its own");
+               "unite them or put each into its own file");
     }
     return sheets;
 }
@@ -257,17 +256,16 @@ BodySurface closed_shells(const FacetSoup& soup, const SoupOrigin& origin) {
     PMP::remove_isolated_vertices(mesh);
     mesh.collect_garbage();
     if (!mended)
-        refuse(origin, counted(flat.size(), "facet", "facets") + " without area that cannot be taken out",
-               "export the body again, with larger facets");
+        refuse(origin, counted(flat.size(), "zero-area facet", "zero-area facets") + " that cannot be removed",
+               "export the part again with larger facets");
     if (mesh.number_of_faces() == 0) refuse_empty(origin);
     refuse_crossings(mesh, origin);
     PMP::orient_to_bound_a_volume(mesh);
-    const std::size_t turned =
-        flat.empty() ? turned_over(soup, mesh) : 0;  // numbers of points hold no longer otherwise
+    const std::size_t turned = flat.empty() ? count_reoriented(soup, mesh) : 0;  // removing facets renumbers the points
     BodySurface surface = plain(mesh, sheets_of(mesh, origin), origin.unit_m);
     if (!flat.empty())
-        surface.repairs.push_back(counted(flat.size(), "facet", "facets") + " without area flattened out");
-    if (turned > 0) surface.repairs.push_back(counted(turned, "facet", "facets") + " turned over");
+        surface.repairs.push_back(counted(flat.size(), "zero-area facet", "zero-area facets") + " removed");
+    if (turned > 0) surface.repairs.push_back(counted(turned, "facet", "facets") + " reoriented");
     return surface;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Triangles that share points -> closed sheets with their normals out of the body (CGAL Polygon Mesh Processing).
+/// Converts a triangle soup with shared points to closed shells with normals out of the body (CGAL Polygon Mesh Processing).
 /// Private to the module. Tested by surface/body_surface_test.
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace soft::surface {
 
-/// Triangles only, no two with the same corners. Refuses what body_surface.hpp says.
+/// `soup` contains triangles only, no two with the same corners. Errors: see body_surface.hpp.
 [[nodiscard]] BodySurface closed_shells(const FacetSoup& soup, const SoupOrigin& origin);
 
-/// "1 facet", "3 facets"
+/// A count with its noun: "1 facet", "3 facets".
 [[nodiscard]] std::string counted(std::size_t count, const std::string& one, const std::string& several);
 
 }  // namespace soft::surface

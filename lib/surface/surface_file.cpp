@@ -22,7 +22,7 @@ void append(core::Bytes& bytes, const T& value) {
     bytes.insert(bytes.end(), first, first + sizeof(T));
 }
 
-/// 80 bytes of title, the number of triangles, and for each its normal, its corners and two unused bytes.
+/// Binary STL: 80 bytes of title, the number of triangles, and for each triangle its normal, its corners and two unused bytes.
 core::Bytes stl(const Triangles& surface) {
     std::string title = "soft-actuator, mm";  // must not begin with "solid", as ASCII files do
     title.resize(80, ' ');
@@ -62,12 +62,13 @@ core::Bytes obj(const Triangles& surface) {
 
 }  // namespace
 
-Error no_surface_file(const std::filesystem::path& path) {
-    return Error(ExitCode::usage, path.string(), "a surface is written as STL or OBJ", "end its name in .stl or .obj");
+Error surface_format_error(const std::filesystem::path& path) {
+    return Error(ExitCode::usage, path.string(), "surfaces are written as STL or OBJ",
+                 "use a name that ends in .stl or .obj");
 }
 
 core::Bytes surface_file(const Triangles& surface, const std::filesystem::path& path) {
-    if (!is_surface_file(path)) throw no_surface_file(path);
+    if (!is_surface_file(path)) throw surface_format_error(path);
     const std::string ending = path.extension().string();
     return ending[1] == 's' || ending[1] == 'S' ? stl(surface) : obj(surface);
 }

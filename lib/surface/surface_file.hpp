@@ -1,5 +1,5 @@
 #pragma once
-/// A solid's surface as a file for other programs: STL (binary, in mm) or OBJ (text, in mm) by the ending.
+/// Writes the surface of a solid for other programs: STL (binary, in mm) or OBJ (text, in mm), selected by the extension.
 /// Tested by surface/body_surface_test.
 #include <filesystem>
 
@@ -9,10 +9,10 @@
 
 namespace soft::surface {
 
-/// Error(usage) for a name with another ending.
-[[nodiscard]] Error no_surface_file(const std::filesystem::path& path);
+/// The Error(usage) for a name with another extension.
+[[nodiscard]] Error surface_format_error(const std::filesystem::path& path);
 
-/// The bytes of the file; throws no_surface_file.
+/// The bytes of the file; throws surface_format_error.
 [[nodiscard]] core::Bytes surface_file(const Triangles& surface, const std::filesystem::path& path);
 
 }  // namespace soft::surface

@@ -18,20 +18,20 @@ using mesh::Point;
 
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-int add_point(Triangles& surface, const Point& point, const Point& place) {
+int add_point(Triangles& surface, const Point& point, const Point& location) {
     surface.points.push_back(point);
-    surface.places.push_back(place);
+    surface.model_points.push_back(location);
     return static_cast<int>(surface.points.size()) - 1;
 }
 
-/// Corners that coincide (a strip that ends on the axis) leave a triangle out.
+/// Omits triangles with coincident corners (a strip that ends on the axis).
 void add_triangle(Triangles& surface, int a, int b, int c, int facet) {
     if (a == b || b == c || c == a) return;
     surface.triangles.push_back({a, b, c});
     surface.facets.push_back(facet);
 }
 
-/// Local node numbers of the triangles a facet is divided into, in the facet's orientation.
+/// Local node indices of the triangles into which a facet is divided, in the orientation of the facet.
 std::vector<std::array<int, 3>> division(CellType type) {
     switch (type) {
         case CellType::triangle3: return {{0, 1, 2}};
@@ -44,18 +44,18 @@ std::vector<std::array<int, 3>> division(CellType type) {
                 fan.push_back({around[i], around[(i + 1) % around.size()], 8});
             return fan;
         }
-        default: return {};  // lines are drawn out instead; cells have no surface of their own
+        default: return {};  // lines are extruded instead; cells are not facets
     }
 }
 
 /// Nodes of an edge of a section from its start to its end.
-std::vector<Index> run_through(const std::vector<Index>& line) {
+std::vector<Index> nodes_along(const std::vector<Index>& line) {
     return line.size() == 3 ? std::vector<Index>{line[0], line[2], line[1]} : line;
 }
 
-/// Few, for speed: CGAL takes some 5 us a triangle. Between two planes through the axis the surface is its outline, drawn
-/// along straight lines, so that it crosses itself exactly where the outline does, whatever the number of sectors; and the
-/// enlarged polygons keep the volume.
+/// Few sectors, for speed: CGAL takes about 5 us per triangle. Between two planes through the axis the surface is the outline extruded
+/// along straight lines. It therefore intersects itself exactly where the outline does, for any number of sectors, and the enlarged
+/// polygons preserve the volume.
 constexpr int sectors = 4;
 
 void revolve(const model::Case& model, const std::vector<mesh::Facet>& facets, Triangles& surface) {
@@ -75,7 +75,7 @@ void revolve(const model::Case& model, const std::vector<mesh::Facet>& facets, T
         return points;
     };
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        const std::vector<Index> nodes = run_through(facet_nodes(model.mesh, facets[f]));
+        const std::vector<Index> nodes = nodes_along(facet_nodes(model.mesh, facets[f]));
         for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
             const std::vector<int>&a = circle(nodes[i]), &b = circle(nodes[i + 1]);
             for (std::size_t s = 0; s < a.size(); ++s) {
@@ -87,7 +87,7 @@ void revolve(const model::Case& model, const std::vector<mesh::Facet>& facets, T
     }
 }
 
-/// Points of the mesh as they are needed.
+/// Adds points of the mesh to the surface on first use.
 class UsedPoints {
 public:
     UsedPoints(const mesh::Mesh& mesh, Triangles& surface) : mesh_(&mesh), surface_(&surface) {}
@@ -103,7 +103,7 @@ private:
     std::map<Index, int> numbers_;
 };
 
-void turn_inside_out(Triangles& surface) {
+void reverse_orientation(Triangles& surface) {
     for (auto& triangle : surface.triangles) std::swap(triangle[1], triangle[2]);
 }
 
@@ -117,8 +117,8 @@ void mirror(Triangles& surface, std::size_t d, double tolerance_m) {
             continue;
         }
         point[d] = -point[d];
-        const Point place = surface.places[i];
-        image[i] = add_point(surface, point, place);
+        const Point location = surface.model_points[i];
+        image[i] = add_point(surface, point, location);
     }
     for (std::size_t t = 0, count = surface.triangles.size(); t < count; ++t) {
         const auto [a, b, c] = surface.triangles[t];
@@ -156,13 +156,13 @@ Point cap_area(const Triangles& surface, const std::vector<DirectedEdge>& rim) {
     const Point origin = at(rim.front().first);
     Point area{};
     for (const auto& [a, b] : rim) {
-        const Point part = cross(at(b) - origin, at(a) - origin);  // the cap runs against the wall
+        const Point part = cross(at(b) - origin, at(a) - origin);  // the cap has the opposite edge direction
         for (std::size_t d = 0; d < 3; ++d) area[d] += part[d] / 2;
     }
     return area;
 }
 
-bool closes(const model::Opening& opening, const Point& area) {
+bool is_cap_of(const model::Opening& opening, const Point& area) {
     constexpr double faceted = 0.1;  // a polygon instead of a circle: 8 corners have 90 % of its area
     double distance2 = 0;
     for (std::size_t d = 0; d < 3; ++d) distance2 += std::pow(area[d] - opening.area_m2 * opening.direction[d], 2);
@@ -170,13 +170,13 @@ bool closes(const model::Opening& opening, const Point& area) {
 }
 
 void add_fan(Triangles& surface, const std::vector<DirectedEdge>& rim) {
-    Point centre{}, place{};
+    Point centre{}, location{};
     for (const auto& [a, b] : rim)
         for (std::size_t d = 0; d < 3; ++d) {
             centre[d] += surface.points[static_cast<std::size_t>(a)][d] / static_cast<double>(rim.size());
-            place[d] += surface.places[static_cast<std::size_t>(a)][d] / static_cast<double>(rim.size());
+            location[d] += surface.model_points[static_cast<std::size_t>(a)][d] / static_cast<double>(rim.size());
         }
-    const int apex = add_point(surface, centre, place);
+    const int apex = add_point(surface, centre, location);
     for (const auto& [a, b] : rim) add_triangle(surface, b, a, apex, -1);
 }
 
@@ -205,7 +205,7 @@ Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) 
         revolve(model, facets, surface);
     } else {
         surface = facet_triangles(model.mesh, facets);
-        turn_inside_out(surface);
+        reverse_orientation(surface);
     }
     const double tolerance_m = model::plane_tolerance * model::extent_m(model.mesh);
     for (std::size_t d = 0; d < (is_section ? 1u : 3u); ++d)
@@ -215,7 +215,7 @@ Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) 
     for (const auto& rim : open_rims(surface)) {
         const Point area = cap_area(surface, rim);
         const auto match = std::find_if(openings.begin(), openings.end(),
-                                        [&](const model::Opening& opening) { return closes(opening, area); });
+                                        [&](const model::Opening& opening) { return is_cap_of(opening, area); });
         if (match == openings.end()) continue;
         openings.erase(match);
         add_fan(surface, rim);
@@ -227,7 +227,7 @@ Triangles cavity_surface(const model::Case& model, const model::Cavity& cavity) 
 Triangles facet_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets) {
     Triangles surface;
     UsedPoints used(mesh, surface);
-    const double half_width_m = model::extent_m(mesh);  // any width serves: rays stay at z = 0
+    const double half_width_m = model::extent_m(mesh);  // any width is sufficient: rays stay at z = 0
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const std::vector<Index> nodes = facet_nodes(mesh, facets[f]);
         const int number = static_cast<int>(f);
@@ -235,14 +235,14 @@ Triangles facet_triangles(const mesh::Mesh& mesh, const std::vector<mesh::Facet>
             add_triangle(surface, used(nodes[static_cast<std::size_t>(a)]), used(nodes[static_cast<std::size_t>(b)]),
                          used(nodes[static_cast<std::size_t>(c)]), number);
         if (mesh.dimension == 3) continue;
-        const std::vector<Index> line = run_through(nodes);
+        const std::vector<Index> line = nodes_along(nodes);
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
             const Point p = mesh.point(line[i]), q = mesh.point(line[i + 1]);
             const int a = add_point(surface, {p[0], p[1], -half_width_m}, p),
                       b = add_point(surface, {q[0], q[1], -half_width_m}, q);
             const int c = add_point(surface, {q[0], q[1], 2 * half_width_m}, q),
                       d = add_point(surface, {p[0], p[1], 2 * half_width_m}, p);
-            add_triangle(surface, a, b, c, number);  // 2: the diagonal crosses z = 0 away from the edge's middle
+            add_triangle(surface, a, b, c, number);  // factor 2: the diagonal crosses z = 0 away from the middle
             add_triangle(surface, a, c, d, number);
         }
     }

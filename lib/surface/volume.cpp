@@ -13,7 +13,7 @@ using mesh::Index;
 using mesh::Point;
 using model::RimEdge;
 
-/// Nodes' positions component by component, as the kernels want them.
+/// Nodal positions component by component, as the kernels expect them.
 std::vector<double> gather(std::span<const Index> nodes, int dimension, std::span<const Point> positions) {
     std::vector<double> x;
     for (int i = 0; i < dimension; ++i)
@@ -22,7 +22,7 @@ std::vector<double> gather(std::span<const Index> nodes, int dimension, std::spa
     return x;
 }
 
-/// Mean of the rim's nodes, moved onto the symmetry planes (where the mirrored rim's mean lies).
+/// Mean of the rim's nodes, projected onto the symmetry planes (which contain the mean of the mirrored rim).
 Point apex(const model::Case& model, const std::vector<RimEdge>& rim, std::span<const Point> positions) {
     std::set<Index> nodes;
     for (const RimEdge& edge : rim) nodes.insert(edge.begin(), edge.end());
@@ -35,7 +35,7 @@ Point apex(const model::Case& model, const std::vector<RimEdge>& rim, std::span<
     return mean;
 }
 
-/// Reference tables of the facet types met, made once each.
+/// Cache of the reference tables of facet types.
 class Tables {
 public:
     const element::ReferenceFacet& operator[](mesh::CellType type) {
@@ -52,7 +52,7 @@ double caps_m3(const model::Case& model, const std::vector<RimEdge>& rim, std::s
                Tables& tables) {
     const Point c = apex(model, rim, positions);
     std::array<double, 3> apex_gradient{};
-    std::vector<double> gradient(9);  // not asked for here
+    std::vector<double> gradient(9);  // not used here
     double volume = 0;
     for (const RimEdge& edge : rim) {
         const auto& table = tables[edge.size() == 3 ? mesh::CellType::line3 : mesh::CellType::line2];

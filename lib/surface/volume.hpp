@@ -1,11 +1,11 @@
 #pragma once
-/// Volume enclosed by cavity facets on their true second-order shape, in any configuration.
+/// Volume enclosed by cavity facets with their second-order shape, in any configuration.
 ///     axisymmetric   V = pi int r^2 dx along the wall; flat plugs across an opening add nothing
-///     plane strain   V = -1/2 int x.n ds a unit depth; the wall must be closed
+///     plane strain   V = -1/2 int x.n ds per unit depth; the wall must be closed
 ///     solid          V = -1/3 int x.n da + caps; n out of the rubber, so into the cavity
 /// In a solid each rim (free edges of the facet set that do not lie on a symmetry plane) is closed by a cone with its
 /// apex c at the mean of the rim's nodes, projected onto the symmetry planes: cap = 1/6 int c.(y x dy), exact for a flat
-/// opening of any outline. The sum is divided by the model's fraction: the whole actuator's volume.
+/// opening of any outline. The sum is divided by the model fraction and gives the volume of the whole actuator.
 /// Source: divergence theorem. Tested by surface/volume_test.
 #include <span>
 #include <vector>
@@ -16,7 +16,7 @@
 
 namespace soft::surface {
 
-/// [m^3], positive for a sound cavity. `positions`: one a mesh point (mesh.points, or points + displacement).
+/// [m^3], positive for a correctly oriented cavity. `positions`: one per mesh point (mesh.points, or points + displacement).
 [[nodiscard]] double enclosed_volume_m3(const model::Case& model, std::span<const mesh::Facet> facets,
                                         std::span<const mesh::Point> positions);
 

@@ -15,18 +15,18 @@ namespace soft::surface {
 namespace {
 
 using mesh::Point;
-/// Where rays start: inside the facet, since at a sharp corner the normal of the edge runs along the neighbouring face.
+/// Start points of the rays: inside the facet, because at a sharp corner the normal at the edge runs along the neighbouring face.
 std::vector<FacetPoint> samples(mesh::Shape shape) {
     switch (shape) {
         case mesh::Shape::line: return {{-0.8, 0}, {0, 0}, {0.8, 0}};
         case mesh::Shape::triangle: return {{1 / 6.0, 1 / 6.0}, {2 / 3.0, 1 / 6.0}, {1 / 6.0, 2 / 3.0}};
         case mesh::Shape::quadrilateral: return {{-0.6, -0.6}, {0.6, -0.6}, {-0.6, 0.6}, {0.6, 0.6}};
-        default: return {};  // cells are no facets
+        default: return {};  // cells are not facets
     }
 }
 
-/// Distance along the ray to the curved facet, by Newton's method from the triangle's hit; the triangle's distance where
-/// the ray passes the curved facet by.
+/// Distance along the ray to the curved facet, by Newton's method from the hit on the triangle; the distance to the triangle if the
+/// ray misses the curved facet.
 double on_curved_facet(const FacetMap& map, const Point& from, const Vector& direction, double first_guess_m) {
     const bool is_triangle = mesh::topology(map.type).shape == mesh::Shape::triangle;
     FacetPoint xi{is_triangle ? 1 / 3.0 : 0, is_triangle ? 1 / 3.0 : 0};
@@ -46,7 +46,7 @@ double on_curved_facet(const FacetMap& map, const Point& from, const Vector& dir
         t += dt;
         if (std::abs(dt) <= 1e-12 * size) break;
     }
-    constexpr double sagitta = 0.25;  // of the facet's half length: no sound second-order facet bulges further
+    constexpr double sagitta = 0.25;  // of the facet's half length: no valid second-order facet has a larger one
     return std::abs(t - first_guess_m) <= sagitta * size ? t : first_guess_m;
 }
 
@@ -65,7 +65,7 @@ public:
         return facet_map(model_->mesh, cavity_[facet], model_->mesh.points);
     }
 
-    /// Thickness behind a point of a cavity facet.
+    /// Wall thickness at a point of a cavity facet.
     [[nodiscard]] std::optional<WallThickness> at(std::size_t facet, const FacetMap& map, const FacetPoint& xi) const {
         const FacetMap::Value start = map(xi);
         Vector d = cross(start.t2, start.t1);  // into the rubber
@@ -116,9 +116,9 @@ private:
     std::optional<RayTree> tree_;
 };
 
-/// Shrinking steps along the reference coordinates from the best sample of the best facet.
+/// Pattern search along the reference coordinates with step halving, from the best sample of the best facet.
 WallThickness search(const WallProbe& probe, std::size_t facet, FacetPoint xi, WallThickness best) {
-    constexpr int halvings = 8;  // 0.4 / 2^8 of a facet: far below what a mesh resolves
+    constexpr int halvings = 8;  // 0.4 / 2^8 of a facet: far below the resolution of a mesh
     const FacetMap map = probe.map(facet);
     const mesh::Shape shape = mesh::topology(map.type).shape;
     double step = 0.4;
@@ -126,7 +126,7 @@ WallThickness search(const WallProbe& probe, std::size_t facet, FacetPoint xi, W
         for (const FacetPoint& move :
              {FacetPoint{step, 0}, FacetPoint{-step, 0}, FacetPoint{0, step}, FacetPoint{0, -step}}) {
             const FacetPoint next{xi[0] + move[0], xi[1] + move[1]};
-            if (!inside(shape, next, 0.02)) continue;  // the margin that the samples keep
+            if (!is_inside(shape, next, 0.02)) continue;  // the margin that the samples keep
             const auto wall = probe.at(facet, map, next);
             if (!wall || !(wall->thickness_m < best.thickness_m)) continue;
             best = *wall;

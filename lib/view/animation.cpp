@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::size_t draw_frames(const Body& body, const Look& look, std::span<const Shot> shots, const fs::path& folder,
+std::size_t draw_frames(const Body& body, const PictureStyle& look, std::span<const Shot> shots, const fs::path& folder,
                         const Progress& progress) {
     const Framing frame = framing(body, look, shots);
     std::set<std::size_t> drawn;
@@ -24,10 +24,10 @@ std::size_t draw_frames(const Body& body, const Look& look, std::span<const Shot
         drawn.insert(k);
     }
     progress(shots.size());
-    return remove_others(folder, frame_numbering, drawn);
+    return remove_stale_files(folder, frame_numbering, drawn);
 }
 
-void draw_film(const Body& body, const Look& look, std::span<const Shot> shots, const fs::path& file,
+void draw_film(const Body& body, const PictureStyle& look, std::span<const Shot> shots, const fs::path& file,
                const Progress& progress) {
     const Framing frame = framing(body, look, shots);
     std::string pictures;
@@ -50,21 +50,21 @@ FilmFormat film_format(const fs::path& file) {
     if (!file.has_filename() || fs::is_directory(file, ignored)) return FilmFormat::folder;
     if (file.extension() == ".gif") return FilmFormat::gif;
     if (file.extension() == ".mp4") return FilmFormat::mp4;
-    throw Error(ExitCode::usage, "--animate " + file.string(),
-                "animations are written as .gif, .mp4 or into a FOLDER/");
+    throw Error(ExitCode::usage, "--animate " + file.string(), "not an animation format",
+                "use a name that ends in .gif or .mp4, or a folder that ends in /");
 }
 
 void prepare_animation(const fs::path& file) {
     const FilmFormat format = film_format(file);
     if (format == FilmFormat::folder) return make_folder(file, "--animate " + file.string());
     std::error_code ignored;
-    // A pipe must not be opened for a trial: its reader would take the closing for the end.
+    // A pipe must not be opened for this test: its reader would interpret the closing as the end of the data.
     if (!fs::exists(file, ignored) || fs::is_regular_file(file, ignored)) const core::AtomicFile trial(file);
     try_film(format, file.string());
 }
 
-std::size_t draw_animation(const Body& body, const Look& look, std::span<const Shot> shots, const fs::path& file,
-                           const Progress& progress) {
+std::size_t draw_animation(const Body& body, const PictureStyle& look, std::span<const Shot> shots,
+                           const fs::path& file, const Progress& progress) {
     if (film_format(file) == FilmFormat::folder) {
         make_folder(file, "--animate " + file.string());
         return draw_frames(body, look, shots, file, progress);

@@ -1,5 +1,5 @@
 #pragma once
-/// A picture for each step: in a folder, or as a film. Tested by view/animation_test.
+/// Animations: one picture per step, written into a folder or encoded as a film. Tested by view/animation_test.
 #include <filesystem>
 #include <functional>
 
@@ -8,22 +8,21 @@
 
 namespace soft::view {
 
-/// By the ending of the name; a folder ends with '/' or is one already. Throws Error(usage, place "--animate") for
-/// anything else.
+/// The format that the file extension selects; a folder is a name that ends with '/' or an existing folder. Throws Error(usage,
+/// location "--animate") for anything else.
 [[nodiscard]] FilmFormat film_format(const std::filesystem::path& file);
 
-/// What draw_animation would refuse at its end is refused here, before any work: no ffmpeg or one without the format,
-/// a place where no file can be made. Makes the folder of frames where it is missing, its parent it does not.
-/// Error(cannot_create).
+/// Reports the errors of draw_animation before any work is done: ffmpeg is missing or lacks the format, or the file cannot be
+/// created. Creates the folder of frames if it is missing, but not its parent. Error(cannot_create).
 void prepare_animation(const std::filesystem::path& file);
 
-/// Called before each frame with the number of those done.
+/// Called before each frame and at the end with the number of finished frames.
 using Progress = std::function<void(std::size_t)>;
 
-/// FILE.gif or FILE.mp4, whole or not at all; or FOLDER/frame-0000.png and so on. All frames share one framing.
-/// Returns how many frames of an earlier, longer animation were removed from the folder. Errors: as prepare_animation
+/// Writes FILE.gif or FILE.mp4 atomically, or FOLDER/frame-0000.png and so on. All frames share one framing.
+/// Returns the number of frames of an earlier, longer animation that were removed from the folder. Errors: as prepare_animation
 /// and draw_picture.
-std::size_t draw_animation(const Body& body, const Look& look, std::span<const Shot> shots,
+std::size_t draw_animation(const Body& body, const PictureStyle& look, std::span<const Shot> shots,
                            const std::filesystem::path& file, const Progress& progress);
 
 }  // namespace soft::view

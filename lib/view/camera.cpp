@@ -18,8 +18,8 @@ constexpr std::array<std::pair<std::string_view, Camera>, 5> named{
     {{"front", {0, 0}}, {"side", {90, 0}}, {"top", {0, 90}}, {"across", {0, -90}}, {"iso", {-35, 25}}}};
 
 [[noreturn]] void refuse(std::string_view text) {
-    throw Error(ExitCode::usage, "--view", core::quoted(text) + " is no view",
-                "front, side, top, across, iso, or AZIMUTH,ELEVATION in degrees (elevation from -90 to 90)");
+    throw Error(ExitCode::usage, "--view", core::quoted(text) + " is not a view",
+                "use front, side, top, across, iso, or AZIMUTH,ELEVATION in degrees (elevation from -90 to 90)");
 }
 
 double degrees(std::string_view text, std::string_view whole) {

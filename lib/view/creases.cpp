@@ -10,7 +10,7 @@ namespace soft::view {
 
 namespace {
 
-constexpr double sharp_cosine = 0.7071067811865476;  // of 45 degrees: more than a coarse mesh bends a smooth wall
+constexpr double sharp_cosine = 0.7071067811865476;  // 45 degrees: more than a coarse mesh of a smooth wall has
 
 struct Use {
     std::array<std::int32_t, 2> edge;
@@ -45,7 +45,7 @@ Point face_normal(const Face& face, std::span<const Point> positions) {
     const auto& b = positions[static_cast<std::size_t>(face[1])];
     const auto& c = positions[static_cast<std::size_t>(face[2])];
     const auto& d = positions[static_cast<std::size_t>(face[3])];
-    Point diagonal1, diagonal2;  // their product is the normal of both halves together
+    Point diagonal1, diagonal2;  // their cross product is the sum of the normals of both halves
     for (std::size_t i = 0; i < 3; ++i) {
         diagonal1[i] = c[i] - a[i];
         diagonal2[i] = (face[3] == face[2] ? c[i] : d[i]) - b[i];

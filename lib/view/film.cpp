@@ -18,17 +18,17 @@ namespace soft::view {
 
 namespace {
 
-constexpr double min_mp4_rate = 10;  // players jump badly in films of fewer frames a second
+constexpr double min_mp4_rate = 10;  // players seek poorly in films with fewer frames per second
 
-/// Bytes for the table of contents of an MP4, which then stands before the pictures, as players in browsers like it.
-/// At most 40 bytes a frame in its lists (sizes, times, key frames, chunks), and some 1100 besides.
-std::size_t contents_room(std::size_t count, double rate) {
+/// Bytes reserved for the index of an MP4, which is then stored before the pictures so that browsers can start playing at once.
+/// It needs at most 40 bytes per frame (sizes, times, key frames, chunks) and about 1100 in addition.
+std::size_t index_bytes(std::size_t count, double rate) {
     const double frames = (static_cast<double>(count) / rate + 1) * std::max(rate, min_mp4_rate);
     return 4096 + 48 * static_cast<std::size_t>(std::ceil(frames) + 2);
 }
 
-/// What ffmpeg is to do with the frames. The last frame stays; a film for every player has 4:2:0 colours (the sides
-/// of frames are even); a GIF gets the 256 colours that fit its frames.
+/// Arguments of ffmpeg. The last frame is held; an MP4 uses 4:2:0 colours for compatibility (width and height are even); a GIF uses a
+/// palette of 256 colours computed from its frames.
 std::vector<std::string> film_arguments(FilmFormat format, const std::string& pictures_format, std::size_t count) {
     const double rate = frames_per_second(count);
     const std::string stay = "tpad=stop_mode=clone:stop_duration=1";
@@ -40,7 +40,7 @@ std::vector<std::string> film_arguments(FilmFormat format, const std::string& pi
         "-c:v",       "libx264",
         "-pix_fmt",   "yuv420p",
         "-crf",       "18",
-        "-moov_size", std::to_string(contents_room(count, rate)),
+        "-moov_size", std::to_string(index_bytes(count, rate)),
         "-f",         "mp4",
         "-bitexact",  "-y",
         "/dev/fd/1"};
@@ -66,33 +66,33 @@ core::ProgramCall ffmpeg(std::span<const std::string> arguments, std::string_vie
             .remedy = "install the package ffmpeg, or name a folder (ending with /) for the single frames"};
 }
 
-/// The last line of what ffmpeg said.
-std::string last_words(const core::ProgramEnd& end) {
-    const auto words = core::trimmed(end.complaint);
-    return words.empty() ? "it gave no reason" : core::one_line(words.substr(words.rfind('\n') + 1));
+/// The last line of ffmpeg's error output.
+std::string last_line(const core::ProgramStatus& end) {
+    const auto words = core::trimmed(end.error_output);
+    return words.empty() ? "no reason given" : core::one_line(words.substr(words.rfind('\n') + 1));
 }
 
-void check_end(const core::ProgramEnd& end, std::string_view place) {
-    if (!end.well) throw Error(ExitCode::cannot_create, place, "ffmpeg failed: " + last_words(end));
+void check_end(const core::ProgramStatus& end, std::string_view location) {
+    if (!end.succeeded) throw Error(ExitCode::cannot_create, location, "ffmpeg failed: " + last_line(end));
 }
 
 struct CloseFile {
     void operator()(std::FILE* stream) const noexcept { std::fclose(stream); }
 };
 
-/// ffmpeg goes back in an MP4, which a pipe does not let it.
-core::Bytes through_scratch(core::ProgramCall call, std::string_view place) {
-    const std::unique_ptr<std::FILE, CloseFile> scratch{std::tmpfile()};  // nameless: gone when closed
+/// Uses an unnamed temporary file, because ffmpeg seeks in an MP4, which a pipe does not support.
+core::Bytes encode_to_temporary_file(core::ProgramCall call, std::string_view location) {
+    const std::unique_ptr<std::FILE, CloseFile> scratch{std::tmpfile()};  // unnamed: deleted when closed
     if (!scratch)
-        throw Error(ExitCode::cannot_create, place, std::string("no temporary file: ") + std::strerror(errno));
+        throw Error(ExitCode::cannot_create, location, std::string("no temporary file: ") + std::strerror(errno));
     call.output = ::fileno(scratch.get());
-    const core::ProgramEnd end = core::run_program(call, place);
-    check_end(end, place);
+    const core::ProgramStatus end = core::run_program(call, location);
+    check_end(end, location);
     std::rewind(scratch.get());
-    core::Bytes film = core::read_descriptor(call.output, place);
+    core::Bytes film = core::read_descriptor(call.output, location);
     if (!is_whole_mp4(film))
-        throw Error(ExitCode::io_error, place, "ffmpeg could not write the whole film: " + last_words(end),
-                    "make room for temporary files");
+        throw Error(ExitCode::io_error, location, "ffmpeg could not write the complete film: " + last_line(end),
+                    "free disk space for temporary files");
     return film;
 }
 
@@ -108,20 +108,21 @@ double frames_per_second(std::size_t frames) {
     return std::clamp(static_cast<double>(frames) / film_seconds, 2.0, 25.0);
 }
 
-core::Bytes film_bytes(FilmFormat format, std::string_view pictures, std::size_t count, std::string_view place) {
+core::Bytes film_bytes(FilmFormat format, std::string_view pictures, std::size_t count, std::string_view location) {
     const auto arguments = film_arguments(format, pictures.starts_with("P6") ? "ppm_pipe" : "png_pipe", count);
     const core::ProgramCall call = ffmpeg(arguments, pictures);
-    if (format == FilmFormat::mp4) return through_scratch(call, place);
-    core::ProgramOutput film = core::program_output(call, place);
-    check_end(film.end, place);
-    if (film.bytes.empty()) throw Error(ExitCode::cannot_create, place, "ffmpeg made no film: " + last_words(film.end));
+    if (format == FilmFormat::mp4) return encode_to_temporary_file(call, location);
+    core::ProgramOutput film = core::capture_program_output(call, location);
+    check_end(film.status, location);
+    if (film.bytes.empty())
+        throw Error(ExitCode::cannot_create, location, "ffmpeg produced no film: " + last_line(film.status));
     return std::move(film.bytes);
 }
 
-void try_film(FilmFormat format, std::string_view place) {
+void try_film(FilmFormat format, std::string_view location) {
     constexpr std::size_t side = 16;
     const std::string picture = "P6 16 16 255\n" + std::string(3 * side * side, '\x7f');
-    static_cast<void>(film_bytes(format, picture, 1, place));
+    static_cast<void>(film_bytes(format, picture, 1, location));
 }
 
 bool is_whole_mp4(std::span<const std::byte> file) {

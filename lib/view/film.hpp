@@ -1,7 +1,6 @@
 #pragma once
-/// Pictures one after the other -> a film in memory, by the program ffmpeg. No file has a name while it works, so
-/// nothing stays behind whatever ends the program, and no name is taken for a protocol, an option or a pattern.
-/// Tested by view/film_test.
+/// Encodes a sequence of pictures as a film in memory, with the program ffmpeg. It uses no named files: nothing is left behind when the
+/// program is killed, and no file name is interpreted as a protocol, an option or a pattern. Tested by view/film_test.
 #include <span>
 #include <string_view>
 
@@ -11,22 +10,22 @@ namespace soft::view {
 
 enum class FilmFormat { gif, mp4, folder };
 
-/// How long a film takes: every frame alike, about `film_seconds` in all, but 2 to 25 frames a second; the last frame
-/// stays for a second. It repeats from the beginning (GIF).
+/// Frame rate of a film: about `film_seconds` in total, limited to 2 to 25 frames per second. The last frame is held for one second.
+/// A GIF repeats from the beginning.
 inline constexpr double film_seconds = 5;
 [[nodiscard]] double frames_per_second(std::size_t frames);
 
-/// `pictures`: `count` PNG (or PPM) files of one size with even sides, one behind the other. `format`: gif or mp4.
-/// Error(cannot_create, `place`): no ffmpeg (names the package), or it refused; Error(io_error): there was no room for
-/// the whole of an MP4, which ffmpeg writes to a nameless temporary file because its head is known last.
+/// `pictures`: `count` concatenated PNG (or PPM) files of equal size with even width and height. `format`: gif or mp4.
+/// Error(cannot_create, `location`): ffmpeg is missing (names the package) or failed; Error(io_error): not enough disk space for an
+/// MP4, which ffmpeg writes to an unnamed temporary file because its header is written last.
 [[nodiscard]] core::Bytes film_bytes(FilmFormat format, std::string_view pictures, std::size_t count,
-                                     std::string_view place);
+                                     std::string_view location);
 
-/// Makes a film of one small picture and drops it: the errors of film_bytes before there are pictures to lose.
-void try_film(FilmFormat format, std::string_view place);
+/// Encodes one small picture and discards the result, so that the errors of film_bytes are reported before any picture is drawn.
+void try_film(FilmFormat format, std::string_view location);
 
-/// Whether the boxes of an MP4 file add up to its length, with a table of contents (moov) and pictures (mdat) among
-/// them: ffmpeg may end with exit code 0 on a full disk. Source: ISO/IEC 14496-12, 4.2 (size, type, 64-bit size).
+/// Whether the sizes of the boxes of an MP4 file add up to its length and include an index (moov) and media data (mdat). Needed
+/// because ffmpeg may end with exit code 0 on a full disk. Source: ISO/IEC 14496-12, 4.2 (size, type, 64-bit size).
 [[nodiscard]] bool is_whole_mp4(std::span<const std::byte> file);
 
 }  // namespace soft::view

@@ -13,12 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The number in a name of this numbering.
+/// The number in a file name of this scheme.
 std::optional<std::size_t> number_in(const Numbering& numbering, std::string_view name) {
     if (!name.starts_with(numbering.prefix) || !name.ends_with(numbering.ending)) return std::nullopt;
     std::size_t number = 0;
     std::from_chars(name.data() + numbering.prefix.size(), name.data() + name.size(), number);
-    if (name != numbered_name(numbering, number)) return std::nullopt;  // frame-7.png is somebody else's
+    if (name != numbered_name(numbering, number)) return std::nullopt;  // frame-7.png was not written by us
     return number;
 }
 
@@ -30,25 +30,25 @@ std::string numbered_name(const Numbering& numbering, std::size_t number) {
            std::string(numbering.ending);
 }
 
-void make_folder(const fs::path& folder, std::string_view place) {
+void make_folder(const fs::path& folder, std::string_view location) {
     const fs::path plain = folder.has_filename() ? folder : folder.parent_path();  // "a/" is a folder's name too
     std::error_code failure, ignored;
     fs::create_directory(plain, failure);
     if (fs::is_directory(plain, ignored)) return;
     if (fs::exists(fs::symlink_status(plain, ignored)))
-        throw Error(ExitCode::cannot_create, place, "'" + plain.string() + "' exists and is no folder",
-                    "choose another name, or move it away");
+        throw Error(ExitCode::cannot_create, location, "'" + plain.string() + "' exists and is not a folder",
+                    "choose another name or move the file");
     if (failure == std::errc::no_such_file_or_directory)
         throw Error(
-            ExitCode::cannot_create, place,
-            "there is no folder '" + plain.parent_path().string() + "' to make '" + plain.filename().string() + "' in",
-            "make it first, or name a folder that is there");
-    throw Error(ExitCode::cannot_create, place,
-                "the folder '" + plain.string() + "' cannot be made: " + failure.message(),
-                "name a place where you may write");
+            ExitCode::cannot_create, location,
+            "the folder '" + plain.parent_path().string() + "' for '" + plain.filename().string() + "' does not exist",
+            "create it first or name an existing folder");
+    throw Error(ExitCode::cannot_create, location,
+                "the folder '" + plain.string() + "' cannot be created: " + failure.message(),
+                "choose a folder with write permission");
 }
 
-std::size_t remove_others(const fs::path& folder, const Numbering& numbering, const std::set<std::size_t>& kept) {
+std::size_t remove_stale_files(const fs::path& folder, const Numbering& numbering, const std::set<std::size_t>& kept) {
     std::vector<fs::path> old;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         std::error_code ignored;
@@ -61,7 +61,7 @@ std::size_t remove_others(const fs::path& folder, const Numbering& numbering, co
         fs::remove(file, failure);
         if (failure)
             throw Error(ExitCode::io_error, file.string(),
-                        "of an earlier, longer series cannot be removed: " + failure.message());
+                        "this file of an earlier, longer series cannot be removed: " + failure.message());
     }
     return old.size();
 }

@@ -10,17 +10,17 @@ void add_point(Patch& patch, mesh::CellType type, const std::array<double, 3>& x
     for (const mesh::ShapeValue& shape : mesh::shape_values(type, xi)) patch.N.push_back(shape.value);
 }
 
-/// -1 ... 1
-double place(int i, int n) { return -1.0 + 2.0 * i / n; }
+/// Reference coordinate of point i of n + 1 equidistant points in [-1, 1].
+double coordinate(int i, int n) { return -1.0 + 2.0 * i / n; }
 
 void divide_line(Patch& patch, mesh::CellType type, int n) {
-    for (int i = 0; i <= n; ++i) add_point(patch, type, {place(i, n), 0, 0});
+    for (int i = 0; i <= n; ++i) add_point(patch, type, {coordinate(i, n), 0, 0});
     for (int i = 0; i < n; ++i) patch.pieces.push_back({i, i + 1, i + 1, i + 1});
 }
 
 void divide_quadrilateral(Patch& patch, mesh::CellType type, int n) {
     for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) add_point(patch, type, {place(i, n), place(j, n), 0});
+        for (int i = 0; i <= n; ++i) add_point(patch, type, {coordinate(i, n), coordinate(j, n), 0});
     for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i) {
             const int a = j * (n + 1) + i;
@@ -53,7 +53,7 @@ Patch make_patch(mesh::CellType type, int segments) {
         case mesh::Shape::quadrilateral: divide_quadrilateral(patch, type, n); break;
         case mesh::Shape::tetrahedron:
         case mesh::Shape::hexahedron:
-        case mesh::Shape::wedge: break;  // no sides
+        case mesh::Shape::wedge: break;  // not facets
     }
     return patch;
 }

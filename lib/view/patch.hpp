@@ -1,6 +1,6 @@
 #pragma once
-/// A side of a cell, or a cell of a section, cut into flat pieces by its own shape functions. For view/skin.hpp, whose
-/// tests hold it.
+/// Subdivision of a facet of a solid, or of a cell of a section, into flat pieces by its own shape functions. Used by view/skin.hpp.
+/// Tested by view/skin_test.
 #include <array>
 #include <vector>
 
@@ -11,11 +11,11 @@ namespace soft::view {
 struct Patch {
     int nodes = 0;
     std::vector<double> N;                   ///< [point][node]
-    std::vector<std::array<int, 4>> pieces;  ///< points; a triangle repeats its last, of a line the first two count;
-                                             ///< oriented as the side
+    std::vector<std::array<int, 4>> pieces;  ///< points; a triangle repeats its last, a line uses the first two;
+                                             ///< oriented as the facet
 };
 
-/// `segments` along each edge of a second-order side, one along that of a first-order side. Lines, triangles,
+/// `segments` pieces along each edge of a second-order facet, one for a first-order facet. Supports lines, triangles and
 /// quadrilaterals.
 [[nodiscard]] Patch make_patch(mesh::CellType type, int segments);
 

@@ -15,10 +15,10 @@ namespace soft::view {
 
 namespace {
 
-// Shares of the picture around the body: for the bars and the title.
+// Margins around the body for the bars and the title, as fractions of the picture.
 constexpr double left_margin = 0.05, right_margin = 0.2, top_margin = 0.11, bottom_margin = 0.12;
 
-/// Where a point is drawn, with its depth [m].
+/// Screen coordinates and depth of a point [m].
 Vector3 project(const Screen& screen, const Point& x) {
     return {dot(screen.right, x), dot(screen.up, x), dot(screen.eye, x)};
 }
@@ -38,7 +38,7 @@ void enclose(Box2& box, const Skin& skin, const Screen& screen, std::span<const 
     }
 }
 
-Range range_of(const Look& look, std::span<const Shot> shots) {
+Range range_of(const PictureStyle& look, std::span<const Shot> shots) {
     if (look.range) return *look.range;
     Range range{std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
     for (const Shot& shot : shots)
@@ -56,7 +56,7 @@ Range range_of(const Look& look, std::span<const Shot> shots) {
     return range;
 }
 
-/// Vertices in pixels of the raster.
+/// Vertex positions in pixels of the raster.
 std::vector<Vector3> in_raster(const Framing& frame, std::span<const Point> positions) {
     const double scale = oversampling / frame.m_per_px;
     const double x0 = oversampling * frame.width_px * (left_margin + (1 - right_margin - left_margin) / 2);
@@ -93,7 +93,8 @@ void fill_body(Raster& raster, const Body& body, const Framing& frame, const Sho
     }
 }
 
-/// The undeformed body: its edges and its silhouette, hidden by itself; seen through the deformed body faintly.
+/// Draws edges and silhouette of the undeformed body. Lines hidden by the undeformed body are omitted; lines behind the deformed body
+/// are drawn faintly.
 void draw_outline(Raster& raster, const Body& body, const Framing& frame) {
     const auto positions = vertex_positions(body.skin, body.undeformed_bases_m);
     const auto at = in_raster(frame, positions);
@@ -125,7 +126,7 @@ std::string palette_text() {
 
 }  // namespace
 
-Framing framing(const Body& body, const Look& look, std::span<const Shot> shots) {
+Framing framing(const Body& body, const PictureStyle& look, std::span<const Shot> shots) {
     Framing frame{.screen = screen_of(look.camera), .range = range_of(look, shots)};
     Box2 box;
     enclose(box, body.skin, frame.screen, body.undeformed_bases_m);
@@ -136,8 +137,8 @@ Framing framing(const Body& body, const Look& look, std::span<const Shot> shots)
         size[i] = std::max(box.high[i] - box.low[i], std::numeric_limits<double>::min());
     }
     const double width = look.width_px * (1 - left_margin - right_margin), margins = 1 - top_margin - bottom_margin;
-    const double wanted = width * size[1] / size[0] / margins;  // height of the whole picture where the width decides
-    const double height = std::clamp(wanted, 0.5 * look.height_px, 1.0 * look.height_px);
+    const double ideal = width * size[1] / size[0] / margins;  // height of the picture if the width sets the scale
+    const double height = std::clamp(ideal, 0.5 * look.height_px, 1.0 * look.height_px);
     frame.width_px = look.width_px / 2 * 2;
     frame.height_px = static_cast<int>(height) / 2 * 2;
     frame.m_per_px = std::max(size[0] / width, size[1] / (frame.height_px * margins));
@@ -158,18 +159,18 @@ Raster paint(const Body& body, const Framing& frame, const Shot& shot) {
     return raster;
 }
 
-double scale_bar_m(double longest_m) {
-    const double decade = std::pow(10.0, std::floor(std::log10(longest_m)));
+double scale_bar_m(double max_m) {
+    const double decade = std::pow(10.0, std::floor(std::log10(max_m)));
     for (const double step : {5.0, 2.0})
-        if (step * decade <= longest_m) return step * decade;
+        if (step * decade <= max_m) return step * decade;
     return decade;
 }
 
-std::string picture_script(const Look& look, const Framing& frame, const Shot& shot, const Raster& raster) {
+std::string picture_script(const PictureStyle& look, const Framing& frame, const Shot& shot, const Raster& raster) {
     const auto& info = fields::info(look.quantity);
     const std::string w = std::to_string(frame.width_px), h = std::to_string(frame.height_px);
     const double font = frame.width_px / 64.0;
-    // A letter is about 0.78 of the font's size in points wide; long titles are set smaller.
+    // A letter is about 0.78 of the font size in points wide; long titles use a smaller font.
     const double title_font = std::min(
         font, 0.96 * frame.width_px / (0.78 * static_cast<double>(std::max<std::size_t>(shot.title.size(), 1))));
     const std::string label = std::string(info.label) + (info.unit.empty() ? "" : " (" + std::string(info.unit) + ")");
@@ -181,7 +182,7 @@ std::string picture_script(const Look& look, const Framing& frame, const Shot& s
     script += "set encoding utf8\nunset border\nunset tics\nunset key\n";
     for (const char* side : {"lmargin", "bmargin"}) script += std::string("set ") + side + " at screen 0\n";
     for (const char* side : {"rmargin", "tmargin"}) script += std::string("set ") + side + " at screen 1\n";
-    // Pixel k of the image is centred at k: otherwise one column and one row are drawn twice.
+    // Pixel k of the image is centred at k; other ranges would draw one column and one row twice.
     script += "set xrange [-0.5:" + number(frame.width_px - 0.5) +
               "]\nset yrange [-0.5:" + number(frame.height_px - 0.5) + "]\n";
     script += "set palette defined (" + palette_text() + ")\n";
@@ -204,12 +205,12 @@ std::string picture_script(const Look& look, const Framing& frame, const Shot& s
     return script;
 }
 
-core::Bytes picture_png(const Body& body, const Look& look, const Framing& frame, const Shot& shot,
-                        std::string_view place) {
-    return post::gnuplot_bytes(picture_script(look, frame, shot, paint(body, frame, shot)), place);
+core::Bytes picture_png(const Body& body, const PictureStyle& look, const Framing& frame, const Shot& shot,
+                        std::string_view location) {
+    return post::gnuplot_bytes(picture_script(look, frame, shot, paint(body, frame, shot)), location);
 }
 
-void draw_picture(const Body& body, const Look& look, const Framing& frame, const Shot& shot,
+void draw_picture(const Body& body, const PictureStyle& look, const Framing& frame, const Shot& shot,
                   const std::filesystem::path& file) {
     post::run_gnuplot(picture_script(look, frame, shot, paint(body, frame, shot)), file);
 }

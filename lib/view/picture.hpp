@@ -1,6 +1,6 @@
 #pragma once
-/// The deformed body in colour: skin, palette, light, the undeformed outline, title, scale bar and colour bar, as PNG.
-/// Body and outline are drawn here (view/raster.hpp), text and bars by the program gnuplot, which needs no display.
+/// Picture of the deformed body coloured by a field, as PNG: surface with shading, the undeformed outline, title, scale bar and colour
+/// bar. Body and outline are rendered here (view/raster.hpp), text and bars by the program gnuplot, which needs no display.
 /// Tested by view/picture_test.
 #include <filesystem>
 #include <optional>
@@ -22,57 +22,57 @@ struct Range {
     double low = 0, high = 1;
 };
 
-struct Look {
+struct PictureStyle {
     fields::Quantity quantity = fields::Quantity::stretch;
     Camera camera;
-    std::optional<Range> range;             ///< empty: that of the shots
-    int width_px = 1600, height_px = 1200;  ///< at most so high: a long body gets a low picture, not below half of this
+    std::optional<Range> range;             ///< empty: range of the values in the shots
+    int width_px = 1600, height_px = 1200;  ///< maximum height: a long body gets a lower picture, at least half of it
 };
 
 /// One state of the body.
 struct Shot {
     std::vector<Point> bases_m;  ///< view/skin.hpp
-    std::vector<double> values;  ///< SI, one a base
+    std::vector<double> values;  ///< SI, one per base
     std::string title;           ///< one line
 };
 
-/// A skin with its undeformed bases, ready to be drawn in many states.
+/// A skin with its undeformed bases, drawn in one or more states.
 struct Body {
     const Skin& skin;
     std::vector<Point> undeformed_bases_m;
 };
 
-/// What all pictures of a series share: the window of the projection and the range of colours.
+/// Common to all pictures of a series: the window of the projection and the colour range.
 struct Framing {
     Screen screen;
     int width_px = 0, height_px = 0;  ///< even
     double m_per_px = 1;
-    std::array<double, 2> centre_m{};  ///< of the drawn body and its outline, to the right and up
+    std::array<double, 2> centre_m{};  ///< centre of the drawn body and its outline, to the right and up
     Range range;
 };
 
-/// Holds all shots and the undeformed body. The range is that of the values, widened to a thousandth of the quantity's
-/// unit and to 1e-4 of the largest value: an even field has one colour, whatever its rounding.
-[[nodiscard]] Framing framing(const Body& body, const Look& look, std::span<const Shot> shots);
+/// The framing that contains all shots and the undeformed body. The colour range is that of the values, but at least a thousandth
+/// of the quantity's unit and 1e-4 of the largest value, so that a uniform field has one colour despite rounding.
+[[nodiscard]] Framing framing(const Body& body, const PictureStyle& look, std::span<const Shot> shots);
 
-/// The body alone. The frame's pixels, each of `oversampling` x `oversampling` of the raster.
+/// Renders the body without text. Each pixel of the frame is `oversampling` x `oversampling` pixels of the raster.
 inline constexpr int oversampling = 2;
 [[nodiscard]] Raster paint(const Body& body, const Framing& frame, const Shot& shot);
 
-/// Round length of a scale bar: 1, 2 or 5 times a power of ten, the largest that is not longer than `longest_m`.
-[[nodiscard]] double scale_bar_m(double longest_m);
+/// Length of a scale bar: the largest of 1, 2 or 5 times a power of ten that does not exceed `max_m`.
+[[nodiscard]] double scale_bar_m(double max_m);
 
-/// The gnuplot script (with the image's bytes in it) that writes the PNG to gnuplot's stdout.
-[[nodiscard]] std::string picture_script(const Look& look, const Framing& frame, const Shot& shot,
+/// The gnuplot script (including the bytes of the image) that writes the PNG to gnuplot's stdout.
+[[nodiscard]] std::string picture_script(const PictureStyle& look, const Framing& frame, const Shot& shot,
                                          const Raster& raster);
 
-/// The PNG. Errors: post::gnuplot_bytes.
-[[nodiscard]] core::Bytes picture_png(const Body& body, const Look& look, const Framing& frame, const Shot& shot,
-                                      std::string_view place);
+/// The PNG in memory. Errors: post::gnuplot_bytes.
+[[nodiscard]] core::Bytes picture_png(const Body& body, const PictureStyle& look, const Framing& frame,
+                                      const Shot& shot, std::string_view location);
 
-/// Writes FILE.png (temporary name in the same folder, renamed when whole). Error(cannot_create) without gnuplot or
-/// where the file cannot be written.
-void draw_picture(const Body& body, const Look& look, const Framing& frame, const Shot& shot,
+/// Writes FILE.png (temporary name in the same folder, renamed when complete). Error(cannot_create) if gnuplot is missing or the
+/// file cannot be written.
+void draw_picture(const Body& body, const PictureStyle& look, const Framing& frame, const Shot& shot,
                   const std::filesystem::path& file);
 
 }  // namespace soft::view

@@ -13,7 +13,7 @@ double area(const Vector3& a, const Vector3& b, double x, double y) {
     return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }
 
-/// The palette under this light: never so dark that the colour cannot be told, with a faint gloss.
+/// Palette colour with shading: bright enough that the colour remains recognizable, with a faint specular highlight.
 std::array<float, 3> lit(double value, double light) {
     const Rgb colour = viridis_at(value);
     const double strength = 0.68 + 0.32 * light;

@@ -1,7 +1,7 @@
 #pragma once
-/// A picture in memory that knows depth: triangles hide what lies behind them to the pixel, which sorting polygons by
-/// their distance, as plotting programs do, cannot promise for thin walls close together. Positions in pixels, x to the
-/// right, y up from the lower left corner, depth growing towards the eye. Tested by view/raster_test.
+/// Software rasterizer with a depth buffer: hidden surfaces are removed per pixel, which sorting polygons by distance, as plotting
+/// programs do, cannot guarantee for thin walls close together. Positions in pixels, x to the right, y up from the lower left corner,
+/// depth increasing towards the eye. Tested by view/raster_test.
 #include <array>
 #include <cstdint>
 #include <span>
@@ -20,32 +20,32 @@ struct Corner {
 
 using Segment = std::array<Vector3, 2>;
 
-/// How a line is seen: its opacity in front of the surface and behind it, its width in pixels.
+/// Style of a line: opacity in front of the surface and behind it, width in pixels.
 struct Stroke {
     Rgb colour;
     double width = 1;
     double in_front = 1, behind = 0;
-    double bias = 0;  ///< of depth: so much nearer than it is, to lie on the surface it belongs to
+    double bias = 0;  ///< added to the depth, so that a line on a surface is in front of it
 };
 
 class Raster {
 public:
-    /// White, nothing in it.
+    /// A white, empty picture.
     Raster(int width, int height);
 
     [[nodiscard]] int width() const noexcept { return width_; }
     [[nodiscard]] int height() const noexcept { return height_; }
 
-    /// Colour and depth.
+    /// Draws colour and depth.
     void fill(const std::array<Corner, 3>& triangle);
-    /// Depth alone: hides, but is not seen.
+    /// Draws depth only: an invisible triangle that hides lines behind it.
     void hide(const std::array<Vector3, 3>& triangle);
-    /// Drawn as one: where segments overlap the ink does not add up. Where `hiding` is given (of the same size), what
-    /// lies behind it is left out.
+    /// Draws the segments as one line: opacities do not add up where segments overlap. Parts behind the raster `hiding` (of the
+    /// same size), if given, are omitted.
     void lines(std::span<const Segment> segments, const Stroke& stroke, const Raster* hiding = nullptr);
 
     [[nodiscard]] Rgb colour(int x, int y) const;
-    /// Bytes red, green, blue, row by row from below, every `side` x `side` pixels averaged to one.
+    /// Bytes red, green, blue, row by row from the bottom; blocks of `side` x `side` pixels are averaged to one.
     [[nodiscard]] std::vector<std::uint8_t> reduced(int side) const;
 
 private:

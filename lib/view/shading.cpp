@@ -9,11 +9,11 @@ namespace soft::view {
 
 namespace {
 
-constexpr double smooth_cosine = 0.7071067811865476;  // of 45 degrees, as the creases
+constexpr double smooth_cosine = 0.7071067811865476;  // 45 degrees, as for the creases
 
 double length(const Point& n) { return std::sqrt(dot(n, n)); }
 
-/// Faces at each vertex: of vertex v those from first[v] to first[v + 1].
+/// Faces at each vertex: those of vertex v are faces[first[v]] .. faces[first[v + 1] - 1].
 struct FacesAt {
     std::vector<std::size_t> first, faces;
 };

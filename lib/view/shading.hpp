@@ -1,5 +1,5 @@
 #pragma once
-/// Light on a surface: smooth where it is smooth, with a step at its edges. For view/picture.hpp.
+/// Smooth shading of a surface with discontinuities at its feature edges. Used by view/picture.hpp.
 #include <array>
 #include <span>
 #include <vector>
@@ -9,9 +9,8 @@
 
 namespace soft::view {
 
-/// Light at the corners of each face, 0 to 1: Lambert's law for a lamp over the left shoulder of the eye. The normal at
-/// a corner is the mean over the faces there that are not beyond an edge of 45 degrees. A face seen from behind is lit
-/// alike.
+/// Light at the corners of each face, 0 to 1: Lambert's law for a lamp to the upper left of the eye. The normal at a corner is
+/// the mean over the faces at that vertex whose normals differ by less than 45 degrees. Back faces are lit in the same way.
 [[nodiscard]] std::vector<std::array<double, 4>> corner_light(std::span<const Face> faces,
                                                               std::span<const Point> positions, const Screen& screen);
 

@@ -31,14 +31,14 @@ void check(const SkinOptions& options) {
     if (options.segments < 1 || options.segments > max_segments) refuse("segments are out of range", "from 1 to 16");
     if (options.sectors < 3 || options.sectors > 3600) refuse("sectors are out of range", "from 3 to 3600");
     if (!(options.turn_rad > 0) || options.turn_rad > 2 * pi)
-        refuse("the turn is out of range", "above 0, at most 360 degrees");
+        refuse("the angle of revolution is out of range", "above 0, at most 360 degrees");
 }
 
 class Builder {
 public:
-    Builder(const model::Case& model, const fields::RegionPoints& places, const SkinOptions& options)
+    Builder(const model::Case& model, const fields::RegionPoints& region_points, const SkinOptions& options)
         : model_(model),
-          places_(places),
+          region_points_(region_points),
           options_(options),
           tolerance_m_(model::plane_tolerance * model::extent_m(model.mesh)) {
         skin_.first_source.push_back(0);
@@ -50,24 +50,25 @@ public:
             add_turned_edges();
             if (!closed_) add_cuts();
         } else if (is_section(model_)) {
-            for (mesh::Index cell = 0; cell < model_.mesh.cell_count(); ++cell) location_in(mirrors_, bases_of_cell(cell));
+            for (mesh::Index cell = 0; cell < model_.mesh.cell_count(); ++cell)
+                add_images(mirrors_, bases_of_cell(cell));
         } else {
-            for (const auto& [facet, mirrors] : seen_facets()) location_in(mirrors, bases_of(facet));
+            for (const auto& [facet, mirrors] : visible_facets()) add_images(mirrors, bases_of(facet));
         }
-        const auto undeformed = vertex_positions(skin_, base_positions(skin_, model_, places_, {}));
+        const auto undeformed = vertex_positions(skin_, base_positions(skin_, model_, region_points_, {}));
         skin_.creases = creases(skin_.faces, undeformed);
         return std::move(skin_);
     }
 
 private:
-    /// Pieces of a side with their bases.
+    /// Pieces of a facet with their bases.
     struct Side {
         Ids bases;
         const Patch* patch;
     };
 
-    /// Mirrors of the whole actuator as bits: d where it is one at the plane with zero coordinate d. The axis of a
-    /// turned section is none.
+    /// Mirror planes of the whole actuator as bits: bit d is set if the plane with coordinate d = 0 is a mirror. The axis of a
+    /// revolved section is not a mirror.
     [[nodiscard]] int planes() const {
         int bits = 0;
         for (int d = 0; d < 3; ++d) bits |= model_.symmetry_planes[static_cast<std::size_t>(d)] ? 1 << d : 0;
@@ -76,7 +77,7 @@ private:
         return bits;
     }
 
-    /// Which images of the modelled part are shown.
+    /// Whether an image of the modelled part is shown.
     [[nodiscard]] bool is_shown(int mirrors) const {
         constexpr int across = 2 | 4;  // y and z
         const int all = planes();
@@ -93,7 +94,7 @@ private:
         steps_ = turned ? std::max(1, static_cast<int>(std::lround(options_.sectors * turn / (2 * pi)))) : 0;
         for (int mirrors = 0; mirrors < 8; ++mirrors) {
             if (is_shown(mirrors)) mirrors_.push_back(mirrors);
-            // also where the image is not shown: what it shares with one that is stands under its name
+            // also for images that are not shown: vertices shared with a shown image may use their placements
             if ((mirrors & ~planes()) == 0) add_placements(mirrors, turned ? turn : 0.0);
         }
     }
@@ -107,24 +108,24 @@ private:
         }
     }
 
-    /// Sides of the boundary with the images in which they are seen: a cut at a symmetry plane only where the image
-    /// beyond it is not shown.
-    struct Seen {
+    /// A boundary facet with the images in which it is visible: a facet on a symmetry plane is visible only if the image
+    /// beyond that plane is not shown.
+    struct VisibleFacet {
         mesh::Facet facet;
         std::vector<int> mirrors;
     };
-    [[nodiscard]] std::vector<Seen> seen_facets() const {
-        std::vector<Seen> list;
+    [[nodiscard]] std::vector<VisibleFacet> visible_facets() const {
+        std::vector<VisibleFacet> list;
         for (const mesh::Facet& facet : mesh::boundary_facets(model_.mesh)) {
             const auto nodes = mesh::facet_nodes(model_.mesh, facet);
-            Seen seen{facet, mirrors_};
+            VisibleFacet visible{facet, mirrors_};
             for (std::size_t d = 0; d < 3; ++d) {
                 if (((planes() >> d) & 1) == 0) continue;
                 const bool cut = std::ranges::all_of(
                     nodes, [&](mesh::Index node) { return std::abs(model_.mesh.point(node)[d]) <= tolerance_m_; });
-                if (cut) std::erase_if(seen.mirrors, [&](int mirrors) { return is_shown(mirrors ^ (1 << d)); });
+                if (cut) std::erase_if(visible.mirrors, [&](int mirrors) { return is_shown(mirrors ^ (1 << d)); });
             }
-            list.push_back(std::move(seen));
+            list.push_back(std::move(visible));
         }
         return list;
     }
@@ -144,7 +145,7 @@ private:
     }
 
     Side bases_of(const mesh::Facet& facet) {
-        const auto cell = places_.of_cell(model_.mesh, facet.cell);
+        const auto cell = region_points_.of_cell(model_.mesh, facet.cell);
         const auto& topology =
             mesh::topology(model_.mesh.cell_type(facet.cell)).facets[static_cast<std::size_t>(facet.local)];
         Ids points;
@@ -154,11 +155,11 @@ private:
     }
 
     Side bases_of_cell(mesh::Index cell) {
-        const auto points = places_.of_cell(model_.mesh, cell);
+        const auto points = region_points_.of_cell(model_.mesh, cell);
         return side(model_.mesh.cell_type(cell), {points.begin(), points.end()});
     }
 
-    /// Equal sums are one base: neighbouring sides give an edge's points the same weights.
+    /// Equal weighted sums are one base: neighbouring facets give the points of a common edge the same weights.
     std::int32_t base(const Ids& points, std::span<const double> N) {
         constexpr double one = 1LL << 40;
         std::vector<std::pair<std::int32_t, std::int64_t>> key;
@@ -175,17 +176,17 @@ private:
         return found->second;
     }
 
-    /// Whether the undeformed base lies on the plane with zero coordinate d.
+    /// Whether the undeformed base lies on the plane with coordinate d = 0.
     [[nodiscard]] bool lies_on(std::int32_t id, std::size_t d) const {
         const auto b = static_cast<std::size_t>(id);
         for (auto k = skin_.first_source[b]; k < skin_.first_source[b + 1]; ++k) {
             const auto source = static_cast<std::size_t>(skin_.sources[static_cast<std::size_t>(k)]);
-            if (std::abs(model_.mesh.point(places_.node[source])[d]) > tolerance_m_) return false;
+            if (std::abs(model_.mesh.point(region_points_.node[source])[d]) > tolerance_m_) return false;
         }
         return true;
     }
 
-    /// What a map leaves where it is has one vertex: on a mirror, on the axis, where a full turn closes.
+    /// Points that are fixed under a placement share one vertex: on a mirror plane, on the axis, and at the seam of a full turn.
     std::int32_t vertex(std::int32_t id, int mirrors, int step) {
         for (std::size_t d = 0; d < 3; ++d)
             if (((mirrors >> d) & 1) && lies_on(id, d)) mirrors &= ~(1 << d);
@@ -198,7 +199,7 @@ private:
         return found->second;
     }
 
-    /// Collapsed corners go to the end; what has no area goes away.
+    /// Moves collapsed corners to the end and drops faces with fewer than three corners.
     void add_face(Face face, bool turn_over) {
         if (turn_over) std::ranges::reverse(face);
         std::vector<std::int32_t> corners;
@@ -209,23 +210,23 @@ private:
         skin_.faces.push_back({corners[0], corners[1], corners[2], corners[3]});
     }
 
-    static bool turns_over(int mirrors) { return (((mirrors >> 2) ^ (mirrors >> 1) ^ mirrors) & 1) != 0; }
+    static bool reverses_orientation(int mirrors) { return (((mirrors >> 2) ^ (mirrors >> 1) ^ mirrors) & 1) != 0; }
 
-    void place(const Side& side, int mirrors, int step, bool turn_over) {
+    void add_side(const Side& side, int mirrors, int step, bool turn_over) {
         for (const auto& piece : side.patch->pieces) {
             Face face;
             for (std::size_t i = 0; i < 4; ++i)
                 face[i] = vertex(side.bases[static_cast<std::size_t>(piece[i])], mirrors, step);
-            add_face(face, turn_over != turns_over(mirrors));
+            add_face(face, turn_over != reverses_orientation(mirrors));
         }
     }
 
-    void location_in(const std::vector<int>& images, const Side& side) {
-        for (const int mirrors : images) place(side, mirrors, 0, false);
+    void add_images(const std::vector<int>& images, const Side& side) {
+        for (const int mirrors : images) add_side(side, mirrors, 0, false);
     }
 
     void add_turned_edges() {
-        for (const auto& [facet, images] : seen_facets()) {
+        for (const auto& [facet, images] : visible_facets()) {
             const Side edge = bases_of(facet);
             for (const int mirrors : images)
                 for (const auto& piece : edge.patch->pieces)
@@ -234,7 +235,7 @@ private:
                         const auto b = edge.bases[static_cast<std::size_t>(piece[1])];
                         add_face({vertex(a, mirrors, k), vertex(b, mirrors, k), vertex(b, mirrors, k + 1),
                                   vertex(a, mirrors, k + 1)},
-                                 turns_over(mirrors));
+                                 reverses_orientation(mirrors));
                     }
         }
     }
@@ -243,19 +244,19 @@ private:
         for (mesh::Index cell = 0; cell < model_.mesh.cell_count(); ++cell) {
             const Side section = bases_of_cell(cell);
             for (const int mirrors : mirrors_) {
-                place(section, mirrors, 0, true);
-                place(section, mirrors, steps_, false);
+                add_side(section, mirrors, 0, true);
+                add_side(section, mirrors, steps_, false);
             }
         }
     }
 
     const model::Case& model_;
-    const fields::RegionPoints& places_;
+    const fields::RegionPoints& region_points_;
     const SkinOptions& options_;
     double tolerance_m_;
     bool closed_ = false;
-    int steps_ = 0;             ///< of the turn
-    std::vector<int> mirrors_;  ///< images shown; bit d: mirrored at the plane with zero coordinate d
+    int steps_ = 0;             ///< angular steps of the revolution
+    std::vector<int> mirrors_;  ///< images shown; bit d: mirrored at the plane with coordinate d = 0
     std::array<std::int32_t, 8> first_placement_{};
     std::map<mesh::CellType, Patch> patches_;
     std::map<std::vector<std::pair<std::int32_t, std::int64_t>>, std::int32_t> bases_;
@@ -265,9 +266,9 @@ private:
 
 }  // namespace
 
-Skin make_skin(const model::Case& model, const fields::RegionPoints& places, const SkinOptions& options) {
+Skin make_skin(const model::Case& model, const fields::RegionPoints& region_points, const SkinOptions& options) {
     check(options);
-    return Builder(model, places, options).run();
+    return Builder(model, region_points, options).run();
 }
 
 }  // namespace soft::view

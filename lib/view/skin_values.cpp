@@ -1,15 +1,15 @@
-/// What a skin is at a step: positions and values of its bases and vertices.
+/// Positions and values of the bases and vertices of a skin at a step.
 #include "view/skin.hpp"
 
 namespace soft::view {
 
-std::vector<Point> base_positions(const Skin& skin, const model::Case& model, const fields::RegionPoints& places,
+std::vector<Point> base_positions(const Skin& skin, const model::Case& model, const fields::RegionPoints& region_points,
                                   std::span<const double> displacement_m) {
     std::vector<Point> bases(skin.base_count());
     for (std::size_t b = 0; b < bases.size(); ++b)
         for (auto k = static_cast<std::size_t>(skin.first_source[b]);
              k < static_cast<std::size_t>(skin.first_source[b + 1]); ++k) {
-            const mesh::Index node = places.node[static_cast<std::size_t>(skin.sources[k])];
+            const mesh::Index node = region_points.node[static_cast<std::size_t>(skin.sources[k])];
             for (std::size_t i = 0; i < 3; ++i) {
                 const double u = displacement_m.empty() ? 0.0 : displacement_m[3 * static_cast<std::size_t>(node) + i];
                 bases[b][i] += skin.weights[k] * (model.mesh.point(node)[i] + u);

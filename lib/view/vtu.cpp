@@ -14,7 +14,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the files are declared little endian");
 
-/// VTK's inline binary: the number of bytes, then the bytes, each encoded as a whole.
+/// VTK's inline binary format: the number of bytes followed by the bytes, encoded together in base64.
 template <class T>
 void add_array(pugi::xml_node parent, const char* type, const std::string& name, int components,
                const std::vector<T>& values) {
@@ -36,8 +36,8 @@ void add_arrays(pugi::xml_node parent, std::span<const solution::NamedArray> arr
         add_array(parent, "Float64", array.name, array.components, array.values);
 }
 
-void add_cells(pugi::xml_node parent, const mesh::Mesh& mesh, const fields::RegionPoints& places) {
-    std::vector<std::int64_t> connectivity(places.connectivity.begin(), places.connectivity.end());
+void add_cells(pugi::xml_node parent, const mesh::Mesh& mesh, const fields::RegionPoints& region_points) {
+    std::vector<std::int64_t> connectivity(region_points.connectivity.begin(), region_points.connectivity.end());
     std::vector<std::int64_t> offsets(mesh.offsets.begin() + 1, mesh.offsets.end());
     std::vector<std::uint8_t> types;
     for (const mesh::CellType type : mesh.cell_types) types.push_back(static_cast<std::uint8_t>(type));
@@ -65,16 +65,16 @@ std::string text_of(const pugi::xml_document& document) {
 
 }  // namespace
 
-std::string vtu_text(const mesh::Mesh& mesh, const fields::RegionPoints& places,
+std::string vtu_text(const mesh::Mesh& mesh, const fields::RegionPoints& region_points,
                      std::span<const solution::NamedArray> at_points, std::span<const solution::NamedArray> at_cells) {
     std::vector<double> positions;
-    for (const mesh::Index node : places.node) {
+    for (const mesh::Index node : region_points.node) {
         const mesh::Point& x = mesh.point(node);
         positions.insert(positions.end(), x.begin(), x.end());
     }
     pugi::xml_document document;
     pugi::xml_node piece = begin(document, "UnstructuredGrid").append_child("UnstructuredGrid").append_child("Piece");
-    piece.append_attribute("NumberOfPoints") = static_cast<unsigned long long>(places.size());
+    piece.append_attribute("NumberOfPoints") = static_cast<unsigned long long>(region_points.size());
     piece.append_attribute("NumberOfCells") = static_cast<unsigned long long>(mesh.cell_types.size());
     pugi::xml_node points = piece.append_child("PointData");
     points.append_attribute("Vectors") = "displacement_m";
@@ -83,7 +83,7 @@ std::string vtu_text(const mesh::Mesh& mesh, const fields::RegionPoints& places,
     add_arrays(cells, at_cells);
     add_array(cells, "Int32", "region", 1, mesh.cell_regions);
     add_array(piece.append_child("Points"), "Float64", "Points", 3, positions);
-    add_cells(piece.append_child("Cells"), mesh, places);
+    add_cells(piece.append_child("Cells"), mesh, region_points);
     return text_of(document);
 }
 

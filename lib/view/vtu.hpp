@@ -1,7 +1,7 @@
 #pragma once
-/// Fields as XML files of VTK: .vtu (UnstructuredGrid, reference positions; displacement_m moves them) and .pvd, which
-/// lists a series in time. Points are region points (fields/region_points.hpp), so that jumps between rubbers stay
-/// sharp. Numbers are doubles in base64. Source: the VTK file formats document (VTK 9). Tested by view/vtu_test and
+/// Fields as XML files of VTK: .vtu (UnstructuredGrid with reference positions; displacement_m is the displacement) and .pvd, which
+/// lists a time series. Points are region points (fields/region_points.hpp), so that jumps at material interfaces are
+/// preserved. Numbers are doubles in base64. Source: the VTK file formats document (VTK 9). Tested by view/vtu_test and
 /// tests/pipeline/paraview.sh.
 #include <filesystem>
 #include <span>
@@ -13,8 +13,8 @@
 
 namespace soft::view {
 
-/// The .vtu file as text; besides the arrays the cells carry `region`, the number of their region.
-[[nodiscard]] std::string vtu_text(const mesh::Mesh& mesh, const fields::RegionPoints& places,
+/// The .vtu file as text; in addition to the given arrays, the cells have the array `region`, the index of their region.
+[[nodiscard]] std::string vtu_text(const mesh::Mesh& mesh, const fields::RegionPoints& region_points,
                                    std::span<const solution::NamedArray> at_points,
                                    std::span<const solution::NamedArray> at_cells);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// One distorted cell of each second-order type, for patch and tangent tests.
+/// One distorted cell of each type, for patch and tangent tests.
 #include <cmath>
 #include <vector>
 

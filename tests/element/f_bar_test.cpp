@@ -26,8 +26,8 @@ std::vector<double> force(const ReferenceCell& cell, Kinematics kinematics, cons
     return out.residual;
 }
 
-// The law of Simo, Taylor, Pister (1985): one pressure p = kappa (Jm - 1) of the cell on the isochoric stress. The same
-// forces come from the mixed stress P(F, p) summed over the points by hand.
+// Oracle: the element of Simo, Taylor, Pister (1985) with one pressure p = kappa (Jm - 1) per cell, whose forces follow from the mixed
+// stress P(F, p), summed here over the points.
 TEST(FBar, IsTheMeanDilatationElementForASplitLaw) {
     for (const auto& c : f_bar_combinations()) {
         const Sample s(c, rubber);
@@ -65,7 +65,7 @@ TEST(FBar, IsTheMeanDilatationElementForASplitLaw) {
 }
 
 // A quad4 in plane strain is a slice of unit depth between rigid walls: both faces of a hex8 with u_z = 0.
-TEST(FBar, PlaneStrainIsASliceOfASolidBetweenRigidWalls) {
+TEST(FBar, PlaneStrainEqualsASolidSliceBetweenRigidWalls) {
     const Sample flat({CellType::quad4, Kinematics::plane_strain, Form::f_bar}, rubber);
     const auto solid = make_reference_cell(CellType::hex8, Form::f_bar);
     std::vector<double> X(24, 0.0), u(24, 0.0);
@@ -82,7 +82,7 @@ TEST(FBar, PlaneStrainIsASliceOfASolidBetweenRigidWalls) {
             EXPECT_NEAR(R[i * 4 + a], expected[i * 8 + a] + expected[i * 8 + a + 4], 1e-12 * norm(expected));
 }
 
-TEST(FBar, TheLawSeesTheMeanDilatationAtEveryPointAndTheShapeOfF) {
+TEST(FBar, FBarHasTheMeanDilatationAndTheIsochoricPartOfF) {
     for (const auto& c : f_bar_combinations()) {
         const Sample s(c, rubber);
         const auto points = s.points(s.unknowns);
@@ -98,12 +98,12 @@ TEST(FBar, TheLawSeesTheMeanDilatationAtEveryPointAndTheShapeOfF) {
                 EXPECT_NEAR(point.F_law[m] * point.F[0], point.F[m] * point.F_law[0], 1e-13) << label(c);
             spread = std::max(spread, std::abs(determinant(point.F) * V / v - 1.0));
         }
-        EXPECT_GT(spread, 1e-4) << label(c) << ": the sample is too even to tell";
+        EXPECT_GT(spread, 1e-4) << label(c) << ": the dilatation of the sample is too uniform for this test";
     }
 }
 
-// One corner folds in while the mean stays positive.
-TEST(FBar, AFoldedCornerIsReportedThoughTheMeanIsPositive) {
+// One corner is inverted while the mean dilatation stays positive.
+TEST(FBar, AnInvertedCornerIsReportedAlthoughTheMeanIsPositive) {
     Sample s({CellType::quad4, Kinematics::plane_strain, Form::f_bar}, rubber);
     s.X = {0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0};
     const std::vector<double> u{0.0, 0.0, -0.9, 0.0, 0.0, 0.0, -0.9, 0.0};  // the third corner, almost to the first

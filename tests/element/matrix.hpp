@@ -1,5 +1,5 @@
 #pragma once
-/// The matrix of laws and elements: every cell type, form and kinematics, one distorted cell of each, and a rubber of
+/// Test matrix of laws and elements: every cell type, form and kinematics with one distorted cell each, and a rubber of
 /// every law.
 #include <cmath>
 #include <string>
@@ -30,7 +30,7 @@ inline std::vector<model::Kinematics> kinematics_of(mesh::CellType type) {
     return {Kinematics::axisymmetric, Kinematics::plane_strain};
 }
 
-/// Every cell, kinematics and form, those refused included.
+/// Every combination of cell, kinematics and form, including unsupported ones.
 inline std::vector<Combination> every_combination() {
     std::vector<Combination> list;
     for (const auto form : forms)
@@ -39,10 +39,10 @@ inline std::vector<Combination> every_combination() {
     return list;
 }
 
-/// Those that are run.
+/// The supported combinations.
 inline std::vector<Combination> all_combinations() {
     auto list = every_combination();
-    std::erase_if(list, [](const Combination& c) { return !why_not(c.type, c.form).empty(); });
+    std::erase_if(list, [](const Combination& c) { return !explain_incompatibility(c.type, c.form).empty(); });
     return list;
 }
 
@@ -53,7 +53,7 @@ inline std::string label(const Combination& c) {
            form_names[static_cast<std::size_t>(c.form)];
 }
 
-/// A rubber of the law with every term at work; fibres in the cylindrical frame, which varies over a solid's cell.
+/// A rubber of the law with all terms nonzero; fibres in the cylindrical frame, which varies over the cell of a solid.
 inline material::AnyRubber rubber_of(const material::LawInfo& law) {
     auto description = material::sample::description_of(law.name);
     description.fiber_frame = material::FiberFrame::cylindrical;
@@ -62,7 +62,7 @@ inline material::AnyRubber rubber_of(const material::LawInfo& law) {
 
 inline material::AnyRubber neo_hookean() { return rubber_of(*material::find_law("neo-hookean")); }
 
-/// A distorted cell with unknowns to differentiate by. Displacements are of the order of `length`, pressures of one.
+/// A distorted cell with values of its unknowns. Displacements are of the order of `length`, pressure unknowns of order one.
 struct Sample {
     static constexpr double length = 0.01;
 
@@ -108,7 +108,7 @@ struct Sample {
                    std::visit([&](const auto& r) { return energy_density(combination.form, r, point); }, rubber);
         return sum;
     }
-    /// A direction of all unknowns, each in its own unit.
+    /// A direction in the space of the unknowns, scaled by the unit of each.
     [[nodiscard]] std::vector<double> direction() const {
         std::vector<double> d(unknowns.size());
         for (std::size_t i = 0; i < d.size(); ++i)

@@ -1,4 +1,4 @@
-/// Every law in every cell, form and kinematics: run and held to its claims, or refused in words.
+/// Every law in every cell, form and kinematics is either verified or refused with a message.
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
@@ -10,13 +10,13 @@ namespace {
 using material::AnyRubber;
 using material::LawInfo;
 
-/// Calls visit(sample, law) for every entry of the matrix that is run.
+/// Calls visit(sample, law) for every supported entry of the matrix.
 template <class Visit>
 void for_each_entry(Visit&& visit) {
     for (const LawInfo& law : material::laws()) {
         const AnyRubber rubber = rubber_of(law);
         for (const auto& c : all_combinations())
-            if (material::why_not(rubber, c.form).empty()) visit(Sample(c, rubber), law);
+            if (material::explain_incompatibility(rubber, c.form).empty()) visit(Sample(c, rubber), law);
     }
 }
 
@@ -60,7 +60,7 @@ TEST(LawElementMatrix, TangentIsTheDerivativeOfTheResidual) {
     });
 }
 
-TEST(LawElementMatrix, TangentIsSymmetricWhereThereIsAnEnergyAndOnlyThere) {
+TEST(LawElementMatrix, TangentIsSymmetricExactlyForLawsWithAnEnergy) {
     for_each_entry([](const Sample& s, const LawInfo& law) {
         const auto K = s.integrate(s.unknowns).stiffness;
         const std::size_t n = s.unknowns.size();
@@ -76,7 +76,7 @@ TEST(LawElementMatrix, TangentIsSymmetricWhereThereIsAnEnergyAndOnlyThere) {
     });
 }
 
-/// The body's own rigid motions: x alone in bodies of revolution; in linear elasticity translations alone.
+/// A rigid motion: along x only for bodies of revolution; a translation only for linear elasticity.
 std::vector<double> rigid_motion(const Sample& s, bool rotates) {
     const bool axisymmetric = s.combination.kinematics == model::Kinematics::axisymmetric;
     const double angle = rotates && !axisymmetric ? 0.9 : 0.0, cosine = std::cos(angle), sine = std::sin(angle);
@@ -91,7 +91,7 @@ std::vector<double> rigid_motion(const Sample& s, bool rotates) {
     return u;
 }
 
-// kraken is left out: its undeformed body carries the stress mu.
+// kraken is excluded: it has the initial stress mu.
 TEST(LawElementMatrix, RigidMotionGivesNoForce) {
     for_each_entry([](const Sample& s, const LawInfo& law) {
         if (!material::has_symmetric_tangent(s.rubber)) return;
@@ -113,14 +113,15 @@ TEST(LawElementMatrix, AnInvertedCellIsReported) {
 
 bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
-// The table of refusals in the words of the rules: first order has no stable pressure, F-bar is for quad4 and hex8.
-TEST(LawElementMatrix, CellsAreRefusedInTheFormsTheyDoNotHave) {
+// The rules: first-order cells have no stable pressure space, F-bar is for quad4 and hex8.
+TEST(LawElementMatrix, CellsAreRefusedInUnsupportedForms) {
     for (const auto& c : every_combination()) {
         const auto& cell = mesh::topology(c.type);
         const bool has_mean_dilatation = c.type == mesh::CellType::quad4 || c.type == mesh::CellType::hex8;
-        const std::string reason = why_not(c.type, c.form);
+        const std::string reason = explain_incompatibility(c.type, c.form);
         if (c.form == Form::mixed && cell.order == 1)
-            EXPECT_TRUE(contains(reason, "have no stable pressure; use mesh.order 2")) << label(c) << ": " << reason;
+            EXPECT_TRUE(contains(reason, "have no stable pressure space; use mesh.order 2"))
+                << label(c) << ": " << reason;
         else if (c.form == Form::f_bar && !has_mean_dilatation)
             EXPECT_TRUE(contains(reason, "F-bar is for first-order quadrilaterals and hexahedra"))
                 << label(c) << reason;
@@ -138,12 +139,12 @@ TEST(LawElementMatrix, CellsAreRefusedInTheFormsTheyDoNotHave) {
     }
 }
 
-TEST(LawElementMatrix, LawsAreRefusedInTheFormsTheyDoNotHave) {
+TEST(LawElementMatrix, LawsAreRefusedInUnsupportedForms) {
     for (const LawInfo& law : material::laws()) {
         const AnyRubber rubber = rubber_of(law);
-        EXPECT_EQ(material::why_not(rubber, Form::displacement), "") << law.name;
-        const std::string mixed = material::why_not(rubber, Form::mixed),
-                          f_bar = material::why_not(rubber, Form::f_bar);
+        EXPECT_EQ(material::explain_incompatibility(rubber, Form::displacement), "") << law.name;
+        const std::string mixed = material::explain_incompatibility(rubber, Form::mixed),
+                          f_bar = material::explain_incompatibility(rubber, Form::f_bar);
         if (law.name == "kraken")
             EXPECT_TRUE(contains(mixed, "kraken is a stress without an energy and has no mixed form; use formulation"));
         else
@@ -155,12 +156,12 @@ TEST(LawElementMatrix, LawsAreRefusedInTheFormsTheyDoNotHave) {
     }
 }
 
-// A law and the kernel agree on who may be run with F-bar and in mixed form: the others stop as an error of the program.
-TEST(LawElementMatrix, TheKernelRunsExactlyWhatIsNotRefused) {
+// Material and kernel agree on the laws supported in F-bar and mixed form; the kernel throws std::logic_error for the others.
+TEST(LawElementMatrix, TheKernelAcceptsExactlyTheSupportedCombinations) {
     for (const LawInfo& law : material::laws())
         for (const auto& c : all_combinations()) {
             const Sample s(c, rubber_of(law));
-            if (material::why_not(s.rubber, c.form).empty())
+            if (material::explain_incompatibility(s.rubber, c.form).empty())
                 EXPECT_NO_THROW((void)s.integrate(s.unknowns)) << label(s, law);
             else
                 EXPECT_THROW((void)s.integrate(s.unknowns), std::logic_error) << label(s, law);

@@ -86,7 +86,7 @@ TEST(PressureKernel, VolumeGradientIsTheDerivativeOfTheVolume) {
 }
 
 // A facet in the plane r = R of an axisymmetric wall, rubber outside: t along +x, normal towards the axis.
-TEST(PressureKernel, ForceAndVolumeOfACylindersWallAreTheClosedForm) {
+TEST(PressureKernel, ForceAndVolumeOfACylindricalWallMatchTheClosedForm) {
     const auto facet = make_reference_facet(CellType::line3);
     const double R = 0.007, L = 0.02;
     const std::vector<double> x{0.0, L, L / 2, R, R, R};
@@ -99,7 +99,7 @@ TEST(PressureKernel, ForceAndVolumeOfACylindersWallAreTheClosedForm) {
     EXPECT_NEAR(facet_area(facet, Kinematics::axisymmetric, x, weights), 2 * std::numbers::pi * R * L, 1e-16);
 }
 
-TEST(PressureKernel, ASquareInSpaceFeelsItsAreaAlongItsNormal) {
+TEST(PressureKernel, TheForceOnAFlatSquareIsItsAreaAlongTheNormal) {
     const auto facet = make_reference_facet(CellType::quad9);
     std::vector<double> x(27, 0.0), f(27, 0.0), weights(9, 0.0);
     for (int a = 0; a < 9; ++a) {
@@ -117,7 +117,7 @@ TEST(PressureKernel, ASquareInSpaceFeelsItsAreaAlongItsNormal) {
     EXPECT_NEAR(facet_area(facet, Kinematics::solid, x, weights), 1.0, 1e-15);
 }
 
-// Cap of a square rim with its normal along +z at height z: 1/3 of z times the area, for an apex in the plane.
+// Cap of a square rim with its normal along +z at height z: the volume is 1/3 z times the area for an apex in the plane of the rim.
 TEST(PressureKernel, CapOfAFlatRimIsTheConeFromTheOrigin) {
     const auto edge = make_reference_facet(CellType::line3);
     const double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};

@@ -7,7 +7,7 @@
 namespace soft::element {
 namespace {
 
-/// The reference cell stretched by the factors and moved, node coordinates component by component.
+/// Nodes of the reference cell, scaled by the factors and translated, component by component.
 std::vector<double> box(mesh::CellType type, const std::array<double, 3>& factor, const std::array<double, 3>& shift) {
     std::vector<double> X;
     for (int i = 0; i < mesh::dimension(type); ++i)
@@ -29,7 +29,7 @@ TEST(PressureMass, OfACubeIsTheIntegralOfItsMonomials) {
 }
 
 // Barycentric coordinates: V / 20 (1 + delta), Zienkiewicz and Taylor, The Finite Element Method.
-TEST(PressureMass, OfATetrahedronIsThatOfBarycentricCoordinates) {
+TEST(PressureMass, OfATetrahedronMatchesTheFormulaForBarycentricCoordinates) {
     const auto cell = make_reference_cell(mesh::CellType::tet10, Form::mixed);
     const double volume = 2.0 * 3.0 * 4.0 / 6;
     const auto M = pressure_mass(cell, model::Kinematics::solid, box(cell.type, {2, 3, 4}, {}), 1.0);
@@ -37,13 +37,13 @@ TEST(PressureMass, OfATetrahedronIsThatOfBarycentricCoordinates) {
         for (int t = 0; t < 4; ++t) EXPECT_NEAR(M[4 * s + t], volume / 20 * (s == t ? 2 : 1), 1e-12 * volume);
 }
 
-TEST(PressureMass, OfABodyOfRevolutionTakesTheWholeTurn) {
+TEST(PressureMass, OfABodyOfRevolutionIncludesTheFullTurn) {
     const auto cell = make_reference_cell(mesh::CellType::quad9, Form::mixed);
     const auto M = pressure_mass(cell, model::Kinematics::axisymmetric, box(cell.type, {0.5, 0.5, 0}, {0, 3, 0}), 1.0);
     EXPECT_NEAR(M[0], 2 * std::numbers::pi * 3.0, 1e-12 * M[0]);  // Pappus: unit area at radius 3
 }
 
-TEST(PressureMass, WithoutAPressureThereIsNone) {
+TEST(PressureMass, IsEmptyWithoutAPressureUnknown) {
     const auto cell = make_reference_cell(mesh::CellType::hex27, Form::displacement);
     EXPECT_TRUE(pressure_mass(cell, model::Kinematics::solid, box(cell.type, {1, 1, 1}, {}), 1.0).empty());
 }

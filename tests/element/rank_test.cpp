@@ -1,4 +1,4 @@
-/// The stiffness at rest has no zero energy modes but the rigid motions.
+/// The stiffness in the reference state has no zero-energy modes other than the rigid motions.
 #include <gtest/gtest.h>
 
 #include "matrix.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 /// Size minus rank by Gaussian elimination with full pivoting, relative to the largest entry.
 int nullity(std::vector<double> A, int size) {
-    constexpr double zero = 1e-9;  // rounding is 1e-14; the softest true mode of these cells is about 1e-4
+    constexpr double zero = 1e-9;  // rounding errors are 1e-14, the softest deformation mode is about 1e-4
     const auto at = [&](int i, int j) -> double& { return A[static_cast<std::size_t>(i) * size + j]; };
     double largest = 0;
     for (int step = 0; step < size; ++step) {
@@ -41,7 +41,7 @@ int rigid_motions(model::Kinematics kinematics) {
 int nullity_at_rest(Sample s) {
     std::vector<double> rest(s.unknowns.size(), 0.0);
     auto K = s.integrate(rest).stiffness;
-    // One unit for displacement and pressure: rows of both then have entries of like size.
+    // Scales displacement and pressure to one unit, so that the rows of both have entries of similar magnitude.
     const auto n = rest.size();
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) {
@@ -51,13 +51,13 @@ int nullity_at_rest(Sample s) {
     return nullity(std::move(K), static_cast<int>(n));
 }
 
-TEST(Rank, OnlyRigidMotionsMeetNoStiffness) {
+TEST(Rank, OnlyRigidMotionsHaveZeroStiffness) {
     for (const auto& c : all_combinations())
         EXPECT_EQ(nullity_at_rest(Sample(c)), rigid_motions(c.kinematics)) << label(c);
 }
 
-// Without 1/K on the diagonal a pressure that no displacement sees would be one more mode.
-TEST(Rank, AnIncompressibleCellAddsNoSpuriousPressure) {
+// Without 1/K on the diagonal, a pressure that does no work on any displacement would be an additional mode.
+TEST(Rank, AnIncompressibleCellHasNoSpuriousPressureMode) {
     const auto incompressible = material::make_rubber(material::sample::description_of("neo-hookean", std::nullopt));
     for (const auto& c : all_combinations()) {
         if (c.form != Form::mixed) continue;
@@ -65,7 +65,7 @@ TEST(Rank, AnIncompressibleCellAddsNoSpuriousPressure) {
     }
 }
 
-// On the axis N/R is bounded only for nodes off it; the rotation-free cell must not lose rank there.
+// N/R is bounded on the axis only for nodes off the axis; the cell must not lose rank there.
 TEST(Rank, ACellOnTheAxisOfRevolutionKeepsItsRank) {
     for (const auto& c : all_combinations()) {
         if (c.kinematics != model::Kinematics::axisymmetric) continue;
@@ -79,7 +79,7 @@ TEST(Rank, ACellOnTheAxisOfRevolutionKeepsItsRank) {
         }
         std::vector<double> u(s.unknowns.size(), 0.0);
         auto K = s.integrate(u).stiffness;
-        for (int a = 0; a < n; ++a)  // u_r = 0 on the axis: held, so not counted as free
+        for (int a = 0; a < n; ++a)  // u_r = 0 on the axis is prescribed, so it is not a free mode
             if (s.X[n + a] == 0.0) K[static_cast<std::size_t>(n + a) * (u.size() + 1)] += 1e3;
         for (std::size_t i = 0; i < u.size(); ++i)
             for (std::size_t j = 0; j < u.size(); ++j)

@@ -10,7 +10,7 @@ namespace {
 
 using mesh::CellType;
 
-TEST(ReferenceCell, HasThePointsItsContractStates) {
+TEST(ReferenceCell, HasTheDocumentedNumberOfPoints) {
     const std::map<CellType, int> displacement{
         {CellType::triangle3, 3}, {CellType::quad4, 4},     {CellType::tet4, 1},  {CellType::hex8, 8},
         {CellType::wedge6, 6},    {CellType::triangle6, 3}, {CellType::quad9, 9}, {CellType::tet10, 4},

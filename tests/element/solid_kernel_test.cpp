@@ -1,4 +1,4 @@
-/// What holds whatever the law: kinematics, fibre frames, pressures. The laws are in matrix_test.
+/// Properties independent of the law: kinematics, fibre frames, pressures. The laws are tested in matrix_test.
 #include "element/solid_kernel.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using mesh::CellType;
 using model::Kinematics;
 
 // A linear displacement field gives a constant F, exactly, on a curved and distorted cell.
-TEST(SolidKernel, LinearDisplacementGivesItsConstantDeformationGradient) {
+TEST(SolidKernel, ALinearDisplacementGivesAConstantDeformationGradient) {
     constexpr Tensor G{0.20, 0.05, -0.03, 0.04, -0.10, 0.06, 0.02, -0.07, 0.15};
     for (const auto& c : all_combinations()) {
         Sample s(c);
@@ -34,7 +34,7 @@ TEST(SolidKernel, LinearDisplacementGivesItsConstantDeformationGradient) {
             const double across = axisymmetric ? 1.0 + G[4] : (dim == 2 ? 1.0 : 1.0 + G[8]);  // r/R = 1 + u_r/R
             EXPECT_NEAR(point.F[8], across, 1e-13) << label(c);
             for (int m = 0; m < 9; ++m)
-                EXPECT_NEAR(point.F_law[m], point.F[m], 1e-13) << label(c);  // an even dilatation
+                EXPECT_NEAR(point.F_law[m], point.F[m], 1e-13) << label(c);  // uniform dilatation
         }
     }
 }
@@ -60,8 +60,8 @@ TEST(SolidKernel, PointVolumesSumToTheVolumeOfTheCell) {
     }
 }
 
-// e1 = x, e2 = the hoop: tangent to the circle about x through the point, along growing angle from y to z.
-TEST(SolidKernel, TheCylindricalFiberFrameFollowsTheHoop) {
+// e1 = x, e2 = the hoop direction: tangent to the circle about x through the point, with increasing angle from y to z.
+TEST(SolidKernel, TheCylindricalFiberFrameFollowsTheHoopDirection) {
     for (const auto& c : all_combinations()) {
         const Sample s(c, rubber_of(*material::find_law("holzapfel-gasser-ogden")));
         const auto points = s.points(s.unknowns);
@@ -92,7 +92,7 @@ TEST(SolidKernel, TheCartesianFiberFrameIsXAndY) {
         }
 }
 
-TEST(SolidKernel, NodalPressuresOfALinearFieldAreThatField) {
+TEST(SolidKernel, NodalPressuresReproduceAConstantField) {
     for (const auto type : {CellType::quad9, CellType::tet10, CellType::hex27, CellType::wedge18}) {
         const auto cell = make_reference_cell(type, Form::mixed);
         const auto X = distorted_nodes(type);

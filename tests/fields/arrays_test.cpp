@@ -28,13 +28,13 @@ model::Case two_rubbers() {
     return model;
 }
 
-TEST(Arrays, AllHaveOneEntryAPlace) {
+TEST(Arrays, HaveOneEntryPerRegionPointMeshPointOrCell) {
     const auto model = two_rubbers();
     const auto sampled = sample(model, linear({1, 0, 0, 0.5, 1, 0, 0, 0, 1}));
-    EXPECT_EQ(sampled.places.size(), 27U + 9U);
-    for (const auto& array : node_arrays(model, sampled.places, sampled.state(), sampled.fields))
+    EXPECT_EQ(sampled.region_points.size(), 27U + 9U);
+    for (const auto& array : node_arrays(model, sampled.region_points, sampled.state(), sampled.fields))
         EXPECT_EQ(array.values.size(), 36U * static_cast<std::size_t>(array.components)) << array.name;
-    for (const auto& array : mesh_point_arrays(model, sampled.places, sampled.state(), sampled.fields))
+    for (const auto& array : mesh_point_arrays(model, sampled.region_points, sampled.state(), sampled.fields))
         EXPECT_EQ(array.values.size(), 27U * static_cast<std::size_t>(array.components)) << array.name;
     for (const auto& array : state_arrays(model, sampled.fields.cells))
         EXPECT_EQ(array.values.size(), 8U * static_cast<std::size_t>(array.components)) << array.name;
@@ -43,7 +43,7 @@ TEST(Arrays, AllHaveOneEntryAPlace) {
 TEST(Arrays, AMeshPointOnAnInterfaceHasTheMeanOfBothSides) {
     const auto model = two_rubbers();
     const auto sampled = sample(model, linear({1, 0, 0, 0.5, 1, 0, 0, 0, 1}));
-    const auto arrays = mesh_point_arrays(model, sampled.places, sampled.state(), sampled.fields);
+    const auto arrays = mesh_point_arrays(model, sampled.region_points, sampled.state(), sampled.fields);
     const auto& sigma = named(arrays, "cauchy_stress_Pa");
     for (std::size_t k = 0; k < 27; ++k) {
         const double x = model.mesh.points[k][0];
@@ -52,7 +52,7 @@ TEST(Arrays, AMeshPointOnAnInterfaceHasTheMeanOfBothSides) {
     }
 }
 
-TEST(Arrays, TheEnergyIsLeftOutWhereTheLawHasNone) {
+TEST(Arrays, TheEnergyIsOmittedIfALawHasNone) {
     auto model = two_rubbers();
     EXPECT_EQ(state_arrays(model, {}).back().name, "energy_density_J_m3");
     model.materials[1].law = "kraken";

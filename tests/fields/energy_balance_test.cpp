@@ -23,7 +23,7 @@ EnergyBalance balance_of(std::initializer_list<solution::Step> rows) {
     return balance;
 }
 
-TEST(EnergyBalance, IsThatOfTheWorstRowOverTheLargestEnergy) {
+TEST(EnergyBalance, TheErrorIsTheLargestDifferenceOverTheLargestEnergy) {
     const auto balance = balance_of({at_rest(0, 0), at_rest(1, 1.3), at_rest(10, 10), at_rest(2, 2)});
     EXPECT_NEAR(*balance.error(), 0.03, 1e-15);
     EXPECT_NE(balance.problem().find("at row 1 the loads have done 1000 mJ of work, the rubber stores 1300 mJ"),
@@ -31,22 +31,22 @@ TEST(EnergyBalance, IsThatOfTheWorstRowOverTheLargestEnergy) {
         << balance.problem();
 }
 
-TEST(EnergyBalance, OfAMotionCountsWhatMovesAndWhatDampingTakes) {
+TEST(EnergyBalance, OfAMotionIncludesKineticEnergyAndDissipation) {
     EXPECT_NEAR(*balance_of({moving(0, 0, 0, 0), moving(2, 5, 10, 3)}).error(), 0, 1e-15);
     const auto losing = balance_of({moving(0, 0, 0, 0), moving(2, 5, 10, 0)});
     EXPECT_NEAR(*losing.error(), 0.3, 1e-15);
     EXPECT_NE(losing.problem().find("dynamics.accuracy"), std::string::npos) << losing.problem();
 }
 
-TEST(EnergyBalance, BeginsWithWhatTheFirstRowStores) {
+TEST(EnergyBalance, IsRelativeToTheFirstRow) {
     EXPECT_NEAR(*balance_of({at_rest(0, 5), at_rest(1, 6)}).error(), 0, 1e-15);
 }
 
-TEST(EnergyBalance, IsAProblemBeyondOnePercent) {
+TEST(EnergyBalance, ErrorsAboveOnePercentAreReported) {
     EXPECT_EQ(balance_of({at_rest(0, 0), at_rest(1, 0.991)}).problem(), "");
     EXPECT_NE(balance_of({at_rest(0, 0), at_rest(1, 0.989)}).problem(), "");
     EXPECT_EQ(balance_of({at_rest(0, 0)}).problem(), "");
-    EXPECT_EQ(balance_of({solution::Step{}, solution::Step{}}).problem(), "") << "a stress without an energy";
+    EXPECT_EQ(balance_of({solution::Step{}, solution::Step{}}).problem(), "") << "a law without an energy function";
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks under displacements given by a formula, and the states that step_fields makes of them.
+/// Blocks with displacements given by a formula, and the fields that step_fields computes for them.
 #include <functional>
 
 #include "../assembly/block_mesh.hpp"
@@ -8,27 +8,28 @@
 namespace soft::fields::test {
 
 using Point = mesh::Point;
-using Motion = std::function<Point(const Point&)>;  ///< x of X
+using Motion = std::function<Point(const Point&)>;  ///< x(X)
 using Field = std::function<double(const Point&)>;
 
 struct Sampled {
-    RegionPoints places;
+    RegionPoints region_points;
     std::vector<double> displacement_m, pressure_Pa;
     StepFields fields;
 
     [[nodiscard]] NodalState state() const { return {displacement_m, pressure_Pa}; }
 };
 
-/// `pressure` is looked at in mixed form only.
+/// `pressure` is used in mixed form only.
 inline Sampled sample(
     const model::Case& model, const Motion& motion, const Field& pressure = [](const Point&) { return 0.0; }) {
-    Sampled made{.places = region_points(model.mesh), .displacement_m = {}, .pressure_Pa = {}, .fields = {}};
+    Sampled made{
+        .region_points = make_region_points(model.mesh), .displacement_m = {}, .pressure_Pa = {}, .fields = {}};
     for (const Point& X : model.mesh.points) {
         const Point x = motion(X);
         for (std::size_t i = 0; i < 3; ++i) made.displacement_m.push_back(x[i] - X[i]);
         if (model.formulation == model::Formulation::mixed) made.pressure_Pa.push_back(pressure(X));
     }
-    made.fields = step_fields(model, made.places, made.state());
+    made.fields = step_fields(model, made.region_points, made.state());
     return made;
 }
 
@@ -41,7 +42,7 @@ inline Motion linear(const Tensor& F) {
     };
 }
 
-/// Everything at points, cells and nodes.
+/// The states at all points, cells and nodes.
 inline std::vector<LocalState> all_states(const Sampled& sampled) {
     std::vector<LocalState> all = sampled.fields.points;
     all.insert(all.end(), sampled.fields.cells.begin(), sampled.fields.cells.end());

@@ -7,9 +7,9 @@
 namespace soft::fields {
 namespace {
 
-TEST(PrincipalStretches, OfSimpleShearAreThoseOfTheFormula) {
+TEST(PrincipalStretches, OfSimpleShearMatchTheClosedForm) {
     // Ogden, Non-Linear Elastic Deformations (1984), 2.2: l - 1/l = g, the largest along tan 2t = 2/g in the deformed
-    // body
+    // configuration
     const double g = 0.7, l = 0.5 * (g + std::sqrt(g * g + 4)), t = 0.5 * std::atan2(2.0, g);
     const auto principal = principal_stretches({1, g, 0, 0, 1, 0, 0, 0, 1});
     EXPECT_NEAR(principal.stretch[0], l, 1e-14);
@@ -20,7 +20,7 @@ TEST(PrincipalStretches, OfSimpleShearAreThoseOfTheFormula) {
     EXPECT_NEAR(principal.direction[1][2], 1.0, 1e-14);
 }
 
-TEST(PrincipalStretches, DirectionsTurnWithTheBody) {
+TEST(PrincipalStretches, DirectionsRotateWithTheBody) {
     const double c = std::cos(0.4), s = std::sin(0.4);
     const Tensor turned{1.5 * c, -1.2 * s, 0, 1.5 * s, 1.2 * c,
                         0,       0,        0, 0.8};  // rotation about z by 0.4 after diag(1.5, 1.2, 0.8)
@@ -33,7 +33,7 @@ TEST(PrincipalStretches, DirectionsTurnWithTheBody) {
     EXPECT_NEAR(principal.direction[1][1], c, 1e-14);
 }
 
-TEST(VonMises, IsThePullOfAUniaxialTestAndRootThreeTimesAShear) {
+TEST(VonMises, IsTheUniaxialStressAndRootThreeTimesAShearStress) {
     EXPECT_NEAR(von_mises_Pa({5, 0, 0, 0, 0, 0, 0, 0, 0}), 5.0, 1e-14);
     EXPECT_NEAR(von_mises_Pa({0, 2, 0, 2, 0, 0, 0, 0, 0}), 2.0 * std::sqrt(3.0), 1e-14);
     EXPECT_NEAR(von_mises_Pa({7, 0, 0, 0, 7, 0, 0, 0, 7}), 0.0, 1e-14);

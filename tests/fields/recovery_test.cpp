@@ -12,7 +12,7 @@ namespace {
 
 using mesh::CellType;
 
-TEST(Extrapolation, LinearFunctionsArriveExactlyInDistortedCells) {
+TEST(Extrapolation, ReproducesLinearFunctionsInDistortedCells) {
     constexpr std::array<std::pair<CellType, element::Form>, 8> cells{
         {{CellType::quad4, element::Form::displacement},
          {CellType::hex8, element::Form::f_bar},
@@ -49,7 +49,7 @@ TEST(Extrapolation, OnePointGivesAConstant) {
 
 class CellPressure : public ::testing::TestWithParam<CellType> {};
 
-TEST_P(CellPressure, TheUnknownsBehindNodalPressuresAreFoundAgain) {
+TEST_P(CellPressure, RecoversTheUnknownsFromNodalPressures) {
     const CellType type = GetParam();
     const auto cell = element::make_reference_cell(type, element::Form::mixed);
     const auto X = element::distorted_nodes(type);
@@ -58,7 +58,7 @@ TEST_P(CellPressure, TheUnknownsBehindNodalPressuresAreFoundAgain) {
     auto nodal = element::nodal_pressures(cell, X, unknowns, 1.0);
     std::array<bool, 27> shared{};
     for (std::size_t a = 0; a < 3 && cell.pressure == element::PressureSpace::discontinuous_linear; ++a) {
-        shared[a] = true;  // spoilt by the neighbour's rubber
+        shared[a] = true;  // perturbed by the neighbouring region
         nodal[a] += 5000.0;
     }
     const auto found = cell_pressure(cell, {X, nodal, {shared.data(), nodal.size()}});
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Cells, CellPressure,
                          ::testing::Values(CellType::quad9, CellType::hex27, CellType::triangle6, CellType::tet10,
                                            CellType::wedge18));
 
-TEST(CellPressure, WhereAllOtherNodesAreSharedTheCentreSpeaksForTheCell) {
+TEST(CellPressure, IsTheCentreValueIfAllOtherNodesAreShared) {
     const auto cell = element::make_reference_cell(CellType::quad9, element::Form::mixed);
     const auto X = element::distorted_nodes(CellType::quad9);
     std::vector<double> nodal(9, 777.0);

@@ -38,7 +38,7 @@ model::Case block(CellType type, Formulation formulation, Kinematics kinematics 
     return made;
 }
 
-TEST(StepFields, OfAUniformPullAreTheExactStressesEverywhere) {
+TEST(StepFields, OfUniaxialTensionAreTheExactStressesEverywhere) {
     // incompressible neo-Hookean: sigma = mu (l^2 - 1/l) along the pull, 0 across it; W = mu/2 (l^2 + 2/l - 3)
     const double l = 1.8, t = 1 / std::sqrt(l);
     const Tensor F{l, 0, 0, 0, t, 0, 0, 0, t};
@@ -48,7 +48,7 @@ TEST(StepFields, OfAUniformPullAreTheExactStressesEverywhere) {
         const auto sampled = sample(block(type, formulation), linear(F), [p](const Point&) { return p; });
         for (const LocalState& state : all_states(sampled)) {
             expect_tensor(state.deformation_gradient, F, 1e-12);
-            // without a pressure unknown J = 1 leaves the deviator alone
+            // without a pressure unknown the stress at J = 1 is purely deviatoric
             const double side = formulation == Formulation::mixed ? 0.0 : -pull / 3;
             expect_tensor(state.cauchy_Pa, {pull + side, 0, 0, 0, side, 0, 0, 0, side}, 1e-7 * pull);
             expect_tensor(state.first_piola_Pa, {(pull + side) / l, 0, 0, 0, side / t, 0, 0, 0, side / t}, 1e-7 * pull);
@@ -58,7 +58,7 @@ TEST(StepFields, OfAUniformPullAreTheExactStressesEverywhere) {
     }
 }
 
-TEST(StepFields, OfSimpleShearHaveTheNormalStressDifference) {
+TEST(StepFields, OfSimpleShearHaveTheExactNormalStressDifference) {
     // sigma_12 = mu g, sigma_11 - sigma_22 = mu g^2 (Rivlin), P = sigma F^-T
     const double g = 0.6;
     for (const auto& [type, formulation] : solids) {
@@ -83,7 +83,7 @@ TEST(StepFields, ARigidRotationHasNoStress) {
         }
 }
 
-TEST(StepFields, TheKrakenLawStartsUnderStressAndHasNoEnergy) {
+TEST(StepFields, TheKrakenLawHasAnInitialStressAndNoEnergy) {
     auto model = block(CellType::hex27, Formulation::displacement);
     model.materials[0].law = "kraken";  // sigma = kappa (J - 1) I + mu b
     const double kappa = 50 * mu, a = 1.02;
@@ -97,7 +97,7 @@ TEST(StepFields, TheKrakenLawStartsUnderStressAndHasNoEnergy) {
     EXPECT_TRUE(has_energy(block(CellType::hex27, Formulation::mixed)));
 }
 
-TEST(StepFields, ABodyOfRevolutionIsStretchedAlongItsHoops) {
+TEST(StepFields, OfABodyOfRevolutionIncludeTheHoopStretch) {
     // x = a X, r = b R: F = diag(a, b, b) in (x, r, hoop)
     const double b = 1.3, a = 1 / (b * b);
     for (const CellType type : {CellType::quad9, CellType::triangle6}) {
@@ -113,8 +113,8 @@ TEST(StepFields, ABodyOfRevolutionIsStretchedAlongItsHoops) {
     }
 }
 
-/// Largest error at a node of an inflated tube in plane strain, r^2 = R^2 + c, against its exact stresses: the hoop's
-/// stretch is r/R, sigma_hoop - sigma_r = mu (l^2 - 1/l^2), and the radial stress is that of a free outer wall.
+/// Largest nodal error for an inflated tube in plane strain, r^2 = R^2 + c, against its exact stresses: the hoop stretch is
+/// l = r/R, sigma_hoop - sigma_r = mu (l^2 - 1/l^2), and the radial stress follows from a stress-free outer wall.
 double tube_error(CellType type, Formulation formulation, int n) {
     const double c = 0.8;
     const auto radius = [c](double R) { return std::sqrt(R * R + c); };
@@ -137,8 +137,8 @@ double tube_error(CellType type, Formulation formulation, int n) {
         },
         pressure);
     double worst = 0;
-    for (std::size_t k = 0; k < sampled.places.size(); ++k) {
-        const double R = model.mesh.point(sampled.places.node[k])[1], l = radius(R) / R;
+    for (std::size_t k = 0; k < sampled.region_points.size(); ++k) {
+        const double R = model.mesh.point(sampled.region_points.node[k])[1], l = radius(R) / R;
         const Tensor& sigma = sampled.fields.nodes[k].cauchy_Pa;
         worst = std::max(worst, std::abs(sigma[8] - sigma[4] - mu * (l * l - 1 / (l * l))) / mu);
         if (formulation == Formulation::mixed) worst = std::max(worst, std::abs(sigma[4] + radial(R)) / mu);
@@ -146,7 +146,7 @@ double tube_error(CellType type, Formulation formulation, int n) {
     return worst;
 }
 
-TEST(StepFields, StressesAtTheNodesOfAnInflatedTubeConverge) {
+TEST(StepFields, NodalStressesOfAnInflatedTubeConverge) {
     for (const CellType type : {CellType::quad9, CellType::triangle6}) {
         const double coarse = tube_error(type, Formulation::mixed, 8), fine = tube_error(type, Formulation::mixed, 16);
         EXPECT_GT(std::log2(coarse / fine), 1.7) << mesh::topology(type).name << " " << coarse << " " << fine;
@@ -157,7 +157,7 @@ TEST(StepFields, StressesAtTheNodesOfAnInflatedTubeConverge) {
     EXPECT_GT(std::log2(coarse / fine), 0.85) << coarse << " " << fine;
 }
 
-TEST(StepFields, ALinearFieldIsCarriedToTheNodesExactly) {
+TEST(StepFields, ALinearFieldIsExactAtTheNodes) {
     // u quadratic on cells that represent it: F is linear
     model::Case model =
         block_case(CellType::tet10, Kinematics::solid, Formulation::displacement, {.n = 2, .shake = 0.2});
@@ -165,14 +165,14 @@ TEST(StepFields, ALinearFieldIsCarriedToTheNodesExactly) {
     const auto sampled = sample(model, [](const Point& X) {
         return Point{X[0] + 0.1 * X[0] * X[1], X[1] + 0.05 * X[2] * X[2], X[2]};
     });
-    for (std::size_t k = 0; k < sampled.places.size(); ++k) {
-        const Point& X = model.mesh.point(sampled.places.node[k]);
+    for (std::size_t k = 0; k < sampled.region_points.size(); ++k) {
+        const Point& X = model.mesh.point(sampled.region_points.node[k]);
         expect_tensor(sampled.fields.nodes[k].deformation_gradient,
                       {1 + 0.1 * X[1], 0.1 * X[0], 0, 0, 1, 0.1 * X[2], 0, 0, 1}, 1e-12);
     }
 }
 
-TEST(StepFields, WhereTwoRubbersMeetEachKeepsItsStress) {
+TEST(StepFields, EachRegionKeepsItsStressAtAnInterface) {
     for (const Formulation formulation : {Formulation::displacement, Formulation::mixed}) {
         auto model = block(CellType::hex27, formulation);
         model.mesh.region_names = {"rubber", "stiff"};
@@ -183,33 +183,33 @@ TEST(StepFields, WhereTwoRubbersMeetEachKeepsItsStress) {
         model.materials[1].name = "stiff";
         model.materials[1].constants["mu"] = {5 * mu};
         const double g = 0.6;
-        // the result file has the mean of both sides on the interface: it must not reach the cells
+        // the result file contains the mean of both sides on the interface, which must not affect the cells
         const auto sampled = sample(model, linear({1, 0, 0, g, 1, 0, 0, 0, 1}), [](const Point& X) {
             return std::abs(X[0] - 0.5) < 1e-9 ? 60e3 : X[0] > 0.5 ? 100e3 : 20e3;
         });
         std::size_t twice = 0;
-        for (std::size_t k = 0; k < sampled.places.size(); ++k) {
-            const bool stiff = sampled.places.region[k] == 1;
+        for (std::size_t k = 0; k < sampled.region_points.size(); ++k) {
+            const bool stiff = sampled.region_points.region[k] == 1;
             const auto& state = sampled.fields.nodes[k];
             EXPECT_NEAR(state.cauchy_Pa[1], (stiff ? 5 : 1) * mu * g, 1e-8 * mu);
             if (formulation == Formulation::mixed) {
                 EXPECT_NEAR(-pressure_Pa(state.cauchy_Pa), stiff ? 100e3 : 20e3, 1e-4 * mu);
             }
-            twice += k > 0 && sampled.places.node[k] == sampled.places.node[k - 1];
+            twice += k > 0 && sampled.region_points.node[k] == sampled.region_points.node[k - 1];
         }
         EXPECT_EQ(twice, 25U);  // 5 x 5 nodes on the interface
     }
 }
 
-TEST(StepFields, AStateThatDoesNotFitIsRefused) {
+TEST(StepFields, AMismatchedOrInvertedStateIsRefused) {
     const auto model = block(CellType::hex27, Formulation::mixed);
-    const RegionPoints places = region_points(model.mesh);
+    const RegionPoints region_points = make_region_points(model.mesh);
     const std::vector<double> u(3 * model.mesh.points.size()), p(model.mesh.points.size());
-    EXPECT_THROW(static_cast<void>(step_fields(model, places, {std::span{u}.first(3), p})), Error);
-    EXPECT_THROW(static_cast<void>(step_fields(model, places, {u, {}})), Error);
-    std::vector<double> inside_out(u.size());
-    for (std::size_t node = 0; node < p.size(); ++node) inside_out[3 * node] = -2 * model.mesh.points[node][0];
-    EXPECT_THROW(static_cast<void>(step_fields(model, places, {inside_out, p})), Error);
+    EXPECT_THROW(static_cast<void>(step_fields(model, region_points, {std::span{u}.first(3), p})), Error);
+    EXPECT_THROW(static_cast<void>(step_fields(model, region_points, {u, {}})), Error);
+    std::vector<double> inverted(u.size());
+    for (std::size_t node = 0; node < p.size(); ++node) inverted[3 * node] = -2 * model.mesh.points[node][0];
+    EXPECT_THROW(static_cast<void>(step_fields(model, region_points, {inverted, p})), Error);
 }
 
 }  // namespace

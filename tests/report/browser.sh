@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The report of a bellows in a headless Chromium.   browser.sh BIN WORK     WORK: folder that keeps the pinned npm packages
-# 77 (skipped) where node, npm, a Chromium, gnuplot or the viewer is not there.
+# Opens the reports of a bellows and a tube in a headless Chromium.   browser.sh BIN WORK     WORK: folder for the pinned npm packages
+# Exits with 77 (skipped) if node, npm, a Chromium, gnuplot or the viewer is missing.
 set -u -o pipefail
 bin=$1 work=$2 here=$(dirname "$(realpath "${BASH_SOURCE[0]}")")
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -12,7 +12,7 @@ mkdir -p "$work" && cp "$here"/browser/* "$work" && cd "$work" || exit 1
 npm ci --ignore-scripts --no-audit --no-fund --prefer-offline --fetch-retries=1 >npm.log 2>&1 || skip "npm could not fetch puppeteer-core"
 
 "$bin/mesh-gen" -q "$here/../../designs/bellows.yaml" --set mesh.size=3mm | "$bin/solve" -q -o bellows.h5 || exit 1
-# what a user may call a result goes through as text
+# a label with HTML must appear as text
 "$bin/postprocess" -q bellows.h5 --with "bellows.h5:<script>alert('label')</script>" --report report.html >refused.txt 2>&1 || {
     cat refused.txt
     grep -q 'built without the viewer' refused.txt && skip "built without npm"
@@ -22,6 +22,6 @@ npm ci --ignore-scripts --no-audit --no-fund --prefer-offline --fetch-retries=1 
 "$bin/mesh-gen" -q "$here/../../designs/tube.yaml" --set model=quarter --set mesh.size=4mm --set path.until.elongation=5mm |
     "$bin/solve" -q -o tube.h5 && "$bin/postprocess" -q tube.h5 --report tube.html || exit 1
 
-# Undeformed lengths: ten convolutions of 9.25 mm between two discs of 6 mm, and the tube's 100 mm; elongations where the paths end.
+# Undeformed lengths: ten convolutions of 9.25 mm between two discs of 6 mm, and 100 mm for the tube; elongations at the end of the paths.
 mkdir -p bellows tube || exit 1
 timeout 130 node report.mjs report.html 104.5 130 bellows && timeout 130 node report.mjs tube.html 100 5 tube

@@ -36,7 +36,7 @@ std::size_t count(const std::string& text, const std::string& word) {
     return n;
 }
 
-TEST_F(Report, NoTextOfTheDesignCanActInThePage) {
+TEST_F(Report, TextOfTheDesignIsNeverExecuted) {
     io::Result result = test::bar_result(3, trap);
     result.model.name = trap;
     const std::string page = page_of(result);
@@ -49,7 +49,7 @@ TEST_F(Report, NoTextOfTheDesignCanActInThePage) {
         8u);  // title, heading, end of the path, design, override, two commands, this page, the note on the material
 }
 
-TEST_F(Report, ItsPolicyNamesTheVeryScriptThatItHolds) {
+TEST_F(Report, ItsPolicyContainsTheHashOfItsScript) {
     const std::string page = page_of(test::bar_result(2));
     const auto begin = page.rfind("<script>") + 8, end = page.rfind("</script>");
     EXPECT_EQ(count(page, "script-src '" + policy_hash(page.substr(begin, end - begin)) + "'"), 1u);
@@ -60,13 +60,13 @@ TEST_F(Report, TheSameResultGivesTheSameBytes) {
     EXPECT_EQ(page_of(test::bar_result(3)), page_of(test::bar_result(3)));
 }
 
-TEST_F(Report, WithoutFieldsItSaysSoAndRunsNothing) {
+TEST_F(Report, WithoutFieldsItContainsNoScript) {
     const std::string page = page_of(test::bar_result(3, "", io::FieldsPolicy::Keep::none));
-    EXPECT_EQ(count(page, "holds its fields"), 1u);
+    EXPECT_EQ(count(page, "contains no fields"), 1u);
     EXPECT_EQ(count(page, "<script"), 0u);
 }
 
-TEST_F(Report, TellsTheErrorOfTheMeshOrHowToGetIt) {
+TEST_F(Report, ShowsTheDiscretizationErrorOrHowToEstimateIt) {
     io::Result result = test::bar_result(3);
     EXPECT_EQ(count(page_of(result), "solve --tolerance"), 1u);
     for (std::size_t i = 0; i < result.steps.size(); ++i) {
@@ -76,7 +76,7 @@ TEST_F(Report, TellsTheErrorOfTheMeshOrHowToGetIt) {
     EXPECT_EQ(count(page_of(result), "pressure \u00B1 0.02 kPa (1 % of its largest value)"), 1u);
 }
 
-TEST_F(Report, HoldsTableMaterialDesignProvenanceAndLicence) {
+TEST_F(Report, ContainsTableMaterialDesignProvenanceAndLicence) {
     const std::string page = page_of(test::bar_result(3));
     for (const char* part :
          {"<th>elongation_mm</th>", "<td>20</td>", "mu = 100 kPa", "kappa = 10 MPa", "family: tube", "PETSc 3.18",
@@ -84,7 +84,7 @@ TEST_F(Report, HoldsTableMaterialDesignProvenanceAndLicence) {
         EXPECT_GE(count(page, part), 1u) << part;
 }
 
-TEST(ReportWithoutViewer, SaysWhatIsMissing) {
+TEST(ReportWithoutViewer, IsRefused) {
     if (viewer_bundle().missing.empty()) {
         EXPECT_NO_THROW(require_viewer());
         return;

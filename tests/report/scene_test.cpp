@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t ample = 1u << 24;
 
-/// The decoder of RFC 4648, as plain as can be.
+/// Independent, simple decoder of RFC 4648.
 template <class T>
 std::vector<T> decoded(const std::string& text) {
     const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -47,13 +47,13 @@ Decoded scene_of(const io::Result& result, std::size_t budget = ample) {
 /// Extent of the bases of a frame along an axis [mm].
 double extent(const Decoded& scene, const std::vector<std::uint16_t>& positions, std::size_t frame, std::size_t axis) {
     const double low = scene.json["low"][axis], high = scene.json["high"][axis];
-    double least = high, most = low;
+    double min = high, max = low;
     for (std::size_t b = 0; b < scene.bases; ++b) {
         const double x = low + (high - low) * positions[3 * (frame * scene.bases + b) + axis] / 65535;
-        least = std::min(least, x);
-        most = std::max(most, x);
+        min = std::min(min, x);
+        max = std::max(max, x);
     }
-    return most - least;
+    return max - min;
 }
 
 TEST(Scene, TheBodyOfEachFrameHasTheStretchOfItsStep) {
@@ -89,7 +89,7 @@ TEST(Scene, TheFieldsAreThoseOfTheUniformState) {
     EXPECT_EQ(field("von Mises stress")["high_text"], "158.3 kPa");
 }
 
-TEST(Scene, EveryIndexIsOneOfAVertex) {
+TEST(Scene, EveryIndexIsInRange) {
     const Decoded scene = scene_of(test::bar_result(2));
     const auto base = decoded<std::uint32_t>(scene.json["base"]);
     const auto placement = decoded<std::uint8_t>(scene.json["placement"]);
@@ -101,14 +101,14 @@ TEST(Scene, EveryIndexIsOneOfAVertex) {
     EXPECT_EQ(decoded<std::uint32_t>(scene.json["triangles"]).size() / 3, 20u);  // ten sides of hexahedra
 }
 
-TEST(Scene, ASmallBudgetLeavesFramesOutButNeitherTheFirstNorTheLast) {
+TEST(Scene, ASmallBudgetOmitsFramesButKeepsTheFirstAndTheLast) {
     const Decoded scene = scene_of(test::bar_result(9), 1000);
     ASSERT_LT(scene.frames, 9u);
     EXPECT_EQ(scene.json["frames"].front()["step"], 0);
     EXPECT_EQ(scene.json["frames"].back()["step"], 8);
 }
 
-TEST(Scene, IsEmptyWhereNoFieldsAreStored) {
+TEST(Scene, IsEmptyIfNoFieldsAreStored) {
     const io::Result result = test::bar_result(3, "", io::FieldsPolicy::Keep::none);
     EXPECT_EQ(make_scene(result, post::make_curve(result.model, result.steps), ample).json, "");
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// A bar of 40 x 20 x 20 mm that is pulled uniformly: step k has the stretch 1 + k/4 along x and its inverse square root across.
+/// A bar of 40 x 20 x 20 mm in uniaxial tension: step k has the stretch 1 + k/4 along x and its inverse square root across.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -44,7 +44,7 @@ inline std::vector<double> bar_displacement(const model::Case& model, int step) 
     return values;
 }
 
-/// `trap` stands wherever a user's text gets into a result.
+/// `trap` is inserted wherever a result contains text of the user.
 inline io::Result bar_result(int steps, const std::string& trap = "a name",
                              io::FieldsPolicy::Keep keep = io::FieldsPolicy::Keep::all) {
     const model::Case model = bar_case();

@@ -5,13 +5,13 @@
 namespace soft::report {
 namespace {
 
-TEST(Escaped, NothingIsLeftThatHtmlActsUpon) {
+TEST(Escaped, ReplacesTheSpecialCharactersOfHtml) {
     EXPECT_EQ(escaped("<b title=\"x\" id='y'>&amp;</b>"),
               "&lt;b title=&quot;x&quot; id=&#39;y&#39;&gt;&amp;amp;&lt;/b&gt;");
     EXPECT_EQ(escaped("\xC3\xA4 \xE2\x82\xAC\n\t"), "\xC3\xA4 \xE2\x82\xAC\n\t");
 }
 
-TEST(Escaped, WhatIsNoTextBecomesTheReplacementCharacter) {
+TEST(Escaped, InvalidCharactersBecomeTheReplacementCharacter) {
     EXPECT_EQ(escaped(std::string_view("a\0b", 3)),
               "a\xEF\xBF\xBD"
               "b");
@@ -19,7 +19,7 @@ TEST(Escaped, WhatIsNoTextBecomesTheReplacementCharacter) {
     EXPECT_EQ(escaped("\xED\xA0\x80"), "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");  // a surrogate
 }
 
-TEST(JsonInPage, CannotEndItsElement) {
+TEST(JsonInPage, CannotCloseItsElement) {
     EXPECT_EQ(json_in_page("{\"a\":\"</script><!--\"}"), "{\"a\":\"\\u003c/script>\\u003c!--\"}");
 }
 

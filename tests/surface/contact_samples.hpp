@@ -42,7 +42,7 @@ enum class Cells { second_order, first_order, second_order_simplices, first_orde
 inline constexpr std::array<Cells, 4> all_cells{Cells::second_order, Cells::first_order, Cells::second_order_simplices,
                                                 Cells::first_order_simplices};
 
-/// The mesh of second-order quadrilaterals or hexahedra as cells of another kind.
+/// Converts a mesh of second-order quadrilaterals or hexahedra to another kind of cells.
 inline mesh::Mesh as(Cells cells, mesh::Mesh mesh) {
     if (cells == Cells::first_order || cells == Cells::first_order_simplices) mesh = lower_order(mesh);
     if (cells == Cells::second_order_simplices || cells == Cells::first_order_simplices)
@@ -65,7 +65,7 @@ inline mesh::Mesh beside(mesh::Mesh a, const mesh::Mesh& b) {
     return a;
 }
 
-/// The part of a map at z = 0 where a section is wanted.
+/// Restricts a map to z = 0 for a section.
 inline Map of_dimension(int dimension, const Map& map) {
     return [=](double u, double v, double w) {
         Point p = map(u, v, w);
@@ -81,7 +81,7 @@ inline mesh::Mesh block(int dimension, const Map& map, std::array<int, 3> cells,
     return builder.take();
 }
 
-/// Smooth displacements with a Lipschitz constant below one: x = X + u(X) is then one to one everywhere, and nothing touches.
+/// Smooth displacements with a Lipschitz constant below one: x = X + u(X) is then one-to-one everywhere, so there is no contact.
 inline Motion wobble(unsigned seed, double lipschitz, double wave_number) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
@@ -112,7 +112,7 @@ inline Motion wobble(unsigned seed, double lipschitz, double wave_number) {
     };
 }
 
-/// Turned by these angles about x and about z, scaled and shifted.
+/// Rotation by these angles about x and about z, with scaling and translation.
 inline Motion placed(double about_x, double about_z, double scale, const Point& shift) {
     return [=](const Point& X) {
         const double y = std::cos(about_x) * X[1] - std::sin(about_x) * X[2],
@@ -130,7 +130,7 @@ inline Motion in_plane(const Motion& motion) {
 }
 
 /// A wall of this thickness along a sine-generated curve, whose direction is `swing` sin(2 pi s) at arc length s: a fold of
-/// a bellows; the larger the swing, the nearer its turns come to each other.
+/// a bellows; the larger the swing, the closer its turns are to each other.
 struct Meander {
     double swing, thickness = 0.08;
     static constexpr int pieces = 512;  ///< a unit of arc length, for the integral
@@ -141,16 +141,16 @@ struct Meander {
         Point p{};
         for (int i = 0; i < n; ++i) {  // Simpson
             const double a = s * i / n, h = s / n;
-            for (const auto& [place, weight] : {std::pair{a, 1.0}, {a + h / 2, 4.0}, {a + h, 1.0}}) {
-                p[0] += weight * h / 6 * std::cos(direction(place));
-                p[1] += weight * h / 6 * std::sin(direction(place));
+            for (const auto& [at, weight] : {std::pair{a, 1.0}, {a + h / 2, 4.0}, {a + h, 1.0}}) {
+                p[0] += weight * h / 6 * std::cos(direction(at));
+                p[1] += weight * h / 6 * std::sin(direction(at));
             }
         }
         return {p[0] - t * thickness * std::sin(direction(s)), p[1] + t * thickness * std::cos(direction(s)), 0};
     }
 };
 
-/// A block on the left and a lower, narrower one on the right, 1 m apart; each a face of its own name.
+/// A block on the left and a lower, narrower one on the right, 1 m apart; each has its own named face.
 inline model::Case two_blocks(int dimension, Cells cells, model::Kinematics kinematics) {
     const auto left = block(dimension, box({0, 1}, {0, 1}, {0, 1}), {2, 3, 2}, "left");
     const auto right = block(dimension, box({2, 3}, {0.4, 0.6}, {0.3, 0.7}), {2, 1, 1}, "right");

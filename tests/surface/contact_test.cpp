@@ -19,7 +19,7 @@ Motion right_block_moved(double x) {
 
 class EveryCell : public testing::TestWithParam<Cells> {};
 
-TEST_P(EveryCell, TwoBlocksOfASectionTouchExactlyWhenTheyMeet) {
+TEST_P(EveryCell, ContactOfTwoBlocksOfASectionIsDetectedExactly) {
     for (const auto kinematics : {model::Kinematics::plane_strain, model::Kinematics::axisymmetric}) {
         const model::Case model = test::two_blocks(2, GetParam(), kinematics);
         const ContactFinder finder(model);
@@ -27,30 +27,30 @@ TEST_P(EveryCell, TwoBlocksOfASectionTouchExactlyWhenTheyMeet) {
         EXPECT_FALSE(contact(finder, model, right_block_moved(-1 + 1e-12)));
         const auto found = contact(finder, model, right_block_moved(-1 - 1e-12));
         ASSERT_TRUE(found);
-        EXPECT_NEAR(found->place[0], 1, 1e-11);
-        EXPECT_GE(found->place[1], 0.4 - 1e-12);
-        EXPECT_LE(found->place[1], 0.6 + 1e-12);
+        EXPECT_NEAR(found->location[0], 1, 1e-11);
+        EXPECT_GE(found->location[1], 0.4 - 1e-12);
+        EXPECT_LE(found->location[1], 0.6 + 1e-12);
         EXPECT_NE(found->text.find("the faces left and right touch at x = 1000 mm, "), std::string::npos)
             << found->text;
         EXPECT_NE(found->text.find(kinematics == model::Kinematics::axisymmetric ? "r = " : "y = "), std::string::npos);
     }
 }
 
-TEST_P(EveryCell, TwoBlocksOfASolidTouchExactlyWhenTheyMeet) {
+TEST_P(EveryCell, ContactOfTwoSolidBlocksIsDetectedExactly) {
     const model::Case model = test::two_blocks(3, GetParam(), model::Kinematics::solid);
     const ContactFinder finder(model);
     EXPECT_FALSE(contact(finder, model, right_block_moved(0)));
     EXPECT_FALSE(contact(finder, model, right_block_moved(-1 + 1e-12)));
     const auto found = contact(finder, model, right_block_moved(-1 - 1e-12));
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->place[0], 1, 1e-11);
-    EXPECT_NEAR(found->place[1], 0.5, 0.1 + 1e-12);
-    EXPECT_NEAR(found->place[2], 0.5, 0.2 + 1e-12);
+    EXPECT_NEAR(found->location[0], 1, 1e-11);
+    EXPECT_NEAR(found->location[1], 0.5, 0.1 + 1e-12);
+    EXPECT_NEAR(found->location[2], 0.5, 0.2 + 1e-12);
     EXPECT_NE(found->text.find("left and right touch"), std::string::npos) << found->text;
 }
 
-/// Three squares or cubes around an inner corner, whose two walls meet when every angle about it is stretched by 4/3.
-TEST_P(EveryCell, ACreaseIsClosedWhenItsWallsMeet) {
+/// Three squares or cubes around an inner corner, whose two walls touch when every angle about it is stretched by 4/3.
+TEST_P(EveryCell, ACreaseIsClosedWhenItsWallsTouch) {
     for (const int dimension : {2, 3}) {
         test::MeshBuilder builder(dimension);
         for (const auto& [x, y] :
@@ -77,12 +77,12 @@ INSTANTIATE_TEST_SUITE_P(Contact, EveryCell, testing::ValuesIn(test::all_cells),
                          [](const auto& test) { return test::cells_name(test.param); });
 
 /// Two bumps of radius 1 whose tops are `gap` apart.
-TEST(Contact, CurvedWallsTouchAtTheirTopsToAFewPerCentOfACell) {
+TEST(Contact, ContactOfCurvedWallsIsFoundToAFewPercentOfACell) {
     const auto bump = [](double sign) {
         return [sign](double u, double v, double) {
             const double angle = (2 * u - 1) * 0.6 * sign;  // keeps the orientation of both
             const double top = sign * (std::cos(angle) - 1.2), foot = -sign * 0.6;
-            return Point{std::sin(angle + 0.013), std::lerp(foot, top, v), 0};  // cells do not lie symmetrically
+            return Point{std::sin(angle + 0.013), std::lerp(foot, top, v), 0};  // avoids a symmetric mesh
         };
     };
     const auto lower = test::block(2, bump(1), {7, 1, 1}, "lower"),
@@ -102,10 +102,10 @@ TEST(Contact, CurvedWallsTouchAtTheirTopsToAFewPerCentOfACell) {
     while (open - overlapping > 1e-9)
         (closed_to((open + overlapping) / 2) ? overlapping : open) = (open + overlapping) / 2;
     EXPECT_NEAR(open, 0, 2e-4);  // a cell is 0.17 long and rises by 0.0037; chords of its quarters miss 1/16 of that
-    EXPECT_NEAR(closed_to(overlapping)->place[0], 0, 0.17 / 4);
+    EXPECT_NEAR(closed_to(overlapping)->location[0], 0, 0.17 / 4);
 }
 
-/// Where the outline of a meander of two periods crosses itself: arc lengths and sides of dense polygons' segments.
+/// Self-intersections of the outline of a meander of two periods, as arc length and side, from dense polygons.
 std::vector<std::array<double, 2>> crossings_of_outline(const test::Meander& meander) {
     constexpr int segments = 400;
     std::vector<std::array<double, 2>> found;
@@ -125,7 +125,7 @@ std::vector<std::array<double, 2>> crossings_of_outline(const test::Meander& mea
     return found;
 }
 
-TEST(Contact, FoldsOfABellowsTouchWhereTheirOutlinesMeet) {
+TEST(Contact, FoldsOfABellowsTouchWhereTheirOutlinesIntersect) {
     constexpr int cells = 48;  // along two periods
     model::Case model = test::make_case(test::block(2, test::box({0, 2}, {-1, 1}, {0, 0}), {cells, 1, 1}, "wall"),
                                         model::Kinematics::plane_strain);
@@ -153,13 +153,13 @@ TEST(Contact, FoldsOfABellowsTouchWhereTheirOutlinesMeet) {
     double nearest = 1;
     for (const auto& [s, t] : crossings_of_outline({expected + 1e-4})) {
         const Point p = start(s, t);
-        nearest = std::min(nearest, std::hypot(p[0] - found->place[0], p[1] - found->place[1]));
+        nearest = std::min(nearest, std::hypot(p[0] - found->location[0], p[1] - found->location[1]));
     }
     EXPECT_LT(nearest, 0.1 * 2.0 / cells);
     EXPECT_NE(found->text.find("the face wall touches itself at x = "), std::string::npos) << found->text;
 }
 
-/// An upside-down L that hangs from the plane x = 0 (on the side of `sign`): its leg can swing against the plane.
+/// An upside-down L attached to the plane x = 0 (on the side of `sign`), whose leg can bend towards the plane.
 model::Case hanging_leg(int dimension, Cells cells, double sign) {
     test::MeshBuilder builder(dimension);
     const auto part = [&](test::Interval x, test::Interval y) {
@@ -175,7 +175,7 @@ model::Case hanging_leg(int dimension, Cells cells, double sign) {
     return model;
 }
 
-TEST_P(EveryCell, ALegThatSwingsAgainstItsMirrorImageTouchesAtItsTip) {
+TEST_P(EveryCell, ALegThatBendsTowardsItsMirrorImageTouchesItAtTheTip) {
     for (const int dimension : {2, 3})
         for (const double sign : {1.0, -1.0}) {
             const model::Case model = hanging_leg(dimension, GetParam(), sign);
@@ -189,8 +189,8 @@ TEST_P(EveryCell, ALegThatSwingsAgainstItsMirrorImageTouchesAtItsTip) {
             EXPECT_FALSE(contact(finder, model, swung(1 - 1e-6)));
             const auto found = contact(finder, model, swung(1 + 1e-6));
             ASSERT_TRUE(found);
-            EXPECT_NEAR(found->place[0], sign, 1e-12);
-            EXPECT_NEAR(found->place[1], 0.5, 1e-9);
+            EXPECT_NEAR(found->location[0], sign, 1e-12);
+            EXPECT_NEAR(found->location[1], 0.5, 1e-9);
             EXPECT_EQ(found->facets[0], found->facets[1]);
             EXPECT_NE(found->text.find("the face leg touches its mirror image at x = "), std::string::npos)
                 << found->text;
@@ -211,7 +211,7 @@ TEST(Contact, ACurvedWallTouchesItsMirrorImageBetweenNodes) {
     EXPECT_FALSE(contact(finder, model, bent(1e-7)));
     const auto found = contact(finder, model, bent(-1e-7));
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->place[1], 0.37, 1e-3);
+    EXPECT_NEAR(found->location[1], 0.37, 1e-3);
 }
 
 TEST(Contact, ARingThatClosesTouchesTheAxis) {
@@ -221,14 +221,14 @@ TEST(Contact, ARingThatClosesTouchesTheAxis) {
     EXPECT_FALSE(contact(finder, model, shrunk(2 - 1e-6)));
     const auto found = contact(finder, model, shrunk(2 + 1e-6));
     ASSERT_TRUE(found);
-    EXPECT_NEAR(found->place[0], 0, 1e-3);
-    EXPECT_NEAR(found->place[1], 2, 1e-5);
-    EXPECT_NE(found->text.find("a face without name touches the axis at x = "), std::string::npos) << found->text;
+    EXPECT_NEAR(found->location[0], 0, 1e-3);
+    EXPECT_NEAR(found->location[1], 2, 1e-5);
+    EXPECT_NE(found->text.find("an unnamed face touches the axis at x = "), std::string::npos) << found->text;
 }
 
-/// The upper side of a cell at the axis (x, r) is drawn through r(s) with 0, 0.24 and 1: near the axis r < 0. Below a crater the air
-/// meets its mirror image there, above a spike the rubber.
-TEST(Contact, ACraterThatClosesTouchesTheAxisAndASpikeThatIsInsideOutDoesNot) {
+/// The upper side of a cell at the axis (x, r) follows r(s) through 0, 0.24 and 1, so that r < 0 near the axis. At a crater the surface
+/// then crosses its mirror image through air, at a spike through rubber.
+TEST(Contact, AClosingCraterTouchesTheAxisAndAnInvertedSpikeDoesNot) {
     const auto drawn = [](double tip) {
         return [tip](const Point& X) {
             const double s = X[1], middle = 4 * s * (1 - s), end = s * (2 * s - 1);
@@ -245,7 +245,7 @@ TEST(Contact, ACraterThatClosesTouchesTheAxisAndASpikeThatIsInsideOutDoesNot) {
     EXPECT_FALSE(contact(model, drawn(2)));
 }
 
-TEST(Contact, WallsThatTouchFromTheStartAreLeftOutAndOthersAreFound) {
+TEST(Contact, InitiallyTouchingWallsAreExcludedAndOthersAreFound) {
     for (const int dimension : {2, 3}) {
         const auto left = test::block(dimension, test::box({0, 1}, {0, 1}, {0, 1}), {1, 2, 2}, "left");
         const auto flush = test::block(dimension, test::box({1, 2}, {0, 1}, {0, 1}), {1, 2, 2}, "flush");
@@ -258,7 +258,7 @@ TEST(Contact, WallsThatTouchFromTheStartAreLeftOutAndOthersAreFound) {
             EXPECT_FALSE(contact(finder, model, [by](const Point& X) {
                 return Point{X[0] * (1 - by), X[1], X[2]};
             })) << by;
-        std::vector<double> pressed(3 * model.mesh.points.size());  // a little into each other
+        std::vector<double> pressed(3 * model.mesh.points.size());  // a small overlap
         for (std::size_t p = left.points.size(); p < left.points.size() + flush.points.size(); ++p)
             pressed[3 * p] = -0.01;
         EXPECT_FALSE(finder.find(pressed));
@@ -270,11 +270,12 @@ TEST(Contact, WallsThatTouchFromTheStartAreLeftOutAndOthersAreFound) {
     }
 }
 
-/// Two squares one above the other with a common node on the right and none on the left: a slit closed from the start.
-TEST(Contact, ASlitThatIsClosedFromTheStartMayOpenAndCloseAgain) {
+/// Two squares one above the other that share a node on the right and none on the left: an initially closed slit.
+TEST(Contact, AnInitiallyClosedSlitMayOpenAndCloseAgain) {
     test::MeshBuilder builder(2);
     builder.add_block(test::of_dimension(2, test::box({0, 1}, {-1, 0})), 2, 1);
-    builder.add_block(test::of_dimension(2, test::box({0, 1}, {1e-9, 1})), 2, 1);  // apart to the builder
+    builder.add_block(test::of_dimension(2, test::box({0, 1}, {1e-9, 1})), 2,
+                      1);  // so that the builder does not merge the nodes
     builder.add_block(test::of_dimension(2, test::box({1, 2}, {-1, 0})), 1, 1);
     model::Case model = test::make_case(builder.take(), model::Kinematics::plane_strain);
     const std::vector<Point> built = model.mesh.points;

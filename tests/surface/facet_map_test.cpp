@@ -18,7 +18,7 @@ FacetMap image_of(CellType type, Map map) {
     return facet;
 }
 
-TEST(FacetMap, HitsItsNodes) {
+TEST(FacetMap, InterpolatesItsNodes) {
     for (const CellType type : facet_types) {
         const FacetMap facet = image_of(type, [](double u, double v) {
             return mesh::Point{1 + u - v * v, 2 * v + u * v, u * u};

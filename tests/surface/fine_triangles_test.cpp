@@ -10,20 +10,20 @@
 namespace soft::surface {
 namespace {
 
-TEST(FineTriangles, StayAsNearToACurvedBodyAsTheyAreTold) {
+TEST(FineTriangles, StayWithinTheRequestedDeviationOfACurvedBody) {
     const model::Case shell = test::sphere_shell(4);
     for (const double deviation_m : {1e-2, 1e-3}) {
         const Triangles triangles = fine_triangles(shell.mesh, boundary_facets(shell.mesh), deviation_m);
         const SurfaceChecks checks = check_surface(triangles);
         EXPECT_TRUE(checks.closed);
         EXPECT_FALSE(checks.intersecting);
-        // a sheet of area A that lies 2/3 of its deviation inside; second-order facets of a 22-degree grid are spheres to 1e-4
+        // the triangles lie on average 2/3 of the deviation inside; second-order facets of a 22-degree grid are spheres to 1e-4
         const double exact = 4.0 / 3 * std::numbers::pi * 7;
         EXPECT_NEAR(checks.volume_m3, exact, 4 * std::numbers::pi * 5 * deviation_m + 5e-3);
     }
 }
 
-TEST(FineTriangles, OfAFlatBodyAreThoseOfItsOwnNodes) {
+TEST(FineTriangles, AddNoPointsToFlatFacets) {
     const model::Case box = test::hollow_box(test::Hole::none);
     const Triangles triangles = fine_triangles(box.mesh, boundary_facets(box.mesh), 1e-6);
     EXPECT_EQ(triangles.triangles.size(), 8 * boundary_facets(box.mesh).size());

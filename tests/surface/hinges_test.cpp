@@ -20,7 +20,7 @@ model::Case three_squares(int dimension, test::Cells cells) {
                            dimension == 2 ? model::Kinematics::plane_strain : model::Kinematics::solid);
 }
 
-TEST(Hinges, KnowTheAngleThatTheRubberFillsBeyondAFullTurn) {
+TEST(Hinges, TheFilledAngleMayExceedAFullTurn) {
     for (const int dimension : {2, 3})
         for (const test::Cells cells : test::all_cells) {
             const model::Case model = three_squares(dimension, cells);
@@ -47,7 +47,7 @@ TEST(Hinges, KnowTheAngleThatTheRubberFillsBeyondAFullTurn) {
         }
 }
 
-TEST(Hinges, AreAllEdgesOfABoxAndNoneOfACut) {
+TEST(Hinges, AreAllEdgesOfABoxExceptThoseOnASymmetryPlane) {
     model::Case model =
         test::make_case(test::block(3, test::box({0, 1}, {0, 1}, {0, 1}), {1, 1, 1}, "box"), model::Kinematics::solid);
     EXPECT_EQ(hinges(model.mesh, free_facets(model)).size(), 12u);

@@ -25,7 +25,7 @@ FaceRule rule(std::string name) { return {std::move(name), {}, {}, {}, {}}; }
 /// A block of 10 x 20 x 30 mm with a hole of 4 x 4 mm along z, 20 mm deep, from the side z = 0; one shell.
 BodySurface drilled_block() {
     FacetSoup soup = test::joined(test::box_soup({0, 0, 0}, {10, 20, 30}), test::box_soup({3, 8, 0}, {7, 12, 20}));
-    // Without the sides z = 0 of both (the first two facets of each box), the ring between their rims instead.
+    // Replaces the sides z = 0 of both (the first two facets of each box) by the ring between their rims.
     soup.facets.erase(soup.facets.begin() + 12, soup.facets.begin() + 14);
     soup.facets.erase(soup.facets.begin(), soup.facets.begin() + 2);
     const std::array<std::size_t, 4> outer{0, 1, 3, 2}, inner{8, 9, 11, 10};
@@ -37,7 +37,7 @@ BodySurface drilled_block() {
     return test::made(soup);
 }
 
-TEST(NamedFaces, ShellsAreFacesByThemselves) {
+TEST(NamedFaces, EachShellIsAFace) {
     const BodySurface hollow =
         test::made(test::joined(test::box_soup({0, 0, 0}, {10, 10, 10}), test::box_soup({2, 2, 2}, {4, 4, 4})));
     const auto faces = named_faces(hollow, {});
@@ -48,7 +48,7 @@ TEST(NamedFaces, ShellsAreFacesByThemselves) {
     EXPECT_NEAR(area_m2(hollow, faces[1]), 24e-6, 1e-16);
 }
 
-TEST(NamedFaces, PlanesBoxesAndDirectionsHaveTheirAreas) {
+TEST(NamedFaces, PlaneBoxAndDirectionRulesSelectTheExpectedAreas) {
     const BodySurface block = drilled_block();
     std::vector<FaceRule> rules{rule("rim"), rule("inside"), rule("up"), rule("up_at_the_top")};
     rules[0].plane = FaceRule::Plane{2, 0};
@@ -58,13 +58,13 @@ TEST(NamedFaces, PlanesBoxesAndDirectionsHaveTheirAreas) {
     rules[3].plane = FaceRule::Plane{2, 30e-3};
     const auto faces = named_faces(block, rules);
     ASSERT_EQ(faces.size(), 5u);
-    EXPECT_NEAR(area_m2(block, faces[1]), (200 - 16) * 1e-6, 1e-15);         // the block's side less the hole
+    EXPECT_NEAR(area_m2(block, faces[1]), (200 - 16) * 1e-6, 1e-15);         // the side of the block without the hole
     EXPECT_NEAR(area_m2(block, faces[2]), (4 * 4 * 20 + 16) * 1e-6, 1e-15);  // the hole's walls and bottom
-    EXPECT_NEAR(area_m2(block, faces[3]), 200e-6, 1e-15);  // the hole's bottom looks down, out of the rubber
+    EXPECT_NEAR(area_m2(block, faces[3]), 200e-6, 1e-15);  // the bottom of the hole faces down, out of the rubber
     EXPECT_NEAR(area_m2(block, faces[4]), 200e-6, 1e-15);
 }
 
-TEST(NamedFaces, AFloodEndsAtSharpEdgesOrAtTheFacesItIsGiven) {
+TEST(NamedFaces, AFloodEndsAtSharpEdgesOrAtTheGivenFaces) {
     const BodySurface block = drilled_block();
     std::vector<FaceRule> rules{rule("rim"), rule("bottom"), rule("chamber")};
     rules[0].plane = FaceRule::Plane{2, 0};
@@ -76,7 +76,7 @@ TEST(NamedFaces, AFloodEndsAtSharpEdgesOrAtTheFacesItIsGiven) {
     EXPECT_THROW(static_cast<void>(named_faces(block, {rules[2]})), std::logic_error);
 }
 
-TEST(NamedFaces, BendsAreNoSharpEdgesAndBordersAreCreases) {
+TEST(NamedFaces, SmoothBendsAreNotSharpAndFaceBoundariesAreCreases) {
     const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 10, 48));
     EXPECT_TRUE(sharp_edges(ball).empty());
     FaceRule half = rule("half");

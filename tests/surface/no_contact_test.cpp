@@ -1,4 +1,4 @@
-/// Deformations in which nothing touches, however far they go.
+/// Deformations without contact, however large they are.
 #include <gtest/gtest.h>
 
 #include "contact_samples.hpp"
@@ -11,7 +11,7 @@ using test::Cells;
 using test::contact;
 using test::Motion;
 
-TEST(NoContact, PlanesAndTheAxisThatCutTheBodyAreNoContact) {
+TEST(NoContact, FacetsOnSymmetryPlanesAndTheAxisAreNotContact) {
     model::Case ball = test::annulus_section({}, 12);
     EXPECT_FALSE(contact(ball, [](const Point& X) { return Point{X[0], 3 * X[1], 0}; }));
     EXPECT_FALSE(contact(ball, [](const Point& X) { return Point{X[0], 0.2 * X[1], 0}; }));
@@ -19,17 +19,17 @@ TEST(NoContact, PlanesAndTheAxisThatCutTheBodyAreNoContact) {
     EXPECT_FALSE(contact(quarter, [](const Point& X) { return Point{X[0], 0.3 * X[1], 4 * X[2]}; }));
 }
 
-/// In every kind of cells.
 struct Body {
     std::string name;
     model::Case model;
 };
 
+/// Each body with every kind of cells.
 std::vector<Body> bodies() {
     std::vector<Body> all;
     all.push_back({"ring", test::annulus_section(
                                {.centre_r = 0.001, .inner_radius = 1, .outer_radius = 1.5, .shift = {0.2, 0.1}}, 24)});
-    all.back().model.kinematics = model::Kinematics::plane_strain;  // free of the axis
+    all.back().model.kinematics = model::Kinematics::plane_strain;  // the axis is not a mirror
     all.push_back({"box", test::hollow_box(test::Hole::to_the_right)});
     all.push_back({"shell", test::sphere_shell(3)});
     all.push_back({"blocks", test::two_blocks(3, Cells::second_order, model::Kinematics::solid)});
@@ -42,7 +42,7 @@ std::vector<Body> bodies() {
     return of_all_cells;
 }
 
-TEST(NoContact, BodiesThatAreTurnedShiftedAndInflatedTouchNothing) {
+TEST(NoContact, RotatedTranslatedAndScaledBodiesHaveNoContact) {
     for (const auto& [name, model] : bodies()) {
         const ContactFinder finder(model);
         const double about_x = model.mesh.dimension == 3 ? 2.1 : 0;
@@ -51,9 +51,9 @@ TEST(NoContact, BodiesThatAreTurnedShiftedAndInflatedTouchNothing) {
     }
 }
 
-// r -> sqrt(r^2 + 30^2) keeps the area: the wall of 0.02 becomes 0.0007 thin, while the pieces of the facets stray by 0.004 from
-// their curve. The outside is turned against the inside, so that their pieces do not run side by side.
-TEST(NoContact, TheSidesOfAWallStretchedToASkinDoNotTouch) {
+// r -> sqrt(r^2 + 30^2) preserves the area: the wall thickness decreases from 0.02 to 0.0007, while the pieces of the facets deviate by
+// 0.004 from their curve. The outside is rotated relative to the inside, so that their pieces are not parallel.
+TEST(NoContact, TheSidesOfAStronglyThinnedWallDoNotTouch) {
     const Motion inflated = [](const Point& X) {
         const double r = std::hypot(X[0], X[1]), angle = std::atan2(X[1], X[0]) + 0.8 * (r - 1),
                      to = std::hypot(r, 30.0);
@@ -74,8 +74,8 @@ TEST(NoContact, TheSidesOfAWallStretchedToASkinDoNotTouch) {
     }
 }
 
-/// The wall's middle is pressed through itself: its cells are inside out where its sides cross, and no air is between them.
-TEST(NoContact, AWallThatIsInsideOutDoesNotTouchItself) {
+/// The middle of the wall is pushed through itself: its cells are inverted where its sides cross, and no air is between them.
+TEST(NoContact, AnInvertedWallIsNotReportedAsContact) {
     const Motion crushed = [](const Point& X) {
         return Point{X[0], X[1] * (1 - 1.5 * std::exp(-X[0] * X[0] - X[2] * X[2])), X[2]};
     };
@@ -89,14 +89,14 @@ TEST(NoContact, AWallThatIsInsideOutDoesNotTouchItself) {
                 const auto found = contact(model, crushed);
                 ASSERT_TRUE(found || through < 3) << dimension << " D, " << through << " through the wall";
                 if (!found) continue;  // the sides of one cell, or of two
-                EXPECT_TRUE(found->inside_out) << dimension << " D, " << through << " through the wall";
-                EXPECT_NE(found->text.find("the wall between the face wall and the face wall is inside out at x = "),
+                EXPECT_TRUE(found->is_inverted) << dimension << " D, " << through << " through the wall";
+                EXPECT_NE(found->text.find("the wall between the face wall and the face wall is inverted at x = "),
                           std::string::npos)
                     << found->text;
             }
 }
 
-TEST(NoContact, LargeSmoothDeformationsThatAreOneToOneGiveNoFalseAlarm) {
+TEST(NoContact, LargeSmoothOneToOneDeformationsGiveNoFalsePositive) {
     for (const auto& [name, model] : bodies()) {
         const ContactFinder finder(model);
         for (unsigned seed = 0; seed < 25; ++seed)

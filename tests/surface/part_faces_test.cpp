@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// A disc about x from x = 0 to `height`, its rim of `around` facets; turned inside out it is a cavity.
+/// A disc about x from x = 0 to `height`, with a rim of `around` quadrilaterals; inside another body it becomes a cavity.
 FacetSoup disc(double height, double radius, std::size_t around) {
     FacetSoup soup;
     for (std::size_t k = 0; k < around; ++k) {
@@ -34,7 +34,7 @@ FacetSoup disc(double height, double radius, std::size_t around) {
     return soup;
 }
 
-/// Facets of a polygon of n corners: the rim has the area of n chords.
+/// The outline is a polygon of n corners, so the rim has the area of n chords.
 TEST(PartFaces, ADiscHasTwoPlanesAndACylinder) {
     constexpr double n = 64, chord = 2 * 8 * 0.049067674327418015;  // sin(pi / 64)
     const auto faces = part_faces(test::made(disc(5, 8, 64)));
@@ -74,7 +74,6 @@ TEST(PartFaces, ABallIsCurved) {
     EXPECT_EQ(faces[0].shape, PartFace::Shape::curved);
 }
 
-/// The rules select what they were made for.
 TEST(PartFaces, EachRuleSelectsItsFace) {
     const BodySurface surface =
         test::made(test::joined(test::box_soup({0, 0, 0}, {4, 5, 6}), test::box_soup({1, 1, 1}, {2, 2, 2})));

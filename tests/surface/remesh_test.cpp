@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::size_t plenty = 100000;
 
-Remeshed remeshed(const BodySurface& surface, double size_m, std::size_t most = plenty) {
+Remeshed remeshed(const BodySurface& surface, double size_m, std::size_t max_points = plenty) {
     return remesh(
         surface, creases_of(surface, named_faces(surface, {})), [=](const mesh::Point&) { return size_m; },
-        {"part.stl"}, most);
+        {"part.stl"}, max_points);
 }
 
 double volume_m3(const Remeshed& surface) {
@@ -41,7 +41,7 @@ std::vector<double> edge_lengths_m(const Remeshed& surface) {
     return lengths;
 }
 
-TEST(Remesh, ACubeKeepsItsVolumeItsEdgesAndItsCorners) {
+TEST(Remesh, PreservesVolumeEdgesAndCornersOfACube) {
     const BodySurface cube = test::made(test::box_soup({0, 0, 0}, {10, 10, 10}));
     const Remeshed result = remeshed(cube, 2e-3);
     EXPECT_NEAR(volume_m3(result), 1e-6, 1e-15);
@@ -54,11 +54,11 @@ TEST(Remesh, ACubeKeepsItsVolumeItsEdgesAndItsCorners) {
         EXPECT_NE(std::ranges::find(result.points, corner), result.points.end());
     const std::vector<double> lengths = edge_lengths_m(result);
     EXPECT_GT(lengths.front(), 0.8e-3);
-    EXPECT_LT(lengths.back(), 2.7e-3);  // 4/3 of the size is split
+    EXPECT_LT(lengths.back(), 2.7e-3);  // edges longer than 4/3 of the size are split
     EXPECT_NEAR(lengths[lengths.size() / 2], 2e-3, 0.3e-3);
 }
 
-TEST(Remesh, ABallStaysAtItsFacetsAndClosed) {
+TEST(Remesh, PointsStayOnTheFacetsOfABallAndTheSurfaceStaysClosed) {
     const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 10, 64));
     const Remeshed result = remeshed(ball, 3e-3);
     const NearestOnTriangles file(ball.points, ball.triangles);
@@ -74,9 +74,9 @@ TEST(Remesh, ABallStaysAtItsFacetsAndClosed) {
     EXPECT_LT(result.triangles.size(), ball.triangles.size() / 3);
 }
 
-/// Cells of three times the radius are wished: deviation, not size, decides.
-TEST(Remesh, NoTriangleLeavesTheSurfaceByMoreThanATwentiethOfItsSize) {
-    const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 1, 48));  // radius 1 mm, cells of 3 mm wished
+/// The requested size is three times the radius, so the deviation limits the edge length.
+TEST(Remesh, NoTriangleDeviatesByMoreThanATwentiethOfItsSize) {
+    const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 1, 48));  // radius 1 mm, requested size 3 mm
     const Remeshed result = remeshed(ball, 3e-3);
     const NearestOnTriangles file(ball.points, ball.triangles);
     for (const auto& t : result.triangles) {
@@ -87,7 +87,7 @@ TEST(Remesh, NoTriangleLeavesTheSurfaceByMoreThanATwentiethOfItsSize) {
     }
 }
 
-TEST(Remesh, SizesFollowTheirField) {
+TEST(Remesh, EdgeLengthsFollowTheSizeField) {
     const BodySurface bar = test::made(test::box_soup({0, 0, 0}, {40, 5, 5}));
     const Remeshed result = remesh(
         bar, creases_of(bar, named_faces(bar, {})), [](const mesh::Point& p) { return 0.5e-3 + 0.05 * p[0]; },
@@ -108,23 +108,22 @@ TEST(Remesh, MorePointsThanAllowedAreRefused) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::bad_input);
-        EXPECT_STREQ(
-            error.what(),
-            "part.stl: cells of this size would take more than 1000 points on the surface; a larger mesh.size");
+        EXPECT_STREQ(error.what(),
+                     "part.stl: cells of this size need more than 1000 points on the surface; use a larger mesh.size");
     }
 }
 
-TEST(NearestOnTriangles, WithinFindsWhatTheWholeSearchFindsAndNothingFurtherAway) {
+TEST(NearestOnTriangles, TheBoundedSearchAgreesWithTheUnboundedSearchWithinItsBound) {
     const BodySurface ball = test::made(test::ball_soup({0, 0, 0}, 10, 24));
     const NearestOnTriangles nearest(ball.points, ball.triangles);
     for (int k = 0; k < 200; ++k) {
         const double a = 0.1 * k, r = 8e-3 + 2e-5 * k;
         const mesh::Point p{r * std::cos(a), r * std::sin(a) * std::cos(3 * a), r * std::sin(a) * std::sin(3 * a)};
-        const auto place = nearest(p);
+        const auto location = nearest(p);
         const auto within = nearest.within(p, 1e-3);
-        EXPECT_EQ(within.has_value(), place.distance_m < 1e-3);
+        EXPECT_EQ(within.has_value(), location.distance_m < 1e-3);
         if (within) {
-            EXPECT_NEAR(within->distance_m, place.distance_m, 1e-15);
+            EXPECT_NEAR(within->distance_m, location.distance_m, 1e-15);
         }
     }
 }

@@ -28,11 +28,11 @@ mesh::Index node_at(const model::Case& model, const mesh::Point& p) {
         const mesh::Point& q = model.mesh.points[i];
         if (std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) < 1e-9) return static_cast<mesh::Index>(i);
     }
-    ADD_FAILURE() << "no such node";
+    ADD_FAILURE() << "no node at this point";
     return 0;
 }
 
-TEST(CheckCavities, AcceptsASoundBoxAndReportsItsNumbers) {
+TEST(CheckCavities, AcceptsAClosedBoxAndReportsItsVolumeAndWall) {
     const auto reports = check_cavities(test::hollow_box(test::Hole::none));
     ASSERT_EQ(reports.size(), 1u);
     EXPECT_EQ(reports[0].name, "cavity");
@@ -45,7 +45,7 @@ TEST(CheckCavities, AcceptsASoundBoxAndReportsItsNumbers) {
     EXPECT_NEAR(reports[0].min_wall_m.value(), 0.9, 1e-12);  // z = 0.9 .. 1.8
 }
 
-TEST(CheckCavities, AcceptsASphereWhoseFacetsCutItsVolume) {
+TEST(CheckCavities, TheFacetedVolumeOfASphereIsBelowItsVolume) {
     const auto reports = check_cavities(test::sphere_shell(4));
     const double exact = 4 * std::numbers::pi / 3;
     EXPECT_LT(reports.at(0).faceted_volume_m3, exact);
@@ -61,7 +61,7 @@ TEST(CheckCavities, AcceptsAHollowRing) {
     EXPECT_NEAR(reports[0].min_wall_m.value(), 1, 1e-4);
 }
 
-TEST(CheckCavities, RefusesAHoleWithItsPlace) {
+TEST(CheckCavities, RefusesAHoleWithItsLocation) {
     model::Case model = test::hollow_box(test::Hole::none);
     std::erase_if(model.mesh.facet_sets["cavity"], [&](const mesh::Facet& facet) {  // the side at x = 2.2
         for (const mesh::Index n : facet_nodes(model.mesh, facet))
@@ -69,40 +69,40 @@ TEST(CheckCavities, RefusesAHoleWithItsPlace) {
         return true;
     });
     const std::string text = refusal(model);
-    EXPECT_TRUE(text.starts_with("cavity: the cavity's surface is open near x = 2200 mm, y = ")) << text;
+    EXPECT_TRUE(text.starts_with("cavity: the cavity surface is open near x = 2200 mm, y = ")) << text;
 }
 
-TEST(CheckCavities, RefusesAnOpenSectionWithItsPlace) {
+TEST(CheckCavities, RefusesAnOpenSectionWithItsLocation) {
     test::Annulus ball;
     model::Case model = test::annulus_section(ball, 16);
     model.mesh.facet_sets["cavity"].pop_back();  // the last edge ends at the pole (1, 0)
     const std::string text = refusal(model);
     double x_mm = 0, r_mm = 0;
-    ASSERT_EQ(
-        std::sscanf(text.c_str(), "cavity: the cavity's surface is open near x = %lf mm, r = %lf mm", &x_mm, &r_mm), 2)
+    ASSERT_EQ(std::sscanf(text.c_str(), "cavity: the cavity surface is open near x = %lf mm, r = %lf mm", &x_mm, &r_mm),
+              2)
         << text;
     EXPECT_NEAR(x_mm, 1e3 * std::cos(std::numbers::pi / 16), 0.1);
     EXPECT_NEAR(r_mm, 1e3 * std::sin(std::numbers::pi / 16), 0.1);
 }
 
-TEST(CheckCavities, RefusesASectionThatCrossesItselfWithItsPlace) {
+TEST(CheckCavities, RefusesASelfIntersectingSectionWithItsLocation) {
     test::Annulus ring;
     ring.centre_r = 5;
     model::Case model = test::annulus_section(ring, 32);
-    // a node at the right of the inner circle goes out at its left
+    // moves a node from the right of the inner circle beyond its left side
     model.mesh.points[static_cast<std::size_t>(node_at(model, {1, 5, 0}))] = {-1.3, 5.01, 0};
     const std::string text = refusal(model);
-    EXPECT_TRUE(text.starts_with("cavity: the cavity's surface meets itself near x = ")) << text;
+    EXPECT_TRUE(text.starts_with("cavity: the cavity surface intersects itself near x = ")) << text;
     double x_mm = 0, r_mm = 0;
-    ASSERT_EQ(std::sscanf(text.c_str(), "cavity: the cavity's surface meets itself near x = %lf mm, r = %lf mm", &x_mm,
-                          &r_mm),
+    ASSERT_EQ(std::sscanf(text.c_str(), "cavity: the cavity surface intersects itself near x = %lf mm, r = %lf mm",
+                          &x_mm, &r_mm),
               2);
     EXPECT_NEAR(r_mm, 5000, 250);  // the spike runs along r = 5 through the left side, x = -1
     EXPECT_LT(x_mm, 0);
 }
 
-// The oracle is CGAL's search over the triangles of the whole surface.
-TEST(CheckSurface, FindsInTheOutlineOfASectionWhatTheWholeSurfaceHas) {
+// Oracle: CGAL's search over the triangles of the whole surface.
+TEST(CheckSurface, TheOutlineOfASectionIntersectsItselfExactlyIfTheSurfaceDoes) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> shift(-1.2, 1.2);
     for (const double centre_r : {0.0, 1.5, 5.0}) {
@@ -128,22 +128,22 @@ TEST(CheckSurface, FindsInTheOutlineOfASectionWhatTheWholeSurfaceHas) {
     }
 }
 
-TEST(CheckCavities, RefusesASolidThatCrossesItselfWithItsPlace) {
+TEST(CheckCavities, RefusesASelfIntersectingSolidWithItsLocation) {
     model::Case model = test::sphere_shell(3);
     const mesh::Index node = node_at(model, {1, 0, 0});
     model.mesh.points[static_cast<std::size_t>(node)] = {-1.4, 0.03, 0.05};
     const std::string text = refusal(model);
     double x_mm = 0, y_mm = 0, z_mm = 0;
-    ASSERT_EQ(
-        std::sscanf(text.c_str(), "cavity: the cavity's surface meets itself near x = %lf mm, y = %lf mm, z = %lf mm",
-                    &x_mm, &y_mm, &z_mm),
-        3)
+    ASSERT_EQ(std::sscanf(text.c_str(),
+                          "cavity: the cavity surface intersects itself near x = %lf mm, y = %lf mm, z = %lf mm", &x_mm,
+                          &y_mm, &z_mm),
+              3)
         << text;
     EXPECT_LT(std::hypot(y_mm, z_mm), 500);
 }
 
 TEST(CheckCavities, RefusesWallsThatTouch) {
-    // two chambers of one cavity that share a plane: node for node at one place, but not joined
+    // two chambers of one cavity that share a plane: their nodes coincide but are not merged
     model::Case left = test::hollow_box(test::Hole::none);
     const auto base = static_cast<mesh::Index>(left.mesh.points.size());
     const mesh::Index cells = left.mesh.cell_count();
@@ -156,13 +156,13 @@ TEST(CheckCavities, RefusesWallsThatTouch) {
     }
     for (mesh::Facet facet : right.mesh.facet_sets.at("cavity"))
         left.mesh.facet_sets["cavity"].push_back({facet.cell + cells, facet.local});
-    EXPECT_NE(refusal(left).find("meets itself near x = 2200 mm"), std::string::npos) << refusal(left);
+    EXPECT_NE(refusal(left).find("intersects itself near x = 2200 mm"), std::string::npos) << refusal(left);
 }
 
 TEST(CheckCavities, RefusesTheOutsideOfABody) {
     model::Case model = test::sphere_shell(2);
     model.cavities[0].wall = "outer";
-    EXPECT_NE(refusal(model).find("inside out"), std::string::npos) << refusal(model);
+    EXPECT_NE(refusal(model).find("wrong orientation"), std::string::npos) << refusal(model);
 }
 
 TEST(CheckCavities, RefusesAFaceThatTheMeshLacks) {
@@ -177,7 +177,7 @@ TEST(InspectCavities, ReportsWhatCheckCavitiesRefuses) {
     const auto reports = inspect_cavities(model);
     ASSERT_EQ(reports.size(), 1u);
     EXPECT_FALSE(reports[0].closed);
-    EXPECT_TRUE(reports[0].open_place.has_value());
+    EXPECT_TRUE(reports[0].open_location.has_value());
     EXPECT_TRUE(reports[0].min_wall_m.has_value());
 }
 

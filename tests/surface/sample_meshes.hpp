@@ -15,7 +15,7 @@ using mesh::Index;
 using mesh::Point;
 using Map = std::function<Point(double u, double v, double w)>;
 
-/// Adds blocks of cells and merges nodes that fall together.
+/// Adds blocks of cells and merges coincident nodes.
 class MeshBuilder {
 public:
     explicit MeshBuilder(int dimension) {
@@ -23,7 +23,7 @@ public:
         mesh_.region_names = {"rubber"};
     }
 
-    /// nu x nv (x nw) cells; the map must keep the orientation.
+    /// nu x nv (x nw) cells; the map must preserve the orientation.
     void add_block(const Map& map, int nu, int nv, int nw = 1) {
         const mesh::CellType type = mesh_.dimension == 2 ? mesh::CellType::quad9 : mesh::CellType::hex27;
         for (int k = 0; k < (mesh_.dimension == 2 ? 1 : nw); ++k)
@@ -121,7 +121,7 @@ inline model::Case quarter_box(Hole hole) {
         return p[0] >= 1 && p[1] <= 0.5 && p[2] <= 0.9 && (hole == Hole::to_the_right || p[0] <= 2.2);
     });
     model::Case model = make_case(builder.take(), model::Kinematics::solid);
-    // in the cut planes lie symmetry facets, not cavity
+    // facets on the symmetry planes do not belong to the cavity
     std::erase_if(model.mesh.facet_sets["cavity"], [&](const mesh::Facet& facet) {
         bool on_y = true, on_z = true;
         for (const Index n : facet_nodes(model.mesh, facet)) {
@@ -155,7 +155,7 @@ inline model::Case sphere_shell(int n) {
     return make_case(builder.take(), model::Kinematics::solid);
 }
 
-/// Between two circles in the meridian plane: the inner one's centre is `shift` off the outer one's, m.
+/// Region between two circles in the meridian plane; the centre of the inner circle is offset by `shift` [m] from that of the outer one.
 struct Annulus {
     double centre_r = 0;  ///< of the outer circle; 0: a hollow ball, else a hollow ring
     double inner_radius = 1, outer_radius = 2;

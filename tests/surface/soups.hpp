@@ -1,5 +1,5 @@
 #pragma once
-/// Facets as a file would hold them, in mm: boxes and balls, joined, and spoilt on purpose by the tests.
+/// Polygon soups as read from a file, in mm: boxes and balls, combined, and corrupted by the tests.
 #include <cmath>
 #include <numbers>
 
@@ -53,7 +53,7 @@ inline FacetSoup joined(FacetSoup a, const FacetSoup& b) {
     return a;
 }
 
-/// Every facet with corners of its own, as STL holds them.
+/// Gives every facet its own corners, as in an STL file.
 inline FacetSoup torn(const FacetSoup& soup) {
     FacetSoup result;
     for (const auto& facet : soup.facets) {

@@ -11,7 +11,7 @@ namespace soft::surface {
 namespace {
 
 TEST(CavitySurface, OfARevolvedSectionHasTheVolumeOfTheRevolvedOutline) {
-    // tube r = 1, x = 0 .. 3: its outline is straight, so the facets must give the cylinder itself
+    // tube r = 1, x = 0 .. 3: its outline is straight, so the faceted volume is exactly that of the cylinder
     test::MeshBuilder builder(2);
     builder.add_block([](double u, double v, double) { return mesh::Point{3 * u, 1 + v, 0}; }, 6, 2);
     builder.name_facets("cavity", [](const mesh::Point& p) { return p[1] == 1; });
@@ -28,7 +28,7 @@ TEST(CavitySurface, OfARevolvedSectionHasTheVolumeOfTheRevolvedOutline) {
 TEST(CavitySurface, ClosesDeclaredOpeningsOnly) {
     model::Case model = test::hollow_box(test::Hole::to_the_right);
     EXPECT_FALSE(check_surface(cavity_surface(model, model.cavities[0])).closed);
-    model.cavities[0].openings = {{.face = "outer", .area_m2 = 1.8, .direction = {-1, 0, 0}}};  // the wrong way
+    model.cavities[0].openings = {{.face = "outer", .area_m2 = 1.8, .direction = {-1, 0, 0}}};  // wrong direction
     EXPECT_FALSE(check_surface(cavity_surface(model, model.cavities[0])).closed);
     model.cavities[0].openings = {{.face = "outer", .area_m2 = 1.8, .direction = {1, 0, 0}}};
     const SurfaceChecks checks = check_surface(cavity_surface(model, model.cavities[0]));
@@ -63,15 +63,15 @@ TEST(CavitySurface, OfHalfASectionIsMirroredAtItsPlane) {
     EXPECT_NEAR(checks.volume_m3, 4 * std::numbers::pi / 3, 0.01 * 4);
 }
 
-TEST(CheckSurface, RefusesTwoBodiesThatHangTogetherInAPoint) {
-    Triangles surface;  // two tetrahedra, each closed, with the origin in common
+TEST(CheckSurface, TwoBodiesConnectedAtAPointAreNotClosed) {
+    Triangles surface;  // two closed tetrahedra that share the origin
     surface.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-    surface.places = surface.points;
+    surface.model_points = surface.points;
     surface.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 5}, {0, 6, 4}, {0, 5, 6}, {4, 6, 5}};
     surface.facets.assign(8, 0);
     const SurfaceChecks checks = check_surface(surface);
     EXPECT_FALSE(checks.closed);
-    EXPECT_TRUE(checks.open_place.has_value());
+    EXPECT_TRUE(checks.open_location.has_value());
 }
 
 }  // namespace

@@ -28,19 +28,19 @@ TEST(EnclosedVolume, ClosesAnOpeningWithAFlatPlug) {
     EXPECT_NEAR(volume(test::hollow_box(test::Hole::to_the_right)), 2.4 * 1.0 * 1.8, 1e-13);
 }
 
-TEST(EnclosedVolume, OfAQuarterIsThatOfTheWhole) {
+TEST(EnclosedVolume, OfAQuarterModelIsThatOfTheWhole) {
     EXPECT_NEAR(volume(test::quarter_box(test::Hole::none)), 1.2 * 1.0 * 1.8, 1e-13);
     EXPECT_NEAR(volume(test::quarter_box(test::Hole::to_the_right)), 2.4 * 1.0 * 1.8, 1e-13);
 }
 
-TEST(EnclosedVolume, DoesNotDependOnWhereTheBodyIs) {
+TEST(EnclosedVolume, IsTranslationInvariant) {
     const model::Case model = test::hollow_box(test::Hole::to_the_right);
     const auto facets = cavity_facets(model, model.cavities.front());
     const auto far = moved(model, [](const mesh::Point& p) { return mesh::Point{p[0] + 7, p[1] - 3, p[2] + 11}; });
     EXPECT_NEAR(enclosed_volume_m3(model, facets, far), 4.32, 1e-11);
 }
 
-TEST(EnclosedVolume, GrowsWithTheDeterminantOfALinearMap) {
+TEST(EnclosedVolume, ScalesWithTheDeterminantOfALinearMap) {
     const model::Case model = test::hollow_box(test::Hole::to_the_right);
     const auto facets = cavity_facets(model, model.cavities.front());
     const auto sheared = moved(model, [](const mesh::Point& p) {
@@ -50,7 +50,7 @@ TEST(EnclosedVolume, GrowsWithTheDeterminantOfALinearMap) {
     EXPECT_NEAR(enclosed_volume_m3(model, facets, sheared), 4.32 * determinant, 1e-12);
 }
 
-TEST(EnclosedVolume, OfAQuarterFollowsASymmetricDeformationOfTheWhole) {
+TEST(EnclosedVolume, OfAQuarterModelFollowsASymmetricDeformation) {
     const model::Case model = test::quarter_box(test::Hole::to_the_right);
     const auto stretched = moved(model, [](const mesh::Point& p) {
         return mesh::Point{2 * p[0], 1.5 * p[1], 0.5 * p[2]};
@@ -72,14 +72,14 @@ TEST(EnclosedVolume, OfARevolvedHalfCircleIsThatOfTheBall) {
     EXPECT_NEAR(volume(test::annulus_section(ball, 24)), 4 * std::numbers::pi / 3, 1e-5);
 }
 
-TEST(EnclosedVolume, OfARevolvedCircleIsThatOfPappus) {
+TEST(EnclosedVolume, OfARevolvedCircleFollowsPappusTheorem) {
     test::Annulus ring;
     ring.centre_r = 5;
     ring.shift = {0.2, -0.4};
     EXPECT_NEAR(volume(test::annulus_section(ring, 48)), 2 * std::numbers::pi * 4.6 * std::numbers::pi, 1e-4);
 }
 
-TEST(Rims, OfAQuarterEndAtTheSymmetryPlanes) {
+TEST(Rims, OfAQuarterModelEndAtTheSymmetryPlanes) {
     const model::Case closed = test::quarter_box(test::Hole::none), open = test::quarter_box(test::Hole::to_the_right);
     EXPECT_TRUE(rims(closed, cavity_facets(closed, closed.cavities.front())).empty());
     const auto chains = rims(open, cavity_facets(open, open.cavities.front()));
@@ -87,7 +87,7 @@ TEST(Rims, OfAQuarterEndAtTheSymmetryPlanes) {
     EXPECT_EQ(chains[0].size(), 2u);
 }
 
-TEST(Rims, OfTwoOpeningsAreTwo) {
+TEST(Rims, EachOpeningHasOneRim) {
     model::Case model = test::hollow_box(test::Hole::none);
     auto& wall = model.mesh.facet_sets["cavity"];
     std::erase_if(wall, [&](const mesh::Facet& facet) {  // both ends along z, which share no node

@@ -9,38 +9,38 @@ namespace {
 
 WallThickness thinnest(const model::Case& model) { return min_wall(model, model.cavities.front()).value(); }
 
-TEST(SmallestWall, OfABoxIsItsThinnestSide) {
+TEST(MinWall, OfABoxIsItsThinnestSide) {
     test::BoxLines lines;
     lines.y = {-1.6, -0.5, 0.5, 1.25};
     const WallThickness wall = thinnest(test::hollow_box(test::Hole::none, lines));
     EXPECT_NEAR(wall.thickness_m, 0.75, 1e-12);
-    EXPECT_NEAR(wall.place[1], 0.5, 1e-12);
+    EXPECT_NEAR(wall.location[1], 0.5, 1e-12);
 }
 
-TEST(SmallestWall, OfASphereIsTheDifferenceOfTheRadii) {
+TEST(MinWall, OfASphereIsTheDifferenceOfTheRadii) {
     EXPECT_NEAR(thinnest(test::sphere_shell(4)).thickness_m, 1.0, 2e-3);
 }
 
-TEST(SmallestWall, OfAnEccentricBallLiesAtItsPole) {
+TEST(MinWall, OfAnEccentricBallLiesAtItsPole) {
     test::Annulus ball;
     ball.shift = {0.4, 0};
     const WallThickness wall = thinnest(test::annulus_section(ball, 24));
     EXPECT_NEAR(wall.thickness_m, 0.6, 1e-4);
-    EXPECT_NEAR(wall.place[0], 1.4, 1e-3);
-    EXPECT_LT(wall.place[1], 0.02);
+    EXPECT_NEAR(wall.location[0], 1.4, 1e-3);
+    EXPECT_LT(wall.location[1], 0.02);
 }
 
-TEST(SmallestWall, OfAnEccentricRingLiesWhereTheCirclesAreNearest) {
+TEST(MinWall, OfAnEccentricRingLiesWhereTheCirclesAreNearest) {
     test::Annulus ring;
     ring.centre_r = 9;
     ring.shift = {0.36, -0.48};  // 0.6 off, along (0.6, -0.8)
     const WallThickness wall = thinnest(test::annulus_section(ring, 32));
     EXPECT_NEAR(wall.thickness_m, 0.4, 1e-4);
-    EXPECT_NEAR(wall.place[0], 0.36 + 0.6, 0.02);
-    EXPECT_NEAR(wall.place[1], 9 - 0.48 - 0.8, 0.02);
+    EXPECT_NEAR(wall.location[0], 0.36 + 0.6, 0.02);
+    EXPECT_NEAR(wall.location[1], 9 - 0.48 - 0.8, 0.02);
 }
 
-TEST(SmallestWall, GoesOnBehindTheAxis) {
+TEST(MinWall, ContinuesBehindTheAxis) {
     // cavity between r = 0.5 and 1 around a solid core, thick outside: the thinnest rubber is the core's diameter, 1 m
     test::MeshBuilder builder(2);
     const std::array<double, 4> x{0, 2, 5, 7}, r{0, 0.5, 1, 4};
@@ -57,10 +57,10 @@ TEST(SmallestWall, GoesOnBehindTheAxis) {
                         [](const mesh::Point& p) { return p[0] >= 2 && p[0] <= 5 && p[1] >= 0.5 && p[1] <= 1; });
     const WallThickness wall = thinnest(test::make_case(builder.take(), model::Kinematics::axisymmetric));
     EXPECT_NEAR(wall.thickness_m, 1.0, 1e-12);
-    EXPECT_NEAR(wall.place[1], 0.5, 1e-12);
+    EXPECT_NEAR(wall.location[1], 0.5, 1e-12);
 }
 
-TEST(SmallestWall, GoesOnBehindASymmetryPlane) {
+TEST(MinWall, ContinuesBehindASymmetryPlane) {
     // a hollow beside the plane y = 0: 0.2 m to the plane are 0.4 m of rubber to its mirror image
     test::BoxLines lines;
     lines.y = {0, 0.2, 1.2, 1.7};
@@ -69,7 +69,7 @@ TEST(SmallestWall, GoesOnBehindASymmetryPlane) {
     model.model_fraction = 0.5;
     const WallThickness wall = thinnest(model);
     EXPECT_NEAR(wall.thickness_m, 0.4, 1e-12);
-    EXPECT_NEAR(wall.place[1], 0.2, 1e-12);
+    EXPECT_NEAR(wall.location[1], 0.2, 1e-12);
 }
 
 }  // namespace

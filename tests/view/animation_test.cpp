@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
-TEST(Animation, TheFormatIsToldByTheName) {
+TEST(Animation, TheNameSelectsTheFormat) {
     EXPECT_EQ(film_format("a.gif"), FilmFormat::gif);
     EXPECT_EQ(film_format("b/a.mp4"), FilmFormat::mp4);
     EXPECT_EQ(film_format("frames/"), FilmFormat::folder);
@@ -27,14 +27,14 @@ TEST(Animation, AFolderGetsAFrameForEachShot) {
     const Cube cube;
     const std::array<Shot, 3> shots{cube.pulled(1.0), cube.pulled(1.5), cube.pulled(2.0)};
     const auto folder = fresh_folder("soft_frames") / "new/";
-    std::vector<std::size_t> told;
-    draw_animation(cube.body, cube.look, shots, folder, [&](std::size_t done) { told.push_back(done); });
+    std::vector<std::size_t> progress;
+    draw_animation(cube.body, cube.look, shots, folder, [&](std::size_t done) { progress.push_back(done); });
     for (const char* name : {"frame-0000.png", "frame-0001.png", "frame-0002.png"})
         EXPECT_TRUE(fs::exists(folder / name)) << name;
-    EXPECT_EQ(told, (std::vector<std::size_t>{0, 1, 2, 3}));
+    EXPECT_EQ(progress, (std::vector<std::size_t>{0, 1, 2, 3}));
 }
 
-TEST(Animation, FilmsHaveTheirFormatsMagicNumbers) {
+TEST(Animation, FilmsHaveTheMagicNumbersOfTheirFormats) {
     if (program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
     const Cube cube;
     const std::array<Shot, 3> shots{cube.pulled(1.0), cube.pulled(1.5), cube.pulled(2.0)};
@@ -49,7 +49,7 @@ TEST(Animation, FilmsHaveTheirFormatsMagicNumbers) {
     EXPECT_EQ(head("a.mp4").substr(4, 4), "ftyp");
 }
 
-TEST(Animation, AShorterOneRemovesTheFramesOfALongerOneBeforeIt) {
+TEST(Animation, AShorterAnimationRemovesTheFramesOfAnEarlierLongerOne) {
     const Cube cube;
     const std::array<Shot, 3> shots{cube.pulled(1.0), cube.pulled(1.5), cube.pulled(2.0)};
     const auto folder = fresh_folder("soft_fewer_frames");
@@ -59,7 +59,7 @@ TEST(Animation, AShorterOneRemovesTheFramesOfALongerOneBeforeIt) {
     EXPECT_FALSE(fs::exists(folder / "frame-0002.png"));
 }
 
-TEST(Animation, NoNameIsAProtocolAnOptionOrAPattern) {
+TEST(Animation, FileNamesAreNotInterpretedAsProtocolOptionOrPattern) {
     if (program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
     const Cube cube;
     const Shot shot = cube.pulled(1.5);
@@ -67,7 +67,7 @@ TEST(Animation, NoNameIsAProtocolAnOptionOrAPattern) {
     fs::current_path(folder);
     for (const char* name : {"run:3.gif", "-x%d.gif", "a b'\"$.mp4"}) {
         prepare_animation(name);
-        EXPECT_TRUE(fs::is_empty(folder)) << name;  // a trial leaves nothing
+        EXPECT_TRUE(fs::is_empty(folder)) << name;  // prepare_animation leaves no file
         draw_animation(cube.body, cube.look, {&shot, 1}, name, [](std::size_t) {});
         EXPECT_TRUE(fs::remove(name)) << name;
     }
@@ -84,11 +84,11 @@ std::string refusal(const fs::path& file) {
     return "none";
 }
 
-TEST(Animation, WhatWouldFailAtTheEndIsToldBeforeTheFirstFrame) {
+TEST(Animation, ErrorsAreReportedBeforeTheFirstFrame) {
     const auto folder = fresh_folder("soft_no_ffmpeg"), bin = fresh_folder("soft_gnuplot_alone");
     EXPECT_EQ(refusal(folder / "none/a.gif"),
               (folder / "none/a.gif").string() + ": cannot be created: No such file or directory");
-    EXPECT_NE(refusal(folder / "none/a/").find("there is no folder"), std::string::npos);
+    EXPECT_NE(refusal(folder / "none/a/").find("does not exist; create it first"), std::string::npos);
     {
         const PathVariable path{bin.string()};
         EXPECT_NE(refusal(folder / "a.mp4").find("install the package ffmpeg"), std::string::npos);

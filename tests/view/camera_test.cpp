@@ -32,7 +32,7 @@ TEST(Camera, TheViewAcrossHasXToTheRightAndZUp) {
     expect_vector(screen.eye, {0, -1, 0});
 }
 
-TEST(Camera, AnyViewHasARightHandedScreen) {
+TEST(Camera, EveryViewHasARightHandedScreen) {
     for (const char* text : {"iso", "30,40", "-120, -75", "200.5,90"}) {
         const Screen screen = screen_of(camera_from_text(text));
         expect_vector(cross(screen.right, screen.up), screen.eye);
@@ -40,7 +40,7 @@ TEST(Camera, AnyViewHasARightHandedScreen) {
     }
 }
 
-TEST(Camera, WhatIsNoViewIsRefusedWithTheNames) {
+TEST(Camera, AnInvalidViewIsRefusedWithTheValidNames) {
     for (const char* text : {"behind", "", "30", "30,40,50", "a,b", "0,91", "nan,0"}) {
         try {
             static_cast<void>(camera_from_text(text));

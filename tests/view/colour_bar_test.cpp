@@ -23,7 +23,7 @@ std::vector<std::string> texts(double low, double high) {
 
 using Texts = std::vector<std::string>;
 
-TEST(ColourBar, TicksAreRoundAndHaveTheDecimalsThatTellThemApart) {
+TEST(ColourBar, TicksAreRoundAndHaveEnoughDecimalsToBeDistinct) {
     EXPECT_EQ(texts(0, 0.4), (Texts{"0", "0.1", "0.2", "0.3", "0.4"}));
     EXPECT_EQ(texts(-1.3, 9.7), (Texts{"0", "2", "4", "6", "8"}));
     EXPECT_EQ(texts(0.99241, 1.0039), (Texts{"0.994", "0.996", "0.998", "1.000", "1.002"}));
@@ -31,7 +31,7 @@ TEST(ColourBar, TicksAreRoundAndHaveTheDecimalsThatTellThemApart) {
     EXPECT_EQ(texts(0, 2e6), (Texts{"0", "5.0e+05", "1.0e+06", "1.5e+06", "2.0e+06"}));
 }
 
-TEST(ColourBar, ThereAreFourToNineTicksInsideTheRangeAndNoTwoReadAlike) {
+TEST(ColourBar, ThereAreFourToNineTicksInsideTheRangeWithDistinctTexts) {
     for (const double middle : {0.0, 1.0, -448.5, 411.0, 123456.0, 3e-7})
         for (const double span : {1e-4, 0.00137, 0.3, 1.0, 7.3, 999.0, 4e6}) {
             const double low = middle - span / 3, high = low + span;
@@ -47,10 +47,10 @@ TEST(ColourBar, ThereAreFourToNineTicksInsideTheRangeAndNoTwoReadAlike) {
             }
             EXPECT_EQ(different.size(), ticks.size());
         }
-    EXPECT_LE(bar_ticks(1e20, std::nextafter(1e20, 2e20)).size(), 10U);  // it ends
+    EXPECT_LE(bar_ticks(1e20, std::nextafter(1e20, 2e20)).size(), 10U);  // terminates
 }
 
-/// A text of an SVG picture that gnuplot has made: its reference point, size and letters.
+/// A text of an SVG picture made by gnuplot: its reference point, size and letters.
 struct Text {
     double x, y, size;
     bool upright;
@@ -67,10 +67,10 @@ std::vector<Text> texts_of(const std::string& svg) {
     return all;
 }
 
-/// The texts of a picture of the cube as gnuplot places them: the script with SVG in place of PNG.
-std::vector<Text> texts_of_picture(const Look& look, double low, double high) {
+/// The texts of a picture of the cube as positioned by gnuplot: the script with SVG instead of PNG output.
+std::vector<Text> texts_of_picture(const PictureStyle& look, double low, double high) {
     const Cube cube;
-    Look wanted = look;
+    PictureStyle wanted = look;
     wanted.range = Range{low, high};
     const Shot shot = cube.pulled(0.5 * (low + high));
     const Framing frame = framing(cube.body, wanted, {&shot, 1});
@@ -82,9 +82,9 @@ std::vector<Text> texts_of_picture(const Look& look, double low, double high) {
 /// Points are 4/3 of a pixel in the PNG terminal; a letter of Sans is about 0.6 of its size wide.
 double width_of(const Text& text) { return 0.6 * 4 / 3 * text.size * static_cast<double>(text.letters.size()); }
 
-TEST(ColourBar, NumbersAndLabelStayInsideThePictureHoweverLongTheyAre) {
+TEST(ColourBar, LongNumbersAndLabelsStayInsideThePicture) {
     const Cube cube;
-    Look look = cube.look;
+    PictureStyle look = cube.look;
     for (const fields::QuantityInfo& info : fields::quantities())
         for (const double low : {0.994, -448.52, -123456.0, 1e12}) {
             look.quantity = info.quantity;

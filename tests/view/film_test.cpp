@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-/// `count` grey pictures, one behind the other (PPM).
+/// `count` concatenated grey pictures (PPM).
 std::string greys(std::size_t count) {
     std::string all;
     for (std::size_t k = 0; k < count; ++k)
@@ -20,13 +20,13 @@ std::string greys(std::size_t count) {
     return all;
 }
 
-TEST(Film, ALongPathIsShownFasterThanAShortOne) {
+TEST(Film, TheFrameRateGrowsWithTheNumberOfFramesWithinItsLimits) {
     EXPECT_DOUBLE_EQ(frames_per_second(3), 2.0);
     EXPECT_DOUBLE_EQ(frames_per_second(50), 10.0);
     EXPECT_DOUBLE_EQ(frames_per_second(1000), 25.0);
 }
 
-TEST(Film, AnMp4ThatIsCutShortAnywhereIsNotWhole) {
+TEST(Film, ATruncatedMp4IsDetected) {
     if (program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
     const core::Bytes film = film_bytes(FilmFormat::mp4, greys(9), 9, "x");
     EXPECT_TRUE(is_whole_mp4(film));
@@ -35,7 +35,7 @@ TEST(Film, AnMp4ThatIsCutShortAnywhereIsNotWhole) {
     EXPECT_FALSE(is_whole_mp4(std::span{film}.first(film.size() - 1)));
 }
 
-TEST(Film, ItsTableOfContentsStandsBeforeThePictures) {
+TEST(Film, TheIndexOfAnMp4PrecedesThePictures) {
     if (program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
     for (const std::size_t count : {1UL, 2UL, 60UL, 600UL}) {
         const core::Bytes film = film_bytes(FilmFormat::mp4, greys(count), count, "x");
@@ -52,7 +52,7 @@ TEST(Film, AGifEndsWithItsTrailer) {
     EXPECT_EQ(text.back(), ';');  // GIF89a specification, 27
 }
 
-TEST(Film, ATrialTellsOfWhatFfmpegLacks) {
+TEST(Film, TryFilmReportsAMissingEncoder) {
     const auto bin = fresh_folder("soft_ffmpeg_without_encoders");
     write_program(bin / "ffmpeg", "echo \"Unknown encoder 'libx264'\" >&2; exit 1");
     const PathVariable path{bin.string()};
@@ -65,8 +65,8 @@ TEST(Film, ATrialTellsOfWhatFfmpegLacks) {
     }
 }
 
-/// As ffmpeg 5.1 does on a full disk.
-TEST(Film, AnEndWithExitCode0AndHalfAFilmIsAnError) {
+/// ffmpeg 5.1 behaves this way on a full disk.
+TEST(Film, AnIncompleteFilmWithExitCode0IsAnError) {
     const auto bin = fresh_folder("soft_ffmpeg_on_a_full_disk");
     write_program(bin / "ffmpeg",
                   "printf '\\000\\000\\000\\020ftypisom\\000\\000\\000\\000\\000\\000\\100\\000moov'; "
@@ -77,7 +77,7 @@ TEST(Film, AnEndWithExitCode0AndHalfAFilmIsAnError) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::io_error);
-        EXPECT_NE(std::string(error.what()).find("No space left on device; make room"), std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("No space left on device; free disk space"), std::string::npos)
             << error.what();
     }
 }

@@ -28,19 +28,21 @@ TEST(NumberedFiles, HaveFourDigitsOrMore) {
     EXPECT_EQ(numbered_name(step_numbering, 12345), "step-12345.vtu");
 }
 
-TEST(NumberedFiles, AFolderThatCannotBeMadeIsRefusedWithWhatWouldBeRight) {
+TEST(NumberedFiles, AFolderThatCannotBeCreatedIsRefusedWithARemedy) {
     const fs::path here = fresh_folder("soft_make_folder");
     std::ofstream(here / "file") << "x";
     EXPECT_EQ(folder_refusal(here / "new"), "none");
     EXPECT_EQ(folder_refusal(here / "new/"), "none");
-    EXPECT_EQ(folder_refusal(here / "a/b/"), "x: there is no folder '" + (here / "a").string() +
-                                                 "' to make 'b' in; make it first, or name a folder that is there");
+    EXPECT_EQ(folder_refusal(here / "a/b/"),
+              "x: the folder '" + (here / "a").string() +
+                  "' for 'b' does not exist; create it first or name an existing folder");
     for (const char* name : {"file", "file/"})
-        EXPECT_EQ(folder_refusal(here / name), "x: '" + (here / "file").string() +
-                                                   "' exists and is no folder; choose another name, or move it away");
+        EXPECT_EQ(
+            folder_refusal(here / name),
+            "x: '" + (here / "file").string() + "' exists and is not a folder; choose another name or move the file");
 }
 
-TEST(NumberedFiles, OnlyOwnNamesThatAreNotKeptAreRemoved) {
+TEST(NumberedFiles, OnlyStaleFilesOfTheSeriesAreRemoved) {
     const fs::path here = fresh_folder("soft_remove_others");
     const auto make = [&](const std::string& name) { std::ofstream(here / name) << "x"; };
     for (std::size_t k : {0U, 1U, 2U, 12345U}) make(numbered_name(frame_numbering, k));
@@ -50,7 +52,7 @@ TEST(NumberedFiles, OnlyOwnNamesThatAreNotKeptAreRemoved) {
     for (const std::string& name : others) make(name);
     fs::create_directory(here / "frame-0009.png");
     fs::create_symlink("notes.txt", here / "frame-0010.png");
-    EXPECT_EQ(remove_others(here, frame_numbering, {0, 1}), 2U);
+    EXPECT_EQ(remove_stale_files(here, frame_numbering, {0, 1}), 2U);
     std::set<std::string> left;
     for (const auto& entry : fs::directory_iterator(here)) left.insert(entry.path().filename());
     std::set<std::string> expected = others;

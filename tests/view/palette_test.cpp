@@ -15,7 +15,7 @@ double lightness(const Rgb& colour) {
     return Y > 0.008856 ? 116 * std::cbrt(Y) - 16 : 903.3 * Y;
 }
 
-TEST(Palette, ReadsInGreyBecauseItsLightnessRisesEvenly) {
+TEST(Palette, LightnessIncreasesLinearly) {
     const double low = lightness(viridis_at(0)), high = lightness(viridis_at(1));
     double before = low;
     for (int i = 1; i <= 200; ++i) {
@@ -27,7 +27,7 @@ TEST(Palette, ReadsInGreyBecauseItsLightnessRisesEvenly) {
     EXPECT_GT(high - low, 70.0);
 }
 
-TEST(Palette, EntriesAreThoseOfThePublishedTable) {
+TEST(Palette, EndsMatchThePublishedTable) {
     const Rgb first = viridis_at(0), last = viridis_at(1);  // S. van der Walt and N. Smith (2015), entries 0 and 255
     EXPECT_NEAR(first.red, 0.267004, 1e-4);
     EXPECT_NEAR(first.green, 0.004874, 1e-4);
@@ -37,7 +37,7 @@ TEST(Palette, EntriesAreThoseOfThePublishedTable) {
     EXPECT_NEAR(last.blue, 0.143936, 1e-4);
 }
 
-TEST(Palette, BeyondItsEndsTheEndsGoOn) {
+TEST(Palette, ValuesOutsideTheRangeAreClamped) {
     EXPECT_EQ(viridis_at(-3).green, viridis_at(0).green);
     EXPECT_EQ(viridis_at(7).green, viridis_at(1).green);
     EXPECT_EQ(viridis_at(std::numeric_limits<double>::quiet_NaN()).green, viridis_at(0).green);

@@ -1,5 +1,5 @@
 #pragma once
-/// A unit cube that is pulled, seen from the front.
+/// A unit cube in tension, seen from the front.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,20 +14,20 @@ namespace soft::view::test {
 struct Cube {
     model::Case model =
         block_case(mesh::CellType::hex8, model::Kinematics::solid, model::Formulation::displacement, {.n = 1});
-    fields::RegionPoints places = fields::region_points(model.mesh);
-    Skin skin = make_skin(model, places, {});
-    Body body{skin, base_positions(skin, model, places, {})};
-    Look look{.quantity = fields::Quantity::stretch,
-              .camera = {},
-              .range = Range{1.0, 2.0},
-              .width_px = 400,
-              .height_px = 300};
+    fields::RegionPoints region_points = fields::make_region_points(model.mesh);
+    Skin skin = make_skin(model, region_points, {});
+    Body body{skin, base_positions(skin, model, region_points, {})};
+    PictureStyle look{.quantity = fields::Quantity::stretch,
+                      .camera = {},
+                      .range = Range{1.0, 2.0},
+                      .width_px = 400,
+                      .height_px = 300};
 
-    /// Twice as long in x, with one value all over.
+    /// Stretched to twice its length in x, with a uniform field value.
     [[nodiscard]] Shot pulled(double value, const std::string& title = "cube") const {
         std::vector<double> u;
         for (const Point& X : model.mesh.points) u.insert(u.end(), {X[0], 0, 0});
-        return {base_positions(skin, model, places, u), std::vector<double>(skin.base_count(), value), title};
+        return {base_positions(skin, model, region_points, u), std::vector<double>(skin.base_count(), value), title};
     }
 };
 
@@ -38,7 +38,7 @@ inline std::filesystem::path fresh_folder(const char* name) {
     return folder;
 }
 
-/// Where a program stands, or an empty path.
+/// The path of a program, or an empty path.
 inline std::filesystem::path program(const std::string& name) {
     const std::string path = std::getenv("PATH") ? std::getenv("PATH") : "";
     for (std::size_t start = 0; start <= path.size();) {
@@ -50,7 +50,7 @@ inline std::filesystem::path program(const std::string& name) {
     return {};
 }
 
-/// A program that is a few lines of shell.
+/// Writes an executable shell script.
 inline void write_program(const std::filesystem::path& file, const std::string& lines) {
     std::ofstream(file) << "#!/bin/sh\n" << lines << "\n";
     std::filesystem::permissions(file, std::filesystem::perms::owner_all);

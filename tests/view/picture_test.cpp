@@ -34,7 +34,7 @@ TEST(Picture, TheScaleBarHasARoundLengthThatFits) {
     EXPECT_DOUBLE_EQ(scale_bar_m(9.0), 5.0);
 }
 
-TEST(Picture, TheFrameHoldsTheUndeformedAndEveryDeformedBody) {
+TEST(Picture, TheFrameContainsTheUndeformedAndEveryDeformedBody) {
     const Cube cube;
     const Shot shot = cube.pulled(1.5);
     const Framing frame = framing(cube.body, cube.look, {&shot, 1});
@@ -75,7 +75,7 @@ TEST(Picture, TheColourOfAPixelIsThatOfItsValueInTheRange) {
                 const Rgb seen = raster.colour(x, y);
                 const double high = std::max({seen.red, seen.green, seen.blue}),
                              low = std::min({seen.red, seen.green, seen.blue});
-                if (high - low < 0.2) continue;  // paper and ink
+                if (high - low < 0.2) continue;  // background and lines
                 ++coloured;
                 EXPECT_NEAR(share_of(seen), value - 1.0, 0.12);
             }
@@ -94,11 +94,11 @@ TEST(Picture, WithoutARangeTheColoursSpanTheValuesOfAllShots) {
     EXPECT_DOUBLE_EQ(both.range.low, 1.2);
     EXPECT_DOUBLE_EQ(both.range.high, 1.7);
     const Framing one =
-        framing(cube.body, cube.look, {shots.data(), 1});  // equal values: rounding must not fill the bar
+        framing(cube.body, cube.look, {shots.data(), 1});  // uniform field: rounding must not span the range
     EXPECT_NEAR(one.range.high - one.range.low, 1e-3, 1e-12);
 }
 
-TEST(Picture, ALongBodyGetsALowPicture) {
+TEST(Picture, TheHeightAdaptsToALongBody) {
     Cube cube;
     cube.look.camera = {0, 0};
     const Shot shot = cube.pulled(1.5);
@@ -107,7 +107,7 @@ TEST(Picture, ALongBodyGetsALowPicture) {
     EXPECT_EQ(framing(cube.body, cube.look, {&shot, 1}).height_px, 300);
 }
 
-TEST(Picture, ATitleCannotBecomeACommand) {
+TEST(Picture, ATitleIsNotExecutedAsACommand) {
     const Cube cube;
     const Shot shot = cube.pulled(1.5, "it's\n` touch hacked ` @x {/Bold y}");
     const Framing frame = framing(cube.body, cube.look, {&shot, 1});

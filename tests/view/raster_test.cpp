@@ -19,7 +19,7 @@ int painted(const Raster& raster) {
 TEST(Raster, ATriangleCoversItsArea) {
     Raster raster(50, 50);
     raster.fill(triangle(0, 0.5));
-    EXPECT_NEAR(painted(raster), 800, 40);  // pixels on the edge go either way
+    EXPECT_NEAR(painted(raster), 800, 40);  // pixels on the edge may count either way
     EXPECT_EQ(raster.colour(45, 45).red, 1.0);
 }
 
@@ -30,7 +30,7 @@ TEST(Raster, TwoTrianglesWithACommonEdgeLeaveNoGap) {
     EXPECT_EQ(painted(raster), 1600);
 }
 
-TEST(Raster, TheNearerTriangleIsSeenWhicheverComesFirst) {
+TEST(Raster, TheNearerTriangleIsVisibleInEitherOrder) {
     Raster a(50, 50), b(50, 50), only(50, 50);
     only.fill(triangle(2, 0.9));
     a.fill(triangle(1, 0.1));
@@ -41,7 +41,7 @@ TEST(Raster, TheNearerTriangleIsSeenWhicheverComesFirst) {
     EXPECT_EQ(b.reduced(1), only.reduced(1));
 }
 
-TEST(Raster, TrianglesThatCrossHideEachOtherInParts) {
+TEST(Raster, IntersectingTrianglesHideEachOtherPartly) {
     Raster raster(60, 10);
     raster.fill({{{{0, 0, 0}, 0, 1}, {{60, 0, 60}, 0, 1}, {{30, 30, 30}, 0, 1}}});  // rises to the right
     raster.fill({{{{0, 0, 60}, 1, 1}, {{60, 0, 0}, 1, 1}, {{30, 30, 30}, 1, 1}}});  // falls
@@ -49,7 +49,7 @@ TEST(Raster, TrianglesThatCrossHideEachOtherInParts) {
     EXPECT_LT(raster.colour(45, 2).red, 0.5);
 }
 
-TEST(Raster, InkDoesNotAddUpWhereSegmentsMeet) {
+TEST(Raster, OpacityDoesNotAddUpWhereSegmentsOverlap) {
     Raster raster(40, 10);
     const Segment left{{{0, 5, 0}, {20, 5, 0}}}, right{{{20, 5, 0}, {40, 5, 0}}};
     const std::array<Segment, 2> both{left, right};
@@ -70,7 +70,7 @@ TEST(Raster, ALineBehindTheSurfaceIsFainter) {
     EXPECT_NEAR(raster.colour(10, 15).red, 0.0, 1e-6);
 }
 
-TEST(Raster, WhatAHidingSurfaceCoversIsLeftOut) {
+TEST(Raster, LinesBehindAHidingSurfaceAreOmitted) {
     Raster raster(50, 50), hiding(50, 50);
     hiding.hide({{{0, 0, 0}, {40, 0, 0}, {0, 40, 0}}});
     const std::array<Segment, 1> behind{{{{{0, 5, -1}, {49, 5, -1}}}}};

@@ -21,16 +21,16 @@ using std::numbers::pi;
 
 struct Sample {
     model::Case model;
-    fields::RegionPoints places;
+    fields::RegionPoints region_points;
     Skin skin;
     std::vector<Point> positions;
 };
 
 Sample sample(model::Case model, const SkinOptions& options) {
     Sample made{std::move(model), {}, {}, {}};
-    made.places = fields::region_points(made.model.mesh);
-    made.skin = make_skin(made.model, made.places, options);
-    made.positions = vertex_positions(made.skin, base_positions(made.skin, made.model, made.places, {}));
+    made.region_points = fields::make_region_points(made.model.mesh);
+    made.skin = make_skin(made.model, made.region_points, options);
+    made.positions = vertex_positions(made.skin, base_positions(made.skin, made.model, made.region_points, {}));
     return made;
 }
 
@@ -38,7 +38,7 @@ model::Case block(CellType type, Kinematics kinematics, int n = 2) {
     return block_case(type, kinematics, Formulation::displacement, {.n = n, .shake = 0.2});
 }
 
-/// Divergence theorem: positive where the faces look outwards.
+/// Divergence theorem: positive if the faces point outwards.
 double volume(const Sample& s) {
     double sum = 0;
     for (const auto& [a, b, c] : triangles(s.skin))
@@ -48,7 +48,7 @@ double volume(const Sample& s) {
     return sum;
 }
 
-/// Each edge is run through once in each direction.
+/// Each edge is used once in each direction.
 bool is_closed(const Sample& s) {
     std::map<std::pair<int, int>, int> uses;
     for (const auto& t : triangles(s.skin))
@@ -64,7 +64,7 @@ constexpr std::array<CellType, 6> solids{CellType::hex8,  CellType::hex27,  Cell
                                          CellType::tet10, CellType::wedge6, CellType::wedge18};
 constexpr std::array<CellType, 4> sections{CellType::quad4, CellType::quad9, CellType::triangle3, CellType::triangle6};
 
-TEST(Skin, OfASolidIsClosedAndLooksOutwards) {
+TEST(Skin, OfASolidIsClosedAndOrientedOutwards) {
     for (const CellType type : solids) {
         const Sample s = sample(block(type, Kinematics::solid), {});
         EXPECT_TRUE(is_closed(s)) << mesh::topology(type).name;
@@ -73,7 +73,7 @@ TEST(Skin, OfASolidIsClosedAndLooksOutwards) {
 }
 
 TEST(Skin, OfACutBodyOfRevolutionIsClosedByItsCuts) {
-    // 0 < x < 1, 1 < r < 2, turned by 270 degrees; chords cut the circle's area by sin(d)/d
+    // 0 < x < 1, 1 < r < 2, revolved by 270 degrees; chords reduce the area of the circle by the factor sin(d)/d
     const double d = 2 * pi / 72, exact = 0.75 * pi * 3 * std::sin(d) / d;
     for (const CellType type : sections) {
         const Sample s = sample(block(type, Kinematics::axisymmetric), {});
@@ -82,7 +82,7 @@ TEST(Skin, OfACutBodyOfRevolutionIsClosedByItsCuts) {
     }
 }
 
-TEST(Skin, TheGapOfACutBodyOpensUpwardsAndTowardsTheFrontView) {
+TEST(Skin, TheGapOfACutBodyIsBetweenPositiveYAndPositiveZ) {
     const Sample s = sample(block(CellType::quad9, Kinematics::axisymmetric), {});
     for (const Point& x : s.positions) EXPECT_FALSE(x[1] > 1e-9 && x[2] > 1e-9);
 }
@@ -96,7 +96,7 @@ TEST(Skin, AFullTurnClosesWithoutASeam) {
     }
 }
 
-TEST(Skin, OnTheAxisTheTurnedEdgesMeetInOnePoint) {
+TEST(Skin, RevolvedEdgesShareOneVertexOnTheAxis) {
     auto model = block(CellType::quad9, Kinematics::axisymmetric);
     for (Point& X : model.mesh.points) X[1] -= 1.0;  // a full cylinder of radius 1
     const double d = 2 * pi / 72;
@@ -109,7 +109,7 @@ TEST(Skin, OnTheAxisTheTurnedEdgesMeetInOnePoint) {
     }
 }
 
-TEST(Skin, TheWholeOfAQuarterIsFourTimesItWithoutASeam) {
+TEST(Skin, TheWholeOfAQuarterModelHasFourTimesItsVolumeWithoutASeam) {
     for (const CellType type : solids) {
         auto model = block(type, Kinematics::solid);
         model.symmetry_planes = {false, true, true};
@@ -125,7 +125,7 @@ TEST(Skin, TheWholeOfAQuarterIsFourTimesItWithoutASeam) {
     }
 }
 
-TEST(Skin, AHalfIsOpenedAtItsPlane) {
+TEST(Skin, AHalfModelIsOpenedAtItsPlane) {
     auto model = block(CellType::hex27, Kinematics::solid);
     model.symmetry_planes = {true, true, false};
     const Sample s = sample(model, {.extent = Extent::opened});  // mirrored at x = 0, below y = 0
@@ -134,7 +134,7 @@ TEST(Skin, AHalfIsOpenedAtItsPlane) {
     for (const Point& x : s.positions) EXPECT_LT(x[1], 1e-9);
 }
 
-TEST(Skin, AHalfSectionIsTurnedAndMirrored) {
+TEST(Skin, AHalfSectionIsRevolvedAndMirrored) {
     auto model = block(CellType::quad9, Kinematics::axisymmetric);
     model.symmetry_planes = {true, false, false};
     const double d = 2 * pi / 72, half = pi * 3 * std::sin(d) / d;
@@ -155,7 +155,7 @@ TEST(Skin, AFlatSectionHasItsArea) {
     }
 }
 
-TEST(Skin, APlaneSectionIsMirroredAsAWholeOnly) {
+TEST(Skin, APlaneSectionIsMirroredOnlyIfShownAsAWhole) {
     auto model = block(CellType::quad9, Kinematics::plane_strain);
     model.symmetry_planes = {true, true, false};
     for (const auto& [extent, expected] : {std::pair{Extent::whole, 4.0}, {Extent::opened, 1.0}}) {
@@ -166,35 +166,35 @@ TEST(Skin, APlaneSectionIsMirroredAsAWholeOnly) {
     }
 }
 
-TEST(Skin, FollowsCurvedSidesOfSecondOrder) {
-    // every base moves by the quadratic displacement itself, not by its chord
+TEST(Skin, FollowsCurvedSecondOrderFacets) {
+    // every base moves by the exact quadratic displacement, not by its chord
     const auto model = block(CellType::hex27, Kinematics::solid);
-    const auto places = fields::region_points(model.mesh);
-    const Skin skin = make_skin(model, places, {.segments = 5});
+    const auto region_points = fields::make_region_points(model.mesh);
+    const Skin skin = make_skin(model, region_points, {.segments = 5});
     const auto bend = [](const Point& X) { return Point{0, 0.3 * X[0] * X[0], 0.1 * X[0] * X[1]}; };
     auto straight = block_case(CellType::hex27, Kinematics::solid, Formulation::displacement, {.n = 2, .shake = 0});
-    const auto straight_places = fields::region_points(straight.mesh);
-    const Skin fine = make_skin(straight, straight_places, {.segments = 5});
+    const auto straight_points = fields::make_region_points(straight.mesh);
+    const Skin fine = make_skin(straight, straight_points, {.segments = 5});
     std::vector<double> u;
     for (const Point& X : straight.mesh.points)
         for (const double component : bend(X)) u.push_back(component);
-    const auto before = base_positions(fine, straight, straight_places, {}),
-               after = base_positions(fine, straight, straight_places, u);
+    const auto before = base_positions(fine, straight, straight_points, {}),
+               after = base_positions(fine, straight, straight_points, u);
     EXPECT_EQ(fine.base_count(), skin.base_count());
     EXPECT_EQ(fine.base_count(), 6U * 10 * 10 + 2);  // 10 x 10 pieces on each side of a closed box
     for (std::size_t b = 0; b < before.size(); ++b)
         for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(after[b][i], before[b][i] + bend(before[b])[i], 1e-12);
 }
 
-TEST(Skin, CarriesAFieldByTheShapeFunctions) {
+TEST(Skin, InterpolatesAFieldWithTheShapeFunctions) {
     const auto model = block(CellType::hex27, Kinematics::solid);
-    const auto places = fields::region_points(model.mesh);
-    const Skin skin = make_skin(model, places, {});
+    const auto region_points = fields::make_region_points(model.mesh);
+    const Skin skin = make_skin(model, region_points, {});
     std::vector<double> nodal;
-    for (const mesh::Index node : places.node)
+    for (const mesh::Index node : region_points.node)
         nodal.push_back(2 + model.mesh.point(node)[0] - 3 * model.mesh.point(node)[2]);
     const auto values = base_values(skin, nodal);
-    const auto bases = base_positions(skin, model, places, {});
+    const auto bases = base_positions(skin, model, region_points, {});
     for (std::size_t b = 0; b < bases.size(); ++b) EXPECT_NEAR(values[b], 2 + bases[b][0] - 3 * bases[b][2], 1e-12);
 }
 
@@ -209,7 +209,7 @@ TEST(Skin, TheCreasesOfABoxAreItsTwelveEdges) {
     EXPECT_NEAR(length, 12.0, 1e-12);
 }
 
-TEST(Skin, WhereTwoRubbersMeetTheSurfaceHasALine) {
+TEST(Skin, ABoundaryBetweenRegionsIsACrease) {
     auto model = block_case(CellType::hex27, Kinematics::solid, Formulation::displacement, {.n = 2, .shake = 0});
     const std::size_t alone = sample(model, {.segments = 1}).skin.creases.size();
     model.mesh.region_names = {"rubber", "stiff"};
@@ -219,7 +219,7 @@ TEST(Skin, WhereTwoRubbersMeetTheSurfaceHasALine) {
     EXPECT_EQ(sample(model, {.segments = 1}).skin.creases.size(), alone + 2 * 8);  // a ring of 8 edges, for each rubber
 }
 
-TEST(Skin, TheSilhouetteOfABoxSeenFromTheFrontIsItsRim) {
+TEST(Skin, TheSilhouetteOfABoxIsItsOutline) {
     const Sample s = sample(block(CellType::hex8, Kinematics::solid), {});
     const auto rim = silhouette(s.skin.faces, s.positions, {0.1, 0.2, 1});
     double length = 0;
@@ -232,10 +232,10 @@ TEST(Skin, TheSilhouetteOfABoxSeenFromTheFrontIsItsRim) {
 
 TEST(Skin, OptionsOutOfRangeAreRefused) {
     const auto model = block(CellType::hex8, Kinematics::solid);
-    const auto places = fields::region_points(model.mesh);
-    EXPECT_THROW(static_cast<void>(make_skin(model, places, {.segments = 0})), Error);
-    EXPECT_THROW(static_cast<void>(make_skin(model, places, {.sectors = 2})), Error);
-    EXPECT_THROW(static_cast<void>(make_skin(model, places, {.turn_rad = 7})), Error);
+    const auto region_points = fields::make_region_points(model.mesh);
+    EXPECT_THROW(static_cast<void>(make_skin(model, region_points, {.segments = 0})), Error);
+    EXPECT_THROW(static_cast<void>(make_skin(model, region_points, {.sectors = 2})), Error);
+    EXPECT_THROW(static_cast<void>(make_skin(model, region_points, {.turn_rad = 7})), Error);
 }
 
 }  // namespace

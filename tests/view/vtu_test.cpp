@@ -12,7 +12,7 @@ namespace {
 
 using solution::NamedArray;
 
-/// RFC 4648, the other way round than the writer; for doubles behind a count of bytes.
+/// Independent decoder of RFC 4648 for doubles preceded by a byte count.
 std::vector<double> decoded(std::string_view text) {
     static constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string bytes;
@@ -35,15 +35,15 @@ std::vector<double> decoded(std::string_view text) {
     return values;
 }
 
-TEST(Vtu, HoldsTheMeshAndTheArraysAsTheyWereGiven) {
+TEST(Vtu, ContainsTheGivenMeshAndArrays) {
     const auto model =
         block_case(mesh::CellType::hex27, model::Kinematics::solid, model::Formulation::displacement, {.n = 2});
-    const auto places = fields::region_points(model.mesh);
+    const auto region_points = fields::make_region_points(model.mesh);
     NamedArray heights{"z <&> \"m\"", "m", "", 1, {}}, twice{"two", "1", "", 2, {}};
-    for (const mesh::Index node : places.node) heights.values.push_back(model.mesh.point(node)[2] / 3);
+    for (const mesh::Index node : region_points.node) heights.values.push_back(model.mesh.point(node)[2] / 3);
     for (int c = 0; c < 8; ++c) twice.values.insert(twice.values.end(), {1.0 * c, -0.1 * c});
     pugi::xml_document document;
-    ASSERT_TRUE(document.load_string(vtu_text(model.mesh, places, {&heights, 1}, {&twice, 1}).c_str()));
+    ASSERT_TRUE(document.load_string(vtu_text(model.mesh, region_points, {&heights, 1}, {&twice, 1}).c_str()));
     const auto piece = document.select_node("/VTKFile[@type='UnstructuredGrid']/UnstructuredGrid/Piece").node();
     EXPECT_EQ(piece.attribute("NumberOfPoints").as_int(), 125);
     EXPECT_EQ(piece.attribute("NumberOfCells").as_int(), 8);
@@ -55,7 +55,7 @@ TEST(Vtu, HoldsTheMeshAndTheArraysAsTheyWereGiven) {
     EXPECT_EQ(decoded(piece.child("Points").child("DataArray").text().as_string()).size(), 375U);
 }
 
-TEST(Vtu, ASeriesListsItsFilesInTime) {
+TEST(Vtu, ASeriesListsItsFilesWithTheirTimes) {
     const std::array<SeriesEntry, 2> entries{{{0, "a/step-0000.vtu"}, {0.125, "a/step & 1.vtu"}}};
     pugi::xml_document document;
     ASSERT_TRUE(document.load_string(pvd_text(entries).c_str()));

@@ -1,6 +1,6 @@
-// A report in a real browser: it loads, the slider moves the body, the pointer turns it, nothing is fetched, nothing complains.
-//   node report.mjs REPORT.html LENGTH_MM ELONGATION_MM [PICTURES]     PICTURES: folder for what was seen
-// LENGTH_MM is the undeformed length along x, ELONGATION_MM what the last step adds to it.
+// Tests a report in a browser: it loads, the slider moves the body, the pointer rotates it, nothing is fetched, no error is logged.
+//   node report.mjs REPORT.html LENGTH_MM ELONGATION_MM [PICTURES]     PICTURES: folder for screenshots
+// LENGTH_MM is the undeformed length along x, ELONGATION_MM the elongation of the last step.
 import puppeteer from 'puppeteer-core';
 import { writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
@@ -12,7 +12,7 @@ function claim(text, holds, seen = '') {
   claims += 1;
   if (holds) return;
   failures += 1;
-  console.log(`NOT TRUE: ${text}${seen === '' ? '' : `; seen: ${seen}`}`);
+  console.log(`FAILED: ${text}${seen === '' ? '' : `; found: ${seen}`}`);
 }
 
 const browser = await puppeteer.launch({
@@ -38,7 +38,7 @@ try {
   await page.goto(page_url, { waitUntil: 'load', timeout: 120000 });
   const text = (id) => page.$eval(`#${id}`, (element) => element.textContent);
   const body = await page.$('#body');
-  // The share of pixels that are not white, decoded by the browser itself in a page without the report's policy.
+  // The fraction of pixels that are not white, decoded by the browser in a page without the report's policy.
   const eye = await browser.newPage();
   const look = async (name) => {
     await page.bringToFront();
@@ -61,18 +61,18 @@ try {
     slider.dispatchEvent(new Event('input'));
   }, value);
 
-  claim('the body can be drawn', await page.$eval('#trouble', (element) => element.hidden), await text('trouble'));
+  claim('the body can be drawn', await page.$eval('#viewer-error', (element) => element.hidden), await text('viewer-error'));
   const last = await look('last');
   claim('the body fills part of its window', last.inked > 0.01 && last.inked < 0.9, last.inked);
   const end = await size_x();
-  claim('the last step is as long as the result says', Math.abs(end - length - elongation) < 0.01 * end, end);
+  claim('the length in the last step matches the result', Math.abs(end - length - elongation) < 0.01 * end, end);
 
   await slide(0);
   const first = await look('first');
   claim('the slider moves the body', first.png !== last.png && first.inked > 0.005, first.inked);
-  claim('back to its undeformed length', Math.abs(await size_x() - length) < 0.005 * length, await size_x());
-  claim('and tells the step', (await text('step')).startsWith('step 0:'), await text('step'));
-  claim('whose row is marked in the table', await page.$eval('#results tr.shown', (row) => row.dataset.step === '0'));
+  claim('the first step has the undeformed length', Math.abs(await size_x() - length) < 0.005 * length, await size_x());
+  claim('the label shows the step', (await text('step')).startsWith('step 0:'), await text('step'));
+  claim('the row of the step is marked in the table', await page.$eval('#results tr.shown', (row) => row.dataset.step === '0'));
 
   await slide(1e9);
   claim('the slider ends at the last step', Math.abs(await size_x() - end) < 1e-6, await size_x());
@@ -81,9 +81,9 @@ try {
   claim('another field has other colours', (await look('field')).png !== last.png && await text('high') !== high, await text('high'));
   await page.select('#field', '0');
   await page.click('#outline');
-  claim('the outline can be left out', (await look('outline')).png !== last.png);
+  claim('the outline can be hidden', (await look('outline')).png !== last.png);
   await page.click('#outline');
-  claim('and comes back', (await look('again')).png === last.png);
+  claim('the outline can be shown again', (await look('again')).png === last.png);
 
   if (await page.$eval('#cut', (element) => !element.parentElement.hidden)) {
     const size = await text('size');
@@ -98,22 +98,22 @@ try {
   await page.mouse.down();
   await page.mouse.move(box.x + box.width / 2 + 120, box.y + box.height / 2 + 40, { steps: 5 });
   await page.mouse.up();
-  claim('the pointer turns the body', (await look('turned')).png !== last.png);
+  claim('the pointer rotates the body', (await look('turned')).png !== last.png);
   await page.click('#reset');
-  claim('and a button turns it back', (await look('reset')).png === last.png);
+  claim('the reset button restores the view', (await look('reset')).png === last.png);
 
   const playing = await page.$eval('#frame', (slider) => slider.value);
   await page.click('#play');
   const moved = await page.waitForFunction((value) => document.getElementById('frame').value !== value, { timeout: 20000 }, playing)
     .then(() => true, () => false);
   await page.click('#play');
-  claim('it plays and stops', moved && await text('play') === 'Play');
+  claim('the animation plays and stops', moved && await text('play') === 'Play');
 
-  claim('the curve is seen', await page.$eval('#curve', (image) => image.complete && image.naturalWidth > 100));
+  claim('the curve is visible', await page.$eval('#curve', (image) => image.complete && image.naturalWidth > 100));
   claim('nothing is fetched', requests.length === 0, requests.join(' '));
-  claim('nothing complains', complaints.length === 0, complaints.join(' | '));
+  claim('no error is logged', complaints.length === 0, complaints.join(' | '));
 } finally {
   await browser.close();
 }
-console.log(failures === 0 ? `all of ${claims} claims hold` : `${failures} of ${claims} claims fail`);
+console.log(failures === 0 ? `all ${claims} checks passed` : `${failures} of ${claims} checks failed`);
 process.exit(failures === 0 && claims > 0 ? 0 : 1);
