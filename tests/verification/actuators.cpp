@@ -1,4 +1,4 @@
-// The actuators of the specification against numbers from an independent code.
+// The actuators of the specification compared with results of an independent code.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -15,9 +15,9 @@ constexpr const char* group = "Actuators";
 struct Bellows {
     const char* name;
     std::vector<std::string> sets;
-    const char* error;                  ///< of the independent code's numbers
+    const char* error;                  ///< of the results of the independent code
     std::vector<double> pressures_kPa;  ///< at 20, 40, 80, 130 mm
-    bool closed;                        ///< the pressure acts all around the volume that is measured
+    bool closed;                        ///< the pressure acts on the whole surface of the measured volume
 };
 
 Outcome solve_bellows(const Bellows& bellows) {
@@ -35,12 +35,12 @@ Outcome solve_bellows(const Bellows& bellows) {
     outcome.rows.push_back(work_row(run));
     outcome.rows.back().tolerance = 2e-3;
     outcome.rows.back().reason =
-        "by the definition of the plug: its thrust is p times the undeformed area of the bore, on the mean motion of its face, "
-        "while the volume is closed at the rim, where the bore has widened; the same at every mesh and step size";
+        "follows from the definition of the plug: its thrust is p times the undeformed area of the bore, on the mean motion of its face, "
+        "while the volume is closed at the rim, where the bore has widened; the difference is the same for every mesh and step size";
     return outcome;
 }
 
-/// An elongation of the tube from the independent code, given to four decimals.
+/// Elongation of the tube from the independent code, to four decimals.
 struct TubePoint {
     double pressure_kPa, elongation_mm;
 };
@@ -74,7 +74,7 @@ Outcome solve_tube() {
     return outcome;
 }
 
-/// The tube by another element; coarse solids are stiff at the held rim and the inner corners, which are singular.
+/// The tube with other elements. Coarse solids are too stiff at the clamped rim and the inner corners, which are singular.
 struct TubeMesh {
     const char* name;
     std::vector<std::string> sets;
@@ -97,17 +97,17 @@ Outcome solve_tube_mesh(const TubeMesh& mesh) {
             {}};
 }
 
-// A long prism with closed ends under inner pressure, linear elasticity, far from its ends (derived here). The section is that
-// of designs/verification/pneunet-long.yaml. Of the stresses in its plane only two moments are needed, and equilibrium gives
-// them: virtual work with the displacements (y, z) and (y z, (z^2 - y^2)/2), whose strains are 1 and z times the unit tensor,
+// A long prism with closed ends under internal pressure, linear elasticity, far from its ends (derived here). The section is that of
+// designs/verification/pneunet-long.yaml. Only two moments of the in-plane stresses are needed. They follow from virtual work with the
+// displacements (y, z) and (y z, (z^2 - y^2)/2), whose strains are 1 and z times the unit tensor,
 //     int (s_yy + s_zz) dA = 2 p A,    int (s_yy + s_zz) z dA = 2 p A c      (A, c: area and centroid of the hole).
 // With s_xx = E (e + k z) + nu (s_yy + s_zz), int s_xx dA = p A and int s_xx z dA = p A c, at equal nu of all layers:
 //     int E (e + k z) dA = (1 - 2 nu) p A,    int E (e + k z) z dA = (1 - 2 nu) p A c.
-// An incompressible prism neither lengthens nor bends in the first order. A Q2 mesh holds both displacements: exact on any.
+// An incompressible prism neither elongates nor bends to first order. Q2 meshes contain both displacements, so any mesh is exact.
 struct Prism {
     double pressure_Pa, poisson;
     struct Layer {
-        double low_m, high_m, width_m, young_Pa;  ///< negative where the hole takes rubber away
+        double low_m, high_m, width_m, young_Pa;  ///< negative for the hole
     };
     std::vector<Layer> layers;
     Layer hole;
@@ -130,7 +130,7 @@ struct Prism {
     }
 };
 
-/// Two lengths have the same ends: the difference is that of a beam.
+/// Two lengths have the same end effects: their difference is that of a beam.
 Outcome solve_long_finger() {
     constexpr double short_m = 100e-3, long_m = 140e-3, tip_middle_m = 4.5e-3;
     const auto run = [](double length_m) {
@@ -149,19 +149,19 @@ Outcome solve_long_finger() {
                    .ours = ours,
                    .mesh = other.mesh,
                    .seconds = one.seconds + other.seconds,
-                   .tolerance = homogeneous};
+                   .tolerance = homogeneous_tolerance};
     };
     const auto more = [&](std::size_t output) {
         return other.steps.back().outputs.at(output) - one.steps.back().outputs.at(output);
     };
-    return {{row("bend by 40 mm more of chamber [urad]", 1e6 * curvature_1_m * (long_m - short_m), 1e6 * more(0)),
-             row("lengthening by 40 mm more of chamber [nm]",
+    return {{row("additional bend for 40 mm more chamber [urad]", 1e6 * curvature_1_m * (long_m - short_m), 1e6 * more(0)),
+             row("additional elongation for 40 mm more chamber [nm]",
                  1e9 * (strain + curvature_1_m * tip_middle_m) * (long_m - short_m), 1e9 * more(1))},
             {}};
 }
 
-/// The same of a section whose centroid lies on the axis and whose second moment I is the same about all its diameters, as
-/// with three equal chambers: strain (1 - 2 nu) p A / (E A_rubber), curvature (1 - 2 nu) p A c / (E I).
+/// The same for a section whose centroid lies on the axis and whose second moment of area I is equal about all diameters, as with three
+/// equal chambers: strain (1 - 2 nu) p A / (E A_rubber), curvature (1 - 2 nu) p A c / (E I).
 Outcome solve_long_segment() {
     constexpr double short_m = 120e-3, long_m = 160e-3;
     const auto run = [](double length_m) {
@@ -187,8 +187,8 @@ Outcome solve_long_segment() {
                    .mesh = other.mesh,
                    .seconds = one.seconds + other.seconds};
     };
-    return {{row("bend by 40 mm more [urad]", 1e6 * load * hole_m3 / second_m4 * (long_m - short_m), 0),
-             row("lengthening by 40 mm more [um]", 1e6 * load * hole_m2 / rubber_m2 * (long_m - short_m), 1)},
+    return {{row("additional bend for 40 mm more length [urad]", 1e6 * load * hole_m3 / second_m4 * (long_m - short_m), 0),
+             row("additional elongation for 40 mm more length [um]", 1e6 * load * hole_m2 / rubber_m2 * (long_m - short_m), 1)},
             {}};
 }
 
@@ -208,7 +208,7 @@ std::vector<Problem> actuator_problems() {
         problems.push_back({group, bellows.name, [bellows] { return solve_bellows(bellows); }});
     problems.push_back({group, "closed tube", solve_tube});
     const char* corners =
-        "the held rim and the inner corners are singular, and every element converges there at first order";
+        "the clamped rim and the inner corners are singular, and every element converges there with first order";
     for (const TubeMesh& mesh :
          {TubeMesh{"closed tube, triangles", {"mesh.cells=simplices", "mesh.size=0.5 mm"}, 1.5e-3, corners},
           TubeMesh{"closed tube, quarter solid, hexahedra",

@@ -32,7 +32,7 @@ Section end_of(const Beam& beam, Section y, double omega) {
     return y;
 }
 
-/// Moment and shear force vanish at the free end where this does.
+/// Zero if the moment and the shear force can vanish at the free end.
 double determinant(const Beam& beam, double omega) {
     const auto by_moment = end_of(beam, {0, 0, 1, 0}, omega);
     const auto by_force = end_of(beam, {0, 0, 0, 1.0 / beam.length_m}, omega);

@@ -1,5 +1,5 @@
-// Two spheres that share one gas: their common path, where it branches, and the branch on which one grows and the other
-// shrinks. Both keep to the one-sphere curve p(a/A), so that the reference is two points of it with one pressure.
+// Two spheres sharing one gas: the primary path, its bifurcation, and the branch on which one sphere grows and the other shrinks. Both
+// spheres follow the curve p(a/A) of a single sphere, so the reference is a pair of points of this curve with equal pressure.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@
 namespace soft::verification {
 namespace {
 
-constexpr const char* group = "Two spheres on one gas";
+constexpr const char* group = "Two spheres sharing one gas";
 constexpr double inner_mm = 10, outer_mm = 11;
 
 struct Pair {
@@ -21,12 +21,12 @@ struct Pair {
 
 using Curve = std::function<double(double)>;
 
-Curve curve_of(const Pulls& pulls, double scale) {
+Curve curve_of(const ExtraStress& extra_stress, double scale) {
     const double ratio = 1 + (outer_mm - inner_mm) / inner_mm * scale;
-    return [pulls, ratio](double l) { return sphere_pressure_Pa(pulls, l, ratio); };
+    return [extra_stress, ratio](double l) { return sphere_pressure_Pa(extra_stress, l, ratio); };
 }
 
-/// Both spheres alike: the branch point is the limit point of one.
+/// For identical spheres the bifurcation is the limit point of a single sphere.
 void add_bifurcation(const Run& run, const Peak& peak, Outcome& outcome) {
     const auto row = [&](const char* quantity, double reference, double ours) {
         return Row{.quantity = quantity,
@@ -38,11 +38,11 @@ void add_bifurcation(const Run& run, const Peak& peak, Outcome& outcome) {
     };
     const auto& at = run.end.bifurcations.at(0).at;
     outcome.rows.push_back(row("pressure at the bifurcation [kPa]", 1e-3 * peak.value, 1e-3 * at.pressure_Pa));
-    outcome.rows.push_back(row("V/V0 at the bifurcation [-]", std::pow(peak.place, 3),
+    outcome.rows.push_back(row("V/V0 at the bifurcation [-]", std::pow(peak.location, 3),
                                at.volume_m3.value() / *run.steps.front().volume_m3));
 }
 
-/// One large and one small, at several total volumes.
+/// Adds the states with one large and one small sphere at a total volume.
 void add_unequal(const Run& run, const PairState& exact, double ratio, Outcome& outcome) {
     const auto point = run.at("volume", ratio * *run.steps.front().volume_m3);
     const auto [small, large] = std::minmax(point.volumes_m3.at(0), point.volumes_m3.at(1));
@@ -66,10 +66,10 @@ Outcome solve_pair(const Pair& pair) {
     sets.insert(sets.end(), {"path.branch=follow", "solver.step_accuracy=2e-4",
                              "geometry.right_scale=" + core::number_text(pair.right_scale)});
     const auto run = run_design("two-spheres.yaml", sets);
-    const Pulls pulls = pulls_of(run.model.materials.front());
-    // The thinner wall gives way.
-    const auto strong = curve_of(pulls, std::max(1.0, pair.right_scale));
-    const auto weak = curve_of(pulls, std::min(1.0, pair.right_scale));
+    const ExtraStress extra_stress = extra_stress_of(run.model.materials.front());
+    // The sphere with the thinner wall grows.
+    const auto strong = curve_of(extra_stress, std::max(1.0, pair.right_scale));
+    const auto weak = curve_of(extra_stress, std::min(1.0, pair.right_scale));
     const auto peak = first_peak(strong, 1.001, 2.5);
     Outcome outcome;
     if (pair.right_scale == 1) {
@@ -83,15 +83,15 @@ Outcome solve_pair(const Pair& pair) {
                                 .seconds = run.seconds});
     }
     for (const double ratio : {3.5, 5.0, 8.0})
-        add_unequal(run, sphere_pair(strong, weak, peak.place, ratio), ratio, outcome);
+        add_unequal(run, sphere_pair(strong, weak, peak.location, ratio), ratio, outcome);
     return outcome;
 }
 
-/// Without path.branch=follow the pair stays alike, and the branch point is reported.
-Outcome solve_alike() {
+/// Without path.branch=follow the spheres stay identical, and the bifurcation is reported.
+Outcome solve_identical() {
     const auto run = run_design("two-spheres.yaml", {"path.branch=stay", "solver.step_accuracy=2e-4"});
-    const auto pulls = pulls_of(run.model.materials.front());
-    const auto curve = curve_of(pulls, 1);
+    const auto extra_stress = extra_stress_of(run.model.materials.front());
+    const auto curve = curve_of(extra_stress, 1);
     Outcome outcome;
     add_bifurcation(run, first_peak(curve, 1.001, 2.5), outcome);
     for (const double ratio : {2.0, 5.0, 9.0})
@@ -108,7 +108,7 @@ Outcome solve_alike() {
 
 std::vector<Problem> branch_problems() {
     const std::string mooney = "material={law: mooney-rivlin, c10: 0.075 MPa, c01: 0.0072 MPa, kappa: incompressible}";
-    std::vector<Problem> problems{{group, "two spheres, neo-Hookean, alike", solve_alike}};
+    std::vector<Problem> problems{{group, "two spheres, neo-Hookean, identical", solve_identical}};
     for (const Pair& pair :
          {Pair{"two spheres, neo-Hookean, one grows", {}}, Pair{"two spheres, Mooney-Rivlin, one grows", {mooney}},
           Pair{"two spheres, neo-Hookean, right wall 5 % thicker", {}, 1.05},

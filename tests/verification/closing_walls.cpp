@@ -1,5 +1,5 @@
-// The bellows under vacuum: where its walls touch, by mesh. No formula knows this; path_test holds the place to the
-// deformed walls themselves and the meshes to each other.
+// The bellows under vacuum: the state of first self-contact for several meshes. There is no formula; path_test compares the contact with
+// the deformed walls and the meshes with each other.
 #include "core/text.hpp"
 #include "problem.hpp"
 #include "table.hpp"
@@ -9,7 +9,7 @@ namespace soft::verification {
 std::vector<Problem> contact_problems() {
     return {{"Actuators", "bellows under vacuum until walls touch", [] {
                  Table table{"bellows under vacuum: mesh study",
-                             "The last state before two places of the wall meet.",
+                             "The last state before two parts of the wall touch.",
                              {"cells", "pressure [kPa]", "elongation [mm]", "stop reason"},
                              {}};
                  for (const char* size : {"2 mm", "1.5 mm", "1 mm"}) {

@@ -1,4 +1,4 @@
-// How often the error bars of `solve --tolerance` cover the error: 30 curves that are known, on the meshes that are reported.
+// Coverage of the error bars of `solve --tolerance`: 30 known curves on the reported meshes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,8 +24,8 @@ struct Known {
     const char* name;
     const char* design;
     std::vector<std::string> sets;
-    int finer;                            ///< meshes with every cell halved, the last of them the reference
-    std::function<Truth()> formula = {};  ///< else the reference is the finest mesh and its distance to the limit
+    int finer;                            ///< number of refinements (every cell halved); the last mesh is the reference
+    std::function<Truth()> formula = {};  ///< otherwise the reference is the finest mesh with its estimated error
     bool brief = false;
 };
 
@@ -34,15 +34,15 @@ constexpr double inner_m = 10e-3;
 Truth of_sphere(double ratio) {
     return [=](const model::Case& input, double volume_m3) {
         const double undeformed = 4.0 / 3.0 * std::numbers::pi * std::pow(inner_m, 3);
-        return sphere_pressure_Pa(pulls_of(input.materials.front()), std::cbrt(volume_m3 / undeformed), ratio);
+        return sphere_pressure_Pa(extra_stress_of(input.materials.front()), std::cbrt(volume_m3 / undeformed), ratio);
     };
 }
 
-/// `outer_m`, `length_m` of the design; volumes of plane strain are those of 1 m.
+/// `outer_m`, `length_m` as in the design; plane-strain volumes are per 1 m.
 Truth of_cylinder(double inner, double outer, double length_m) {
     return [=](const model::Case& input, double volume_m3) {
         const double stretch = std::sqrt(volume_m3 / (std::numbers::pi * inner * inner * length_m));
-        return cylinder_pressure_Pa(pulls_of(input.materials.front()), {inner, outer, 1}, stretch);
+        return cylinder_pressure_Pa(extra_stress_of(input.materials.front()), {inner, outer, 1}, stretch);
     };
 }
 
@@ -135,18 +135,18 @@ std::vector<Known> known_curves() {
     };
 }
 
-/// Bar over error at the rows of one mesh.
+/// Ratio of bar to error at the rows of one mesh.
 using Ratios = std::vector<double>;
 
 struct Reference {
     std::vector<solution::Step> finest, before;  ///< on the last two meshes
-    Truth formula;                               ///< where there is one
+    Truth formula;                               ///< if there is one
 };
 
 double measure_of(const solution::Step& step) { return step.outputs.empty() ? *step.volume_m3 : step.outputs[0]; }
 
-/// Of the load at equal measure, where the curve is steep of the measure at equal load; what the finest mesh is off is taken as
-/// half its difference from the one before, as where differences fall threefold.
+/// Compares the load at equal measure, or the measure at equal load where the curve is steep. The error of the finest mesh is taken as
+/// half its difference from the previous mesh, which assumes that differences decrease by a factor of three.
 Ratios ratios_of(const model::Case& input, const std::vector<solver::RowState>& rows, const Reference& reference) {
     double loads = 0, measures = 0;
     for (const auto& step : reference.finest) {
@@ -177,7 +177,7 @@ Ratios ratios_of(const model::Case& input, const std::vector<solver::RowState>& 
     return ratios;
 }
 
-/// Of each mesh whose error the reference shows, the given one first.
+/// Ratios of each mesh that can be compared with the reference, the given mesh first.
 std::vector<Ratios> solve(const Known& known) {
     auto sets = known.sets;
     sets.emplace_back("solver.step_accuracy=4e-3");  // few rows
@@ -195,15 +195,15 @@ std::vector<Ratios> solve(const Known& known) {
     const auto accuracy = solver::refine_path(
         system, std::move(rows), end, {.tolerance = 1e-12, .max_unknowns_2d = bound, .max_unknowns_3d = bound},
         {.curve = keep});
-    if (static_cast<int>(meshes.size()) != known.finer) throw std::runtime_error(accuracy.obstacle);
+    if (static_cast<int>(meshes.size()) != known.finer) throw std::runtime_error(accuracy.end_reason);
     Reference reference;
     reference.finest = accuracy.finer;
     for (const auto& row : accuracy.rows) reference.before.push_back(row.step);
     if (known.formula) reference.formula = known.formula();
-    // Without a formula the last mesh but one has no reference.
-    const std::size_t judged = meshes.size() - (known.formula ? 0 : 1);
+    // Without a formula the second to last mesh has no reference.
+    const std::size_t compared = meshes.size() - (known.formula ? 0 : 1);
     std::vector<Ratios> ratios;
-    for (std::size_t k = 0; k < judged; ++k) ratios.push_back(ratios_of(input, meshes[k], reference));
+    for (std::size_t k = 0; k < compared; ++k) ratios.push_back(ratios_of(input, meshes[k], reference));
     return ratios;
 }
 
@@ -220,16 +220,16 @@ double covered(const Ratios& ratios) {
 
 class Coverage : public ::testing::TestWithParam<bool> {};
 
-/// `solve --tolerance` reports rows of two meshes or more: of all rows, 95 % are covered by bars whose median width is at most three
-/// times the error, and of two meshes alone as many are covered.
-TEST_P(Coverage, IsNinetyFivePercentByBarsOfThreeTimesTheErrorAtMost) {
+/// `solve --tolerance` reports rows of two meshes or more. The bars must cover 95 % of all rows, and of the rows with two meshes only, with
+/// a median width of at most three times the error.
+TEST_P(Coverage, IsNinetyFivePercentWithAMedianWidthOfAtMostThreeErrors) {
     Ratios all, of_two;
     for (const Known& known : known_curves()) {
         if (GetParam() && !known.brief) continue;
         const auto meshes = solve(known);
         for (std::size_t k = 0; k < meshes.size(); ++k) {
             std::cout << known.name << ", mesh " << k << ": " << meshes[k].size() << " rows, "
-                      << core::rounded_text(100 * covered(meshes[k]), 3) << " % covered, least "
+                      << core::rounded_text(100 * covered(meshes[k]), 3) << " % covered, minimum "
                       << core::rounded_text(*std::ranges::min_element(meshes[k]), 3) << ", median "
                       << core::rounded_text(median(meshes[k]), 3) << std::endl;
             all.insert(all.end(), meshes[k].begin(), meshes[k].end());

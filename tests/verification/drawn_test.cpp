@@ -1,5 +1,5 @@
-// Bodies drawn as tables (family revolved) against the independent code's numbers for the same bodies, and a round plate that
-// gets thin against the membrane's equations.
+// Profiles given as tables (family revolved) compared with results of the independent code for the same geometry, and thin round plates
+// compared with membrane theory.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace soft::verification {
 namespace {
 
-// Its held rim and its inner corners are singular: the table's cells are graded toward them.
-TEST(Drawn, ATubeGivenAsATableHasTheCurveOfTheTube) {
+// The clamped rim and the inner corners are singular: the cells of the table are graded toward them.
+TEST(Drawn, TubeFromATableHasTheCurveOfTheTubeFamily) {
     const auto run = run_design("verification/tube-table.yaml", {"path.until.elongation=6 mm"});
     for (const auto& [pressure_kPa, elongation_mm] :
          std::map<double, double>{{10, 0.2817}, {20, 0.9168}, {30, 2.2875}, {40, 5.8978}})
@@ -20,9 +20,9 @@ TEST(Drawn, ATubeGivenAsATableHasTheCurveOfTheTube) {
             << pressure_kPa;
 }
 
-// The same meridian twice, from the family's keys and from a table of tangents that knows nothing of them. Elongation at 10 kPa on
-// 1.5 and 0.75 mm: 16.9710 and 16.9910 mm from the keys, 16.9943 and 16.9971 mm from the table, graded toward corners.
-TEST(Drawn, TaperedBellowsWithLandsHaveTheCurveOfTheirMeridian) {
+// The same meridian from the keys of the family and from an independent table of tangents. Elongation at 10 kPa with cells of 1.5 and
+// 0.75 mm: 16.9710 and 16.9910 mm from the keys, 16.9943 and 16.9971 mm from the table, graded toward corners.
+TEST(Drawn, TaperedBellowsHaveTheCurveOfTheirMeridianTable) {
     const auto keys = run_design("verification/bellows-tapered.yaml", {}),
                table = run_design("verification/bellows-tapered-table.yaml", {});
     for (const double pressure_kPa : {2.0, 5.0, 10.0})
@@ -32,9 +32,9 @@ TEST(Drawn, TaperedBellowsWithLandsHaveTheCurveOfTheirMeridian) {
             << pressure_kPa;
 }
 
-// The rim where the plate bends is as wide as the plate is thick: its part of the pressure is of first order in the thickness, so
-// that two thicknesses tell what is left without it, but for the square of thickness over deflection, which bending takes.
-TEST(Membrane, AThinRoundPlateComesToTheMembranesPressureAtFirstOrderInItsThickness) {
+// The plate bends in a boundary layer at the rim with a width of the order of the thickness. Its contribution to the pressure is of first
+// order in the thickness, so two thicknesses allow an extrapolation, up to the bending term of order (thickness / deflection)^2.
+TEST(Membrane, PressureOfAThinRoundPlateConvergesToMembraneTheoryWithFirstOrder) {
     for (const auto& [deflection_mm, left] : std::map<int, double>{{8, 4e-3}, {15, 2e-3}}) {
         const auto over_membrane = [mm = deflection_mm](double thickness_mm) {
             const auto run =
@@ -45,7 +45,7 @@ TEST(Membrane, AThinRoundPlateComesToTheMembranesPressureAtFirstOrderInItsThickn
                    1;
         };
         const double one = over_membrane(0.5), half = over_membrane(0.25);
-        EXPECT_GT(half, 0) << deflection_mm;  // bending only adds
+        EXPECT_GT(half, 0) << deflection_mm;  // bending increases the pressure
         EXPECT_LT(half, 0.03) << deflection_mm;
         EXPECT_NEAR(2 * half - one, 0, left) << deflection_mm;
     }

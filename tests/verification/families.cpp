@@ -1,5 +1,5 @@
-// The example designs of the families that bend or shorten, on meshes that a test can afford, against the values to which their
-// mesh studies converge (notes.md, "Mesh studies of the families"): no independent code has computed them.
+// Example designs of the families that bend or shorten, on coarse meshes, compared with the extrapolated values of their mesh studies
+// (notes.md, "Mesh studies of the families"). There are no results of an independent code.
 #include <numbers>
 
 #include "problem.hpp"
@@ -12,14 +12,14 @@ struct Study {
     const char* design;
     std::vector<std::string> sets;
     const char* quantity;
-    double units;      ///< of the output's SI unit
+    double units;      ///< factor from the SI unit of the output
     double converged;  ///< extrapolated from the study
-    double tolerance;  ///< what the study gives this mesh, rounded up
+    double tolerance;  ///< error of this mesh in the study, rounded up
 };
 
 constexpr double degrees = 180 / std::numbers::pi, millimetres = 1e3;
 
-Problem held(const Study& study) {
+Problem make_problem(const Study& study) {
     return {"Families", study.name, [study] {
                 auto sets = study.sets;
                 sets.insert(sets.end(), {"path.control=pressure", "solver.steps=constant"});
@@ -31,7 +31,7 @@ Problem held(const Study& study) {
                                  .mesh = run.mesh,
                                  .seconds = run.seconds,
                                  .tolerance = study.tolerance,
-                                 .reason = "its mesh is coarse, and the study says by how much"}},
+                                 .reason = "the mesh is coarse; the mesh study gives its error"}},
                                {}};
             }};
 }
@@ -84,7 +84,7 @@ std::vector<Problem> family_problems() {
                 degrees,
                 -2.7267,
                 3e-3}})
-        problems.push_back(held(study));
+        problems.push_back(make_problem(study));
     return problems;
 }
 

@@ -25,8 +25,8 @@ Stress stress_at(const FiberTube& tube, const Three& state, double R_m) {
     const double I1 = stretch_r * stretch_r + stretch_t * stretch_t + shear * shear + lz * lz;
     const double w = 2 * tube.slope_Pa(I1);
     Stress s{w * stretch_r * stretch_r, w * (stretch_t * stretch_t + shear * shear), w * lz * lz, w * shear * lz};
-    const double place = (R_m - A) / (tube.outer_m - A);
-    if (place < tube.layer_begin || place > tube.layer_end) return s;
+    const double fraction = (R_m - A) / (tube.outer_m - A);
+    if (fraction < tube.layer_begin || fraction > tube.layer_end) return s;
     for (int family = 0; family < tube.families; ++family) {
         const double sine = (family == 0 ? 1 : -1) * std::sin(tube.angle_rad), cosine = std::cos(tube.angle_rad);
         const double f_t = sine * stretch_t + cosine * shear, f_x = cosine * lz;
@@ -40,7 +40,7 @@ Stress stress_at(const FiberTube& tube, const Three& state, double R_m) {
     return s;
 }
 
-/// What the three balances miss, over the modulus of the rubber at rest.
+/// Residuals of the three equilibrium equations, divided by the initial modulus of the rubber.
 Three imbalance(const FiberTube& tube, const Three& state, double pressure_Pa) {
     const double A = tube.inner_m, wall = tube.outer_m - A, mu = 2 * tube.slope_Pa(3);
     const std::array<double, 4> bounds{A, A + tube.layer_begin * wall, A + tube.layer_end * wall, tube.outer_m};
@@ -65,7 +65,7 @@ double determinant(const Three& a, const Three& b, const Three& c) {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Newton's method, derivatives by central differences.
+/// Newton's method with derivatives by central differences.
 void equilibrate(const FiberTube& tube, Three& state, double pressure_Pa) {
     constexpr int most = 60;
     constexpr double difference = 1e-7, enough = 1e-12;

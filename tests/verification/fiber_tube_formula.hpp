@@ -5,10 +5,10 @@
 ///   sigma + q I = 2 w(I1) B + sum over families 2 k1 (I4 - 1) exp(k2 (I4 - 1)^2) f (x) f,  f = F a0,  I4 = f.f > 1,
 ///   a0 = (0, +- sin(angle), cos(angle)), w = dW/dI1 of the rubber between the fibres;
 ///   p = int (s_theta - s_r) dr/r,  int (2 s_x - s_theta - s_r) r dr = 0 (closed ends, see closed_tube),
-///   int s_theta,x r^2 dr = 0 (nothing turns the ends).
+///   int s_theta,x r^2 dr = 0 (no torque on the ends).
 /// Sources: universal solution of Ericksen and Rivlin, see Ogden, Non-linear Elastic Deformations (1984), 5.3; the stress of
 /// the fibres is that of Holzapfel, Gasser, Ogden, J. Elasticity 61 (2000) 1, derived here from W by hand.
-/// Tested by formula_test: without fibres it is closed_tube; thin, with stiff fibres, the magic angle.
+/// Tested by formula_test: without fibres it equals closed_tube; a thin wall with stiff fibres has the magic angle.
 #include <functional>
 
 namespace soft::verification {
@@ -27,13 +27,13 @@ struct FiberTubeState {
     double twist_1_m = 0;  ///< tau, per undeformed length
 };
 
-/// The state at a pressure on the branch that begins at rest. Throws std::runtime_error where that branch has ended.
+/// The state at a pressure on the branch that starts at the undeformed state. Throws std::runtime_error beyond the end of this branch.
 [[nodiscard]] FiberTubeState fiber_tube_state(const FiberTube& tube, double pressure_Pa);
 
-/// The first balance alone: the pressure that a state carries.
+/// The pressure in equilibrium with a state, from the first equation only.
 [[nodiscard]] double fiber_tube_pressure_Pa(const FiberTube& tube, const FiberTubeState& state);
 
-/// The angle [rad] at which the tube does not lengthen at this (small) pressure; by secants from 54 and 55.5 degrees.
+/// The angle [rad] at which the tube does not elongate at this (small) pressure, by the secant method from 54 and 55.5 degrees.
 [[nodiscard]] double neutral_angle_rad(FiberTube tube, double pressure_Pa);
 
 }  // namespace soft::verification

@@ -1,5 +1,5 @@
-// Long closed tubes with fibres in their wall, 400 mm or 20 diameters: the middle against quadrature of the ordinary equations of
-// inflation, extension and torsion.
+// Long closed tubes with fibres in their wall, 400 mm or 20 diameters: the middle compared with quadrature of the equations of inflation,
+// extension and torsion.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -15,7 +15,7 @@ namespace {
 constexpr const char* group = "Fibre-reinforced tubes";
 constexpr double degree = std::numbers::pi / 180;
 
-/// The formula's tube of a solved case.
+/// Parameters of the formula for a solved case.
 FiberTube tube_of(const Run& run, double inner_m, double outer_m) {
     const auto layer = std::ranges::find(run.model.materials, std::string("fibers"), &model::Material::name);
     const auto constant = [&](const char* name) {
@@ -37,22 +37,22 @@ FiberTube tube_of(const Run& run, double inner_m, double outer_m) {
     return tube;
 }
 
-/// Where a circle of the inner wall is after the deformation. Of a solid, whose cells round it differ between corners and middles
-/// from a circle, the mean over its nodes by Simpson's rule.
-struct Place {
+/// Deformed position of a circle on the inner wall. For a solid model, whose deformed circle is not exactly round, the mean over its
+/// nodes by Simpson's rule.
+struct RingPosition {
     double X, x, r, angle;
 };
 
-Place location_of(const Run& run, double X, double inner_m, int sectors) {
-    Place mean{};
-    const int nodes = 8 * sectors;  // of a section one
+RingPosition location_of(const Run& run, double X, double inner_m, int sectors) {
+    RingPosition mean{};
+    const int nodes = 8 * sectors;  // a section has one node
     for (int k = 0; k < std::max(nodes, 1); ++k) {
         const double around = nodes > 0 ? 2 * std::numbers::pi * k / nodes : 0;
         const double weight = nodes > 0 ? (k % 2 == 0 ? 2.0 : 4.0) / (3.0 * nodes) : 1;
         const auto node = nearest_node(run, {X, inner_m * std::cos(around), inner_m * std::sin(around)});
         const auto& point = run.model.mesh.points[node];
         const double* u = &run.displacement_m[3 * node];
-        const double y = point[1] + u[1], z = point[2] + u[2], turn = std::atan2(z, y) - around;  // of a section z = 0
+        const double y = point[1] + u[1], z = point[2] + u[2], turn = std::atan2(z, y) - around;  // z = 0 in a section
         mean.X += weight * point[0];
         mean.x += weight * (point[0] + u[0]);
         mean.r += weight * std::hypot(y, z);
@@ -62,9 +62,9 @@ Place location_of(const Run& run, double X, double inner_m, int sectors) {
 }
 
 FiberTubeState middle_of(const Run& run, double length_m, double inner_m, int sectors = 0) {
-    constexpr double span_m = 10e-3;  // nodes lie there on all meshes used here
+    constexpr double span_m = 10e-3;  // all meshes used here have nodes at these positions
     const auto at = [&](double X) { return location_of(run, X, inner_m, sectors); };
-    const Place left = at(0.5 * length_m - span_m), right = at(0.5 * length_m + span_m);
+    const RingPosition left = at(0.5 * length_m - span_m), right = at(0.5 * length_m + span_m);
     return {at(0.5 * length_m).r / inner_m, (right.x - left.x) / (right.X - left.X),
             (right.angle - left.angle) / (right.X - left.X)};
 }
@@ -74,7 +74,7 @@ struct Case {
     std::vector<std::string> sets;
     double layer_begin = 0, layer_end = 1;
     double length_m = 0.4;
-    int sectors = 0;  ///< cells of a quarter turn; 0: a section
+    int sectors = 0;  ///< cells per quarter turn; 0: a section
 };
 
 Outcome inflated(const Case& tube_case) {
@@ -89,11 +89,11 @@ Outcome inflated(const Case& tube_case) {
     const auto row = [&](const std::string& quantity, double reference, double value) {
         return Row{.quantity = quantity,
                    .reference = reference,
-                   .source = "quadrature of the balances",
+                   .source = "quadrature of the equilibrium equations",
                    .ours = value,
                    .mesh = run.mesh,
                    .seconds = run.seconds,
-                   .tolerance = tube.families == 1 ? promised : homogeneous};
+                   .tolerance = tube.families == 1 ? default_tolerance : homogeneous_tolerance};
     };
     const std::string at = " at " + core::rounded_text(1e-3 * pressure_Pa, 4) + " kPa, middle ";
     Outcome outcome{
@@ -103,12 +103,12 @@ Outcome inflated(const Case& tube_case) {
         outcome.rows.push_back(
             row("twist" + at + "[deg/mm]", 1e-3 * exact.twist_1_m / degree, 1e-3 * ours.twist_1_m / degree));
     else
-        outcome.rows.push_back(row("pressure of the middle's stretches [kPa]",
+        outcome.rows.push_back(row("pressure from the stretches in the middle [kPa]",
                                    1e-3 * fiber_tube_pressure_Pa(tube, ours), 1e-3 * pressure_Pa));
     return outcome;
 }
 
-/// The angle at which the middle neither lengthens nor shortens, by secants over runs of the design.
+/// The angle at which the middle does not change its length, by the secant method over runs of the design.
 Problem magic_angle() {
     return {group, "braid of stiff fibres (k1/mu = 1000) in a thin wall (t/R = 0.1)", [] {
                 constexpr double inner_m = 9.5e-3, outer_m = 10.5e-3;
@@ -139,16 +139,16 @@ Problem magic_angle() {
                                .tolerance = tolerance};
                 };
                 return Outcome{
-                    {row("angle of no lengthening [deg]", exact / degree, "quadrature of the balances", homogeneous),
-                     row("the same, against inextensible fibres [deg]", std::atan(std::numbers::sqrt2) / degree,
-                         "tan^2 = 2", promised)},
+                    {row("angle without elongation [deg]", exact / degree, "quadrature of the equilibrium equations", homogeneous_tolerance),
+                     row("the same, for inextensible fibres [deg]", std::atan(std::numbers::sqrt2) / degree,
+                         "tan^2 = 2", default_tolerance)},
                     {}};
             }};
 }
 
-/// One family: the whole solid, free to twist. Long cells: far from the caps the state does not change along the tube; shorter
-/// tubes than this one feel their caps at 20 degrees. Twist at 60 degrees, three cells round a quarter turn, on 2, 3 and 4 cells
-/// through the wall: +0.15, +0.06 and -0.05 % from the formula; on 4 round the quarter turn and 2 through it +0.16 %.
+/// One fibre family: the whole solid, free to twist. The cells are long because the state far from the caps does not vary along the tube.
+/// In shorter tubes the caps influence the middle at 20 degrees. Error of the twist at 60 degrees with three cells per quarter turn: +0.15,
+/// +0.06 and -0.05 % with 2, 3 and 4 cells through the wall; with four per quarter turn and 2 through the wall +0.16 %.
 Case helix(const std::string& angle, int sectors, int through_wall) {
     return {
         "helix at " + angle + " degrees",
@@ -161,12 +161,12 @@ Case helix(const std::string& angle, int sectors, int through_wall) {
         sectors};
 }
 
-/// McKibben's muscle held at its length: F = pi/4 (D / sin angle)^2 p (3 cos^2 angle - 1) of a thin braid of inextensible fibres,
+/// McKibben muscle at fixed length: F = pi/4 (D / sin angle)^2 p (3 cos^2 angle - 1) of a thin braid of inextensible fibres,
 /// from virtual work. Sources: Gaylord, US patent 2,844,126 (1958); Chou and Hannaford, IEEE Trans. Robotics and Automation 12
-/// (1996) 90. The dead traction on the moving face is found, by secants, at which the middle neither lengthens nor shortens.
+/// (1996) 90. The secant method finds the dead traction on the moving face at which the middle does not change its length.
 Problem blocked_force(double angle_deg) {
     return {
-        group, "muscle at " + core::number_text(angle_deg) + " degrees, held at its length, thin stiff braid",
+        group, "muscle at " + core::number_text(angle_deg) + " degrees, at fixed length, thin stiff braid",
         [angle_deg] {
             constexpr double inner_m = 9.99e-3, outer_m = 10.01e-3, middle_m = 10e-3, pressure_Pa = 100;
             const double area_m2 = std::numbers::pi * outer_m * outer_m, sine = std::sin(angle_deg * degree),
@@ -200,7 +200,7 @@ Problem blocked_force(double angle_deg) {
                   .seconds = last.seconds,
                   .tolerance = 5e-3,
                   .reason =
-                      "the formula is that of a thin wall of fibres alone: here t/R = 0.002, k1/mu = 10,000, and the rubber carries a part of the hoop load"}},
+                      "the formula is for a thin wall of fibres only; here t/R = 0.002 and k1/mu = 10,000, and the rubber carries part of the hoop load"}},
                 {}};
         }};
 }
@@ -226,7 +226,7 @@ std::vector<Problem> fiber_tube_problems() {
     for (const char* angle : {"20", "40", "60", "80"}) {
         const Case tube = helix(angle, 3, 3);
         const bool brief =
-            tube.name == "helix at 20 degrees";  // where the caps are felt farthest; the others take as long
+            tube.name == "helix at 20 degrees";  // the caps have the largest influence at 20 degrees; the others are equally slow
         problems.push_back(
             {group, tube.name, [tube] { return inflated(tube); }, brief ? Duration::brief : Duration::slow});
     }

@@ -18,11 +18,11 @@ constexpr const char* small_strain = "linear-elastic";
 struct Law {
     const char* name;
     const char* design;
-    double stress_Pa;  ///< of the pull, as in the design
+    double stress_Pa;  ///< tensile stress, as in the design
     const char* formulation = "mixed";
 };
 
-/// Every law of the catalogue; verification_test holds it to that.
+/// Every law of the catalogue, as checked by verification_test.
 const std::vector<Law>& laws() {
     static const std::vector<Law> all{
         {"neo-hookean", "law-neo-hookean", 0.4e6},
@@ -43,7 +43,7 @@ const std::vector<Law>& laws() {
 
 std::string MPa_text(double stress_Pa) { return core::number_text(1e-6 * stress_Pa) + " MPa"; }
 
-/// A design's pull along x, and what the second axis does: free, pulled as hard, or held.
+/// Tension along x with the second axis free, under the same tension, or fixed.
 enum class Mode { uniaxial, equibiaxial, planar };
 
 Row stretch_row(const Law& law, Mode mode, const std::string& cells) {
@@ -57,7 +57,7 @@ Row stretch_row(const Law& law, Mode mode, const std::string& cells) {
         word = "equibiaxial";
     } else if (mode == Mode::planar) {
         sets.push_back("supports.y=[left, right]");
-        other.held = true;
+        other.fixed = true;
         word = "planar";
     }
     const auto run = run_design("verification/" + std::string(law.design) + ".yaml", sets);
@@ -68,7 +68,7 @@ Row stretch_row(const Law& law, Mode mode, const std::string& cells) {
             .ours = 1.0 + run.steps.back().outputs.at(0) / length_m,
             .mesh = run.mesh,
             .seconds = run.seconds,
-            .tolerance = homogeneous};
+            .tolerance = homogeneous_tolerance};
 }
 
 Problem states_of(const Law& law, const std::string& cells) {
@@ -84,7 +84,7 @@ Problem states_of(const Law& law, const std::string& cells) {
 /// theta to the plane of shear with sin theta cos theta = 1/(l + 1/l).
 double shear_stress_Pa(const model::Material& material, double g) {
     const double l = 0.5 * g + std::sqrt(1.0 + 0.25 * g * g);
-    const auto stress = material.bulk_modulus_Pa ? cauchy_of(material) : pulls_of(material);
+    const auto stress = material.bulk_modulus_Pa ? cauchy_of(material) : extra_stress_of(material);
     const Triple s = stress({l, 1.0 / l, 1.0});
     return (s[0] - s[1]) / (l + 1.0 / l);
 }
@@ -107,7 +107,7 @@ Problem simple_shear() {
                          .ours = 1e-3 * material::cauchy_stress_Pa(state.value(), material::Mode::simple_shear),
                          .mesh = "none: a material point",
                          .seconds = 0,
-                         .tolerance = homogeneous});
+                         .tolerance = homogeneous_tolerance});
                 }
                 return outcome;
             }};
@@ -118,7 +118,7 @@ struct RodLaw {
     std::vector<std::string> sets;
 };
 
-/// The rod of Table 1: Cauchy stress 0.25 t MPa; the table names t.
+/// The rod of Table 1: Cauchy stress 0.25 t MPa, with t from the table.
 Problem table_rod(const RodLaw& law) {
     return {group, std::string("rod of Table 1, ") + law.name, [law] {
                 const auto run = run_design("verification/rod-table1.yaml", law.sets);
@@ -133,15 +133,15 @@ Problem table_rod(const RodLaw& law) {
                          .ours = 1e3 * point.outputs.at(0),  // 100 mm long
                          .mesh = run.mesh,
                          .seconds = run.seconds,
-                         .tolerance = homogeneous});
+                         .tolerance = homogeneous_tolerance});
                 }
                 return outcome;
             }};
 }
 
-/// Without load the kraken law is not at rest in the undeformed body: the path's first row, at load factor 0, has shrunk.
+/// The kraken law is not stress-free in the undeformed state: in the first row, at load factor 0, the rod has shrunk.
 Problem kraken_shrink() {
-    return {group, "kraken law free of load", [] {
+    return {group, "kraken law without load", [] {
                 const auto run = run_design("verification/rod-table1.yaml",
                                             {"material.law=kraken", "mesh.formulation=displacement"});
                 const double mu = run.model.materials.front().constants.at("mu").front();

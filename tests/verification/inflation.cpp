@@ -13,7 +13,7 @@ constexpr const char* group = "Inflation";
 
 std::string mm_text(double metres) { return core::number_text(1e3 * metres) + " mm"; }
 
-/// A sphere of a design, over the volume ratio of its largest inner stretch.
+/// A sphere, inflated to the volume ratio of its largest inner stretch.
 struct Sphere {
     const char* name;
     const char* design;
@@ -33,12 +33,12 @@ Outcome solve_sphere(const Sphere& sphere) {
     const double last = sphere.inner_stretches.back() * 1.02;
     sets.push_back("path.until.volume_ratio=" + core::number_text(std::pow(last, 3)));
     const auto run = run_design("verification/" + std::string(sphere.design) + ".yaml", sets);
-    const Pulls pulls = pulls_of(run.model.materials.front());
+    const ExtraStress extra_stress = extra_stress_of(run.model.materials.front());
     const double ratio = sphere.outer_m / sphere.inner_m, volume = *run.steps.front().volume_m3;
     const auto exact = [&](double l) {
         return sphere.closed_form
                    ? neo_hookean_sphere_pressure_Pa(run.model.materials.front().constants.at("mu").front(), l, ratio)
-                   : sphere_pressure_Pa(pulls, l, ratio);
+                   : sphere_pressure_Pa(extra_stress, l, ratio);
     };
     const std::string source = sphere.closed_form ? "closed form" : "quadrature";
     Outcome outcome;
@@ -59,7 +59,7 @@ Outcome solve_sphere(const Sphere& sphere) {
                             .mesh = run.mesh,
                             .seconds = run.seconds});
     outcome.rows.push_back({.quantity = "a/A at the limit [-]",
-                            .reference = peak.place,
+                            .reference = peak.location,
                             .source = source,
                             .ours = inner_stretch(run, *limit.volume_m3),
                             .mesh = run.mesh,
@@ -85,9 +85,8 @@ std::vector<Sphere> spheres() {
     };
 }
 
-/// The limit point of a thin shell is that of a membrane to first order in t/R: p R/(mu t) and the stretch, R the middle
-/// radius, of two shells, extrapolated to t = 0 as a + b t^2 (by symmetry about the middle surface; `formula_test` has the
-/// same from the closed form).
+/// The limit point of a thin shell converges to that of a membrane. p R/(mu t) and the stretch (R: middle radius) of two shells are
+/// extrapolated to t = 0 as a + b t^2 (by symmetry about the middle surface; `formula_test` checks the same for the closed form).
 Problem thin_sphere() {
     return {group, "sphere of vanishing thickness, neo-Hookean", [] {
                 struct Shell {
@@ -132,7 +131,7 @@ Problem thin_sphere() {
             }};
 }
 
-/// Radial displacement [m] of a node on the axis x of the plane.
+/// Radial displacement [m] of a node on the x axis.
 double radial_displacement(const Run& run, double R_m) {
     return run.displacement_m[3 * nearest_node(run, {R_m, 0, 0})];
 }
@@ -158,10 +157,10 @@ Problem thick_cylinder() {
     return {group, "plane-strain cylinder 7 / 18.625 m, Mooney-Rivlin", [] {
                 constexpr double A = 7, B = 18.625, pressure_Pa = 100e6;
                 const auto run = run_design("verification/cylinder-mooney-rivlin.yaml", {});
-                const Pulls pulls = pulls_of(run.model.materials.front());
+                const ExtraStress extra_stress = extra_stress_of(run.model.materials.front());
                 const Cylinder cylinder{A, B, 1};
                 const double l =
-                    root_of([&](double x) { return cylinder_pressure_Pa(pulls, cylinder, x) - pressure_Pa; }, 1.0, 2.0);
+                    root_of([&](double x) { return cylinder_pressure_Pa(extra_stress, cylinder, x) - pressure_Pa; }, 1.0, 2.0);
                 const double outer = cylinder.deformed_radius_m(B, l) / B;
                 const double in = radial_displacement(run, A), out = radial_displacement(run, B);
                 const auto row = [&](const char* quantity, double reference, double ours) {
@@ -172,13 +171,13 @@ Problem thick_cylinder() {
                                .mesh = run.mesh,
                                .seconds = run.seconds};
                 };
-                // At a free or loaded wall the radial stress is known, and the law gives the hoop stress from the stretch.
+                // At a free or pressurised wall the radial stress is known, and the law gives the hoop stress from the stretch.
                 return Outcome{{row("inner radial displacement [m]", A * (l - 1), in),
                                 row("outer radial displacement [m]", B * (outer - 1), out),
-                                row("inner hoop stress [MPa]", 1e-6 * hoop_stress_Pa(pulls, l, -pressure_Pa),
-                                    1e-6 * hoop_stress_Pa(pulls, 1 + in / A, -pressure_Pa)),
-                                row("outer hoop stress [MPa]", 1e-6 * hoop_stress_Pa(pulls, outer, 0),
-                                    1e-6 * hoop_stress_Pa(pulls, 1 + out / B, 0))},
+                                row("inner hoop stress [MPa]", 1e-6 * hoop_stress_Pa(extra_stress, l, -pressure_Pa),
+                                    1e-6 * hoop_stress_Pa(extra_stress, 1 + in / A, -pressure_Pa)),
+                                row("outer hoop stress [MPa]", 1e-6 * hoop_stress_Pa(extra_stress, outer, 0),
+                                    1e-6 * hoop_stress_Pa(extra_stress, 1 + out / B, 0))},
                                {}};
             }};
 }
@@ -187,14 +186,14 @@ Problem thick_cylinder() {
 Problem layered_cylinder() {
     return {group, "plane-strain cylinder of two rubbers, 10 / 12.5 / 20 mm", [] {
                 const auto run = run_design("verification/two-layers.yaml", {});
-                const auto pulls = [&](const char* region) {
-                    return pulls_of(*std::ranges::find(run.model.materials, region, &model::Material::name));
+                const auto extra_stress = [&](const char* region) {
+                    return extra_stress_of(*std::ranges::find(run.model.materials, region, &model::Material::name));
                 };
                 Outcome outcome;
                 for (const double l : {1.2, 1.5, 2.0})
                     outcome.rows.push_back(
                         {.quantity = "pressure at a/A = " + core::number_text(l) + " [kPa]",
-                         .reference = 1e-3 * layered_cylinder_pressure_Pa(pulls("liner"), pulls("jacket"),
+                         .reference = 1e-3 * layered_cylinder_pressure_Pa(extra_stress("liner"), extra_stress("jacket"),
                                                                           {10e-3, 20e-3, 1}, 12.5e-3, l),
                          .source = "quadrature",
                          .ours = 1e-3 * run.at("volume", *run.steps.front().volume_m3 * l * l).pressure_Pa,

@@ -20,12 +20,12 @@ double integral(const std::function<double(double)>& f, double from, double to) 
     return half * sum;
 }
 
-double sphere_pressure_Pa(const Pulls& pulls, double inner_stretch, double ratio) {
+double sphere_pressure_Pa(const ExtraStress& extra_stress, double inner_stretch, double ratio) {
     const double outer =
         std::cbrt(1.0 + (inner_stretch * inner_stretch * inner_stretch - 1.0) / (ratio * ratio * ratio));
     return integral(
         [&](double l) {
-            const Triple s = pulls({l, l, 1.0 / (l * l)});
+            const Triple s = extra_stress({l, l, 1.0 / (l * l)});
             return 2.0 * (s[0] - s[2]) / (l * (l * l * l - 1.0));
         },
         outer, inner_stretch);
@@ -43,17 +43,17 @@ double Cylinder::deformed_radius_m(double R_m, double inner_stretch) const {
     return std::sqrt(a * a + (R_m * R_m - inner_m * inner_m) / axial_stretch);
 }
 
-double cylinder_pressure_Pa(const Pulls& pulls, const Cylinder& c, double inner_stretch) {
+double cylinder_pressure_Pa(const ExtraStress& extra_stress, const Cylinder& c, double inner_stretch) {
     return integral(
         [&](double R) {  // dr = R dR / (r lz)
             const double r = c.deformed_radius_m(R, inner_stretch), hoop = r / R;
-            const Triple s = pulls({c.axial_stretch, hoop, 1.0 / (c.axial_stretch * hoop)});
+            const Triple s = extra_stress({c.axial_stretch, hoop, 1.0 / (c.axial_stretch * hoop)});
             return (s[1] - s[2]) * R / (r * r * c.axial_stretch);
         },
         c.inner_m, c.outer_m);
 }
 
-double layered_cylinder_pressure_Pa(const Pulls& inside, const Pulls& outside, const Cylinder& c, double interface_m,
+double layered_cylinder_pressure_Pa(const ExtraStress& inside, const ExtraStress& outside, const Cylinder& c, double interface_m,
                                     double inner_stretch) {
     const Cylinder outer{interface_m, c.outer_m, c.axial_stretch};
     return cylinder_pressure_Pa(inside, {c.inner_m, interface_m, c.axial_stretch}, inner_stretch) +
@@ -66,28 +66,28 @@ double neo_hookean_cylinder_pressure_Pa(double mu_Pa, double inner_stretch, doub
            (std::log(inner_stretch / outer) + 0.5 * (1.0 / (outer * outer) - 1.0 / (inner_stretch * inner_stretch)));
 }
 
-double hoop_stress_Pa(const Pulls& pulls, double hoop_stretch, double radial_stress_Pa) {
-    const Triple s = pulls({1.0, hoop_stretch, 1.0 / hoop_stretch});
+double hoop_stress_Pa(const ExtraStress& extra_stress, double hoop_stretch, double radial_stress_Pa) {
+    const Triple s = extra_stress({1.0, hoop_stretch, 1.0 / hoop_stretch});
     return radial_stress_Pa + s[1] - s[2];
 }
 
-TubeState closed_tube(const Pulls& pulls, double inner_m, double outer_m, double inner_stretch,
+TubeState closed_tube(const ExtraStress& extra_stress, double inner_m, double outer_m, double inner_stretch,
                       double max_axial_stretch) {
-    // Axial force of the wall less that of the pressure on the caps, over pi; sigma_r = -p + int (sigma_t - sigma_r) dr/r.
+    // Axial force of the wall minus that of the pressure on the caps, over pi; sigma_r = -p + int (sigma_t - sigma_r) dr/r.
     // With 2 sigma_z = (2 sigma_z - sigma_t - sigma_r) + (sigma_t + sigma_r) and equilibrium, int (sigma_t + sigma_r) r dr
-    // = p a^2, so the balance 2 int sigma_z r dr = p a^2 reads int (2 s_z - s_t - s_r) r dr = 0: no pressure in it.
+    // = p a^2, so the balance 2 int sigma_z r dr = p a^2 reads int (2 s_z - s_t - s_r) r dr = 0, without the pressure.
     const auto surplus = [&](double lz) {
         const Cylinder c{inner_m, outer_m, lz};
         return integral(
             [&](double R) {
                 const double r = c.deformed_radius_m(R, inner_stretch), hoop = r / R;
-                const Triple s = pulls({lz, hoop, 1.0 / (lz * hoop)});
+                const Triple s = extra_stress({lz, hoop, 1.0 / (lz * hoop)});
                 return (2.0 * s[0] - s[1] - s[2]) * R / lz;
             },
             inner_m, outer_m);
     };
     const double lz = root_of(surplus, 0.7, max_axial_stretch);
-    return {cylinder_pressure_Pa(pulls, {inner_m, outer_m, lz}, inner_stretch), lz};
+    return {cylinder_pressure_Pa(extra_stress, {inner_m, outer_m, lz}, inner_stretch), lz};
 }
 
 PairState sphere_pair(const std::function<double(double)>& small, const std::function<double(double)>& large,
@@ -118,7 +118,7 @@ Peak first_peak(const std::function<double(double)>& f, double low, double high)
 double root_of(const std::function<double(double)>& f, double low, double high) {
     for (int i = 0; i < 200; ++i) {
         const double middle = 0.5 * (low + high);
-        if (middle <= low || middle >= high) break;  // no number is left between them
+        if (middle <= low || middle >= high) break;  // no double lies between them
         (f(middle) < 0 ? low : high) = middle;
     }
     return 0.5 * (low + high);

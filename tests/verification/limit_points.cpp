@@ -1,5 +1,5 @@
-// Control auto: sphere and tube through their limit points to ten times their volume; a long tube in which a bulge forms,
-// grows and spreads.
+// Control auto: sphere and tube past their limit points to ten times their volume; a long tube in which a bulge forms, grows and
+// propagates.
 #include <algorithm>
 #include <cmath>
 
@@ -44,11 +44,11 @@ Outcome sphere() {
             1e-3 * run.at("volume", ratio * V0).pressure_Pa);
     const auto peak = first_peak(exact, 1.001, 3);
     add("limit pressure [kPa]", 1e-3 * peak.value, 1e-3 * run.end.limit_points.at(0).pressure_Pa);
-    add("V/V0 at the limit [-]", std::pow(peak.place, 3), *run.end.limit_points.at(0).volume_m3 / V0);
+    add("V/V0 at the limit [-]", std::pow(peak.location, 3), *run.end.limit_points.at(0).volume_m3 / V0);
     return outcome;
 }
 
-/// The numbers of the tube (actuators.cpp), under auto.
+/// The results of the tube (actuators.cpp) under control auto.
 Outcome tube() {
     const auto run = run_design("verification/tube.yaml",
                                 {"path.control=auto", "path.until.volume_ratio=" + core::number_text(last_ratio)});
@@ -68,7 +68,7 @@ Outcome tube() {
     return outcome;
 }
 
-/// Hoop stretch of the inner wall at a place along the undeformed tube.
+/// Hoop stretch of the inner wall at an axial position of the undeformed tube.
 double inner_hoop(const Run& run, double x_m, double inner_m) {
     const auto node = nearest_node(run, {x_m, inner_m, 0});
     return 1 + run.displacement_m[3 * node + 1] / run.model.mesh.points[node][1];
@@ -79,28 +79,28 @@ struct Balloon {
     const char* size;
 };
 
-Run blown_up(const Balloon& balloon) {  // one cell through the wall, which stretches more than it bends
+Run blown_up(const Balloon& balloon) {  // one cell through the wall: membrane stretch dominates bending
     return run_design("balloon.yaml", {"geometry.length=" + core::number_text(1e3 * balloon.length_m) + " mm",
                                        std::string("mesh.size=") + balloon.size, "mesh.through_wall=1"});
 }
 
 std::vector<std::string> study_line(const Balloon& balloon, const Run& run) {
-    double least = run.steps.back().pressure_Pa;
+    double minimum = run.steps.back().pressure_Pa;
     bool past_limit = false;
     for (const auto& step : run.steps) {
         past_limit = past_limit || step.tangent_pressure * step.tangent_volume < 0;
-        if (past_limit) least = std::min(least, step.pressure_Pa);
+        if (past_limit) minimum = std::min(minimum, step.pressure_Pa);
     }
-    return {core::number_text(1e3 * balloon.length_m), balloon.size, printed_number(1e-3 * least),
+    return {core::number_text(1e3 * balloon.length_m), balloon.size, printed_number(1e-3 * minimum),
             printed_number(run.pressure_kPa())};
 }
 
-/// The bulge spreads while volume is added: at V/V0 = 10 its two fronts are far from each other and from the caps.
+/// The bulge propagates as volume is added: at V/V0 = 10 its two fronts are far from each other and from the caps.
 Outcome balloon() {
     constexpr double inner_m = 9e-3, outer_m = 10e-3;
     Table study{"bulging balloon: mesh study",
-                "Pressure [kPa] of the spreading bulge: the least after the limit point, and at V/V0 = 10.",
-                {"length [mm]", "cells", "least [kPa]", "at V/V0 = 10 [kPa]"},
+                "Pressure [kPa] of the spreading bulge: the minimum after the limit point, and the value at V/V0 = 10.",
+                {"length [mm]", "cells", "minimum [kPa]", "at V/V0 = 10 [kPa]"},
                 {}};
     for (const Balloon& shorter : {Balloon{200e-3, "2 mm"}, Balloon{200e-3, "1 mm"}})
         study.lines.push_back(study_line(shorter, blown_up(shorter)));
@@ -112,8 +112,8 @@ Outcome balloon() {
     const GentTube tube{constants.at("mu").front(), constants.at("jm").front(), inner_m, outer_m};
     const auto pressure = [&](double l) { return even_tube(tube, l).pressure_Pa; };
     const auto maximum = first_peak(pressure, 1.001, 2.5);
-    const auto minimum = first_peak([&](double l) { return -pressure(l); }, maximum.place + 0.1, 4);
-    const auto line = coexistence(tube, maximum.place, minimum.place);
+    const auto minimum = first_peak([&](double l) { return -pressure(l); }, maximum.location + 0.1, 4);
+    const auto line = coexistence(tube, maximum.location, minimum.location);
 
     Outcome outcome{{ratio_row(run)}, {study}};
     const auto add = [&](const char* quantity, double reference, double ours) {
@@ -132,18 +132,18 @@ Outcome balloon() {
         const double hoop = 1 + run.displacement_m[3 * node + 1] / p[1];
         if (hoop > largest) largest = hoop, x_m = p[0];
     }
-    const auto held_by_fronts = [&] {
+    const auto relax_tolerance = [&] {
         outcome.rows.back().tolerance = 5e-3;
         outcome.rows.back().reason =
-            "at V/V0 = 10 bulge and rest are ten radii long each, and the fronts between them are still felt in their middles";
+            "at V/V0 = 10 the bulge and the rest are only ten radii long each, and the fronts between them still influence their middles";
     };
     add("a/A in the bulge [-]", line.bulge.inner_stretch, largest);
-    held_by_fronts();
-    // The farthest place from the bulge that the caps do not reach.
+    relax_tolerance();
+    // The position farthest from the bulge outside the influence of the caps.
     constexpr double away_from_cap_m = 40e-3;
     const double far_m = x_m < 0.5 * longest.length_m ? longest.length_m - away_from_cap_m : away_from_cap_m;
-    add("a/A outside it [-]", line.thin.inner_stretch, inner_hoop(run, far_m, inner_m));
-    held_by_fronts();
+    add("a/A outside the bulge [-]", line.thin.inner_stretch, inner_hoop(run, far_m, inner_m));
+    relax_tolerance();
     return outcome;
 }
 

@@ -1,4 +1,4 @@
-// Options of loads, materials and outputs, each held to a state that is known in another way.
+// Options of loads, materials and outputs, each compared with an independently known state.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace soft::verification {
 namespace {
 
-/// The thrust of a plug is a dead force on the face around it: without it, the same force stated by hand gives the same state.
-TEST(Plugs, TheThrustThatAFixtureCarriesIsTheForceOfThePressureOnThePlug) {
+/// The thrust of a plug is a dead force on the face around it: without plug thrust, the same explicit force gives the same state.
+TEST(Plugs, ThrustEqualsAnExplicitForceOnTheFace) {
     const std::vector<std::string> common{"mesh.size=3 mm", "path={control: pressure}"};
     auto plugged = common, carried = common;
     plugged.push_back("loads={cavity: {pressure: 10 kPa}}");
@@ -23,8 +23,8 @@ TEST(Plugs, TheThrustThatAFixtureCarriesIsTheForceOfThePressureOnThePlug) {
     EXPECT_LT(run_design("bellows.yaml", carried).output_mm(), 0.97 * with.output_mm());
 }
 
-/// Two shells that share nothing: twice the modulus at twice the pressure is the same state.
-TEST(TwoSpheres, EachTakesItsOwnMaterial) {
+/// Two independent shells: twice the modulus at twice the pressure gives the same state.
+TEST(TwoSpheres, EachUsesItsOwnMaterial) {
     const auto run =
         run_design("two-spheres.yaml",
                    {"materials={right: {law: neo-hookean, mu: 0.3288 MPa, kappa: incompressible}}",
@@ -36,8 +36,8 @@ TEST(TwoSpheres, EachTakesItsOwnMaterial) {
     EXPECT_NEAR(last.volumes_m3[1] / last.volumes_m3[0], 1.0, 1e-8);
 }
 
-/// Incompressible rubber of a sphere moves as r^3 = R^3 + a^3 - A^3 whatever its law. A = 10 mm, B = 20 mm, volume ratio 3.375: a = 15 mm.
-TEST(Outputs, PointsOfAThickSphereMoveAsItsVolumeSays) {
+/// An incompressible sphere deforms as r^3 = R^3 + a^3 - A^3 for every law. A = 10 mm, B = 20 mm, volume ratio 3.375: a = 15 mm.
+TEST(Outputs, PointsOfAThickSphereMatchTheIncompressibleMotion) {
     const auto run =
         run_design("sphere.yaml",
                    {"mesh.size=1 mm", "loads={cavity: {volume_ratio: 3.375}}", "path={control: auto}",

@@ -1,4 +1,4 @@
-// How much too stiff a choice of element is: pressure over the converged pressure at the same elongation.
+// Excess stiffness of an element: pressure over the converged pressure at the same elongation.
 #include "locking.hpp"
 #include "core/text.hpp"
 #include "table.hpp"
@@ -11,7 +11,7 @@ struct Choice {
     std::vector<std::string> sets;
 };
 
-/// F-bar has no wedges, and the solid's disc has them at the axis: it is measured on the section.
+/// F-bar does not support wedges, which the solid has at the axis: it is measured on the section.
 const std::vector<Choice>& choices() {
     const std::string quarter = "model=quarter", first = "mesh.order=1", split = "mesh.cells=simplices";
     const std::string displacement = "mesh.formulation=displacement";
@@ -32,13 +32,13 @@ const std::vector<Choice>& choices() {
     return all;
 }
 
-/// The bellows with one cell through the wall, against its converged section.
+/// The bellows with one cell through the wall, compared with its converged section.
 Outcome bellows() {
     const auto section = converged_bellows();
     Table table{
         "Locking: the bellows, kappa/mu = 100",
         "Stiffness factor: pressure over that of the converged section (the rows 'bellows, open') at the same elongation, the\n"
-        "cavity open. The exact shape as a quarter solid or as a section, one cell of 3 mm through the wall unless said,\n"
+        "cavity open. The exact shape as a quarter solid or as a section, one cell of 3 mm through the wall unless stated,\n"
         "kappa/mu = 100.",
         {"element"},
         {}};

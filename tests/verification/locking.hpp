@@ -1,5 +1,5 @@
 #pragma once
-/// What locking is measured against: the converged section of the paper's bellows, cavity open, kappa/mu = 100.
+/// Reference for locking: the converged section of the paper's bellows, cavity open, kappa/mu = 100.
 #include <array>
 
 #include "problem.hpp"

@@ -1,5 +1,5 @@
-// A long closed tube: far from its ends the wall is the plane problem with an axial force. The caps of a tube 400 mm long
-// are 20 diameters from its middle; its limit pressure falls as the inverse square of the length towards the limit.
+// A long closed tube: far from its ends the wall solves the plane problem with an axial force. The caps of a tube 400 mm long are 20
+// diameters from its middle. Its limit pressure converges to that of an infinite tube with the inverse square of the length.
 #include <cmath>
 
 #include "core/text.hpp"
@@ -29,32 +29,32 @@ Middle middle_of(const Run& run, double length_m) {
 
 Outcome rising_branch(const std::string& pressure_kPa) {
     const auto run = run_design("verification/tube-long.yaml", {"path.until.pressure=" + pressure_kPa + " kPa"});
-    const Pulls pulls = pulls_of(run.model.materials.front());
+    const ExtraStress extra_stress = extra_stress_of(run.model.materials.front());
     const double pressure_Pa = 1e3 * std::stod(pressure_kPa);
     const double hoop =
-        root_of([&](double l) { return closed_tube(pulls, inner_m, outer_m, l).pressure_Pa - pressure_Pa; }, 1.0, 1.79);
+        root_of([&](double l) { return closed_tube(extra_stress, inner_m, outer_m, l).pressure_Pa - pressure_Pa; }, 1.0, 1.79);
     const auto middle = middle_of(run, 0.4);
     const auto row = [&](const std::string& quantity, double reference, double ours) {
         return Row{.quantity = quantity + " at " + pressure_kPa + " kPa, middle [-]",
                    .reference = reference,
-                   .source = "quadrature of the axial balance",
+                   .source = "quadrature of the axial equilibrium",
                    .ours = ours,
                    .mesh = run.mesh,
                    .seconds = run.seconds};
     };
     return {{row("a/A", hoop, middle.hoop),
-             row("axial stretch", closed_tube(pulls, inner_m, outer_m, hoop).axial_stretch, middle.axial)},
+             row("axial stretch", closed_tube(extra_stress, inner_m, outer_m, hoop).axial_stretch, middle.axial)},
             {}};
 }
 
 Outcome limit_point() {
     const auto run = run_design("verification/tube-long.yaml", {});
-    const Pulls pulls = pulls_of(run.model.materials.front());
+    const ExtraStress extra_stress = extra_stress_of(run.model.materials.front());
     const auto peak =
-        first_peak([&](double l) { return closed_tube(pulls, inner_m, outer_m, l).pressure_Pa; }, 1.001, 3.0);
+        first_peak([&](double l) { return closed_tube(extra_stress, inner_m, outer_m, l).pressure_Pa; }, 1.001, 3.0);
     return {{{.quantity = "limit pressure [kPa]",
               .reference = 1e-3 * peak.value,
-              .source = "quadrature of the axial balance",
+              .source = "quadrature of the axial equilibrium",
               .ours = 1e-3 * run.end.limit_points.at(0).pressure_Pa,
               .mesh = run.mesh,
               .seconds = run.seconds}},

@@ -7,10 +7,10 @@
 namespace soft::verification {
 namespace {
 
-/// Of a unit mu h: tension along the first direction.
+/// Tension along the first direction, for mu h = 1.
 double tension(double l1, double l2) { return l1 / l2 - 1 / std::pow(l1 * l2, 3); }
 
-/// The stretch along the meridian that gives a tension; it grows with the tension.
+/// The meridional stretch for a given tension; it increases with the tension.
 double meridian_stretch(double tension1, double l2, double guess) {
     double l1 = guess;
     for (int i = 0; i < 40; ++i) {
@@ -23,10 +23,10 @@ double meridian_stretch(double tension1, double l2, double guess) {
 
 struct Integrated {
     double rim_radius, deflection, mean_deflection;
-    bool upright;  ///< the slope has come to a right angle
+    bool upright;  ///< the slope has reached a right angle
 };
 
-/// Unit radius and unit mu h; `pressure` is p a/(mu h).
+/// For unit radius and mu h = 1; `pressure` is p a/(mu h).
 Integrated integrate(double apex_stretch, double pressure) {
     constexpr int steps = 500;
     struct State {
@@ -48,7 +48,7 @@ Integrated integrate(double apex_stretch, double pressure) {
         return {l1 * cosine, (tension(l2, l1) - s.tension1) * l1 * cosine / s.r, l1 * sine};
     };
     constexpr double step = 1.0 / steps;
-    // The first step by the sphere that the apex is: l1 = l2, T1 = T2, to second order in R.
+    // First step: the apex is a sphere, l1 = l2, T1 = T2, to second order in R.
     State s{apex_stretch * step, tension(apex_stretch, apex_stretch)};
     double fall = 0.5 * apex_stretch * pressure * s.r / (2 * s.tension1) * step, moment = 0;
     for (int i = 1; i < steps && !upright; ++i) {
@@ -70,7 +70,7 @@ Integrated integrate(double apex_stretch, double pressure) {
 }  // namespace
 
 MembraneState membrane_at(const Membrane& membrane, double apex_stretch) {
-    // Without pressure the sheet stays flat and its rim goes out to apex_stretch; the more it bulges, the less.
+    // Without pressure the sheet is flat and its rim is at apex_stretch; with pressure the radius of the rim decreases.
     double low = 0, high = 1;
     const auto too_much = [&](double pressure) {
         const Integrated sheet = integrate(apex_stretch, pressure);
@@ -94,7 +94,7 @@ MembraneState membrane_deflected(const Membrane& membrane, double mean_deflectio
 
 double hencky_deflection(double q, double poisson) {
     // Radial force N = E h q^(2/3)/4 sum b_2n rho^2n, deflection q^(1/3) sum a_2n (1 - rho^(2n+2)); all follow from b_0, and
-    // b_0 from the rim that does not move: sum (2n + 1 - poisson) b_2n = 0.
+    // b_0 from the fixed rim: sum (2n + 1 - poisson) b_2n = 0.
     const auto edge = [&](double b) {
         const std::array<double, 8> terms{b,
                                           -1 / std::pow(b, 2),

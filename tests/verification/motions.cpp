@@ -1,4 +1,4 @@
-// Motion in time: the period and decay of a beam, a breathing sphere, and the slow limit of the bellows.
+// Dynamics: period and damping of a beam, a sphere in its breathing mode, and the quasi-static limit of the bellows.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,7 +19,7 @@ struct Extremum {
     double time_s, value;
 };
 
-/// Where the output's velocity changes sign between rows: by the cubic through values and velocities of both.
+/// Extrema of the output: sign changes of the velocity of the cubic through values and velocities of two rows.
 std::vector<Extremum> extrema(const Run& run) {
     std::vector<Extremum> found;
     for (std::size_t i = 1; i < run.steps.size(); ++i) {
@@ -44,8 +44,8 @@ std::vector<Extremum> extrema(const Run& run) {
     return found;
 }
 
-/// Swings between extrema shrink by exp(-z w T / 2) each, and do not depend on where the beam comes to rest. The second mode
-/// (6.3 times the frequency, 1.4 % of the first under an even load) is gone after the first two periods.
+/// The differences between successive extrema decay by exp(-z w T / 2) each and do not depend on the rest position of the beam. The
+/// second mode (6.3 times the frequency, 1.4 % of the first mode under a uniform load) has decayed after the first two periods.
 Outcome solve_cantilever() {
     const auto run = run_design("verification/cantilever.yaml", {});
     const auto& material = run.model.materials.front();
@@ -54,10 +54,10 @@ Outcome solve_cantilever() {
     const auto found = extrema(run);
     constexpr std::size_t first = 5;
     const std::size_t last = found.size() - 1;
-    const auto swing = [&](std::size_t k) { return std::abs(found[k].value - found[k - 1].value); };
+    const auto amplitude = [&](std::size_t k) { return std::abs(found[k].value - found[k - 1].value); };
     const double halves = static_cast<double>(last - first);
     const double damped = std::numbers::pi * halves / (found[last].time_s - found[first].time_s);
-    const double decrement = 2.0 / halves * std::log(swing(first) / swing(last));
+    const double decrement = 2.0 / halves * std::log(amplitude(first) / amplitude(last));
     const double zeta = decrement / std::hypot(2.0 * std::numbers::pi, decrement);
     const double frequency = damped / std::sqrt(1.0 - zeta * zeta), theory = beam.frequency();
     const auto& dynamics = *run.model.dynamics;
@@ -87,7 +87,7 @@ Outcome solve_sphere() {
     constexpr int count = 80;  // every row
     const auto exact = dynamics::breathing_stretches(sphere, run.model.path.stages[0].supplies[0].value, elastic_Pa,
                                                      run.model.dynamics->duration_s, count);
-    if (run.steps.size() != count + 1) throw std::runtime_error("the sphere's rows are not those of its design");
+    if (run.steps.size() != count + 1) throw std::runtime_error("the sphere has an unexpected number of rows");
     Outcome outcome;
     const auto inner = [&](int row) {
         return std::cbrt(*run.steps[static_cast<std::size_t>(row)].volume_m3 / *run.steps.front().volume_m3);
@@ -95,7 +95,7 @@ Outcome solve_sphere() {
     const auto add = [&](const std::string& quantity, double reference, double ours) {
         outcome.rows.push_back({.quantity = quantity,
                                 .reference = reference,
-                                .source = "the one equation of motion of an incompressible sphere",
+                                .source = "equation of motion of an incompressible sphere",
                                 .ours = ours,
                                 .mesh = run.mesh,
                                 .seconds = run.seconds});
@@ -112,13 +112,14 @@ Outcome solve_sphere() {
             worst = row;
         }
     }
-    add("a/A where it differs most, after " + core::number_text(0.1 * worst) + " ms [-]",
+    add("a/A at the largest difference, after " + core::number_text(0.1 * worst) + " ms [-]",
         exact[static_cast<std::size_t>(worst) - 1], inner(worst));
     return outcome;
 }
 
-/// At the rows of the motion, at equal pressures: over the elongation, below a tenth of the largest over that, because a ramp
-/// starts with a kick from rest. Its swing is damped, and then the motion lags by the damping force of its velocity.
+/// Compares the motion with the static curve at equal pressure, at the rows of the motion. Differences are relative to the elongation,
+/// but at least to a tenth of its largest value, because a ramp starts with a jump of the velocity. The resulting vibration is damped;
+/// after that the motion lags by the damping force at its velocity.
 Outcome solve_slow_bellows() {
     const std::vector<std::string> common{"mesh.size=3 mm", "loads.cavity.pressure=20 kPa", "path={}"};
     auto slow = common, still = common;
@@ -126,10 +127,10 @@ Outcome solve_slow_bellows() {
                              "dynamics.stiffness_damping=2 ms", "dynamics.accuracy=1e-3"});
     still.push_back("solver.step_accuracy=5e-5");
     const auto run = run_design("bellows.yaml", slow), curve = run_design("bellows.yaml", still);
-    struct Place {
-        double still_m = 0, moving_m = 0, error = 0;
+    struct Comparison {
+        double static_m = 0, dynamic_m = 0, error = 0;
     };
-    Place first, worst, last;
+    Comparison first, worst, last;
     for (std::size_t i = 1; i < run.steps.size(); ++i) {
         const auto& step = run.steps[i];
         const double there = curve.at("pressure", step.pressure_Pa).outputs[0];
@@ -147,17 +148,17 @@ Outcome solve_slow_bellows() {
                                 .mesh = run.mesh,
                                 .seconds = run.seconds});
     };
-    add("in the first row beyond a tenth of it", first.still_m, first.moving_m);
-    add("at 20 kPa", last.still_m, last.moving_m);
-    const double larger = std::max(worst.still_m, 0.1 * last.moving_m);
-    add("where it differs most, at least a tenth", larger, larger + worst.moving_m - worst.still_m);
+    add("in the first row above a tenth of the final one", first.static_m, first.dynamic_m);
+    add("at 20 kPa", last.static_m, last.dynamic_m);
+    const double larger = std::max(worst.static_m, 0.1 * last.dynamic_m);
+    add("at the largest difference, at least a tenth of the final one", larger, larger + worst.dynamic_m - worst.static_m);
     return outcome;
 }
 
 }  // namespace
 
 std::vector<Problem> motion_problems() {
-    return {{group, "cantilever, swinging", solve_cantilever},
+    return {{group, "cantilever, free vibration", solve_cantilever},
             {group, "sphere B/A = 2, breathing", solve_sphere},
             {group, "bellows, inflated slowly", solve_slow_bellows}};
 }

@@ -1,4 +1,4 @@
-// Cook's membrane and a compressed block in plane strain: a bending and a confined problem on coarse and fine meshes.
+// Cook's membrane and a compressed block in plane strain: bending and confined compression on coarse and fine meshes.
 #include <optional>
 
 #include "core/text.hpp"
@@ -20,7 +20,7 @@ std::vector<std::string> with(std::vector<std::string> sets, const std::vector<s
     return sets;
 }
 
-/// Vertical displacement [mm] of the node at a place.
+/// Vertical displacement [mm] of the node at a position.
 double rise_mm(const Run& run, double x_m, double y_m) {
     return 1e3 * run.displacement_m[3 * nearest_node(run, {x_m, y_m, 0}) + 1];
 }
@@ -29,14 +29,14 @@ std::vector<std::string> cook_mesh(int cells) {
     return {"mesh.size=" + core::number_text(48.0 / cells) + " mm", "mesh.through_wall=" + std::to_string(cells)};
 }
 
-/// A number that several public codes agree on.
+/// A value on which several public codes agree.
 struct Published {
     double rise_mm;
     const char* source;
 };
 
-/// The middle of the loaded face by mesh and element, one table; on the finest mesh the first two elements give rows
-/// where there is a published number.
+/// Table of the displacement of the middle of the loaded face by mesh and element. If there is a published value, the first two elements
+/// on the finest mesh give rows.
 Problem cook_study(const std::string& name, const std::string& text, const std::vector<std::string>& material,
                    const std::vector<Element>& elements, std::optional<Published> published) {
     return {group, name, [=] {
@@ -112,7 +112,7 @@ std::vector<Problem> panel_problems() {
                    Published{14.735, "public results: deal.II Q2 14.74, Abaqus 14.727"}),
         cook_study(
             "Cook's membrane, nearly incompressible",
-            "Rise of the middle of the loaded face at kappa/mu = 5000 (nu = 0.4999): what locks stays low until the mesh is fine.",
+            "Rise of the middle of the loaded face at kappa/mu = 5000 (nu = 0.4999): locking elements stay too low until the mesh is fine.",
             {"material.kappa=2112.5 MPa"}, elements(), std::nullopt),
         cook_study("Cook's membrane, incompressible",
                    "Rise of the middle of the loaded face at full incompressibility.",

@@ -1,4 +1,4 @@
-// How paths end and what meshes converge to; the numbers themselves are in the table (verification_test).
+// Ends of paths and convergence of meshes; the table (verification_test) checks the values.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace soft::verification {
 namespace {
 
-TEST(Tube, VolumeControlPassesTheLimitPointToFiveTimesTheVolume) {
+TEST(Tube, VolumeControlPassesTheLimitPointUpToFiveTimesTheVolume) {
     const auto run = run_design("tube.yaml", {});
     EXPECT_EQ(run.end.reason, solution::StopReason::done);
     EXPECT_EQ(run.end.limit_points.size(), 1u);
@@ -28,8 +28,8 @@ TEST(Tube, PressureControlEndsAtTheLimitPointWithTheCurveUpToIt) {
         EXPECT_GT(run.steps[i].pressure_Pa, run.steps[i - 1].pressure_Pa);
 }
 
-// At rest every fibre is about to pull: the first tangent is one-sided and errs by the same part of a step of any length.
-TEST(Tube, FibresThatBeginToPullDoNotStopThePath) {
+// In the undeformed state every fibre is at the onset of tension: the first tangent is one-sided, with an error proportional to the step.
+TEST(Tube, FibresAtTheOnsetOfTensionDoNotStopThePath) {
     const auto run =
         run_design("tube.yaml", {"material={law: holzapfel-gasser-ogden, mu: 0.1644 MPa, k1: 0.1 MPa, k2: 1, "
                                  "angle: 30 deg}",
@@ -39,8 +39,8 @@ TEST(Tube, FibresThatBeginToPullDoNotStopThePath) {
     EXPECT_LT(run.output_mm(), 0.0);  // fibres nearer to the axis than the magic angle 54.74 degrees: it shortens
 }
 
-// The mesh of the whole is that of the half and its mirror image, so the states are the same but for what Newton leaves.
-TEST(Pneunet, TheWholeBendsLikeTheHalf) {
+// The mesh of the whole is the mesh of the half plus its mirror image, so the states agree up to the Newton tolerance.
+TEST(Pneunet, WholeModelBendsLikeTheHalfModel) {
     const std::vector<std::string> coarse{"geometry.chambers=2", "mesh.size=8 mm", "mesh.through_wall=1",
                                           "loads.cavity.pressure=3 kPa"};
     auto whole_sets = coarse;
@@ -56,7 +56,7 @@ TEST(Pneunet, TheWholeBendsLikeTheHalf) {
     EXPECT_LT(half.steps.back().outputs[2], 0.0);
 }
 
-TEST(Bellows, AnElongationAsGoalIsMetExactly) {
+TEST(Bellows, ReachesAnElongationGoalExactly) {
     const auto run = run_design("bellows.yaml", {"mesh.size=3 mm", "path.until.elongation=20 mm"});
     EXPECT_EQ(run.end.reason, solution::StopReason::done);
     EXPECT_NEAR(run.output_mm(), 20.0, 1e-6);
@@ -73,8 +73,8 @@ double curve_difference(const Run& a, const Run& b) {
 
 class BellowsTo130mm : public ::testing::TestWithParam<const char*> {};
 
-// The densely stepped path is the same code under the other control and with steps of a millimetre or so.
-TEST_P(BellowsTo130mm, TakesFewFactorizationsAndItsSmoothCurveIsTheDenselySteppedOne) {
+// The reference path uses the same code with the other control and steps of about a millimetre.
+TEST_P(BellowsTo130mm, NeedsFewFactorizationsAndItsSmoothCurveMatchesSmallSteps) {
     static const verification::Run dense =
         run_design("bellows.yaml", {"path.control=volume", "solver.step_accuracy=1e-6"});
     const auto run = run_design("bellows.yaml", {std::string("path.control=") + GetParam()});
@@ -88,7 +88,7 @@ TEST_P(BellowsTo130mm, TakesFewFactorizationsAndItsSmoothCurveIsTheDenselySteppe
 INSTANTIATE_TEST_SUITE_P(Control, BellowsTo130mm, ::testing::Values("auto", "volume"),
                          [](const auto& each) { return std::string(each.param); });
 
-/// Deformed places of the nodes.
+/// Deformed positions of the nodes.
 std::vector<mesh::Point> deformed_points(const Run& run) {
     std::vector<mesh::Point> points = run.model.mesh.points;
     for (std::size_t node = 0; node < points.size(); ++node)
@@ -98,14 +98,14 @@ std::vector<mesh::Point> deformed_points(const Run& run) {
 
 double distance_m(const mesh::Point& a, const mesh::Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-/// Distance from a point to the straight piece a b, in the section.
+/// Distance from a point to the segment a b, in the section.
 double distance_m(const mesh::Point& p, const mesh::Point& a, const mesh::Point& b) {
     const double x = b[0] - a[0], y = b[1] - a[1];
     const double t = std::clamp(((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y), 0.0, 1.0);
     return distance_m(p, {a[0] + t * x, a[1] + t * y, 0});
 }
 
-/// The nodes of the cavity's wall in their order along it.
+/// The nodes of the cavity wall, in order along the wall.
 std::vector<std::size_t> along_cavity(const Run& run) {
     std::map<std::size_t, std::vector<std::size_t>> beside;
     for (const auto& facet : run.model.mesh.facet_sets.at("cavity")) {
@@ -124,8 +124,7 @@ std::vector<std::size_t> along_cavity(const Run& run) {
     return chain;
 }
 
-/// The least deformed distance between two places of the cavity's wall that are `apart_m` or more from each other along
-/// the undeformed wall.
+/// The smallest deformed distance between two points of the cavity wall that are at least `apart_m` apart along the undeformed wall.
 double min_gap_m(const Run& run, double apart_m) {
     const auto now = deformed_points(run);
     const auto chain = along_cavity(run);
@@ -133,15 +132,15 @@ double min_gap_m(const Run& run, double apart_m) {
     for (std::size_t i = 1; i < chain.size(); ++i)
         along_m.push_back(along_m.back() +
                           distance_m(run.model.mesh.points[chain[i - 1]], run.model.mesh.points[chain[i]]));
-    double least = 1;
+    double minimum = 1;
     for (std::size_t i = 0; i < chain.size(); ++i)
         for (std::size_t k = 1; k < chain.size(); ++k)
             if (along_m[k - 1] - along_m[i] >= apart_m || along_m[i] - along_m[k] >= apart_m)
-                least = std::min(least, distance_m(now[chain[i]], now[chain[k - 1]], now[chain[k]]));
-    return least;
+                minimum = std::min(minimum, distance_m(now[chain[i]], now[chain[k - 1]], now[chain[k]]));
+    return minimum;
 }
 
-TEST(BellowsUnderVacuum, EndsWhereTheFoldsOfTheCavityMeetOnAnyMesh) {
+TEST(BellowsUnderVacuum, EndsAtSelfContactOfTheFoldsOnEveryMesh) {
     const auto run = run_design("vacuum.yaml", {}), finer = run_design("vacuum.yaml", {"mesh.size=1 mm"});
     constexpr double apart_m = 1.5e-3, cell_m = 1e-3;  // the bends of the folds are 0.8 mm long
     for (const verification::Run* each : {&run, &finer}) {
@@ -154,9 +153,9 @@ TEST(BellowsUnderVacuum, EndsWhereTheFoldsOfTheCavityMeetOnAnyMesh) {
     EXPECT_NEAR(finer.output_mm() / run.output_mm(), 1, 2e-3);
 }
 
-// Cells at the rim snap one after another. At each the whole plate turns back, in an arc of 1e-6 of a step, as the path of steps a fifth
-// as long does.
-TEST(Plate, FoldsInWhichOneCellSnapsAreFollowed) {
+// Cells at the rim snap through one after another. At each snap-through the load of the whole plate reverses within an arc of 1e-6 of a
+// step, in the same way as with steps a fifth as long.
+TEST(Plate, FollowsTheSnapThroughOfSingleCells) {
     const std::vector<std::string> soft{
         "model=axisymmetric",
         "geometry.radius=34.122 mm",
@@ -170,37 +169,36 @@ TEST(Plate, FoldsInWhichOneCellSnapsAreFollowed) {
         changes.push_back("solver.step_accuracy=" + accuracy);
         return changes;
     };
-    // Longer steps pass the folds by, and some shorter ones happen to.
+    // Longer steps miss the snap-throughs, and so do some shorter ones.
     const auto run = run_design("plate.yaml", with_accuracy("1.1e-3")),
                dense = run_design("plate.yaml", with_accuracy("1e-5"));
-    EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);  // its maximum, with stretches beyond the limit
+    EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);  // the maximum, with stretches beyond the limit
     EXPECT_GT(dense.steps.size(), 3 * run.steps.size());
     ASSERT_GE(run.end.limit_points.size(), 2u);
     ASSERT_GE(dense.end.limit_points.size(), 2u);
-    for (std::size_t i = 1; i <= 2; ++i) {  // the folds are the last ones
+    for (std::size_t i = 1; i <= 2; ++i) {  // the last limit points are the snap-throughs
         const auto &fold = run.end.limit_points.rbegin()[i - 1], &same = dense.end.limit_points.rbegin()[i - 1];
         EXPECT_NEAR(fold.pressure_Pa / same.pressure_Pa, 1.0, 1e-5);
         EXPECT_NEAR(fold.outputs[0] / same.outputs[0], 1.0, 1e-5);
     }
 }
 
-// A thin sphere of Yeoh rubber that swells, energy c3 (I1 - 3)^3 + kappa/2 (J - 1)^2: far stretched I1 = 2 l^2 J^(-2/3), the least
-// energy over J is 4 sqrt(c3 kappa) l^3, and p = t/R W'/l^2 tends to 12 t/R sqrt(c3 kappa), from below as l^(-3/2) (derived here).
-TEST(Sphere, ALoadBeyondTheAsymptoteOfASwellingLawIsNeverReached) {
+// A thin sphere of compressible Yeoh rubber, energy c3 (I1 - 3)^3 + kappa/2 (J - 1)^2. For large stretches I1 = 2 l^2 J^(-2/3), the minimum
+// of the energy over J is 4 sqrt(c3 kappa) l^3, and p = t/R W'/l^2 tends to 12 t/R sqrt(c3 kappa) from below as l^(-3/2) (derived here).
+TEST(Sphere, LoadAboveTheAsymptoteOfACompressibleLawIsAbandoned) {
     const auto run = run_design(
         "sphere.yaml", {"geometry={inner_radius: 50 mm, outer_radius: 51 mm}", "mesh.size=2 mm", "path.until={}",
                         "material={law: yeoh, c1: 10 kPa, c2: 1 kPa, c3: 1 kPa, kappa: 4 MPa}",
                         "loads.cavity.pressure=60 kPa", "path.stretch_limit=3"});
     EXPECT_EQ(run.end.reason, solution::StopReason::limit_point);
-    EXPECT_NE(run.end.detail.find("it tends to little more than at "), std::string::npos) << run.end.detail;
+    EXPECT_NE(run.end.detail.find("the load tends to little more than at "), std::string::npos) << run.end.detail;
     const double asymptote_kPa = 12 * (1 / 50.5) * std::sqrt(1.0 * 4e3);
     EXPECT_LT(run.pressure_kPa(), asymptote_kPa);
     EXPECT_GT(run.pressure_kPa(), 0.95 * asymptote_kPa);
     EXPECT_LT(run.steps.size(), 100u);
 }
 
-// A problem whose path diverges fails: run_design refuses to give it.
-TEST(Problems, APathThatDivergesIsRefused) {
+TEST(Problems, RunDesignThrowsForADivergedPath) {
     try {
         static_cast<void>(run_design(
             "tube.yaml", {"path.control=volume", "solver.newton_limit=2", "solver.residual_tolerance=1e-14"}));
@@ -210,7 +208,7 @@ TEST(Problems, APathThatDivergesIsRefused) {
     }
 }
 
-// The same section swept over a quarter turn: what differs is the discretisation around the axis alone.
+// The same section swept over a quarter turn: only the discretisation around the axis differs.
 TEST(Bellows, QuarterSolidAgreesWithTheAxisymmetricSection) {
     const std::vector<std::string> coarse{"mesh.size=3 mm", "mesh.through_wall=1", "path.until.elongation=40 mm"};
     auto quarter = coarse;
@@ -220,7 +218,7 @@ TEST(Bellows, QuarterSolidAgreesWithTheAxisymmetricSection) {
     EXPECT_NEAR(*solid.steps.back().volume_m3 / *section.steps.back().volume_m3, 1.0, 3e-3);
 }
 
-TEST(Sphere, WholeCurveIsTheClosedFormOnBothSidesOfTheLimitPoint) {
+TEST(Sphere, CurveMatchesTheClosedFormOnBothSidesOfTheLimitPoint) {
     const auto run = run_design("sphere.yaml", {});
     EXPECT_EQ(run.end.reason, solution::StopReason::done);
     for (std::size_t i = 1; i < run.steps.size(); ++i) {

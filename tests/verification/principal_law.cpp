@@ -70,7 +70,7 @@ double eight_chain_stiffening(double I1, double locking_stretch) {
 }
 
 struct Unknowns {
-    std::vector<std::size_t> axes;  ///< whose stretches are sought
+    std::vector<std::size_t> axes;  ///< axes with unknown stretch
     bool isochoric;                 ///< the third stretch then follows from the others
 };
 
@@ -80,7 +80,7 @@ Triple stepped(Triple l, const Unknowns& unknowns, std::size_t which, double ste
     return l;
 }
 
-/// Gaussian elimination with pivoting of a system of one to three equations.
+/// Gaussian elimination with pivoting for one to three equations.
 std::vector<double> solve(std::vector<std::vector<double>> A, std::vector<double> b) {
     const std::size_t n = b.size();
     for (std::size_t k = 0; k < n; ++k) {
@@ -104,7 +104,7 @@ std::vector<double> solve(std::vector<std::vector<double>> A, std::vector<double
 
 }  // namespace
 
-PrincipalStress pulls_of(const model::Material& material) {
+PrincipalStress extra_stress_of(const model::Material& material) {
     const auto c = [&](const char* key) { return value(material, key); };
     if (material.law == "neo-hookean" || material.law == "holzapfel-gasser-ogden")
         return from_invariants([w1 = 0.5 * c("mu")](double, double) { return Slopes{w1, 0.0}; });
@@ -161,9 +161,9 @@ PrincipalStress cauchy_of(const model::Material& material) {
                 sigma[i] = (2.0 * mu * (e[i] - trace / 3.0) + kappa * trace) * (green ? l[i] * l[i] : l[i]) / J;
             return sigma;
         };
-    return [=, pulls = pulls_of(material)](const Triple& l) {
+    return [=, extra_stress = extra_stress_of(material)](const Triple& l) {
         const double J = l[0] * l[1] * l[2], contraction = std::cbrt(1.0 / J);
-        Triple sigma = pulls({contraction * l[0], contraction * l[1], contraction * l[2]});
+        Triple sigma = extra_stress({contraction * l[0], contraction * l[1], contraction * l[2]});
         const double mean = (sigma[0] + sigma[1] + sigma[2]) / 3.0;
         for (double& s : sigma) s = (s - mean) / J + kappa * volumetric_stress(material.volumetric, J);
         add_fibers(material, l, J, sigma);
@@ -175,10 +175,10 @@ Triple stretches_at(const model::Material& material, const Prescribed& x, const 
     constexpr int ramp = 100, corrections = 50;
     constexpr double difference = 1e-6, enough = 1e-14;
     Unknowns unknowns{{}, !material.bulk_modulus_Pa};
-    if (!x.held) unknowns.axes.push_back(0);
-    if (!y.held) unknowns.axes.push_back(1);
+    if (!x.fixed) unknowns.axes.push_back(0);
+    if (!y.fixed) unknowns.axes.push_back(1);
     if (!unknowns.isochoric) unknowns.axes.push_back(2);
-    const auto stress = unknowns.isochoric ? pulls_of(material) : cauchy_of(material);
+    const auto stress = unknowns.isochoric ? extra_stress_of(material) : cauchy_of(material);
     const auto residual = [&](const Triple& l, double factor) {
         Triple sigma = stress(l);
         if (unknowns.isochoric) {

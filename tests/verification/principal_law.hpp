@@ -1,7 +1,7 @@
 #pragma once
-/// Closed forms of the laws in principal stretches along x, y, z, written out by hand from the energies: the reference of
-/// the homogeneous states and, in spheres and tubes, of the quadratures. Nothing here comes from lib/material.
-/// The constants are those of the case that is verified.
+/// Closed forms of the laws in principal stretches along x, y, z, derived by hand from the energies. They are the reference for the
+/// homogeneous states and for the quadratures of spheres and tubes, independent of lib/material. The constants are those of the verified
+/// case.
 #include <array>
 #include <functional>
 
@@ -11,21 +11,21 @@ namespace soft::verification {
 
 using Triple = std::array<double, 3>;  ///< along x, y, z (or axial, hoop, radial)
 
-/// l_i dW/dl_i [Pa] of the part of the energy that is written in isochoric stretches, at stretches of product 1; of an
-/// incompressible rubber the Cauchy stress but for a pressure. Throws std::logic_error for a law that has no such form.
-[[nodiscard]] std::function<Triple(const Triple&)> pulls_of(const model::Material& material);
+/// Extra stress l_i dW/dl_i [Pa] of the isochoric part of the energy, at stretches with product 1; for an incompressible rubber the Cauchy
+/// stress up to a pressure. Throws std::logic_error for a law without such a form.
+[[nodiscard]] std::function<Triple(const Triple&)> extra_stress_of(const model::Material& material);
 
 /// Principal Cauchy stresses [Pa] of a rubber with a finite bulk modulus.
 [[nodiscard]] std::function<Triple(const Triple&)> cauchy_of(const model::Material& material);
 
-/// What a homogeneous state prescribes along an axis: a Cauchy stress, or a stretch of 1.
+/// Condition along an axis of a homogeneous state: a Cauchy stress, or a stretch of 1.
 struct Prescribed {
     double stress_Pa = 0;
-    bool held = false;
+    bool fixed = false;
 };
 
-/// Principal stretches in equilibrium with the stresses, the third axis free; reached from 1 by a ramp of the stresses
-/// and Newton's method on the closed forms.
+/// Principal stretches in equilibrium with the stresses, with a free third axis; computed by Newton's method on the closed forms while the
+/// stresses are ramped from 0.
 [[nodiscard]] Triple stretches_at(const model::Material& material, const Prescribed& x, const Prescribed& y);
 
 }  // namespace soft::verification

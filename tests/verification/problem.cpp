@@ -5,9 +5,9 @@
 
 namespace soft::verification {
 
-bool Row::holds() const {
+bool Row::is_within_tolerance() const {
     const double e = std::abs(error());
-    return std::isfinite(e) && e <= tolerance && (tolerance <= promised || !reason.empty());
+    return std::isfinite(e) && e <= tolerance && (tolerance <= default_tolerance || !reason.empty());
 }
 
 bool can_run(const Problem& problem) { return problem.needs.empty() || std::getenv(problem.needs.c_str()) != nullptr; }

@@ -1,6 +1,6 @@
 #pragma once
-/// What is verified. A problem is one or a few runs of a design and the numbers they must give; the tests and the program
-/// `verify` share the one list of problems.
+/// The verification problems. A problem runs a design once or a few times and compares the results with reference values. The tests and
+/// the program `verify` use the same list of problems.
 #include <functional>
 #include <string>
 #include <vector>
@@ -9,30 +9,30 @@
 
 namespace soft::verification {
 
-/// A tenth of a per cent: what is promised of every number that has a reference. Looser rows give a reason.
-inline constexpr double promised = 1e-3;
-/// Of states that are homogeneous, so that the mesh plays no part.
-inline constexpr double homogeneous = 1e-4;
+/// Relative tolerance of every quantity with a reference, 0.1 %. Rows with a larger tolerance state a reason.
+inline constexpr double default_tolerance = 1e-3;
+/// Relative tolerance of homogeneous states, which do not depend on the mesh.
+inline constexpr double homogeneous_tolerance = 1e-4;
 
-/// One number against its reference.
+/// One quantity and its reference.
 struct Row {
-    std::string quantity;  ///< with its unit, "stretch at 300 kPa [-]"; unique within the problem
+    std::string quantity;  ///< name with unit, "stretch at 300 kPa [-]"; unique within the problem
     double reference = 0;
     std::string source;  ///< formula or author of the reference
     double ours = 0;
     std::string mesh;  ///< "32 hexahedron27, 1234 unknowns"
     double seconds = 0;
-    double tolerance = promised;  ///< relative
-    std::string reason = {};      ///< of a tolerance above `promised`; printed below the table
+    double tolerance = default_tolerance;  ///< relative
+    std::string reason = {};      ///< required for a tolerance above `default_tolerance`; printed below the table
 
     [[nodiscard]] double error() const { return ours / reference - 1.0; }
-    [[nodiscard]] bool holds() const;
+    [[nodiscard]] bool is_within_tolerance() const;
 };
 
-/// A table beside the rows: numbers that are compared with each other rather than with a reference.
+/// A table in addition to the rows: values that are compared with each other, not with a reference.
 struct Table {
     std::string title;  ///< unique
-    std::string text;   ///< what is shown and how it is measured; one paragraph
+    std::string text;   ///< one paragraph: the quantities shown and how they are measured
     std::vector<std::string> header;
     std::vector<std::vector<std::string>> lines;
 };
@@ -45,14 +45,14 @@ struct Outcome {
 enum class Duration { brief, slow };
 
 struct Problem {
-    std::string group;  ///< heading of the table it stands in
-    std::string name;   ///< the column 'case'; unique
+    std::string group;  ///< heading of its table
+    std::string name;   ///< entry of the column 'case'; unique
     std::function<Outcome()> solve;
     Duration duration = Duration::brief;
-    std::string needs = {};  ///< environment variable naming a folder, without which it cannot run
+    std::string needs = {};  ///< environment variable with the folder that the problem requires
 };
 
-/// False where the folder of `needs` is not given.
+/// False if the environment variable `needs` is not set.
 [[nodiscard]] bool can_run(const Problem& problem);
 
 [[nodiscard]] std::vector<Problem> homogeneous_problems();
@@ -75,7 +75,7 @@ struct Problem {
 [[nodiscard]] std::vector<Problem> error_bar_problems();
 [[nodiscard]] std::vector<Problem> reaction_problems();
 
-/// All of them, in the order of the README.
+/// All problems, in the order of the README.
 [[nodiscard]] std::vector<Problem> all_problems();
 
 }  // namespace soft::verification

@@ -1,4 +1,4 @@
-// What holds an actuator feels: a bar's nominal stress, and of a finger held at both ends the loads, no more and no less.
+// Support reactions: the nominal stress of a bar, and the balance of loads of a finger clamped at both ends.
 #include <cmath>
 
 #include "mesh/cell_map.hpp"
@@ -16,12 +16,13 @@ Row row(const Run& run, const std::string& quantity, const std::string& source, 
             .ours = ours,
             .mesh = run.mesh,
             .seconds = run.seconds,
-            .tolerance = homogeneous};
+            .tolerance = homogeneous_tolerance};
 }
 
-/// 10 x 10 mm, pulled to twice its length by a prescribed motion; half and quarter models must show the whole bar's force.
+/// A bar of 10 x 10 mm, stretched to twice its length by a prescribed displacement. Half and quarter models must report the force of the
+/// whole bar.
 struct Bar {
-    const char *model, *supports;  // each face that is not cut slides in its plane
+    const char *model, *supports;  // each face that is not a symmetry plane slides in its own plane
 };
 
 Outcome bar(const Bar& bar) {
@@ -30,13 +31,13 @@ Outcome bar(const Bar& bar) {
                                 "material.kappa=incompressible", "loads={end: {displacement: 100 mm, along: x}}",
                                 "outputs={force: {face: fixed, measure: force, along: x}}"});
     const double mu = run.model.materials.front().constants.at("mu").front(), l = 2;
-    return {{row(run, "pull at twice the length [N]", "A mu (l - 1/l^2)", 1e-4 * mu * (l - 1 / (l * l)),
+    return {{row(run, "force at twice the length [N]", "A mu (l - 1/l^2)", 1e-4 * mu * (l - 1 / (l * l)),
                  run.steps.back().outputs.at(0))},
             {}};
 }
 
-/// A bending finger with its tip blocked, under its weight and a force: the holders' forces are those of the loads, as the
-/// pressure in a sealed cavity has no resultant.
+/// A bending finger with a blocked tip under its weight and a force: the reactions balance these loads, because the pressure in a sealed
+/// cavity has no resultant.
 Outcome blocked_finger() {
     const Run run = run_design(
         "pneunet.yaml",
@@ -48,7 +49,7 @@ Outcome blocked_finger() {
     const auto& outputs = run.steps.back().outputs;
     const double weight = 1080 * 9.81 * mesh::measure(run.model.mesh, mesh::Measure::plain) / run.model.model_fraction;
     Row along = row(run, "sum along the finger [N]", "the force applied", 0.02, outputs.at(0) + outputs.at(2));
-    Row down = row(run, "sum across it [N]", "its weight, by its volume", -weight, outputs.at(1) + outputs.at(3));
+    Row down = row(run, "sum across the finger [N]", "weight from the volume", -weight, outputs.at(1) + outputs.at(3));
     along.tolerance = down.tolerance = 1e-8;
     return {{along, down}, {}};
 }
@@ -59,8 +60,8 @@ std::vector<Problem> reaction_problems() {
     std::vector<Problem> problems;
     for (const Bar& one : {Bar{"solid", "{x: fixed, y: left, z: bottom}"}, Bar{"half", "{x: fixed, z: bottom}"},
                            Bar{"quarter", "{x: fixed}"}})
-        problems.push_back({group, std::string{"bar pulled by a motion, "} + one.model, [one] { return bar(one); }});
-    problems.push_back({group, "finger held at root and tip", blocked_finger});
+        problems.push_back({group, std::string{"bar under prescribed displacement, "} + one.model, [one] { return bar(one); }});
+    problems.push_back({group, "finger clamped at root and tip", blocked_finger});
     return problems;
 }
 

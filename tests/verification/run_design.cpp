@@ -37,7 +37,7 @@ std::string describe(const model::Case& input, PetscInt unknowns) {
 
 post::Curve curve_of(const Run& run) { return post::make_curve(run.model, run.steps); }
 
-/// What the leading load's column is called.
+/// Name of the column of the leading load.
 std::string leading_quantity(const model::Case& input) {
     switch (model::leading_load(input)) {
         case model::LeadingLoad::pressure: return "pressure";
@@ -48,15 +48,15 @@ std::string leading_quantity(const model::Case& input) {
     throw std::logic_error("leading_quantity");
 }
 
-/// On one rank, as the verification runs.
+/// For one rank only.
 solver::ContactCheck contact_check(assembly::System& system) {
     if (system.input().path.contact == model::Contact::ignore) return {};
-    // std::function copies what it holds; a finder is made once and cannot be copied.
+    // std::function requires a copyable target, but a finder cannot be copied.
     const auto finder = std::make_shared<const surface::ContactFinder>(system.input());
     return [&system, finder](Vec x) -> std::optional<solver::ContactEvent> {
         const auto contact = finder->find(system.gather_fields(x).displacement_m);
         if (!contact) return std::nullopt;
-        return solver::ContactEvent{contact->text, contact->inside_out ? solution::StopReason::inverted_element
+        return solver::ContactEvent{contact->text, contact->is_inverted ? solution::StopReason::inverted_element
                                                                 : solution::StopReason::self_contact};
     };
 }
@@ -120,18 +120,18 @@ Run::Point Run::at(const std::string& quantity, double value) const {
     return point;
 }
 
-std::size_t nearest_node(const Run& run, const std::array<double, 3>& place_m) {
+std::size_t nearest_node(const Run& run, const std::array<double, 3>& position_m) {
     std::size_t best = 0;
-    double least = -1;
+    double nearest = -1;
     for (std::size_t node = 0; node < run.model.mesh.points.size(); ++node) {
         double distance = 0;
         for (std::size_t i = 0; i < 3; ++i) {
-            const double d = run.model.mesh.points[node][i] - place_m[i];
+            const double d = run.model.mesh.points[node][i] - position_m[i];
             distance += d * d;
         }
-        if (least < 0 || distance < least) {
+        if (nearest < 0 || distance < nearest) {
             best = node;
-            least = distance;
+            nearest = distance;
         }
     }
     return best;

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs a design through the libraries, as the tools do, without files in between.
+/// Runs a design through the libraries, as the tools do, without intermediate files.
 #include <array>
 #include <optional>
 #include <string>
@@ -10,26 +10,26 @@
 
 namespace soft::verification {
 
-/// How a path ended, and what the last converged state looks like.
+/// The converged steps of a path, its end, and the last converged state.
 struct Run {
     model::Case model;
     std::vector<solution::Step> steps;
     solution::PathEnd end;
     std::vector<double> displacement_m;  ///< last step, [point x 3]
-    std::vector<double> energy_J;        ///< one a step, whole actuator; empty unless wanted
+    std::vector<double> energy_J;        ///< one per step, whole actuator; empty unless requested
     std::string mesh;                    ///< "32 quadrilateral9, 1234 unknowns"
     double seconds = 0;                  ///< mesh and path, wall clock
 
     [[nodiscard]] double pressure_kPa() const { return 1e-3 * steps.back().pressure_Pa; }
     [[nodiscard]] double output_mm(std::size_t output = 0) const { return 1e3 * steps.back().outputs.at(output); }
 
-    /// Where the path, smooth between its rows, first has `value` (SI) of the quantity; all quantities there, SI.
-    /// Throws std::runtime_error if it never does.
+    /// All quantities (SI) at the first crossing of the smooth path with `value` (SI) of the quantity.
+    /// Throws std::runtime_error if there is no crossing.
     struct Point {
         double pressure_Pa = 0;
         std::vector<double> outputs;
         std::optional<double> volume_m3;
-        std::vector<double> volumes_m3;  ///< of each cavity, where there are several
+        std::vector<double> volumes_m3;  ///< of each cavity, if there are several
     };
     [[nodiscard]] Point at(const std::string& quantity, double value) const;
     [[nodiscard]] bool reaches(const std::string& quantity, double value) const;
@@ -37,15 +37,15 @@ struct Run {
 
 enum class Energy { ignored, recorded };
 
-/// `design`: file in designs/; `sets`: "key.path=value", as after --set. A motion in time if the design is one. Walls that touch end the path, as in `solve`. Throws
-/// std::runtime_error where the path ends as diverged: no problem may.
+/// `design`: file in designs/; `sets`: "key.path=value", as after --set. Runs a dynamic analysis if the design is dynamic. Self-contact
+/// ends the path, as in `solve`. Throws std::runtime_error if the path diverges.
 [[nodiscard]] Run run_design(const std::string& design, const std::vector<std::string>& sets,
                              Energy energy = Energy::ignored);
 
-/// The case alone, not solved.
+/// Reads and meshes the case without solving it.
 [[nodiscard]] model::Case read_case(const std::string& design, const std::vector<std::string>& sets);
 
-/// The node nearest to a place [m].
-[[nodiscard]] std::size_t nearest_node(const Run& run, const std::array<double, 3>& place_m);
+/// The node nearest to a position [m].
+[[nodiscard]] std::size_t nearest_node(const Run& run, const std::array<double, 3>& position_m);
 
 }  // namespace soft::verification

@@ -1,4 +1,4 @@
-// The paper's two samples, law by law: the stress each gives at a stretch, against that of the incompressible rubber.
+// The paper's two samples for each law: stress at given stretch compared with that of the incompressible rubber.
 #include <cmath>
 
 #include "core/text.hpp"
@@ -25,7 +25,7 @@ const std::vector<Law>& laws() {
     return all;
 }
 
-/// One of the paper's samples: a box 100 mm long, pulled until `strain`.
+/// One of the paper's samples: a box 100 mm long, stretched to `strain`.
 struct Sample {
     const char* title;
     const char* text;
@@ -38,8 +38,8 @@ struct Measure {
     double mean_kPa = 0, max_kPa = 0, mean_percent = 0, max_percent = 0;
 };
 
-/// At 20 strains evenly spaced up to the sample's, or to where the path ends; between rows the difference of stress is
-/// taken as linear.
+/// Errors at 20 evenly spaced strains up to that of the sample or to the end of the path; the stress difference is interpolated linearly
+/// between rows.
 Measure measure(const Run& run, const Sample& sample, double mu_Pa) {
     constexpr int points = 20;
     const auto exact_kPa = [&](double l) { return 1e-3 * mu_Pa * (l * l - std::pow(l, -sample.compression)); };
@@ -66,8 +66,8 @@ std::string short_number(double value) { return std::abs(value) < 5e-5 ? "0" : c
 Outcome compare(const std::string& problem, const Sample& sample) {
     Table table{problem + ": " + sample.title,
                 sample.text,
-                {"law", "strain at full load [%]", "stress there [kPa]", "exact there [kPa]", "mean error [kPa]",
-                 "largest error [kPa]", "mean error [% of exact]", "largest error [% of exact]", "the path ends"},
+                {"law", "strain at full load [%]", "stress at full load [kPa]", "exact stress at full load [kPa]", "mean error [kPa]",
+                 "largest error [kPa]", "mean error [% of exact]", "largest error [% of exact]", "stop reason"},
                 {}};
     for (const Law& law : laws()) {
         const auto run = run_design(sample.design, law.sets);
@@ -87,8 +87,8 @@ Outcome compare(const std::string& problem, const Sample& sample) {
 std::vector<Problem> sample_problems() {
     const char* text =
         "Stress of each law at given stretch against mu (l^2 - 1/l) (rod) or mu (l^2 - 1/l^4) (plate), at 20 strains evenly\n"
-        "spaced up to the one named or to where the path ends. The load is a follower traction, at full load the exact\n"
-        "stress at the strain named. Nothing is tuned to the paper's figures, which follow from no reading of its formulas:\n"
+        "spaced up to the strain in the title or to the end of the path. The load is a follower traction; its full value is the\n"
+        "exact stress at that strain. Nothing is fitted to the paper's figures, which cannot be reproduced from its formulas:\n"
         "rod largest 10.8 kPa, mean 7.8 kPa; plate largest 7.0 kPa, mean 4.1 kPa.";
     const std::vector<Sample> samples{
         {"uniaxial rod of Table 1, to 503.4 %", text, "verification/rod-table1.yaml", 5.034, 1},

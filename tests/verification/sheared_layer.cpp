@@ -1,9 +1,9 @@
-// Simple shear in a long layer between two plates. The plates hold both faces, so the exact state is the even one but near
-// the free ends, whose reach falls as exp(-pi x / height). Two layers that differ in length alone have the same ends: the
-// difference of their energies is that of simple shear, W(I1 = I2 = 3 + g^2), in the rubber the longer one has more.
-// A pressure gradient along the whole layer decays nowhere. By symmetry (half a turn) there is none, but triangles whose
-// diagonals break the symmetry have one of the size of their error at the corners: it moves the middle by 0.2 % and the
-// energy, stationary in the displacements, by its square.
+// Simple shear of a long layer between two plates. The plates fix both faces, so the exact state is homogeneous except near the free
+// ends, whose influence decays as exp(-pi x / height). Two layers that differ only in length have the same end effects: the difference
+// of their energies is that of simple shear, W(I1 = I2 = 3 + g^2), in the additional length.
+// A pressure gradient along the layer does not decay. By symmetry (rotation by 180 degrees) it vanishes, but triangles break the
+// symmetry and produce a gradient of the size of their error at the corners. It changes the displacement in the middle by 0.2 % and the
+// energy, which is stationary in the displacements, by the square of that.
 #include "core/text.hpp"
 #include "problem.hpp"
 
@@ -41,15 +41,15 @@ Outcome solve_layer(const Layer& layer) {
                        .ours = ours,
                        .mesh = large.mesh,
                        .seconds = small.seconds + large.seconds,
-                       .tolerance = homogeneous};
+                       .tolerance = homogeneous_tolerance};
         };
         const double more_m3 = (long_m - short_m) * height_m * depth_m;
         outcome.rows.push_back(row("energy per volume" + at + " [kJ/m3]",
                                    1e-3 * layer.energy_Pa(large.model.materials.front().constants, shear),
                                    1e-3 * (large.energy_J.back() - small.energy_J.back()) / more_m3));
-        if (large.model.mesh.cell_types.front() != mesh::CellType::quad9) continue;  // see the top
+        if (large.model.mesh.cell_types.front() != mesh::CellType::quad9) continue;  // triangles, see the file comment
         const auto node = nearest_node(large, {0.5 * long_m, 0.25 * height_m, 0});
-        outcome.rows.push_back(row("slide in the middle, near a quarter of the height" + at + " [mm]",
+        outcome.rows.push_back(row("displacement in the middle, near a quarter of the height" + at + " [mm]",
                                    1e3 * large.model.mesh.points[node][1] * shear,
                                    1e3 * large.displacement_m[3 * node]));
     }

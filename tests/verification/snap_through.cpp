@@ -1,7 +1,8 @@
-// A thin clamped cap snaps through: both limit pressures against the theory of thin shells. The theory errs by the order of
-// t/R (of which 1 t/R is the outer face, where the pressure acts, being larger than the middle surface), of the strain,
-// here angle^2 / 4 and so of that order too, and of the part of the meridian, (t/R)^(1/2) but for a small factor, next to
-// the held face where the rubber is not in plane stress. A study over R/t at one lambda shows the difference vanish.
+// Snap-through of a thin clamped cap: both limit pressures compared with thin-shell theory. The error of the theory has three parts. It is
+// of the order of t/R (1 t/R because the pressure acts on the outer face, which is larger than the middle surface). It is of the order
+// of the strain, here angle^2 / 4, which is of order t/R too. And it is of the order of the part of the meridian next to the clamped face
+// where the rubber is not in plane stress, (t/R)^(1/2) with a small factor. A study over R/t at fixed lambda shows that the difference
+// vanishes.
 #include <cmath>
 #include <numbers>
 
@@ -29,7 +30,7 @@ Cap cap_of(const Dome& dome, const Run& run) {
 }
 
 Run pressed(const Dome& dome) {
-    const double part = dome.thickness_mm / dome.radius_mm;  // the pressures go with (t/R)^2
+    const double part = dome.thickness_mm / dome.radius_mm;  // pressures scale with (t/R)^2
     return run_design(design, {"geometry.radius=" + core::number_text(dome.radius_mm) + " mm",
                                "geometry.thickness=" + core::number_text(dome.thickness_mm) + " mm",
                                "geometry.angle=" + core::number_text(dome.angle_deg) + " deg",
@@ -47,9 +48,9 @@ Outcome solve_thin_cap() {
     Table study{
         "thin clamped cap: vanishing thickness",
         "Limit pressures over the buckling pressure of the whole sphere, 2 E (t/R)^2 / (3 (1 - nu^2))^(1/2), for caps\n"
-        "of lambda = 3.99, and how far they are from the theory of thin shells.",
-        {"R/t", "cells through the wall, length [t]", "upper [-]", "off theory [%], upper", "lower [-]",
-         "off theory [%], lower"},
+        "of lambda = 3.99, and their difference from thin-shell theory.",
+        {"R/t", "cells through the wall, length [t]", "upper [-]", "difference from theory [%], upper", "lower [-]",
+         "difference from theory [%], lower"},
         {}};
     Outcome outcome;
     for (const Dome& dome : {Dome{1, 125, 11.8}, Dome{1, 500, 5.9}, Dome{1, 500, 5.9, 2, 0.5}, Dome{1, 2000, 2.95}}) {
@@ -72,8 +73,8 @@ Outcome solve_thin_cap() {
                  .mesh = run.mesh,
                  .seconds = run.seconds,
                  .tolerance = 5e-3,
-                 .reason = "the theory leaves out terms of the order of t/R = 0.2 % and of the strain, 0.3 %, and what "
-                           "the held face does to the rubber beside it"});
+                 .reason = "the theory neglects terms of the order of t/R = 0.2 % and of the strain, 0.3 %, and the "
+                           "effect of the clamped face on the adjacent rubber"});
         };
         add("upper limit pressure [Pa]", theory.upper.pressure_Pa, upper);
         add("lower limit pressure [Pa]", theory.lower.pressure_Pa, lower);

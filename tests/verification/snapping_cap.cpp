@@ -7,11 +7,10 @@
 namespace soft::verification {
 namespace {
 
-/// r, z of the middle surface (z along the axis, up), slope phi downwards, and per radian r0 H and r0 M: horizontal force
-/// and bending moment about the meridian's normal plane, r0 the undeformed radius. The axial force follows from the
-/// pressure, r0 V = p r^2 / 2.
+/// r, z of the middle surface (z along the axis, upwards), slope phi (positive downwards), and per radian r0 H and r0 M: horizontal force
+/// and meridional bending moment, with the undeformed radius r0. The axial force follows from the pressure, r0 V = p r^2 / 2.
 using Meridian = std::array<double, 5>;
-/// What the shooting seeks: stretching and change of curvature of the apex, and the pressure.
+/// Unknowns of the shooting method: strain and change of curvature at the apex, and the pressure.
 using Shot = std::array<double, 3>;
 
 Meridian slope(const Cap& cap, double s, const Meridian& y, double pressure_Pa) {
@@ -35,10 +34,10 @@ Meridian advanced(const Meridian& y, const Meridian& k, double h) {
     return next;
 }
 
-/// From near the apex, where the state is the even one, to the rim (fourth-order Runge-Kutta).
+/// Integrates from near the apex, where the state is uniform, to the rim (fourth-order Runge-Kutta).
 Meridian rim_of(const Cap& cap, const Shot& shot) {
     constexpr int steps = 600;
-    constexpr double start = 1e-4;  // part of the meridian; the even state errs by its square
+    constexpr double start = 1e-4;  // fraction of the meridian; the error of the uniform state is its square
     const auto [strain, bend, pressure_Pa] = shot;
     const double length_m = cap.radius_m * cap.angle, nu = cap.poisson;
     const double stretching = cap.young_Pa * cap.thickness_m / (1 - nu * nu);
@@ -57,8 +56,8 @@ Meridian rim_of(const Cap& cap, const Shot& shot) {
     return y;
 }
 
-/// Held radius and slope at the rim, and the wanted height of the apex over it; scaled to numbers of order 1.
-Shot misses(const Cap& cap, const Shot& shot, double sink_m) {
+/// Residuals of the radius and the slope at the clamped rim and of the height of the apex above it, scaled to order 1.
+Shot residuals(const Cap& cap, const Shot& shot, double sink_m) {
     const auto rim = rim_of(cap, shot);
     return {(rim[0] - cap.radius_m * std::sin(cap.angle)) / cap.thickness_m, rim[2] - cap.angle,
             (-rim[1] - (cap.height_m() - sink_m)) / cap.thickness_m};
@@ -69,19 +68,19 @@ double determinant(const std::array<Shot, 3>& a) {
            a[2][0] * (a[0][1] * a[1][2] - a[0][2] * a[1][1]);
 }
 
-/// Newton's method with a difference quotient in scaled unknowns, the columns of the system by Cramer's rule.
+/// Newton's method with a finite-difference Jacobian in scaled unknowns, solved by Cramer's rule.
 Shot solve(const Cap& cap, Shot shot, double sink_m) {
     const Shot scale{cap.thickness_m / cap.radius_m, 1 / cap.radius_m, cap.classical_pressure_Pa()};
     constexpr double difference = 1e-6, tolerance = 1e-8;
     constexpr int limit = 30;
     for (int i = 0; i < limit; ++i) {
-        const auto miss = misses(cap, shot, sink_m);
+        const auto miss = residuals(cap, shot, sink_m);
         if (std::abs(miss[0]) + std::abs(miss[1]) + std::abs(miss[2]) < tolerance) return shot;
         std::array<Shot, 3> columns{};
         for (std::size_t k = 0; k < 3; ++k) {
             auto moved = shot;
             moved[k] += difference * scale[k];
-            const auto there = misses(cap, moved, sink_m);
+            const auto there = residuals(cap, moved, sink_m);
             for (std::size_t j = 0; j < 3; ++j) columns[k][j] = (there[j] - miss[j]) / difference;
         }
         const double whole = determinant(columns);

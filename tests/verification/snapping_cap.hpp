@@ -1,13 +1,13 @@
 #pragma once
-/// A thin clamped spherical cap under pressure that follows its surface: the equations of Reissner for axisymmetric shells
-/// of revolution with finite rotations and small strains, without shear of the normal (E. Reissner, On axisymmetrical
-/// deformations of thin shells of revolution, Proc. Symp. Appl. Math. 3 (1950) 27-52), by shooting from the apex.
+/// A thin clamped spherical cap under follower pressure: Reissner's equations of axisymmetric shells of revolution with finite rotations
+/// and small strains, without transverse shear (E. Reissner, On axisymmetrical deformations of thin shells of revolution, Proc. Symp.
+/// Appl. Math. 3 (1950) 27-52), solved by shooting from the apex.
 #include <vector>
 
 namespace soft::verification {
 
 struct Cap {
-    double radius_m, thickness_m, angle;  ///< middle surface; half the opening [rad]
+    double radius_m, thickness_m, angle;  ///< of the middle surface; half opening angle [rad]
     double young_Pa, poisson;
 
     /// lambda = (12 (1 - nu^2))^(1/4) angle (R/t)^(1/2), the parameter of shallow caps.
@@ -19,19 +19,19 @@ struct Cap {
 };
 
 struct CapState {
-    double sink_m;  ///< of the apex, towards the plane of the rim
+    double sink_m;  ///< displacement of the apex towards the plane of the rim
     double pressure_Pa;
 };
 
-/// States from rest to the sinking `last_m` of the apex, in `count` equal parts. The path must not turn back in it. Throws
-/// std::runtime_error where Newton's method fails.
+/// States from the undeformed cap to the apex displacement `last_m`, in `count` equal steps. The apex displacement must be monotonic along
+/// the path. Throws std::runtime_error if Newton's method fails.
 [[nodiscard]] std::vector<CapState> cap_path(const Cap& cap, double last_m, int count);
 
 struct SnapPressures {
     CapState upper, lower;  ///< first maximum of the pressure and the minimum after it
 };
-/// From the path of `count` parts to twice the height, each extremum by the parabola through three states. Throws
-/// std::runtime_error if there are none.
+/// Extrema of the path in `count` steps to twice the height, each from the parabola through three states. Throws std::runtime_error if
+/// there are none.
 [[nodiscard]] SnapPressures snap_pressures(const Cap& cap, int count);
 
 }  // namespace soft::verification

@@ -24,7 +24,7 @@ std::string fixed_text(double value, int digits) {
                                                                                        : shown;  // no -0.0000
 }
 
-/// Empty for text that is no number.
+/// nullopt for text that is not a number.
 std::optional<double> as_number(const std::string& text) {
     if (text.empty()) return {};
     char* end = nullptr;
@@ -125,11 +125,11 @@ Group collect(std::span<const Report> reports, const std::string& name) {
 
 constexpr const char* introduction =
     "# Verification\n\n"
-    "Every number below is computed by `make verify` from a design in `designs/verification/`, and a test holds this file\n"
-    "equal to what is computed, to five digits (times excepted). *Closed form* and *quadrature* references are evaluated in\n"
-    "the test from the formula; *independent code* is the specification's own, with its own error in brackets. A row fails\n"
-    "beyond 0.1 % (0.01 % where the state is homogeneous) unless a reason stands below its table.\n"
-    "This file is written by `make verify`; the last section comes from `notes.md`.\n";
+    "`make verify` computes every number below from a design in `designs/verification/`. A test checks that this file agrees\n"
+    "with the computed values to five digits, except for times. The test evaluates *closed form* and *quadrature* references\n"
+    "from the formula. *Independent code* is the reference code of the specification, with its error in brackets. The tolerance\n"
+    "is 0.1 % (0.01 % for homogeneous states); larger tolerances are listed below the table with a reason.\n"
+    "`make verify` writes this file; the last sections come from `notes.md`.\n";
 
 }  // namespace
 
@@ -146,7 +146,7 @@ Report make_report(const Problem& problem, const Outcome& outcome) {
         report.rows.push_back({problem.name, row.quantity, printed_number(row.reference), row.source,
                                printed_number(row.ours), fixed_text(100 * row.error(), 4), row.mesh,
                                fixed_text(row.seconds, 2)});
-        if (row.tolerance > promised)
+        if (row.tolerance > default_tolerance)
             report.reasons.push_back(problem.name + ", " + row.quantity + ": within " +
                                      core::rounded_text(100 * row.tolerance, 2) + " %: " + row.reason);
     }
@@ -168,7 +168,7 @@ Printed parse_markdown(const std::string& text) {
     Printed printed;
     std::istringstream stream(text);
     std::string line, title;
-    bool in_table = false, of_rows = false;  // a table without a title that is not of rows stands in the notes
+    bool in_table = false, of_rows = false;  // untitled tables with another header belong to the notes
     while (std::getline(stream, line)) {
         if (line.starts_with("#")) {
             title = line.starts_with("### ") ? line.substr(4) : "";
@@ -204,7 +204,7 @@ std::string markdown_text(std::span<const Report> reports, const std::string& no
         if (group.rows.empty() && group.tables.empty()) continue;
         text += "\n## " + name + "\n";
         if (!group.rows.empty()) text += '\n' + markdown_table(row_header(), group.rows);
-        if (!group.reasons.empty()) text += "\nLooser than 0.1 %, with the reason:\n\n";
+        if (!group.reasons.empty()) text += "\nTolerances above 0.1 %, with the reason:\n\n";
         for (const auto& reason : group.reasons) text += "- " + reason + '\n';
         for (const auto& table : group.tables)
             text += "\n### " + table.title + "\n\n" + table.text + "\n\n" + markdown_table(table.header, table.lines);
@@ -240,7 +240,7 @@ std::string plain_text(std::span<const Report> reports) {
 std::vector<std::string> differences(const Cells& header, const std::vector<Cells>& expected,
                                      const std::vector<Cells>& computed) {
     if (expected.size() != computed.size())
-        return {"README.md has " + std::to_string(expected.size()) + " lines, computed are " +
+        return {"README.md has " + std::to_string(expected.size()) + " lines, the computed table " +
                 std::to_string(computed.size())};
     std::vector<std::string> found;
     for (std::size_t i = 0; i < computed.size(); ++i)
@@ -249,8 +249,7 @@ std::vector<std::string> differences(const Cells& header, const std::vector<Cell
             const std::string there = k < expected[i].size() ? expected[i][k] : "nothing";
             const std::string here = k < computed[i].size() ? computed[i][k] : "nothing";
             if (!same(there, here))
-                found.push_back(computed[i][0] + ", " + header[k] + ": README.md has " + there + ", computed is " +
-                                here);
+                found.push_back(computed[i][0] + ", " + header[k] + ": README.md has " + there + ", computed " + here);
         }
     return found;
 }

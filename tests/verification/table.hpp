@@ -1,6 +1,6 @@
 #pragma once
-/// The verification table as text, CSV and Markdown, and back from Markdown: README.md is both what a reader sees and what
-/// the test compares with.
+/// The verification table as text, CSV and Markdown, and the parser for the Markdown: README.md is both the document for readers and the
+/// reference of the test.
 #include <map>
 #include <span>
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace soft::verification {
 
-/// What came out of one problem, or what the README keeps of one that could not be run.
+/// The result of one problem, or the lines from README.md for a problem that was not run.
 struct Report {
     const Problem* problem;
     std::vector<std::vector<std::string>> rows;  ///< cells as printed, in the order of row_header()
     std::vector<Table> tables;
-    std::vector<std::string> reasons;  ///< of rows with a looser tolerance
+    std::vector<std::string> reasons;  ///< of rows with a tolerance above the default
     bool computed = true;
 };
 
@@ -35,13 +35,13 @@ struct Printed {
 };
 [[nodiscard]] Printed parse_markdown(const std::string& text);
 
-/// The README's lines of a problem that was not run now.
+/// The lines from README.md for a problem that was not run.
 [[nodiscard]] Report kept_report(const Problem& problem, const Printed& printed);
 
-/// Markdown of all, `notes` (hand-written) at the end.
+/// All reports as Markdown, with `notes` (hand-written) at the end.
 [[nodiscard]] std::string markdown_text(std::span<const Report> reports, const std::string& notes);
 [[nodiscard]] std::string csv_text(std::span<const Report> reports);
-/// One group's rows, or one table, in aligned columns.
+/// All reports as plain text in aligned columns.
 [[nodiscard]] std::string plain_text(std::span<const Report> reports);
 
 /// Differences between two lists of printed cells, one sentence each: numbers may differ by one unit in the fifth digit.

@@ -6,7 +6,7 @@
 namespace soft::verification {
 namespace {
 
-Pulls pulls_of(const GentTube& tube) {
+ExtraStress extra_stress_of(const GentTube& tube) {
     return [tube](const Triple& l) {
         const double I1 = l[0] * l[0] + l[1] * l[1] + l[2] * l[2];
         const double modulus = tube.mu_Pa * tube.jm / (tube.jm - (I1 - 3));
@@ -14,14 +14,14 @@ Pulls pulls_of(const GentTube& tube) {
     };
 }
 
-/// Largest inner stretch that the chains allow at an axial stretch of 1.
+/// Locking stretch of the inner wall at an axial stretch of 1.
 double locking_stretch(const GentTube& tube) { return std::sqrt(tube.jm + 2); }
 
 }  // namespace
 
 EvenTube even_tube(const GentTube& tube, double inner_stretch) {
     const double max_axial = std::min(3.0, 0.999 * std::sqrt(tube.jm + 3 - inner_stretch * inner_stretch));
-    const auto state = closed_tube(pulls_of(tube), tube.inner_m, tube.outer_m, inner_stretch, max_axial);
+    const auto state = closed_tube(extra_stress_of(tube), tube.inner_m, tube.outer_m, inner_stretch, max_axial);
     const double lz = state.axial_stretch;
     const Cylinder cylinder{tube.inner_m, tube.outer_m, lz};
     const double energy_J_m = integral(

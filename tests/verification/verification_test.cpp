@@ -1,4 +1,4 @@
-// Every problem of the list gives its numbers, and README.md says what is computed.
+// Every problem agrees with its references, and README.md agrees with the computed values.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,12 +46,12 @@ std::string test_name(const ::testing::TestParamInfo<Problem>& info) {
 
 class Verified : public ::testing::TestWithParam<Problem> {};
 
-TEST_P(Verified, EveryRowHoldsAndStandsInTheReadme) {
+TEST_P(Verified, EveryRowIsWithinToleranceAndAgreesWithTheReadme) {
     const Problem& problem = GetParam();
-    if (!can_run(problem)) GTEST_SKIP() << "needs the folder named by " << problem.needs;
+    if (!can_run(problem)) GTEST_SKIP() << "set " << problem.needs << " to the required folder";
     const Outcome outcome = problem.solve();
     for (const Row& row : outcome.rows)
-        EXPECT_TRUE(row.holds()) << row.quantity << ": " << row.ours << " for " << row.reference << " (" << row.source
+        EXPECT_TRUE(row.is_within_tolerance()) << row.quantity << ": " << row.ours << " for " << row.reference << " (" << row.source
                                  << "), " << 100 * row.error() << " %, allowed " << 100 * row.tolerance << " %";
     const Report report = make_report(problem, outcome);
     const auto printed = readme().rows.find(problem.name);
@@ -68,7 +68,7 @@ TEST_P(Verified, EveryRowHoldsAndStandsInTheReadme) {
 INSTANTIATE_TEST_SUITE_P(Brief, Verified, ::testing::ValuesIn(problems_of(Duration::brief)), test_name);
 INSTANTIATE_TEST_SUITE_P(Slow, Verified, ::testing::ValuesIn(problems_of(Duration::slow)), test_name);
 
-TEST(Laws, EveryOneHasItsHomogeneousStates) {
+TEST(Laws, EveryLawHasHomogeneousStates) {
     const auto problems = homogeneous_problems();
     for (const auto& law : material::laws())
         EXPECT_TRUE(std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
@@ -76,10 +76,10 @@ TEST(Laws, EveryOneHasItsHomogeneousStates) {
         })) << law.name;
 }
 
-// What the table overrides is another matter: each file is a design of its own, to be run by the programs.
+// Without the overrides of the table, each file is a valid design for the programs.
 class EveryDesign : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(EveryDesign, IsReadAndMeshedAsItStands) {
+TEST_P(EveryDesign, IsValidAndCanBeMeshed) {
     EXPECT_GT(read_case("verification/" + GetParam() + ".yaml", {}).mesh.cell_count(), 0);
 }
 
@@ -88,7 +88,7 @@ std::vector<std::string> kept_designs() {
     for (const auto& file :
          std::filesystem::directory_iterator(std::string(SOFT_SOURCE_DIR) + "/designs/verification")) {
         const std::string name = file.path().stem().string();
-        if (!name.starts_with("kraken-")) names.push_back(name);  // the meshes of those are not kept here
+        if (!name.starts_with("kraken-")) names.push_back(name);  // their meshes are not part of the project
     }
     std::sort(names.begin(), names.end());
     return names;
@@ -100,14 +100,14 @@ INSTANTIATE_TEST_SUITE_P(Designs, EveryDesign, ::testing::ValuesIn(kept_designs(
     return name;
 });
 
-TEST(Readme, HasNoCaseThatNoProblemComputes) {
+TEST(Readme, HasNoObsoleteCases) {
     std::set<std::string> names;
     for (const auto& problem : all_problems())
         EXPECT_TRUE(names.insert(problem.name).second) << problem.name << " twice";
     for (const auto& [name, rows] : readme().rows) EXPECT_TRUE(names.contains(name)) << name;
 }
 
-TEST(Readme, ADifferenceInTheFifthDigitIsSeenAndOneUnitIsAllowed) {
+TEST(Readme, ComparisonAllowsOneUnitInTheFifthDigit) {
     const std::vector<std::string> header{"case", "ours", "error [%]"};
     const auto found = [&](const char* there, const char* here) {
         return !differences(header, {{"a", there, "1"}}, {{"a", here, "2"}}).empty();
@@ -117,7 +117,7 @@ TEST(Readme, ADifferenceInTheFifthDigitIsSeenAndOneUnitIsAllowed) {
     EXPECT_TRUE(found("1.2", "none"));
 }
 
-TEST(Readme, WhatIsWrittenIsReadBack) {
+TEST(Readme, CanBeParsedAndWrittenUnchanged) {
     const Problem problem{"Group", "a case", {}};
     Row row{.quantity = "p [kPa]", .reference = 1, .source = "closed form", .ours = 1.0005, .mesh = "none"};
     row.tolerance = 2e-3;

@@ -1,6 +1,6 @@
 // verify [--list | --brief | WORDS]: computes the verification table, prints it, and writes results/verification.csv and
-// tests/verification/README.md of the source tree. --brief keeps the README's lines of the slow problems; with WORDS only
-// the problems whose group or name holds them are computed and nothing is written. Exit 1 if a row misses its tolerance.
+// tests/verification/README.md of the source tree. --brief keeps the lines of slow problems from README.md. With WORDS only the
+// problems whose "group: name" contains them are computed, and nothing is written. Exit code 1 if a row exceeds its tolerance.
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -42,19 +42,20 @@ Result compute(const std::vector<Problem>& problems, const Printed& printed, Slo
     Result result;
     for (const Problem& problem : problems) {
         std::cerr << problem.group << ": " << problem.name << std::endl;
-        const bool left_out = problem.duration == Duration::slow && slow == Slow::kept;
-        if (left_out || !can_run(problem)) {
+        const bool is_skipped = problem.duration == Duration::slow && slow == Slow::kept;
+        if (is_skipped || !can_run(problem)) {
             std::cerr << "  kept from README.md"
-                      << (left_out ? std::string() : ": needs the folder named by " + problem.needs) << std::endl;
+                      << (is_skipped ? std::string() : ": set " + problem.needs + " to the required folder")
+                      << std::endl;
             result.reports.push_back(kept_report(problem, printed));
             continue;
         }
         try {
             const Outcome outcome = problem.solve();
             for (const Row& row : outcome.rows)
-                if (!row.holds()) {
+                if (!row.is_within_tolerance()) {
                     ++result.misses;
-                    std::cerr << "  MISSES: " << row.quantity << ": " << row.ours << " for " << row.reference << ", "
+                    std::cerr << "  EXCEEDS TOLERANCE: " << row.quantity << ": " << row.ours << " for " << row.reference << ", "
                               << 100 * row.error() << " %" << std::endl;
                 }
             result.reports.push_back(make_report(problem, outcome));
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
             write_text(root + "/results/verification.csv", csv_text(result.reports));
             write_text(readme, markdown_text(result.reports, read_text(root + "/tests/verification/notes.md")));
         }
-        if (result.misses > 0) std::cerr << result.misses << " rows miss their tolerance" << std::endl;
+        if (result.misses > 0) std::cerr << result.misses << " rows exceed their tolerance" << std::endl;
         return result.misses > 0 ? 1 : 0;
     } catch (const std::exception& error) {
         std::cerr << "verify: " << error.what() << std::endl;

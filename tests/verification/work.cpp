@@ -22,7 +22,7 @@ Row work_row(const Run& run) {
     const auto error = [&](std::size_t i) { return std::abs(run.energy_J[i] / work[i] - 1); };
     for (std::size_t i = 1; i < run.steps.size(); ++i)
         if (work[i] > noticeable * work.back() && error(i) > error(worst)) worst = i;
-    return {.quantity = "stored energy where it differs most from the work [mJ]",
+    return {.quantity = "stored energy at the largest difference from the work [mJ]",
             .reference = 1e3 * work[worst],
             .source = "integral of p dV",
             .ours = 1e3 * run.energy_J[worst],

@@ -1,14 +1,14 @@
 #pragma once
-/// What the pressure does on the growing cavity is stored in the rubber: the two along a path.
+/// Compares the work of the pressure on the cavity with the energy stored in the rubber along a path.
 #include "problem.hpp"
 
 namespace soft::verification {
 
-/// The integral of p dV up to each step [J]: between two rows p is the cubic in V that has the solver's slopes dp/dV.
+/// Integral of p dV up to each step [J]. Between two rows p is the cubic in V with the solver's slopes dp/dV.
 [[nodiscard]] std::vector<double> work_J(const Run& run);
 
-/// The stored energy of the row where it differs most from the work, among those with a hundredth of the final energy
-/// and more. The run must have recorded its energy.
+/// The stored energy of the row with the largest difference from the work, among rows with at least a hundredth of the final energy. The
+/// run must have recorded its energy.
 [[nodiscard]] Row work_row(const Run& run);
 
 }  // namespace soft::verification
