@@ -1,8 +1,9 @@
-/// What other releases and other machines make of a file, by plain HDF5 calls.   h5_change FILE version|unknown|big-endian DATASET
-///   version      the format is one newer
-///   unknown      groups, datasets and attributes that this release does not know stand beside the others
-///   big-endian   the numbers of DATASET stand in the byte order of another kind of machine, their values unchanged
-/// The library drops the seal behind the HDF5 data as it opens the file for writing.
+/// Changes a file as another release or machine would write it, by plain HDF5 calls.
+/// h5_change FILE version|unknown|big-endian DATASET
+///   version      increases the format version by one
+///   unknown      adds groups, datasets and attributes that this release does not know
+///   big-endian   converts the numbers of DATASET to big-endian byte order without changing their values
+/// HDF5 removes the seal after the HDF5 data when it opens the file for writing.
 #include <hdf5.h>
 
 #include <cstdint>
@@ -35,7 +36,7 @@ void add_unknown(hid_t file) {
         static_cast<void>(close);
 }
 
-bool turn_bytes(hid_t file, const char* name) {
+bool swap_bytes(hid_t file, const char* name) {
     const hid_t old = H5Dopen2(file, name, H5P_DEFAULT);
     if (old < 0) return false;
     const hid_t space = H5Dget_space(old);
@@ -44,9 +45,9 @@ bool turn_bytes(hid_t file, const char* name) {
     H5Dread(old, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
     H5Dclose(old);
     H5Ldelete(file, name, H5P_DEFAULT);
-    const hid_t turned = H5Dcreate2(file, name, H5T_IEEE_F64BE, space, H5P_DEFAULT, layout, H5P_DEFAULT);
-    const bool written = H5Dwrite(turned, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0;
-    H5Dclose(turned);
+    const hid_t swapped = H5Dcreate2(file, name, H5T_IEEE_F64BE, space, H5P_DEFAULT, layout, H5P_DEFAULT);
+    const bool written = H5Dwrite(swapped, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0;
+    H5Dclose(swapped);
     H5Pclose(layout);
     H5Sclose(space);
     return written;
@@ -64,6 +65,6 @@ int main(int argc, char** argv) {
     else if (what == "unknown")
         add_unknown(file);
     else
-        done = what == "big-endian" && argc > 3 && turn_bytes(file, argv[3]);
+        done = what == "big-endian" && argc > 3 && swap_bytes(file, argv[3]);
     return H5Fclose(file) >= 0 && done ? 0 : 1;
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016  # the commands expand their own variables
-# Files of another release or another kind of machine.   origins.sh BIN CMAKE H5_CHANGE
+# Files of another release or byte order.   origins.sh BIN CMAKE H5_CHANGE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh" "$1" "$2"
 change=$3
 runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=3 -o case.h5 && solve -q case.h5 -o result.h5 && postprocess -q result.h5 -o whole.csv'
@@ -14,12 +14,12 @@ for tool in solve postprocess; do
     changed $file unknown
     row 'groups and attributes of a newer release' $tool 0 - - "$tool -q changed.h5 -o place/out"
     changed $file 'big-endian /VTKHDF/Points'
-    row 'a file in the other byte order' $tool 65 'changed.h5:/VTKHDF/Points: does not hold 64-bit little-endian floats; *' nothing \
+    row 'a big-endian file' $tool 65 'changed.h5:/VTKHDF/Points: does not hold 64-bit little-endian floats; *' nothing \
         "$tool changed.h5 -o place/out"
 done
 runs "cp result.h5 changed.h5 && $change changed.h5 unknown && postprocess -q changed.h5 -o unknown.csv"
-claim "what is not known is left aside: the curve is the same" cmp unknown.csv whole.csv
+claim "unknown objects are ignored: the curve is the same" cmp unknown.csv whole.csv
 changed result.h5 'big-endian /path/pressure'
-row 'a curve in the other byte order' postprocess 65 'changed.h5:/path/pressure: does not hold 64-bit little-endian floats; *' nothing \
+row 'a big-endian curve' postprocess 65 'changed.h5:/path/pressure: does not hold 64-bit little-endian floats; *' nothing \
     'postprocess changed.h5 -o place/out'
-table_is_whole
+table_is_complete

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # shellcheck disable=SC2016  # the commands expand their own variables
-# The same case gives the same bytes: the whole file, /path with it.   same_bytes.sh BIN CMAKE
+# The same case gives a byte-identical result file.   same_bytes.sh BIN CMAKE
 . "$(dirname "${BASH_SOURCE[0]}")/check.sh"
 LIMIT=300
 unset OMP_NUM_THREADS OPENBLAS_NUM_THREADS
-# A section, which CHOLMOD factorises, past its limit point; a solid, which MUMPS does; a motion in time.
+# An axisymmetric section past its limit point (CHOLMOD), a solid (MUMPS), and a motion in time.
 runs 'mesh-gen -q designs/tube.yaml --set path.until.steps=16 -o section.h5'
 runs 'mesh-gen -q designs/tube.yaml --set model=quarter --set mesh.size=5mm --set mesh.through_wall=2 --set path.until.steps=3 -o solid.h5'
 runs 'mesh-gen -q designs/bellows-inflation.yaml --set mesh.size=4mm --set dynamics.duration=0.01s -o motion.h5'
@@ -17,20 +17,20 @@ same() {   # same TEXT CASE COMMAND: writes out.h5 as `solve -q CASE.h5 -o out.h
 for case in section solid motion; do
     solve="solve -q $case.h5 -o out.h5"
     runs "$solve && mv out.h5 $case.first"
-    same 'again' $case "$solve"
+    same 'repeated' $case "$solve"
     same 'at fixed addresses (no ASLR)' $case "setarch -R $solve"
-    same 'beside two that keep the processors busy' $case "for i in 1 2; do (while :; do :; done) & done; $solve; code=\$?; kill %1 %2; exit \$code"
-    same 'with the environment asking for three threads' $case "OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 $solve"
-    same 'with another locale, time zone, and an empty environment beside' $case "env -i PATH=\"\$PATH\" TZ=Pacific/Chatham LC_ALL=de_DE.UTF-8 $solve"
+    same 'with two other busy processes' $case "for i in 1 2; do (while :; do :; done) & done; $solve; code=\$?; kill %1 %2; exit \$code"
+    same 'with three threads set in the environment' $case "OMP_NUM_THREADS=3 OPENBLAS_NUM_THREADS=3 $solve"
+    same 'with another locale and time zone in an otherwise empty environment' $case "env -i PATH=\"\$PATH\" TZ=Pacific/Chatham LC_ALL=de_DE.UTF-8 $solve"
 done
 echo '-ksp_rtol 1e-1' >.petscrc
-same 'beside options of PETSc in a file' solid 'solve -q solid.h5 -o out.h5'
+same 'with PETSc options in a petscrc file' solid 'solve -q solid.h5 -o out.h5'
 rm .petscrc
 for case in section solid; do
-    same 'interrupted and resumed' $case "(ulimit -f $(($(stat -c %s $case.h5) / 1024 + 300)); exec solve -q $case.h5 -o out.h5) 2>stopped; grep -q 'make room' stopped && solve -q --resume out.h5"
+    same 'interrupted and resumed' $case "(ulimit -f $(($(stat -c %s $case.h5) / 1024 + 300)); exec solve -q $case.h5 -o out.h5) 2>stopped; grep -q 'free disk space' stopped && solve -q --resume out.h5"
 done
 
-# Two ranks: each time the same bytes, as those of each other. The section is factorised whole on each, the solid by substructures.
+# Two ranks: repeated runs give identical files. The section is factorised on each rank, the solid by substructures.
 for case in section solid; do
     two="mpirun -n 2 solve -q $case.h5 -o out.h5"
     rm -f out.h5
@@ -38,11 +38,11 @@ for case in section solid; do
     again() {   # again TEXT COMMAND
         rm -f out.h5
         runs "$2"
-        claim "$case, on two ranks, $1: the same" cmp out.h5 "$case.two"
+        claim "$case, on two ranks, $1: the bytes are the same" cmp out.h5 "$case.two"
     }
     again 'the second time' "$two"
     again 'the third time' "$two"
-    again 'beside two busy processes' "for i in 1 2; do (while :; do :; done) & done; $two; code=\$?; kill %1 %2; exit \$code"
+    again 'with two other busy processes' "for i in 1 2; do (while :; do :; done) & done; $two; code=\$?; kill %1 %2; exit \$code"
     again 'at fixed addresses' "mpirun -n 2 setarch -R solve -q $case.h5 -o out.h5"
     runs "postprocess -q $case.two -o two.csv; postprocess -q $case.first -o one.csv"
     claim "$case: two ranks agree with one to 1e-8" agree one.csv two.csv 1e-8
