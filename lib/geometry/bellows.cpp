@@ -1,5 +1,5 @@
-/// The bellows: convolutions between two discs, the inlet's with a bore through it. First trough at x = -pitch, last at
-/// x = (convolutions - 1) pitch (the ends of their lands, if they have some); the end disc behind it is held, the inlet moves towards -x.
+/// Bellows: convolutions between two discs; the inlet disc has a bore. The first trough lies at x = -pitch, the last at
+/// x = (convolutions - 1) pitch (the ends of their lands, if any). The end disc behind it is fixed; the inlet moves towards -x.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -28,11 +28,11 @@ CellSize cells_of(const BellowsShape& shape, const design::Values& values) {
 Counts counts_of(const BellowsShape& shape, const design::Values& values) {
     const CellSize size = cells_of(shape, values);
     constexpr int min_bend = 2;  // a half bend turns by about 84 degrees
-    const auto cells = [&](double length_m, int least = 1) { return size.along(length_m, least); };
-    // Between the bends the state changes slowly along the wall: longer cells cost no accuracy there (measured).
+    const auto cells = [&](double length_m, int min_cells = 1) { return size.along(length_m, min_cells); };
+    // The state varies slowly along the wall between the bends: longer cells cost no accuracy there (measured).
     constexpr double straight_stretch = 1.2;
-    const bool is_sharp = shape.fillet_m < 0.25 * shape.wall_m;  // two cells are badly shaped in so sharp a bend
-    constexpr int min_through = 3;  // two leave the bends 0.6 % too soft, whatever their grading (measured)
+    const bool is_sharp = shape.fillet_m < 0.25 * shape.wall_m;  // two cells are badly shaped in such a sharp bend
+    constexpr int min_through = 3;  // with two cells the bends are 0.6 % too soft for any grading (measured)
     return {.through = size.through(shape.wall_m, is_section(values) || is_sharp ? min_through : 2, min_through),
             .bend = cells((shape.fillet_m + 0.5 * shape.wall_m) * shape.bend_rad, min_bend),
             .straight = cells(shape.straight_m / straight_stretch),
@@ -46,7 +46,7 @@ Counts counts_of(const BellowsShape& shape, const design::Values& values) {
             .core = cells(shape.bore_m)};
 }
 
-/// A cut through the wall: the points on its cavity side and on its outer side, joined by a line.
+/// A cut through the wall: the points on its cavity side and on its outer side, connected by a line.
 struct Cut {
     int inside, outside;
 };
@@ -55,7 +55,7 @@ struct Cut {
 struct Frame {
     double origin_m;
     int sign;
-    [[nodiscard]] meshing::PlanePoint place(meshing::PlanePoint local) const {
+    [[nodiscard]] meshing::PlanePoint global(meshing::PlanePoint local) const {
         return {origin_m + sign * local[0], local[1]};
     }
 };
@@ -92,10 +92,10 @@ public:
     }
 
 private:
-    int point(const Frame& frame, meshing::PlanePoint local) { return add_point(section_, frame.place(local)); }
+    int point(const Frame& frame, meshing::PlanePoint local) { return add_point(section_, frame.global(local)); }
 
-    /// Cells through a bend are graded towards its small radius, where the strain changes fastest: on the cavity's side
-    /// at a crest (height 1 along the wall), on the outer side at a trough (height 0), evenly half way between.
+    /// Cells through a bend are graded towards its small radius, where the strain varies fastest: the cavity side at a crest
+    /// (height 1 along the wall), the outer side at a trough (height 0). They are uniform half way between.
     Cut add_cut(const Frame& frame, meshing::PlanePoint inside, meshing::PlanePoint outside, double height) {
         const Cut cut{point(frame, inside), point(frame, outside)};
         add_graded_line(section_, {cut.inside, cut.outside}, n_.through,
@@ -114,7 +114,7 @@ private:
         return add_cut(frame, {half_m, shape_.crest_m - shape_.wall_m}, {half_m, shape_.crest_m}, 1);
     }
 
-    /// The block between two cuts, its sides straight or arcs about a centre.
+    /// The block between two cuts; its sides are straight or arcs about a centre.
     void strip(Cut from, Cut to, int centre, int cells) {
         add_arc(section_, {from.inside, to.inside}, centre, cells, {"cavity"});
         add_arc(section_, {from.outside, to.outside}, centre, cells, {"outer"});
@@ -135,7 +135,7 @@ private:
         wall(frame, foot, n_.straight, crest);
     }
 
-    /// The straight wall from a cut on, and the half bend at the crest.
+    /// The straight wall from a cut to the crest, and the half bend at the crest.
     void wall(const Frame& frame, Cut start, int cells, Cut crest) {
         const Cut top = wall_cut(frame, shape_.straight_m);
         strip(start, top, meshing::Curve::straight, cells);
@@ -147,14 +147,14 @@ private:
 
     std::vector<BellowsShape> shapes_;
     const design::Values& values_;
-    BellowsShape shape_{};  ///< of the convolution that is drawn
+    BellowsShape shape_{};  ///< of the current convolution
     Counts n_{};
     meshing::Section section_;
-    int bore_inner_ = 0, bore_outer_ = 0;  ///< of the end drawn last: the line where disc and bore (or core) meet
+    int bore_inner_ = 0, bore_outer_ = 0;  ///< of the last end: the line between disc and bore (or core)
 };
 
-/// Disc, neck and the wall up to where its outer face leaves the neck; returns the cut there.
-/// Blocks: root (the wall's cells led round below the neck), neck, and three of the disc (below, beside, above the neck).
+/// Adds disc, neck and the wall up to the point where its outer face leaves the neck; returns the cut there.
+/// Blocks: root (the cells of the wall continue below the neck), neck, and three of the disc (below, beside, above the neck).
 Cut Drawing::add_end(const Frame& frame, const std::string& end_face, const Names& bore_faces) {
     const double end_m = -shape_.disc_length_m;
     const int root_cells = n_.bend + n_.below_neck;
@@ -198,7 +198,7 @@ Cut Drawing::add_end(const Frame& frame, const std::string& end_face, const Name
     return cut;
 }
 
-/// The held disc has no bore: its core closes the cavity.
+/// The fixed disc has no bore: its core closes the cavity.
 void Drawing::add_core(const Frame& frame) {
     const int inner = point(frame, {0, 0}), outer = point(frame, {-shape_.disc_length_m, 0});
     meshing::Section& s = section_;
@@ -214,7 +214,8 @@ design::Key land_key(std::string_view name, std::string_view meaning) {
     return key;
 }
 
-/// Of the paper's bellows: cells of 1.5 walls miss 0.6 %, of two walls 3.7 %; one cell through the wall 4.4 %, two 0.1 %.
+/// Errors for the paper's bellows: 0.6 % with cells of 1.5 walls, 3.7 % with cells of two walls; 4.4 % with one cell through the
+/// wall, 0.1 % with two.
 std::vector<std::string> coarse_mesh(const design::Values& values) {
     constexpr double max_walls = 1.65;
     constexpr int min_through = 2;
@@ -244,7 +245,7 @@ Body build(const design::Values& values) {
 Family bellows() {
     design::FamilyKeys keys;
     keys.name = "bellows";
-    keys.summary = "the paper's bellows: convolutions between an inlet disc and a held end disc";
+    keys.summary = "the paper's bellows: convolutions between an inlet disc and a fixed end disc";
     design::Key convolutions;
     convolutions.path = "geometry.convolutions";
     convolutions.kind = design::Kind::count;
@@ -253,32 +254,31 @@ Family bellows() {
     convolutions.min = 1;
     convolutions.max = 1000;
     design::Key last_crest =
-        length_key("last_crest_radius", "same", "crest_radius of the convolution at the held end; evenly in between");
+        length_key("last_crest_radius", "same", "crest_radius of the convolution at the fixed end; linear in between");
     last_crest.choices = {"same"};
     keys.geometry = {
         std::move(convolutions),
         length_key("pitch", "9.25 mm", "length of a convolution, trough to trough"),
         length_key("crest_radius", "19 mm", "outermost radius of the rubber"),
-        length_key("bore_radius", "2.5 mm", "innermost radius of the rubber: of the bore and of the troughs"),
+        length_key("bore_radius", "2.5 mm", "innermost radius of the rubber: radius of the bore and of the troughs"),
         length_key("wall", "3 mm", "thickness of the wall"),
-        derived_key("fillet",
-                    "inner radius of every bend; its outer radius is fillet + wall; auto: a twelfth of the wall"),
-        land_key("crest_land", "straight length of every crest along x, besides its bends"),
+        derived_key("fillet", "inner radius of every bend; its outer radius is fillet + wall; auto: wall / 12"),
+        land_key("crest_land", "straight length of every crest along x, in addition to its bends"),
         land_key("trough_land",
-                 "straight length of every trough between two convolutions; where both lands are half the "
-                 "pitch less wall and two fillets, the walls stand upright: square convolutions"),
+                 "straight length of every trough between two convolutions; if both lands are half the "
+                 "pitch minus wall and two fillets, the walls are upright: square convolutions"),
         std::move(last_crest),
         derived_key(
             "end_disc.length",
-            "from the plane of the last trough to the outer face, at both ends; auto: two walls, or what the neck needs"),
+            "length from the plane of the last trough to the outer face, at both ends; auto: two walls, or what the neck needs"),
         derived_key("end_disc.radius",
-                    "radius of both discs; auto: crest_radius less 1.5 walls, at least a wall more than the neck"),
+                    "radius of both discs; auto: crest_radius minus 1.5 walls, at least a wall more than the neck"),
         derived_key(
             "neck.length",
-            "between disc and outer wall; auto: a third of the wall, or what keeps the disc clear of the first crest"),
+            "length between disc and outer wall; auto: wall / 3, or what keeps the disc clear of the first crest"),
         derived_key(
             "neck.radius",
-            "radius of the neck; must meet the straight part of the outer wall; auto: bore_radius and 1.5 walls, moved "
+            "radius of the neck; must meet the straight part of the outer wall; auto: bore_radius plus 1.5 walls, moved "
             "onto that part"),
         strip_angle_key(),
         strip_material_key()};
@@ -288,7 +288,7 @@ Family bellows() {
     keys.defaults =
         "supports: {fixed: end_disc}\n"
         "loads:\n"
-        "  cavity: {pressure: 30 kPa, sealed: true}   # sealed: also on the bore's plug and the end disc\n"
+        "  cavity: {pressure: 30 kPa, sealed: true}   # sealed: also on the plug of the bore and the end disc\n"
         "outputs:\n"
         "  elongation: {face: inlet, along: axis}     # area mean of the displacement\n";
     keys.mesh = {size_key(), through_wall_key(), sectors_key()};

@@ -23,8 +23,8 @@ BellowsShape read(const design::Values& values) {
     return s;
 }
 
-/// The straight wall is an inner common tangent of the trough's and the crest's arcs: seen along its normal the two
-/// centres are 2 fillet + wall apart.
+/// The straight wall is an inner common tangent of the trough arc and the crest arc: along its normal the two centres are
+/// 2 fillet + wall apart.
 void derive_wall(BellowsShape& s, const design::Values& values, const char* crest_key) {
     const double bend_m = s.fillet_m + s.wall_m, apart_m = 2 * s.fillet_m + s.wall_m,
                  lands_m = s.crest_land_m + s.trough_land_m;
@@ -53,7 +53,7 @@ void derive_wall(BellowsShape& s, const design::Values& values, const char* cres
 void derive_neck(BellowsShape& s, const design::Values& values) {
     const double lowest_m = s.on_wall(s.outer_offset_m(), 0)[1],
                  highest_m = s.on_wall(s.outer_offset_m(), s.straight_m)[1];
-    constexpr double inside = 0.1;  // of the straight part, from its ends
+    constexpr double inside = 0.1;  // distance from the ends of the straight part, relative to its length
     const double margin_m = inside * (highest_m - lowest_m);
     s.neck_radius_m = length_or(values, "neck.radius",
                                 std::clamp(s.bore_m + 1.5 * s.wall_m, lowest_m + margin_m, highest_m - margin_m));
@@ -62,16 +62,16 @@ void derive_neck(BellowsShape& s, const design::Values& values) {
     if (!(s.neck_radius_m > lowest_m && s.neck_radius_m < highest_m))
         throw values.refuse("geometry.neck.radius",
                             length_text(s.neck_radius_m) + " does not meet the straight part of the outer wall",
-                            "between " + length_text(lowest_m) + " and " + length_text(highest_m));
+                            "use a value between " + length_text(lowest_m) + " and " + length_text(highest_m));
     if (!(s.disc_radius_m > s.neck_radius_m))
         throw values.refuse(
             "geometry.end_disc.radius",
-            length_text(s.disc_radius_m) + " is not larger than the neck's " + length_text(s.neck_radius_m),
+            length_text(s.disc_radius_m) + " is not larger than neck.radius (" + length_text(s.neck_radius_m) + ")",
             larger_than(s.neck_radius_m));
     s.neck_at_m = (s.neck_radius_m - lowest_m) / s.along[1];
     s.neck_corner = s.on_wall(s.outer_offset_m(), s.neck_at_m);
     s.neck_corner[1] = s.neck_radius_m;
-    // The wall may lean over the neck: the disc must stay clear of the first crest.
+    // The wall may overhang the neck: the disc must stay clear of the first crest.
     const double crest_edge_m = s.half_m - s.fillet_m - s.wall_m;
     s.neck_length_m =
         length_or(values, "neck.length", std::max(s.wall_m / 3, s.neck_corner[0] - crest_edge_m + s.wall_m / 6));
@@ -82,22 +82,22 @@ void derive_neck(BellowsShape& s, const design::Values& values) {
                             larger_than(s.neck_corner[0] - crest_edge_m));
 }
 
-/// Cells of the wall, of the neck and of the disc meet inside the rubber. The place is chosen so that no corner of the
-/// blocks there is flatter than about 130 degrees with the paper's proportions.
+/// The cells of wall, neck and disc meet inside the rubber. This point is chosen so that no corner angle of the blocks exceeds
+/// about 130 degrees for the paper's proportions.
 void derive_fork(BellowsShape& s, const design::Values& values) {
     const double height_m = s.neck_radius_m - s.bore_m;
-    constexpr double room = 1.5;  // of the length that the neck and the cells behind it need
+    constexpr double margin = 1.5;  // times the length that the neck and the cells behind it need
     s.disc_length_m =
-        length_or(values, "end_disc.length", std::max(2 * s.wall_m, room * (0.22 * height_m - s.disc_corner[0])));
+        length_or(values, "end_disc.length", std::max(2 * s.wall_m, margin * (0.22 * height_m - s.disc_corner[0])));
     const double back_m = std::min(0.22 * height_m, 0.2 * s.disc_length_m), down_m = 0.27 * height_m;
     s.fork = {s.neck_corner[0] - back_m, s.neck_radius_m - down_m};
     s.below_corner = {s.disc_corner[0] - 0.6 * back_m, s.fork[1]};
-    // The disc must reach past both, or its cells have no room.
+    // The disc must extend beyond both, or its cells have no space.
     const double min_m = -s.disc_corner[0] + back_m;
     if (!(s.disc_length_m > min_m))
         throw values.refuse(
             "geometry.end_disc.length",
-            length_text(s.disc_length_m) + " is too short for the neck of " + length_text(s.neck_length_m),
+            length_text(s.disc_length_m) + " is too short for a neck of " + length_text(s.neck_length_m),
             larger_than(min_m));
 }
 
@@ -107,7 +107,7 @@ BellowsShape shape_of(const design::Values& values, int convolution) {
     constexpr const char* last_key = "geometry.last_crest_radius";
     BellowsShape s = read(values);
     const double last_m = values.number(last_key);
-    const bool tapers = last_m > 0 && s.convolutions > 1;  // 0 stands for "same"
+    const bool tapers = last_m > 0 && s.convolutions > 1;  // 0 means "same"
     if (tapers) s.crest_m += (last_m - s.crest_m) * convolution / (s.convolutions - 1);
     derive_wall(s, values, tapers && convolution > 0 ? last_key : "geometry.crest_radius");
     derive_neck(s, values);
@@ -119,7 +119,7 @@ std::vector<BellowsShape> shapes_of(const design::Values& values) {
     const int last = values.count("geometry.convolutions") - 1;
     static_cast<void>(shape_of(values, 0));
     static_cast<void>(
-        shape_of(values, last));  // a taper that does not fit is refused with its end, not with a crest on the way
+        shape_of(values, last));  // report an unsuitable taper by its end value, not by a crest in between
     std::vector<BellowsShape> shapes;
     for (int i = 0; i <= last; ++i) shapes.push_back(shape_of(values, i));
     return shapes;

@@ -30,8 +30,8 @@ const Family& family_named(const std::string& name) {
     throw Error(ExitCode::bad_input, "family", "no family is called " + core::quoted(name));
 }
 
-/// Where a triangle of the section meets the axis, a solid has tetrahedra; a quadrilateral that does so in a corner has no
-/// counterpart. So a solid of revolution that closes on its axis is of simplices.
+/// A triangle of the section that meets the axis becomes tetrahedra of the solid; a quadrilateral that meets it in a corner has no
+/// counterpart. A solid of revolution that closes on its axis therefore consists of simplices.
 meshing::FreeCells free_cells(const Body& body, const design::Values& values, Model model) {
     const bool simplices = values.has("mesh.cells") && values.text("mesh.cells") == "simplices";
     const bool turned = std::holds_alternative<Revolution>(body.sweep) && model != Model::axisymmetric;
@@ -95,16 +95,16 @@ Solid revolved(const mesh::Mesh& section, const Body& body, const Revolution& re
     return solid;
 }
 
-/// The planes y = 0 and z = 0 that are no cuts, as inner faces "middle_y", "middle_z".
+/// Adds the planes y = 0 and z = 0 that are not cuts as inner faces "middle_y", "middle_z".
 void add_middle_planes(Solid& solid) {
     constexpr std::array<const char*, 3> names{"", "middle_y", "middle_z"};
     for (int c = 1; c < 3; ++c)
         if (!solid.symmetry_planes[c]) solid.mesh.facet_sets[names[c]] = meshing::facets_on_plane(solid.mesh, c);
 }
 
-/// What follows from the shape: symmetry planes, the axis, and the middle planes of a body nobody holds.
+/// Supports that follow from the shape: symmetry planes, the axis, and the middle planes of an unsupported body.
 std::vector<model::Support> own_supports(const Body& body, const Solid& solid) {
-    if (std::holds_alternative<ReadyMesh>(body.sweep)) return {};  // its faces are the user's, whatever they are called
+    if (std::holds_alternative<ReadyMesh>(body.sweep)) return {};  // the user defines its faces, whatever their names
     struct Named {
         const char* face;
         int component;
@@ -125,21 +125,21 @@ std::vector<model::Support> own_supports(const Body& body, const Solid& solid) {
     return supports;
 }
 
-bool says(const design::Values& values, const char* path, std::string_view word) {
+bool has_value(const design::Values& values, const char* path, std::string_view word) {
     return values.has(path) && values.text(path) == word;
 }
 
 model::Formulation formulation_of(const design::Values& values, const mesh::Mesh& mesh) {
     model::Formulation formulation = model::Formulation::mixed;
-    if (says(values, "mesh.formulation", "displacement")) formulation = model::Formulation::displacement;
-    if (says(values, "mesh.formulation", "f-bar")) formulation = model::Formulation::f_bar;
+    if (has_value(values, "mesh.formulation", "displacement")) formulation = model::Formulation::displacement;
+    if (has_value(values, "mesh.formulation", "f-bar")) formulation = model::Formulation::f_bar;
     for (const mesh::CellType type : std::set(mesh.cell_types.begin(), mesh.cell_types.end()))
-        if (const std::string reason = element::why_not(type, formulation); !reason.empty())
+        if (const std::string reason = element::explain_incompatibility(type, formulation); !reason.empty())
             throw values.refuse("mesh.formulation", reason);
     return formulation;
 }
 
-/// The section meshed and swept, or the mesh that is there.
+/// The meshed and swept section, or the finished mesh.
 Solid swept(const Body& body, const design::Values& values) {
     if (const auto* ready = std::get_if<ReadyMesh>(&body.sweep))
         return {ready->mesh, ready->kinematics, body.symmetry_planes, body.fraction};
@@ -159,13 +159,14 @@ mesh::Mesh refined(const mesh::Mesh& mesh, const design::Values& values) {
     const int times = values.has("mesh.refine") ? values.count("mesh.refine") : 0;
     const double cells = std::ldexp(static_cast<double>(mesh.cell_count()), times * mesh.dimension);
     if (cells > max_cells)
-        throw values.refuse("mesh.refine", "it would take " + core::rounded_text(cells, 2) + " cells",
-                            "a smaller number");
+        throw values.refuse("mesh.refine",
+                            "the mesh would have " + core::rounded_text(cells, 2) + " cells (limit 5 million)",
+                            "use a smaller number");
     return mesh::refine(mesh, times);
 }
 
-/// Of every region: the material that the family names for it; else the one of its own name; else the main one. With the
-/// fibres that the family lays into it.
+/// The material of every region: the one that the family assigns, else the one of the region's name, else the main one. Includes
+/// the fibres that the family adds to the region.
 std::vector<model::Material> region_materials(const design::Design& design, const Body& body, const Solid& solid) {
     std::vector<model::Material> materials;
     for (const std::string& region : solid.mesh.region_names) {
@@ -181,7 +182,7 @@ std::vector<model::Material> region_materials(const design::Design& design, cons
     return materials;
 }
 
-/// Whether the rubber between the fibres may have any; the family's keys have checked the fibres themselves.
+/// Throws if the law of the rubber cannot be combined with fibres; the keys of the family check the fibres themselves.
 void check_fibers(const design::Design& design, const model::Material& material) {
     try {
         static_cast<void>(model::make_rubber(material));
@@ -190,12 +191,12 @@ void check_fibers(const design::Design& design, const model::Material& material)
     }
 }
 
-/// A material that shows nowhere is most likely misspelt. What a family has built in may stay unused.
+/// A material that no region uses is most likely misspelt. Built-in materials of a family may stay unused.
 void check_materials(const design::Design& design, const design::FamilyKeys& keys, const Solid& solid,
                      const std::vector<model::Material>& materials) {
     for (const model::Material& material : materials) {
         if (material.fibers) check_fibers(design, material);
-        const std::string reason = model::why_not(material, solid.kinematics, solid.symmetry_planes);
+        const std::string reason = model::explain_incompatibility(material, solid.kinematics, solid.symmetry_planes);
         if (!reason.empty())
             throw design.values.refuse(
                 (material.fibers ? "geometry.fibers" : material.source) + std::string{".families"}, reason);
@@ -203,8 +204,8 @@ void check_materials(const design::Design& design, const design::FamilyKeys& key
     for (const auto& [name, material] : design.materials) {
         const bool used = std::ranges::find(materials, material.source, &model::Material::source) != materials.end();
         if (!used && !keys.materials.contains(name))
-            throw design.values.refuse(material.source + ".law", "no region is of this material",
-                                       "the regions: " + core::join(solid.mesh.region_names));
+            throw design.values.refuse(material.source + ".law", "no region uses this material",
+                                       "regions: " + core::join(solid.mesh.region_names));
     }
 }
 
@@ -213,9 +214,9 @@ void check_materials(const design::Design& design, const design::FamilyKeys& key
 Solid mesh_body(const Body& body, const design::Values& values) {
     Solid solid = swept(body, values);
     const bool mixed = std::ranges::find(solid.mesh.cell_types, mesh::CellType::tet10) != solid.mesh.cell_types.end() &&
-                       !std::holds_alternative<ReadyMesh>(body.sweep);  // some sides are cut already
-    if (mixed || says(values, "mesh.cells", "simplices")) solid.mesh = split_into_simplices(solid.mesh);
-    solid.mesh = refined(solid.mesh, values);  // before mid nodes go: they know the curved edges
+                       !std::holds_alternative<ReadyMesh>(body.sweep);  // some facets are split already
+    if (mixed || has_value(values, "mesh.cells", "simplices")) solid.mesh = split_into_simplices(solid.mesh);
+    solid.mesh = refined(solid.mesh, values);  // before mid nodes are removed: they define the curved edges
     if (values.has("mesh.order") && values.count("mesh.order") == 1) solid.mesh = mesh::lower_order(solid.mesh);
     if (body.anchoring == Anchoring::middle_planes && solid.kinematics == model::Kinematics::solid)
         add_middle_planes(solid);
@@ -228,10 +229,10 @@ std::vector<std::string> warnings_of(const design::Design& design, const Built& 
     const auto locks = [](mesh::CellType type) {
         return type == mesh::CellType::triangle3 || type == mesh::CellType::tet4;
     };
-    const bool told = design.values.has("mesh.cells") && design.values.text("mesh.cells") == "simplices";
-    if (!told && std::ranges::any_of(built.model.mesh.cell_types, locks))
+    const bool is_reported = design.values.has("mesh.cells") && design.values.text("mesh.cells") == "simplices";
+    if (!is_reported && std::ranges::any_of(built.model.mesh.cell_types, locks))
         warnings.push_back((design.values.has("geometry.file") ? "geometry.file: " : "mesh.order: ") +
-                           design::first_order_simplices_lock());
+                           design::first_order_simplex_warning());
     for (std::string& warning : case_warnings(design, built.model)) warnings.push_back(std::move(warning));
     return warnings;
 }

@@ -14,15 +14,15 @@
 namespace soft::geometry {
 namespace {
 
-/// From a valve in a chip to an arm; beyond, a unit is wrong more often than not.
+/// From a valve in a chip to an arm; outside this range a unit is most likely wrong.
 constexpr double min_m = 2e-3, max_m = 3;
-/// Surroundings from a bell jar to a kilometre of water.
+/// Ambient pressures from a vacuum chamber to a depth of a kilometre of water.
 constexpr double min_ambient_Pa = 1e3, max_ambient_Pa = 10e6;
 /// Densities of gases at room temperature relative to air: hydrogen 0.07, sulphur hexafluoride 5.1.
 constexpr double min_density_ratio = 0.05, max_density_ratio = 6.0;
-/// A balloon grows a thousandfold; a supply line holds no more than a thousand times its actuator.
+/// A balloon grows a thousandfold; a supply line contains at most a thousand times the volume of its actuator.
 constexpr double max_gas_ratio = 1e3;
-/// Of a direction: less is rounding.
+/// Relative component of a direction; smaller values are rounding.
 constexpr double across = 1e-9;
 
 using Warnings = std::vector<std::string>;
@@ -34,30 +34,30 @@ void check_size(const design::Design& design, const model::Case& built, Warnings
     if (design.values.has("geometry.unit"))
         warnings.push_back("geometry.unit: the part is " + text + " long; are the file's lengths in " +
                            design.values.text("geometry.unit") + "?" +
-                           (extent_m < min_m ? " In inches it would be `unit: in`" : ""));
+                           (extent_m < min_m ? " For inches use `unit: in`" : ""));
     else
         warnings.push_back("geometry: the body is " + text +
-                           " long; soft actuators are 2 mm to 3 m, are its units right?");
+                           " long; soft actuators measure 2 mm to 3 m, check the units");
 }
 
-/// Of dead tractions and gravity; forces and motions across a plane are refused where they are read.
+/// Checks dead tractions and gravity; add_loads rejects forces and motions across a plane.
 void check_symmetry(const model::Case& built, Warnings& warnings) {
     static constexpr std::array planes{"x = 0", "y = 0", "z = 0"};
     const auto check = [&](const std::string& load, const std::array<double, 3>& vector) {
         const double size = std::hypot(vector[0], vector[1], vector[2]);
         for (std::size_t d = 0; d < 3; ++d)
             if (built.symmetry_planes[d] && std::abs(vector[d]) > across * size)
-                warnings.push_back("loads." + load + ": it acts across the plane of symmetry " + planes[d] +
-                                   ", where the model is cut: the mirror image is loaded the other way; a whole body "
-                                   "(model: solid) is not");
+                warnings.push_back("loads." + load + ": acts across the symmetry plane " + planes[d] +
+                                   ", so the mirror image is loaded in the opposite direction; use the whole body "
+                                   "(model: solid)");
     };
     for (const model::TractionLoad& load : built.tractions) check(load.face, load.traction_Pa);
     for (const model::BodyForce& force : built.body_forces) check(force.name, force.acceleration_m_s2);
 }
 
-/// Whether all nodes of a face belong to faces that are held in a direction.
-bool is_held(const model::Case& built, const std::string& face, const std::array<double, 3>& direction) {
-    std::vector<std::array<bool, 3>> held(built.mesh.points.size());
+/// Whether all nodes of a face belong to faces that supports fix in a direction.
+bool is_fixed_face(const model::Case& built, const std::string& face, const std::array<double, 3>& direction) {
+    std::vector<std::array<bool, 3>> fixed(built.mesh.points.size());
     const auto nodes_of = [&](const std::string& name, const auto& visit) {
         const auto set = built.mesh.facet_sets.find(name);
         if (set == built.mesh.facet_sets.end()) return;
@@ -66,22 +66,22 @@ bool is_held(const model::Case& built, const std::string& face, const std::array
     };
     for (const model::Support& support : built.supports)
         nodes_of(support.face, [&](std::size_t node) {
-            for (std::size_t d = 0; d < 3; ++d) held[node][d] = held[node][d] || support.fixed[d];
+            for (std::size_t d = 0; d < 3; ++d) fixed[node][d] = fixed[node][d] || support.fixed[d];
         });
     bool all = true, any = false;
     nodes_of(face, [&](std::size_t node) {
         any = true;
-        for (std::size_t d = 0; d < 3; ++d) all = all && (std::abs(direction[d]) <= across || held[node][d]);
+        for (std::size_t d = 0; d < 3; ++d) all = all && (std::abs(direction[d]) <= across || fixed[node][d]);
     });
     return any && all;
 }
 
 void check_outputs(const model::Case& built, Warnings& warnings) {
     for (const model::Output& output : built.outputs)
-        if (output.measure == model::Measure::displacement && is_held(built, output.face, output.direction))
+        if (output.measure == model::Measure::displacement && is_fixed_face(built, output.face, output.direction))
             warnings.push_back(
-                "outputs." + output.name + ": the face " + output.face +
-                " is held in this direction by supports, so it stays 0; measure a face that is free, or its force (measure: force)");
+                "outputs." + output.name + ": supports fix the face " + output.face +
+                " in this direction, so its displacement stays 0; measure a free face, or the reaction (measure: force)");
 }
 
 void check_outside(const model::Case& built, Warnings& warnings) {
@@ -89,8 +89,8 @@ void check_outside(const model::Case& built, Warnings& warnings) {
         return;
     const std::string& target = built.loads.front().targets.front();
     if (target == built.cavities.front().name || target == built.cavities.front().wall) return;
-    warnings.push_back("loads." + built.loads.front().name + ": presses on the face " + target +
-                       " while the cavity is not loaded; loads." + built.cavities.front().name + " inflates it");
+    warnings.push_back("loads." + built.loads.front().name + ": acts on the face " + target +
+                       " while the cavity is not loaded; use loads." + built.cavities.front().name + " to inflate it");
 }
 
 double gas_volume_m3(const model::Case& built, const model::PressureLoad& load) {
@@ -119,42 +119,41 @@ void check_gas(const model::Case& built, Warnings& warnings) {
         const double air_density = air.ambient_density_kg_m3 * gas.ambient_Pa / air.ambient_Pa;
         const double density_ratio = gas.ambient_density_kg_m3 / air_density;
         if (gas.ambient_Pa < min_ambient_Pa || gas.ambient_Pa > max_ambient_Pa)
-            warnings.push_back(
-                path + "gas.ambient: " + text(gas.ambient_Pa, core::Dimension::pressure) +
-                " is no usual pressure of the surroundings (1 kPa to 10 MPa, absolute); is the unit right "
-                "(101.325 kPa)?");
+            warnings.push_back(path + "gas.ambient: " + text(gas.ambient_Pa, core::Dimension::pressure) +
+                               " is an unusual ambient pressure (usual: 1 kPa to 10 MPa, absolute); check the unit "
+                               "(standard: 101.325 kPa)");
         else if (density_ratio < min_density_ratio || density_ratio > max_density_ratio)
-            warnings.push_back(path + "gas.density: " + text(gas.ambient_density_kg_m3, core::Dimension::density) +
-                               " is the density of no gas at " + text(gas.ambient_Pa, core::Dimension::pressure) +
-                               " and room temperature; air has " + text(air_density, core::Dimension::density));
+            warnings.push_back(path + "gas.density: no gas has a density of " +
+                               text(gas.ambient_density_kg_m3, core::Dimension::density) + " at " +
+                               text(gas.ambient_Pa, core::Dimension::pressure) + " and room temperature; air has " +
+                               text(air_density, core::Dimension::density));
         const double cavity_m3 = built.kinematics == model::Kinematics::plane_strain ? 0.0 : gas_volume_m3(built, load);
         if (!(cavity_m3 > 0)) continue;
         if (gas.dead_volume_m3 > max_gas_ratio * cavity_m3)
             warnings.push_back(path + "gas.dead_volume: " + text(gas.dead_volume_m3, core::Dimension::volume) +
-                               " is more than a thousand times the cavity, " +
-                               text(cavity_m3, core::Dimension::volume) + "; is the unit right?");
+                               " is more than a thousand times the cavity volume, " +
+                               text(cavity_m3, core::Dimension::volume) + "; check the unit");
         const double mass_kg = max_mass_kg(built, i),
                      content_kg = gas.ambient_density_kg_m3 * (cavity_m3 + gas.dead_volume_m3);
         if (mass_kg > max_gas_ratio * content_kg)
             warnings.push_back(path + "mass: " + text(mass_kg, core::Dimension::mass) +
                                " is more than a thousand times the gas at ambient pressure, " +
-                               text(content_kg, core::Dimension::mass) + "; is the unit right?");
+                               text(content_kg, core::Dimension::mass) + "; check the unit");
     }
 }
 
-/// Of a drawn or imported shape, whose faces a user has named.
+/// Checks drawn or imported shapes, whose faces the user names.
 void check_openings(const design::Design& design, const model::Case& built, Warnings& warnings) {
     for (const char* key : {"geometry.profile", "geometry.file"})
         for (const model::Cavity& cavity : built.cavities)
             if (design.values.has(key) && cavity.openings.size() > 1)
                 warnings.push_back(
                     std::string{key} + ": " + cavity.name + " has " + std::to_string(cavity.openings.size()) +
-                    " openings, all plugged where the load is sealed; one that is no inlet is a face that "
-                    "should be named " +
+                    " openings, which a sealed load plugs; if an opening is not an inlet, name the face there " +
                     cavity.wall);
 }
 
-/// Cells that hang together by nodes.
+/// Number of parts whose cells are connected by nodes.
 std::size_t parts_of(const mesh::Mesh& mesh) {
     std::vector<mesh::Index> root(mesh.points.size());
     std::iota(root.begin(), root.end(), mesh::Index{0});
@@ -172,16 +171,16 @@ std::size_t parts_of(const mesh::Mesh& mesh) {
     return static_cast<std::size_t>(std::unique(found.begin(), found.end()) - found.begin());
 }
 
-/// Stresses in a cell whose Jacobian varies more than tenfold are not to be relied on.
+/// Stresses in a cell whose Jacobian varies more than tenfold are unreliable.
 void check_quality(const model::Case& built, Warnings& warnings) {
     constexpr double poor = 0.1;
     const mesh::Quality quality = mesh::quality(built.mesh);
     if (quality.min_scaled_jacobian >= poor) return;
     warnings.push_back(
         "mesh: worst scaled Jacobian " + core::rounded_text(quality.min_scaled_jacobian, 2) + " at " +
-        model::location_text(built.kinematics, quality.worst_place_m) +
-        "; below 0.1 stresses in the cell are unreliable and steps may fail; use a smaller mesh.size or a "
-        "gentler shape there");
+        model::location_text(built.kinematics, quality.worst_position_m) +
+        ", below 0.1 stresses in the cell are unreliable and steps may fail; use a smaller mesh.size or a "
+        "smoother shape there");
 }
 
 }  // namespace
@@ -199,7 +198,7 @@ std::vector<std::string> case_warnings(const design::Design& design, const model
         if (const std::size_t parts = parts_of(built.mesh); parts > 1)
             warnings.push_back(
                 "geometry.file: the mesh has " + std::to_string(parts) +
-                " parts that share no node, nothing bonds them; where they meet, mesh them as one (coherence) or merge their nodes");
+                " parts that share no nodes and are not bonded; mesh them together (coherence) or merge the nodes where they meet");
     return warnings;
 }
 

@@ -1,16 +1,17 @@
 #pragma once
-/// What the mesh, the supports and the loads of a case show together and a design's numbers alone do not. Plain warnings, one
-/// line each: "place: what is wrong; what would be right". None of them for any design of designs/.
+/// Warnings that need the mesh, the supports and the loads of a case, not only the numbers of the design. Each is one line,
+/// "location: problem; remedy". No design of designs/ triggers one. The checks:
 ///     size        a body shorter than 2 mm or longer than 3 m: lengths in a wrong unit
-///     symmetry    a traction or gravity across a plane at which the model is cut: its mirror image is loaded the
-///                 other way, and the actuator is torn apart in place of being bent
-///     outputs     a displacement of a face that is held in that direction, which stays 0
-///     outside     a face is pressed and the only cavity is not
-///     openings    a cavity of a drawn or imported shape with more than one: a face of its wall has another name
-///     gas         surroundings below 1 kPa or beyond 10 MPa, a density of no gas at that pressure, a dead volume or a mass
-///                 beyond a thousand times what the undeformed cavity holds
-///     parts       a mesh from a file whose cells hang together in several parts that share no node
-/// Tested by geometry/case_warnings_test and Pipeline.MisleadingDesignsAreNamed.
+///     symmetry    a traction or gravity across a symmetry plane: the mirror image is loaded in the opposite direction, so the
+///                 actuator is pulled apart instead of bent
+///     outputs     a displacement of a face that supports fix in that direction: it stays 0
+///     outside     a face is under pressure and the only cavity is not
+///     openings    a cavity of a drawn or imported shape with several openings: a face of its wall has another name
+///     gas         ambient pressure below 1 kPa or above 10 MPa, a density that no gas has at that pressure, a dead volume or a
+///                 mass above a thousand times what the undeformed cavity contains
+///     quality     a cell with a scaled Jacobian below 0.1
+///     parts       a mesh from a file whose cells form several parts that share no node
+/// Tested by geometry/case_warnings_test and Pipeline.MisleadingDesignsAreReported.
 #include <string>
 #include <vector>
 

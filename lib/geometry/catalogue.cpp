@@ -28,7 +28,8 @@ Model model_of(const design::Values& values) {
     if (word == "solid") return Model::solid;
     if (word == "half") return Model::half;
     if (word == "quarter") return Model::quarter;
-    throw values.refuse("model", "'" + word + "' is not a model", "axisymmetric, plane-strain, solid, half or quarter");
+    throw values.refuse("model", "'" + word + "' is not a model",
+                        "use axisymmetric, plane-strain, solid, half or quarter");
 }
 
 }  // namespace soft::geometry

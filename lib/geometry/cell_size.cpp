@@ -13,10 +13,10 @@ namespace {
 
 constexpr const char *size_path = "mesh.size", *quality_path = "mesh.quality", *through_path = "mesh.through_wall";
 
-constexpr const char* coarse = " are coarse for this shape, the curve may miss more than 1 %; ";
+constexpr const char* coarse = " are too coarse for this shape, the error of the curve may exceed 1 %; use ";
 
 int stated_through_wall(const design::Values& values) {
-    return values.has(through_path) ? values.count(through_path) : 0;  // 0 stands for "auto"
+    return values.has(through_path) ? values.count(through_path) : 0;  // 0 means "auto"
 }
 
 }  // namespace
@@ -41,41 +41,42 @@ CellSize::CellSize(const design::Values& values, double own_m)
     if (!stated_) length_m_ = own_m / factor_;
     if (stated_ && factor_ != 1)
         throw values.refuse(quality_path,
-                            core::quoted(values.text(quality_path)) + " has no effect, as mesh.size is stated",
-                            "mesh.size: auto");
+                            core::quoted(values.text(quality_path)) + " has no effect because mesh.size is stated",
+                            "use mesh.size: auto");
 }
 
-int CellSize::along(double length_m, int least) const {
-    return meshing::divisions(length_m, length_m_, stated_ ? least : scaled_count(values_, least));
+int CellSize::along(double length_m, int min_cells) const {
+    return meshing::divisions(length_m, length_m_, stated_ ? min_cells : scaled_count(values_, min_cells));
 }
 
-int CellSize::through(double wall_m, int own, int least) const {
-    if (const int wished = stated_through_wall(values_); wished > 0) return wished;
-    return stated_ || own == 0 ? along(wall_m, least) : scaled_count(values_, own);
+int CellSize::through(double wall_m, int own, int min_cells) const {
+    if (const int stated = stated_through_wall(values_); stated > 0) return stated;
+    return stated_ || own == 0 ? along(wall_m, min_cells) : scaled_count(values_, own);
 }
 
 Division CellSize::through_ring(double inner_m, double outer_m) const {
     constexpr double cells_per_doubling = 4;
-    constexpr int least = 2;
-    const int own = std::max(least, static_cast<int>(std::lround(cells_per_doubling * std::log2(outer_m / inner_m))));
+    constexpr int min_cells = 2;
+    const int own =
+        std::max(min_cells, static_cast<int>(std::lround(cells_per_doubling * std::log2(outer_m / inner_m))));
     const int cells = through(outer_m - inner_m, own);
     if (stated_) return {cells};
     return {cells, std::pow(outer_m / inner_m, 1 - 1.0 / cells)};
 }
 
-std::vector<std::string> CellSize::too_long(double most) const {
+std::vector<std::string> CellSize::too_long(double max_ratio) const {
     constexpr double rounding = 1e-9;
-    if (length_m_ <= most * own_m_ * (1 + rounding)) return {};
+    if (length_m_ <= max_ratio * own_m_ * (1 + rounding)) return {};
     const std::string cells = ": cells of " + length_text(length_m_) + coarse;
     if (!stated_) return {quality_path + cells + "mesh.quality: normal"};
-    return {size_path + cells + "at most " + core::rounded_text(1e3 * most * own_m_, 2) + " mm, or auto"};
+    return {size_path + cells + "at most " + core::rounded_text(1e3 * max_ratio * own_m_, 2) + " mm, or auto"};
 }
 
-std::vector<std::string> CellSize::too_few(int through, int least) const {
-    if (through >= least) return {};
+std::vector<std::string> CellSize::too_few(int through, int min_cells) const {
+    if (through >= min_cells) return {};
     const char* path = stated_through_wall(values_) > 0 ? through_path : stated_ ? size_path : quality_path;
     return {path + std::string{": walls of "} + core::counted(static_cast<std::size_t>(through), "cell") + coarse +
-            "mesh.through_wall: " + std::to_string(least)};
+            "mesh.through_wall: " + std::to_string(min_cells)};
 }
 
 double innermost_cell(double inner_m, double outer_m, const Division& through) {
@@ -84,9 +85,9 @@ double innermost_cell(double inner_m, double outer_m, const Division& through) {
 }
 
 std::vector<std::string> too_few_through_ring(const CellSize& size, double inner_m, double outer_m,
-                                              const Division& through, double most) {
-    if (innermost_cell(inner_m, outer_m, through) <= most) return {};
-    return size.too_few(through.cells, static_cast<int>(std::ceil((outer_m / inner_m - 1) / most)));
+                                              const Division& through, double max_ratio) {
+    if (innermost_cell(inner_m, outer_m, through) <= max_ratio) return {};
+    return size.too_few(through.cells, static_cast<int>(std::ceil((outer_m / inner_m - 1) / max_ratio)));
 }
 
 int sectors(const design::Values& values) {
@@ -101,9 +102,9 @@ double bending_length(double radius_m, double thickness_m) { return std::sqrt(ra
 
 double ring_cell_m(double inner_m, double outer_m) {
     constexpr double share = 0.21;  // of the bending length
-    constexpr int least = 8;        // around a quarter turn: quadratic sides miss the circle by 3e-6
+    constexpr int min_cells = 8;    // around a quarter turn: quadratic edges deviate from the circle by 3e-6
     const double radius_m = 0.5 * (inner_m + outer_m);
-    return std::min(share * bending_length(radius_m, outer_m - inner_m), 0.5 * std::numbers::pi * radius_m / least);
+    return std::min(share * bending_length(radius_m, outer_m - inner_m), 0.5 * std::numbers::pi * radius_m / min_cells);
 }
 
 }  // namespace soft::geometry

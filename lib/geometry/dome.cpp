@@ -1,4 +1,4 @@
-/// A spherical cap of constant thickness about x, clamped at its rim: the rim's middle lies at x = 0, the apex above it.
+/// A spherical cap of constant thickness about x, clamped at its rim. The middle of the rim lies at x = 0, the apex at x > 0.
 #include <cmath>
 #include <numbers>
 
@@ -9,8 +9,7 @@
 namespace soft::geometry {
 namespace {
 
-/// Where an output of the apex is measured: a part of the angle small enough to be a point of the dome, large enough for
-/// a cell.
+/// Share of the angle over which the output of the apex is averaged: small enough to represent a point, large enough for a cell.
 constexpr double crown_share = 0.1;
 
 Body build(const design::Values& values) {
@@ -48,7 +47,8 @@ Body build(const design::Values& values) {
               rim = add_cut(angle, {"rim"});
     add_strip(apex, crown, crown_share * angle, {"inner", "crown"});
     add_strip(crown, rim, (1 - crown_share) * angle, {"inner"});
-    body.warnings = size.too_long(section ? 1.6 : 1.1);  // measured: 2.6 % at twice the section's, 0.9 % at 1.4 times
+    body.warnings = size.too_long(
+        section ? 1.6 : 1.1);  // measured errors: 2.6 % at twice the length of the section, 0.9 % at 1.4 times
     body.sweep = Revolution{sectors(values)};
     return body;
 }
@@ -63,11 +63,11 @@ Family dome() {
     design::Key angle{.path = "geometry.angle",
                       .kind = design::Kind::angle,
                       .fallback = "30 deg",
-                      .meaning = "half the opening, from the axis to the rim",
+                      .meaning = "half the opening angle, from the axis to the rim",
                       .min = degree,
                       .max = 150 * degree};
     keys.geometry = {length_key("radius", "50 mm", "radius of the middle surface"),
-                     derived_key("thickness", "of the cap; auto: a 25th of the radius"), std::move(angle)};
+                     derived_key("thickness", "thickness of the cap; auto: radius / 25"), std::move(angle)};
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"rim", "inner", "crown", "outer"};
     keys.defaults =

@@ -1,4 +1,4 @@
-/// Any section (x, y), drawn as a table (profile.hpp): of a long body in plane strain, or drawn out along z.
+/// Any section (x, y), given as a table (profile.hpp): a long body in plane strain, or a solid extruded along z.
 #include <algorithm>
 
 #include "geometry/family.hpp"
@@ -11,8 +11,8 @@ namespace {
 constexpr Across across = Across::y;
 constexpr const char *low_end = "end_z0", *high_end = "end_z1";
 
-/// A hole through the body ends in both end faces: its area, or 0 where the wall is open at a side. A wall that ends on a plane
-/// of symmetry is closed behind it; the plane runs through the origin and adds nothing to the sum over x dy - y dx.
+/// Area of a hole through the body that opens in both end faces, or 0 if the wall is open at a side. A wall that ends on a symmetry
+/// plane is closed by its mirror image; the plane contains the origin and adds nothing to the sum over x dy - y dx.
 double hole_m2(const Body& body, const std::string& wall) {
     double area = 0;
     for (const meshing::Loop& loop : body.outline.loops) {
@@ -32,14 +32,14 @@ double hole_m2(const Body& body, const std::string& wall) {
     return area / body.fraction;
 }
 
-design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
-    const meshing::Outline outline = outline_of_file(file, place, across);
+design::FileFaces faces_of_file(const std::string& file, std::string_view location) {
+    const meshing::Outline outline = outline_of_file(file, location, across);
     std::vector<std::string> faces = tags_of(outline);
     for (const char* end : {low_end, high_end}) {
         if (std::ranges::find(faces, end) != faces.end())
-            throw Error(ExitCode::bad_input, std::string{place} + ": " + profile_key,
-                        std::string{"an edge is tagged '"} + end + "', which is the name of an end of the body",
-                        "call the edge otherwise");
+            throw Error(ExitCode::bad_input, std::string{location} + ": " + profile_key,
+                        std::string{"an edge is tagged '"} + end + "', which is the name of an end face",
+                        "use another tag");
         faces.emplace_back(end);
     }
     return {faces};
@@ -76,9 +76,9 @@ constexpr const char* extruded_table = R"(x_mm,y_mm,tag,loop,curve,via_x_mm,via_
 Family extruded() {
     design::FamilyKeys keys;
     keys.name = "extruded";
-    keys.summary = "any section in a table (CSV) of lines, arcs and splines, long in plane strain or drawn out";
+    keys.summary = "any section in a table (CSV) of lines, arcs and splines, in plane strain or extruded";
     keys.geometry = {file_key(across),
-                     length_key("thickness", "10 mm", "along z, of the solid; in plane strain it is 1 m")};
+                     length_key("thickness", "10 mm", "thickness of the solid along z; in plane strain it is 1 m")};
     keys.models = {"plane-strain", "solid"};
     keys.faces = {"base", "cavity", "side", "top", low_end, high_end};  // of the template's table
     keys.defaults = std::string{"geometry:\n"} + block("profile", extruded_table) +

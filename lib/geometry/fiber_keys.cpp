@@ -4,23 +4,23 @@
 
 namespace soft::geometry {
 
-std::vector<design::Key> fiber_keys(const std::string& place, const FiberDefaults& defaults) {
+std::vector<design::Key> fiber_keys(const std::string& prefix, const FiberDefaults& defaults) {
     const bool optional = defaults.k1.starts_with("0 ");
     return {
-        {.path = place + ".angle",
+        {.path = prefix + ".angle",
          .kind = design::Kind::angle,
          .fallback = defaults.angle,
-         .meaning = std::string{"of the fibres from the axis x"} + defaults.angle_meaning,
+         .meaning = std::string{"angle between the fibres and the axis x"} + defaults.angle_meaning,
          .min = 0,
          .max = 0.5 * std::numbers::pi},
-        {.path = place + ".families",
+        {.path = prefix + ".families",
          .kind = design::Kind::count,
          .fallback = "2",
          .meaning =
              "2: fibres at plus and minus the angle, as in a braid; 1: a single helix, which twists (model: solid)",
          .min = 1,
          .max = 2},
-        {.path = place + ".k1",
+        {.path = prefix + ".k1",
          .kind = design::Kind::pressure,
          .fallback = defaults.k1,
          .meaning =
@@ -29,17 +29,17 @@ std::vector<design::Key> fiber_keys(const std::string& place, const FiberDefault
              (optional ? "; 0 = no fibres" : ""),
          .min = 0,
          .min_open = !optional},
-        {.path = place + ".k2",
+        {.path = prefix + ".k2",
          .kind = design::Kind::ratio,
          .fallback = "1",
-         .meaning = "how fast the fibres stiffen",
+         .meaning = "rate at which the fibres stiffen",
          .min = 0,
          .min_open = true}};
 }
 
-model::Fibers fibers_of(const design::Values& values, const std::string& place) {
-    return {values.number(place + ".angle"), values.number(place + ".k1"), values.number(place + ".k2"),
-            values.count(place + ".families")};
+model::Fibers fibers_of(const design::Values& values, const std::string& prefix) {
+    return {values.number(prefix + ".angle"), values.number(prefix + ".k1"), values.number(prefix + ".k2"),
+            values.count(prefix + ".families")};
 }
 
 }  // namespace soft::geometry

@@ -1,5 +1,5 @@
 #pragma once
-/// Keys of the fibres that a family lays into a part of its body, below a place such as "geometry.fibers": angle, families, k1, k2
+/// Keys of the fibres in a part of a body, below a prefix such as "geometry.fibers": angle, families, k1, k2
 /// (material/fibers.hpp). Tested by geometry/fiber_tube_test and geometry/segment_test.
 #include <string>
 #include <vector>
@@ -11,11 +11,11 @@ namespace soft::geometry {
 
 struct FiberDefaults {
     std::string angle, angle_meaning;
-    std::string k1;  ///< "0 MPa": no fibres unless the design asks for them
+    std::string k1;  ///< "0 MPa": no fibres unless the design states k1
 };
-[[nodiscard]] std::vector<design::Key> fiber_keys(const std::string& place, const FiberDefaults& defaults);
+[[nodiscard]] std::vector<design::Key> fiber_keys(const std::string& prefix, const FiberDefaults& defaults);
 
-/// k1 = 0 stands for none.
-[[nodiscard]] model::Fibers fibers_of(const design::Values& values, const std::string& place);
+/// k1 = 0 means no fibres.
+[[nodiscard]] model::Fibers fibers_of(const design::Values& values, const std::string& prefix);
 
 }  // namespace soft::geometry

@@ -1,6 +1,7 @@
-/// A closed tube (tube.cpp), round or half-round, with fibres in a layer of its wall, from end to end or between the caps: two families at plus and
-/// minus the angle (a braid: McKibben's muscle), or one, which twists the tube. A strip of another material bends it. The rubber between the fibres is that of the region "fibers"
-/// below `materials`, else the main one; their energy stands in material/fibers.hpp.
+/// A closed tube (tube.cpp), round or half-round, with fibres in a layer of its wall along the whole length or between the caps: two
+/// families at plus and minus the angle (a braid: McKibben muscle), or one, which twists the tube. A strip of another material makes
+/// the tube bend. The rubber between the fibres is materials.fibers if stated, else the main material. material/fibers.hpp defines
+/// the energy of the fibres.
 #include <algorithm>
 #include <cmath>
 
@@ -18,10 +19,10 @@ namespace {
 
 constexpr const char *fiber_region = "fibers", *flat_fiber_region = "fibers_flat";
 constexpr const char *flat_key = "geometry.flat", *strip_thickness_key = "geometry.strip.thickness",
-                     *fibers_place = "geometry.fibers", *layer_key = "geometry.fibers.layer",
+                     *fibers_prefix = "geometry.fibers", *layer_key = "geometry.fibers.layer",
                      *caps_key = "geometry.fibers.caps";
 
-/// A layer thinner than this part of the wall would need cells of its own thickness to be more than a line.
+/// Smallest share of the wall; a thinner layer would need extremely thin cells.
 constexpr double min_share = 0.01;
 
 struct Layer {
@@ -33,17 +34,17 @@ Layer checked_layer(const design::Values& values) {
     const std::vector<double>& bounds = values.numbers(path);
     const auto text = [](double number) { return core::number_text(number); };
     if (bounds.size() != 2)
-        throw values.refuse(path, std::to_string(bounds.size()) + " value where two are needed",
-                            "[inner, outer], such as [0, 1]");
+        throw values.refuse(path, std::to_string(bounds.size()) + " value, but two are needed",
+                            "use [inner, outer], such as [0, 1]");
     const Layer layer{bounds[0], bounds[1]};
     if (!(layer.begin < layer.end))
         throw values.refuse(
             path, "the layer from " + text(layer.begin) + " to " + text(layer.end) + " is empty or runs inwards",
-            "[inner, outer], inner smaller than outer");
+            "use [inner, outer] with inner below outer");
     for (const double share : {layer.begin, layer.end - layer.begin, 1 - layer.end})
         if (share > 0 && share < min_share)
-            throw values.refuse(path, "a part of the wall is " + text(share) + " of it thick",
-                                "0, or at least " + text(min_share));
+            throw values.refuse(path, "a part of the wall has " + text(share) + " of its thickness",
+                                "use 0, or at least " + text(min_share));
     return layer;
 }
 
@@ -53,14 +54,14 @@ Reach reach_of(const design::Values& values) {
     return values.text(caps_key) == "true" ? Reach::whole_length : Reach::between_caps;
 }
 
-/// Rubber, fibres, rubber; at its bounds the layer has lines of the mesh.
+/// Rubber, fibres, rubber. Mesh lines follow the bounds of the fibre layer.
 std::vector<WallLayer> wall_layers(const TubeShape& shape, const Layer& layer, Division wall, Reach reach) {
     std::vector<WallLayer> layers;
     double inner_m = shape.inner_m;
     const auto add = [&](double begin, double end, const char* region) {
         if (!(begin < end)) return;
         const double outer_m = end < 1 ? shape.inner_m + end * shape.wall_m() : shape.outer_m;
-        // Cells that grow with the radius have a share of the wall by the logarithm of the radii.
+        // The share of cells that grow with the radius follows from the logarithm of the radii.
         const double share =
             wall.grading == 1 ? end - begin : std::log(outer_m / inner_m) / std::log(shape.outer_m / shape.inner_m);
         const int cells = std::max(1, static_cast<int>(std::lround(share * wall.cells)));
@@ -77,13 +78,13 @@ std::vector<WallLayer> wall_layers(const TubeShape& shape, const Layer& layer, D
 }
 
 void lay_fibers(Body& body, const design::Values& values) {
-    body.region_fibers[fiber_region] = {fibers_of(values, fibers_place)};
+    body.region_fibers[fiber_region] = {fibers_of(values, fibers_prefix)};
 }
 
 Body round_tube(const design::Values& values, const TubeShape& shape, const std::vector<WallLayer>& layers) {
     if (values.number(strip_thickness_key) > 0)
         throw values.refuse(strip_thickness_key, "a round tube has no flat wall",
-                            "geometry.strip.angle, or geometry.flat larger than 0");
+                            "use geometry.strip.angle, or geometry.flat above 0");
     Body body;
     const CellSize size = tube_cells(shape, values);
     body.section = tube_section(shape, size, layers);
@@ -95,16 +96,16 @@ Body round_tube(const design::Values& values, const TubeShape& shape, const std:
     return body;
 }
 
-/// The fibres run straight across the flat wall; below the ring, down its sides, the direction is still that of the ring.
+/// The fibres cross the flat wall in straight lines. Below the ring, along its sides, they keep the direction of the ring.
 Body half_tube(const design::Values& values, const TubeShape& shape, const std::vector<WallLayer>& layers) {
     const Model model = model_of(values);
     if (model != Model::solid && model != Model::half)
         throw values.refuse(
-            flat_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0",
-            "model: solid or half");
+            flat_key, "model " + core::quoted(values.text("model")) + " assumes a symmetry that a flat wall breaks",
+            "use model: solid or half");
     if (values.number("geometry.strip.angle") > 0)
         throw values.refuse("geometry.strip.angle", "the strip of a half-round tube lies in its flat wall",
-                            "geometry.strip.thickness");
+                            "use geometry.strip.thickness");
     const double flat_m = values.number(flat_key), strip_m = values.number(strip_thickness_key);
     if (!(strip_m < flat_m))
         throw values.refuse(strip_thickness_key, not_smaller(strip_m, "flat", flat_m), smaller_than(flat_m));
@@ -154,22 +155,22 @@ std::vector<design::Key> own_keys() {
     std::vector<design::Key> keys{std::move(flat)};
     const FiberDefaults defaults{"30 deg", "; below 54.74 deg a thin braided tube shortens, above it lengthens",
                                  "0.5 MPa"};
-    for (design::Key& key : fiber_keys(fibers_place, defaults)) keys.push_back(std::move(key));
+    for (design::Key& key : fiber_keys(fibers_prefix, defaults)) keys.push_back(std::move(key));
     keys.push_back({.path = layer_key,
                     .kind = design::Kind::ratio,
                     .fallback = "[0, 1]",
-                    .meaning = "where in the wall they lie: [inner, outer] as fractions of its thickness",
+                    .meaning = "position of the fibres in the wall: [inner, outer] as fractions of its thickness",
                     .min = 0,
                     .max = 1,
-                    .most = 2});
+                    .max_count = 2});
     keys.push_back(
         {.path = caps_key,
          .kind = design::Kind::flag,
          .fallback = "true",
-         .meaning = "they run from end to end of the tube; false: between the caps, which are plain rubber"});
+         .meaning = "true: fibres along the whole tube; false: only between the caps, which are plain rubber"});
     design::Key strip = length_key(
         "strip.thickness", "0 mm",
-        "of the lowest part of the flat wall, which is of the strip's material, so that the tube bends; 0 = none");
+        "thickness of the lowest part of the flat wall, made of the strip material, so that the tube bends; 0 = none");
     strip.min_open = false;
     keys.insert(keys.end(), {strip_angle_key(), std::move(strip), strip_material_key()});
     return keys;
@@ -181,8 +182,8 @@ Family fiber_tube() {
     design::FamilyKeys keys = tube_keys();
     keys.name = "fiber-tube";
     keys.summary =
-        "a closed tube with fibres wound into its wall: shortens, lengthens or twists by their angle, or bends";
-    keys.faces.emplace_back("bottom");  // of a half-round one
+        "a closed tube with fibres in its wall: shortens, lengthens or twists depending on their angle, or bends";
+    keys.faces.emplace_back("bottom");  // of a half-round tube
     for (design::Key& key : own_keys()) keys.geometry.push_back(std::move(key));
     return {std::move(keys), build};
 }

@@ -14,7 +14,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 constexpr const char *cavity = "cavity", *bottom = "bottom", *outer = "outer";
-constexpr double core_share = 0.5;  ///< of the inner radius: width and height of the square in the cavity's middle
+constexpr double core_share =
+    0.5;  ///< width and height of the square in the middle of the cavity, relative to the inner radius
 
 /// A strip of cells between two values of y, or of z.
 struct Band {
@@ -44,10 +45,10 @@ public:
     }
 
 private:
-    /// Of the cavity; the ring's follow.
+    /// Columns of the cavity; those of the ring follow.
     static constexpr std::size_t own_columns = 2;
 
-    /// The flat wall from its floor down, cut where a layer or the strip begins.
+    /// Rows of the flat wall from the cavity floor down, divided where a layer or the strip begins.
     void add_rows() {
         const auto depth_m = [&](std::size_t layer) {
             return layer + 1 == layers_.size()
@@ -70,7 +71,7 @@ private:
         }
     }
 
-    /// The point at (y, z), the same one for all who ask.
+    /// The point at (y, z), created on first use.
     int at(double y, double z) {
         const auto [found, fresh] = points_.try_emplace({y, z}, 0);
         if (fresh) found->second = add_point(section_, {y, z});
@@ -90,7 +91,7 @@ private:
         add_block(section_, {{{p[0], p[1]}, {p[1], p[2]}, {p[2], p[3]}, {p[3], p[0]}}}, region);
     }
 
-    /// On the plane of symmetry, if the section is cut there.
+    /// Face of lines at y = 0: the symmetry plane, if the section is cut there.
     [[nodiscard]] Names middle() const { return cut_ == Cut::half ? Names{meshing::symmetry_y_face} : Names{}; }
 
     void side(int sign) {
@@ -102,24 +103,25 @@ private:
             for (std::size_t column = 0; column < columns_.size(); ++column) draw_flat(column, row);
     }
 
-    int place(double y, double z) { return at(sign_ * y + 0.0, z); }  // -0 + 0 = 0
+    int mirrored_at(double y, double z) { return at(sign_ * y + 0.0, z); }  // -0 + 0 = 0
     std::array<int, 3> arc_points(double r) {
         const double slope = r * std::numbers::sqrt2 / 2;
-        return {place(r, 0), place(slope, slope), place(0, r)};
+        return {mirrored_at(r, 0), mirrored_at(slope, slope), mirrored_at(0, r)};
     }
     void arcs(double r, const Names& faces) {
         const auto p = arc_points(r);
-        const int centre = place(0, 0);
+        const int centre = mirrored_at(0, 0);
         for (std::size_t k = 0; k < 2; ++k)
             if (lines_.try_emplace(std::minmax(p[k], p[k + 1]), true).second)
                 add_arc(section_, {p[k], p[k + 1]}, centre, cells_.eighth, faces);
     }
 
-    /// A square in the middle and two blocks around it.
+    /// Meshes one side of the cavity by a square in the middle and two blocks around it.
     void fill_cavity() {
         const Band &core = columns_[0], &rest = columns_[1];
         const double c = core.to_m;
-        const int centre = place(0, 0), right = place(c, 0), corner = place(c, c), top = place(0, c);
+        const int centre = mirrored_at(0, 0), right = mirrored_at(c, 0), corner = mirrored_at(c, c),
+                  top = mirrored_at(0, c);
         const auto rim = arc_points(shape_.inner_m);
         arcs(shape_.inner_m, {});
         line(centre, right, {core.cells});
@@ -142,7 +144,8 @@ private:
         for (std::size_t k = 0; k < 2; ++k) block({in[k], out[k], out[k + 1], in[k + 1]}, region);
     }
 
-    /// Below the ring a layer runs on downwards until it turns into the flat wall: a cell there is of the layer that lies farther out.
+    /// Below the ring a layer continues downwards until it turns into the flat wall: a cell there belongs to the outer one of the two
+    /// layers given by its column and its row.
     [[nodiscard]] std::string flat_region(std::size_t column, std::size_t row) const {
         const std::size_t layer = row_layers_[row];
         const bool down = column >= own_columns && column - own_columns > layer;
@@ -156,8 +159,8 @@ private:
     void draw_flat(std::size_t column, std::size_t row) {
         const Band &c = columns_[column], &r = rows_[row];
         const bool lowest = row + 1 == rows_.size(), outermost = column + 1 == columns_.size();
-        const int upper_left = place(c.from_m, -r.from_m), upper_right = place(c.to_m, -r.from_m);
-        const int lower_left = place(c.from_m, -r.to_m), lower_right = place(c.to_m, -r.to_m);
+        const int upper_left = mirrored_at(c.from_m, -r.from_m), upper_right = mirrored_at(c.to_m, -r.from_m);
+        const int lower_left = mirrored_at(c.from_m, -r.to_m), lower_right = mirrored_at(c.to_m, -r.to_m);
         line(upper_left, upper_right, {c.cells});
         line(lower_left, lower_right, {c.cells, lowest ? Names{bottom} : Names{}});
         line(upper_left, lower_left, {r.cells, column == 0 ? middle() : Names{}});

@@ -1,7 +1,8 @@
 #pragma once
-/// The section of a closed half tube: a half ring over a flat wall. Coordinates (y, z); the ring's centre lies at the origin, the
-/// flat wall from z = -flat up to the floor z = 0 of the cavity, as wide as the ring. The wall's layers run all round: from the
-/// ring straight down its sides and, in the same shares of the flat wall's thickness, across it. Tested by geometry/fiber_tube_test.
+/// Section of a closed half-round tube: a half ring on a flat wall. Coordinates (y, z). The centre of the ring is the origin. The
+/// flat wall spans z = -flat to the floor z = 0 of the cavity and is as wide as the ring. The wall layers surround the cavity:
+/// they continue from the ring straight down and cross the flat wall, with the same shares of its thickness. Tested by
+/// geometry/fiber_tube_test.
 #include <span>
 
 #include "geometry/tube_section.hpp"
@@ -11,19 +12,19 @@ namespace soft::geometry {
 struct HalfRound {
     double inner_m, outer_m;  ///< radii of the ring
     double flat_m;            ///< thickness of the flat wall
-    double strip_m;           ///< of its lowest part, which is of another material; 0 = none
+    double strip_m;           ///< thickness of its lowest part, which has another material; 0 = none
 };
 
 struct HalfRoundCells {
-    int eighth;     ///< around an eighth of a turn
-    int flat;       ///< through the flat wall
-    double size_m;  ///< elsewhere
+    int eighth;     ///< cells around an eighth of a turn
+    int flat;       ///< cells through the flat wall
+    double size_m;  ///< cell length elsewhere
 };
 
 enum class Cut { whole, half };
 
-/// Regions: "cavity"; those of the layers, with "_flat" after a name other than rubber where they run across the flat wall; the
-/// strip's by strip_region. Faces "bottom", "outer", and "symmetry_y" of the half y >= 0.
+/// Regions: "cavity"; those of the layers, with the suffix "_flat" (except rubber) where they cross the flat wall; those of the
+/// strip, named by strip_region. Faces: "bottom", "outer", and "symmetry_y" for the half y >= 0.
 [[nodiscard]] meshing::Section half_round_section(const HalfRound& shape, std::span<const WallLayer> layers,
                                                   const HalfRoundCells& cells, Cut cut);
 

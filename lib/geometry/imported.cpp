@@ -1,4 +1,4 @@
-/// A mesh from a Gmsh file with the file's own faces, or one made inside a part's surface.
+/// A mesh from a Gmsh file with the faces of the file, or a mesh generated inside the surface of a part.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,14 +24,14 @@ constexpr const char* cavity_face = "cavity";
 constexpr const char* outer_face = "outer";
 constexpr const char* file_key = "geometry.file";
 
-/// The mesh of the file; faces in several pieces also piece by piece.
-mesh::Mesh read(const std::string& file, std::string_view place, double file_unit_m) {
-    mesh::Mesh mesh = meshing::import_mesh(design::file_from(place, file), file_unit_m);
+/// The mesh of the file. Faces of several pieces also appear piece by piece.
+mesh::Mesh read(const std::string& file, std::string_view location, double file_unit_m) {
+    mesh::Mesh mesh = meshing::import_mesh(design::file_from(location, file), file_unit_m);
     meshing::name_pieces(mesh);
     return mesh;
 }
 
-/// The design holds the lines of an OBJ file in place of the name of a file.
+/// Whether the design contains the lines of an OBJ file instead of a file name.
 bool is_inline(const std::string& file) { return file.find('\n') != std::string::npos; }
 
 bool is_part(const std::string& file) { return is_inline(file) || meshing::is_part_file(file); }
@@ -40,9 +40,9 @@ struct FileUnit {
     std::string name;
     double length_m = 1;
 };
-meshing::Part part_of(const std::string& file, std::string_view place, const FileUnit& unit) {
+meshing::Part part_of(const std::string& file, std::string_view location, const FileUnit& unit) {
     return is_inline(file) ? meshing::read_obj(file, unit.name, unit.length_m)
-                           : meshing::read_part(design::file_from(place, file), unit.name, unit.length_m);
+                           : meshing::read_part(design::file_from(location, file), unit.name, unit.length_m);
 }
 
 design::FileFaces faces_of_part(const meshing::Part& part) {
@@ -54,31 +54,31 @@ design::FileFaces faces_of_part(const meshing::Part& part) {
     return names;
 }
 
-design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
+design::FileFaces faces_of_file(const std::string& file, std::string_view location) {
     try {
-        if (is_part(file)) return faces_of_part(part_of(file, place, {}));
-        const mesh::Mesh mesh = read(file, place, 1.0);
+        if (is_part(file)) return faces_of_part(part_of(file, location, {}));
+        const mesh::Mesh mesh = read(file, location, 1.0);
         std::vector<std::string> faces;
         for (const auto& [name, facets] : mesh.facet_sets) faces.push_back(name);
         return {faces};
-    } catch (const Error& error) {  // the same, with the line of the design that asked for it
-        throw Error(error.code(), std::string{place} + ": " + file_key, error.what());
+    } catch (const Error& error) {  // add the location in the design that names the file
+        throw Error(error.code(), std::string{location} + ": " + file_key, error.what());
     }
 }
 
 Kinematics kinematics_of(const design::Values& values, const mesh::Mesh& mesh) {
     const std::string& model = values.text("model");
     if (mesh.dimension == 3 && model != "solid")
-        throw values.refuse("model", core::quoted(model) + " needs a plane mesh, the file holds a solid",
-                            "model: solid");
+        throw values.refuse("model", core::quoted(model) + " needs a plane mesh, but the file contains a solid",
+                            "use model: solid");
     if (mesh.dimension == 2 && model == "solid")
-        throw values.refuse("model", "the file holds a plane mesh", "axisymmetric or plane-strain");
+        throw values.refuse("model", "the file contains a plane mesh", "use axisymmetric or plane-strain");
     return model == "solid"          ? Kinematics::solid
            : model == "axisymmetric" ? Kinematics::axisymmetric
                                      : Kinematics::plane_strain;
 }
 
-/// Moves nodes that miss the axis by rounding onto it, and names the sides that lie on it.
+/// Moves nodes within rounding of the axis onto it, and adds the facets on the axis as a face.
 void add_axis(mesh::Mesh& mesh, const design::Values& values) {
     const double tolerance_m = model::plane_tolerance * model::extent_m(mesh);
     for (mesh::Point& p : mesh.points) {
@@ -96,19 +96,19 @@ void add_axis(mesh::Mesh& mesh, const design::Values& values) {
     }
     const auto own = mesh.facet_sets.find(meshing::axis_face);
     if (own != mesh.facet_sets.end() && own->second != on_axis)
-        throw values.refuse(file_key, "its face 'axis' is not what lies on the axis of revolution y = 0",
+        throw values.refuse(file_key, "its face 'axis' is not the set of facets on the axis of revolution y = 0",
                             "rename the face");
     if (!on_axis.empty()) mesh.facet_sets[meshing::axis_face] = std::move(on_axis);
 }
 
-/// The key that says whether a cavity's load is sealed; one that shares its gas goes by the other's.
+/// The key that states whether the load of a cavity is sealed; a cavity that shares gas uses the key of the other one.
 std::string sealed_key(const design::Values& values, const std::string& cavity) {
     const std::string named = "loads.cavities." + cavity;
     if (values.has(named + ".shares")) return sealed_key(values, values.text(named + ".shares"));
     return values.has(named + ".sealed") ? named + ".sealed" : "loads.cavity.sealed";
 }
 
-/// The plugs a sealed load would need. One that no single named face surrounds holds to the sides beside it.
+/// The plugs that a sealed load needs. A plug without a single named face around it is attached to the facets next to it.
 std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values, const std::string& cavity,
                                   Kinematics kinematics, const std::array<bool, 3>& cut) {
     const std::string sealed = sealed_key(values, cavity);
@@ -117,9 +117,9 @@ std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values
     for (FoundOpening& found : openings_of(mesh, mesh.facet_sets.at(cavity), kinematics, cut)) {
         if (found.opening.face.empty()) {
             if (wanted)
-                throw values.refuse(sealed,
-                                    "no single named face surrounds an opening of the cavity, for its plug to hold to",
-                                    "sealed: false, or name the face around the hole in the mesh");
+                throw values.refuse(
+                    sealed, "no single named face surrounds an opening of the cavity, so its plug cannot be attached",
+                    "use sealed: false, or name the face around the hole in the mesh");
             found.opening.face = cavity + "_rim_" + std::to_string(openings.size() + 1);
             mesh.facet_sets[found.opening.face] = std::move(found.around);
         }
@@ -128,30 +128,30 @@ std::vector<model::Opening> plugs(mesh::Mesh& mesh, const design::Values& values
     return openings;
 }
 
-/// The listed faces together become the cavity's wall, a face of its name; a face of the file may have that name itself.
+/// Combines the listed faces to the wall of the cavity, a face of its name. A face of the file may already have that name.
 void add_wall(mesh::Mesh& mesh, const design::Values& values, const std::string& key, const std::string& cavity) {
     const std::string& text = values.text(key);
     const bool named = mesh.facet_sets.contains(cavity);
     if (text == "none" || text == cavity) {
         if (!named)
             throw values.refuse(key, "the file has no face " + core::quoted(cavity),
-                                "list the faces of the cavity's wall");
+                                "list the faces of the cavity wall");
         return;
     }
     if (named)
-        throw values.refuse(key, "the file has a face called " + core::quoted(cavity) + " already",
-                            "rename it, or write " + cavity + ": " + cavity);
+        throw values.refuse(key, "the file already has a face called " + core::quoted(cavity),
+                            "rename it, or use " + cavity + ": " + cavity);
     std::set<mesh::Facet> all;
     for (const std::string& name : listed(text)) {
         const auto face = mesh.facet_sets.find(name);
         if (face == mesh.facet_sets.end())
-            throw values.refuse(key, "the file has no face " + core::quoted(name), "take it out of the list");
+            throw values.refuse(key, "the file has no face " + core::quoted(name), "remove it from the list");
         all.insert(face->second.begin(), face->second.end());
     }
     mesh.facet_sets[cavity].assign(all.begin(), all.end());
 }
 
-/// Pressure on a side that two cavities claim would act twice.
+/// Pressure on a facet of two cavities would act twice.
 void refuse_common_walls(const mesh::Mesh& mesh, const design::Values& values,
                          const std::vector<model::Cavity>& cavities) {
     std::map<mesh::Facet, std::string> owners;
@@ -159,11 +159,11 @@ void refuse_common_walls(const mesh::Mesh& mesh, const design::Values& values,
         for (const mesh::Facet& facet : mesh.facet_sets.at(cavity.wall))
             if (const auto [owner, fresh] = owners.try_emplace(facet, cavity.name); !fresh)
                 throw values.refuse("geometry.cavities." + cavity.name,
-                                    "its wall and that of " + core::quoted(owner->second) + " have sides in common",
-                                    "each face belongs to one cavity");
+                                    "its wall shares facets with that of " + core::quoted(owner->second),
+                                    "assign each face to one cavity");
 }
 
-/// Those that the design names, and the closed ones of a part.
+/// Cavities that the design names, and the closed cavities of a part.
 std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& values, Kinematics kinematics,
                                         const std::vector<std::string>& closed = {},
                                         const std::array<bool, 3>& cut = {}) {
@@ -184,30 +184,30 @@ std::vector<model::Cavity> add_cavities(mesh::Mesh& mesh, const design::Values& 
     return cavities;
 }
 
-mesh::Mesh of_wished_order(mesh::Mesh mesh, const design::Values& values) {
+mesh::Mesh with_requested_order(mesh::Mesh mesh, const design::Values& values) {
     const bool first = mesh::topology(mesh.cell_types.front()).order == 1;
     if (!first || values.text("mesh.order") != "2") return mesh;
     if (values.text("mesh.raise_order") == "false")
-        throw values.refuse("mesh.raise_order", "the file holds first-order cells", "true, or order: 1");
+        throw values.refuse("mesh.raise_order", "the file contains first-order cells", "use true, or order: 1");
     return raise_order(mesh);
 }
 
 std::vector<design::Key> surface_mesh_keys() {
     design::Key size = size_key(), through_wall = through_wall_key(), grading = grading_key("4");
-    size.meaning = "of a surface: longest edge of a cell; auto: a twentieth of the part, by mesh.quality";
+    size.meaning = "for surfaces: longest edge of a cell; auto: a twentieth of the part, scaled by mesh.quality";
     through_wall.meaning =
-        "of a surface: cells through walls thinner than mesh.size; 0 = by mesh.size alone; auto: 2, or 1 and 3 by mesh.quality";
+        "for surfaces: cells through walls thinner than mesh.size; 0 = from mesh.size; auto: 2 (draft 1, fine 3)";
     grading.meaning =
-        "of a surface: longest over shortest cell; cells get as short as tight bends are round, or thin walls ask for; 1 = even";
+        "for surfaces: ratio of longest to shortest cell; cells get shorter at tight bends and thin walls; 1 = uniform";
     return {size, through_wall, grading};
 }
 
-/// A part's cells are made here: closed cavities come by themselves, and what is a cavity's wall is not `outer`.
+/// Generates the cells of a part. Closed cavities are detected automatically; the wall of a cavity is not part of `outer`.
 Body build_part(const design::Values& values) {
     const std::string &file = values.text(file_key), &unit = values.text("geometry.unit");
     if (!is_inline(file) && meshing::is_cad_file(file) && unit != "mm")
-        throw values.refuse("geometry.unit", "a STEP file says its own unit", "leave it out");
-    MeshedPart part = mesh_part(part_of(file, values.place(file_key), {unit, file_unit_m(unit)}), values);
+        throw values.refuse("geometry.unit", "a STEP file defines its own unit", "remove this key");
+    MeshedPart part = mesh_part(part_of(file, values.location(file_key), {unit, file_unit_m(unit)}), values);
     ReadyMesh ready{std::move(part.mesh), Kinematics::solid};
     ready.kinematics = kinematics_of(values, ready.mesh);
     meshing::name_pieces(ready.mesh);
@@ -237,26 +237,27 @@ Body build_part(const design::Values& values) {
 }
 
 void refuse_part_keys(const design::Values& values) {
-    static const std::map<std::string, std::string> defaults = [] {  // a template states them
+    static const std::map<std::string, std::string> defaults = [] {  // templates state these keys
         std::map<std::string, std::string> all{{"geometry.symmetry", "none"}, {"mesh.quality", "normal"}};
         for (const design::Key& key : surface_mesh_keys()) all[key.path] = key.fallback;
         return all;
     }();
     for (const auto& [key, fallback] : defaults)
         if (values.given(key) && values.text(key) != fallback)
-            throw values.refuse(key, "a mesh has its cells already; this is for surfaces (.stl, .obj, .step)",
-                                "mesh.refine: 1 halves them");
+            throw values.refuse(
+                key, "a mesh file already contains cells, and this key applies to surfaces (.stl, .obj, .step)",
+                "use mesh.refine: 1 to halve the cells");
     if (const auto rules = face_rules(values); !rules.empty())
         throw values.refuse(
             "geometry.file",
-            "a mesh has its faces already, its physical groups; geometry.faces is for surfaces (.stl, .obj, .step)",
-            "take out geometry.faces");
+            "a mesh file defines its faces by physical groups, and geometry.faces applies to surfaces (.stl, .obj, .step)",
+            "remove geometry.faces");
 }
 
 Body build(const design::Values& values) {
     if (is_part(values.text(file_key))) return build_part(values);
     refuse_part_keys(values);
-    ReadyMesh ready{read(values.text(file_key), values.place(file_key), file_unit_m(values.text("geometry.unit"))),
+    ReadyMesh ready{read(values.text(file_key), values.location(file_key), file_unit_m(values.text("geometry.unit"))),
                     Kinematics::solid};
     ready.kinematics = kinematics_of(values, ready.mesh);
     if (ready.kinematics == Kinematics::axisymmetric) add_axis(ready.mesh, values);
@@ -264,7 +265,7 @@ Body build(const design::Values& values) {
     if (ready.kinematics == Kinematics::axisymmetric && ready.mesh.facet_sets.contains(meshing::axis_face))
         body.supports = {{meshing::axis_face, {false, true, false}}};
     body.cavities = add_cavities(ready.mesh, values, ready.kinematics);
-    ready.mesh = of_wished_order(std::move(ready.mesh), values);
+    ready.mesh = with_requested_order(std::move(ready.mesh), values);
     body.sweep = std::move(ready);
     return body;
 }
@@ -275,26 +276,25 @@ std::vector<design::Key> geometry_keys() {
         {.path = file_key,
          .kind = Kind::text,
          .meaning =
-             "the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder; or (file: |) "
-             "the lines of an OBJ file themselves",
-         .most = several_lines},
+             "mesh (Gmsh .msh 2.2 or 4.1) or surface (.stl, .obj, .step) of the part, relative to the design file; or (file: |) "
+             "the lines of an OBJ file",
+         .max_count = several_lines},
         {.path = "geometry.unit",
          .kind = Kind::choice,
          .fallback = "mm",
-         .meaning = "unit of the file's coordinates; STEP says its own",
+         .meaning = "unit of the coordinates in the file; STEP files define their own",
          .choices = {"mm", "cm", "m", "in"}},
         {.path = "geometry.cavity",
          .kind = Kind::faces,
          .fallback = "none",
-         .meaning =
-             "faces that together are the wall of a cavity, for loads.cavity; cavities: {name: faces, ...} for several",
+         .meaning = "faces that form the wall of the cavity of loads.cavity; cavities: {name: faces, ...} for several",
          .choices = {"none"}},
         {.path = "geometry.symmetry",
          .kind = Kind::choice,
          .fallback = "none",
          .meaning =
-             "of a surface: the planes x, y, z = 0 at which the part in the file is cut; faces: {name: {plane: {x: 0 mm} | box: "
-             "{from: [x, y, z], to: ..} | normal: [x, y, z] | point: [x, y, z], up_to: faces}} beside it names its faces",
+             "for surfaces: the planes x, y, z = 0 at which the part in the file is cut; its faces are named by the key faces: {name: "
+             "{plane: {x: 0 mm} | box: {from: [x, y, z], to: ..} | normal: [x, y, z] | point: [x, y, z], up_to: faces}}",
          .choices = {"none", "x", "y", "z", "xy", "xz", "yz", "xyz"}}};
 }
 
@@ -312,7 +312,7 @@ std::vector<design::Key> mesh_keys() {
         {.path = "mesh.raise_order",
          .kind = Kind::flag,
          .fallback = "true",
-         .meaning = "order: 2 may give first-order cells of the file straight mid nodes"},
+         .meaning = "order: 2 may add straight mid nodes to first-order cells of the file"},
         {.path = "mesh.cells",
          .kind = Kind::choice,
          .fallback = "auto",
@@ -324,7 +324,7 @@ std::vector<design::Key> mesh_keys() {
 
 }  // namespace
 
-/// A box of 40 x 12 x 12 mm with a closed cavity of 34 x 6 x 3 mm below its middle, in mm: it bends when inflated.
+/// A box of 40 x 12 x 12 mm with a closed cavity of 34 x 6 x 3 mm below its middle; it bends when inflated. Lengths in mm.
 constexpr const char* imported_obj = R"(v 0 -6 -6
 v 40 -6 -6
 v 40 6 -6

@@ -33,7 +33,7 @@ double length_or(const design::Values& values, std::string_view name, double der
 std::vector<design::Key> radii_keys(Radii usual, std::string_view inner, std::string_view outer) {
     const auto with_default = [](std::string_view meaning, double usual_m, double ratio, const char* other) {
         return std::string{meaning} + "; auto: " + core::rounded_text(ratio, 3) + " times " + other + ", or " +
-               length_text(usual_m) + " where that is auto too";
+               length_text(usual_m) + " if both are auto";
     };
     const double ratio = usual.outer_m / usual.inner_m;
     return {derived_key("inner_radius", with_default(inner, usual.inner_m, 1 / ratio, "outer_radius")),
@@ -60,7 +60,7 @@ design::Key size_key() {
         .path = "mesh.size",
         .kind = design::Kind::length,
         .fallback = "auto",
-        .meaning = "target edge length of a cell; auto: from the shape and mesh.quality, the same cells in every scale",
+        .meaning = "target edge length of a cell; auto: from the shape and mesh.quality, the same cells at every scale",
         .min = 0,
         .min_open = true,
         .choices = {"auto"}};
@@ -70,19 +70,19 @@ design::Key through_wall_key() {
     return {.path = "mesh.through_wall",
             .kind = design::Kind::count,
             .fallback = "auto",
-            .meaning = "cells through the wall; auto: by mesh.size, or from the shape and mesh.quality",
+            .meaning = "cells through the wall; auto: from mesh.size if stated, else from the shape and mesh.quality",
             .min = 0,
             .max = 1000,
             .choices = {"auto"}};
 }
 
 design::Key sectors_key() {
-    // One curved cell over 90 degrees misses the circle by more than a per cent of its area, hence at least two. The
-    // paper's bellows differs from its axisymmetric curve by 0.9, 0.3 and 0.1 % with 3, 4 and 5 (fourth order).
+    // One curved cell over 90 degrees has an area error of more than 1 %, hence at least two. The paper's bellows differs
+    // from its axisymmetric curve by 0.9, 0.3 and 0.1 % with 3, 4 and 5 cells (fourth order).
     return {.path = "mesh.sectors",
             .kind = design::Kind::count,
             .fallback = "auto",
-            .meaning = "cells around a quarter turn of a solid of revolution; auto: 5, or 3 and 8 by mesh.quality",
+            .meaning = "cells around a quarter turn of a solid of revolution; auto: 5 (draft 3, fine 8)",
             .min = 2,
             .max = 1000,
             .choices = {"auto"}};
@@ -92,14 +92,17 @@ design::Key grading_key(std::string_view fallback) {
     return {.path = "mesh.grading",
             .kind = design::Kind::ratio,
             .fallback = std::string{fallback},
-            .meaning = "longest over shortest cell of a part: cells get shorter toward re-entrant edges; 1 = even",
+            .meaning =
+                "ratio of longest to shortest cell of a part: cells get shorter toward re-entrant edges; 1 = uniform",
             .min = 1,
             .max = 1000};
 }
 
 void refuse_too_many_cells(const design::Values& values, double cells) {
     if (cells > max_cells)
-        throw values.refuse("mesh.size", "it would take " + core::rounded_text(cells, 2) + " cells", "a larger size");
+        throw values.refuse("mesh.size",
+                            "the mesh would have " + core::rounded_text(cells, 2) + " cells (limit 5 million)",
+                            "use a larger size");
 }
 
 std::vector<std::string> listed(const std::string& text) {
@@ -113,12 +116,12 @@ std::vector<std::string> listed(const std::string& text) {
 }
 
 std::string not_smaller(double value_m, std::string_view other_name, double other_m) {
-    return length_text(value_m) + " is not smaller than " + std::string{other_name} + " " + length_text(other_m);
+    return length_text(value_m) + " is not smaller than " + std::string{other_name} + " (" + length_text(other_m) + ")";
 }
 
-std::string larger_than(double bound_m) { return "larger than " + length_text(bound_m); }
+std::string larger_than(double bound_m) { return "use a value above " + length_text(bound_m); }
 
-std::string smaller_than(double bound_m) { return "smaller than " + length_text(bound_m); }
+std::string smaller_than(double bound_m) { return "use a value below " + length_text(bound_m); }
 
 std::string block(std::string_view key, std::string_view lines) {
     std::string text{"  "};

@@ -1,5 +1,5 @@
 #pragma once
-/// Keys that several families share, and words for their refusals.
+/// Keys that several families share, and texts for their error messages.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,22 +8,22 @@
 
 namespace soft::geometry {
 
-/// Of a key that names a file or holds its lines: design::Key::most.
+/// design::Key::most of a key that names a file or contains its lines.
 inline constexpr int several_lines = 2;
 
-/// Lines below `geometry` of a design's defaults: "  key: |" and the lines, indented.
+/// A YAML block scalar below `geometry`: "  key: |" and the indented lines.
 [[nodiscard]] std::string block(std::string_view key, std::string_view lines);
 
 /// A positive length under "geometry."
 [[nodiscard]] design::Key length_key(std::string_view name, std::string_view fallback, std::string_view meaning);
 
-/// A length under "geometry." that follows from others unless it is stated: its default is the word auto.
+/// A length under "geometry." that is derived from others unless stated; its default is the word auto.
 [[nodiscard]] design::Key derived_key(std::string_view name, std::string_view meaning);
-/// Its value: `derived_m` where the design leaves it at auto.
+/// Its value: `derived_m` if the design leaves it at auto.
 [[nodiscard]] double length_or(const design::Values& values, std::string_view name, double derived_m);
 
-/// Keys geometry.inner_radius and outer_radius: where one is stated, the other follows by their ratio; where none is, both are those
-/// given here. values.refuse(...) where the inner one is not smaller.
+/// Keys geometry.inner_radius and outer_radius. If one is stated, the other follows from the ratio of the defaults; if none is, both
+/// have their defaults `usual`. Throws values.refuse(...) if the inner radius is not smaller.
 struct Radii {
     double inner_m, outer_m;
 };
@@ -37,25 +37,25 @@ struct Radii {
 /// mesh.sectors, for bodies of revolution.
 [[nodiscard]] design::Key sectors_key();
 
-/// mesh.grading, for bodies of boxes (box_grid.hpp) and of outlines (outline_sizes.hpp).
+/// mesh.grading, for bodies made of boxes (box_grid.hpp) and of outlines (outline_sizes.hpp).
 [[nodiscard]] design::Key grading_key(std::string_view fallback);
 
-/// A slip in mesh.size must not fill the memory before anybody can say so: throws Error beyond 5 million cells.
+/// Throws Error above 5 million cells, so that a typing error in mesh.size does not exhaust the memory.
 inline constexpr double max_cells = 5e6;
 void refuse_too_many_cells(const design::Values& values, double cells);
 
 /// "12 mm"
 [[nodiscard]] std::string length_text(double length_m);
-/// The names of a value of Kind::faces or "none"; names of faces hold neither blanks nor commas.
+/// The names in a value of Kind::faces, or "none"; face names contain neither blanks nor commas.
 [[nodiscard]] std::vector<std::string> listed(const std::string& text);
 
-/// "12 mm is not smaller than outer_radius 10 mm"
+/// "12 mm is not smaller than outer_radius (10 mm)"
 [[nodiscard]] std::string not_smaller(double value_m, std::string_view other_name, double other_m);
 
-/// "larger than 3 mm"
+/// "use a value above 3 mm"
 [[nodiscard]] std::string larger_than(double bound_m);
 
-/// "smaller than 3 mm"
+/// "use a value below 3 mm"
 [[nodiscard]] std::string smaller_than(double bound_m);
 
 }  // namespace soft::geometry

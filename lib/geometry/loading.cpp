@@ -48,11 +48,11 @@ void add_body_forces(model::Case& result, const design::Design& design, const Me
             if (acceleration[i] == 0) continue;
             if (meshed.solid.symmetry_planes[i])
                 throw design.values.refuse(path,
-                                           std::string{"the model is mirrored at "} + component_name(meshed.solid, i) +
-                                               " = 0, and with it the weight would be",
-                                           "a model that is not cut there, or another direction");
+                                           std::string{"the symmetry plane "} + component_name(meshed.solid, i) +
+                                               " = 0 of the model would mirror the weight",
+                                           "use a model without this plane, or another direction");
             if (meshed.body.anchoring == Anchoring::middle_planes && i > 0)
-                throw design.values.refuse(path, "nothing holds the body against its weight", "leave gravity out");
+                throw design.values.refuse(path, "no support carries the weight of the body", "remove gravity");
         }
         result.body_forces.push_back({request.name, acceleration, request.time_function});
     }
@@ -62,15 +62,15 @@ model::FaceSymmetry symmetry_of(const Solid& solid, const std::string& face) {
     return model::face_symmetry(solid.mesh, {solid.kinematics, solid.symmetry_planes}, face);
 }
 
-/// Undeformed area of the whole face of the whole actuator. Refuses a direction in which its mirror images would pull apart.
-double whole_area_m2(const Solid& solid, const Heading& heading, const Vector& direction,
+/// Undeformed area of the whole face of the whole actuator. Throws for a direction that a symmetry plane would mirror.
+double whole_area_m2(const Solid& solid, const DirectionRequest& request, const Vector& direction,
                      const design::Values& values) {
-    const model::FaceSymmetry symmetry = symmetry_of(solid, heading.face);
+    const model::FaceSymmetry symmetry = symmetry_of(solid, request.face);
     if (model::uncancelled_force(symmetry, direction) != direction)
-        throw values.refuse(heading.place, "the model is mirrored there, and with it the force would be",
-                            "a model that is not cut there, or another direction");
+        throw values.refuse(request.key, "a symmetry plane of the model would mirror the force",
+                            "use a model without this plane, or another direction");
     double area_m2 = 0;
-    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(heading.face)) {
+    for (const mesh::Facet& facet : solid.mesh.facet_sets.at(request.face)) {
         const auto reference = element::make_reference_facet(mesh::facet_type(solid.mesh, facet));
         const auto nodes = mesh::facet_nodes(solid.mesh, facet);
         std::vector<double> X(static_cast<std::size_t>(reference.dofs())), weights(nodes.size());
@@ -81,7 +81,7 @@ double whole_area_m2(const Solid& solid, const Heading& heading, const Vector& d
     return symmetry.copies * area_m2;
 }
 
-/// The component along which `direction` points, or 3.
+/// The coordinate axis parallel to `direction`, or 3 if there is none.
 std::size_t component_along(const Vector& direction) {
     constexpr double rounding = 1e-9;
     for (std::size_t i = 0; i < 3; ++i)
@@ -91,14 +91,13 @@ std::size_t component_along(const Vector& direction) {
 
 void add_motions(model::Case& result, const design::Design& design, const Meshed& meshed) {
     for (const auto& request : design.motions) {
-        const std::string place = "loads." + request.face, path = place + ".along";
-        require_face(meshed.solid.mesh, request.face, place, meshed.keys);
+        const std::string location = "loads." + request.face, path = location + ".along";
+        require_face(meshed.solid.mesh, request.face, location, meshed.keys);
         const Vector direction = direction_of({path, request.face, request.along}, meshed.body, meshed.solid);
         const std::size_t component = component_along(direction);
         if (component == 3)
-            throw design.values.refuse(path,
-                                       "a motion is prescribed by component, and this direction lies between them",
-                                       "turn the part, or move it along x, y or z");
+            throw design.values.refuse(path, "a motion must follow a coordinate axis, and this direction does not",
+                                       "rotate the part, or use x, y or z");
         model::Motion motion{request.face, {}};
         motion.displacement_m[component] = direction[component] < 0 ? -request.displacement_m : request.displacement_m;
         result.motions.push_back(std::move(motion));
@@ -117,16 +116,15 @@ bool share_a_node(const Solid& solid, const std::string& one, const std::string&
     return std::ranges::any_of(others, [&](mesh::Index node) { return nodes.contains(node); });
 }
 
-/// A node cannot follow a motion in a component that a support or another motion prescribes too.
+/// Throws if a support or another motion also prescribes a component of a motion at a node.
 void check_constraints(const model::Case& result, const design::Design& design, const Meshed& meshed) {
     const auto refuse = [&](const model::Motion& motion, std::size_t component, const std::string& other) {
-        throw design.values.refuse("loads." + motion.face + ".displacement",
-                                   std::string{"over-constrained in "} + component_name(meshed.solid, component) +
-                                       ": " + other +
-                                       (other.ends_with(core::quoted(motion.face))
-                                            ? ""
-                                            : ", with which " + core::quoted(motion.face) + " has nodes in common"),
-                                   "keep one of the two");
+        throw design.values.refuse(
+            "loads." + motion.face + ".displacement",
+            std::string{"over-constrained in "} + component_name(meshed.solid, component) + ": " + other +
+                (other.ends_with(core::quoted(motion.face)) ? ""
+                                                            : ", which shares nodes with " + core::quoted(motion.face)),
+            "keep one of the two");
     };
     for (std::size_t m = 0; m < result.motions.size(); ++m) {
         const model::Motion& motion = result.motions[m];
@@ -134,12 +132,12 @@ void check_constraints(const model::Case& result, const design::Design& design, 
             if (!motion.displacement_m[i]) continue;
             for (const model::Support& support : result.supports)
                 if (support.fixed[i] && share_a_node(meshed.solid, motion.face, support.face))
-                    refuse(motion, i, "a support holds " + core::quoted(support.face));
+                    refuse(motion, i, "a support fixes " + core::quoted(support.face));
             for (std::size_t k = 0; k < m; ++k) {
                 const model::Motion& other = result.motions[k];
                 if (other.displacement_m[i] && *other.displacement_m[i] != *motion.displacement_m[i] &&
                     share_a_node(meshed.solid, motion.face, other.face))
-                    refuse(motion, i, "another motion is that of " + core::quoted(other.face));
+                    refuse(motion, i, "another motion moves " + core::quoted(other.face));
             }
         }
     }
@@ -151,7 +149,7 @@ bool share_a_facet(const Solid& solid, const std::string& one, const std::string
     return std::ranges::any_of(others, [&](const mesh::Facet& facet) { return all.contains(facet); });
 }
 
-/// Throws values.refuse(...) for a point that the mesh does not hold, and names the nearest of the part.
+/// Throws values.refuse(...) with the nearest node for a point outside the mesh.
 Vector point_of_part(const design::Design::OutputRequest& request, const Solid& solid, const design::Values& values) {
     Vector point{};
     std::ranges::copy(request.point_m, point.begin());
@@ -160,72 +158,73 @@ Vector point_of_part(const design::Design::OutputRequest& request, const Solid& 
     std::string text;
     for (std::size_t i = 0; i < request.point_m.size(); ++i)
         text += (i > 0 ? ", " : "[") + core::rounded_text(1e3 * nearest[i], 6) + " mm";
-    throw values.refuse("outputs." + request.name + ".point", "the point is not in the part that is meshed",
-                        "a point of it, the nearest node is " + text + "]");
+    throw values.refuse("outputs." + request.name + ".point", "the point lies outside the mesh",
+                        "use a point inside, the nearest node is " + text + "]");
 }
 
-/// A reaction needs what holds or moves the face, and a direction in which its mirror images do not cancel.
+/// A reaction needs a support or a motion of the face, and a direction in which its mirror images do not cancel.
 void check_reaction(const model::Case& result, const design::Design::OutputRequest& request, const Vector& direction,
                     const Meshed& meshed, const design::Values& values) {
-    const std::string place = "outputs." + request.name;
+    const std::string location = "outputs." + request.name;
     const bool force = request.measure == model::Measure::force;
     const model::FaceSymmetry symmetry = symmetry_of(meshed.solid, request.face);
     const Vector left =
         force ? model::uncancelled_force(symmetry, direction) : model::uncancelled_moment(symmetry, direction);
     if (left == Vector{})
-        throw values.refuse(place + ".along",
-                            std::string{force ? "the force" : "the moment"} +
-                                " is 0: the mirror image of the face has the opposite one",
-                            "another direction");
-    const auto holds = [&](std::size_t i) {
+        throw values.refuse(
+            location + ".along",
+            std::string{force ? "the force" : "the moment"} + " is 0, because the mirror image of the face cancels it",
+            "use another direction");
+    const auto is_constrained = [&](std::size_t i) {
         const auto at_face = [&](const std::string& face) { return share_a_facet(meshed.solid, request.face, face); };
         return std::ranges::any_of(result.supports, [&](const auto& s) { return s.fixed[i] && at_face(s.face); }) ||
                std::ranges::any_of(result.motions,
                                    [&](const auto& m) { return m.displacement_m[i] && at_face(m.face); });
     };
-    bool held = false;
-    for (std::size_t i = 0; i < 3; ++i) held = held || ((!force || left[i] != 0) && holds(i));
-    if (!held)
-        throw values.refuse(place + ".face",
-                            "nothing holds " + core::quoted(request.face) + " in this direction, so there is no " +
+    bool any = false;
+    for (std::size_t i = 0; i < 3; ++i) any = any || ((!force || left[i] != 0) && is_constrained(i));
+    if (!any)
+        throw values.refuse(location + ".face",
+                            core::quoted(request.face) +
+                                " is not constrained in this direction, so there is no reaction " +
                                 std::string{model::name_of(request.measure)},
-                            "hold it under supports, or give it a displacement under loads");
+                            "fix it under supports, or prescribe a displacement under loads");
 }
 
 }  // namespace
 
-void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& place,
+void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& location,
                   const design::FamilyKeys& keys) {
     if (mesh.facet_sets.contains(face)) return;
     std::vector<std::string> present;
     for (const std::string& name : keys.faces)
         if (mesh.facet_sets.contains(name)) present.push_back(name);
-    throw Error(ExitCode::bad_input, place, "face " + core::quoted(face) + " is not part of this model",
-                "faces it has: " + core::join(present));
+    throw Error(ExitCode::bad_input, location, "this model has no face " + core::quoted(face),
+                "available faces: " + core::join(present));
 }
 
-std::array<double, 3> direction_of(const Heading& heading, const Body& body, const Solid& solid) {
-    const std::string &place = heading.place, &along = heading.along;
+std::array<double, 3> direction_of(const DirectionRequest& request, const Body& body, const Solid& solid) {
+    const std::string& along = request.along;
     if (along == "axis") return body.axis;
     if (along == "x") return {1, 0, 0};
     if (along == "normal") {
         constexpr double flat = 1 - 1e-9;  // rounding of the sums; a curved face falls far below
-        const auto n = mean_normal(solid, heading.face);
+        const auto n = mean_normal(solid, request.face);
         if (std::hypot(n[0], n[1], n[2]) < flat)
-            throw Error(ExitCode::bad_input, place, "face " + core::quoted(heading.face) + " is not flat",
-                        "axis, x, y or z");
+            throw Error(ExitCode::bad_input, request.key, "face " + core::quoted(request.face) + " is not flat",
+                        "use axis, x, y or z");
         return n;
     }
-    // The mean of y or z over a whole turn says nothing of a section, and r is no fixed direction of a solid.
+    // The mean of y or z over a full turn has no meaning for a section, and r is not a fixed direction of a solid.
     const bool revolved = solid.kinematics == model::Kinematics::axisymmetric;
     const bool plane = solid.kinematics == model::Kinematics::plane_strain;
     if (along == "r" && revolved) return {0, 1, 0};
     if (along == "y" && !revolved) return {0, 1, 0};
     if (along == "z" && !revolved && !plane) return {0, 0, 1};
-    throw Error(ExitCode::bad_input, place, core::quoted(along) + " is no direction of this model",
-                revolved ? "axis, x, r or normal"
-                : plane  ? "axis, x, y or normal"
-                         : "axis, x, y, z or normal");
+    throw Error(ExitCode::bad_input, request.key, core::quoted(along) + " is not a direction of this model",
+                revolved ? "use axis, x, r or normal"
+                : plane  ? "use axis, x, y or normal"
+                         : "use axis, x, y, z or normal");
 }
 
 void add_loads(model::Case& result, const design::Design& design, const Meshed& meshed) {
@@ -235,13 +234,13 @@ void add_loads(model::Case& result, const design::Design& design, const Meshed& 
             if (std::ranges::find(result.cavities, target, &model::Cavity::name) == result.cavities.end())
                 require_face(meshed.solid.mesh, target, "loads." + target, meshed.keys);
     for (const auto& request : design.tractions) {
-        const std::string place = "loads." + request.face;
-        require_face(meshed.solid.mesh, request.face, place, meshed.keys);
-        Vector traction = direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
-        const double area_m2 =
-            request.spread == design::Design::Spread::per_area
-                ? 0
-                : whole_area_m2(meshed.solid, {place + ".along", request.face, request.along}, traction, design.values);
+        const std::string location = "loads." + request.face;
+        require_face(meshed.solid.mesh, request.face, location, meshed.keys);
+        Vector traction = direction_of({location + ".along", request.face, request.along}, meshed.body, meshed.solid);
+        const double area_m2 = request.spread == design::Design::Spread::per_area
+                                   ? 0
+                                   : whole_area_m2(meshed.solid, {location + ".along", request.face, request.along},
+                                                   traction, design.values);
         for (double& component : traction) component *= area_m2 > 0 ? request.size / area_m2 : request.size;
         result.tractions.push_back({request.face, traction, request.time_function, area_m2});
     }
@@ -252,21 +251,21 @@ void add_loads(model::Case& result, const design::Design& design, const Meshed& 
 
 void add_outputs(model::Case& result, const design::Design& design, const Meshed& meshed) {
     for (const auto& request : design.outputs) {
-        const std::string place = "outputs." + request.name;
+        const std::string location = "outputs." + request.name;
         if (!request.point_m.empty()) {
-            const Vector along = direction_of({place + ".along", "", request.along}, meshed.body, meshed.solid);
+            const Vector along = direction_of({location + ".along", "", request.along}, meshed.body, meshed.solid);
             result.outputs.push_back(
                 {request.name, "", along, request.measure, "", point_of_part(request, meshed.solid, design.values)});
             continue;
         }
-        require_face(meshed.solid.mesh, request.face, place + ".face", meshed.keys);
+        require_face(meshed.solid.mesh, request.face, location + ".face", meshed.keys);
         const bool bend = request.measure == model::Measure::bend;
-        if (bend) require_face(meshed.solid.mesh, request.reference, place + ".reference", meshed.keys);
+        if (bend) require_face(meshed.solid.mesh, request.reference, location + ".reference", meshed.keys);
         const bool about_z = (model::is_angle(request.measure) || request.measure == model::Measure::moment) &&
                              request.along == "z" && meshed.solid.kinematics == model::Kinematics::plane_strain;
         const Vector direction =
             about_z ? Vector{0, 0, 1}
-                    : direction_of({place + ".along", request.face, request.along}, meshed.body, meshed.solid);
+                    : direction_of({location + ".along", request.face, request.along}, meshed.body, meshed.solid);
         if (model::is_reaction(request.measure)) check_reaction(result, request, direction, meshed, design.values);
         result.outputs.push_back(
             {request.name, request.face, direction, request.measure, bend ? request.reference : "", {}});

@@ -1,5 +1,5 @@
 #pragma once
-/// What acts on the body and what is measured, on its faces: directions asked for in words become vectors.
+/// Loads and outputs of the case on the faces of the mesh; directions given as words become vectors.
 /// Private to the module. Tested by geometry/build_test, geometry/loading_test.
 #include "design/design.hpp"
 #include "geometry/build.hpp"
@@ -7,17 +7,17 @@
 
 namespace soft::geometry {
 
-/// A direction asked for at a face.
-struct Heading {
-    std::string place;  ///< of the key, for errors: "outputs.elongation.along"
+/// A direction requested at a face.
+struct DirectionRequest {
+    std::string key;  ///< for errors: "outputs.elongation.along"
     std::string face;
     std::string along;  ///< axis | x | y | z | r | normal
 };
-/// Its unit vector; `normal` points out of the undeformed face and needs a flat one.
-[[nodiscard]] std::array<double, 3> direction_of(const Heading& heading, const Body& body, const Solid& solid);
+/// Its unit vector. `normal` points out of the undeformed face, which must be flat.
+[[nodiscard]] std::array<double, 3> direction_of(const DirectionRequest& request, const Body& body, const Solid& solid);
 
-/// Error(bad_input) at `place`, with the faces of the family that the mesh has.
-void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& place,
+/// Throws Error(bad_input) at `location` if the mesh has no such face; lists the faces of the family that it has.
+void require_face(const mesh::Mesh& mesh, const std::string& face, const std::string& location,
                   const design::FamilyKeys& keys);
 
 struct Meshed {
@@ -25,11 +25,12 @@ struct Meshed {
     const Body& body;
     const Solid& solid;
 };
-/// Pressures, tractions, forces, gravity and prescribed motions, after supports and cavities. Refuses weight and forces that a
-/// plane of symmetry would mirror, and a component that is prescribed twice at a node.
+/// Adds pressures, tractions, forces, gravity and prescribed motions. Call it after supports and cavities are set. Throws for weight
+/// and forces that a symmetry plane would mirror, and for a component that is prescribed twice at a node.
 void add_loads(model::Case& result, const design::Design& design, const Meshed& meshed);
 
-/// After supports and loads. Refuses a reaction of a face that nothing holds, or that its mirror image cancels.
+/// Adds the outputs. Call it after supports and loads. Throws for a reaction at an unconstrained face and for one that the mirror
+/// image of the face cancels.
 void add_outputs(model::Case& result, const design::Design& design, const Meshed& meshed);
 
 }  // namespace soft::geometry

@@ -37,7 +37,7 @@ Vector area_of(const mesh::Mesh& mesh, const std::vector<model::RimEdge>& rim) {
     return area;
 }
 
-/// Outer sides beside the wall that have two corners of the rim (section: its end).
+/// Boundary facets next to the wall that have two corners on the rim (section: its end point).
 std::vector<mesh::Facet> sides_around(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall,
                                       const std::set<Index>& rim) {
     const std::set<mesh::Facet> own(wall.begin(), wall.end());
@@ -53,7 +53,7 @@ std::vector<mesh::Facet> sides_around(const mesh::Mesh& mesh, const std::vector<
     return around;
 }
 
-/// The smallest of those that hold all of them.
+/// The smallest face that contains all of the facets.
 std::string face_around(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& around) {
     std::string smallest;
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
@@ -76,8 +76,8 @@ FoundOpening found(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall,
     return result;
 }
 
-/// The wall's ends away from the axis. A wall that runs outwards at its end (r grows along it) ends below a plug at
-/// higher x: the axial parts of wall and plugs cancel, closed integral of n dA = 0.
+/// Ends of the wall away from the axis. If the last facet of the wall runs towards an end with growing r, the plug lies at higher x:
+/// the axial parts of wall and plugs cancel, closed integral of n dA = 0.
 std::vector<FoundOpening> openings_of_section(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall) {
     std::map<Index, int> sense;  // +1 where a facet ends, -1 where one starts; 0 where both do
     for (const mesh::Facet& facet : wall) {
@@ -107,9 +107,9 @@ std::vector<FoundOpening> openings_of(const mesh::Mesh& mesh, const std::vector<
     for (const auto& rim : model::rims(bare, wall)) {
         std::set<Index> corners;
         for (const model::RimEdge& edge : rim) corners.insert({edge[0], edge[1]});
-        Vector area = area_of(
-            mesh,
-            rim);  // lines along the cuts, which would close the rim, add nothing to what the images do not cancel
+        Vector area =
+            area_of(mesh,
+                    rim);  // lines along the cuts, which close the rim, add nothing to the uncancelled components
         for (std::size_t d = 0; d < 3; ++d)
             if (mirrors[d])
                 for (std::size_t e = 0; e < 3; ++e) area[e] *= e == d ? 0 : 2;

@@ -1,5 +1,5 @@
 #pragma once
-/// The holes of a cavity whose wall is a set of outer sides of a mesh: where the wall ends, a plug would sit.
+/// Openings of a cavity whose wall is a set of boundary facets: the rims of the wall, which a plug would close.
 /// Tested by geometry/imported_test.
 #include <array>
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace soft::geometry {
 
-/// `opening.face` is the one named face around the hole, or empty where there is none; `around` are the sides next to it.
-/// Area vector out of the cavity, of a rim run through as the wall runs through it: 1/2 closed integral of x x dx; of a
-/// section that ends at radius r: pi r^2 along x. Source: Stokes' theorem.
+/// `opening.face` is the named face that contains all of `around`, or empty if there is none. `around` are the boundary facets
+/// next to the opening. Area vector, pointing out of the cavity: 1/2 (closed integral of x x dx) along the rim in the orientation
+/// of the wall; for a section that ends at radius r: pi r^2 along x. Source: Stokes' theorem.
 struct FoundOpening {
     model::Opening opening;
     std::vector<mesh::Facet> around;
 };
 
-/// `mirrors`: the mesh is cut at x, y, z = 0; areas are those of the whole body then. In the order of model::rims (section: of the wall's facets). Plane strain has none.
+/// `mirrors`: whether the mesh is cut at x, y, z = 0; areas are then those of the whole body. Ordered as model::rims (solid) or by node
+/// number (section). Empty in plane strain.
 [[nodiscard]] std::vector<FoundOpening> openings_of(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& wall,
                                                     model::Kinematics kinematics,
                                                     const std::array<bool, 3>& mirrors = {});

@@ -1,5 +1,5 @@
-/// A plane panel with straight sides, drawn in (x, y): corners (0, 0), (length, rise), (length, rise + end_height),
-/// (0, height). In plane strain 1 m deep; the solid is z = 0 .. thickness.
+/// A plane panel with straight sides in (x, y): corners (0, 0), (length, rise), (length, rise + end_height),
+/// (0, height). In plane strain it is 1 m deep; the solid spans z = 0 .. thickness.
 #include "core/units.hpp"
 #include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
@@ -25,11 +25,11 @@ Shape checked_shape(const design::Values& values) {
     if (shape.patch_m > shape.length_m)
         throw values.refuse("geometry.loaded_top",
                             core::quantity_text(shape.patch_m, core::Dimension::length) + " is longer than the panel",
-                            "at most its length, " + core::quantity_text(shape.length_m, core::Dimension::length));
+                            "use at most its length, " + core::quantity_text(shape.length_m, core::Dimension::length));
     return shape;
 }
 
-/// Columns side by side, from x = 0 to the end; the first carries the patch where there is one.
+/// Columns from x = 0 to the end; the first one carries the patch, if any.
 meshing::Section section_of(const Shape& shape, int across, const CellSize& size) {
     std::vector<double> cuts{0};
     if (shape.patch_m > 0 && shape.patch_m < shape.length_m) cuts.push_back(shape.patch_m);
@@ -70,17 +70,18 @@ Body build(const design::Values& values) {
 Family panel() {
     design::FamilyKeys keys;
     keys.name = "panel";
-    keys.summary = "a plane panel, straight or tapered, held at x = 0";
-    design::Key end_height = length_key("end_height", "height", "height of the face x = length; height = as at x = 0");
+    keys.summary = "a plane panel, straight or tapered, fixed at x = 0";
+    design::Key end_height =
+        length_key("end_height", "height", "height of the face x = length; height = same as at x = 0");
     end_height.choices = {"height"};
     design::Key rise{.path = "geometry.rise",
                      .kind = design::Kind::length,
                      .fallback = "0 mm",
                      .meaning = "y of the lower corner at x = length"};
     design::Key loaded_top =
-        length_key("loaded_top", "0 mm", "length of the face patch, the top from x = 0 on; 0 = none");
+        length_key("loaded_top", "0 mm", "length of the face patch, which is the top from x = 0; 0 = none");
     loaded_top.min_open = false;
-    keys.geometry = {length_key("length", "48 mm", "length along x, from the held face x = 0"),
+    keys.geometry = {length_key("length", "48 mm", "length along x, from the fixed face x = 0"),
                      length_key("height", "44 mm", "height of the face x = 0, along y from y = 0"),
                      std::move(end_height),
                      std::move(rise),
@@ -91,11 +92,11 @@ Family panel() {
     keys.defaults =
         "supports: {fixed: fixed}\n"
         "loads:\n"
-        "  end: {traction: 20 kPa, along: y}     # a dead shear; per undeformed area\n"
+        "  end: {traction: 20 kPa, along: y}     # dead shear traction per undeformed area\n"
         "outputs:\n"
         "  deflection: {face: end, along: y}\n";
     design::Key across = through_wall_key();
-    across.meaning = "cells between bottom and top; 0 = by mesh.size";
+    across.meaning = "cells between bottom and top; 0 = from mesh.size";
     keys.mesh = {size_key(), std::move(across)};
     return {std::move(keys), build};
 }

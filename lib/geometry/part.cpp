@@ -20,7 +20,7 @@ constexpr std::array<const char*, 3> symmetry_faces{meshing::symmetry_x_face, me
 
 mesh::Point point_of(const design::Values& values, const std::string& path) {
     const std::vector<double>& numbers = values.numbers(path);
-    if (numbers.size() != 3) throw values.refuse(path, "three values are needed", "[x, y, z]");
+    if (numbers.size() != 3) throw values.refuse(path, "three values are needed", "use [x, y, z]");
     return {numbers[0], numbers[1], numbers[2]};
 }
 
@@ -31,25 +31,25 @@ surface::FaceRule rule_of(const design::Values& values, const std::string& name)
     const std::array<const char*, 3> planes{"plane.x", "plane.y", "plane.z"};
     for (std::size_t c = 0; c < 3; ++c) {
         if (!values.has(own + planes[c])) continue;
-        if (rule.plane) throw values.refuse(own + planes[c], "a facet lies in one plane", "x, y or z alone");
+        if (rule.plane) throw values.refuse(own + planes[c], "only one plane is possible", "use x, y or z alone");
         rule.plane = surface::FaceRule::Plane{c, values.number(own + planes[c])};
     }
     if (values.has(own + "box.from") != values.has(own + "box.to"))
-        throw values.refuse(own + (values.has(own + "box.from") ? "box.from" : "box.to"), "a box has two corners",
-                            "box: {from: [x, y, z], to: [x, y, z]}");
+        throw values.refuse(own + (values.has(own + "box.from") ? "box.from" : "box.to"), "a box needs two corners",
+                            "use box: {from: [x, y, z], to: [x, y, z]}");
     if (values.has(own + "box.from"))
         rule.box = surface::FaceRule::Box{point_of(values, own + "box.from"), point_of(values, own + "box.to")};
     if (values.has(own + "within") && !values.has(own + "normal"))
-        throw values.refuse(own + "within", "there is no normal", "normal: [x, y, z] beside it");
+        throw values.refuse(own + "within", "within needs a normal", "add normal: [x, y, z]");
     if (values.has(own + "normal")) {
         rule.direction =
             surface::FaceRule::Direction{point_of(values, own + "normal"),
                                          values.has(own + "within") ? values.number(own + "within") : usual_within_rad};
         if (rule.direction->normal == mesh::Point{})
-            throw values.refuse(own + "normal", "it has no direction", "e.g. [1, 0, 0]");
+            throw values.refuse(own + "normal", "the normal is zero", "use a direction such as [1, 0, 0]");
     }
     if (values.has(own + "up_to") && !values.has(own + "point"))
-        throw values.refuse(own + "up_to", "there is no point", "point: [x, y, z] beside it");
+        throw values.refuse(own + "up_to", "up_to needs a point", "add point: [x, y, z]");
     if (values.has(own + "point"))
         rule.flood = surface::FaceRule::Flood{point_of(values, own + "point"), values.has(own + "up_to")
                                                                                    ? listed(values.text(own + "up_to"))
@@ -57,7 +57,7 @@ surface::FaceRule rule_of(const design::Values& values, const std::string& name)
     return rule;
 }
 
-/// A part that is cut lies on one side of the cut.
+/// A part with a symmetry plane must lie on one side of it.
 void refuse_crossing(const surface::BodySurface& surface, const std::array<bool, 3>& cut,
                      const design::Values& values) {
     constexpr double rounding = 1e-6;
@@ -66,13 +66,13 @@ void refuse_crossing(const surface::BodySurface& surface, const std::array<bool,
         const auto [low, high] = std::ranges::minmax(surface.points, {}, [c](const mesh::Point& p) { return p[c]; });
         if (std::min(-low[c], high[c]) > rounding * surface.extent_m())
             throw values.refuse(symmetry_key,
-                                std::string{"the part goes from "} + "xyz"[c] + " = " + length_text(low[c]) + " to " +
-                                    length_text(high[c]) + " and is not cut at 0",
-                                "cut it where it was drawn, or leave this plane out");
+                                std::string{"the part extends from "} + "xyz"[c] + " = " + length_text(low[c]) +
+                                    " to " + length_text(high[c]) + " and is not cut at 0",
+                                "cut it in the CAD program, or remove this plane");
     }
 }
 
-/// The cuts are faces, and no flood goes across them.
+/// Adds the cuts as faces; no flood crosses them.
 std::vector<surface::FaceRule> with_cuts(std::vector<surface::FaceRule> rules, const std::array<bool, 3>& cut) {
     std::vector<surface::FaceRule> all;
     for (std::size_t c = 0; c < 3; ++c)
@@ -100,12 +100,13 @@ double file_unit_m(const std::string& unit) {
     static const std::map<std::string, double> units{{"mm", 1e-3}, {"cm", 1e-2}, {"m", 1.0}, {"in", 0.0254}};
     const auto found = units.find(unit);
     if (found == units.end())
-        throw Error(ExitCode::usage, "geometry.unit", core::quoted(unit) + " is no unit of a file", "mm, cm, m or in");
+        throw Error(ExitCode::usage, "geometry.unit", core::quoted(unit) + " is not a unit of a file",
+                    "use mm, cm, m or in");
     return found->second;
 }
 
 std::vector<surface::FaceRule> face_rules(const design::Values& values) {
-    std::vector<surface::FaceRule> rules, floods;  // the latter name faces among the former
+    std::vector<surface::FaceRule> rules, floods;  // floods refer to faces of the other rules
     for (const std::string& name : values.names_below(rules_group)) {
         surface::FaceRule rule = rule_of(values, name);
         (rule.flood && !rule.flood->up_to.empty() ? floods : rules).push_back(std::move(rule));
@@ -114,8 +115,8 @@ std::vector<surface::FaceRule> face_rules(const design::Values& values) {
         for (const std::string& border : rule.flood->up_to)
             if (std::ranges::find(rules, border, &surface::FaceRule::name) == rules.end())
                 throw values.refuse(std::string{rules_group} + "." + rule.name + ".up_to",
-                                    core::quoted(border) + " is no face of geometry.faces without up_to",
-                                    "faces by plane, box, normal or point");
+                                    core::quoted(border) + " is not a face of geometry.faces without up_to",
+                                    "use faces defined by plane, box, normal or point");
     rules.insert(rules.end(), floods.begin(), floods.end());
     return rules;
 }
@@ -134,26 +135,26 @@ MeshedPart mesh_part(const meshing::Part& part, const design::Values& values) {
     refuse_crossing(part.surface, cut, values);
     const std::vector<surface::Wall> walls = surface::walls(part.surface.points, part.surface.triangles);
     result.figures = {part.origin.name, part.surface.triangles.size(), part.surface.volume_m3(),
-                      walls.empty() ? surface::WallFigures{} : surface::figures(walls), part.surface.repairs};
+                      walls.empty() ? surface::WallStatistics{} : surface::wall_statistics(walls),
+                      part.surface.repairs};
     for (std::size_t s = 1; s < part.surface.shells.size(); ++s) result.cavities.push_back(part.surface.shells[s].name);
     const std::vector<surface::NamedFace> faces = named_faces(part.surface, with_cuts(face_rules(values), cut));
     for (const surface::NamedFace& face : faces)
         if (std::ranges::find(face.facets, true) == face.facets.end()) {
             std::string first =
-                face.name.starts_with("symmetry_") ? symmetry_key : "";  // key of the rule, for the place
+                face.name.starts_with("symmetry_") ? symmetry_key : "";  // key of the rule, as the location
             for (const char* key : {"plane.x", "plane.y", "plane.z", "box.from", "normal", "point"})
                 if (const std::string path = std::string{rules_group} + "." + face.name + "." + key;
                     first.empty() && values.has(path))
                     first = path;
-            throw values.refuse(first, "no facet of the surface is there",
-                                "look at the coordinates in the program the part was drawn with");
+            throw values.refuse(first, "no facet of the surface matches this rule",
+                                "check the coordinates in the CAD program");
         }
     constexpr int own_along = 20, own_through = 2;
     const double max_m = CellSize{values, part.surface.extent_m() / own_along}.length_m();
     const int through = values.text("mesh.through_wall") == "auto" ? scaled_count(values, own_through)
                                                                    : values.count("mesh.through_wall");
-    const surface::WallSizes sizes(walls, bends(part.surface),
-                                   {max_m / values.number("mesh.grading"), max_m, through});
+    const surface::WallSizes sizes(walls, bends(part.surface), {max_m / values.number("mesh.grading"), max_m, through});
     result.mesh = meshing::mesh_inside({part.surface, faces, part.origin}, sizes);
     put_on_planes(result.mesh, cut);
     return result;

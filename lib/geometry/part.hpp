@@ -1,5 +1,5 @@
 #pragma once
-/// A part of a surface or CAD file as a design asks for it: its faces named by rules, cut at planes of symmetry, filled with cells.
+/// A part from a surface or CAD file as the design describes it: faces named by rules, cut at symmetry planes, filled with cells.
 /// Tested by geometry/part_test.
 #include "design/design.hpp"
 #include "meshing/part_file.hpp"
@@ -8,29 +8,30 @@
 
 namespace soft::geometry {
 
-/// What a summary says of the file, to compare with the mesh.
+/// Properties of the file, for comparison with the mesh in a summary.
 struct PartFigures {
     std::string file;
     std::size_t facets = 0;
     double volume_m3 = 0;
-    surface::WallFigures walls;
+    surface::WallStatistics walls;
     std::vector<std::string> repairs;
 };
 
-/// Length of a choice of geometry.unit [m]. Error(usage) for another word.
+/// Length of a choice of geometry.unit [m]. Throws Error(usage) for another word.
 [[nodiscard]] double file_unit_m(const std::string& unit);
 
-/// Below geometry.faces of the design. values.refuse(...) for rules that make no sense.
+/// The rules below geometry.faces of the design. Throws values.refuse(...) for invalid rules.
 [[nodiscard]] std::vector<surface::FaceRule> face_rules(const design::Values& values);
 
 /// geometry.symmetry: the planes x, y, z = 0 at which the part of the file is cut.
 [[nodiscard]] std::array<bool, 3> cuts(const design::Values& values);
 
-/// The mesh of a part, its faces as facet sets; the cuts are faces of their own (symmetry_x_face, ...), with nodes on the plane. values.refuse(...) for faces that no facet belongs to.
+/// The mesh of a part with its faces as facet sets. Cuts are separate faces (symmetry_x_face, ...), whose nodes lie exactly on the
+/// plane. Throws values.refuse(...) for faces without a facet.
 struct MeshedPart {
     mesh::Mesh mesh;
     PartFigures figures;
-    std::vector<std::string> cavities;  ///< closed ones, faces of the same names
+    std::vector<std::string> cavities;  ///< closed cavities; their walls are faces of the same names
 };
 [[nodiscard]] MeshedPart mesh_part(const meshing::Part& part, const design::Values& values);
 

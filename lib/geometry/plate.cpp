@@ -1,6 +1,6 @@
-/// A flat plate. Rectangular: x = 0 .. length, y = 0 .. width, z = 0 .. thickness; half: y = 0 is the middle plane;
-/// quarter: x = 0 too (a plate that bends has no symmetry plane across its thickness). Round: the axis x runs through
-/// the thickness, x = 0 is the bottom.
+/// A flat plate. Rectangular: x = 0 .. length, y = 0 .. width, z = 0 .. thickness. In the half model y = 0 is the middle plane,
+/// in the quarter model also x = 0 (bending has no symmetry plane across the thickness). Round: the axis x runs through the
+/// thickness, x = 0 is the bottom.
 #include <algorithm>
 
 #include "geometry/cell_size.hpp"
@@ -12,7 +12,8 @@
 namespace soft::geometry {
 namespace {
 
-constexpr double max_length = 2.2;  ///< of cells over the normal ones: at twice their length the curve misses 1 %
+constexpr double max_length =
+    2.2;  ///< cell length relative to the quality normal; at twice this length the error of the curve is 1 %
 
 Body round_plate(const design::Values& values) {
     const double radius_m = values.number("geometry.radius"), thickness_m = values.number("geometry.thickness");
@@ -38,13 +39,13 @@ Body round_plate(const design::Values& values) {
     return body;
 }
 
-/// Cells get shorter toward the edges, where a held plate bends within about its thickness: of 10 mm and 2 mm thick, even cells
-/// are 5.5 % too stiff, of 2.5 mm 2 % too soft (tests/verification/notes.md).
+/// Cells get shorter toward the edges, where a clamped plate bends within about its thickness: for 2 mm thickness, uniform cells of
+/// 10 mm are 5.5 % too stiff, cells of 2.5 mm 2 % too soft (tests/verification/notes.md).
 Body rectangular_plate(const design::Values& values) {
     const Model model = model_of(values);
     if (model == Model::axisymmetric)
         throw values.refuse("model", "a rectangular plate has no axis of revolution",
-                            "solid, half or quarter, or a round plate by geometry.radius");
+                            "use solid, half or quarter, or a round plate (geometry.radius)");
     const bool cut_y = model != Model::solid, cut_x = model == Model::quarter;
     const double thickness_m = values.number("geometry.thickness");
     const double length_m = values.number("geometry.length") / (cut_x ? 2 : 1);
@@ -88,12 +89,13 @@ Body build(const design::Values& values) {
 Family plate() {
     design::FamilyKeys keys;
     keys.name = "plate";
-    keys.summary = "a flat plate, rectangular or round, held at its edges";
-    design::Key radius = length_key(
-        "radius", "0 mm", "radius of a round plate, axis x; 0 = rectangular, else length and width are not used");
+    keys.summary = "a flat plate, rectangular or round, clamped at its edges";
+    design::Key radius =
+        length_key("radius", "0 mm",
+                   "radius of a round plate, axis x; 0 = rectangular; length and width are unused if it is above 0");
     radius.min_open = false;
-    keys.geometry = {length_key("length", "100 mm", "length along x; the quarter model has x = 0 in the middle"),
-                     length_key("width", "100 mm", "width along y; half and quarter models have y = 0 in the middle"),
+    keys.geometry = {length_key("length", "100 mm", "length along x; in the quarter model x = 0 is the middle"),
+                     length_key("width", "100 mm", "width along y; in half and quarter models y = 0 is the middle"),
                      std::move(radius),
                      length_key("thickness", "2 mm", "thickness, along z (rectangular) or x (round)")};
     keys.models = {"solid", "half", "quarter", "axisymmetric"};
@@ -102,7 +104,7 @@ Family plate() {
     keys.defaults =
         "supports: {fixed: edges}\n"
         "loads:\n"
-        "  bottom: {pressure: 5 kPa}     # pushes the plate up\n"
+        "  bottom: {pressure: 5 kPa}     # acts upwards\n"
         "outputs:\n"
         "  deflection: {face: top, along: normal}\n";
     keys.mesh = {size_key(), through_wall_key(), sectors_key(), grading_key("16")};

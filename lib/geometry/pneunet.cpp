@@ -1,5 +1,5 @@
-/// A bending finger: a row of chambers with slots between them, joined by a channel, over a base that stretches less. All
-/// corners sharp. x from the held end, z up from the lower face, y = 0 in the middle; the half model is y >= 0.
+/// A bending finger: a row of chambers with slots between them, connected by a channel, on a base that stretches less. All
+/// corners are sharp. x starts at the fixed end, z points up from the lower face, y = 0 is the middle; the half model is y >= 0.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ struct Shape {
     [[nodiscard]] double length() const { return chambers_end() + tip_m; }
 };
 
-/// What a length must stay below, or within, and what that is called.
+/// Upper bound of a length, and its name in messages.
 struct Bound {
     double value_m;
     const char* what;
@@ -37,20 +37,20 @@ void require_within(const design::Values& values, const char* key, double value_
     constexpr double rounding = 1 + 1e-9;  // the bound is a difference of keys
     if (value_m > rounding * bound.value_m)
         throw values.refuse(key,
-                            length_text(value_m) + " is more than " + bound.what + " " + length_text(bound.value_m),
-                            "at most " + length_text(bound.value_m));
+                            length_text(value_m) + " exceeds " + bound.what + " (" + length_text(bound.value_m) + ")",
+                            "use at most " + length_text(bound.value_m));
 }
 
 void check(const Shape& s, const design::Values& values) {
     require_below(values, "geometry.wall", s.wall_m, {0.5 * s.chamber_m, "half the chamber_length"});
     require_below(values, "geometry.side", s.side_m, {s.half_width_m, "half the width"});
     require_below(values, "geometry.roof", s.roof_m, {s.height_m, "the height"});
-    require_below(values, "geometry.bridge", s.bridge_m, {s.height_m, "the chambers' height"});
-    require_below(values, "geometry.channel.height", s.channel_height_m, {s.bridge_m, "the bridge, which covers it,"});
+    require_below(values, "geometry.bridge", s.bridge_m, {s.height_m, "the height of the chambers"});
+    require_below(values, "geometry.channel.height", s.channel_height_m, {s.bridge_m, "the bridge that covers it"});
     require_within(values, "geometry.channel.height", s.channel_height_m,
-                   {s.height_m - s.roof_m, "the cavities' height"});
+                   {s.height_m - s.roof_m, "the height of the cavities"});
     require_within(values, "geometry.channel.width", 2 * s.channel_half_width_m,
-                   {2 * (s.half_width_m - s.side_m), "the cavities' width"});
+                   {2 * (s.half_width_m - s.side_m), "the width of the cavities"});
     require_below(values, "geometry.layer.thickness", s.layer_m, {s.base_m, "the base"});
 }
 
@@ -111,8 +111,8 @@ Body build(const design::Values& values) {
     boxes.borders[0] = {{{"fixed", true}, {"tip"}}};
     if (half) boxes.borders[1][0] = {meshing::symmetry_y_face};
     boxes.borders[2][0] = {"bottom"};
-    // Of two chambers on 2, 2, 2 cells a third one along x moves the bend by 0.65 %, along y by 0.62 %, along z by 0.01 %;
-    // on 3, 3, 2 a grading of 8 in place of 4 by 0.58 % (measured).
+    // Measured on two chambers with 2, 2, 2 cells: a third cell along x changes the bend by 0.65 %, along y by 0.62 %, along z by
+    // 0.01 %. With 3, 3, 2 cells a grading of 8 instead of 4 changes it by 0.58 %.
     constexpr double share = 0.196850393700787;
     const double chamber_m = std::cbrt(shape.chamber_m * 2 * shape.half_width_m * shape.height_m);
     const CellSize size{values, share * chamber_m};
@@ -124,9 +124,9 @@ Body build(const design::Values& values) {
     refuse_too_many_cells(values, cells_of_boxes(boxes, spacing));
 
     Body body;
-    body.warnings = size.too_few(through, own_through);  // two: 1.2 %
+    body.warnings = size.too_few(through, own_through);  // error with two cells: 1.2 %
     body.sweep = ReadyMesh{mesh_of_boxes(boxes, spacing), model::Kinematics::solid};
-    body.cavities = {{cavity_face, cavity_face, {}, {}}};  // closed: the supply line is not modelled
+    body.cavities = {{cavity_face, cavity_face, {}, {}}};  // closed, because the supply line is not modelled
     body.symmetry_planes = {false, half, false};
     body.fraction = half ? 0.5 : 1.0;
     if (half) body.supports = {{meshing::symmetry_y_face, {false, true, false}}};
@@ -141,36 +141,35 @@ std::vector<design::Key> geometry_keys() {
                          .meaning = "number of chambers in the row",
                          .min = 1,
                          .max = 100};
-    design::Key layer =
-        length_key("layer.thickness", "0 mm", "of a layer of another material, the lowest part of the base; 0 = none");
+    design::Key layer = length_key("layer.thickness", "0 mm",
+                                   "thickness of a layer of another material, the lowest part of the base; 0 = none");
     layer.min_open = false;
     design::Key material{
         .path = layer_material,
         .kind = design::Kind::text,
         .fallback = "paper",
-        .meaning = "of the layer: a name below `materials`, paper (copy paper of 6.5 GPa; measure yours), or rubber"};
+        .meaning =
+            "material of the layer: a name below `materials`, paper (copy paper of 6.5 GPa; measure yours), or rubber"};
     return {
         std::move(chambers),
-        length_key("chamber_length", "8 mm", "of a chamber along x, outside"),
+        length_key("chamber_length", "8 mm", "outer length of a chamber along x"),
         length_key("gap", "1 mm", "width of the free slots between chambers, along x"),
-        length_key("width", "16 mm", "along y, outside; half models hold the half y >= 0"),
-        length_key("height", "16 mm", "of the chambers above the base, outside"),
-        length_key("wall", "1.5 mm", "of the chambers toward the slots, across x"),
-        length_key("side", "2 mm", "of the chambers' sides, across y"),
-        length_key("roof", "2 mm", "of the chambers' roofs"),
-        length_key("base", "3 mm", "solid below the cavities, from z = 0"),
-        derived_key(
-            "bridge",
-            "height above the base of the blocks across the slots, of root and of tip; auto: a quarter of the height"),
+        length_key("width", "16 mm", "outer width along y; half models are the half y >= 0"),
+        length_key("height", "16 mm", "outer height of the chambers above the base"),
+        length_key("wall", "1.5 mm", "thickness of the chamber walls at the slots, along x"),
+        length_key("side", "2 mm", "thickness of the chamber sides, along y"),
+        length_key("roof", "2 mm", "thickness of the chamber roofs"),
+        length_key("base", "3 mm", "solid thickness below the cavities, from z = 0"),
+        derived_key("bridge", "height above the base of root, tip and the blocks across the slots; auto: height / 4"),
         derived_key(
             "channel.width",
-            "along y, of the channel on the base that joins the cavities; auto: a quarter of the width, at most that of "
+            "width along y of the channel on the base that connects the cavities; auto: width / 4, at most the width of "
             "the cavities"),
         derived_key(
             "channel.height",
-            "of the channel; lower than the bridge, which covers it; auto: half the bridge, at most the height of the "
+            "height of the channel, below that of the bridge that covers it; auto: bridge / 2, at most the height of the "
             "cavities"),
-        length_key("root", "8 mm", "solid length before the first chamber, from the held face x = 0"),
+        length_key("root", "8 mm", "solid length before the first chamber, from the fixed face x = 0"),
         length_key("tip", "3 mm", "solid length after the last chamber"),
         std::move(layer),
         std::move(material)};
@@ -181,7 +180,7 @@ std::vector<design::Key> geometry_keys() {
 Family pneunet() {
     design::FamilyKeys keys;
     keys.name = "pneunet";
-    keys.summary = "a bending finger: a row of chambers with slots between them over a stiffer base";
+    keys.summary = "a bending finger: a row of chambers with slots between them on a stiffer base";
     keys.geometry = geometry_keys();
     keys.models = {"half", "solid"};
     keys.faces = {"fixed", "tip", "cavity", "bottom", "outer"};
@@ -195,12 +194,12 @@ Family pneunet() {
         "  up: {face: tip, along: z}\n";
     // Copy paper: Young's modulus 6.5 GPa, Poisson's ratio 0.2, as in the Soft Robotics Toolkit's model of this actuator.
     keys.materials = {{"paper", "{law: neo-hookean, mu: 2.708 GPa, kappa: 3.611 GPa, density: 750 kg/m^3}"}};
-    design::Key least = through_wall_key();
-    least.meaning =
-        "least number of cells between neighbouring planes of the body, through walls and across slots; one fewer along z; auto: 3, "
-        "or 2 and 5 by mesh.quality";
-    least.min = 1;
-    keys.mesh = {size_key(), std::move(least), grading_key("8")};
+    design::Key min_cells = through_wall_key();
+    min_cells.meaning =
+        "minimum number of cells between neighbouring planes of the body, through walls and across slots; one fewer along z; "
+        "auto: 3 (draft 2, fine 5)";
+    min_cells.min = 1;
+    keys.mesh = {size_key(), std::move(min_cells), grading_key("8")};
     return {std::move(keys), build};
 }
 

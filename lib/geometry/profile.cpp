@@ -26,7 +26,7 @@ public:
     Reader(std::string_view text, std::string_view source, Across across)
         : table_(table::read_table(text, source)), second_(across == Across::r ? "r" : "y") {
         if (table_.headings.empty())
-            throw fault(source, table_.lines.front(), "no line says what the columns are",
+            throw fault(source, table_.lines.front(), "the header line is missing",
                         "begin with x_mm," + second_ + "_mm,tag");
         for (const table::Heading& heading : table_.headings) check_known(heading);
     }
@@ -53,8 +53,8 @@ private:
     void check_known(const table::Heading& heading) const {
         const std::vector<std::string> known{"x", second_, "tag", "curve", "via_x", "via_" + second_, "loop"};
         if (std::ranges::find(known, heading.quantity) == known.end())
-            throw fault(table_.source, table_.header_line, "column " + core::quoted(heading.name) + " is not known",
-                        "columns: " + core::join(known) + ", lengths with a unit as in x_mm");
+            throw fault(table_.source, table_.header_line, "unknown column " + core::quoted(heading.name),
+                        "use " + core::join(known) + ", lengths with a unit as in x_mm");
     }
 
     [[nodiscard]] std::optional<std::size_t> column(std::string_view quantity) const {
@@ -84,11 +84,12 @@ private:
         if (name.empty() || name == "line") return meshing::OutlineEdge::Shape::line;
         if (name == "arc") return meshing::OutlineEdge::Shape::arc;
         if (name == "spline") return meshing::OutlineEdge::Shape::spline;
-        throw fault(table_.source, table_.lines[row], core::quoted(name) + " is no curve", "line, arc or spline");
+        throw fault(table_.source, table_.lines[row], core::quoted(name) + " is not a curve",
+                    "use line, arc or spline");
     }
 
     void read_vias(std::vector<ProfileRow>& rows) const {
-        table::Table arcs = table_;  // of the rows that have one
+        table::Table arcs = table_;  // only the rows of arcs
         arcs.rows.clear();
         arcs.lines.clear();
         std::vector<ProfileRow*> owners;
@@ -114,7 +115,7 @@ bool is_tag(const std::string& word) {
            std::ranges::all_of(word, [&](char c) { return is_letter(c) || is_other(c); });
 }
 
-/// The points of one loop as edges.
+/// Converts the rows of one loop to edges.
 meshing::Loop loop_of(std::vector<ProfileRow> rows, std::string_view source, FoundCurves& found) {
     if (rows.size() > 1 && rows.back().tag.empty() && rows.back().point == rows.front().point) rows.pop_back();
     recognise_curves(rows, found);
@@ -123,14 +124,14 @@ meshing::Loop loop_of(std::vector<ProfileRow> rows, std::string_view source, Fou
         const ProfileRow& row = rows[i];
         const meshing::PlanePoint next = rows[(i + 1) % rows.size()].point;
         if (row.tag.empty())
-            throw fault(source, row.line, "it has no tag",
+            throw fault(source, row.line, "the tag is missing",
                         "name the face of the edge that starts here, for example free");
         if (!is_tag(row.tag))
-            throw fault(source, row.line, core::quoted(row.tag) + " is not a name of a face",
-                        "letters, digits, _ and -, a letter first");
-        const bool goes_on = i > 0 && row.shape == meshing::OutlineEdge::Shape::spline && !row.begins_edge &&
-                             rows[i - 1].shape == row.shape && rows[i - 1].tag == row.tag;
-        if (goes_on) {
+            throw fault(source, row.line, core::quoted(row.tag) + " is not a valid face name",
+                        "use letters, digits, _ and -, starting with a letter");
+        const bool continues_spline = i > 0 && row.shape == meshing::OutlineEdge::Shape::spline && !row.begins_edge &&
+                                      rows[i - 1].shape == row.shape && rows[i - 1].tag == row.tag;
+        if (continues_spline) {
             loop.back().points.push_back(next);
             continue;
         }
@@ -141,7 +142,7 @@ meshing::Loop loop_of(std::vector<ProfileRow> rows, std::string_view source, Fou
                 b{next[0] - row.point[0], next[1] - row.point[1]};
             if (std::abs(a[0] * b[1] - a[1] * b[0]) <=
                 meshing::outline_tolerance * std::hypot(a[0], a[1]) * std::hypot(b[0], b[1]))
-                throw fault(source, row.line, "the three points of its arc lie on a line", "write line");
+                throw fault(source, row.line, "the three points of the arc are collinear", "use line");
         }
         loop.push_back(std::move(edge));
     }
@@ -157,8 +158,8 @@ meshing::Outline loops_of(const std::vector<ProfileRow>& rows, std::string_view 
         while (end < rows.size() && rows[end].loop == rows[begin].loop) ++end;
         if (std::ranges::find(names, rows[begin].loop) != names.end())
             throw fault(source, rows[begin].line,
-                        "loop " + core::quoted(rows[begin].loop) + " goes on after another one",
-                        "put its rows together");
+                        "loop " + core::quoted(rows[begin].loop) + " continues after another loop",
+                        "keep its rows together");
         names.push_back(rows[begin].loop);
         outline.loops.push_back(loop_of(
             {rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end)},
@@ -169,20 +170,22 @@ meshing::Outline loops_of(const std::vector<ProfileRow>& rows, std::string_view 
     return outline;
 }
 
-/// Edges that lie on a plane or on the axis carry its name, and no other edge does.
+/// Throws for an edge with the reserved tag that does not lie on the plane or axis, and, if `demanded`, for an edge on it that has
+/// another tag.
 void check_named_line(const meshing::Outline& outline, std::string_view source, std::size_t component,
                       const std::string& name, bool demanded) {
     const char* const zero = component == 0 ? "x = 0" : "r = 0";
     for (const meshing::Loop& loop : outline.loops)
         for (const meshing::OutlineEdge& edge : loop) {
-            const bool lies = edge.shape == meshing::OutlineEdge::Shape::line && edge.points[0][component] == 0 &&
-                              edge.points[1][component] == 0;
+            const bool on_line = edge.shape == meshing::OutlineEdge::Shape::line && edge.points[0][component] == 0 &&
+                                 edge.points[1][component] == 0;
             const bool named = edge.faces.front() == name;
-            if (named && !lies)
-                throw fault(source, edge.row, "its edge is tagged " + name + " and does not lie on " + zero);
-            if (!named && lies && demanded)
+            if (named && !on_line)
+                throw fault(source, edge.row, "the edge is tagged " + name + " but does not lie on " + zero,
+                            "use another tag");
+            if (!named && on_line && demanded)
                 throw fault(source, edge.row,
-                            "its edge lies on the axis r = 0 and is tagged " + core::quoted(edge.faces.front()),
+                            "the edge lies on the axis r = 0 but is tagged " + core::quoted(edge.faces.front()),
                             "tag it axis");
         }
 }
@@ -194,7 +197,7 @@ void check_not_below(const meshing::Outline& outline, std::string_view source, s
         if (piece.start[component] < -rounding_m) {
             const meshing::OutlineEdge& edge = outline.loops[piece.loop][piece.edge];
             throw fault(source, edge.row,
-                        std::string{component == 0 ? "x" : "r"} + " gets down to " +
+                        std::string{component == 0 ? "x" : "r"} + " reaches " +
                             core::rounded_text(1e3 * piece.start[component], 6) + " mm",
                         what);
         }
@@ -205,18 +208,18 @@ bool has_tag(const meshing::Outline& outline, std::string_view tag) {
     return std::ranges::find(tags, tag) != tags.end();
 }
 
-/// Faces that the programs give a meaning of their own.
+/// Checks the reserved face names.
 void check_reserved(const meshing::Outline& outline, std::string_view source, Across across) {
     check_named_line(outline, source, 0, meshing::symmetry_x_face, false);
     if (has_tag(outline, meshing::symmetry_x_face))
-        check_not_below(outline, source, 0, "the body is mirrored at x = 0, where an edge is tagged symmetry_x");
+        check_not_below(outline, source, 0, "draw the half x >= 0; the tag symmetry_x mirrors the body at x = 0");
     if (across == Across::r) {
         check_named_line(outline, source, 1, meshing::axis_face, true);
         check_not_below(outline, source, 1, "draw the half section at r >= 0; the axis of revolution is x");
     } else {
         check_named_line(outline, source, 1, meshing::symmetry_y_face, false);
         if (has_tag(outline, meshing::symmetry_y_face))
-            check_not_below(outline, source, 1, "the body is mirrored at y = 0, where an edge is tagged symmetry_y");
+            check_not_below(outline, source, 1, "draw the half y >= 0; the tag symmetry_y mirrors the body at y = 0");
     }
     const std::string foreign = across == Across::r ? meshing::symmetry_y_face : meshing::axis_face;
     for (const meshing::Loop& loop : outline.loops)
@@ -224,11 +227,10 @@ void check_reserved(const meshing::Outline& outline, std::string_view source, Ac
             for (const std::string& taken :
                  {foreign, std::string{meshing::symmetry_z_face}, std::string{"middle_y"}, std::string{"middle_z"}})
                 if (edge.faces.front() == taken)
-                    throw fault(source, edge.row, core::quoted(taken) + " is a name of the program's own",
-                                "call the face otherwise");
+                    throw fault(source, edge.row, core::quoted(taken) + " is a reserved face name", "use another tag");
 }
 
-/// Nothing is gained by a point that misses the axis or a plane of symmetry by rounding.
+/// Moves points within rounding of the axis or a symmetry plane onto it.
 void snap(meshing::Outline& outline) {
     const double rounding_m = meshing::outline_tolerance * extent_m(outline);
     for (meshing::Loop& loop : outline.loops)
@@ -238,7 +240,7 @@ void snap(meshing::Outline& outline) {
                     if (std::abs(coordinate) <= rounding_m) coordinate = 0;
 }
 
-/// The edges of the listed tags get the cavity's name too.
+/// Adds the name of the cavity to the edges of the listed tags.
 void add_cavity(meshing::Outline& outline, const design::Values& values, const std::string& name) {
     const std::string key = "geometry.cavities." + name;
     const auto tags = tags_of(outline);
@@ -251,7 +253,7 @@ void add_cavity(meshing::Outline& outline, const design::Values& values, const s
     }
 }
 
-/// Pressure on an edge that two cavities claim would act twice.
+/// Pressure on an edge of two cavities would act twice.
 void refuse_common_walls(const meshing::Outline& outline, const design::Values& values,
                          const std::vector<std::string>& cavities) {
     for (const meshing::Loop& loop : outline.loops)
@@ -264,12 +266,12 @@ void refuse_common_walls(const meshing::Outline& outline, const design::Values& 
             const std::string key =
                 "geometry.cavities." + (values.has("geometry.cavities." + owners[1]) ? owners[1] : owners[0]);
             const std::string& other = key.ends_with("." + owners[1]) ? owners[0] : owners[1];
-            throw values.refuse(key, "its wall and that of " + core::quoted(other) + " have edges in common",
-                                "each edge belongs to one cavity");
+            throw values.refuse(key, "its wall shares edges with that of " + core::quoted(other),
+                                "assign each edge to one cavity");
         }
 }
 
-std::vector<std::string> held_faces(const design::Values& values) {
+std::vector<std::string> fixed_faces(const design::Values& values) {
     constexpr const char* key = "supports.fixed";
     return values.has(key) ? listed(values.text(key)) : std::vector<std::string>{};
 }
@@ -284,15 +286,15 @@ meshing::Outline outline_from(std::string_view text, std::string_view source, Ac
     return outline;
 }
 
-meshing::Outline outline_of_file(const std::string& file, std::string_view place, Across across) {
+meshing::Outline outline_of_file(const std::string& file, std::string_view location, Across across) {
     try {
         if (file.find('\n') != std::string::npos) return outline_from(file, "table", across);
-        const std::string path = design::file_from(place, file);
-        constexpr std::size_t longest = std::size_t{1} << 20;  // some ten thousand points
-        const auto bytes = core::read_regular_file(path, longest);
+        const std::string path = design::file_from(location, file);
+        constexpr std::size_t max_bytes = std::size_t{1} << 20;  // about ten thousand points
+        const auto bytes = core::read_regular_file(path, max_bytes);
         return outline_from({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path, across);
-    } catch (const Error& error) {  // the same, with the line of the design that asked for it
-        throw Error(error.code(), std::string{place} + ": " + profile_key, error.what());
+    } catch (const Error& error) {  // add the location in the design that names the file
+        throw Error(error.code(), std::string{location} + ": " + profile_key, error.what());
     }
 }
 
@@ -307,7 +309,7 @@ std::vector<std::string> tags_of(const meshing::Outline& outline) {
 Body body_of_profile(const design::Values& values, Across across) {
     Body body;
     meshing::Outline& outline = body.outline;
-    outline = outline_of_file(values.text(profile_key), values.place(profile_key), across);
+    outline = outline_of_file(values.text(profile_key), values.location(profile_key), across);
     body.notes = outline.notes;
     std::vector<std::string> names = values.names_below("geometry.cavities");
     for (const std::string& name : names) add_cavity(outline, values, name);
@@ -319,7 +321,7 @@ Body body_of_profile(const design::Values& values, Across across) {
     const int stated = values.count("mesh.through_wall");
     outline.size_m = cell_sizes(
         outline, {profile_cells(outline, values).length_m(), stated > 0 ? stated : scaled_count(values, own_through),
-                  values.number("mesh.grading"), held_faces(values)});
+                  values.number("mesh.grading"), fixed_faces(values)});
     body.symmetry_planes = {has_tag(outline, meshing::symmetry_x_face), has_tag(outline, meshing::symmetry_y_face),
                             false};
     for (const bool cut : body.symmetry_planes) body.fraction *= cut ? 0.5 : 1.0;
@@ -331,12 +333,12 @@ design::Key file_key(Across across) {
     return {.path = profile_key,
             .kind = design::Kind::text,
             .meaning = std::string{turned ? "the half section" : "the section"} +
-                       " as a table, a file from the design's folder or (profile: |) the lines themselves: columns " +
+                       " as a table: a file relative to the design file, or (profile: |) its lines; columns " +
                        (turned ? "x_mm, r_mm" : "x_mm, y_mm") +
                        ", tag (of the edge that starts at the row), optional curve (line, arc, spline), " +
                        (turned ? "via_x_mm, via_r_mm" : "via_x_mm, via_y_mm") +
-                       " (of an arc), loop; the solid on the left",
-            .most = several_lines};
+                       " (of an arc), loop; the solid lies on the left",
+            .max_count = several_lines};
 }
 
 CellSize profile_cells(const meshing::Outline& outline, const design::Values& values) {
@@ -348,16 +350,16 @@ CellSize profile_cells(const meshing::Outline& outline, const design::Values& va
                     low[d] = std::min(low[d], p[d]);
                     high[d] = std::max(high[d], p[d]);
                 }
-    constexpr double along = 8.5;  // walls and corners have shorter ones
+    constexpr double along = 8.5;  // cells at walls and corners are shorter
     return {values, std::sqrt((high[0] - low[0]) * (high[1] - low[1])) / along};
 }
 
 std::vector<design::Key> profile_mesh_keys() {
-    design::Key least = through_wall_key();
-    least.meaning = "cells through the thinnest part of a wall, at least; auto: 3, or 2 and 5 by mesh.quality";
-    least.min = 1;
-    least.max = 100;
-    return {size_key(), std::move(least), grading_key("4")};
+    design::Key min_cells = through_wall_key();
+    min_cells.meaning = "minimum number of cells through the thinnest part of a wall; auto: 3 (draft 2, fine 5)";
+    min_cells.min = 1;
+    min_cells.max = 100;
+    return {size_key(), std::move(min_cells), grading_key("4")};
 }
 
 }  // namespace soft::geometry

@@ -19,7 +19,7 @@ class Edges {
 public:
     explicit Edges(const std::vector<ProfileRow>& rows) : rows_(rows) {}
 
-    /// Whether edge `e` continues the one before as points of one curve do: the same tag, a small turn, a similar length.
+    /// Whether edge `e` and the previous one may belong to one smooth curve: same tag, small turn, similar length.
     [[nodiscard]] bool continues(std::size_t e, double max_turn_rad = small_turn_rad) const {
         constexpr double max_ratio = 4;
         const std::size_t before = (e + rows_.size() - 1) % rows_.size();
@@ -39,9 +39,9 @@ private:
     const std::vector<ProfileRow>& rows_;
 };
 
-/// Rows [first, end) of a loop as a spline; true if it is nowhere far from the straight edges. An axis or a plane of
-/// symmetry is straight.
-bool becomes_spline(std::vector<ProfileRow>& rows, std::size_t first, std::size_t end, FoundCurves& found) {
+/// Converts rows [first, end) of a loop to a spline; true if it stays close to the straight edges. Edges on the axis or a symmetry
+/// plane stay straight.
+bool convert_to_spline(std::vector<ProfileRow>& rows, std::size_t first, std::size_t end, FoundCurves& found) {
     constexpr double tolerance = 1e-2;  // of the length of the curve
     const std::string& tag = rows[first].tag;
     if (tag == meshing::axis_face || tag == meshing::symmetry_x_face || tag == meshing::symmetry_y_face) return false;
@@ -69,23 +69,23 @@ bool becomes_spline(std::vector<ProfileRow>& rows, std::size_t first, std::size_
     return true;
 }
 
-std::string taken_as_splines(const FoundCurves& found, std::string_view source) {
+std::string spline_note(const FoundCurves& found, std::string_view source) {
     std::string text{source};
     return text.append(": ")
         .append(std::to_string(found.edges))
         .append(" straight edges (the first in line ")
         .append(std::to_string(found.first_line))
-        .append(") are points of ")
+        .append(") approximate ")
         .append(core::counted(found.curves, "smooth curve"))
-        .append(", taken as splines, which differ from them by ")
+        .append(" and become splines, which deviate from them by at most ")
         .append(core::quantity_text(found.deviation_m, core::Dimension::length))
-        .append(" at most; `line` in the column curve keeps an edge straight");
+        .append("; write line in the column curve to keep an edge straight");
 }
 
-/// Many edges that turn by more may be meant, or be a curve drawn with few points.
+/// Counts edges with larger turns: they may be intended, or approximate a curve by few points.
 void count_coarse_curves(const std::vector<ProfileRow>& rows, FoundCurves& found) {
     constexpr double large_turn_rad = 40 * std::numbers::pi / 180;
-    constexpr std::size_t fewest = 12;
+    constexpr std::size_t min_edges = 12;
     const Edges edges{rows};
     for (std::size_t first = 0; first < rows.size();) {
         bool bent = false;
@@ -95,7 +95,7 @@ void count_coarse_curves(const std::vector<ProfileRow>& rows, FoundCurves& found
             bent = bent || edges.turn_rad(end) > small_turn_rad;
             ++end;
         }
-        if (bent && end - first >= fewest) {
+        if (bent && end - first >= min_edges) {
             found.coarse_edges += end - first;
             if (found.coarse_line == 0) found.coarse_line = rows[first].line;
         }
@@ -106,9 +106,9 @@ void count_coarse_curves(const std::vector<ProfileRow>& rows, FoundCurves& found
 }  // namespace
 
 void recognise_curves(std::vector<ProfileRow>& rows, FoundCurves& found) {
-    constexpr std::size_t fewest = 6;  // edges of a curve: fewer may well be meant
+    constexpr std::size_t min_edges = 6;  // of a curve: fewer are probably intended to be straight
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].point == rows[(i + 1) % rows.size()].point) return;  // refused later, with its row
+        if (rows[i].point == rows[(i + 1) % rows.size()].point) return;  // reported later, with its row
     const std::vector<ProfileRow> as_given = rows;
     const std::size_t found_before = found.edges;
     std::size_t corner = 0;
@@ -118,12 +118,12 @@ void recognise_curves(std::vector<ProfileRow>& rows, FoundCurves& found) {
     for (std::size_t first = 0; first < rows.size();) {
         std::size_t end = first + 1;
         while (end < rows.size() && Edges{rows}.continues(end)) ++end;
-        if (end - first >= fewest) {
-            // A spline that ends where it starts is smooth there: from a corner all the way round back to it, two are needed.
+        if (end - first >= min_edges) {
+            // A closed spline is smooth at its start: a loop with one corner needs two splines.
             const bool round = !closed && end - first == rows.size();
             const std::size_t middle = round ? first + (end - first) / 2 : end;
-            (void)becomes_spline(rows, first, middle, found);
-            if (round) (void)becomes_spline(rows, middle, end, found);
+            (void)convert_to_spline(rows, first, middle, found);
+            if (round) (void)convert_to_spline(rows, middle, end, found);
         }
         first = end;
     }
@@ -133,12 +133,12 @@ void recognise_curves(std::vector<ProfileRow>& rows, FoundCurves& found) {
 
 std::vector<std::string> notes_of(const FoundCurves& found, std::string_view source) {
     std::vector<std::string> notes;
-    if (found.edges > 0) notes.push_back(taken_as_splines(found, source));
+    if (found.edges > 0) notes.push_back(spline_note(found, source));
     if (found.coarse_edges > 0)
         notes.push_back(
             std::string{source} + ": " + std::to_string(found.coarse_edges) + " straight edges (the first in line " +
             std::to_string(found.coarse_line) +
-            ") turn by up to 40 degrees from one to the next and each needs cells of its own; if they are points of a "
+            ") turn by up to 40 degrees from one to the next and each needs its own cells; if they approximate a "
             "curve, write spline in the column curve");
     return notes;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Rows of a drawn outline, and curves that are drawn as many short straight edges. Tested by geometry/profile_test.
+/// Rows of a tabulated outline, and detection of curves that are given as many short straight edges. Tested by geometry/profile_test.
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -17,25 +17,25 @@ struct ProfileRow {
     std::string tag, loop;
     meshing::OutlineEdge::Shape shape;
     std::optional<meshing::PlanePoint> via;
-    bool may_curve = false;    ///< a straight edge only because the table states no curve
-    bool begins_edge = false;  ///< not joined with the row before, even of the same tag and curve
+    bool may_curve = false;    ///< the table states no curve, so the edge may be part of a detected one
+    bool begins_edge = false;  ///< not joined with the previous row, even if tag and curve are the same
 };
 
-/// Straight edges that were recognised as points of curves.
+/// Straight edges that were recognised as polylines of smooth curves.
 struct FoundCurves {
     std::size_t edges = 0, curves = 0;
     std::size_t first_line = 0;
-    std::size_t coarse_edges = 0, coarse_line = 0;  ///< those that may be one, and are left straight
-    double deviation_m = 0;                         ///< largest distance of a curve from its edges
+    std::size_t coarse_edges = 0, coarse_line = 0;  ///< edges that may belong to a curve but stay straight
+    double deviation_m = 0;                         ///< largest distance between a curve and its edges
 };
 
-/// A curve drawn as many short straight edges would require cells as short. Six or more edges of one tag that follow each other, that
-/// state no curve, turn by at most 15 degrees at each point and are at most four times as long as their neighbours become one
-/// spline through the same points, if it differs from the edges by at most 1/100 of its length. `rows` is one closed loop, which may
-/// then start at another row.
+/// A curve given as many short straight edges would require equally short cells. Six or more consecutive edges of one tag become one
+/// spline through the same points if they state no curve, turn by at most 15 degrees at each point, are at most four times as long
+/// as their neighbours, and if the spline deviates from them by at most 1/100 of its length. `rows` is one closed loop; it may start
+/// at another row afterwards.
 void recognise_curves(std::vector<ProfileRow>& rows, FoundCurves& found);
 
-/// For the user: how many edges, the largest deviation, and how to keep them straight; what else may be a curve.
+/// Notes for the user: number of edges, largest deviation, how to keep them straight, and other edges that may be a curve.
 [[nodiscard]] std::vector<std::string> notes_of(const FoundCurves& found, std::string_view source);
 
 }  // namespace soft::geometry

@@ -1,4 +1,4 @@
-/// Any body of revolution about x, its half section drawn as a table (profile.hpp).
+/// Any body of revolution about x; its half section is given as a table (profile.hpp).
 #include <algorithm>
 #include <numbers>
 
@@ -11,8 +11,8 @@ namespace {
 
 constexpr Across across = Across::r;
 
-/// Where the wall ends away from the axis, a plug would sit on the edge that goes on there. The solid lies to the left of the
-/// wall, so a wall that comes to its end looks along x out of the cavity: closed integral of n dA = 0.
+/// Where the wall ends away from the axis, a plug is attached to the adjacent edge. The solid lies to the left of the wall, so at the
+/// end of the wall the opening faces +x, at its start -x: closed integral of n dA = 0.
 std::vector<model::Opening> plugs(const meshing::Outline& outline, const std::string& wall) {
     const auto is_wall = [&](const meshing::OutlineEdge& edge) {
         return std::ranges::find(edge.faces, wall) != edge.faces.end();
@@ -31,8 +31,8 @@ std::vector<model::Opening> plugs(const meshing::Outline& outline, const std::st
     return openings;
 }
 
-design::FileFaces faces_of_file(const std::string& file, std::string_view place) {
-    return {tags_of(outline_of_file(file, place, across))};
+design::FileFaces faces_of_file(const std::string& file, std::string_view location) {
+    return {tags_of(outline_of_file(file, location, across))};
 }
 
 Body build(const design::Values& values) {

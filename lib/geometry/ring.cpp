@@ -1,5 +1,5 @@
-/// The section of a long thick cylinder about z, drawn in (x, y); it cannot lengthen. Every model is cut at x = 0 and
-/// y = 0; the solid is the slice z = 0 .. length, whose ends slide in their own planes.
+/// Section of a long thick cylinder about z in (x, y); its length is fixed. Every model is cut at x = 0 and y = 0. The solid is
+/// the slice z = 0 .. length; its ends slide in their planes.
 #include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
@@ -34,7 +34,7 @@ Body build(const design::Values& values) {
     Body body;
     body.section =
         section_of(inner_m, outer_m, through, size.along(0.25 * std::numbers::pi * (inner_m + outer_m), min_around));
-    body.warnings = too_few_through_ring(size, inner_m, outer_m, through, most_of_cylinder);
+    body.warnings = too_few_through_ring(size, inner_m, outer_m, through, max_innermost_cylinder);
     body.symmetry_planes = {true, true, false};
     body.fraction = 0.25;
     body.cavities = {{"cavity", "cavity", {}, {}}};
@@ -43,7 +43,7 @@ Body build(const design::Values& values) {
         body.sweep =
             meshing::Extrusion{length_m, size.along(length_m), {"left"}, {"right"}, meshing::Extrusion::Along::z};
         body.supports = {{"left", {false, false, true}}, {"right", {false, false, true}}};
-        // The cavity goes on beyond both ends; the plugs that stand for it push on faces held against them.
+        // The cavity continues beyond both ends; the plugs that represent this act on faces that supports fix.
         const double hole_m2 = std::numbers::pi * inner_m * inner_m;
         body.cavities.front().openings = {{"left", hole_m2, {0, 0, -1}}, {"right", hole_m2, {0, 0, 1}}};
     } else {
@@ -59,16 +59,16 @@ Family ring() {
     keys.name = "ring";
     keys.summary = "the section of a long thick cylinder, inflated";
     keys.geometry =
-        radii_keys(usual, "radius of the cavity", "radius of the outer face; every model holds the quarter x, y >= 0");
+        radii_keys(usual, "radius of the cavity", "radius of the outer face; every model is the quarter x, y >= 0");
     keys.geometry.push_back(
         length_key("length", "10 mm", "length along z of the solid slice; in plane strain it is 1 m"));
     keys.models = {"plane-strain", "solid"};
     keys.faces = {"cavity", "outer", "left", "right"};
     keys.defaults =
-        "supports: {}                    # the symmetry planes hold the ring\n"
+        "supports: {}                    # the symmetry planes support the ring\n"
         "loads:\n"
         "  cavity: {pressure: 80 kPa}\n"
-        "outputs: {}                     # the cavity's volume is in every curve\n";
+        "outputs: {}                     # every curve contains the cavity volume\n";
     keys.mesh = {size_key(), through_wall_key()};
     return {std::move(keys), build};
 }

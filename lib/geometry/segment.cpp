@@ -1,5 +1,5 @@
-/// A round body about x with two to four closed chambers around its middle, each with a pressure of its own: what bends it in
-/// any direction. Chambers are sectors of a ring, the first about the direction z; caps close them at both ends.
+/// A round body about x with two to four closed chambers around its axis. Each chamber has its own pressure, so that the body bends in
+/// any direction. Chambers are sectors of a ring, the first centred on the direction z; caps close them at both ends.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -29,11 +29,11 @@ constexpr std::size_t chamber_ring = 1;
 struct Shape {
     int chambers;
     double length_m, cap_m, web_rad;
-    std::vector<double> radii_m;  ///< of the bore, both sides of the chambers, [the jacket's inside,] the outside
+    std::vector<double> radii_m;  ///< of the bore, both sides of the chambers, [inside of the jacket,] outside
     bool jacket;
 
     [[nodiscard]] double chamber_rad() const { return 2 * std::numbers::pi / chambers - web_rad; }
-    /// Where chamber k begins and ends, from y toward z.
+    /// Angle at which chamber k begins, from y toward z.
     [[nodiscard]] double begin_rad(int k) const {
         return 0.5 * std::numbers::pi + 2 * std::numbers::pi * k / chambers - 0.5 * chamber_rad();
     }
@@ -52,7 +52,7 @@ Shape checked_shape(const design::Values& values) {
         throw values.refuse("geometry.wall", length_text(wall_m) + " leaves no chamber between core and wall",
                             outer_m > inside_m
                                 ? smaller_than(outer_m - inside_m) + " = outer_radius - bore_radius - core"
-                                : "outer_radius " + larger_than(inside_m));
+                                : "use outer_radius above " + length_text(inside_m));
     if (!(jacket_m < wall_m))
         throw values.refuse("geometry.jacket.thickness", not_smaller(jacket_m, "wall", wall_m), smaller_than(wall_m));
     if (!(2 * shape.cap_m < shape.length_m))
@@ -61,7 +61,7 @@ Shape checked_shape(const design::Values& values) {
     if (!(shape.chamber_rad() > 0))
         throw values.refuse(
             "geometry.web", "it leaves no angle for the chambers",
-            "smaller than " + core::quantity_text(2 * std::numbers::pi / shape.chambers, core::Dimension::angle));
+            "use a value below " + core::quantity_text(2 * std::numbers::pi / shape.chambers, core::Dimension::angle));
     shape.radii_m = {bore_m, inside_m, outside_m};
     if (shape.jacket) shape.radii_m.push_back(outer_m - jacket_m);
     shape.radii_m.push_back(outer_m);
@@ -75,7 +75,7 @@ struct Counts {
 };
 
 Counts counts_of(const Shape& shape, const design::Values& values) {
-    // A chamber's arc, as a curved beam; cells turn by less than 29 degrees: by 30 their quadratic sides miss its area by 1.6e-4.
+    // Cells turn by less than 29 degrees: at 30 degrees the area error of their quadratic edges is 1.6e-4.
     const auto turns = [](double angle_rad) {
         return static_cast<int>(std::ceil(angle_rad / (29 * std::numbers::pi / 180)));
     };
@@ -107,7 +107,7 @@ std::string region_of(const Shape& shape, std::size_t ring, int piece) {
     return shape.jacket && ring + 2 == shape.radii_m.size() ? jacket_region : meshing::rubber_region;
 }
 
-/// In (y, z): rings cut into chambers and webs in turn, chambers meshed like the rest.
+/// Section in (y, z): rings divided into alternating chambers and webs; chambers are meshed like the rest.
 meshing::Section section_of(const Shape& shape, const Counts& n) {
     meshing::Section s;
     const int centre = add_point(s, {0, 0}), pieces = 2 * shape.chambers;
@@ -151,7 +151,7 @@ Body build(const design::Values& values) {
     refuse_too_many_cells(values, cells_of(shape, n));
     Body body;
     const int through = std::accumulate(n.rings.begin() + chamber_ring + 1, n.rings.end(), 0);  // jacket included
-    body.warnings = CellSize{values, shape.radii_m.back()}.too_few(through, 2);                 // one: 3 %
+    body.warnings = CellSize{values, shape.radii_m.back()}.too_few(through, 2);  // error with one cell: 3 %
     body.sweep =
         ReadyMesh{meshing::capped(section_of(shape, n), {shape.length_m, shape.cap_m, n.cap, n.along, "fixed", "end"},
                                   chamber_prefix),
@@ -160,8 +160,8 @@ Body build(const design::Values& values) {
     body.region_materials = {{jacket_region, values.text(jacket_material)}};
     if (const model::Fibers fibers = fibers_of(values, jacket_fibers); fibers.k1_Pa > 0) {
         if (!shape.jacket)
-            throw values.refuse(std::string{jacket_fibers} + ".k1", "there is no jacket in which the fibres could lie",
-                                "jacket.thickness larger than 0");
+            throw values.refuse(std::string{jacket_fibers} + ".k1", "the fibres need a jacket",
+                                "use jacket.thickness above 0");
         body.region_fibers[jacket_region] = {fibers};
     }
     return body;
@@ -183,26 +183,28 @@ std::vector<design::Key> geometry_keys() {
                     .min = 0,
                     .max = std::numbers::pi,
                     .min_open = true};
-    design::Key jacket = length_key("jacket.thickness", "0 mm",
-                                    "of the outermost part of the wall, which may be of another material; 0 = none");
+    design::Key jacket =
+        length_key("jacket.thickness", "0 mm",
+                   "thickness of the outermost part of the wall, which may have another material; 0 = none");
     jacket.min_open = false;
     design::Key material{.path = jacket_material,
                          .kind = design::Kind::text,
                          .fallback = meshing::rubber_region,
-                         .meaning = "of the jacket: a name below `materials`, or rubber"};
+                         .meaning = "material of the jacket: a name below `materials`, or rubber"};
     std::vector<design::Key> keys{
         std::move(chambers),
-        length_key("length", "40 mm", "along x, from the held face x = 0; caps included"),
-        length_key("outer_radius", "12 mm", "of the body"),
-        derived_key("bore_radius", "of the open bore along the axis; auto: a quarter of outer_radius"),
-        derived_key("core", "between bore and chambers; auto: a sixth of outer_radius"),
-        derived_key("wall", "between chambers and outer face, jacket included; auto: a sixth of outer_radius"),
+        length_key("length", "40 mm", "length along x, from the fixed face x = 0; caps included"),
+        length_key("outer_radius", "12 mm", "outer radius of the body"),
+        derived_key("bore_radius", "radius of the open bore along the axis; auto: outer_radius / 4"),
+        derived_key("core", "thickness between bore and chambers; auto: outer_radius / 6"),
+        derived_key("wall", "thickness between chambers and outer face, jacket included; auto: outer_radius / 6"),
         std::move(web),
-        derived_key("cap", "thickness of each cap; auto: a quarter of outer_radius, at most of the length"),
+        derived_key("cap",
+                    "thickness of each cap; auto: a quarter of outer_radius or of the length, whichever is smaller"),
         std::move(jacket),
         std::move(material)};
     const FiberDefaults defaults{
-        "85 deg", "; steep ones keep the body from swelling, so that it lengthens and bends instead", "0 MPa"};
+        "85 deg", "; steep fibres keep the body from swelling, so that it lengthens and bends instead", "0 MPa"};
     for (design::Key& key : fiber_keys(jacket_fibers, defaults)) keys.push_back(std::move(key));
     return keys;
 }

@@ -1,5 +1,5 @@
-/// A thick spherical shell about the origin. Every model is cut at x = 0: with this symmetry plane nothing else need be
-/// held to keep the shell from drifting along its axis.
+/// A thick spherical shell about the origin. Every model is cut at x = 0: this symmetry plane prevents rigid motion along the axis
+/// without further supports.
 #include "geometry/cell_size.hpp"
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
@@ -28,7 +28,7 @@ Body build(const design::Values& values) {
     add_graded_line(s, {c, d}, through.cells, 1 / through.grading, {meshing::symmetry_x_face});
     add_arc(s, {d, a}, centre, around, {"cavity"});
     add_block(s, {{{a, b}, {b, c}, {c, d}, {d, a}}});
-    body.warnings = too_few_through_ring(size, inner_m, outer_m, through, most_of_sphere);
+    body.warnings = too_few_through_ring(size, inner_m, outer_m, through, max_innermost_sphere);
     body.sweep = Revolution{sectors(values)};
     body.cavities = {{"cavity", "cavity", {}, {}}};
     body.symmetry_planes = {true, false, false};
@@ -44,14 +44,14 @@ Family sphere() {
     keys.name = "sphere";
     keys.summary = "a thick spherical shell, inflated";
     keys.geometry =
-        radii_keys(usual, "radius of the cavity", "radius of the outer face; every model holds the half x >= 0");
+        radii_keys(usual, "radius of the cavity", "radius of the outer face; every model is the half x >= 0");
     keys.models = {"axisymmetric", "solid", "half", "quarter"};
     keys.faces = {"cavity", "outer"};
     keys.defaults =
-        "supports: {}                    # the symmetry planes hold the shell\n"
+        "supports: {}                    # the symmetry planes support the shell\n"
         "loads:\n"
         "  cavity: {pressure: 100 kPa}\n"
-        "outputs: {}                     # the cavity's volume is in every curve\n";
+        "outputs: {}                     # every curve contains the cavity volume\n";
     keys.mesh = {size_key(), through_wall_key(), sectors_key()};
     return {std::move(keys), build};
 }

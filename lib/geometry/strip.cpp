@@ -19,8 +19,7 @@ design::Key strip_angle_key() {
     return {.path = angle_key,
             .kind = design::Kind::angle,
             .fallback = "0 deg",
-            .meaning =
-                "sector about the side z < 0 that is of another material all through, so that the body bends; 0 = none",
+            .meaning = "angle of the sector about z < 0 that has another material, so that the body bends; 0 = none",
             .min = 0,
             .max = std::numbers::pi};
 }
@@ -29,7 +28,7 @@ design::Key strip_material_key() {
     return {.path = material_key,
             .kind = design::Kind::text,
             .fallback = std::string{design::main_region},
-            .meaning = "name of the strip's material below materials; rubber = material"};
+            .meaning = "name of the strip material below materials; rubber = the main material"};
 }
 
 std::string strip_region(const std::string& region) {
@@ -38,7 +37,7 @@ std::string strip_region(const std::string& region) {
 
 void add_strip_materials(Body& body, const design::Values& values) {
     body.region_materials[strip_region(std::string{design::main_region})] = values.text(material_key);
-    const auto wound = body.region_fibers;  // what there is before more is added
+    const auto wound = body.region_fibers;  // a copy, because the loop adds entries
     for (const auto& [region, fibers] : wound) {
         body.region_materials[strip_region(region)] = values.text(material_key);
         body.region_fibers[strip_region(region)] = fibers;
@@ -49,13 +48,13 @@ void add_strip_sector(Body& body, const design::Values& values) {
     const double angle_rad = values.number(angle_key);
     if (angle_rad == 0) return;
     if (const Model model = model_of(values); model != Model::solid && model != Model::half)
-        throw values.refuse(
-            angle_key, "model " + core::quoted(values.text("model")) + " is the same all round or at z > 0 and z < 0",
-            "model: solid or half");
+        throw values.refuse(angle_key,
+                            "model " + core::quoted(values.text("model")) + " assumes a symmetry that a strip breaks",
+                            "use model: solid or half");
     const double step_rad = std::numbers::pi / sectors(values), steps = angle_rad / step_rad;
     if (std::abs(steps - std::round(steps)) > 1e-9 * steps)
-        throw values.refuse(angle_key, "the strip's edges do not lie between cells",
-                            "a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) +
+        throw values.refuse(angle_key, "the edges of the strip do not lie between cells",
+                            "use a multiple of " + core::rounded_text(step_rad * 180 / std::numbers::pi, 6) +
                                 " deg, or other mesh.sectors");
     body.strip_rad = angle_rad;
     add_strip_materials(body, values);

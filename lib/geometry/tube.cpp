@@ -1,4 +1,4 @@
-/// A closed tube about x, caps within the length: held at x = 0, x = length moves. The cavity has no opening.
+/// A closed tube about x; the length includes the caps. It is fixed at x = 0; the face x = length moves. The cavity has no opening.
 #include "geometry/family.hpp"
 #include "geometry/keys.hpp"
 #include "geometry/tube_section.hpp"
@@ -23,7 +23,7 @@ Body build(const design::Values& values) {
 Family tube() {
     design::FamilyKeys keys = tube_keys();
     keys.name = "tube";
-    keys.summary = "a closed tube, held at one end, inflated";
+    keys.summary = "a closed tube, fixed at one end, inflated";
     return {std::move(keys), build};
 }
 

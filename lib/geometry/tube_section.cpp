@@ -47,18 +47,18 @@ CellSize tube_cells(const TubeShape& shape, const design::Values& values) {
 }
 
 std::vector<std::string> tube_warnings(const TubeShape& shape, const CellSize& size, const Division& through) {
-    // Longer cells miss the bend at the caps: 0.7 % of the elongation at four times the normal length, 8 % at nine times.
+    // Longer cells do not resolve bending at the caps: error 0.7 % of the elongation at four times the normal length, 8 % at nine.
     constexpr double max_length = 4.2;
     std::vector<std::string> warnings = size.too_long(max_length);
-    for (std::string& few : too_few_through_ring(size, shape.inner_m, shape.outer_m, through, most_of_cylinder))
+    for (std::string& few : too_few_through_ring(size, shape.inner_m, shape.outer_m, through, max_innermost_cylinder))
         warnings.push_back(std::move(few));
     return warnings;
 }
 
-/// Rectangles: of the two caps those below the inner radius, and of every layer three, within the caps and between them.
+/// Rectangles: one below the inner radius for each cap, and three for every layer (within both caps and between them).
 meshing::Section tube_section(const TubeShape& shape, const CellSize& size, std::span<const WallLayer> layers) {
     meshing::Section s;
-    // A thin cap bends as a plate, near its edge within about its thickness.
+    // A thin cap bends like a plate, near its edge within about its thickness.
     const double core_m = size.is_stated() ? size.length_m() : std::min(size.length_m(), 0.6 * shape.cap_m);
     const int core_cells = meshing::divisions(shape.inner_m, core_m);
     const int cap_cells = size.along(shape.cap_m, size.is_stated() ? 1 : 2);

@@ -1,6 +1,6 @@
 #pragma once
-/// The section of a closed tube about x: two caps and the wall between them, in layers that run from end to end. Shared by
-/// the families tube (one layer) and fiber-tube. Tested by geometry/family_test and geometry/fiber_tube_test.
+/// Section of a closed tube about x: two caps and the wall between them, in layers along the whole length. Shared by the
+/// families tube (one layer) and fiber-tube. Tested by geometry/family_test and geometry/fiber_tube_test.
 #include <span>
 #include <string>
 
@@ -15,27 +15,28 @@ struct TubeShape {
     [[nodiscard]] double wall_m() const { return outer_m - inner_m; }
 };
 
-/// All but name and summary: geometry.length, outer_radius, inner_radius, cap, and how a tube is held, loaded and meshed.
+/// All keys except name and summary: geometry.length, outer_radius, inner_radius, cap, and the defaults for supports, loads and mesh.
 [[nodiscard]] design::FamilyKeys tube_keys();
 
-/// Throws values.refuse(...) for values that do not fit together.
+/// Throws values.refuse(...) for inconsistent values.
 [[nodiscard]] TubeShape tube_shape(const design::Values& values);
 
 struct WallLayer {
-    double outer_m;  ///< outer radius; the inner one is that of the layer before, or of the cavity
+    double outer_m;  ///< outer radius; the inner radius is that of the previous layer, or of the cavity
     Division through;
     std::string region = "rubber";      ///< between the caps
-    std::string cap_region = "rubber";  ///< where the layer runs through the caps
+    std::string cap_region = "rubber";  ///< where the layer passes through the caps
 };
 
-/// Of a section or a solid: the latter is meshed with longer cells.
+/// Cell size of a section or a solid; a solid has longer cells.
 [[nodiscard]] CellSize tube_cells(const TubeShape& shape, const design::Values& values);
 
-/// Of a coarse mesh.
+/// Warnings of a coarse mesh.
 [[nodiscard]] std::vector<std::string> tube_warnings(const TubeShape& shape, const CellSize& size,
                                                      const Division& through);
 
-/// From inside to outside; the last layer ends at shape.outer_m. Faces "fixed", "inlet", "cavity", "outer" and the axis.
+/// `layers` are ordered from inside to outside; the last one ends at shape.outer_m. Faces: "fixed", "inlet", "cavity", "outer" and
+/// the axis.
 [[nodiscard]] meshing::Section tube_section(const TubeShape& shape, const CellSize& size,
                                             std::span<const WallLayer> layers);
 

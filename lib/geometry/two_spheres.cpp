@@ -1,5 +1,5 @@
-/// Two thick spherical shells apart, side by side on the axis x, each as the half beside its own plane of symmetry: left
-/// of x = -gap/2 and right of x = gap/2. What they share is at most their gas.
+/// Two separate thick spherical shells on the axis x, each modelled as the half beside its own symmetry plane: left of
+/// x = -gap/2 and right of x = gap/2. They share at most their gas.
 #include <algorithm>
 
 #include "geometry/cell_size.hpp"
@@ -16,10 +16,10 @@ constexpr Radii usual{10e-3, 11e-3};
 constexpr std::array<const char*, 2> plane_faces{"plane_left", "plane_right"};
 
 struct Half {
-    double plane_m;  ///< x of its plane of symmetry
+    double plane_m;  ///< x of its symmetry plane
     int sign;        ///< -1: it lies at lower x
     double inner_m, outer_m;
-    const char *wall, *outside, *plane;  ///< faces; the cells are the region `wall`
+    const char *wall, *outside, *plane;  ///< names of the faces; the cells form the region `wall`
 };
 
 void add_half(meshing::Section& s, const Half& half, Division through, int around) {
@@ -38,7 +38,7 @@ Body build(const design::Values& values) {
     constexpr int min_around = 4;  // per quarter turn, as for mesh.sectors
     const double right_m = inner_m + (outer_m - inner_m) * values.number("geometry.right_scale");
     const double half_gap_m = 0.5 * values.number("geometry.gap");
-    // The same cells on both: a difference of their meshes would be an imperfection of its own.
+    // Both shells have the same cells: a difference between the meshes would act as an imperfection.
     const double thin_m = std::min(outer_m, right_m), thick_m = std::max(outer_m, right_m);
     const CellSize size{values, ring_cell_m(inner_m, thin_m)};
     const Division through = size.through_ring(inner_m, thick_m);
@@ -47,9 +47,9 @@ Body build(const design::Values& values) {
     Body body;
     add_half(body.section, {-half_gap_m, -1, inner_m, outer_m, "left", "outer_left", plane_faces[0]}, through, around);
     add_half(body.section, {half_gap_m, 1, inner_m, right_m, "right", "outer_right", plane_faces[1]}, through, around);
-    body.warnings = too_few_through_ring(size, inner_m, thick_m, through, most_of_sphere);
+    body.warnings = too_few_through_ring(size, inner_m, thick_m, through, max_innermost_sphere);
     body.sweep = Revolution{};
-    // Each cavity goes on beyond its plane; the plug that stands for that pushes on a face held against it.
+    // Each cavity continues beyond its plane; the plug that represents this acts on a face that supports fix.
     const double hole_m2 = std::numbers::pi * inner_m * inner_m;
     body.cavities = {{"left", "left", {}, {{plane_faces[0], hole_m2, {1, 0, 0}}}},
                      {"right", "right", {}, {{plane_faces[1], hole_m2, {-1, 0, 0}}}}};
@@ -67,24 +67,24 @@ Family two_spheres() {
     design::Key right_scale{.path = "geometry.right_scale",
                             .kind = design::Kind::ratio,
                             .fallback = "1",
-                            .meaning = "thickness of the right wall over that of the left one",
+                            .meaning = "thickness of the right wall relative to the left one",
                             .min = 0,
                             .max = 10,
                             .min_open = true};
     keys.geometry = radii_keys(usual, "radius of both cavities",
-                               "radius of the outer faces; the model holds the outward half of each shell");
-    keys.geometry.push_back(length_key("gap", "10 mm", "between the two planes of symmetry"));
+                               "radius of the outer faces; the model is the outward half of each shell");
+    keys.geometry.push_back(length_key("gap", "10 mm", "distance between the two symmetry planes"));
     keys.geometry.push_back(std::move(right_scale));
     keys.models = {"axisymmetric"};
     keys.faces = {"left", "right", "outer_left", "outer_right", plane_faces[0], plane_faces[1]};
     keys.cavities = {"left", "right"};
     keys.defaults =
-        "supports: {}                    # the planes of symmetry hold the shells\n"
+        "supports: {}                    # the symmetry planes support the shells\n"
         "loads:\n"
         "  cavities:\n"
-        "    left: {volume_ratio: 10}    # of both volumes together\n"
+        "    left: {volume_ratio: 10}    # sum of both volumes\n"
         "    right: {shares: left}\n"
-        "outputs: {}                     # the volumes are in every curve\n";
+        "outputs: {}                     # every curve contains the volumes\n";
     keys.mesh = {size_key(), through_wall_key()};
     return {std::move(keys), build};
 }

@@ -20,9 +20,9 @@ namespace {
 using mesh::Index;
 using surface::Remeshed;
 
-constexpr double mm = 1e3;  // gmsh's tolerances are made for numbers about 1
+constexpr double mm = 1e3;  // gmsh's tolerances assume lengths of order 1
 
-/// Shells of a closed surface: of each triangle its number, in the order of their first triangles.
+/// The shell number of each triangle of a closed surface, numbered in the order of the first triangles.
 std::vector<int> shells_of(const Remeshed& surface) {
     std::vector<int> parent(surface.points.size());
     for (std::size_t p = 0; p < parent.size(); ++p) parent[p] = static_cast<int>(p);
@@ -48,7 +48,7 @@ double volume_m3(const Remeshed& surface) {
     return plain.volume_m3();
 }
 
-/// First-order tetrahedra whose first points are those of the surface; nullopt where gmsh has not filled it.
+/// First-order tetrahedra whose first points are those of the surface; nullopt if gmsh did not fill it.
 std::optional<mesh::Mesh> filled(const Remeshed& surface, GmshSession::Filling filling) {
     GmshSession gmsh;
     const std::vector<int> shells = shells_of(surface);
@@ -100,65 +100,65 @@ std::optional<mesh::Mesh> filled(const Remeshed& surface, GmshSession::Filling f
 
 using Edge = std::array<Index, 2>;
 
-/// Where mid nodes of outer edges belong on the file's surface, by their numbers.
-std::map<Index, mesh::Point> places_of_mid_nodes(const mesh::Mesh& mesh, const Remeshed& remeshed,
-                                                 const surface::BodySurface& body, const surface::Creases& creases) {
+/// Target positions of the mid nodes of boundary edges on the surface of the file, by node number.
+std::map<Index, mesh::Point> mid_node_targets(const mesh::Mesh& mesh, const Remeshed& remeshed,
+                                              const surface::BodySurface& body, const surface::Creases& creases) {
     const surface::NearestOnTriangles on_surface(body.points, body.triangles);
     std::optional<surface::NearestOnSegments> on_lines;
     if (!creases.empty()) on_lines.emplace(body.points, creases);
     std::set<Edge> lines;
     for (const auto& [a, b] : remeshed.creases) lines.insert({a, b});
-    std::map<Index, mesh::Point> places;
+    std::map<Index, mesh::Point> targets;
     for (const mesh::Facet& facet : boundary_facets(mesh)) {
         const auto nodes = facet_nodes(mesh, facet);  // corners 0 1 2, then the middles of 0-1, 1-2, 2-0
         for (std::size_t k = 0; k < 3; ++k) {
             const Index middle = nodes[3 + k];
-            if (places.contains(middle)) continue;
+            if (targets.contains(middle)) continue;
             const auto [a, b] = std::minmax(nodes[k], nodes[(k + 1) % 3]);
             const mesh::Point& straight = mesh.point(middle);
-            places[middle] = lines.contains({a, b}) ? (*on_lines)(straight).point : on_surface(straight).point;
+            targets[middle] = lines.contains({a, b}) ? (*on_lines)(straight).point : on_surface(straight).point;
         }
     }
-    return places;
+    return targets;
 }
 
-/// Least over largest determinant at the nodes of a cell.
-double soundness(const mesh::Mesh& mesh, Index cell, const std::vector<std::vector<mesh::ShapeValue>>& shapes) {
-    double least = INFINITY, most = -INFINITY;
+/// Ratio of the smallest to the largest Jacobian determinant at the nodes of a cell.
+double jacobian_ratio(const mesh::Mesh& mesh, Index cell, const std::vector<std::vector<mesh::ShapeValue>>& shapes) {
+    double min = INFINITY, max = -INFINITY;
     for (const auto& at_node : shapes) {
         const double determinant = map_cell(mesh, cell, at_node).determinant;
-        least = std::min(least, determinant);
-        most = std::max(most, determinant);
+        min = std::min(min, determinant);
+        max = std::max(max, determinant);
     }
-    return most > 0 ? least / most : -1;
+    return max > 0 ? min / max : -1;
 }
 
-/// Mid nodes go to their places, as far as the cells around them stay sound.
-void curve(mesh::Mesh& mesh, const std::map<Index, mesh::Point>& places) {
-    constexpr double sound = 0.2;  // a Jacobian that varies more than fivefold in a cell spoils its quadrature
+/// Moves mid nodes to their targets, as far as the cells around them stay valid.
+void curve(mesh::Mesh& mesh, const std::map<Index, mesh::Point>& targets) {
+    constexpr double min_ratio = 0.2;  // quadrature is inaccurate in a cell whose Jacobian varies more than fivefold
     constexpr int rounds = 8;
     std::map<Index, std::vector<Index>> cells;  // around a mid node that moves
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
         for (const Index node : mesh.cell_nodes(cell))
-            if (places.contains(node)) cells[node].push_back(cell);
+            if (targets.contains(node)) cells[node].push_back(cell);
     std::vector<std::vector<mesh::ShapeValue>> shapes;
     for (const auto& node : mesh::topology(mesh::CellType::tet10).nodes)
         shapes.push_back(mesh::shape_values(mesh::CellType::tet10, node));
     const std::vector<mesh::Point> straight = mesh.points;
     std::map<Index, double> shares;
-    for (const auto& [node, place] : places) shares[node] = 1;
+    for (const auto& [node, target] : targets) shares[node] = 1;
     const auto move = [&](Index node) {
         for (std::size_t d = 0; d < 3; ++d) {
             const double from = straight[static_cast<std::size_t>(node)][d];
-            mesh.points[static_cast<std::size_t>(node)][d] = from + shares.at(node) * (places.at(node)[d] - from);
+            mesh.points[static_cast<std::size_t>(node)][d] = from + shares.at(node) * (targets.at(node)[d] - from);
         }
     };
-    for (const auto& [node, place] : places) move(node);
+    for (const auto& [node, target] : targets) move(node);
     for (int round = 0; round < rounds; ++round) {
         std::set<Index> back;
         for (const auto& [node, around] : cells)
             for (const Index cell : around)
-                if (shares.at(node) > 0 && soundness(mesh, cell, shapes) < sound) back.insert(node);
+                if (shares.at(node) > 0 && jacobian_ratio(mesh, cell, shapes) < min_ratio) back.insert(node);
         if (back.empty()) return;
         for (const Index node : back) {
             double& share = shares.at(node);
@@ -185,7 +185,7 @@ void name_facets(mesh::Mesh& mesh, const surface::BodySurface& body, const std::
 
 mesh::Mesh mesh_inside(const MeshedBody& body, const surface::SizeAt& size_m) {
     constexpr std::size_t max_points =
-        200000;  // on the surface; a million tetrahedra or more inside, which no run solves
+        200000;  // on the surface; they give a million tetrahedra or more, too many to solve
     constexpr int attempts = 3;
     const surface::Creases creases = creases_of(body.surface, body.faces);
     double factor = 1;
@@ -196,19 +196,18 @@ mesh::Mesh mesh_inside(const MeshedBody& body, const surface::SizeAt& size_m) {
             std::optional<mesh::Mesh> mesh;
             try {
                 mesh = filled(remeshed, filling);
-            } catch (const Error& error) {  // gmsh has stumbled; over other triangles it may not
+            } catch (const Error& error) {  // gmsh failed; it may succeed with other triangles
                 if (error.code() != ExitCode::internal) throw;
             }
             if (!mesh) continue;
             mesh::Mesh second = raise_order(*mesh);
-            curve(second, places_of_mid_nodes(second, remeshed, body.surface, creases));
+            curve(second, mid_node_targets(second, remeshed, body.surface, creases));
             name_facets(second, body.surface, body.faces);
             return second;
         }
     }
-    throw Error(
-        ExitCode::bad_input, body.origin.name, "gmsh finds no tetrahedra inside the surface",
-        "another mesh.size, or leave out very sharp edges and gaps narrower than a cell where the body was drawn");
+    throw Error(ExitCode::bad_input, body.origin.name, "gmsh finds no tetrahedra inside the surface",
+                "use another mesh.size, or remove very sharp edges and gaps narrower than a cell in the CAD program");
 }
 
 }  // namespace soft::meshing

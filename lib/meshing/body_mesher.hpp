@@ -1,9 +1,9 @@
 #pragma once
-/// The surface of a body -> second-order tetrahedra inside it (dimension 3). The surface is made anew in the wished sizes
-/// (surface/remesh.hpp), gmsh fills it (Delaunay, or HXT where that fails; C. Geuzaine and J.-F. Remacle, Int. J. Numer. Meth. Eng.
-/// 79, 2009), and the mid nodes of outer edges move onto the file's surface and its creases where the cells stay sound. One
-/// region, "rubber"; facet sets are the faces. The same bytes each time.
-/// Error(bad_input) with file and remedy where the sizes ask for too many cells or no sound mesh is found.
+/// The surface of a body -> second-order tetrahedra inside it (dimension 3). The surface is remeshed to the requested sizes
+/// (surface/remesh.hpp). gmsh fills it with tetrahedra (Delaunay, or HXT if that fails; C. Geuzaine and J.-F. Remacle, Int. J.
+/// Numer. Meth. Eng. 79, 2009). Mid nodes of boundary edges move onto the surface of the file and its creases as far as the cells
+/// stay valid. One region, "rubber"; facet sets are the faces. The result is reproducible bit by bit.
+/// Throws Error(bad_input) with file and remedy if the sizes require too many cells or no valid mesh is found.
 /// Tested by geometry/part_test.
 #include "mesh/mesh.hpp"
 #include "surface/named_faces.hpp"

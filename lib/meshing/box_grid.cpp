@@ -13,16 +13,16 @@ namespace {
 
 using Triple = std::array<int, 3>;
 
-constexpr int nothing = -1;  // no box there
+constexpr int nothing = -1;  // no box at this point
 
-/// Planes nearer to each other than this part of the body are one: the sums that place them differ by rounding.
+/// Planes closer than this share of the extent are merged: their positions are sums that differ by rounding.
 constexpr double same_plane = 1e-9;
 
 /// The blocks between the planes of all boxes, before they are divided into cells.
 struct Blocks {
     const BoxBody& body;
     std::array<std::vector<double>, 3> planes;
-    std::vector<int> top;  ///< the box that lies on top in each block, or `nothing`; z runs fastest
+    std::vector<int> top;  ///< the last box that covers each block, or `nothing`; z varies fastest
 
     [[nodiscard]] int count(std::size_t axis) const { return static_cast<int>(planes[axis].size()) - 1; }
     [[nodiscard]] int box(const Triple& block) const {
@@ -51,19 +51,19 @@ std::vector<double> planes_across(const BoxBody& body, std::size_t axis) {
     return planes;
 }
 
-int box_on_top(const BoxBody& body, const mesh::Point& place) {
+int box_on_top(const BoxBody& body, const mesh::Point& point) {
     for (std::size_t b = body.boxes.size(); b-- > 0;) {
         const Box& box = body.boxes[b];
         bool inside = true;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            inside = inside && box.low[axis] < place[axis] && place[axis] < box.high[axis];
+            inside = inside && box.low[axis] < point[axis] && point[axis] < box.high[axis];
         if (inside) return static_cast<int>(b);
     }
     return nothing;
 }
 
 Blocks blocks_of(const BoxBody& body) {
-    if (body.boxes.empty()) throw std::logic_error("a body of no boxes");
+    if (body.boxes.empty()) throw std::logic_error("body without boxes");
     Blocks blocks{body, {planes_across(body, 0), planes_across(body, 1), planes_across(body, 2)}, {}};
     const auto middle = [&](std::size_t axis, int block) {
         return blocks.planes[axis][static_cast<std::size_t>(block)] + 0.5 * blocks.length(axis, block);
@@ -75,7 +75,7 @@ Blocks blocks_of(const BoxBody& body) {
     return blocks;
 }
 
-/// Around an edge lie four blocks; it is re-entrant where three of them are solid.
+/// An edge is re-entrant if three of the four blocks around it are solid.
 bool is_reentrant(const Blocks& blocks, Triple block, std::size_t axis, std::size_t other) {
     int solid = 0;
     for (int a = 0; a < 2; ++a)
@@ -88,10 +88,10 @@ bool is_reentrant(const Blocks& blocks, Triple block, std::size_t axis, std::siz
     return solid == 3;
 }
 
-/// Whether a re-entrant edge or the rim of a held face lies on a plane.
+/// Whether a re-entrant edge or the rim of a fixed face lies on a plane.
 bool is_sharp(const Blocks& blocks, std::size_t axis, int plane) {
-    if (plane == 0 && blocks.body.borders[axis][0].held) return true;
-    if (plane == blocks.count(axis) && blocks.body.borders[axis][1].held) return true;
+    if (plane == 0 && blocks.body.borders[axis][0].fixed) return true;
+    if (plane == blocks.count(axis) && blocks.body.borders[axis][1].fixed) return true;
     for (const std::size_t other : {(axis + 1) % 3, (axis + 2) % 3}) {
         const std::size_t along = 3 - axis - other;
         for (int q = 1; q < blocks.count(other); ++q)
@@ -106,7 +106,7 @@ bool is_sharp(const Blocks& blocks, std::size_t axis, int plane) {
     return false;
 }
 
-/// Cells along one axis: where each begins, the end of the last, and the block each belongs to.
+/// Cells along one axis: start of each cell, end of the last one, and the block each belongs to.
 struct Line {
     std::vector<double> at;
     std::vector<int> block;
@@ -118,7 +118,7 @@ Line line_along(const Blocks& blocks, std::size_t axis, const Spacing& spacing) 
     Line line;
     for (int b = 0; b < blocks.count(axis); ++b) {
         const double length_m = blocks.length(axis, b);
-        const int cells = divisions(length_m, spacing.size_m, spacing.least[axis]);
+        const int cells = divisions(length_m, spacing.size_m, spacing.min_cells[axis]);
         double at = blocks.planes[axis][static_cast<std::size_t>(b)];
         for (const double share :
              graded_shares(cells, spacing.grading, {is_sharp(blocks, axis, b), is_sharp(blocks, axis, b + 1)})) {
@@ -132,7 +132,7 @@ Line line_along(const Blocks& blocks, std::size_t axis, const Spacing& spacing) 
 }
 
 Line mirrored(const Line& line) {
-    if (line.at.front() != 0) throw std::logic_error("what is mirrored in y must begin at y = 0");
+    if (line.at.front() != 0) throw std::logic_error("a body mirrored in y must begin at y = 0");
     Line whole;
     for (std::size_t i = line.at.size(); i-- > 1;) whole.at.push_back(-line.at[i]);
     whole.at.insert(whole.at.end(), line.at.begin(), line.at.end());
@@ -168,7 +168,7 @@ public:
 private:
     static constexpr mesh::Index unset = -1;
 
-    /// Of a cell; outside the grid a block that holds nothing.
+    /// The block of a cell; outside the grid a block without a box.
     [[nodiscard]] Triple block_of(const Triple& cell) const {
         Triple block{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -179,18 +179,18 @@ private:
     }
 
     mesh::Index node(const Triple& corner) {
-        std::size_t place = 0;
+        std::size_t grid_index = 0;
         mesh::Point point{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto c = static_cast<std::size_t>(corner[axis]);
-            place = place * lines_[axis].at.size() + c;
+            grid_index = grid_index * lines_[axis].at.size() + c;
             point[axis] = lines_[axis].at[c];
         }
-        if (numbers_[place] == unset) {
-            numbers_[place] = static_cast<mesh::Index>(mesh_.points.size());
+        if (numbers_[grid_index] == unset) {
+            numbers_[grid_index] = static_cast<mesh::Index>(mesh_.points.size());
             mesh_.points.push_back(point);
         }
-        return numbers_[place];
+        return numbers_[grid_index];
     }
 
     std::int32_t region(const Triple& cell) {
@@ -200,7 +200,8 @@ private:
     [[nodiscard]] std::string face_toward(const Triple& neighbour, std::size_t axis, std::size_t side) const {
         const int box = blocks_.box(block_of(neighbour));
         if (box != nothing)
-            return blocks_.body.boxes[static_cast<std::size_t>(box)].name;  // hollow, or it would be a cell
+            return blocks_.body.boxes[static_cast<std::size_t>(box)]
+                .name;  // hollow, because a solid neighbour has no facet here
         const bool border = neighbour[axis] < 0 || neighbour[axis] >= lines_[axis].cells();
         const bool image = axis == 1 && blocks_.body.extent == Extent::mirrored_in_y;
         const std::string& face = blocks_.body.borders[axis][image ? 1 : side].face;
@@ -228,7 +229,7 @@ private:
 
     const Blocks& blocks_;
     std::array<Line, 3> lines_;
-    std::vector<mesh::Index> numbers_;  ///< of the grid's corners that belong to a cell
+    std::vector<mesh::Index> numbers_;  ///< node numbers of the grid corners that belong to a cell
     mesh::Mesh mesh_;
 };
 
@@ -254,7 +255,7 @@ std::vector<double> graded_shares(int cells, double grading, SharpEnds sharp) {
 double cells_of_boxes(const BoxBody& body, const Spacing& spacing) {
     const Blocks blocks = blocks_of(body);
     const auto cells = [&](std::size_t axis, int block) {
-        return static_cast<double>(divisions(blocks.length(axis, block), spacing.size_m, spacing.least[axis]));
+        return static_cast<double>(divisions(blocks.length(axis, block), spacing.size_m, spacing.min_cells[axis]));
     };
     double sum = 0;
     for (int i = 0; i < blocks.count(0); ++i)

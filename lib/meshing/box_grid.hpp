@@ -1,7 +1,7 @@
 #pragma once
-/// Bodies made of boxes, meshed by hexahedra on one grid. The sides of the boxes are the grid's planes; between neighbouring
-/// planes the cells get shorter toward those planes on which a re-entrant edge of the body lies: the stress is singular there,
-/// and even cells converge no faster than their size. Tested by meshing/box_grid_test.
+/// Bodies made of boxes, meshed with hexahedra on one grid. The sides of the boxes are the planes of the grid. Between neighbouring
+/// planes the cells get shorter toward planes with a re-entrant edge of the body: the stress is singular there, and uniform cells
+/// converge only linearly with their size. Tested by meshing/box_grid_test.
 #include <array>
 #include <string>
 #include <vector>
@@ -21,37 +21,36 @@ struct Box {
 
 /// The lowest or highest plane of the grid across an axis.
 struct Border {
-    std::string face;   ///< of the cells that end there; empty: BoxBody::outside
-    bool held = false;  ///< a held face is singular along its rim too: cells get shorter toward it
+    std::string face;    ///< face of the cells that end there; empty: BoxBody::outside
+    bool fixed = false;  ///< the stress at the rim of a fixed face is singular too: cells get shorter toward it
 };
 
-/// mirrored_in_y: the boxes lie in y >= 0 and are half of a body that is its own mirror image; the mesh is that of both halves.
+/// mirrored_in_y: the boxes lie in y >= 0 and are half of a symmetric body; the mesh contains both halves.
 enum class Extent { as_drawn, mirrored_in_y };
 
 struct BoxBody {
-    std::vector<Box> boxes;                          ///< each lies over those before it; what no box covers is outside
+    std::vector<Box> boxes;                          ///< each overrides those before it; space without a box is outside
     std::array<std::array<Border, 2>, 3> borders{};  ///< [x, y, z][lowest, highest]
-    std::string outside = "outer";                   ///< face toward the outside where no border says otherwise
-    Extent extent = Extent::as_drawn;                ///< mirrored: the highest border in y is the lowest one too
+    std::string outside = "outer";                   ///< face toward the outside where no border defines one
+    Extent extent = Extent::as_drawn;                ///< mirrored: the highest border in y is also the lowest one
 };
 
 struct Spacing {
-    double size_m;  ///< wished length of a cell
-    std::array<int, 3>
-        least;  ///< cells between neighbouring planes along x, y, z, at least: through every wall, across every slot
-    double grading;  ///< longest over shortest cell between two planes of which one or both have re-entrant edges
+    double size_m;                 ///< requested length of a cell
+    std::array<int, 3> min_cells;  ///< between neighbouring planes along x, y, z: through every wall, across every slot
+    double grading;  ///< ratio of longest to shortest cell between two planes if one or both have re-entrant edges
 };
 
-/// Lengths of the cells between two planes as shares of their distance; geometric, shortest at the sharp ends.
+/// Cell lengths between two planes relative to their distance: a geometric series, shortest at the sharp ends.
 struct SharpEnds {
     bool low, high;
 };
 [[nodiscard]] std::vector<double> graded_shares(int cells, double grading, SharpEnds sharp);
 
-/// What mesh_of_boxes would make, to be refused before memory is asked for.
+/// Number of cells that mesh_of_boxes would generate, for a check before memory is allocated.
 [[nodiscard]] double cells_of_boxes(const BoxBody& body, const Spacing& spacing);
 
-/// Second-order hexahedra.
+/// Mesh of second-order hexahedra.
 [[nodiscard]] mesh::Mesh mesh_of_boxes(const BoxBody& body, const Spacing& spacing);
 
 }  // namespace soft::meshing

@@ -10,7 +10,7 @@
 namespace soft::meshing {
 namespace {
 
-/// Drawn out in layers of unit length along the third axis, which then become x: the caps' and the chambers'.
+/// Maps a block extruded in layers of unit length along the third axis to x, with the layer lengths of caps and chambers.
 void lay_along_x(mesh::Mesh& block, const Capped& shape) {
     const double cap = shape.cap_cells, along = shape.along_cells;
     for (mesh::Point& p : block.points) {
@@ -22,7 +22,7 @@ void lay_along_x(mesh::Mesh& block, const Capped& shape) {
     }
 }
 
-/// What lies before and behind a chamber, or a region that ends at the caps, is rubber.
+/// Sets the cells of chambers, and of regions that end at the caps, to rubber within the caps.
 void close_chambers(mesh::Mesh& block, const Capped& shape, const std::string& chamber) {
     const std::int32_t rubber = region_number(block, rubber_region);
     for (mesh::Index cell = 0; cell < block.cell_count(); ++cell) {

@@ -15,28 +15,28 @@ namespace soft::meshing {
 namespace {
 
 constexpr const char* library_file = SOFT_GMSH_LIBRARY;
-constexpr const char* needed_first = SOFT_GMSH_NEEDS;  // "libA.so.1 libB.so.2 ", from the bottom up
+constexpr const char* needed_first = SOFT_GMSH_NEEDS;  // "libA.so.1 libB.so.2 ", lowest level first
 
 Error not_loaded(const char* reason) {
-    const std::string why = reason != nullptr ? reason : "it is not said why";
+    const std::string why = reason != nullptr ? reason : "unknown reason";
     if (why.find("failed to map segment") != std::string::npos) return core::out_of_memory();
     return {ExitCode::cannot_open, library_file, "cannot be loaded: " + why,
-            "install gmsh, or build anew with the one that is installed"};
+            "install gmsh, or rebuild with the installed version"};
 }
 
-/// A symbol is looked for in the program and what it is linked with, then in all that was loaded in the same call. With
-/// RTLD_DEEPBIND the libraries come first (the address sanitizer does not allow it); loaded one by one from the bottom up, each
-/// sees only itself and what it needs. Together that halves the time.
+/// The loader searches a symbol first in the program and the libraries it is linked with, then in everything loaded by the same
+/// dlopen call. With RTLD_DEEPBIND the libraries are searched first (not supported by the address sanitizer). If they are loaded one
+/// by one, lowest level first, each is searched only with its own dependencies. Both together halve the loading time.
 #if defined(__SANITIZE_ADDRESS__) || !defined(RTLD_DEEPBIND)
 constexpr int how_loaded = RTLD_LAZY | RTLD_LOCAL;
 #else
 constexpr int how_loaded = RTLD_LAZY | RTLD_LOCAL | RTLD_DEEPBIND;
 #endif
 
-/// With less the loader or one of the libraries may end the program. Measured: 120 MB of address space with the smallest mesh.
+/// With less memory the loader or one of the libraries may abort the program. Measured: 120 MB of address space for the smallest mesh.
 constexpr std::size_t memory_to_load = std::size_t{112} << 20;
 
-/// One of the libraries needed that is not there, or needed no more, does no harm.
+/// Missing or unneeded entries in the list of libraries are ignored.
 void* load_gmsh() {
     core::require_memory(memory_to_load);
     const std::string names{needed_first};
@@ -44,7 +44,7 @@ void* load_gmsh() {
         static_cast<void>(::dlopen(names.substr(begin, end - begin).c_str(), how_loaded));
     void* library = ::dlopen(library_file, how_loaded);
     if (library == nullptr) throw not_loaded(::dlerror());
-    return library;  // never closed: some of them do not stand being unloaded
+    return library;  // never closed: some of the libraries crash when they are unloaded
 }
 
 template <class Function>
@@ -54,11 +54,11 @@ Function* function(void* library, const char* name) {
     return address;
 }
 
-/// What gmsh hands over, copied and given back.
+/// Copies an array allocated by gmsh and frees the original.
 template <class T>
-std::vector<T> taken(T* values, std::size_t count, decltype(gmshFree)* give_back) {
+std::vector<T> taken(T* values, std::size_t count, decltype(gmshFree)* free_array) {
     std::vector<T> copy(values, values + count);
-    give_back(values);
+    free_array(values);
     return copy;
 }
 
@@ -127,7 +127,7 @@ struct GmshSession::Functions {
     decltype(gmshModelGetBoundingBox)* bounding_box =
         function<decltype(gmshModelGetBoundingBox)>(library, "gmshModelGetBoundingBox");
 
-    /// Calls with an `int* failed` behind the arguments, as all of gmsh's functions have it.
+    /// Calls a gmsh function with its last argument `int* failed`; throws if it fails.
     template <class Function, class... Arguments>
     void call(Function* called, Arguments... arguments) const {
         int failed = 0;
@@ -135,7 +135,7 @@ struct GmshSession::Functions {
         if (failed == 0) return;
         char* words = nullptr;
         last_error(&words, &failed);
-        const std::string message = words != nullptr ? words : "it does not say why";
+        const std::string message = words != nullptr ? words : "unknown reason";
         free(words);
         throw Error(ExitCode::internal, "mesh", "gmsh failed: " + message);
     }
@@ -147,12 +147,12 @@ GmshSession::GmshSession() : gmsh_(std::make_unique<const Functions>()) {
 }
 
 GmshSession::~GmshSession() {
-    int ignored = 0;  // a destructor has nobody to tell
+    int ignored = 0;  // a destructor cannot report errors
     gmsh_->finalize(&ignored);
 }
 
-void GmshSession::add_point(int tag, std::array<double, 2> place) {
-    gmsh_->call(gmsh_->add_point, place[0], place[1], 0.0, 0.0, tag);
+void GmshSession::add_point(int tag, std::array<double, 2> position) {
+    gmsh_->call(gmsh_->add_point, position[0], position[1], 0.0, 0.0, tag);
 }
 
 void GmshSession::add_line(int tag, Line line) { gmsh_->call(gmsh_->add_line, line.start, line.end, tag); }
@@ -166,11 +166,11 @@ void GmshSession::divide_curve(int tag, Division division) {
 }
 
 void GmshSession::add_grid(int tag, Surface surface) {
-    constexpr double widest_angle = 45;  // gmsh's own default
+    constexpr double max_angle = 45;  // gmsh's default
     gmsh_->call(gmsh_->add_loop, surface.loop.data(), surface.loop.size(), tag, 0);
     gmsh_->call(gmsh_->add_surface, &tag, std::size_t{1}, tag);
     gmsh_->call(gmsh_->make_grid, tag, "Left", surface.corners.data(), surface.corners.size());
-    gmsh_->call(gmsh_->recombine, 2, tag, widest_angle);
+    gmsh_->call(gmsh_->recombine, 2, tag, max_angle);
 }
 
 void GmshSession::mesh() {
@@ -196,9 +196,10 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
         const char* name;
         double value;
     };
-    constexpr double frontal_delaunay = 6, blossom = 1;  // 8, made for quadrilaterals, crashes in gmsh 4.8
-    // The lengths of cells along an edge to a millionth: to gmsh's 1e-9 it asks for most sizes ten times as often.
-    // Thrown from one of its threads, gmsh's errors would end the program: what it could not mesh is seen in what it made.
+    constexpr double frontal_delaunay = 6,
+                     blossom = 1;  // algorithm 8, designed for quadrilaterals, crashes in gmsh 4.8
+    // Integrate cell lengths along an edge to 1e-6: with gmsh's default 1e-9 it evaluates most sizes ten times as often.
+    // AbortOnError is off because an exception in one of gmsh's threads would abort the program; the caller checks the mesh.
     for (const Option& option : {Option{"General.AbortOnError", 0}, Option{"Mesh.MeshSizeExtendFromBoundary", 0},
                                  Option{"Mesh.MeshSizeFromPoints", 0}, Option{"Mesh.Algorithm", frontal_delaunay},
                                  Option{"Mesh.LcIntegrationPrecision", 1e-6}})
@@ -206,11 +207,11 @@ void GmshSession::mesh_freely(Free cells, const Size& size) {
     if (cells == Free::quadrilaterals)
         for (const Option& option : {Option{"Mesh.RecombineAll", 1}, Option{"Mesh.RecombinationAlgorithm", blossom}})
             gmsh_->call(gmsh_->set_option, option.name, option.value);
-    const auto ask = [](int, int, double x, double y, double, void* wished) {
-        return (*static_cast<const Size*>(wished))({x, y});
+    const auto evaluate = [](int, int, double x, double y, double, void* size_function) {
+        return (*static_cast<const Size*>(size_function))({x, y});
     };
-    gmsh_->call(gmsh_->set_size, static_cast<double (*)(int, int, double, double, double, void*)>(ask),
-                const_cast<void*>(static_cast<const void*>(&size)));  // NOLINT(*-const-cast): `ask` only reads it
+    gmsh_->call(gmsh_->set_size, static_cast<double (*)(int, int, double, double, double, void*)>(evaluate),
+                const_cast<void*>(static_cast<const void*>(&size)));  // NOLINT(*-const-cast): `evaluate` only reads it
     gmsh_->call(gmsh_->generate, 2);
 }
 
@@ -268,7 +269,8 @@ std::vector<int> GmshSession::tags(int dimension) const {
     return found;
 }
 
-/// Triangles between the points of its edges are exact to the chords of the edges on such a surface, however long they are.
+/// On planes, cylinders and cones, triangles between the points of the edges are as accurate as the chords of the edges, whatever
+/// their length.
 void GmshSession::leave_ruled_faces_coarse() {
     constexpr int edge_points_only = 3;
     std::set<int> ruled;

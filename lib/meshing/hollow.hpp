@@ -1,5 +1,5 @@
 #pragma once
-/// Rooms in a meshed block: cells are taken away, and the sides that this lays bare get a name.
+/// Cavities in a meshed block: removes cells and names the facets that this exposes.
 /// Tested by geometry/segment_test.
 #include <functional>
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace soft::meshing {
 
-/// `room` of a cell: the face of the room it makes way for, or empty for a cell that stays. Facet sets keep the sides of
-/// cells that stay; regions without a cell, and points without one, go.
-[[nodiscard]] mesh::Mesh hollowed(const mesh::Mesh& block, const std::function<std::string(mesh::Index cell)>& room);
+/// `cavity` maps a cell to the face of the cavity that replaces it, or to an empty string for a cell that remains. Facet sets keep
+/// the facets of remaining cells. Regions and points without a cell are removed.
+[[nodiscard]] mesh::Mesh hollowed(const mesh::Mesh& block, const std::function<std::string(mesh::Index cell)>& cavity);
 
 }  // namespace soft::meshing

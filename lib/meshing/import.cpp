@@ -18,7 +18,7 @@ namespace {
 
 using mesh::Index;
 
-/// Corner nodes in ascending order, the same for all who share a side.
+/// Corner nodes in ascending order, the same for all cells that share a side.
 using Key = std::array<Index, 4>;
 
 Key key_of(std::span<const Index> corners) {
@@ -29,7 +29,7 @@ Key key_of(std::span<const Index> corners) {
     return key;
 }
 
-/// The mesh under construction, and where its parts stood in the file.
+/// The mesh under construction, with the element tags and entities of the file.
 class Importer {
 public:
     Importer(const MshFile& file, std::string name) : file_(file), name_(std::move(name)) {}
@@ -38,13 +38,13 @@ public:
         find_dimension();
         for (std::size_t n = 0; n < file_.node_tags.size(); ++n)
             if (!numbers_.try_emplace(file_.node_tags[n], static_cast<Index>(n)).second)
-                refuse("node " + std::to_string(file_.node_tags[n]) + " stands there twice");
+                refuse("node " + std::to_string(file_.node_tags[n]) + " is defined twice");
         result_.points = file_.positions;
         add_cells();
-        drop_orphans();
+        drop_unused_nodes();
         if (result_.dimension == 2) flatten();
-        turn_mirrored();
-        refuse_inside_out();
+        reorient_mirrored();
+        refuse_inverted_cells();
         find_sides();
         add_facet_sets();
         for (mesh::Point& p : result_.points)
@@ -67,14 +67,14 @@ private:
         for (const MshBlock& block : file_.blocks)
             if (!block.tags.empty()) dimension = std::max(dimension, type_of(block).dimension);
         if (dimension < 2)
-            refuse("there are no cells", "mesh the surface (2D) or the volume (3D) and save all elements of it");
+            refuse("there are no cells", "mesh the surface (2D) or the volume (3D) and save all its elements");
         result_.dimension = dimension;
     }
 
-    /// What faces and regions may be called: letters, digits, '_' and '-'.
+    /// A valid name of a face or region: letters, digits, '_' and '-'.
     static std::string as_name(std::string_view text) {
-        constexpr std::size_t longest = 100;
-        std::string name{text.substr(0, longest)};
+        constexpr std::size_t max_length = 100;
+        std::string name{text.substr(0, max_length)};
         for (char& c : name) {
             const bool allowed = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
             if (!allowed) c = '_';
@@ -103,8 +103,8 @@ private:
     [[nodiscard]] Index node_of(const MshBlock& block, std::size_t element_number, std::size_t tag) const {
         const auto found = numbers_.find(tag);
         if (found == numbers_.end())
-            refuse("element " + std::to_string(block.tags[element_number]) + " has a node " + std::to_string(tag) +
-                   " that the file does not hold");
+            refuse("element " + std::to_string(block.tags[element_number]) + " uses node " + std::to_string(tag) +
+                   ", which the file does not define");
         return found->second;
     }
 
@@ -123,19 +123,20 @@ private:
         const auto order_of = [](mesh::CellType type) { return mesh::topology(type).order; };
         for (Index c = 1; c < result_.cell_count(); ++c)
             if (order_of(result_.cell_type(c)) != order_of(result_.cell_type(0)))
-                refuse(element(c) + " is not of the same order as " + element(0), "mesh all parts with one order");
+                refuse(element(c) + " has another order than " + element(0), "mesh all parts with one order");
     }
 
     void add_cells(const MshBlock& block, const MshType& type, std::int32_t own_region) {
-        const std::vector<int> places = gmsh_places(type);
-        const std::vector<Completion> lacking_nodes = completions(type);
+        const std::vector<int> gmsh_nodes = gmsh_node_numbers(type);
+        const std::vector<Completion> missing_nodes = completions(type);
         const auto per_element = static_cast<std::size_t>(type.nodes);
-        std::vector<Index> nodes(places.size());
+        std::vector<Index> nodes(gmsh_nodes.size());
         for (std::size_t e = 0; e < block.tags.size(); ++e) {
-            for (std::size_t n = 0; n < places.size(); ++n)
-                if (places[n] != lacking)
-                    nodes[n] = node_of(block, e, block.nodes[e * per_element + static_cast<std::size_t>(places[n])]);
-            for (const Completion& completion : lacking_nodes)
+            for (std::size_t n = 0; n < gmsh_nodes.size(); ++n)
+                if (gmsh_nodes[n] != missing_node)
+                    nodes[n] =
+                        node_of(block, e, block.nodes[e * per_element + static_cast<std::size_t>(gmsh_nodes[n])]);
+            for (const Completion& completion : missing_nodes)
                 nodes[static_cast<std::size_t>(completion.node)] = completed(completion, nodes);
             add_cell(result_, *type.cell, nodes, own_region);
             cell_tags_.push_back(block.tags[e]);
@@ -143,7 +144,7 @@ private:
         }
     }
 
-    /// The node that a serendipity element lacks; neighbours share those of their sides.
+    /// The node that a serendipity element lacks; neighbours share the added nodes of their common sides.
     Index completed(const Completion& completion, const std::vector<Index>& nodes) {
         const auto next = static_cast<Index>(result_.points.size());
         const bool on_side = completion.corners.size() == 4 && result_.dimension == 3;
@@ -161,7 +162,7 @@ private:
         return next;
     }
 
-    void drop_orphans() {
+    void drop_unused_nodes() {
         constexpr Index unused = -1;
         std::vector<Index> numbers(result_.points.size(), unused);
         for (const Index node : result_.connectivity) numbers[static_cast<std::size_t>(node)] = node;
@@ -192,8 +193,8 @@ private:
         return map_cell(result_, cell, mesh::shape_values(result_.cell_type(cell), xi)).determinant;
     }
 
-    /// A surface drawn clockwise, or a mirrored copy of a part, gives cells that are all numbered the other way round.
-    void turn_mirrored() {
+    /// Renumbers the cells of entities in which all cells have negative orientation: surfaces drawn clockwise, mirrored parts.
+    void reorient_mirrored() {
         std::map<int, bool> mirrored;
         for (Index c = 0; c < result_.cell_count(); ++c) {
             const mesh::CellTopology& cell = mesh::topology(result_.cell_type(c));
@@ -216,13 +217,13 @@ private:
         }
     }
 
-    void refuse_inside_out() const {
+    void refuse_inverted_cells() const {
         for (Index c = 0; c < result_.cell_count(); ++c)
             for (const auto& xi : mesh::topology(result_.cell_type(c)).nodes)
                 if (!(determinant_at(c, xi) > 0))
                     refuse(
-                        element(c) + " is turned inside out or flat",
-                        "mesh again with other sizes, or optimise the mesh (Gmsh: Tools, or Mesh.Optimize, Mesh.HighOrderOptimize)");
+                        element(c) + " is inverted or degenerate",
+                        "remesh with other sizes, or optimise the mesh (Gmsh: Tools, or Mesh.Optimize, Mesh.HighOrderOptimize)");
     }
 
     [[nodiscard]] std::vector<Index> corners_of(const mesh::Facet& facet) const {
@@ -240,13 +241,13 @@ private:
                 if (cells.size() > 2)
                     refuse(
                         element(c) + " shares a side with " + element(cells[0].cell) + " and " + element(cells[1].cell),
-                        "the mesh overlaps itself: remove cells that stand there twice");
-                if (cells.size() == 2) refuse_twins(cells[0].cell, c);
+                        "the mesh overlaps itself: remove duplicate cells");
+                if (cells.size() == 2) refuse_duplicates(cells[0].cell, c);
             }
         }
     }
 
-    void refuse_twins(Index a, Index b) const {
+    void refuse_duplicates(Index a, Index b) const {
         const auto sorted = [&](Index cell) {
             const auto nodes = result_.cell_nodes(cell);
             std::vector<Index> copy(nodes.begin(), nodes.end());
@@ -283,9 +284,9 @@ private:
         const auto found = sides_.find(key_of(corners));
         const std::string what = "element " + std::to_string(block.tags[number]) + " of the face " + core::quoted(face);
         if (found == sides_.end())
-            refuse(what + " is no side of a cell", "mesh surface and body together, so that they share their nodes");
+            refuse(what + " is not a side of a cell", "mesh surface and volume together, so that they share nodes");
         if (found->second.size() > 1)
-            refuse(what + " lies inside the body, between two cells", "take inner surfaces out of the physical groups");
+            refuse(what + " lies inside the body, between two cells", "remove inner surfaces from the physical groups");
         return found->second.front();
     }
 
@@ -304,7 +305,7 @@ private:
     std::string name_;
     mesh::Mesh result_;
     std::unordered_map<std::size_t, Index> numbers_;   ///< node tag -> point
-    std::unordered_map<Key, Index, Hash> side_nodes_;  ///< added to serendipity elements
+    std::unordered_map<Key, Index, Hash> side_nodes_;  ///< nodes added to serendipity elements, by side
     std::unordered_map<Key, std::vector<mesh::Facet>, Hash> sides_;
     std::vector<std::size_t> cell_tags_;
     std::vector<int> cell_entities_;

@@ -11,7 +11,7 @@ namespace {
 
 using Corners = std::vector<int>;
 
-/// Gmsh's mid nodes in its own order, by the corners they are the mean of (reference manual, 'Node ordering').
+/// Mid nodes in Gmsh's order, each given by the corners of which it is the mean (reference manual, 'Node ordering').
 std::vector<Corners> gmsh_mid_nodes(mesh::Shape shape) {
     switch (shape) {
         case mesh::Shape::line: return {{0, 1}};
@@ -45,7 +45,7 @@ std::vector<Corners> gmsh_mid_nodes(mesh::Shape shape) {
     return {};
 }
 
-/// The corners whose mean a node of the reference cell is, ascending.
+/// The corners of which a node of the reference cell is the mean, ascending.
 Corners corners_of(const mesh::CellTopology& cell, std::size_t node) {
     const std::vector<double> values = mesh::vertex_values(cell.type, cell.nodes[node]);
     Corners corners;
@@ -60,30 +60,30 @@ bool within(const Corners& part, const Corners& whole) {
 
 }  // namespace
 
-std::vector<int> gmsh_places(const MshType& type) {
+std::vector<int> gmsh_node_numbers(const MshType& type) {
     const mesh::CellTopology& cell = mesh::topology(type.cell.value());
     std::vector<Corners> order;
     for (int v = 0; v < cell.vertex_count; ++v) order.push_back({v});
     for (Corners& corners : gmsh_mid_nodes(cell.shape)) order.push_back(std::move(corners));
     order.resize(static_cast<std::size_t>(type.nodes));
     for (Corners& corners : order) std::sort(corners.begin(), corners.end());
-    std::vector<int> places;
+    std::vector<int> numbers;
     for (std::size_t n = 0; n < cell.nodes.size(); ++n) {
         const auto found = std::find(order.begin(), order.end(), corners_of(cell, n));
-        places.push_back(found == order.end() ? lacking : static_cast<int>(found - order.begin()));
+        numbers.push_back(found == order.end() ? missing_node : static_cast<int>(found - order.begin()));
     }
-    return places;
+    return numbers;
 }
 
 std::vector<Completion> completions(const MshType& type) {
     const mesh::CellTopology& cell = mesh::topology(type.cell.value());
-    const std::vector<int> places = gmsh_places(type);
+    const std::vector<int> numbers = gmsh_node_numbers(type);
     std::vector<Completion> result;
-    for (std::size_t n = 0; n < places.size(); ++n) {
-        if (places[n] != lacking) continue;
+    for (std::size_t n = 0; n < numbers.size(); ++n) {
+        if (numbers[n] != missing_node) continue;
         Completion completion{static_cast<int>(n), {}, corners_of(cell, n)};
         std::vector<int> edges;
-        for (std::size_t m = 0; m < places.size(); ++m) {
+        for (std::size_t m = 0; m < numbers.size(); ++m) {
             const Corners corners = corners_of(cell, m);
             if (corners.size() == 2 && within(corners, completion.corners)) edges.push_back(static_cast<int>(m));
         }

@@ -44,12 +44,12 @@ public:
 
 private:
     void read_section() {
-        const std::size_t start = in_.place();
+        const std::size_t start = in_.position();
         const std::string name{core::trimmed(in_.line())};
         if (!name.starts_with('$') || (version_ == 0 && name != "$MeshFormat" && name != "$Comments")) {
             in_.return_to(start);
-            in_.fail(version_ == 0 ? "this is no Gmsh mesh: it does not begin with $MeshFormat"
-                                   : core::quoted(name.substr(0, 20)) + " stands where a section must begin",
+            in_.fail(version_ == 0 ? "not a Gmsh mesh: the file does not begin with $MeshFormat"
+                                   : "expected a section, found " + core::quoted(name.substr(0, 20)),
                      "export the mesh as Gmsh .msh, version 4.1 or 2.2");
         }
         const std::string end = "$End" + name.substr(1);
@@ -64,7 +64,7 @@ private:
         else if (name == "$Elements")
             version_ == 4 ? read_elements_4() : read_elements_2();
         else if (name == "$PartitionedEntities")
-            in_.fail("the mesh is cut into partitions", "export it as one (Gmsh: Mesh.SaveAll = 0, unpartitioned)");
+            in_.fail("the mesh is partitioned", "export it without partitions (Gmsh: Mesh.SaveAll = 0)");
         else
             return in_.skip_to(end);
         in_.expect(end);
@@ -74,19 +74,19 @@ private:
         const auto version = in_.text_number<double>();
         const int binary = in_.text_number<int>(), size = in_.text_number<int>();
         if (version != 2.2 && version != 4.1)
-            in_.fail("version " + core::number_text(version) + " of the format is not read",
+            in_.fail("format version " + core::number_text(version) + " is not supported",
                      "export version 4.1 or 2.2 (Gmsh: Mesh.MshFileVersion)");
         version_ = version == 4.1 ? 4 : 2;
-        if (size != 8) in_.fail("numbers of " + std::to_string(size) + " bytes are not read", "export with 8");
+        if (size != 8)
+            in_.fail("numbers of " + std::to_string(size) + " bytes are not supported", "export with 8 bytes");
         if (binary == 0) return;
         in_.line();
         in_.set_encoding(MshEncoding::binary);
-        if (in_.number<int>() != 1)
-            in_.fail("the file comes from a machine of the other byte order", "export it as ASCII");
+        if (in_.number<int>() != 1) in_.fail("the file has the byte order of another machine", "export it as ASCII");
     }
 
     void read_names() {
-        const auto count = in_.sound(in_.text_number<std::size_t>(), 4);
+        const auto count = in_.checked_count(in_.text_number<std::size_t>(), 4);
         for (std::size_t i = 0; i < count; ++i) {
             const int dimension = in_.text_number<int>(), tag = in_.text_number<int>();
             const std::string_view text = core::trimmed(in_.line());
@@ -111,7 +111,7 @@ private:
             }
     }
 
-    /// Of a physical group or an entity; the sign is an orientation.
+    /// Tag of a physical group or an entity; its sign is an orientation.
     int group_tag() {
         const int tag = in_.number<int>();
         if (tag == std::numeric_limits<int>::min()) in_.fail("a tag is out of range", "export the mesh again");
@@ -126,7 +126,7 @@ private:
 
     void read_nodes_2() {
         has_nodes_ = true;
-        const auto count = in_.sound(in_.text_number<std::size_t>(), 8);
+        const auto count = in_.checked_count(in_.text_number<std::size_t>(), 8);
         if (in_.binary()) in_.line();
         for (std::size_t i = 0; i < count; ++i) {
             file_.node_tags.push_back(static_cast<std::size_t>(in_.number<int>()));
@@ -155,9 +155,9 @@ private:
         const MshType* type = msh_type(number);
         if (type != nullptr) return *type;
         const bool pyramid = number == 7 || number == 14 || number == 19;
-        in_.fail(
-            pyramid ? "pyramids are not read" : "elements of Gmsh's type " + std::to_string(number) + " are not read",
-            "mesh with triangles, quadrilaterals, tetrahedra, hexahedra or prisms of first or second order");
+        in_.fail(pyramid ? "pyramids are not supported"
+                         : "elements of Gmsh's type " + std::to_string(number) + " are not supported",
+                 "mesh with triangles, quadrilaterals, tetrahedra, hexahedra or prisms of first or second order");
     }
 
     void add_element(MshBlock& block, const MshType& type, std::size_t tag) {
@@ -170,14 +170,14 @@ private:
     void read_elements_2() {
         has_elements_ = true;
         std::map<std::tuple<int, int, int>, std::size_t> known;  // (type, entity, group) -> block
-        const auto count = in_.sound(in_.text_number<std::size_t>(), 4);
+        const auto count = in_.checked_count(in_.text_number<std::size_t>(), 4);
         if (in_.binary()) in_.line();
         for (std::size_t done = 0; done < count;) {
             int tag = in_.binary() ? 0 : in_.number<int>();
             const MshType& type = type_of(in_.number<int>());
             const int run = in_.binary() ? in_.number<int>() : 1, tag_count = in_.number<int>();
             if (run < 1 || static_cast<std::size_t>(run) > count - done || tag_count < 0)
-                in_.fail("the header of a run of elements makes no sense", "export the mesh again");
+                in_.fail("the header of a block of elements is invalid", "export the mesh again");
             for (int i = 0; i < run; ++i, ++done) {
                 if (in_.binary()) tag = in_.number<int>();
                 std::array<int, 2> kept{};  // physical group and entity; partitions follow
@@ -185,9 +185,9 @@ private:
                     const int value = group_tag();
                     if (k < 2) kept[static_cast<std::size_t>(k)] = value;
                 }
-                const auto [place, fresh] = known.try_emplace({type.number, kept[1], kept[0]}, file_.blocks.size());
+                const auto [entry, fresh] = known.try_emplace({type.number, kept[1], kept[0]}, file_.blocks.size());
                 if (fresh) file_.blocks.push_back({type.number, kept[1], {}, {}, {}});
-                MshBlock& block = file_.blocks[place->second];
+                MshBlock& block = file_.blocks[entry->second];
                 if (fresh && kept[0] != 0) block.groups = {kept[0]};
                 add_element(block, type, static_cast<std::size_t>(tag));
             }
@@ -229,8 +229,8 @@ const MshType* msh_type(int number) noexcept {
 }
 
 MshFile read_msh(const std::filesystem::path& path) {
-    constexpr std::size_t largest = std::size_t{1} << 32U;  // more than any mesh we could solve
-    const core::Bytes bytes = core::read_regular_file(path, largest);
+    constexpr std::size_t max_bytes = std::size_t{1} << 32U;  // more than any mesh that can be solved
+    const core::Bytes bytes = core::read_regular_file(path, max_bytes);
     return read_msh({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, path.string());
 }
 

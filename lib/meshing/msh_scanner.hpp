@@ -21,13 +21,13 @@ public:
     MshScanner(std::string_view bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
 
     [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
-        const std::string place =
+        const std::string location =
             encoding_ == MshEncoding::binary
                 ? name_ + ": byte " + std::to_string(at_)
                 : name_ + ":" + std::to_string(1 + std::count(bytes_.begin(), bytes_.begin() + offset(at_), '\n'));
-        throw Error(ExitCode::bad_input, place, problem, remedy);
+        throw Error(ExitCode::bad_input, location, problem, remedy);
     }
-    [[noreturn]] void truncated() const { fail("the file ends too early", "export the mesh again"); }
+    [[noreturn]] void truncated() const { fail("the file is truncated", "export the mesh again"); }
 
     void set_encoding(MshEncoding encoding) { encoding_ = encoding; }
     [[nodiscard]] bool binary() const { return encoding_ == MshEncoding::binary; }
@@ -39,8 +39,8 @@ public:
         return at_ < bytes_.size();
     }
 
-    [[nodiscard]] std::size_t place() const { return at_; }
-    void return_to(std::size_t place) { at_ = place; }
+    [[nodiscard]] std::size_t position() const { return at_; }
+    void return_to(std::size_t position) { at_ = position; }
 
     /// The rest of the line without its end.
     std::string_view line() {
@@ -61,7 +61,7 @@ public:
         const bool whole =
             after == bytes_.size() || std::string_view{" \t\r\n"}.find(bytes_[after]) != std::string_view::npos;
         if (error != std::errc{} || !whole)
-            fail(core::quoted(word()) + " stands where a number is needed", "export the mesh again");
+            fail("expected a number, found " + core::quoted(word()), "export the mesh again");
         at_ = after;
         return checked(value);
     }
@@ -77,21 +77,22 @@ public:
         return checked(value);
     }
 
-    /// A number of things that take at least `min_bytes` each: a spoilt count must not fill the memory.
-    std::size_t sound(std::size_t count, std::size_t min_bytes) const {
+    /// Checks a number of items of at least `min_bytes` each against the rest of the file, so that a corrupted count does not exhaust
+    /// the memory.
+    std::size_t checked_count(std::size_t count, std::size_t min_bytes) const {
         if (count > left() / min_bytes) truncated();
         return count;
     }
-    std::size_t count(std::size_t min_bytes) { return sound(number<std::size_t>(), min_bytes); }
+    std::size_t count(std::size_t min_bytes) { return checked_count(number<std::size_t>(), min_bytes); }
 
-    /// Past the given words, which must come next but for blanks.
+    /// Moves past the given words, which must come next after optional blanks.
     void expect(std::string_view words) {
         if (!skip_blanks()) truncated();
         if (!bytes_.substr(at_).starts_with(words))
             fail(std::string{words} + " is missing here", "export the mesh again");
         at_ += words.size();
     }
-    /// Past the next occurrence of the words.
+    /// Moves past the next occurrence of the words.
     void skip_to(std::string_view words) {
         const auto found = bytes_.find(words, at_);
         if (found == std::string_view::npos) truncated();
@@ -101,8 +102,8 @@ public:
 private:
     static std::ptrdiff_t offset(std::size_t at) { return static_cast<std::ptrdiff_t>(at); }
     [[nodiscard]] std::string_view word() const {
-        constexpr std::size_t longest = 20;
-        const auto end = std::min({bytes_.find_first_of(" \t\r\n", at_), bytes_.size(), at_ + longest});
+        constexpr std::size_t max_length = 20;
+        const auto end = std::min({bytes_.find_first_of(" \t\r\n", at_), bytes_.size(), at_ + max_length});
         return bytes_.substr(at_, end - at_);
     }
     template <class T>

@@ -39,7 +39,7 @@ bool touch(const OutlinePiece& a, const OutlinePiece& b, double near_m) {
            distance_to(b, a.start) < near_m || distance_to(b, a.end) < near_m;
 }
 
-/// Two pieces that meet in a point, the second after the first: do they run back over each other?
+/// Whether two consecutive pieces run back over each other.
 bool folds(const OutlinePiece& before, const OutlinePiece& after, double near_m) {
     const PlanePoint back = minus(before.start, before.end), on = minus(after.end, after.start);
     return dot(back, on) > 0 && (distance_to(before, after.end) < near_m || distance_to(after, before.start) < near_m);
@@ -47,7 +47,7 @@ bool folds(const OutlinePiece& before, const OutlinePiece& after, double near_m)
 
 constexpr int steps_per_span = 10;
 
-/// By which the spline turns from one of its points to the next, all turns counted alike.
+/// Total absolute turn of the spline between one of its points and the next.
 double span_turn_rad(const std::vector<PlanePoint>& points, std::size_t span) {
     constexpr int chords = 4;
     double turn_rad = 0;
@@ -59,7 +59,7 @@ double span_turn_rad(const std::vector<PlanePoint>& points, std::size_t span) {
         before = chord;
         from = to;
     }
-    return turn_rad * chords / (chords - 1);  // half a chord at each end is not seen
+    return turn_rad * chords / (chords - 1);  // half a chord at each end is not counted
 }
 
 std::vector<PlanePoint> even_polyline(const std::vector<PlanePoint>& points) {
@@ -70,7 +70,7 @@ std::vector<PlanePoint> even_polyline(const std::vector<PlanePoint>& points) {
 }
 
 std::string location_text(PlanePoint p) {
-    std::string text{"("};  // with operator+ g++ 12 warns of an overlap that is none
+    std::string text{"("};  // operator+ causes a false overlap warning in g++ 12
     return text.append(core::rounded_text(1e3 * p[0], 5))
         .append(", ")
         .append(core::rounded_text(1e3 * p[1], 5))
@@ -81,32 +81,32 @@ const OutlineEdge& edge_of(const Outline& outline, const OutlinePiece& piece) {
     return outline.loops[piece.loop][piece.edge];
 }
 
-std::optional<OutlineFault> point_twice(const Outline& outline, double near_m) {
+std::optional<OutlineFault> repeated_point(const Outline& outline, double near_m) {
     for (const Loop& loop : outline.loops)
         for (const OutlineEdge& edge : loop) {
             for (std::size_t i = 0; i + 1 < edge.points.size(); ++i)
                 if (length(minus(edge.points[i + 1], edge.points[i])) < near_m)
                     return OutlineFault{edge.row,
-                                        "the point " + location_text(edge.points[i]) + " stands there twice in a row",
-                                        "leave one out; the last point is joined to the first by itself"};
+                                        "the point " + location_text(edge.points[i]) + " appears twice in a row",
+                                        "remove one; the last point is connected to the first automatically"};
             const bool closed = length(minus(edge.points.front(), edge.points.back())) < near_m;
             if (closed && edge.shape != OutlineEdge::Shape::spline)
-                return OutlineFault{edge.row, "the edge ends where it starts", "give an outline three points or more"};
+                return OutlineFault{edge.row, "the edge ends where it starts", "use three points or more"};
         }
     return std::nullopt;
 }
 
-/// Every piece is compared with every other: a second or two for the most.
+/// Limits the number of pieces, because all pairs are compared: up to two seconds for the maximum.
 std::optional<OutlineFault> too_many(const Outline& outline) {
     constexpr std::size_t max_pieces = 20000;
     const std::vector<OutlinePiece> pieces = pieces_of(outline);
     if (pieces.size() <= max_pieces) return std::nullopt;
-    std::string problem{"more than "};  // with operator+ g++ 12 warns of an overlap that is none
-    problem.append(std::to_string(max_pieces)).append(" straight pieces, up to ten to a span of a spline");
+    std::string problem{"more than "};  // operator+ causes a false overlap warning in g++ 12
+    problem.append(std::to_string(max_pieces)).append(" straight pieces, up to ten per span of a spline");
     return OutlineFault{edge_of(outline, pieces[max_pieces]).row, problem, "draw the outline with fewer points"};
 }
 
-std::optional<OutlineFault> meeting(const Outline& outline, double near_m) {
+std::optional<OutlineFault> intersection(const Outline& outline, double near_m) {
     const std::vector<OutlinePiece> pieces = pieces_of(outline);
     for (std::size_t i = 0; i < pieces.size(); ++i)
         for (std::size_t j = i + 1; j < pieces.size(); ++j) {
@@ -116,16 +116,16 @@ std::optional<OutlineFault> meeting(const Outline& outline, double near_m) {
             const bool precedes = a.loop == b.loop && a.first_of_loop && b.last_of_loop;
             if (follows ? folds(a, b, near_m) : precedes ? folds(b, a, near_m) : touch(a, b, near_m)) {
                 const std::size_t row = edge_of(outline, a).row, other = edge_of(outline, b).row;
-                const std::string whom = row == other ? "itself" : "the one of line " + std::to_string(other);
+                const std::string what = row == other ? "itself" : "the edge of line " + std::to_string(other);
                 return OutlineFault{
-                    row, "its edge crosses, touches or runs back over " + whom + " near " + location_text(b.start),
-                    "an outline goes once round the solid"};
+                    row, "the edge crosses, touches or runs back over " + what + " near " + location_text(b.start),
+                    "an outline must enclose the solid once"};
             }
         }
     return std::nullopt;
 }
 
-std::optional<OutlineFault> wrong_sense(const Outline& outline) {
+std::optional<OutlineFault> wrong_orientation(const Outline& outline) {
     std::size_t outer = 0;
     for (std::size_t i = 1; i < outline.loops.size(); ++i)
         if (std::abs(area_m2(outline.loops[i])) > std::abs(area_m2(outline.loops[outer]))) outer = i;
@@ -139,19 +139,19 @@ std::optional<OutlineFault> wrong_sense(const Outline& outline) {
     const std::string remedy = "reverse the order of its points (each tag moves to the row where its edge now starts)";
     for (std::size_t i = 0; i < outline.loops.size(); ++i) {
         const Loop& loop = outline.loops[i];
-        const bool runs_left = area_m2(loop) > 0;
-        if (i == outer && !runs_left)
-            return OutlineFault{loop.front().row, "the outline runs clockwise: the solid would lie outside it", remedy};
+        const bool counter_clockwise = area_m2(loop) > 0;
+        if (i == outer && !counter_clockwise)
+            return OutlineFault{loop.front().row, "the outline is clockwise: the solid would lie outside it", remedy};
         if (i == outer) continue;
         for (std::size_t other = 0; other < outline.loops.size(); ++other)
             if (other != i && is_inside(only(other), loop.front().points.front()) != (other == outer))
                 return OutlineFault{
                     loop.front().row,
-                    other == outer ? "this loop lies outside the largest one" : "this loop lies within another hole",
-                    "one outline and holes in it: a section is one body"};
-        if (runs_left)
+                    other == outer ? "this loop lies outside the largest one" : "this loop lies inside another hole",
+                    "use one outline and holes in it: a section is one body"};
+        if (counter_clockwise)
             return OutlineFault{loop.front().row,
-                                "the hole's loop runs counter-clockwise: the solid would lie inside it", remedy};
+                                "the loop of the hole is counter-clockwise: the solid would lie inside it", remedy};
     }
     return std::nullopt;
 }
@@ -164,7 +164,7 @@ PlanePoint OutlineArc::at(double share) const {
 }
 
 OutlineArc arc_of(const OutlineEdge& edge) {
-    // The centre is as far from all three: two linear equations, from the first point.
+    // The centre has equal distances from all three points: two linear equations, relative to the first point.
     const PlanePoint &start = edge.points[0], &end = edge.points[2];
     const PlanePoint u = minus(edge.points[1], start), v = minus(end, start);
     const double twice = 2 * cross(u, v), uu = dot(u, u), vv = dot(v, v);
@@ -219,7 +219,7 @@ std::vector<PlanePoint> polyline(const OutlineEdge& edge) {
             const int steps = std::clamp(static_cast<int>(std::ceil(turn_rad / step_rad)), 1, steps_per_span);
             for (int k = 1; k <= steps; ++k) line.push_back(at(static_cast<double>(k) / steps));
         }
-        line.pop_back();  // the end as it was given
+        line.pop_back();  // replaced below by the exact end point
     }
     line.push_back(edge.points.back());
     return line;
@@ -247,7 +247,7 @@ double area_m2(const Loop& loop) {
         const auto line = edge.shape == OutlineEdge::Shape::spline ? even_polyline(edge.points) : polyline(edge);
         for (std::size_t i = 0; i + 1 < line.size(); ++i) twice += cross(line[i], line[i + 1]);
         if (edge.shape != OutlineEdge::Shape::arc) continue;
-        // Between the chords and the true arc: R^2 (t - sin t)/2 each.
+        // Area between each chord and the true arc: R^2 (t - sin t)/2.
         const OutlineArc arc = arc_of(edge);
         const double pieces = static_cast<double>(line.size() - 1), turn = arc.turn_rad / pieces;
         twice += pieces * arc.radius_m * arc.radius_m * (turn - std::sin(turn));
@@ -279,10 +279,10 @@ double extent_m(const Outline& outline) {
 
 std::optional<OutlineFault> fault_of(const Outline& outline) {
     const double near_m = outline_tolerance * extent_m(outline);
-    if (auto fault = point_twice(outline, near_m)) return fault;
+    if (auto fault = repeated_point(outline, near_m)) return fault;
     if (auto fault = too_many(outline)) return fault;
-    if (auto fault = meeting(outline, near_m)) return fault;
-    return wrong_sense(outline);
+    if (auto fault = intersection(outline, near_m)) return fault;
+    return wrong_orientation(outline);
 }
 
 }  // namespace soft::meshing

@@ -9,18 +9,18 @@
 namespace soft::meshing {
 namespace {
 
-/// A cell turns by no more than this along an edge: two of the quadratic sides of a quarter turn miss it by 5e-5.
+/// Maximum turn of a cell along an edge: two quadratic sides per quarter turn have an error of 5e-5.
 constexpr double max_turn_rad = std::numbers::pi / 4;
 
 struct Seed {
-    PlanePoint place;
+    PlanePoint position;
     double size_m;
 };
 
 class Seeds {
 public:
-    Seeds(const Outline& outline, const SizeWishes& wishes)
-        : outline_(outline), wishes_(wishes), pieces_(pieces_of(outline)) {
+    Seeds(const Outline& outline, const SizeRequest& request)
+        : outline_(outline), request_(request), pieces_(pieces_of(outline)) {
         for (std::size_t p = 0; p < pieces_.size(); ++p) add_wall(p);
         for (const Loop& loop : outline.loops)
             for (std::size_t e = 0; e < loop.size(); ++e) {
@@ -31,32 +31,32 @@ public:
     std::vector<Seed> take() { return std::move(seeds_); }
 
 private:
-    void add(PlanePoint place, double size_m) {
-        if (size_m < wishes_.size_m) seeds_.push_back({place, size_m});
+    void add(PlanePoint position, double size_m) {
+        if (size_m < request_.size_m) seeds_.push_back({position, size_m});
     }
 
-    /// Thickness along the normal, at places no further apart than two cells are long. A side that meets this one in a corner is no
-    /// opposite face: toward the tip of a wedge cells would never be small enough.
+    /// Adds sizes from the wall thickness along the normal, at positions at most two cell lengths apart. An adjacent side is not an
+    /// opposite face: otherwise cells toward the tip of a wedge would become arbitrarily small.
     void add_wall(std::size_t number) {
         const OutlinePiece& piece = pieces_[number];
         const PlanePoint along = minus(piece.end, piece.start);
         const double piece_m = length(along);
-        constexpr double min_step = 1e-3;  // of the side: a slip in through_wall must not take forever
+        constexpr double min_step = 1e-3;  // relative to the side: limits the time for very large through_wall
         const PlanePoint inward{-along[1] / piece_m, along[0] / piece_m};
         const auto size_at = [&](double share) {
             const PlanePoint at{piece.start[0] + share * along[0], piece.start[1] + share * along[1]};
             const auto thickness_m = to_opposite(number, at, inward);
             const double size_m =
-                thickness_m ? std::min(*thickness_m / wishes_.through_wall, wishes_.size_m) : wishes_.size_m;
+                thickness_m ? std::min(*thickness_m / request_.through_wall, request_.size_m) : request_.size_m;
             add(at, size_m);
             return size_m;
         };
-        constexpr double middle = 0.5;  // a side shorter than two cells is looked at there alone
+        constexpr double middle = 0.5;  // the only position on a side shorter than two cells
         if (piece_m < 2 * size_at(middle)) return;
         for (double share = min_step; share < 1;) share += std::max(2 * size_at(share) / piece_m, min_step);
     }
 
-    /// The wall goes on behind the axis and the planes of symmetry.
+    /// Whether the piece lies on the axis or a symmetry plane, beyond which the wall continues.
     [[nodiscard]] bool is_cut(const OutlinePiece& piece) const {
         const auto& faces = outline_.loops[piece.loop][piece.edge].faces;
         return std::ranges::any_of(faces, [](const std::string& face) {
@@ -109,34 +109,34 @@ private:
         const PlanePoint arriving = minus(in[in.size() - 1], in[in.size() - 2]), leaving = minus(out[1], out[0]);
         const double turn_rad =
             std::atan2(cross(arriving, leaving), arriving[0] * leaving[0] + arriving[1] * leaving[1]);
-        constexpr double blunt_rad = 10 * std::numbers::pi / 180;  // the strain hardly rises in a blunter corner
-        if (turn_rad < -blunt_rad || is_held(before) != is_held(after))
-            add(out.front(), wishes_.size_m / wishes_.grading);
+        constexpr double blunt_rad = 10 * std::numbers::pi / 180;  // blunter corners hardly increase the strain
+        if (turn_rad < -blunt_rad || is_fixed(before) != is_fixed(after))
+            add(out.front(), request_.size_m / request_.grading);
     }
 
-    [[nodiscard]] bool is_held(const OutlineEdge& edge) const {
+    [[nodiscard]] bool is_fixed(const OutlineEdge& edge) const {
         return std::ranges::any_of(edge.faces, [&](const std::string& face) {
-            return std::ranges::find(wishes_.held, face) != wishes_.held.end();
+            return std::ranges::find(request_.fixed, face) != request_.fixed.end();
         });
     }
 
     const Outline& outline_;
-    const SizeWishes& wishes_;
+    const SizeRequest& request_;
     std::vector<OutlinePiece> pieces_;
     std::vector<Seed> seeds_;
 };
 
 }  // namespace
 
-std::function<double(PlanePoint)> cell_sizes(const Outline& outline, const SizeWishes& wishes) {
-    std::vector<Seed> sorted = Seeds{outline, wishes}.take();
+std::function<double(PlanePoint)> cell_sizes(const Outline& outline, const SizeRequest& request) {
+    std::vector<Seed> sorted = Seeds{outline, request}.take();
     std::ranges::stable_sort(sorted, {}, &Seed::size_m);
-    return [size_m = wishes.size_m, seeds = std::move(sorted)](PlanePoint place) {
+    return [size_m = request.size_m, seeds = std::move(sorted)](PlanePoint position) {
         double shortest_m = size_m;
-        for (const Seed& seed : seeds) {  // gmsh asks a million times: most are too far, and the rest too long
+        for (const Seed& seed : seeds) {  // called a million times by gmsh: skip seeds that are too far or too large
             const double reach_m = (shortest_m - seed.size_m) / size_growth;
             if (reach_m <= 0) break;
-            const PlanePoint to = minus(place, seed.place);
+            const PlanePoint to = minus(position, seed.position);
             if (std::abs(to[0]) > reach_m || std::abs(to[1]) > reach_m) continue;
             shortest_m = std::min(shortest_m, seed.size_m + size_growth * length(to));
         }
@@ -145,7 +145,7 @@ std::function<double(PlanePoint)> cell_sizes(const Outline& outline, const SizeW
 }
 
 double expected_cells(const Outline& outline) {
-    // The mean density of cells over the section, and of their sides along its edge.
+    // Integrates the density of cells over the section, and that of their sides along its boundary.
     constexpr int grid = 100;
     const auto pieces = pieces_of(outline);
     const double extent = extent_m(outline);
@@ -160,9 +160,9 @@ double expected_cells(const Outline& outline) {
     const double step_m = extent / grid;
     for (int i = 0; i < grid; ++i)
         for (int j = 0; j < grid; ++j) {
-            const PlanePoint place{low[0] + (i + 0.5) * step_m, low[1] + (j + 0.5) * step_m};
-            if (!is_inside(pieces, place)) continue;
-            const double size_m = outline.size_m(place);
+            const PlanePoint point{low[0] + (i + 0.5) * step_m, low[1] + (j + 0.5) * step_m};
+            if (!is_inside(pieces, point)) continue;
+            const double size_m = outline.size_m(point);
             cells += step_m * step_m / (size_m * size_m);
         }
     return std::max(cells, sides);

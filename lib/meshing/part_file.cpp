@@ -29,7 +29,7 @@ std::vector<double> numbers_of(const core::Bytes& bytes) {
     return numbers;
 }
 
-/// What gmsh makes of the file, as numbers: of solids; the coordinates of the corners of each triangle.
+/// Triangulates the CAD file; returns the number of solids, then the corner coordinates of each triangle if there is one solid.
 std::vector<double> cad_numbers(const std::string& file) {
     GmshSession gmsh;
     const int solids = gmsh.import_cad(file);
@@ -41,9 +41,9 @@ std::vector<double> cad_numbers(const std::string& file) {
     return result;
 }
 
-/// Triangles that share corners, from nine coordinates each.
+/// Merges the corners of triangles given by nine coordinates each.
 surface::FacetSoup joined(std::span<const double> corners) {
-    constexpr double same = 1e-8;  // mm: less is rounding
+    constexpr double same = 1e-8;  // mm: smaller differences are rounding
     surface::FacetSoup soup;
     std::map<std::array<long long, 3>, std::size_t> numbers;
     for (std::size_t n = 0; n + 2 < corners.size(); n += 3) {
@@ -59,21 +59,21 @@ surface::FacetSoup joined(std::span<const double> corners) {
 
 surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
     constexpr core::SubprocessLimits limits{.wall = std::chrono::minutes{5}};      // parts take seconds
-    static_cast<void>(core::read_regular_file(path, surface::max_file));  // says why it cannot be opened
-    const core::SubprocessEnd end = core::run_in_subprocess([&] { return bytes_of(cad_numbers(path.string())); }, limits);
+    static_cast<void>(core::read_regular_file(path, surface::max_file));  // throws with the reason if it cannot be opened
+    const core::SubprocessOutcome end = core::run_in_subprocess([&] { return bytes_of(cad_numbers(path.string())); }, limits);
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         throw Error(ExitCode::bad_input, path.string(), problem, remedy);
     };
     if (!end.result || end.result->empty())
-        refuse("it cannot be read as STEP (gmsh fails, or takes more than 5 minutes)",
-               "export the body again as STEP, or as STL");
+        refuse("it cannot be read as STEP (gmsh failed or took more than 5 minutes)",
+               "export the part again as STEP, or as STL");
     const std::vector<double> numbers = numbers_of(*end.result);
     const double solids = numbers.front();
-    if (solids == 0) refuse("it holds no solid", "export a solid, not its faces");
+    if (solids == 0) refuse("it contains no solid", "export a solid, not its faces");
     if (solids != 1)
-        refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or put each into a file of its own");
+        refuse(core::rounded_text(solids, 6) + " solids in one file", "unite them, or use one file for each");
     surface::FacetSoup soup = joined(std::span{numbers}.subspan(1));
-    if (soup.facets.empty()) refuse("gmsh finds no triangles on its faces", "export the body again as STEP, or as STL");
+    if (soup.facets.empty()) refuse("gmsh could not triangulate its faces", "export the part again as STEP, or as STL");
     return soup;
 }
 
@@ -95,7 +95,7 @@ Part read_part(const std::filesystem::path& path, const std::string& unit, doubl
     if (soup.facets.size() > max_facets)
         throw Error(ExitCode::bad_input, origin.name,
                     std::to_string(soup.facets.size()) + " facets are more than " + std::to_string(max_facets),
-                    "export the body with a coarser tolerance");
+                    "export the part with a coarser tolerance");
     return {origin, surface::body_surface(std::move(soup), origin)};
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using mesh::Index;
 
-/// The facets by connected piece.
+/// Groups the facets by connected piece.
 std::vector<std::vector<mesh::Facet>> pieces_of(const mesh::Mesh& mesh, const std::vector<mesh::Facet>& facets) {
     std::vector<std::size_t> parent(facets.size());
     std::iota(parent.begin(), parent.end(), std::size_t{0});

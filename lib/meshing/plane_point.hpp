@@ -1,5 +1,5 @@
 #pragma once
-/// Points of the plane a section lies in [m], and what is reckoned with them.
+/// Points of the plane of a section [m], and vector operations on them.
 #include <array>
 #include <cmath>
 

@@ -15,7 +15,7 @@ using CornerPair = std::array<int, 2>;
 
 const PlanePoint& corner(const Polygons& mesh, int number) { return mesh.points[static_cast<std::size_t>(number)]; }
 
-/// Angle inside the cell between two boundary sides that meet, by the tangents of the outline.
+/// Interior angle between two adjacent boundary sides of a cell, from the tangents of the outline.
 double angle_between(const Polygons::Side& before, const Polygons::Side& after) {
     constexpr double near = 1e-3;
     const auto direction = [](const Polygons::Side& side, double from, double to) {
@@ -26,7 +26,7 @@ double angle_between(const Polygons::Side& before, const Polygons::Side& after) 
     return std::numbers::pi - std::atan2(cross(in, out), dot(in, out));
 }
 
-/// The corner at which the cell is flat, by its position in the cell.
+/// Index of the corner at which the cell is flat.
 std::optional<std::size_t> flat_corner(const Polygons& mesh, const Cell& cell) {
     constexpr double flat_rad = 140 * std::numbers::pi / 180;
     for (std::size_t i = 0; i < cell.size(); ++i) {
@@ -51,7 +51,7 @@ double min_sine(const Polygons& mesh, const Cell& cell) {
     return smallest;
 }
 
-/// The ring of corners, first the flat one, cut from there into two cells: a triangle and the rest of it.
+/// Cuts a ring of corners, which starts at the flat one, into a triangle and the rest.
 std::array<Cell, 2> cut(const Polygons& mesh, const Cell& ring) {
     const std::size_t last = ring.size() - 1;
     const std::array<Cell, 2> early{Cell{ring[0], ring[1], ring[2]}, [&] {
@@ -66,14 +66,14 @@ std::array<Cell, 2> cut(const Polygons& mesh, const Cell& ring) {
     return worst(late) > worst(early) ? late : early;
 }
 
-/// Corners of a cell, from the one at `first` on.
+/// Corners of a cell, rotated to start at `first`.
 Cell from(const Cell& cell, std::size_t first) {
     Cell turned = cell;
     std::ranges::rotate(turned, turned.begin() + static_cast<std::ptrdiff_t>(first));
     return turned;
 }
 
-/// Gives each flat corner a second cell; true if there was one.
+/// Adds a second cell at each flat corner; true if there was one.
 bool divide_once(Polygons& mesh) {
     std::map<CornerPair, std::size_t> owners;
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
@@ -87,7 +87,7 @@ bool divide_once(Polygons& mesh) {
         if (!flat) continue;
         Cell ring = from(mesh.cells[c], *flat);
         std::size_t other = mesh.cells.size();
-        if (ring.size() == 3) {  // joined with the cell behind its third side
+        if (ring.size() == 3) {  // merged with the neighbour at its third side
             const auto behind = owners.find({ring[2], ring[1]});
             if (behind == owners.end() || changed[behind->second]) continue;
             other = behind->second;
@@ -107,12 +107,12 @@ bool divide_once(Polygons& mesh) {
     return any;
 }
 
-/// The points that halve sides, made when they are first asked for.
+/// Mid points of sides, created on first use.
 class Middles {
 public:
     explicit Middles(const Polygons& mesh) : mesh_(mesh) {}
 
-    /// Of the side from `a` to `b`, and what is new about the boundary; numbers go on from `next`.
+    /// Mid point of a side; new points are appended to `points`.
     struct Middle {
         int number;
         std::optional<double> share;  ///< on the outline
@@ -126,9 +126,9 @@ public:
             const PlanePoint &p = corner(mesh_, a), &q = corner(mesh_, b);
             points.push_back({0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])});
         } else {
-            const auto [share, place] = boundary_middle(mesh_, {a, b});
+            const auto [share, position] = boundary_middle(mesh_, {a, b});
             entry->second.share = share;
-            points.push_back(place);
+            points.push_back(position);
         }
         return entry->second;
     }
@@ -155,7 +155,7 @@ BoundaryMiddle boundary_middle(const Polygons& mesh, const CornerPair& ends) {
 }
 
 void divide_flat_corners(Polygons& mesh) {
-    constexpr int passes = 4;  // a cell with three sides on the boundary takes two
+    constexpr int passes = 4;  // a cell with three sides on the boundary needs two
     for (int pass = 0; pass < passes && divide_once(mesh); ++pass) {}
 }
 
@@ -197,7 +197,7 @@ mesh::Mesh second_order(const Polygons& polygons) {
         for (std::size_t i = 0; i < cell.size(); ++i) {
             const int half = middles(cell[i], cell[(i + 1) % cell.size()], points).number;
             nodes.push_back(half);
-            for (std::size_t d = 0; d < 2; ++d)  // of the surface that is linear between opposite sides
+            for (std::size_t d = 0; d < 2; ++d)  // transfinite interpolation of the sides
                 centre[d] += 0.5 * points[static_cast<std::size_t>(half)][d] - 0.25 * corner(polygons, cell[i])[d];
         }
         const bool quadrilateral = cell.size() == 4;

@@ -1,5 +1,5 @@
 #pragma once
-/// Triangles and quadrilaterals of a section with a curved outline, and second-order cells made of them.
+/// Triangles and quadrilaterals of a section with a curved outline, and their conversion to second-order cells.
 /// Tested by meshing/outline_mesher_test.
 #include <array>
 #include <map>
@@ -21,22 +21,22 @@ struct Polygons {
     std::map<std::array<int, 2>, Side> boundary;  ///< from corner to corner, the solid on the left
 };
 
-/// Where a smooth outline passes through a corner that belongs to one cell alone, the two sides of that cell are in line there and
-/// its Jacobian is zero, however short the cells are. Such a cell, or the one behind it, is divided so that two or more cells meet
-/// in the corner. Quadrilaterals may become triangles, triangles stay triangles.
+/// If a smooth outline passes through a corner that belongs to one cell only, two sides of that cell are collinear there and its
+/// Jacobian is zero, whatever its size. Divides such a cell, or its neighbour, so that two or more cells meet in the corner.
+/// Quadrilaterals may become triangles, triangles stay triangles.
 void divide_flat_corners(Polygons& mesh);
 
 /// Each triangle becomes three quadrilaterals, each quadrilateral four; new boundary points lie on the outline.
 [[nodiscard]] Polygons into_quadrilaterals(const Polygons& mesh);
 
-/// Moves inner points around cells whose Jacobian varies more than about threefold, each to where the worst cell around it is best.
-/// Sound meshes stay as they are; points of the boundary do not move.
+/// Moves inner points around cells whose Jacobian varies more than about threefold, so that the worst cell around each point improves.
+/// Good meshes do not change; boundary points do not move.
 void smooth(Polygons& mesh);
 
 /// The point of a boundary side at equal distances from its ends, and its share of the edge.
 struct BoundaryMiddle {
     double share;
-    PlanePoint place;
+    PlanePoint position;
 };
 [[nodiscard]] BoundaryMiddle boundary_middle(const Polygons& mesh, const std::array<int, 2>& ends);
 

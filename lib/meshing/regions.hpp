@@ -7,7 +7,7 @@
 
 namespace soft::meshing {
 
-/// The number of the region of this name, which is added where there is none.
+/// The number of the region of this name; adds it if it does not exist.
 [[nodiscard]] std::int32_t region_number(mesh::Mesh& mesh, const std::string& name);
 
 [[nodiscard]] const std::string& region_of(const mesh::Mesh& mesh, mesh::Index cell);

@@ -7,7 +7,7 @@
 namespace soft::meshing {
 namespace {
 
-/// Twice the area of the polygon through the chains' points; enough to tell the sense of rotation.
+/// Twice the area of the polygon through the points of the sides; its sign gives the orientation.
 double turning(const Section& section, const std::array<std::vector<int>, 4>& sides) {
     double sum = 0;
     for (const auto& side : sides)
@@ -74,11 +74,10 @@ double cell_count(const Section& section) {
     return cells;
 }
 
-int divisions(double length_m, double size_m, int least) {
-    constexpr double most = 100000;  // far beyond what can be solved, and safe to convert to int
-    constexpr double rounding =
-        1e-9;  // a half must not become one number of cells in millimetres and another in metres
-    return std::max(least, static_cast<int>(std::lround(std::min(length_m / size_m + rounding, most))));
+int divisions(double length_m, double size_m, int min_cells) {
+    constexpr double max_cells = 100000;  // far more than can be solved, and safe to convert to int
+    constexpr double rounding = 1e-9;     // so that halves round to the same number in millimetres and in metres
+    return std::max(min_cells, static_cast<int>(std::lround(std::min(length_m / size_m + rounding, max_cells))));
 }
 
 Section rectangle(const Rectangle& shape) {
@@ -98,14 +97,14 @@ Section rectangle(const Rectangle& shape) {
 void check(const Section& section) {
     for (std::size_t b = 0; b < section.blocks.size(); ++b) {
         const auto& sides = section.blocks[b].sides;
-        const std::string place = "section: block " + std::to_string(b);
+        const std::string location = "section: block " + std::to_string(b);
         for (std::size_t k = 0; k < 4; ++k)
             if (sides[k].size() < 2 || sides[k].back() != sides[(k + 1) % 4].front())
-                throw std::logic_error(place + ": side " + std::to_string(k) + " does not lead to the next");
+                throw std::logic_error(location + ": side " + std::to_string(k) + " does not connect to the next");
         for (std::size_t k = 0; k < 2; ++k) {
             const int one = cells_along(section, sides[k]), other = cells_along(section, sides[k + 2]);
             if (one != other)
-                throw std::logic_error(place + ": opposite sides have " + std::to_string(one) + " and " +
+                throw std::logic_error(location + ": opposite sides have " + std::to_string(one) + " and " +
                                        std::to_string(other) + " cells");
         }
     }

@@ -1,9 +1,9 @@
 #pragma once
-/// A plane section as people draw it: points, lines and circular arcs, and four-sided blocks between them. Plain data,
-/// no mesher in it. Coordinates [m]: (x, r) for a body of revolution about x, (x, z) for a box that is drawn out along y, (x, y) for
-/// plane strain and what is drawn out along z.
-/// A curve carries its number of cells; blocks that share it agree by construction, and opposite sides of a block must
-/// have equal numbers (checked). Tested by meshing/section_mesher_test.
+/// A plane section of points, lines, circular arcs and four-sided blocks between them. Plain data; section_mesher.hpp meshes it.
+/// Coordinates [m]: (x, r) for a body of revolution about x, (x, z) for extrusion along y, (x, y) for plane strain and extrusion
+/// along z.
+/// Each curve has a number of cells, so blocks that share it are conforming; opposite sides of a block must have equal numbers
+/// (checked). Tested by meshing/section_mesher_test.
 #include <array>
 #include <initializer_list>
 #include <string>
@@ -19,16 +19,17 @@ struct Curve {
     int end;
     int centre;  ///< point number, or `straight`
     int cells;
-    std::vector<std::string> faces;  ///< facet sets its edges belong to
-    double grading = 1;              ///< length of the last cell over the first; geometric in between
+    std::vector<std::string> faces;  ///< facet sets of its edges
+    double grading = 1;              ///< ratio of the last cell length to the first; geometric in between
     static constexpr int straight = -1;
 };
 
-/// Four sides, counter-clockwise; each a chain of point numbers whose neighbours are joined by a curve. A side starts
-/// where the one before ends.
+/// Four sides, counter-clockwise; each is a chain of point numbers whose neighbours are connected by a curve. A side starts at the
+/// end of the previous one.
 struct Block {
     std::array<std::vector<int>, 4> sides;
-    std::string region = "rubber";  ///< of its cells; blocks of different regions are bonded where they share a curve
+    std::string region =
+        "rubber";  ///< region of its cells; blocks of different regions are bonded where they share a curve
 };
 
 struct Section {
@@ -37,13 +38,13 @@ struct Section {
     std::vector<Block> blocks;
 };
 
-/// Names of the facet sets every family uses in the same way.
+/// Names of facet sets with the same meaning in every family.
 inline constexpr const char* axis_face = "axis";
 inline constexpr const char* symmetry_x_face = "symmetry_x";
 inline constexpr const char* symmetry_y_face = "symmetry_y";
 inline constexpr const char* symmetry_z_face = "symmetry_z";
 
-/// Each returns the number of what it added.
+/// Each function returns the number of the added object.
 int add_point(Section& section, PlanePoint point);
 
 struct Ends {
@@ -54,17 +55,17 @@ int add_line(Section& section, Ends ends, int cells, std::vector<std::string> fa
 int add_graded_line(Section& section, Ends ends, int cells, double grading, std::vector<std::string> faces = {});
 int add_arc(Section& section, Ends ends, int centre, int cells, std::vector<std::string> faces = {});
 
-/// The outline may run either way round (mirrored ends do); it is stored counter-clockwise.
+/// The sides may be in either orientation (mirrored ends are clockwise); the block is stored counter-clockwise.
 int add_block(Section& section, std::array<std::vector<int>, 4> sides, std::string region = "rubber");
 
-/// The curve between two neighbouring points of a chain; std::logic_error if no curve joins them.
+/// The curve between two neighbouring points of a chain; throws std::logic_error if there is none.
 [[nodiscard]] int curve_between(const Section& section, Ends ends);
 
-/// Of all blocks.
+/// Number of cells of all blocks.
 [[nodiscard]] double cell_count(const Section& section);
 
-/// Cells of nearly the wished size along a length, but no fewer than `least`.
-[[nodiscard]] int divisions(double length_m, double size_m, int least = 1);
+/// Number of cells of about the requested size along a length, at least `min_cells`.
+[[nodiscard]] int divisions(double length_m, double size_m, int min_cells = 1);
 
 /// A rectangle with one block: corners from (0, low) to (length, high).
 struct Rectangle {
@@ -76,7 +77,7 @@ struct Rectangle {
 };
 [[nodiscard]] Section rectangle(const Rectangle& shape);
 
-/// std::logic_error with the block's number if its sides do not join or opposite sides differ in cells.
+/// Throws std::logic_error with the number of the block if its sides are not connected or opposite sides differ in cells.
 void check(const Section& section);
 
 }  // namespace soft::meshing

@@ -9,8 +9,8 @@
 namespace soft::meshing {
 namespace {
 
-/// Quality of a cell: least over largest Jacobian determinant of the second-order cell, or the smallest sine between its parameter lines where that
-/// is less; both at its nodes. Negative where the cell is inverted.
+/// Quality of a second-order cell: the ratio of the smallest to the largest Jacobian determinant, or the smallest sine between its
+/// parameter lines if that is smaller; both at its nodes. Negative if the cell is inverted.
 class Smoother {
 public:
     explicit Smoother(Polygons& mesh)
@@ -21,8 +21,8 @@ public:
         for (std::size_t c = 0; c < mesh.cells.size(); ++c)
             for (const int p : mesh.cells[c]) cells_at_[static_cast<std::size_t>(p)].push_back(c);
         for (const auto& [ends, side] : mesh.boundary) {
-            middles_[ends] = boundary_middle(mesh, ends).place;
-            for (const int p : ends) cells_at_[static_cast<std::size_t>(p)].clear();  // these stay
+            middles_[ends] = boundary_middle(mesh, ends).position;
+            for (const int p : ends) cells_at_[static_cast<std::size_t>(p)].clear();  // boundary points do not move
         }
         for (const std::vector<int>& cell : mesh.cells) quality_.push_back(quality(cell));
     }
@@ -32,7 +32,7 @@ public:
         for (int round = 0; round < rounds; ++round) {
             std::set<int> todo;
             for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
-                if (quality_[c] < sound_) add_around(c, todo);
+                if (quality_[c] < good_) add_around(c, todo);
             bool moved = false;
             for (const int p : todo) moved = improve(p) || moved;
             if (!moved) return;
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    static constexpr double sound_ = 0.3;
+    static constexpr double good_ = 0.3;
     using Gradients = std::vector<std::vector<mesh::ShapeValue>>;
 
     static Gradients gradients(mesh::CellType type) {
@@ -51,7 +51,7 @@ private:
 
     [[nodiscard]] const PlanePoint& at(int point) const { return mesh_.points[static_cast<std::size_t>(point)]; }
 
-    /// Inner points of a cell and of those beside it.
+    /// Adds the inner points of a cell and its neighbours.
     void add_around(std::size_t cell, std::set<int>& points) const {
         for (const int p : mesh_.cells[cell])
             for (const std::size_t beside : cells_at_[static_cast<std::size_t>(p)])
@@ -66,29 +66,29 @@ private:
         return worst;
     }
 
-    /// Moves a point as long as the worst cell around it gets better, in steps that halve.
+    /// Moves a point as long as the worst cell around it improves, with step halving.
     bool improve(int point) {
-        PlanePoint& place = mesh_.points[static_cast<std::size_t>(point)];
+        PlanePoint& position = mesh_.points[static_cast<std::size_t>(point)];
         const auto& around = cells_at_[static_cast<std::size_t>(point)];
         double best = worst_around(point), step_m = 0;
-        if (best >= sound_) return false;
+        if (best >= good_) return false;
         for (const std::size_t c : around)
-            for (const int p : mesh_.cells[c]) step_m = std::max(step_m, 0.3 * length(minus(at(p), place)));
+            for (const int p : mesh_.cells[c]) step_m = std::max(step_m, 0.3 * length(minus(at(p), position)));
         constexpr int halvings = 6;
-        constexpr std::array<PlanePoint, 8> ways{
+        constexpr std::array<PlanePoint, 8> directions{
             {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0.7, 0.7}, {-0.7, 0.7}, {0.7, -0.7}, {-0.7, -0.7}}};
         bool moved = false;
         for (int k = 0; k < halvings;) {
-            const PlanePoint from = place;
+            const PlanePoint from = position;
             PlanePoint to = from;
-            for (const PlanePoint& way : ways) {
-                place = {from[0] + step_m * way[0], from[1] + step_m * way[1]};
+            for (const PlanePoint& direction : directions) {
+                position = {from[0] + step_m * direction[0], from[1] + step_m * direction[1]};
                 if (const double worst = worst_around(point); worst > best) {
                     best = worst;
-                    to = place;
+                    to = position;
                 }
             }
-            place = to;
+            position = to;
             if (to == from) {
                 step_m *= 0.5;
                 ++k;
@@ -100,10 +100,10 @@ private:
         return moved;
     }
 
-    /// Nodes of the second-order cell, in its order.
+    /// Nodes of the second-order cell in the order of its type.
     [[nodiscard]] std::vector<PlanePoint> nodes(const std::vector<int>& cell) const {
-        std::vector<PlanePoint> places;
-        for (const int p : cell) places.push_back(at(p));
+        std::vector<PlanePoint> positions;
+        for (const int p : cell) positions.push_back(at(p));
         PlanePoint centre{};
         for (std::size_t i = 0; i < cell.size(); ++i) {
             const int a = cell[i], b = cell[(i + 1) % cell.size()];
@@ -111,33 +111,33 @@ private:
             const PlanePoint middle = curved != middles_.end()
                                           ? curved->second
                                           : PlanePoint{0.5 * (at(a)[0] + at(b)[0]), 0.5 * (at(a)[1] + at(b)[1])};
-            places.push_back(middle);
+            positions.push_back(middle);
             for (std::size_t d = 0; d < 2; ++d) centre[d] += 0.5 * middle[d] - 0.25 * at(a)[d];
         }
-        if (cell.size() == 4) places.push_back(centre);
-        return places;
+        if (cell.size() == 4) positions.push_back(centre);
+        return positions;
     }
 
     [[nodiscard]] double quality(const std::vector<int>& cell) const {
-        const std::vector<PlanePoint> places = nodes(cell);
-        double least = INFINITY, most = -INFINITY, sine = 1;
+        const std::vector<PlanePoint> positions = nodes(cell);
+        double min = INFINITY, max = -INFINITY, sine = 1;
         for (const auto& shapes : cell.size() == 4 ? quadrilateral_ : triangle_) {
             PlanePoint along_xi{}, along_eta{};
-            for (std::size_t n = 0; n < places.size(); ++n)
+            for (std::size_t n = 0; n < positions.size(); ++n)
                 for (std::size_t d = 0; d < 2; ++d) {
-                    along_xi[d] += shapes[n].gradient[0] * places[n][d];
-                    along_eta[d] += shapes[n].gradient[1] * places[n][d];
+                    along_xi[d] += shapes[n].gradient[0] * positions[n][d];
+                    along_eta[d] += shapes[n].gradient[1] * positions[n][d];
                 }
             const double determinant = cross(along_xi, along_eta);
-            least = std::min(least, determinant);
-            most = std::max(most, determinant);
+            min = std::min(min, determinant);
+            max = std::max(max, determinant);
             sine = std::min(sine, determinant / (length(along_xi) * length(along_eta)));
         }
-        return most > 0 ? std::min(least / most, sine) : -1;
+        return max > 0 ? std::min(min / max, sine) : -1;
     }
 
     Polygons& mesh_;
-    std::vector<std::vector<std::size_t>> cells_at_;  ///< around inner points
+    std::vector<std::vector<std::size_t>> cells_at_;  ///< cells around each inner point
     Gradients triangle_, quadrilateral_;
     std::map<std::array<int, 2>, PlanePoint> middles_;
     std::vector<double> quality_;

@@ -18,11 +18,11 @@ using mesh::Index;
 using mesh::Point;
 using swept::Sweep;
 
-/// Planes at equal angles. Multiples of a quarter turn are exact, so cut planes hold exact zeros.
+/// Planes at equal angles. Multiples of a quarter turn are exact, so coordinates on cut planes are exactly zero.
 struct Circle {
     int half_layers_per_quarter;
     int offset;  ///< plane 0 lies at offset quarter turns
-    int period;  ///< planes of a full turn; 0 where the turn does not close
+    int period;  ///< planes of a full turn; 0 if the turn is not closed
 
     [[nodiscard]] bool is_fixed(const Point& p) const { return p[1] == 0.0; }
     [[nodiscard]] int plane(const Point& p, int plane) const {

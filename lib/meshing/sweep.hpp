@@ -1,6 +1,6 @@
 #pragma once
-/// Section -> solid. Every node of a body of revolution lies on its true circle.
-/// Facet sets are swept along (sets on the axis vanish); cut planes become the sets symmetry_y and symmetry_z.
+/// Section -> solid. Every node of a body of revolution lies on its exact circle.
+/// Facet sets are swept too (sets on the axis vanish); cut planes become the sets symmetry_y and symmetry_z.
 /// Tested by meshing/sweep_test.
 #include <string>
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace soft::meshing {
 
-/// How much of the body of revolution: quarter y >= 0 and z >= 0; half y >= 0; full all round, closed on itself.
+/// Share of the body of revolution: quarter: y >= 0 and z >= 0; half: y >= 0; full: closed.
 enum class Turn { quarter, half, full };
 
-/// Turns the section (x, r) about x: y = r cos(angle), z = r sin(angle). Quadrilaterals become 27-node hexahedra, those
-/// with an edge on the axis 18-node wedges; triangles off the axis become wedges, those on it tetrahedra, which meet the
-/// wedges only once these are split into simplices. A quarter turn has `sectors_per_quarter` cells. std::logic_error for a
-/// quadrilateral that meets the axis in a corner only.
+/// Revolves the section (x, r) about x: y = r cos(angle), z = r sin(angle). Quadrilaterals become 27-node hexahedra, those
+/// with an edge on the axis 18-node wedges; triangles off the axis become wedges, those on it tetrahedra, which
+/// conform to the wedges only after these are split into simplices. A quarter turn has `sectors_per_quarter` cells. Throws
+/// std::logic_error for a quadrilateral that meets the axis in a corner only.
 [[nodiscard]] mesh::Mesh revolve(const mesh::Mesh& section, Turn turn, int sectors_per_quarter);
 
-/// Draws the section out from 0 to width_m: (x, z) along y, or (x, y) along z; the end planes get the given names.
+/// Extrudes the section from 0 to width_m: (x, z) along y, or (x, y) along z; the end planes get the given names.
 struct Extrusion {
     enum class Along { y, z };
     double width_m = 0;
@@ -29,7 +29,7 @@ struct Extrusion {
 };
 [[nodiscard]] mesh::Mesh extrude(const mesh::Mesh& section, const Extrusion& extrusion);
 
-/// Cell sides, inner ones included, that lie on the plane where the given coordinate (0 x, 1 y, 2 z) is zero.
+/// Cell facets, including inner ones, on the plane where the given coordinate (0 x, 1 y, 2 z) is zero.
 [[nodiscard]] std::vector<mesh::Facet> facets_on_plane(const mesh::Mesh& mesh, int component);
 
 }  // namespace soft::meshing

@@ -1,5 +1,5 @@
 #pragma once
-/// Cells between copies of a section, layer after layer. Internal to the module: meshing/sweep.hpp says what comes out. Held by
+/// Cells between copies of a section, layer by layer. Private to the module; meshing/sweep.hpp describes the result. Tested by
 /// meshing/sweep_test.
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ using mesh::Point;
 
 inline constexpr int none = -1;
 
-/// Where the sides of a section cell go in the solid cell: swept edges, and the two ends.
+/// Local facets of the solid cell that correspond to the swept edges of the section cell and to its two ends.
 struct Sides {
     std::array<int, 4> edge;  ///< local facet of the solid for each edge of the section cell, or `none`
     int first, last;
@@ -31,14 +31,14 @@ inline constexpr Sides prism_sides{{2, 3, 4, none}, 0, 1};
 /// A wedge whose edge 0 (of the turned section quadrilateral) lies on the axis.
 inline constexpr Sides axis_wedge_sides{{none, 1, 3, 0}, 2, 4};
 
-/// Planes are numbered in half layers: 2k is the face between cells, 2k + 1 the middle of one.
-/// `Place` gives the position of a section node on a plane and says which planes coincide.
-template <class Place>
+/// Planes are numbered in half layers: 2k is the face between cells, 2k + 1 the middle of a cell.
+/// `Path` gives the position of a section node on a plane and which planes coincide for it.
+template <class Path>
 class Sweep {
 public:
-    Sweep(const mesh::Mesh& section, Place place, int layers)
+    Sweep(const mesh::Mesh& section, Path path, int layers)
         : section_(section),
-          place_(place),
+          path_(path),
           planes_(2 * layers + 1),
           numbers_(section.points.size() * static_cast<std::size_t>(planes_), Index{none}) {
         solid_.region_names = section.region_names;
@@ -46,7 +46,7 @@ public:
         pieces_.resize(first_of_.size());
         sides_of_.resize(first_of_.size());
         turned_.resize(first_of_.size());
-        // Section cells outside, layers inside: numbers stay local along slender bodies.
+        // Loop over section cells outside, layers inside: numbers stay local along slender bodies.
         for (Index cell = 0; cell < section.cell_count(); ++cell) {
             first_of_[static_cast<std::size_t>(cell)] = solid_.cell_count();
             for (int layer = 0; layer < layers; ++layer) add(cell, 2 * layer);
@@ -54,7 +54,7 @@ public:
         for (const auto& [name, facets] : section.facet_sets) sweep_set(name, facets, layers);
     }
 
-    /// The cut through the section at the first or the last plane.
+    /// Names the facets at the first or the last plane.
     void name_first(const std::string& name) { name_end(name, 0, &Sides::first); }
     void name_last(const std::string& name) { name_end(name, (planes_ - 1) / 2 - 1, &Sides::last); }
 
@@ -65,12 +65,12 @@ public:
 
 private:
     Index node(Index section_node, int plane) {
-        const int own = place_.plane(section_.point(section_node), plane);
+        const int own = path_.plane(section_.point(section_node), plane);
         Index& number = numbers_[static_cast<std::size_t>(section_node) * static_cast<std::size_t>(planes_) +
                                  static_cast<std::size_t>(own)];
         if (number == none) {
             number = static_cast<Index>(solid_.points.size());
-            solid_.points.push_back(place_.position(section_.point(section_node), own));
+            solid_.points.push_back(path_.position(section_.point(section_node), own));
         }
         return number;
     }
@@ -88,7 +88,7 @@ private:
         const int corners = mesh::topology(section_.cell_type(cell)).vertex_count;
         int touching = 0;
         for (int k = 0; k < corners; ++k) {
-            on_axis[k] = place_.is_fixed(section_.point(nodes[k]));
+            on_axis[k] = path_.is_fixed(section_.point(nodes[k]));
             touching += on_axis[k] ? 1 : 0;
         }
         const std::int32_t region = section_.cell_regions[c];
@@ -110,10 +110,10 @@ private:
     static int axis_edge(const std::array<bool, 4>& on_axis, int touching) {
         for (int k = 0; k < 4; ++k)
             if (touching == 2 && on_axis[k] && on_axis[(k + 1) % 4]) return k;
-        throw std::logic_error("revolve: a quadrilateral of the section meets the axis otherwise than in one edge");
+        throw std::logic_error("revolve: a quadrilateral of the section touches the axis other than in one edge");
     }
 
-    /// Each entry: section node and half layer (0, 1, 2) of one node of the solid cell, in VTK order.
+    /// Section node and half layer (0, 1, 2) of one node of the solid cell, in VTK order.
     struct Entry {
         int node, plane;
     };
@@ -155,7 +155,7 @@ private:
         emit(CellType::wedge18, entries, t, plane, region);
     }
 
-    /// p = the quadrilateral turned so that p0, p1 lie on the axis: triangles (p0, p3, p3') and (p1, p2, p2').
+    /// p = the quadrilateral rotated so that p0, p1 lie on the axis: triangles (p0, p3, p3') and (p1, p2, p2').
     void add_axis_wedge(std::span<const Index> q, int turn, int plane, std::int32_t region) {
         std::array<Index, 9> p{};
         for (int k = 0; k < 4; ++k) {
@@ -184,9 +184,9 @@ private:
         emit(CellType::wedge18, entries, p, plane, region);
     }
 
-    using Corner = Entry;  ///< of a triangle, on a plane
+    using Corner = Entry;  ///< corner of a triangle on a plane
 
-    /// The node half-way between two corners of a tetrahedron. A corner on the axis lies on all planes.
+    /// The mid node between two corners of a tetrahedron. A corner on the axis lies on all planes.
     Entry between(Corner a, Corner b, const std::array<bool, 4>& on_axis) const {
         if (a.node == b.node) return {a.node, 1};
         const int middle = a.node + b.node == 1 ? 3 : a.node + b.node == 3 ? 4 : 5;  // of edges 01, 12, 20
@@ -205,8 +205,9 @@ private:
         emit(CellType::tet10, entries, t, plane, region);
     }
 
-    /// A triangle turned about an edge of its own is a tetrahedron; about a corner a pyramid: two, whose common side meets the
-    /// base along the diagonal that split_into_simplices chooses for the wedge behind it, from the smallest number.
+    /// A triangle revolved about one of its edges gives a tetrahedron; about a corner a pyramid, which becomes two tetrahedra. Their
+    /// common side meets the base along the diagonal from the smallest number, as split_into_simplices chooses it for the adjacent
+    /// wedge.
     void add_axis_tetrahedra(std::span<const Index> t, const std::array<bool, 4>& on_axis, int plane,
                              std::int32_t region) {
         const auto only = [&](bool wanted) {
@@ -222,10 +223,10 @@ private:
         const auto number = [&](const Corner& corner) {
             return node(t[static_cast<std::size_t>(corner.node)], plane + corner.plane);
         };
-        const auto least = std::min_element(base.begin(), base.end(), [&](const Corner& one, const Corner& other) {
+        const auto smallest = std::min_element(base.begin(), base.end(), [&](const Corner& one, const Corner& other) {
             return number(one) < number(other);
         });
-        if ((least - base.begin()) % 2 == 0) {
+        if ((smallest - base.begin()) % 2 == 0) {
             add({{{apex, 0}, base[0], base[1], base[2]}});
             add({{{apex, 0}, base[0], base[2], base[3]}});
         } else {
@@ -234,7 +235,7 @@ private:
         }
     }
 
-    /// Sides of the tetrahedra of a cell in one layer whose corners are all among `nodes`.
+    /// Facets of the tetrahedra of a cell in one layer whose corners are all among `nodes`.
     void find_sides(Index cell, int layer, const std::vector<Index>& nodes, std::vector<Facet>& found) const {
         const auto c = static_cast<std::size_t>(cell);
         for (int piece = 0; piece < pieces_[c]; ++piece) {
@@ -262,7 +263,7 @@ private:
             const auto c = static_cast<std::size_t>(facet.cell);
             if (is_of_tetrahedra(facet.cell)) {
                 const auto ends = mesh::facet_nodes(section_, facet);
-                if (place_.is_fixed(section_.point(ends[0])) && place_.is_fixed(section_.point(ends[1]))) continue;
+                if (path_.is_fixed(section_.point(ends[0])) && path_.is_fixed(section_.point(ends[1]))) continue;
                 for (int layer = 0; layer < layers; ++layer)
                     find_sides(facet.cell, layer,
                                {node(ends[0], 2 * layer), node(ends[1], 2 * layer), node(ends[0], 2 * layer + 2),
@@ -296,14 +297,14 @@ private:
     }
 
     const mesh::Mesh& section_;
-    Place place_;
+    Path path_;
     int planes_;
     std::vector<Index> numbers_;  ///< solid node of (section node, plane)
     mesh::Mesh solid_;
     std::vector<Index> first_of_;  ///< first solid cell of each section cell; the others of all layers follow
-    std::vector<int> pieces_;      ///< solid cells a layer: 1, or tetrahedra at the axis
+    std::vector<int> pieces_;      ///< solid cells per layer: 1, or tetrahedra at the axis
     std::vector<Sides> sides_of_;
-    std::vector<int> turned_;  ///< by how many corners an axis quadrilateral was turned
+    std::vector<int> turned_;  ///< number of corners by which an axis quadrilateral was rotated
 };
 
 }  // namespace soft::meshing::swept

@@ -9,8 +9,8 @@
 namespace soft::geometry {
 namespace {
 
-/// Closed form of the volume swept by a meridian of lines and arcs: V = pi (integral of r^2 dx). All in mm.
-/// Written from the drawing, not from the code: the tangent is found by angles here, by projections there.
+/// Closed form of the volume swept by a meridian of lines and arcs: V = pi (integral of r^2 dx). Lengths in mm.
+/// Independent of the code: the tangent follows from angles here, from projections in the code.
 class Meridian {
 public:
     double pitch = 9.25, crest = 19, bore = 2.5, wall = 3, fillet = 0.25;
@@ -18,7 +18,7 @@ public:
     double disc_length = 6, disc_radius = 14.5, neck_length = 1, neck_radius = 7;
     int convolutions = 10;
 
-    /// Enclosed by the wall's inner face from the first to the last trough, and by the bore through the inlet's disc.
+    /// Volume enclosed by the inner face of the wall from the first to the last trough, and by the bore through the inlet disc.
     [[nodiscard]] double cavity() const {
         double sum = pi * bore * bore * (disc_length + (convolutions - 1) * trough_land);
         for (int i = 0; i < convolutions; ++i) {
@@ -28,7 +28,7 @@ public:
         return sum;
     }
 
-    /// The outer envelope less the cavity.
+    /// The outer envelope minus the cavity.
     [[nodiscard]] double rubber() const {
         double walls = pi * (bore + wall) * (bore + wall) * (convolutions - 1) * trough_land;
         for (int i = 0; i < convolutions; ++i) {
@@ -50,7 +50,7 @@ private:
         if (convolutions > 1) m.crest += (last_crest - crest) * convolution / (convolutions - 1);
         return m;
     }
-    /// Disc and neck fill what lies outside the wall between its corner and the trough.
+    /// Volume of disc and neck outside the wall, between its corner and the trough.
     [[nodiscard]] double end() const {
         return pi * disc_radius * disc_radius * (disc_length - neck_length + neck_corner()) +
                pi * neck_radius * neck_radius * neck_length - outer_to_neck();
@@ -59,7 +59,7 @@ private:
     [[nodiscard]] double trough() const { return bore + fillet + wall; }
     [[nodiscard]] double rise() const { return crest - bore - 2 * (fillet + wall); }
 
-    /// Angle of the straight wall against the axis: the line of centres, turned by the cross tangent's angle.
+    /// Angle between the straight wall and the axis: that of the line of centres plus that of the inner tangent.
     [[nodiscard]] double bend() const {
         return std::atan2(rise(), half_pitch()) + std::asin((2 * fillet + wall) / std::hypot(rise(), half_pitch()));
     }
@@ -84,7 +84,7 @@ private:
                arc(top, crest_radius, -1, angle);
     }
 
-    /// Below the outer wall, from the trough to the neck's corner.
+    /// Volume below the outer wall, from the trough to the corner of the neck.
     [[nodiscard]] double outer_to_neck() const {
         const double b = bend();
         return arc(trough(), fillet, 1, b) +
@@ -97,7 +97,7 @@ TEST(Bellows, ClosedFormGivesThePublishedVolumes) {
     EXPECT_NEAR(Meridian{}.cavity(), 14962.7, 0.15);
 }
 
-TEST(Bellows, NeckCornersLieWhereThePaperHasThem) {
+TEST(Bellows, NeckCornersMatchThePaper) {
     const BellowsShape shape = shape_of(sample::values("bellows", "axisymmetric"));
     EXPECT_NEAR(9 * 9.25 - 1e3 * shape.neck_corner[0], 82.8605, 5e-5);  // the last trough is at 83.25
     EXPECT_NEAR(-9.25 + 1e3 * shape.disc_corner[0], -9.8605, 5e-5);
@@ -123,17 +123,17 @@ TEST(Bellows, VolumesConvergeToTheClosedForm) {
     EXPECT_NEAR(1e9 * sample::cavity_m3(fine) / Meridian{}.cavity(), 1, 1e-7);
 }
 
-TEST(Bellows, TheWallIsThreeMillimetresThickEverywhere) {
+TEST(Bellows, WallHasConstantThickness) {
     const BellowsShape shape = shape_of(sample::values("bellows", "axisymmetric"));
     const meshing::PlanePoint inner = shape.on_wall(shape.cavity_offset_m(), 0.5 * shape.straight_m);
     const meshing::PlanePoint outer = shape.on_wall(shape.outer_offset_m(), 0.5 * shape.straight_m);
     EXPECT_NEAR(std::hypot(outer[0] - inner[0], outer[1] - inner[1]), 3e-3, 1e-15);
-    // The straight ends where the crest's arc begins: at its radius from the centre.
+    // The straight part ends at the crest arc, at its radius from the centre.
     const meshing::PlanePoint top = shape.on_wall(shape.cavity_offset_m(), shape.straight_m);
     EXPECT_NEAR(std::hypot(top[0] - 0.5 * shape.pitch_m, top[1] - shape.crest_centre_m), 0.25e-3, 1e-15);
 }
 
-TEST(Bellows, AStripIsItsShareOfTheRubber) {
+TEST(Bellows, StripVolumeIsProportionalToItsAngle) {
     for (const char* model : {"half", "solid"}) {
         const Solid whole = sample::solid("bellows", model, {{"geometry.convolutions", "2"}});
         Solid body =
@@ -156,7 +156,7 @@ TEST(Bellows, AStripIsItsShareOfTheRubber) {
     }
 }
 
-TEST(Bellows, LandsOfHalfThePitchLessWallAndFilletsLeaveUprightWalls) {
+TEST(Bellows, LandsOfMaximumLengthGiveUprightWalls) {
     const BellowsShape shape = shape_of(sample::values(
         "bellows", "axisymmetric",
         {{"geometry.pitch", "16 mm"}, {"geometry.crest_land", "4.5 mm"}, {"geometry.trough_land", "4.5 mm"}}));
@@ -164,7 +164,7 @@ TEST(Bellows, LandsOfHalfThePitchLessWallAndFilletsLeaveUprightWalls) {
     EXPECT_NEAR(shape.along[0], 0, 1e-12);
 }
 
-TEST(Bellows, FacesHaveTheirAreas) {
+TEST(Bellows, FacesHaveTheExpectedAreas) {
     const Solid solid = sample::solid("bellows", "axisymmetric");
     EXPECT_NEAR(1e6 * sample::area_m2(solid, "fixed"), pi * 14.5 * 14.5, 1e-9);
     EXPECT_NEAR(1e6 * sample::area_m2(solid, "inlet"), pi * (14.5 * 14.5 - 2.5 * 2.5), 1e-9);
@@ -178,8 +178,8 @@ TEST(Bellows, FacesHaveTheirAreas) {
     EXPECT_NEAR(1e3 * highest, 89.25, 1e-12);
 }
 
-/// Other proportions within the admissible ranges keep sound cells and the right volume.
-TEST(Bellows, OtherShapesAreSoundToo) {
+/// Other proportions within the admissible ranges give valid cells and the correct volume.
+TEST(Bellows, OtherShapesHaveValidCellsAndVolumes) {
     struct Other {
         sample::Changes changes;
         Meridian meridian;
@@ -196,13 +196,13 @@ TEST(Bellows, OtherShapesAreSoundToo) {
     others[3] = {{{"geometry.neck.radius", "5.8 mm"}, {"geometry.neck.length", "0.5 mm"}}, {}};
     others[3].meridian.neck_radius = 5.8;
     others[3].meridian.neck_length = 0.5;
-    others[4] = {{{"geometry.wall", "1 mm"}, {"geometry.bore_radius", "4 mm"}}, {}};  // the wall leans forward
+    others[4] = {{{"geometry.wall", "1 mm"}, {"geometry.bore_radius", "4 mm"}}, {}};  // overhanging wall
     others[4].meridian.wall = 1;
     others[4].meridian.bore = 4;
-    others[5] = {{{"geometry.pitch", "7 mm"}, {"geometry.crest_radius", "12 mm"}}, {}};  // and over the neck
+    others[5] = {{{"geometry.pitch", "7 mm"}, {"geometry.crest_radius", "12 mm"}}, {}};  // overhanging the neck
     others[5].meridian.pitch = 7;
     others[5].meridian.crest = 12;
-    // Square convolutions (upright walls), rounded ones (all bend but for a little of the wall), a taper, and all at once.
+    // Square convolutions (upright walls), rounded ones (with a short straight wall), a taper, and all combined.
     others[6] = {{{"geometry.pitch", "16 mm"},
                   {"geometry.crest_land", "4.5 mm"},
                   {"geometry.trough_land", "4.5 mm"},
@@ -241,7 +241,7 @@ TEST(Bellows, OtherShapesAreSoundToo) {
                                                                            {"geometry.end_disc.radius", "14.5 mm"},
                                                                            {"geometry.neck.length", "1 mm"},
                                                                            {"geometry.neck.radius", "7 mm"}})
-            other.changes.try_emplace(key, value);  // those of the closed form
+            other.changes.try_emplace(key, value);  // the values of the closed form
         EXPECT_GT(mesh::quality(sample::solid("bellows", "axisymmetric", other.changes).mesh).min_scaled_jacobian, 0.05)
             << what;
         EXPECT_GT(mesh::quality(sample::solid("bellows", "quarter", other.changes).mesh).min_scaled_jacobian, 0.05)

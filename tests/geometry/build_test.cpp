@@ -19,17 +19,17 @@ design::Design design_of(const std::string& family, const std::string& model, co
     return d;
 }
 
-/// Components held on a face, over all supports; {false...} where there is none.
-std::array<bool, 3> held(const model::Case& c, const std::string& face) {
+/// Components that the supports fix on a face; {false, false, false} without a support.
+std::array<bool, 3> fixed_components(const model::Case& c, const std::string& face) {
     std::array<bool, 3> result{};
     for (const model::Support& support : c.supports)
         for (std::size_t i = 0; i < 3; ++i) result[i] = result[i] || (support.face == face && support.fixed[i]);
     return result;
 }
 
-using Held = std::array<bool, 3>;
+using Components = std::array<bool, 3>;
 
-TEST(BuildCase, CarriesTheDesignsOwnParts) {
+TEST(BuildCase, CopiesSupportsLoadsAndOutputsOfTheDesign) {
     design::Design d = design_of("bellows", "axisymmetric");
     d.supports = {{"fixed", {true, true, true}}};
     d.loads = {{.name = "cavity", .targets = {"cavity"}, .gas = {}}};
@@ -41,8 +41,8 @@ TEST(BuildCase, CarriesTheDesignsOwnParts) {
     EXPECT_EQ(c.formulation, model::Formulation::mixed);
     ASSERT_EQ(c.materials.size(), 1u);
     EXPECT_EQ(c.mesh.region_names, (std::vector<std::string>{c.materials[0].name}));
-    EXPECT_EQ(held(c, "fixed"), (Held{true, true, true}));
-    EXPECT_EQ(held(c, "axis"), (Held{false, true, false}));
+    EXPECT_EQ(fixed_components(c, "fixed"), (Components{true, true, true}));
+    EXPECT_EQ(fixed_components(c, "axis"), (Components{false, true, false}));
     ASSERT_EQ(c.loads.size(), 1u);
     EXPECT_EQ(c.loads[0].targets, std::vector<std::string>{"cavity"});
     ASSERT_EQ(c.outputs.size(), 1u);
@@ -50,7 +50,7 @@ TEST(BuildCase, CarriesTheDesignsOwnParts) {
     EXPECT_EQ(c.path.stages.at(0).until.size(), 1u);
 }
 
-TEST(BuildCase, TheBellowsCavityOpensThroughTheBore) {
+TEST(BuildCase, BellowsCavityOpensThroughTheBore) {
     const model::Case c = build_case(design_of("bellows", "quarter"));
     ASSERT_EQ(c.cavities.size(), 1u);
     ASSERT_EQ(c.cavities[0].openings.size(), 1u);
@@ -61,25 +61,25 @@ TEST(BuildCase, TheBellowsCavityOpensThroughTheBore) {
     EXPECT_TRUE(c.mesh.facet_sets.contains(c.cavities[0].openings[0].face));
 }
 
-TEST(BuildCase, SymmetryPlanesAreHeldInTheirNormal) {
+TEST(BuildCase, SymmetryPlanesAreFixedInTheirNormalDirection) {
     const model::Case quarter = build_case(design_of("tube", "quarter"));
     EXPECT_EQ(quarter.model_fraction, 0.25);
-    EXPECT_EQ(quarter.symmetry_planes, (Held{false, true, true}));
-    EXPECT_EQ(held(quarter, meshing::symmetry_y_face), (Held{false, true, false}));
-    EXPECT_EQ(held(quarter, meshing::symmetry_z_face), (Held{false, false, true}));
+    EXPECT_EQ(quarter.symmetry_planes, (Components{false, true, true}));
+    EXPECT_EQ(fixed_components(quarter, meshing::symmetry_y_face), (Components{false, true, false}));
+    EXPECT_EQ(fixed_components(quarter, meshing::symmetry_z_face), (Components{false, false, true}));
     const model::Case half = build_case(design_of("tube", "half"));
     EXPECT_EQ(half.model_fraction, 0.5);
-    EXPECT_EQ(half.symmetry_planes, (Held{false, true, false}));
-    EXPECT_EQ(held(half, meshing::symmetry_y_face), (Held{false, true, false}));
+    EXPECT_EQ(half.symmetry_planes, (Components{false, true, false}));
+    EXPECT_EQ(fixed_components(half, meshing::symmetry_y_face), (Components{false, true, false}));
     const model::Case plate = build_case(design_of("plate", "quarter"));
     EXPECT_EQ(plate.model_fraction, 0.25);
-    EXPECT_EQ(held(plate, meshing::symmetry_x_face), (Held{true, false, false}));
-    EXPECT_EQ(held(plate, meshing::symmetry_y_face), (Held{false, true, false}));
+    EXPECT_EQ(fixed_components(plate, meshing::symmetry_x_face), (Components{true, false, false}));
+    EXPECT_EQ(fixed_components(plate, meshing::symmetry_y_face), (Components{false, true, false}));
     EXPECT_TRUE(build_case(design_of("tube", "solid")).supports.empty());
 }
 
-/// Three translations and three rotations against what is held: none may be left to a shell that nobody supports.
-TEST(BuildCase, AnUnsupportedShellCannotMoveAsARigidBody) {
+/// Supports must resist all three translations and three rotations of a shell for which the design has no supports.
+TEST(BuildCase, UnsupportedShellHasNoRigidBodyMotion) {
     for (const char* model : {"solid", "half", "quarter"}) {
         const model::Case c = build_case(design_of("sphere", model));
         for (int motion = 0; motion < 6; ++motion) {
@@ -113,34 +113,31 @@ TEST(BuildCase, DirectionsFollowTheRequest) {
             EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
 }
 
-TEST(BuildCase, FacesThatAreCutAwayAreRefused) {
+TEST(BuildCase, FacesOutsideTheModelAreRejected) {
     design::Design d = design_of("rod", "half");
     d.supports = {{"left", {false, true, false}}};
-    EXPECT_EQ(refusal(d),
-              "supports: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+    EXPECT_EQ(refusal(d), "supports: this model has no face 'left'; available faces: fixed, end, bottom, top, right");
     d.supports.clear();
     d.loads = {{.name = "left", .targets = {"left"}, .gas = {}}};
-    EXPECT_EQ(refusal(d),
-              "loads.left: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+    EXPECT_EQ(refusal(d), "loads.left: this model has no face 'left'; available faces: fixed, end, bottom, top, right");
     d.loads.clear();
     d.outputs = {{"shift", "left", "y"}};
-    EXPECT_EQ(
-        refusal(d),
-        "outputs.shift.face: face 'left' is not part of this model; faces it has: fixed, end, bottom, top, right");
+    EXPECT_EQ(refusal(d),
+              "outputs.shift.face: this model has no face 'left'; available faces: fixed, end, bottom, top, right");
 }
 
-TEST(BuildCase, DirectionsTheModelDoesNotHaveAreRefused) {
+TEST(BuildCase, DirectionsOutsideTheModelAreRejected) {
     design::Design d = design_of("tube", "axisymmetric");
     d.outputs = {{"shift", "inlet", "z"}};
-    EXPECT_EQ(refusal(d), "outputs.shift.along: 'z' is no direction of this model; axis, x, r or normal");
+    EXPECT_EQ(refusal(d), "outputs.shift.along: 'z' is not a direction of this model; use axis, x, r or normal");
     d.outputs = {{"shift", "outer", "normal"}};
     EXPECT_EQ(refusal(d), "accepted");  // a straight line in the section
     d = design_of("tube", "quarter");
     d.outputs = {{"shift", "outer", "normal"}};
-    EXPECT_EQ(refusal(d), "outputs.shift.along: face 'outer' is not flat; axis, x, y or z");
+    EXPECT_EQ(refusal(d), "outputs.shift.along: face 'outer' is not flat; use axis, x, y or z");
 }
 
-TEST(BuildCase, APlaneModelLiesInXAndY) {
+TEST(BuildCase, PlaneModelLiesInTheXYPlane) {
     design::Design d =
         design_of("panel", "plane-strain", {{"geometry.rise", "48 mm"}});  // the bottom rises at 45 degrees
     d.outputs = {{"a", "end", "axis"}, {"b", "end", "y"}, {"c", "bottom", "normal"}};
@@ -153,24 +150,24 @@ TEST(BuildCase, APlaneModelLiesInXAndY) {
         for (std::size_t i = 0; i < 3; ++i)
             EXPECT_NEAR(c.outputs[k].direction[i], expected[k][i], 1e-12) << c.outputs[k].name;
     d.outputs = {{"shift", "end", "z"}};
-    EXPECT_EQ(refusal(d), "outputs.shift.along: 'z' is no direction of this model; axis, x, y or normal");
+    EXPECT_EQ(refusal(d), "outputs.shift.along: 'z' is not a direction of this model; use axis, x, y or normal");
 }
 
-TEST(BuildCase, ARingIsHeldByItsPlanes) {
+TEST(BuildCase, RingIsSupportedByItsSymmetryPlanes) {
     const model::Case plane = build_case(design_of("ring", "plane-strain"));
     EXPECT_EQ(plane.model_fraction, 0.25);
-    EXPECT_EQ(held(plane, meshing::symmetry_x_face), (Held{true, false, false}));
-    EXPECT_EQ(held(plane, meshing::symmetry_y_face), (Held{false, true, false}));
+    EXPECT_EQ(fixed_components(plane, meshing::symmetry_x_face), (Components{true, false, false}));
+    EXPECT_EQ(fixed_components(plane, meshing::symmetry_y_face), (Components{false, true, false}));
     const model::Case slice = build_case(design_of("ring", "solid"));
     EXPECT_EQ(slice.model_fraction, 0.25);
-    EXPECT_EQ(held(slice, "left"), (Held{false, false, true}));  // it cannot lengthen
-    EXPECT_EQ(held(slice, "right"), (Held{false, false, true}));
+    EXPECT_EQ(fixed_components(slice, "left"), (Components{false, false, true}));  // it cannot lengthen
+    EXPECT_EQ(fixed_components(slice, "right"), (Components{false, false, true}));
     ASSERT_EQ(slice.cavities.at(0).openings.size(), 2u);
     for (const model::Opening& opening : slice.cavities[0].openings)
         EXPECT_NEAR(opening.area_m2, std::numbers::pi * 1e-4, 1e-18);
 }
 
-TEST(BuildCase, TractionsHaveTheDirectionThatWasAskedFor) {
+TEST(BuildCase, TractionsHaveTheRequestedDirection) {
     design::Design d = design_of("panel", "plane-strain", {{"geometry.rise", "48 mm"}});
     d.tractions = {{"end", 62.5e3, "y"}, {"bottom", -1e3, "normal"}, {"top", -2e3, "axis"}};
     const model::Case c = build_case(d);
@@ -181,18 +178,18 @@ TEST(BuildCase, TractionsHaveTheDirectionThatWasAskedFor) {
     EXPECT_NEAR(c.tractions[1].traction_Pa[1], 1e3 * std::sqrt(0.5), 1e-9);
     EXPECT_EQ(c.tractions[2].traction_Pa[0], -2e3);
     d.tractions = {{"patch", 1e3, "y"}};
-    EXPECT_EQ(refusal(d), "loads.patch: face 'patch' is not part of this model; faces it has: fixed, end, bottom, top");
+    EXPECT_EQ(refusal(d), "loads.patch: this model has no face 'patch'; available faces: fixed, end, bottom, top");
     d.tractions = {{"end", 1e3, "z"}};
-    EXPECT_EQ(refusal(d), "loads.end.along: 'z' is no direction of this model; axis, x, y or normal");
+    EXPECT_EQ(refusal(d), "loads.end.along: 'z' is not a direction of this model; use axis, x, y or normal");
     d = design_of("tube", "axisymmetric");
     d.tractions = {{"outer", 1e3, "r"}};
     EXPECT_EQ(build_case(d).tractions[0].traction_Pa, (std::array<double, 3>{0, 1e3, 0}));
     d = design_of("tube", "quarter");
     d.tractions = {{"outer", 1e3, "normal"}};
-    EXPECT_EQ(refusal(d), "loads.outer.along: face 'outer' is not flat; axis, x, y or z");
+    EXPECT_EQ(refusal(d), "loads.outer.along: face 'outer' is not flat; use axis, x, y or z");
 }
 
-TEST(BuildCase, FBarIsForMeshesOfFirstOrderQuadrilateralsOrHexahedra) {
+TEST(BuildCase, FBarRequiresFirstOrderQuadrilateralsOrHexahedra) {
     const sample::Changes first{{"mesh.order", "1"}, {"mesh.formulation", "f-bar"}};
     for (const char* model : {"plane-strain", "solid"})
         EXPECT_EQ(build_case(design_of("panel", model, first)).formulation, model::Formulation::f_bar);
@@ -203,9 +200,9 @@ TEST(BuildCase, FBarIsForMeshesOfFirstOrderQuadrilateralsOrHexahedra) {
         "formulation mixed");
 }
 
-TEST(BuildCase, UnknownWordsAreRefused) {
+TEST(BuildCase, UnknownWordsAreRejected) {
     EXPECT_EQ(refusal(design_of("tube", "torus")),
-              "test: model: 'torus' is not a model; axisymmetric, plane-strain, solid, half or quarter");
+              "test: model: 'torus' is not a model; use axisymmetric, plane-strain, solid, half or quarter");
     design::Design d = design_of("tube", "solid");
     d.family = "torus";
     EXPECT_EQ(refusal(d), "family: no family is called 'torus'");

@@ -1,4 +1,4 @@
-/// The designs that come with the project, and every family's template, from text to case.
+/// The example designs and the templates of all families, from text to case.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,19 +25,19 @@ std::string file_text(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// GoogleTest takes letters, digits and _ only.
+/// GoogleTest names consist of letters, digits and _.
 class EveryFamily : public testing::TestWithParam<std::string> {
 protected:
     const std::filesystem::path path = std::filesystem::path{SOFT_SOURCE_DIR} / "designs" / (GetParam() + ".yaml");
 };
 
-TEST_P(EveryFamily, HasADesignThatBecomesACaseInEveryModel) {
+TEST_P(EveryFamily, ExampleDesignBuildsInEveryModel) {
     for (const Family& family : catalogue()) {
         if (family.keys.name != GetParam()) continue;
         for (const std::string& model : family.keys.models) {
             std::vector<design::Override> overrides{{"model", model}};
             if (model == "axisymmetric" && GetParam() == "plate") overrides.push_back({"geometry.radius", "50mm"});
-            if (GetParam() == "rod") overrides.push_back({"supports.y", "right"});  // y = 0 is cut away in a half
+            if (GetParam() == "rod") overrides.push_back({"supports.y", "right"});  // the half model has no face y = 0
             if (GetParam() == "rod") overrides.push_back({"supports.z", "top"});
             const model::Case c = build_case(read_from(file_text(path), path.string(), overrides));
             EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1) << model;
@@ -47,14 +47,14 @@ TEST_P(EveryFamily, HasADesignThatBecomesACaseInEveryModel) {
     }
 }
 
-TEST_P(EveryFamily, HasATemplateThatBecomesACase) {
+TEST_P(EveryFamily, TemplateBuilds) {
     for (const design::FamilyKeys& keys : catalogue_keys()) {
         if (keys.name != GetParam()) continue;
         EXPECT_NO_THROW((void)build_case(read_from(design::template_yaml(keys), "template")));
     }
 }
 
-TEST_P(EveryFamily, IsRunnableWithFamilyMaterialAndAPressureAlone) {
+TEST_P(EveryFamily, BuildsFromFamilyMaterialAndPressureOnly) {
     struct Short {
         std::string target = "cavity: {pressure: 5 kPa}";
         std::size_t cavities = 1, outputs = 1;
@@ -83,19 +83,19 @@ INSTANTIATE_TEST_SUITE_P(Designs, EveryFamily,
                                          "dome", "bellows", "pneunet", "segment"),
                          [](const auto& test) { return test_name(test.param); });
 
-/// Designs that show a path rather than a family.
-class Shown : public testing::TestWithParam<std::string> {
+/// Further example designs.
+class ExampleDesign : public testing::TestWithParam<std::string> {
 protected:
     const std::filesystem::path path = std::filesystem::path{SOFT_SOURCE_DIR} / "designs" / (GetParam() + ".yaml");
 };
 
-TEST_P(Shown, BecomesACaseWithoutWarning) {
+TEST_P(ExampleDesign, BuildsWithoutWarning) {
     const design::Design design = read_from(file_text(path), path.string());
     EXPECT_TRUE(design.warnings.empty()) << design.warnings.front();
     EXPECT_GT(mesh::quality(build_case(design).mesh).min_scaled_jacobian, 0.1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Designs, Shown,
+INSTANTIATE_TEST_SUITE_P(Designs, ExampleDesign,
                          testing::Values("balloon", "vacuum", "cycle", "yeoh-bellows", "two-spheres", "dome",
                                          "twisting-tube", "bellows-inflation", "bending-bellows", "pneunet", "segment"),
                          [](const auto& test) { return test_name(test.param); });

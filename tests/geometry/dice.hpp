@@ -1,5 +1,5 @@
 #pragma once
-/// Random numbers for drawn designs, the same on every machine for the same seed.
+/// Random numbers for generated designs, reproducible on every machine for the same seed.
 #include <cmath>
 #include <cstdint>
 #include <random>

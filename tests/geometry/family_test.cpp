@@ -11,13 +11,13 @@
 namespace soft::geometry {
 namespace {
 
-/// GoogleTest takes letters, digits and _ only.
+/// A family, a model and a kind of cells.
 struct Variant {
     std::string family, model, cells;
     sample::Changes changes;
 };
 
-/// Of every family that draws its own mesh (imported_test has the one that does not).
+/// All families that generate their own mesh (imported_test covers the other one).
 std::vector<Variant> variants() {
     std::vector<Variant> all;
     for (const Family& family : catalogue())
@@ -41,9 +41,9 @@ protected:
     const Solid solid = sample::solid(GetParam().family, GetParam().model, GetParam().changes);
 };
 
-TEST_P(EveryVariant, HasPositiveJacobiansEverywhere) { EXPECT_GT(mesh::quality(solid.mesh).min_scaled_jacobian, 0.1); }
+TEST_P(EveryVariant, HasPositiveJacobians) { EXPECT_GT(mesh::quality(solid.mesh).min_scaled_jacobian, 0.1); }
 
-TEST_P(EveryVariant, HoldsWholeQuadrilateralsOrSimplicesOnly) {
+TEST_P(EveryVariant, HasTheRequestedKindOfCells) {
     for (const mesh::CellType type : solid.mesh.cell_types) {
         const mesh::Shape shape = mesh::topology(type).shape;
         const bool simplex = shape == mesh::Shape::triangle || shape == mesh::Shape::tetrahedron;
@@ -51,8 +51,8 @@ TEST_P(EveryVariant, HoldsWholeQuadrilateralsOrSimplicesOnly) {
     }
 }
 
-/// Whatever is not named can be neither held nor loaded nor seen.
-TEST_P(EveryVariant, NamesEveryPieceOfItsBoundary) {
+/// A facet without a face could not be supported, loaded or measured.
+TEST_P(EveryVariant, HasAFaceForEveryBoundaryFacet) {
     const auto boundary = mesh::boundary_facets(solid.mesh);
     std::set<mesh::Facet> named;
     for (const auto& [name, facets] : solid.mesh.facet_sets)
@@ -60,7 +60,7 @@ TEST_P(EveryVariant, NamesEveryPieceOfItsBoundary) {
     EXPECT_EQ(named, std::set<mesh::Facet>(boundary.begin(), boundary.end()));
 }
 
-TEST_P(EveryVariant, UsesOnlyNamesThatTheFamilyDeclares) {
+TEST_P(EveryVariant, HasOnlyFacesThatTheFamilyDeclares) {
     const auto& faces = sample::family(GetParam().family).keys.faces;
     std::set<std::string> known(faces.begin(), faces.end());
     known.insert({meshing::axis_face, meshing::symmetry_x_face, meshing::symmetry_y_face, meshing::symmetry_z_face,
@@ -76,8 +76,6 @@ TEST_P(EveryVariant, UsesEveryPoint) {
 INSTANTIATE_TEST_SUITE_P(Family, EveryVariant, testing::ValuesIn(variants()), [](const auto& test) {
     return test_name(test.param.family + "_" + test.param.model + "_" + test.param.cells);
 });
-
-/// Quadratic edges miss a circle by the fourth power of their angle: 22.5 degrees leave 5e-5 of the area.
 
 struct Volumes {
     std::string family, model;
@@ -112,7 +110,7 @@ std::vector<Volumes> closed_forms() {
         all.push_back({"rod", model, 1e-5, 0});
         all.push_back({"plate", model, 2e-5, 0});
     }
-    // Per metre of depth, and a slice of 10 mm.
+    // Per metre of depth (plane strain), and for a slice of 10 mm.
     all.push_back({"ring", "plane-strain", pi * 3e-4, pi * 1e-4});
     all.push_back({"ring", "solid", pi * 3e-6, pi * 1e-6});
     all.push_back({"panel", "plane-strain", 48e-3 * 44e-3, 0});
@@ -130,7 +128,7 @@ TEST(Sphere, AreasMatch) {
     EXPECT_EQ(shell.fraction, 1.0 / 8);
 }
 
-TEST(TwoSpheres, StandApartAndHaveTheVolumesOfWholeOnes) {
+TEST(TwoSpheres, AreSeparateAndHaveTheVolumesOfWholeSpheres) {
     const Solid pair =
         sample::solid("two-spheres", "axisymmetric", {{"geometry.gap", "4 mm"}, {"geometry.right_scale", "2"}});
     const double cavity_m3 = 4 * pi / 3 * 1e-6;
@@ -147,7 +145,7 @@ TEST(TwoSpheres, StandApartAndHaveTheVolumesOfWholeOnes) {
     for (const mesh::Point& p : pair.mesh.points) EXPECT_GE(std::abs(p[0]), 2e-3 - 1e-15);
 }
 
-TEST(Dome, AreasOfItsFacesMatch) {
+TEST(Dome, FaceAreasMatch) {
     const double angle = pi / 6, inner_m = 49e-3, outer_m = 51e-3;
     const auto cap = [](double radius_m, double at) { return 2 * pi * radius_m * radius_m * (1 - std::cos(at)); };
     for (const char* model : {"axisymmetric", "quarter"}) {
@@ -160,7 +158,7 @@ TEST(Dome, AreasOfItsFacesMatch) {
     }
 }
 
-TEST(Tube, AreasOfItsFacesMatch) {
+TEST(Tube, FaceAreasMatch) {
     for (const char* model : {"axisymmetric", "half"}) {
         const Solid tube = sample::solid("tube", model);
         EXPECT_NEAR(sample::area_m2(tube, "fixed") / (pi * 1e-4), 1, curved);
@@ -178,7 +176,7 @@ TEST(Plate, RoundVolumeMatchesInEveryModel) {
     }
 }
 
-TEST(Ring, AreasOfItsFacesMatch) {
+TEST(Ring, FaceAreasMatch) {
     const Solid plane = sample::solid("ring", "plane-strain"), slice = sample::solid("ring", "solid");
     EXPECT_NEAR(sample::area_m2(plane, "cavity") / (2 * pi * 1e-2), 1, curved);
     EXPECT_NEAR(sample::area_m2(plane, "outer") / (2 * pi * 2e-2), 1, curved);
@@ -189,7 +187,7 @@ TEST(Ring, AreasOfItsFacesMatch) {
 }
 
 /// Cook's membrane: a trapezium of 48 x (44 + 16)/2 with sides of 44, 16, |(48, 44)| and |(48, 16)| (mm).
-TEST(Panel, ATaperedOneHasTheAreaAndTheSidesOfItsTrapezium) {
+TEST(Panel, TaperedPanelHasTheAreaAndSidesOfATrapezium) {
     const sample::Changes cook{
         {"geometry.end_height", "16 mm"}, {"geometry.rise", "44 mm"}, {"geometry.loaded_top", "12 mm"}};
     for (const char* cells : {"auto", "simplices"})
@@ -211,7 +209,7 @@ TEST(Panel, ATaperedOneHasTheAreaAndTheSidesOfItsTrapezium) {
         }
 }
 
-TEST(Panel, ThePatchIsThePartOfTheTopFromXZero) {
+TEST(Panel, PatchStartsAtXZero) {
     EXPECT_FALSE(sample::solid("panel", "plane-strain").mesh.facet_sets.contains("patch"));
     const Solid part = sample::solid("panel", "plane-strain", {{"geometry.loaded_top", "10 mm"}});
     for (const mesh::Facet& facet : part.mesh.facet_sets.at("patch"))
@@ -224,7 +222,7 @@ TEST(Panel, ThePatchIsThePartOfTheTopFromXZero) {
 }
 
 /// Straight edges between the nodes on a circle: a regular polygon of known area.
-TEST(FirstOrder, KeepsTheCornersAndStraightensTheEdges) {
+TEST(FirstOrder, HasStraightEdgesBetweenTheSameCorners) {
     const Solid plane = sample::solid("ring", "plane-strain", {{"mesh.order", "1"}});
     const double edges = 4.0 * static_cast<double>(plane.mesh.facet_sets.at("outer").size());
     const double polygon = 0.5 * edges * std::sin(2 * pi / edges);  // over the radius squared
@@ -232,7 +230,7 @@ TEST(FirstOrder, KeepsTheCornersAndStraightensTheEdges) {
     EXPECT_NEAR(sample::cavity_m3(plane, 2) / (polygon * 1e-4), 1, 1e-12);
 }
 
-TEST(FirstOrder, EveryFamilyAndModelHasSoundCellsOnTheCornersOfTheSecondOrderMesh) {
+TEST(FirstOrder, HasValidCellsAndTheFacesOfTheSecondOrderMesh) {
     for (Variant variant : variants()) {
         const Solid second = sample::solid(variant.family, variant.model, variant.changes);
         variant.changes["mesh.order"] = "1";
@@ -245,7 +243,7 @@ TEST(FirstOrder, EveryFamilyAndModelHasSoundCellsOnTheCornersOfTheSecondOrderMes
     }
 }
 
-TEST(Boxes, CutPlanesReplaceTheFacesTheyRemove) {
+TEST(Boxes, SymmetryPlanesReplaceFaces) {
     const Solid half = sample::solid("rod", "half"), quarter = sample::solid("rod", "quarter");
     EXPECT_FALSE(half.mesh.facet_sets.contains("left"));
     EXPECT_TRUE(half.mesh.facet_sets.contains("bottom"));
@@ -257,7 +255,7 @@ TEST(Boxes, CutPlanesReplaceTheFacesTheyRemove) {
     EXPECT_TRUE(plate.mesh.facet_sets.contains("bottom"));
 }
 
-TEST(Mesh, SectorsAndCellsThroughTheWallAreAsAsked) {
+TEST(Mesh, SectorsAndCellsThroughTheWallMatchTheRequest) {
     const auto cells = [](const sample::Changes& changes) {
         return sample::solid("sphere", "quarter", changes).mesh.cell_count();
     };
@@ -273,9 +271,9 @@ struct Refusal {
 
 void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.message; }
 
-class Refused : public testing::TestWithParam<Refusal> {};
+class Rejected : public testing::TestWithParam<Refusal> {};
 
-TEST_P(Refused, NamesTheKeyAndTheRange) {
+TEST_P(Rejected, ReportsTheKeyAndTheRange) {
     const Refusal& r = GetParam();
     try {
         (void)sample::solid(r.family, r.model, r.changes);
@@ -287,104 +285,106 @@ TEST_P(Refused, NamesTheKeyAndTheRange) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Family, Refused,
+    Family, Rejected,
     testing::Values(
         Refusal{"tube",
                 "axisymmetric",
                 {{"geometry.inner_radius", "12 mm"}, {"geometry.outer_radius", "10 mm"}},
-                "test: geometry.inner_radius: 12 mm is not smaller than outer_radius 10 mm; smaller than 10 mm"},
+                "test: geometry.inner_radius: 12 mm is not smaller than outer_radius (10 mm); use a value below 10 mm"},
         Refusal{"tube",
                 "quarter",
                 {{"geometry.cap", "50 mm"}},
-                "test: geometry.cap: 50 mm is not smaller than half the length 50 mm; smaller than 50 mm"},
+                "test: geometry.cap: 50 mm is not smaller than half the length (50 mm); use a value below 50 mm"},
         Refusal{"sphere",
                 "axisymmetric",
                 {{"geometry.inner_radius", "20 mm"}, {"geometry.outer_radius", "20 mm"}},
-                "test: geometry.inner_radius: 20 mm is not smaller than outer_radius 20 mm; smaller than 20 mm"},
+                "test: geometry.inner_radius: 20 mm is not smaller than outer_radius (20 mm); use a value below 20 mm"},
         Refusal{"two-spheres",
                 "axisymmetric",
                 {{"geometry.inner_radius", "11 mm"}, {"geometry.outer_radius", "11 mm"}},
-                "test: geometry.inner_radius: 11 mm is not smaller than outer_radius 11 mm; smaller than 11 mm"},
+                "test: geometry.inner_radius: 11 mm is not smaller than outer_radius (11 mm); use a value below 11 mm"},
         Refusal{"dome",
                 "axisymmetric",
                 {{"geometry.thickness", "50 mm"}},
-                "test: geometry.thickness: 50 mm is not smaller than radius 50 mm; smaller than 50 mm"},
+                "test: geometry.thickness: 50 mm is not smaller than radius (50 mm); use a value below 50 mm"},
         Refusal{"ring",
                 "plane-strain",
                 {{"geometry.inner_radius", "20 mm"}, {"geometry.outer_radius", "20 mm"}},
-                "test: geometry.inner_radius: 20 mm is not smaller than outer_radius 20 mm; smaller than 20 mm"},
+                "test: geometry.inner_radius: 20 mm is not smaller than outer_radius (20 mm); use a value below 20 mm"},
         Refusal{"panel",
                 "plane-strain",
                 {{"geometry.loaded_top", "50 mm"}},
-                "test: geometry.loaded_top: 50 mm is longer than the panel; at most its length, 48 mm"},
+                "test: geometry.loaded_top: 50 mm is longer than the panel; use at most its length, 48 mm"},
         Refusal{"panel",
                 "plane-strain",
                 {{"mesh.size", "0.001 mm"}},
-                "test: mesh.size: it would take 2.1e+09 cells; a larger size"},
+                "test: mesh.size: the mesh would have 2.1e+09 cells (limit 5 million); use a larger size"},
         Refusal{
             "plate",
             "axisymmetric",
             {},
-            "test: model: a rectangular plate has no axis of revolution; solid, half or quarter, or a round plate by geometry.radius"},
+            "test: model: a rectangular plate has no axis of revolution; use solid, half or quarter, or a round plate (geometry.radius)"},
         Refusal{
             "bellows",
             "axisymmetric",
             {{"geometry.pitch", "6.5 mm"}},
-            "test: geometry.pitch: 6.5 mm lets neighbouring convolutions overlap; larger than 6.5 mm = 2 (fillet + wall)"},
+            "test: geometry.pitch: 6.5 mm lets neighbouring convolutions overlap; use a value above 6.5 mm = 2 (fillet + wall)"},
         Refusal{
             "bellows",
             "axisymmetric",
             {{"geometry.crest_land", "2 mm"}, {"geometry.trough_land", "1 mm"}},
-            "test: geometry.pitch: 9.25 mm lets neighbouring convolutions overlap; larger than 9.5 mm = 2 (fillet + wall) + crest_land + "
-            "trough_land"},
+            "test: geometry.pitch: 9.25 mm lets neighbouring convolutions overlap; use a value above 9.5 mm = 2 (fillet + wall) + "
+            "crest_land + trough_land"},
         Refusal{
             "bellows",
             "axisymmetric",
             {{"geometry.last_crest_radius", "9 mm"}},
-            "test: geometry.last_crest_radius: 9 mm leaves no straight wall between trough and crest; larger than 9 mm"},
+            "test: geometry.last_crest_radius: 9 mm leaves no straight wall between trough and crest; use a value above 9 mm"},
         Refusal{
             "bellows",
             "quarter",
             {{"geometry.strip.angle", "72 deg"}},
-            "test: geometry.strip.angle: model 'quarter' is the same all round or at z > 0 and z < 0; model: solid or half"},
+            "test: geometry.strip.angle: model 'quarter' assumes a symmetry that a strip breaks; use model: solid or half"},
         Refusal{
             "bellows",
             "half",
             {{"geometry.strip.angle", "45 deg"}},
-            "test: geometry.strip.angle: the strip's edges do not lie between cells; a multiple of 36 deg, or other mesh.sectors"},
-        Refusal{"bellows",
-                "axisymmetric",
-                {{"geometry.crest_radius", "9 mm"}},
-                "test: geometry.crest_radius: 9 mm leaves no straight wall between trough and crest; larger than 9 mm"},
+            "test: geometry.strip.angle: the edges of the strip do not lie between cells; use a multiple of 36 deg, or other mesh.sectors"},
+        Refusal{
+            "bellows",
+            "axisymmetric",
+            {{"geometry.crest_radius", "9 mm"}},
+            "test: geometry.crest_radius: 9 mm leaves no straight wall between trough and crest; use a value above 9 mm"},
         Refusal{
             "bellows",
             "axisymmetric",
             {{"geometry.neck.radius", "5 mm"}},
-            "test: geometry.neck.radius: 5 mm does not meet the straight part of the outer wall; between 5.72257 mm and 16.1066 mm"},
+            "test: geometry.neck.radius: 5 mm does not meet the straight part of the outer wall; use a value between 5.72257 mm "
+            "and 16.1066 mm"},
         Refusal{"bellows",
                 "axisymmetric",
                 {{"geometry.end_disc.radius", "7 mm"}},
-                "test: geometry.end_disc.radius: 7 mm is not larger than the neck's 7 mm; larger than 7 mm"},
+                "test: geometry.end_disc.radius: 7 mm is not larger than neck.radius (7 mm); use a value above 7 mm"},
         Refusal{"bellows",
                 "axisymmetric",
                 {{"mesh.size", "0.001 mm"}},
-                "test: mesh.size: it would take 1e+09 cells; a larger size"}));
+                "test: mesh.size: the mesh would have 1e+09 cells (limit 5 million); use a larger size"}));
 
-/// The frame of fibres where the design leaves it open.
-model::FiberFrame usual_frame(const std::string& family_and_geometry) {
+/// The fibre frame if the design does not state it.
+model::FiberFrame default_frame(const std::string& family_and_geometry) {
     const std::string text = family_and_geometry + "loads: {gravity: {acceleration: 1 m/s^2, along: x}}\n" +
                              "material: {law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 1 MPa, k2: 1, angle: 30 deg, " +
                              "density: 1000 kg/m^3}\n";
     return design::read_design(text, "d.yaml", catalogue_keys(), {}).material.fiber_frame;
 }
 
-TEST(FiberFrame, IsRoundTheAxisInBodiesOfRevolutionAlone) {
+TEST(FiberFrame, IsCylindricalOnlyInBodiesOfRevolution) {
     for (const char* round : {"family: tube\n", "family: bellows\nmodel: quarter\n",
                               "family: plate\ngeometry: {radius: 30 mm}\n", "family: dome\nmodel: solid\n"})
-        EXPECT_EQ(usual_frame(round), model::FiberFrame::cylindrical) << round;
+        EXPECT_EQ(default_frame(round), model::FiberFrame::cylindrical) << round;
     for (const char* straight : {"family: plate\n", "family: plate\nmodel: quarter\n", "family: rod\n",
                                  "family: pneunet\n", "family: panel\n", "family: ring\n"})
-        EXPECT_EQ(usual_frame(straight), model::FiberFrame::cartesian) << straight;
+        EXPECT_EQ(default_frame(straight), model::FiberFrame::cartesian) << straight;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ design::Design fiber_design(const std::string& geometry, const std::string& rest
     return design::read_design(text, "d.yaml", catalogue_keys(), {});
 }
 
-/// What is wrong with a design, in its text or its values; or "accepted".
+/// The error message for a design, from its text or its values; or "accepted".
 std::string refusal_of(const std::string& geometry, const std::string& rest = "") {
     try {
         return sample::refusal(fiber_design(geometry, rest));
@@ -45,8 +45,8 @@ const model::Material& material_of(const model::Case& c, const std::string& regi
 }
 
 /// Wall from 7 to 10 mm, 100 mm long.
-TEST(FiberTube, TheLayerHasTheVolumeOfItsPartOfTheWall) {
-    constexpr double curved = 1.5e-4;  // quadratic edges miss a circle by the fourth power of their angle
+TEST(FiberTube, LayerVolumeMatchesItsPartOfTheWall) {
+    constexpr double curved = 1.5e-4;  // error of quadratic edges on a circle: fourth power of their angle
     for (const char* model : {"axisymmetric", "quarter"})
         for (const auto& [layer, inner_mm, outer_mm] : {std::tuple{"[0, 1]", 7.0, 10.0},
                                                         {"[0.25, 0.5]", 7.75, 8.5},
@@ -62,7 +62,7 @@ TEST(FiberTube, TheLayerHasTheVolumeOfItsPartOfTheWall) {
 }
 
 /// Wall from 7 to 10 mm, 100 mm long, caps of 5 mm: between the caps the layer is 90 mm long, in round and half-round tubes.
-TEST(FiberTube, PlainCapsEndTheLayer) {
+TEST(FiberTube, PlainCapsContainNoFibres) {
     constexpr double curved = 1.5e-4;
     for (const char* model : {"axisymmetric", "quarter"}) {
         const auto c = build_case(fiber_design("fibers: {caps: false}", std::string{"model: "} + model + "\n"));
@@ -74,7 +74,7 @@ TEST(FiberTube, PlainCapsEndTheLayer) {
         EXPECT_NEAR(region_m3(plain, region) / region_m3(whole, region), 0.9, 1e-12) << region;
 }
 
-TEST(FiberTube, LaysItsFibresIntoTheLayerAlone) {
+TEST(FiberTube, FibresLieOnlyInTheLayer) {
     const auto c =
         build_case(fiber_design("fibers: {angle: 60 deg, families: 2, k1: 0.2 MPa, k2: 1.5, layer: [0.2, 0.8]}",
                                 "materials: {fibers: {law: yeoh, c1: 30 kPa}}\n"));
@@ -90,22 +90,22 @@ TEST(FiberTube, LaysItsFibresIntoTheLayerAlone) {
     EXPECT_EQ(material_of(c, "rubber").law, "neo-hookean");
 }
 
-TEST(FiberTube, OneFamilyIsForTheWholeSolid) {
+TEST(FiberTube, OneFamilyRequiresTheWholeSolid) {
     const std::string one = "fibers: {families: 1}";
     EXPECT_EQ(refusal_of(one),
-              "d.yaml:2:31: geometry.fibers.families: one family of fibres twists a body of revolution, which "
-              "its section cannot show; families: 2, or model: solid");
+              "d.yaml:2:31: geometry.fibers.families: one family of fibres twists the actuator, which "
+              "model: axisymmetric cannot represent; use families: 2 or model: solid");
     for (const char* cut : {"half", "quarter"})
         EXPECT_EQ(
             refusal_of(one, std::string{"model: "} + cut + "\n"),
-            "d.yaml:2:31: geometry.fibers.families: one family of fibres is not its own mirror image, and the model is cut "
-            "at planes of symmetry; families: 2, or model: solid");
+            "d.yaml:2:31: geometry.fibers.families: one family of fibres has no mirror symmetry, but the model is cut "
+            "at symmetry planes; use families: 2 or model: solid");
     EXPECT_EQ(refusal_of(one, "model: solid\n"), "accepted");
     for (const char* straight : {"0 deg", "90 deg"})  // along the axis, or hoops
         EXPECT_EQ(refusal_of(std::string{"fibers: {families: 1, angle: "} + straight + "}"), "accepted");
 }
 
-TEST(FiberTube, RefusesValuesOutsideTheirRange) {
+TEST(FiberTube, RejectsValuesOutOfRange) {
     const auto begins = [](const std::string& text, const std::string& start) {
         EXPECT_TRUE(text.starts_with(start)) << text;
     };
@@ -122,35 +122,35 @@ TEST(FiberTube, RefusesValuesOutsideTheirRange) {
     begins(refusal_of("fibers: {pitch: 5 mm}"), "d.yaml:2:21: geometry.fibers.pitch: unknown key");
 }
 
-TEST(FiberTube, RefusesLayersThatAreNone) {
+TEST(FiberTube, RejectsEmptyLayers) {
     const std::string place = "d.yaml:2:28: geometry.fibers.layer: ",
-                      pair = "; [inner, outer], inner smaller than outer";
+                      pair = "; use [inner, outer] with inner below outer";
     EXPECT_EQ(refusal_of("fibers: {layer: 0.5}"),
-              place + "1 value where two are needed; [inner, outer], such as [0, 1]");
+              place + "1 value, but two are needed; use [inner, outer], such as [0, 1]");
     EXPECT_EQ(refusal_of("fibers: {layer: [0.7, 0.3]}"),
               place + "the layer from 0.7 to 0.3 is empty or runs inwards" + pair);
     EXPECT_EQ(refusal_of("fibers: {layer: [0.5, 0.5]}"),
               place + "the layer from 0.5 to 0.5 is empty or runs inwards" + pair);
     EXPECT_EQ(refusal_of("fibers: {layer: [0.001, 1]}"),
-              place + "a part of the wall is 0.001 of it thick; 0, or at least 0.01");
+              place + "a part of the wall has 0.001 of its thickness; use 0, or at least 0.01");
 }
 
-TEST(FiberTube, RefusesRubberThatCannotHaveThem) {
+TEST(FiberTube, RejectsLawsThatCannotBeCombinedWithFibres) {
     EXPECT_EQ(
         refusal_of("", "material: {law: kraken, mu: 0.1 MPa, kappa: 10 MPa}\nmesh: {formulation: displacement}\n"),
-        "d.yaml:3:17: material.law: fibers: the law kraken has no finite-strain energy to which theirs could be added; "
-        "neo-hookean, for example");
+        "d.yaml:3:17: material.law: fibers: the law kraken has no finite-strain energy to which fibres can be added; "
+        "use neo-hookean, for example");
     EXPECT_EQ(
         refusal_of("",
                    "materials: {fibers: {law: holzapfel-gasser-ogden, mu: 0.1 MPa, k1: 1 MPa, k2: 1, angle: 1 deg}}\n"),
-        "d.yaml:4:27: materials.fibers.law: fibers: the law holzapfel-gasser-ogden has its own; a law without fibres for "
-        "the rubber between them");
+        "d.yaml:4:27: materials.fibers.law: fibers: the law holzapfel-gasser-ogden already has fibres; "
+        "use a law without fibres");
 }
 
 /// Outer radius 10 mm, inner 7 mm, 100 mm long with caps of 5 mm, the flat wall 4 mm thick.
 constexpr double half_disc_mm2 = 0.5 * pi * 100, hole_mm2 = 0.5 * pi * 49, slab_mm2 = 20 * 4;
 
-TEST(FiberTube, AHalfRoundOneHasTheVolumesAndAreasOfItsSection) {
+TEST(FiberTube, HalfRoundTubeHasTheVolumesAndAreasOfItsSection) {
     for (const char* model : {"half", "solid"})
         for (const auto& [layer, begin, end] :
              {std::tuple{"[0, 1]", 0.0, 1.0}, {"[0.25, 0.5]", 0.25, 0.5}, {"[0.5, 1]", 0.5, 1.0}}) {
@@ -166,7 +166,7 @@ TEST(FiberTube, AHalfRoundOneHasTheVolumesAndAreasOfItsSection) {
             EXPECT_NEAR(1e6 * sample::area_m2(solid, "bottom") / (20 * 100), 1, 1e-12);
             for (const char* face : {"fixed", "inlet"})
                 EXPECT_NEAR(1e6 * sample::area_m2(solid, face) / (half_disc_mm2 + slab_mm2), 1, curved);
-            // The layer: half a ring and its two legs down to the flat wall's share of it; there it turns and runs across.
+            // The layer: half a ring, two legs down into the flat wall, and the part that crosses the flat wall.
             const double from = 7 + 3 * begin, to = 7 + 3 * end;
             const double ring_mm2 = 0.5 * pi * (to * to - from * from), legs_mm2 = 2 * (to - from) * 4 * begin;
             EXPECT_NEAR(1e9 * region_m3(c, "fibers") / ((ring_mm2 + legs_mm2) * 100), 1, curved) << layer;
@@ -178,7 +178,7 @@ TEST(FiberTube, AHalfRoundOneHasTheVolumesAndAreasOfItsSection) {
         }
 }
 
-TEST(FiberTube, AStripKeepsTheFibresThatRunThroughIt) {
+TEST(FiberTube, StripKeepsItsFibres) {
     const std::string materials =
         "materials: {cloth: {law: neo-hookean, mu: 5 MPa}, fibers: {law: yeoh, c1: 30 kPa}}\n";
     const auto strip_m3 = [](const model::Case& c) {
@@ -210,28 +210,28 @@ TEST(FiberTube, AStripKeepsTheFibresThatRunThroughIt) {
     }
 }
 
-TEST(FiberTube, RefusesStripsAndFlatWallsThatDoNotFit) {
+TEST(FiberTube, RejectsUnsuitableStripsAndFlatWalls) {
     EXPECT_EQ(
         refusal_of("flat: 4 mm"),
-        "d.yaml:2:18: geometry.flat: model 'axisymmetric' is the same all round or at z > 0 and z < 0; model: solid or half");
+        "d.yaml:2:18: geometry.flat: model 'axisymmetric' assumes a symmetry that a flat wall breaks; use model: solid or half");
     EXPECT_EQ(
         refusal_of("strip: {thickness: 1 mm}", "model: half\n"),
-        "d.yaml:2:31: geometry.strip.thickness: a round tube has no flat wall; geometry.strip.angle, or geometry.flat larger than 0");
+        "d.yaml:2:31: geometry.strip.thickness: a round tube has no flat wall; use geometry.strip.angle, or geometry.flat above 0");
     EXPECT_EQ(refusal_of("flat: 4 mm, strip: {thickness: 4 mm}", "model: half\n"),
-              "d.yaml:2:43: geometry.strip.thickness: 4 mm is not smaller than flat 4 mm; smaller than 4 mm");
+              "d.yaml:2:43: geometry.strip.thickness: 4 mm is not smaller than flat (4 mm); use a value below 4 mm");
     EXPECT_EQ(
         refusal_of("flat: 4 mm, strip: {angle: 72 deg}", "model: half\n"),
-        "d.yaml:2:39: geometry.strip.angle: the strip of a half-round tube lies in its flat wall; geometry.strip.thickness");
+        "d.yaml:2:39: geometry.strip.angle: the strip of a half-round tube lies in its flat wall; use geometry.strip.thickness");
     EXPECT_EQ(
         refusal_of("strip: {angle: 72 deg}"),
-        "d.yaml:2:27: geometry.strip.angle: model 'axisymmetric' is the same all round or at z > 0 and z < 0; model: solid or half");
+        "d.yaml:2:27: geometry.strip.angle: model 'axisymmetric' assumes a symmetry that a strip breaks; use model: solid or half");
     EXPECT_EQ(
         refusal_of("flat: 4 mm, fibers: {families: 1}", "model: half\n"),
-        "d.yaml:2:43: geometry.fibers.families: one family of fibres is not its own mirror image, and the model is cut at planes "
-        "of symmetry; families: 2, or model: solid");
+        "d.yaml:2:43: geometry.fibers.families: one family of fibres has no mirror symmetry, but the model is cut at symmetry "
+        "planes; use families: 2 or model: solid");
 }
 
-/// Twenty tubes within the ranges, in all models; the same on every machine.
+/// Twenty tubes within the ranges, in all models; reproducible on every machine.
 TEST(FiberTube, RandomDesignsHaveNoInvertedCell) {
     std::mt19937 random(8);
     const auto between = [&](double low, double high) {

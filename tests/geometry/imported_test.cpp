@@ -1,4 +1,4 @@
-/// The family `imported`: designs whose mesh stands in a file; and mesh.refine, which every family has.
+/// The family `imported`: designs with a mesh from a file; and mesh.refine, which every family has.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using meshing::sample::Cells;
 using meshing::sample::Sides;
 using meshing::sample::TemporaryFile;
 
-/// A design of a quarter ring; keys on top of what every test needs.
+/// A design of a quarter ring with additional keys.
 std::string design_text(const std::filesystem::path& file, const std::string& more, const std::string& geometry = {}) {
     return "family: imported\ngeometry: {file: " + file.string() + geometry + "}\n" +
            "material: {law: neo-hookean, mu: 0.1644 MPa, kappa: 10 MPa}\n" + more;
@@ -50,7 +50,7 @@ protected:
     const TemporaryFile file{"solid.msh"};
 };
 
-TEST_F(ImportedSolid, BecomesACaseWithTheFilesFacesInMillimetres) {
+TEST_F(ImportedSolid, BuildsWithTheFacesOfTheFileInMillimetres) {
     const model::Case c = built_import(design_text(file.path, usual));
     EXPECT_EQ(c.kinematics, model::Kinematics::solid);
     EXPECT_EQ(c.model_fraction, 1);
@@ -66,7 +66,7 @@ TEST_F(ImportedSolid, BecomesACaseWithTheFilesFacesInMillimetres) {
     EXPECT_NEAR(measure(inches.mesh, mesh::Measure::plain) / volume_m3, std::pow(25.4, 3), 1e-8);
 }
 
-TEST_F(ImportedSolid, AFaceTheFileDoesNotHaveIsRefusedWithTheNearest) {
+TEST_F(ImportedSolid, UnknownFaceIsRejectedWithASuggestion) {
     EXPECT_EQ(import_refusal(design_text(
                   file.path,
                   "mesh: {formulation: displacement}\nsupports: {fixed: botom}\nloads: {inner: {pressure: 5 kPa}}\n")),
@@ -75,7 +75,7 @@ TEST_F(ImportedSolid, AFaceTheFileDoesNotHaveIsRefusedWithTheNearest) {
               "part.yaml:4:9: loads.iner: unknown key; did you mean 'inner'?");
 }
 
-TEST_F(ImportedSolid, TheFileIsFoundFromTheDesignsFolderAndFromWhereACommandRuns) {
+TEST_F(ImportedSolid, FileIsRelativeToTheDesignOrTheWorkingDirectory) {
     const std::string name = file.path.filename().string(), folder = file.path.parent_path().string();
     EXPECT_NO_THROW((void)build_case(import_design(design_text(name, usual), folder + "/part.yaml")));
     EXPECT_NO_THROW((void)built_import(design_text("elsewhere.msh", usual), {{"geometry.file", file.path.string()}}));
@@ -84,10 +84,11 @@ TEST_F(ImportedSolid, TheFileIsFoundFromTheDesignsFolderAndFromWhereACommandRuns
     EXPECT_EQ(
         import_refusal(
             "family: imported\nmaterial: {law: neo-hookean, mu: 1 MPa}\nloads: {inner: {pressure: 5 kPa}}\n"),
-        "part.yaml:1:1: geometry.file: missing (the mesh (Gmsh .msh 2.2 or 4.1) or the surface (.stl, .obj, .step) of the part, from the design's folder; or (file: |) the lines of an OBJ file themselves); add geometry: {file: FILE}");
+        "part.yaml:1:1: geometry.file: missing (mesh (Gmsh .msh 2.2 or 4.1) or surface (.stl, .obj, .step) of the part, relative to "
+        "the design file; or (file: |) the lines of an OBJ file); add geometry: {file: FILE}");
 }
 
-TEST_F(ImportedSolid, ListedFacesAreACavity) {
+TEST_F(ImportedSolid, ListedFacesFormACavity) {
     const std::string loads =
         "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {cavity: {pressure: 5 kPa";
     const model::Case c = built_import(design_text(file.path, loads + "}}\n", ", cavity: [inner, ends]"));
@@ -106,7 +107,7 @@ TEST_F(ImportedSolid, ListedFacesAreACavity) {
               "part.yaml:6:9: loads.cavity: there is no cavity to load; faces:");
 }
 
-TEST_F(ImportedSolid, CavitiesByNameHaveWallsOfTheirOwn) {
+TEST_F(ImportedSolid, NamedCavitiesHaveSeparateWalls) {
     const std::string physics = "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\n";
     const std::string loads =
         physics + "loads: {cavities: {west: {pressure: 5 kPa, sealed: false}, east: {shares: west}}}\n";
@@ -120,14 +121,15 @@ TEST_F(ImportedSolid, CavitiesByNameHaveWallsOfTheirOwn) {
     const auto refused = [&](const std::string& cavities) {
         return import_refusal(design_text(file.path, loads, ", cavities: " + cavities));
     };
-    EXPECT_NE(refused("{west: [inner, ends], east: [outer, inner]}").find(" have sides in common"), std::string::npos);
+    EXPECT_NE(refused("{west: [inner, ends], east: [outer, inner]}").find("its wall shares facets with that of "),
+              std::string::npos);
     EXPECT_NE(refused("{west: [inner, ends], east: outr}")
                   .find("geometry.cavities.east: no face is called 'outr'; did you mean 'outer'?"),
               std::string::npos);
     EXPECT_NE(refused("{west: inner, 2nd: outer}").find("geometry.cavities.2nd: not a name of a cavity"),
               std::string::npos);
     EXPECT_NE(refused("{west: inner}").find("loads.cavities.east: unknown key"), std::string::npos);
-    EXPECT_NE(refused("{west: inner, east: top, outer: ends}").find("the file has a face called 'outer' already"),
+    EXPECT_NE(refused("{west: inner, east: top, outer: ends}").find("the file already has a face called 'outer'"),
               std::string::npos);
     const design::Design design =
         import_design(design_text(file.path, loads, ", cavities: {west: [inner, ends], east: outer}"));
@@ -135,7 +137,7 @@ TEST_F(ImportedSolid, CavitiesByNameHaveWallsOfTheirOwn) {
 }
 
 /// The wall of a quarter ring without bottom and top: two openings of the ring's area, up and down.
-TEST_F(ImportedSolid, OpeningsOfACavityAreFoundWithTheFaceAroundThem) {
+TEST_F(ImportedSolid, OpeningsOfACavityAreFoundWithTheirFaces) {
     const std::string loads =
         "mesh: {formulation: displacement}\nsupports: {fixed: bottom}\nloads: {cavity: {pressure: 5 kPa, sealed: ";
     const model::Case c = built_import(design_text(file.path, loads + "true}}\n", ", cavity: [inner, outer, ends]"));
@@ -149,7 +151,7 @@ TEST_F(ImportedSolid, OpeningsOfACavityAreFoundWithTheFaceAroundThem) {
                     point.weight * std::abs(mesh::facet_normal(c.mesh, facet, mesh::shape_values(type, point.xi))[2]);
         }
         EXPECT_NEAR(opening.area_m2 / area_m2, 1, 1e-12);
-        // These are outer sides of a solid: "out of the cavity" is into the body.
+        // The wall is the outer boundary of a solid: "out of the cavity" is into the body.
         EXPECT_NEAR(opening.direction[2], opening.face == "top" ? -1 : 1, 1e-12);
     }
     EXPECT_EQ(import_refusal(design_text(file.path, loads + "true}}\n", ", cavity: [inner, bottom]")).substr(0, 93),
@@ -159,7 +161,7 @@ TEST_F(ImportedSolid, OpeningsOfACavityAreFoundWithTheFaceAroundThem) {
     EXPECT_TRUE(open.mesh.facet_sets.contains(open.cavities[0].openings[0].face));
 }
 
-TEST_F(ImportedSolid, AFaceOfSeveralPiecesIsAlsoThereByPiece) {
+TEST_F(ImportedSolid, FaceOfSeveralPiecesIsAlsoAvailableByPiece) {
     const model::Case c = built_import(design_text(file.path, usual));
     const auto& sets = c.mesh.facet_sets;
     ASSERT_TRUE(sets.contains("ends_1") && sets.contains("ends_2"));
@@ -172,7 +174,7 @@ TEST_F(ImportedSolid, AFaceOfSeveralPiecesIsAlsoThereByPiece) {
         for (const mesh::Index n : facet_nodes(c.mesh, facet)) EXPECT_NEAR(c.mesh.point(n)[1], 0, 1e-12);
 }
 
-TEST_F(ImportedSolid, OrderIsTheFilesOrTheWishedOne) {
+TEST_F(ImportedSolid, OrderIsThatOfTheFileOrTheRequestedOne) {
     const auto order = [&](const std::string& mesh) {
         const model::Case c = built_import(design_text(file.path, std::string{usual}),
                                            {{"mesh", "{formulation: displacement, " + mesh + "}"}});
@@ -183,7 +185,7 @@ TEST_F(ImportedSolid, OrderIsTheFilesOrTheWishedOne) {
     EXPECT_EQ(order("order: 2"), 2);
     EXPECT_EQ(order("raise_order: false"), 1);
     EXPECT_EQ(import_refusal(design_text(file.path, usual), {{"mesh", "{order: 2, raise_order: false}"}}),
-              "--set mesh: mesh.raise_order: the file holds first-order cells; true, or order: 1");
+              "--set mesh: mesh.raise_order: the file contains first-order cells; use true, or order: 1");
     const TemporaryFile second{"second.msh"};
     meshing::sample::write_part(second.path, Cells::tetrahedra, Sides::round, {4.1, true, 2, false});
     const model::Case lowered = built_import(design_text(second.path, usual), {{"mesh.order", "1"}});
@@ -191,27 +193,27 @@ TEST_F(ImportedSolid, OrderIsTheFilesOrTheWishedOne) {
     EXPECT_EQ(built_import(design_text(second.path, usual)).mesh.cell_type(0), mesh::CellType::tet10);
 }
 
-TEST_F(ImportedSolid, MeshSizeIsForSurfacesAndRefineIsForAll) {
-    EXPECT_EQ(import_refusal(design_text(file.path, usual), {{"mesh.size", "1 mm"}}).substr(0, 49),
-              "--set mesh.size: a mesh has its cells already; th");
+TEST_F(ImportedSolid, MeshSizeRequiresASurfaceAndRefineDoesNot) {
+    EXPECT_EQ(import_refusal(design_text(file.path, usual), {{"mesh.size", "1 mm"}}).substr(0, 51),
+              "--set mesh.size: a mesh file already contains cells");
     const model::Case coarse = built_import(design_text(file.path, usual)),
                       fine = built_import(design_text(file.path, usual), {{"mesh.refine", "1"}});
     EXPECT_EQ(fine.mesh.cell_count(), 8 * coarse.mesh.cell_count());
-    EXPECT_EQ(import_refusal(design_text(file.path, usual), {{"mesh.refine", "8"}}).substr(0, 32),
-              "--set mesh.refine: it would take");
+    EXPECT_EQ(import_refusal(design_text(file.path, usual), {{"mesh.refine", "8"}}).substr(0, 38),
+              "--set mesh.refine: the mesh would have");
 }
 
-TEST_F(ImportedSolid, TheModelMustFitTheMesh) {
+TEST_F(ImportedSolid, ModelMustMatchTheMesh) {
     const auto model = [&](const char* name) {
         return import_refusal(design_text(file.path, usual), {{"model", name}, {"outputs", "{}"}});
     };
     EXPECT_EQ(model("axisymmetric"),
-              "--set model: 'axisymmetric' needs a plane mesh, the file holds a solid; model: solid");
+              "--set model: 'axisymmetric' needs a plane mesh, but the file contains a solid; use model: solid");
     EXPECT_EQ(model("plane-strain"),
-              "--set model: 'plane-strain' needs a plane mesh, the file holds a solid; model: solid");
+              "--set model: 'plane-strain' needs a plane mesh, but the file contains a solid; use model: solid");
 }
 
-TEST_F(ImportedSolid, ItsEffectiveDesignReadsBackTheSame) {
+TEST_F(ImportedSolid, EffectiveDesignIsReproducible) {
     const design::Design design = import_design(design_text(file.path, usual, ", cavity: [inner, ends]"));
     EXPECT_EQ(import_design(design.effective_yaml).effective_yaml, design.effective_yaml);
     const auto changes = design::apply_overrides(design.effective_yaml,
@@ -220,7 +222,7 @@ TEST_F(ImportedSolid, ItsEffectiveDesignReadsBackTheSame) {
     EXPECT_FALSE(design::explain_design(design.effective_yaml, "part.yaml", catalogue_keys(), {}).empty());
 }
 
-TEST(ImportedSection, TurnsAboutTheAxisItTouches) {
+TEST(ImportedSection, IsRevolvedAboutTheAxisItTouches) {
     const TemporaryFile file{"section.msh"};
     meshing::sample::write_part(file.path, Cells::quadrilaterals, Sides::round, {4.1, false, 2, false});
     const std::string more = "supports: {x: ends}\nloads: {cavity: {pressure: 5 kPa}}\n";
@@ -242,10 +244,10 @@ TEST(ImportedSection, TurnsAboutTheAxisItTouches) {
     EXPECT_EQ(plane.kinematics, model::Kinematics::plane_strain);
     EXPECT_FALSE(plane.mesh.facet_sets.contains("axis"));
     EXPECT_EQ(import_refusal(design_text(file.path, "supports: {fixed: ends}\nloads: {inner: {pressure: 5 kPa}}\n")),
-              "default: model: the file holds a plane mesh; axisymmetric or plane-strain");
+              "default: model: the file contains a plane mesh; use axisymmetric or plane-strain");
 }
 
-TEST(ImportedSection, BelowTheAxisIsRefused) {
+TEST(ImportedSection, PointsBelowTheAxisAreRejected) {
     const TemporaryFile file{"below.msh"};
     {
         const meshing::sample::Gmsh session;
@@ -262,7 +264,7 @@ TEST(ImportedSection, BelowTheAxisIsRefused) {
         "axis of revolution is x");
 }
 
-TEST(Imported, EveryRegionGetsTheRubber) {
+TEST(Imported, EveryRegionHasTheMainMaterialByDefault) {
     const TemporaryFile file{"regions.msh"};
     {
         const meshing::sample::Gmsh session;
@@ -297,10 +299,10 @@ TEST(Imported, EveryRegionGetsTheRubber) {
         EXPECT_EQ(material.source, material.name == "stiff" ? "materials.stiff" : "material");
     }
     EXPECT_EQ(import_refusal(text + "materials: {stif: {law: neo-hookean, mu: 1 MPa, kappa: 1 GPa}}\n"),
-              "part.yaml:7:25: materials.stif.law: no region is of this material; the regions: soft, stiff");
+              "part.yaml:7:25: materials.stif.law: no region uses this material; regions: soft, stiff");
 }
 
-TEST(Imported, TheTemplateIsADesignOfTheMeshThatComesAlong) {
+TEST(Imported, TemplateBuilds) {
     const std::string text = design::template_yaml(sample::family("imported").keys);
     const model::Case c = build_case(import_design(text, std::string{SOFT_SOURCE_DIR} + "/template.yaml"));
     EXPECT_GT(mesh::quality(c.mesh).min_scaled_jacobian, 0.1);
@@ -309,7 +311,7 @@ TEST(Imported, TheTemplateIsADesignOfTheMeshThatComesAlong) {
         EXPECT_TRUE(c.mesh.facet_sets.contains(face)) << face;
 }
 
-TEST(Imported, FirstOrderSimplicesOfAFileAreSaidToLock) {
+TEST(Imported, FirstOrderSimplicesTriggerALockingWarning) {
     const std::string source = std::string{SOFT_SOURCE_DIR} + "/template.yaml";
     const std::string text = design::template_yaml(sample::family("imported").keys);
     const auto locks = [&](const std::vector<design::Override>& sets) {
@@ -322,7 +324,7 @@ TEST(Imported, FirstOrderSimplicesOfAFileAreSaidToLock) {
     EXPECT_FALSE(locks({{"mesh.order", "2"}}));
 }
 
-TEST(Refine, HalvesTheCellsOfEveryFamilysMesh) {
+TEST(Refine, HalvesTheCellsOfEveryFamily) {
     const Solid coarse = sample::solid("tube", "axisymmetric"),
                 fine = sample::solid("tube", "axisymmetric", {{"mesh.refine", "1"}});
     EXPECT_EQ(fine.mesh.cell_count(), 4 * coarse.mesh.cell_count());

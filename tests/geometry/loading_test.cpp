@@ -1,4 +1,4 @@
-/// Weight, prescribed motions and angles from words to vectors.
+/// Weight, prescribed motions, forces and outputs: directions given as words become vectors.
 #include <gtest/gtest.h>
 
 #include "geometry/loading.hpp"
@@ -17,27 +17,28 @@ design::Design loaded_design(const std::string& family, const std::string& model
     return d;
 }
 
-TEST(Weight, PullsTheWayItIsTold) {
+TEST(Weight, HasTheRequestedDirection) {
     design::Design d = loaded_design("bellows", "axisymmetric");
     for (const auto& [along, x] :
          std::map<std::string, double>{{"x", 9.81}, {"-x", -9.81}, {"axis", -9.81}, {"-axis", 9.81}}) {
-        d.body_forces = {{"gravity", 9.81, along}};  // the bellows' axis runs from the held disc to the inlet, along -x
+        d.body_forces = {
+            {"gravity", 9.81, along}};  // the axis of the bellows points from the fixed disc to the inlet, along -x
         EXPECT_EQ(build_case(d).body_forces.at(0).acceleration_m_s2, (std::array<double, 3>{x, 0, 0})) << along;
     }
     d.body_forces = {{"gravity", 9.81, "-y"}};
-    EXPECT_EQ(refusal(d), "loads.gravity.along: 'y' is no direction of this model; axis, x, r or normal");
+    EXPECT_EQ(refusal(d), "loads.gravity.along: 'y' is not a direction of this model; use axis, x, r or normal");
     d = loaded_design("rod", "solid");
     d.body_forces = {{"gravity", 9.81, "-z"}};
     EXPECT_EQ(build_case(d).body_forces.at(0).acceleration_m_s2, (std::array<double, 3>{0, 0, -9.81}));
 }
 
-TEST(Weight, IsNotMirrored) {
+TEST(Weight, AcrossASymmetryPlaneIsRejected) {
     design::Design d = loaded_design("rod", "quarter");
     d.body_forces = {{"gravity", 9.81, "-z"}};
     EXPECT_EQ(
         refusal(d),
-        "loads.gravity.along: the model is mirrored at z = 0, and with it the weight would be; a model that is not "
-        "cut there, or another direction");
+        "loads.gravity.along: the symmetry plane z = 0 of the model would mirror the weight; use a model without this "
+        "plane, or another direction");
     d.body_forces = {{"gravity", 9.81, "x"}};
     EXPECT_EQ(refusal(d), "accepted");
     d = loaded_design("rod", "half");
@@ -45,7 +46,7 @@ TEST(Weight, IsNotMirrored) {
     EXPECT_EQ(refusal(d), "accepted");
     d = loaded_design("sphere", "solid");
     d.body_forces = {{"gravity", 9.81, "-z"}};
-    EXPECT_EQ(refusal(d), "loads.gravity.along: nothing holds the body against its weight; leave gravity out");
+    EXPECT_EQ(refusal(d), "loads.gravity.along: no support carries the weight of the body; remove gravity");
 }
 
 TEST(Motions, MoveOneComponentOfAFace) {
@@ -62,40 +63,38 @@ TEST(Motions, MoveOneComponentOfAFace) {
     d = loaded_design("panel", "plane-strain");
     d.values.set("geometry.rise", {48e-3, "48 mm", "test", true});
     d.motions = {{"bottom", 1e-3, "normal"}};
-    EXPECT_EQ(refusal(d),
-              "loads.bottom.along: a motion is prescribed by component, and this direction lies between them; turn the "
-              "part, or move it along x, y or z");
+    EXPECT_EQ(
+        refusal(d),
+        "loads.bottom.along: a motion must follow a coordinate axis, and this direction does not; rotate the part, or "
+        "use x, y or z");
 }
 
-TEST(Motions, OfWhatIsHeldAreRefusedWithBothNames) {
+TEST(Motions, OfFixedFacesAreRejectedWithBothNames) {
     design::Design d = loaded_design("rod", "solid");
     d.supports = {{"fixed", {true, true, true}}};
     d.motions = {{"fixed", 1e-3, "x"}};
     EXPECT_EQ(refusal(d),
-              "loads.fixed.displacement: over-constrained in x: a support holds 'fixed'; keep one of the two");
-    d.motions = {{"top", 1e-3, "z"}};  // meets the held face in an edge
-    EXPECT_EQ(
-        refusal(d),
-        "loads.top.displacement: over-constrained in z: a support holds 'fixed', with which 'top' has nodes in common; "
-        "keep one of the two");
+              "loads.fixed.displacement: over-constrained in x: a support fixes 'fixed'; keep one of the two");
+    d.motions = {{"top", 1e-3, "z"}};  // shares an edge with the fixed face
+    EXPECT_EQ(refusal(d),
+              "loads.top.displacement: over-constrained in z: a support fixes 'fixed', which shares nodes with 'top'; "
+              "keep one of the two");
     d.supports = {{"fixed", {true, false, false}}};
     EXPECT_EQ(refusal(d), "accepted");
     d.motions = {{"top", 1e-3, "z"}, {"left", 2e-3, "z"}};
-    EXPECT_EQ(
-        refusal(d),
-        "loads.left.displacement: over-constrained in z: another motion is that of 'top', with which 'left' has nodes "
-        "in common; keep one of the two");
+    EXPECT_EQ(refusal(d),
+              "loads.left.displacement: over-constrained in z: another motion moves 'top', which shares nodes with "
+              "'left'; keep one of the two");
     d.motions = {{"top", 1e-3, "z"}, {"left", 1e-3, "z"}};
     EXPECT_EQ(refusal(d), "accepted");  // they agree
     d = loaded_design("tube", "axisymmetric");
     d.motions = {{"inlet", 1e-3, "r"}};
-    EXPECT_EQ(
-        refusal(d),
-        "loads.inlet.displacement: over-constrained in r: a support holds 'axis', with which 'inlet' has nodes in "
-        "common; keep one of the two");
+    EXPECT_EQ(refusal(d),
+              "loads.inlet.displacement: over-constrained in r: a support fixes 'axis', which shares nodes with "
+              "'inlet'; keep one of the two");
 }
 
-TEST(Angles, HaveAnAxisAndABendItsReference) {
+TEST(Angles, HaveAnAxisAndABendHasAReference) {
     design::Design d = loaded_design("rod", "solid");
     d.outputs = {{"tilt", "end", "y", model::Measure::bend, "fixed"}, {"turn", "end", "axis", model::Measure::twist}};
     const model::Case c = build_case(d);
@@ -109,10 +108,10 @@ TEST(Angles, HaveAnAxisAndABendItsReference) {
     EXPECT_EQ(build_case(d).outputs.at(0).direction, (std::array<double, 3>{0, 0, 1}));
     d.outputs = {{"tilt", "end", "z", model::Measure::bend, "left"}};
     EXPECT_EQ(refusal(d),
-              "outputs.tilt.reference: face 'left' is not part of this model; faces it has: fixed, end, bottom, top");
+              "outputs.tilt.reference: this model has no face 'left'; available faces: fixed, end, bottom, top");
 }
 
-TEST(Forces, AreSpreadOverTheWholeFaceOfTheWholeActuator) {
+TEST(Forces, AreDistributedOverTheWholeFaceOfTheWholeActuator) {
     for (const char* model : {"solid", "half", "quarter"}) {
         design::Design d = loaded_design("rod", model);
         d.tractions = {{"end", 2.0, "x", {}, design::Design::Spread::whole_face}};
@@ -125,16 +124,15 @@ TEST(Forces, AreSpreadOverTheWholeFaceOfTheWholeActuator) {
     }
     design::Design d = loaded_design("rod", "half");
     d.tractions = {{"end", 2.0, "y", {}, design::Design::Spread::whole_face}};
-    EXPECT_EQ(
-        refusal(d),
-        "loads.end.along: the model is mirrored there, and with it the force would be; a model that is not cut there, "
-        "or another direction");
+    EXPECT_EQ(refusal(d),
+              "loads.end.along: a symmetry plane of the model would mirror the force; use a model without this plane, "
+              "or another direction");
     d = loaded_design("sphere", "axisymmetric");  // half the section: the outer face is a whole sphere's
     d.tractions = {{"outer", 2.0, "x", {}, design::Design::Spread::whole_face}};
     EXPECT_NE(refusal(d), "accepted");
 }
 
-TEST(Reactions, NeedWhatHoldsTheFaceInTheirDirection) {
+TEST(Reactions, RequireAConstraintInTheirDirection) {
     design::Design d = loaded_design("rod", "half");
     d.supports = {{"fixed", {true, true, true}}};
     d.outputs = {{"pull", "fixed", "x", model::Measure::force}, {"turn", "fixed", "y", model::Measure::moment}};
@@ -142,8 +140,8 @@ TEST(Reactions, NeedWhatHoldsTheFaceInTheirDirection) {
     d.outputs = {{"pull", "end", "x", model::Measure::force}};
     EXPECT_EQ(
         refusal(d),
-        "outputs.pull.face: nothing holds 'end' in this direction, so there is no force; hold it under supports, or "
-        "give it a displacement under loads");
+        "outputs.pull.face: 'end' is not constrained in this direction, so there is no reaction force; fix it under "
+        "supports, or prescribe a displacement under loads");
     d.motions = {{"end", 1e-3, "x"}};
     EXPECT_EQ(refusal(d), "accepted");
     d.outputs = {{"pull", "end", "z", model::Measure::force}};
@@ -151,11 +149,11 @@ TEST(Reactions, NeedWhatHoldsTheFaceInTheirDirection) {
     d.outputs = {{"pull", "fixed", "y", model::Measure::force}};
     EXPECT_EQ(
         refusal(d),
-        "outputs.pull.along: the force is 0: the mirror image of the face has the opposite one; another direction");
+        "outputs.pull.along: the force is 0, because the mirror image of the face cancels it; use another direction");
     d.outputs = {{"turn", "fixed", "z", model::Measure::moment}};
     EXPECT_EQ(
         refusal(d),
-        "outputs.turn.along: the moment is 0: the mirror image of the face has the opposite one; another direction");
+        "outputs.turn.along: the moment is 0, because the mirror image of the face cancels it; use another direction");
 }
 
 }  // namespace

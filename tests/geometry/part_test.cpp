@@ -1,4 +1,4 @@
-/// The family `imported` where the file holds a surface (STL, OBJ) or CAD (STEP).
+/// The family `imported` with a surface file (STL, OBJ) or a CAD file (STEP).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,7 +58,7 @@ void write_can(const std::filesystem::path& path, Can can, double scale = 1) {
         gmsh::option::setNumber("Mesh.MeshSizeMax", 4 * scale);
         gmsh::model::mesh::generate(2);
     }
-    testing::internal::CaptureStdout();  // the CAD library talks
+    testing::internal::CaptureStdout();  // the CAD library writes to stdout
     gmsh::write(path.string());
     testing::internal::GetCapturedStdout();
 }
@@ -80,7 +80,7 @@ double area_m2(const mesh::Mesh& mesh, const std::string& face) {
     return area;
 }
 
-TEST(Part, AClosedCanOfStepIsFilledAroundItsCavity) {
+TEST(Part, AClosedCanFromStepIsMeshedAroundItsCavity) {
     const TemporaryFile file{"can.step"};
     write_can(file.path, Can::closed);
     const Built can = built_part(part_text(file.path, ends, usual));
@@ -100,8 +100,8 @@ TEST(Part, AClosedCanOfStepIsFilledAroundItsCavity) {
     EXPECT_NEAR(can.part->walls.median_m, 3e-3, 0.05e-3);
 }
 
-/// Facets as short as the bore is round would cover it along its whole length.
-TEST(Part, ALongNarrowBoreTakesFewFacets) {
+/// The facets of the bore must not be as short along the axis as around it.
+TEST(Part, LongNarrowBoreHasFewFacets) {
     const TemporaryFile file{"bore.step"};
     {
         const meshing::sample::Gmsh session;
@@ -125,7 +125,7 @@ TEST(Part, ALongNarrowBoreTakesFewFacets) {
     EXPECT_NEAR(measure(bore.model.mesh, mesh::Measure::plain) / bore.part->volume_m3, 1, 1e-3);
 }
 
-TEST(Part, StlAndObjInAnyUnitGiveTheBodyAndTheSameBytesEachTime) {
+TEST(Part, StlInAnyUnitGivesTheSameVolumeReproducibly) {
     const TemporaryFile file{"can.stl"}, inches{"inches.stl"};
     write_can(file.path, Can::closed);
     write_can(inches.path, Can::closed, 1 / 25.4);
@@ -141,7 +141,7 @@ TEST(Part, StlAndObjInAnyUnitGiveTheBodyAndTheSameBytesEachTime) {
                 1, 5e-3);
 }
 
-TEST(Part, AnOpenCavityIsNamedByAFloodUpToItsInlet) {
+TEST(Part, OpenCavityIsNamedByAFloodUpToItsInlet) {
     const TemporaryFile file{"open.stl"};
     write_can(file.path, Can::open);
     const std::string faces =
@@ -157,7 +157,7 @@ TEST(Part, AnOpenCavityIsNamedByAFloodUpToItsInlet) {
     EXPECT_NE(part_refusal(part_text(file.path, ends, usual)).find("there is no cavity to load"), std::string::npos);
 }
 
-TEST(Part, APartThatIsCutHasMirrorImages) {
+TEST(Part, CutPartRepresentsTheWholeBody) {
     const TemporaryFile file{"quarter.step"};
     {
         const meshing::sample::Gmsh session;
@@ -184,7 +184,7 @@ TEST(Part, APartThatIsCutHasMirrorImages) {
     EXPECT_NEAR(measure(can.model.mesh, mesh::Measure::plain) / (std::numbers::pi / 4 * (100 * 30 - 49 * 25) * 1e-9), 1,
                 5e-3);
     ASSERT_EQ(can.model.cavities[0].openings.size(), 1u);
-    EXPECT_NEAR(can.model.cavities[0].openings[0].area_m2 / (49e-6 * std::numbers::pi), 1, 5e-3);  // of the whole
+    EXPECT_NEAR(can.model.cavities[0].openings[0].area_m2 / (49e-6 * std::numbers::pi), 1, 5e-3);  // of the whole body
     EXPECT_EQ(can.model.cavities[0].openings[0].direction, (std::array{1.0, 0.0, 0.0}));
     for (const mesh::Facet& facet : can.model.mesh.facet_sets.at("symmetry_y"))
         for (const mesh::Index node : facet_nodes(can.model.mesh, facet)) EXPECT_EQ(can.model.mesh.point(node)[1], 0);
@@ -193,7 +193,7 @@ TEST(Part, APartThatIsCutHasMirrorImages) {
     EXPECT_EQ(held->fixed, (std::array{false, false, true}));
 }
 
-TEST(Part, WhatIsWrongWithAFileIsSaidWithThePlaceInTheDesign) {
+TEST(Part, FileErrorsNameTheLocationInTheDesign) {
     const TemporaryFile two{"two.step"}, pieces{"two.stl"}, nothing{"nothing.stl", "solid a\nendsolid a\n"},
         words{"words.step", "these are words\n"};
     write_can(two.path, Can::two);
@@ -207,7 +207,7 @@ TEST(Part, WhatIsWrongWithAFileIsSaidWithThePlaceInTheDesign) {
     };
     EXPECT_EQ(says(two.path, "2 solids in one file; unite them"), "");
     EXPECT_EQ(says(pieces.path, "2 bodies in one file, the second around x = 20.5, y = 20.5, z = 0.5; unite"), "");
-    EXPECT_EQ(says(nothing.path, "it holds no facets"), "");
+    EXPECT_EQ(says(nothing.path, "the file contains no facets"), "");
     EXPECT_EQ(says(words.path, "it cannot be read as STEP"), "");
     EXPECT_EQ(says("/nowhere/part.obj", ""), "");
     const TemporaryFile whole{"whole.stl"};
@@ -217,7 +217,7 @@ TEST(Part, WhatIsWrongWithAFileIsSaidWithThePlaceInTheDesign) {
     EXPECT_EQ(says(open.path, "1 hole in the surface, near x = "), "");
 }
 
-TEST(Part, RulesThatMakeNoSenseAreRefused) {
+TEST(Part, InvalidRulesAreRejected) {
     const TemporaryFile file{"can.stl"};
     write_can(file.path, Can::closed);
     const auto says = [&](const std::string& rule) {
@@ -226,15 +226,17 @@ TEST(Part, RulesThatMakeNoSenseAreRefused) {
     const auto has = [](const std::string& text, const std::string& what) {
         return text.find(what) != std::string::npos ? "" : text;
     };
-    EXPECT_EQ(has(says("{plane: {x: 31 mm}}"), "geometry.faces.tip.plane.x: no facet of the surface is there"), "");
-    EXPECT_EQ(has(says("{plane: {x: 0 mm, y: 0 mm}}"), "geometry.faces.tip.plane.y: a facet lies in one plane"), "");
-    EXPECT_EQ(has(says("{box: {from: [1 mm, 2 mm, 3 mm]}}"), "geometry.faces.tip.box.from: a box has two corners"), "");
+    EXPECT_EQ(has(says("{plane: {x: 31 mm}}"), "geometry.faces.tip.plane.x: no facet of the surface matches this rule"),
+              "");
+    EXPECT_EQ(has(says("{plane: {x: 0 mm, y: 0 mm}}"), "geometry.faces.tip.plane.y: only one plane is possible"), "");
+    EXPECT_EQ(has(says("{box: {from: [1 mm, 2 mm, 3 mm]}}"), "geometry.faces.tip.box.from: a box needs two corners"),
+              "");
     EXPECT_EQ(has(says("{point: [1 mm, 2 mm]}"), "geometry.faces.tip.point: three values are needed"), "");
-    EXPECT_EQ(has(says("{within: 5 deg}"), "geometry.faces.tip.within: there is no normal"), "");
-    EXPECT_EQ(has(says("{up_to: fixed}"), "geometry.faces.tip.up_to: there is no point"), "");
-    EXPECT_EQ(
-        has(says("{point: [30 mm, 0 mm, 0 mm], up_to: outer}"), "'outer' is no face of geometry.faces without up_to"),
-        "");
+    EXPECT_EQ(has(says("{within: 5 deg}"), "geometry.faces.tip.within: within needs a normal"), "");
+    EXPECT_EQ(has(says("{up_to: fixed}"), "geometry.faces.tip.up_to: up_to needs a point"), "");
+    EXPECT_EQ(has(says("{point: [30 mm, 0 mm, 0 mm], up_to: outer}"),
+                  "'outer' is not a face of geometry.faces without up_to"),
+              "");
     EXPECT_EQ(has(says("{plain: {x: 0 mm}}"), "geometry.faces.tip.plain: unknown key; known: plane, box"), "");
     EXPECT_EQ(has(part_refusal(part_text(file.path, ", faces: {outer: {plane: {x: 0 mm}}}", usual)),
                   "the file has a face of this name already"),
@@ -244,7 +246,7 @@ TEST(Part, RulesThatMakeNoSenseAreRefused) {
     EXPECT_EQ(has(part_refusal(part_text(file.path, ends, usual), {{"mesh.size", "1 um"}}), "a larger mesh.size"), "");
 }
 
-TEST(Part, ItsEffectiveDesignReadsBackTheSameAndAnOddUnitIsAsked) {
+TEST(Part, EffectiveDesignIsReproducibleAndAnUnusualUnitIsReported) {
     const TemporaryFile file{"can.stl"};
     write_can(file.path, Can::closed);
     const design::Design design = read_part(part_text(file.path, ends, usual));

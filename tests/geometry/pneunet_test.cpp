@@ -1,4 +1,4 @@
-// The bending finger: volumes and areas by closed form, its planes of symmetry, its layer, what is refused.
+// The bending finger: volumes and areas in closed form, symmetry planes, layer, rejected values.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,13 +36,13 @@ double length_mm(const Finger& f) {
 
 /// Boxes of the cavities, and of the channel where it crosses two walls and a slot.
 double cavity_mm3(const Finger& f) {
-    const double room = (f.at("chamber_length") - 2 * f.at("wall")) * (f.at("width") - 2 * f.at("side")) *
-                        (f.at("height") - f.at("roof"));
+    const double chamber = (f.at("chamber_length") - 2 * f.at("wall")) * (f.at("width") - 2 * f.at("side")) *
+                           (f.at("height") - f.at("roof"));
     const double crossing = (f.at("gap") + 2 * f.at("wall")) * f.at("channel.width") * f.at("channel.height");
-    return f.at("chambers") * room + (f.at("chambers") - 1) * crossing;
+    return f.at("chambers") * chamber + (f.at("chambers") - 1) * crossing;
 }
 
-/// A slab of the height of base and bridge, and the chambers above it, less the cavity.
+/// A slab of the height of base and bridge, and the chambers above it, minus the cavity.
 double rubber_mm3(const Finger& f) {
     return length_mm(f) * f.at("width") * (f.at("base") + f.at("bridge")) +
            f.at("chambers") * f.at("chamber_length") * f.at("width") * (f.at("height") - f.at("bridge")) -
@@ -84,7 +84,7 @@ TEST(Pneunet, VolumesAndAreasMatch) {
         }
 }
 
-TEST(Pneunet, AChannelAsWideAndHighAsTheCavitiesIsOneRoom) {
+TEST(Pneunet, ChannelMayBeAsWideAndHighAsTheCavities) {
     Finger finger = defaults;
     finger["channel.width"] = 12;
     finger["height"] = 10;
@@ -94,7 +94,7 @@ TEST(Pneunet, AChannelAsWideAndHighAsTheCavitiesIsOneRoom) {
     expect_closed_forms(finger, sample::solid("pneunet", "half", changes_of(finger)));
 }
 
-TEST(Pneunet, TheWholeIsTheHalfAndItsMirrorImage) {
+TEST(Pneunet, SolidModelIsTheHalfAndItsMirrorImage) {
     const Solid half = sample::solid("pneunet", "half"), whole = sample::solid("pneunet", "solid");
     EXPECT_EQ(half.fraction, 0.5);
     EXPECT_EQ(half.symmetry_planes, (std::array<bool, 3>{false, true, false}));
@@ -103,21 +103,21 @@ TEST(Pneunet, TheWholeIsTheHalfAndItsMirrorImage) {
     EXPECT_FALSE(whole.mesh.facet_sets.contains(meshing::symmetry_y_face));
     for (const mesh::Facet& facet : half.mesh.facet_sets.at(meshing::symmetry_y_face))
         for (const mesh::Index n : mesh::facet_nodes(half.mesh, facet)) EXPECT_EQ(half.mesh.point(n)[1], 0);
-    // Of corners; mid nodes are means, whose sums run in another order on the other side.
+    // Only corners: mid nodes are means, and the order of summation differs between the two halves.
     const auto corners = [](const mesh::Mesh& mesh) {
         std::set<mesh::Point> all;
         for (mesh::Index c = 0; c < mesh.cell_count(); ++c)
             for (const mesh::Index node : mesh.cell_nodes(c).first(8)) all.insert(mesh.point(node));
         return all;
     };
-    const std::set<mesh::Point> places = corners(whole.mesh);
+    const std::set<mesh::Point> positions = corners(whole.mesh);
     for (const mesh::Point& p : corners(half.mesh)) {
-        EXPECT_TRUE(places.contains(p));
-        EXPECT_TRUE(places.contains({p[0], -p[1], p[2]}));
+        EXPECT_TRUE(positions.contains(p));
+        EXPECT_TRUE(positions.contains({p[0], -p[1], p[2]}));
     }
 }
 
-TEST(Pneunet, TheLayerIsTheLowestPartOfTheBase) {
+TEST(Pneunet, LayerIsTheLowestPartOfTheBase) {
     const Solid plain = sample::solid("pneunet", "half");
     const Solid layered = sample::solid("pneunet", "half", {{"geometry.layer.thickness", "0.5 mm"}});
     EXPECT_EQ(plain.mesh.region_names, std::vector<std::string>{"rubber"});
@@ -143,7 +143,7 @@ design::Design finger_design(const std::string& geometry, const std::string& mor
         "p.yaml", catalogue_keys(), {});
 }
 
-TEST(Pneunet, TheLayerIsOfPaperUnlessToldOtherwise) {
+TEST(Pneunet, LayerIsOfPaperByDefault) {
     const model::Case paper = build_case(finger_design("{layer: {thickness: 0.5 mm}}"));
     ASSERT_EQ(paper.materials.size(), 2u);
     const auto of = [](const model::Case& c, const std::string& region) {
@@ -162,16 +162,16 @@ TEST(Pneunet, TheLayerIsOfPaperUnlessToldOtherwise) {
     EXPECT_EQ(build_case(finger_design("{}")).materials.size(), 1u);
 }
 
-TEST(Pneunet, WeightNeedsNoDensityOfALayerThatIsNotThere) {
+TEST(Pneunet, WeightRequiresNoDensityOfAnAbsentLayer) {
     EXPECT_NO_THROW((void)build_case(
         design::read_design("family: pneunet\nmaterial: {law: neo-hookean, mu: 0.1644 MPa, density: 1080 kg/m^3}\n"
                             "loads: {cavity: {pressure: 5 kPa}, gravity: {acceleration: 9.81 m/s^2, along: -z}}\n",
                             "p.yaml", catalogue_keys(), {})));
 }
 
-TEST(Pneunet, TheDefaultMeshIsNotCalledCoarse) { EXPECT_TRUE(finger_design("{}").warnings.empty()); }
+TEST(Pneunet, DefaultMeshIsNotReportedAsCoarse) { EXPECT_TRUE(finger_design("{}").warnings.empty()); }
 
-TEST(Pneunet, EveryWallHasAtLeastAsManyCellsAsAsked) {
+TEST(Pneunet, EveryWallHasTheRequestedNumberOfCells) {
     const auto cells = [](const sample::Changes& changes) {
         return sample::solid("pneunet", "half", changes).mesh.cell_count();
     };
@@ -179,12 +179,12 @@ TEST(Pneunet, EveryWallHasAtLeastAsManyCellsAsAsked) {
               4 * cells({{"mesh.size", "50 mm"}, {"mesh.through_wall", "1"}}));
 }
 
-/// Uniform between two numbers, the same on every machine.
+/// Uniform random numbers, reproducible on every machine.
 class Draw {
 public:
     explicit Draw(unsigned seed) : engine_(seed) {}
     double operator()(double low, double high) {
-        constexpr int digits = 1000;  // lengths that a person would write
+        constexpr int digits = 1000;  // three decimals, as in handwritten designs
         const double share = static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max());
         return std::round(digits * (low + share * (high - low))) / digits;
     }
@@ -193,7 +193,7 @@ private:
     std::mt19937 engine_;
 };
 
-TEST(Pneunet, TwentyRandomFingersInRangeAreSound) {
+TEST(Pneunet, RandomFingersHaveValidCells) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Draw draw{seed};
         Finger f;
@@ -227,16 +227,17 @@ struct Refusal {
     const char *key, *value, *words;
 };
 
-TEST(Pneunet, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
+TEST(Pneunet, InconsistentValuesAreRejectedWithTheirBound) {
     for (const Refusal& r :
-         {Refusal{"wall", "4 mm", "4 mm is not smaller than half the chamber_length 4 mm; smaller than 4 mm"},
-          Refusal{"side", "8 mm", "8 mm is not smaller than half the width 8 mm; smaller than 8 mm"},
-          Refusal{"roof", "16 mm", "16 mm is not smaller than the height 16 mm; smaller than 16 mm"},
-          Refusal{"bridge", "16 mm", "16 mm is not smaller than the chambers' height 16 mm; smaller than 16 mm"},
+         {Refusal{"wall", "4 mm", "4 mm is not smaller than half the chamber_length (4 mm); use a value below 4 mm"},
+          Refusal{"side", "8 mm", "8 mm is not smaller than half the width (8 mm); use a value below 8 mm"},
+          Refusal{"roof", "16 mm", "16 mm is not smaller than the height (16 mm); use a value below 16 mm"},
+          Refusal{"bridge", "16 mm",
+                  "16 mm is not smaller than the height of the chambers (16 mm); use a value below 16 mm"},
           Refusal{"channel.height", "4 mm",
-                  "4 mm is not smaller than the bridge, which covers it, 4 mm; smaller than 4 mm"},
-          Refusal{"channel.width", "13 mm", "13 mm is more than the cavities' width 12 mm; at most 12 mm"},
-          Refusal{"layer.thickness", "3 mm", "3 mm is not smaller than the base 3 mm; smaller than 3 mm"}}) {
+                  "4 mm is not smaller than the bridge that covers it (4 mm); use a value below 4 mm"},
+          Refusal{"channel.width", "13 mm", "13 mm exceeds the width of the cavities (12 mm); use at most 12 mm"},
+          Refusal{"layer.thickness", "3 mm", "3 mm is not smaller than the base (3 mm); use a value below 3 mm"}}) {
         const std::string key = std::string{"geometry."} + r.key;
         try {
             (void)sample::solid("pneunet", "half", {{key, r.value}});
@@ -251,7 +252,7 @@ TEST(Pneunet, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
         ADD_FAILURE() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(std::string{error.what()},
-                  "test: geometry.channel.height: 2 mm is more than the cavities' height 1 mm; at most 1 mm");
+                  "test: geometry.channel.height: 2 mm exceeds the height of the cavities (1 mm); use at most 1 mm");
     }
     EXPECT_THROW((void)sample::solid("pneunet", "solid", {{"mesh.size", "0.01 mm"}}), Error);
 }

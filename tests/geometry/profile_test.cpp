@@ -1,4 +1,4 @@
-/// Tables of outlines, and what is refused in them.
+/// Tables of outlines and their errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::string profile_refusal(const std::string& text, Across across = Across::r) 
 
 const std::string disc = "x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,10,outer\n0,10,fixed\n";
 
-TEST(Profile, RowsBecomeEdgesThatStartThere) {
+TEST(Profile, RowsAreStartsOfEdges) {
     const meshing::Outline outline = outline_from(disc, "part.csv", Across::r);
     ASSERT_EQ(outline.loops.size(), 1u);
     ASSERT_EQ(outline.loops[0].size(), 4u);
@@ -36,7 +36,7 @@ TEST(Profile, RowsBecomeEdgesThatStartThere) {
     EXPECT_EQ(tags_of(outline), (std::vector<std::string>{"axis", "end", "outer", "fixed"}));
 }
 
-TEST(Profile, UnitsDelimitersCommentsAndAClosingRowAreUnderstood) {
+TEST(Profile, UnitsDelimitersCommentsAndAClosingRowAreSupported) {
     const meshing::Outline same = outline_from(disc, "part.csv", Across::r);
     for (const char* text : {"# a disc\nx_m;r_m;tag\n0;0;axis\n0.005;0;end\n0.005;0.01;outer\n0;0.01;fixed\n",
                              "x (cm),r (cm),tag\n0,0,axis\n0.5,0,end\n0.5,1,outer\n0,1,fixed\n",
@@ -48,7 +48,7 @@ TEST(Profile, UnitsDelimitersCommentsAndAClosingRowAreUnderstood) {
     }
 }
 
-TEST(Profile, ArcsAndSplinesGoOnFromTheirRow) {
+TEST(Profile, ArcsAndSplinesStartAtTheirRow) {
     const meshing::Outline outline = outline_from(
         "x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n0,0,axis,,,\n10,0,dome,arc,7.0710678,7.0710678\n0,10,back,spline,,\n"
         "-1,8,back,spline,,\n-2,5,back,spline,,\n-1,2,back,spline,,\n",
@@ -62,9 +62,9 @@ TEST(Profile, ArcsAndSplinesGoOnFromTheirRow) {
     EXPECT_EQ(back.points.back(), (meshing::PlanePoint{0, 0}));
 }
 
-TEST(Profile, FaultsAreNamedWithTheirRow) {
+TEST(Profile, ErrorsNameTheirRow) {
     EXPECT_EQ(profile_refusal("0,0,axis\n5,0,end\n5,10,outer\n"),
-              "part.csv:1: no line says what the columns are; begin with x_mm,r_mm,tag");
+              "part.csv:1: the header line is missing; begin with x_mm,r_mm,tag");
     EXPECT_EQ(profile_refusal("x,r_mm,tag\n0,0,axis\n5,0,end\n5,10,outer\n"),
               "part.csv:1: column 'x' has no unit of length; write x_mm");
     EXPECT_EQ(profile_refusal("x_mm,tag\n0,axis\n5,end\n5,outer\n"), "part.csv:1: there is no column 'r_mm'");
@@ -72,82 +72,84 @@ TEST(Profile, FaultsAreNamedWithTheirRow) {
               "part.csv:1: there is no column 'tag'; name the face of the edge that starts at each row");
     EXPECT_EQ(
         profile_refusal("x_mm,r_mm,tag,radius\n0,0,axis,1\n5,0,end,1\n5,10,outer,1\n"),
-        "part.csv:1: column 'radius' is not known; columns: x, r, tag, curve, via_x, via_r, loop, lengths with a unit as in x_mm");
+        "part.csv:1: unknown column 'radius'; use x, r, tag, curve, via_x, via_r, loop, lengths with a unit as in x_mm");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,0,axis\n5,nan,end\n5,10,outer\n"),
-              "part.csv:3: column 2 'r_mm': 'nan' is no number; put # before lines that are no data");
+              "part.csv:3: column 2 'r_mm': 'nan' is not a number; put # before lines that are not data");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,\n5,10,outer\n"),
-              "part.csv:3: it has no tag; name the face of the edge that starts here, for example free");
+              "part.csv:3: the tag is missing; name the face of the edge that starts here, for example free");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,the end\n5,10,outer\n"),
-              "part.csv:3: 'the end' is not a name of a face; letters, digits, _ and -, a letter first");
+              "part.csv:3: 'the end' is not a valid face name; use letters, digits, _ and -, starting with a letter");
     EXPECT_EQ(
         profile_refusal("x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,0,end\n5,10,outer\n"),
-        "part.csv:3: the point (5, 0) mm stands there twice in a row; leave one out; the last point is joined to the first by itself");
+        "part.csv:3: the point (5, 0) mm appears twice in a row; remove one; the last point is connected to the first automatically");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,-1,inner\n5,-1,end\n5,10,outer\n0,10,fixed\n"),
-              "part.csv:2: r gets down to -1 mm; draw the half section at r >= 0; the axis of revolution is x");
+              "part.csv:2: r reaches -1 mm; draw the half section at r >= 0; the axis of revolution is x");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,0,inner\n5,0,end\n5,10,outer\n"),
-              "part.csv:2: its edge lies on the axis r = 0 and is tagged 'inner'; tag it axis");
+              "part.csv:2: the edge lies on the axis r = 0 but is tagged 'inner'; tag it axis");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag\n0,1,axis\n5,1,end\n5,10,outer\n"),
-              "part.csv:2: its edge is tagged axis and does not lie on r = 0");
+              "part.csv:2: the edge is tagged axis but does not lie on r = 0; use another tag");
     EXPECT_EQ(
         profile_refusal("x_mm,r_mm,tag\n0,0,fixed\n0,10,outer\n5,10,end\n5,0,axis\n"),
-        "part.csv:2: the outline runs clockwise: the solid would lie outside it; reverse the order of its points (each tag moves to the "
+        "part.csv:2: the outline is clockwise: the solid would lie outside it; reverse the order of its points (each tag moves to the "
         "row where its edge now starts)");
     EXPECT_EQ(
         profile_refusal("x_mm,r_mm,tag\n0,1,a\n5,1,b\n0,4,c\n5,4,d\n"),
-        "part.csv:3: its edge crosses, touches or runs back over the one of line 5 near (5, 4) mm; an outline goes once round the solid");
+        "part.csv:3: the edge crosses, touches or runs back over the edge of line 5 near (5, 4) mm; an outline must "
+        "enclose the solid once");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag,curve\n0,1,a,circle\n5,1,b,\n0,4,c,\n"),
-              "part.csv:2: 'circle' is no curve; line, arc or spline");
+              "part.csv:2: 'circle' is not a curve; use line, arc or spline");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag,curve\n0,1,a,arc\n5,1,b,\n0,4,c,\n"),
               "part.csv:1: there is no column 'via_x_mm'");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n0,1,a,arc,,\n5,1,b,,,\n0,4,c,,,\n"),
-              "part.csv:2: column 5 'via_x_mm': the cell is empty; put # before lines that are no data");
+              "part.csv:2: column 5 'via_x_mm': the cell is empty; put # before lines that are not data");
     EXPECT_EQ(profile_refusal("x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n0,1,a,arc,2,1\n5,1,b,,,\n0,4,c,,,\n"),
-              "part.csv:2: the three points of its arc lie on a line; write line");
+              "part.csv:2: the three points of the arc are collinear; use line");
     EXPECT_EQ(profile_refusal("x_mm,y_mm,tag,loop\n0,0,a,1\n9,0,a,1\n9,9,a,1\n4,3,b,2\n3,3,b,2\n3,4,b,2\n0,9,a,1\n",
                               Across::y),
-              "part.csv:8: loop '1' goes on after another one; put its rows together");
+              "part.csv:8: loop '1' continues after another loop; keep its rows together");
     EXPECT_EQ(profile_refusal("x_mm,y_mm,tag\n0,0,axis\n9,0,a\n9,9,a\n", Across::y),
-              "part.csv:2: 'axis' is a name of the program's own; call the face otherwise");
+              "part.csv:2: 'axis' is a reserved face name; use another tag");
     EXPECT_EQ(profile_refusal("x_mm,y_mm,tag\n-1,0,a\n9,0,a\n0,9,symmetry_x\n0,3,a\n", Across::y),
-              "part.csv:2: x gets down to -1 mm; the body is mirrored at x = 0, where an edge is tagged symmetry_x");
+              "part.csv:2: x reaches -1 mm; draw the half x >= 0; the tag symmetry_x mirrors the body at x = 0");
 }
 
-/// Rounding of an export: a point that misses the axis by less than any length matters.
-TEST(Profile, PointsThatMissTheAxisByRoundingLieOnIt) {
+/// Rounding of an export: a point deviates from the axis by a negligible distance.
+TEST(Profile, PointsWithinRoundingOfTheAxisLieOnIt) {
     const meshing::Outline outline =
         outline_from("x_mm,r_mm,tag\n0,1e-9,axis\n5,-1e-9,end\n5,10,outer\n0,10,fixed\n", "part.csv", Across::r);
     EXPECT_EQ(outline.loops[0][0].points[1], (meshing::PlanePoint{5e-3, 0}));
 }
 
-/// A ring between radii 5 and 10 mm (of a section x, y): the hole drawn as `edges` straight edges, each row with `curve`.
+/// A square of 20 mm (section x, y) with a round hole of radius 5 mm, given as `edges` straight edges, each row with `curve`.
 std::string polygon_hole(int edges, const std::string& curve) {
     std::string text = "x_mm,y_mm,tag,loop,curve\n-10,-10,out,1,\n10,-10,out,1,\n10,10,out,1,\n-10,10,out,1,\n";
     for (int k = 0; k < edges; ++k) {
-        const double angle = -2 * pi * k / edges;  // clockwise round a hole
+        const double angle = -2 * pi * k / edges;  // clockwise around a hole
         text +=
             std::to_string(5 * std::cos(angle)) + "," + std::to_string(5 * std::sin(angle)) + ",hole,2," + curve + "\n";
     }
     return text;
 }
 
-TEST(Profile, ManyShortEdgesOnASmoothCurveBecomeOne) {
+TEST(Profile, ManyShortEdgesOnASmoothCurveBecomeASpline) {
     for (const int edges : {26, 60, 500}) {
         const meshing::Outline outline = outline_from(polygon_hole(edges, ""), "part.csv", Across::y);
         ASSERT_EQ(outline.loops[1].size(), 1u) << edges;
         const meshing::OutlineEdge& hole = outline.loops[1][0];
         EXPECT_EQ(hole.shape, Shape::spline);
         EXPECT_EQ(hole.points.size(), static_cast<std::size_t>(edges) + 1);
-        EXPECT_NEAR(area_m2(outline.loops[1]) / (-pi * 25e-6), 1, 4e-4);  // the polygon of 26 misses 1 %
+        EXPECT_NEAR(area_m2(outline.loops[1]) / (-pi * 25e-6), 1,
+                    4e-4);  // the area error of the polygon with 26 edges is 1 %
         ASSERT_EQ(outline.notes.size(), 1u);
         EXPECT_NE(outline.notes[0].find(std::to_string(edges) + " straight edges (the first in line 6)"),
                   std::string::npos)
             << outline.notes[0];
-        EXPECT_EQ(outline.loops[0].size(), 4u);  // a square stays one
+        EXPECT_EQ(outline.loops[0].size(), 4u);  // the square is unchanged
     }
 }
 
-TEST(Profile, EdgesThatAreMeantStayStraight) {
-    for (const auto& [edges, curve] : {std::pair{16, ""}, {60, "line"}}) {  // 22.5 degrees at a corner; stated
+TEST(Profile, IntendedStraightEdgesStayStraight) {
+    for (const auto& [edges, curve] : {std::pair{16, ""}, {60, "line"}}) {  // turns of 22.5 degrees; curve stated
         const meshing::Outline outline = outline_from(polygon_hole(edges, curve), "part.csv", Across::y);
         EXPECT_EQ(outline.loops[1].size(), static_cast<std::size_t>(edges));
         ASSERT_EQ(outline.notes.size(), edges == 16 ? 1u : 0u);
@@ -158,8 +160,8 @@ TEST(Profile, EdgesThatAreMeantStayStraight) {
     }
 }
 
-/// Half a circle over a straight base, one tag for both: the corners at its ends stay corners.
-TEST(Profile, ARecognisedCurveEndsAtCorners) {
+/// A half circle on a straight base with one tag for both: the corners at its ends remain corners.
+TEST(Profile, RecognisedCurvesEndAtCorners) {
     constexpr int edges = 40;
     std::string text = "x_mm,y_mm,tag\n";
     for (int k = 0; k <= edges; ++k)
@@ -170,7 +172,7 @@ TEST(Profile, ARecognisedCurveEndsAtCorners) {
     EXPECT_EQ(outline.loops[0][0].shape, Shape::spline);
     EXPECT_EQ(outline.loops[0][1].shape, Shape::line);
     EXPECT_NEAR(area_m2(outline.loops[0]) / (pi * 50e-6), 1, 4e-4);
-    // A drop: one corner, round which the whole outline runs in a smooth curve.
+    // A drop: one corner; the rest of the outline is one smooth curve.
     text = "x_mm,y_mm,tag\n0,0,skin\n";
     for (int k = 0; k <= edges; ++k) {
         const double angle = -0.75 * pi + 1.5 * pi * k / edges;

@@ -1,6 +1,6 @@
-/// Designs drawn at random, within the ranges of their keys and somewhat outside: each becomes a mesh of sound cells, or is
-/// refused in one line that names the key. SOFT_RANDOM_DESIGNS=200 geometry_tests --gtest_filter='Random*' draws as many of
-/// each family, and prints the smallest scaled Jacobian.
+/// Random designs with values within the ranges of their keys and slightly outside: each becomes a mesh with valid cells, or is
+/// rejected with one line that names the key. SOFT_RANDOM_DESIGNS=200 geometry_tests --gtest_filter='Random*' generates 200 designs
+/// of each family and prints the smallest scaled Jacobian.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,9 +17,9 @@ namespace {
 
 std::string millimetres(double m) { return core::number_text(1e3 * m) + " mm"; }
 
-/// About the default; a word where the key has one, sometimes; rarely a value that no range allows.
+/// A value near the default; sometimes a word, if the key has one; rarely a value out of range.
 std::string drawn(const design::Key& key, Dice& dice) {
-    if (key.most > 1) {  // from and to, as shares of a whole
+    if (key.max_count > 1) {  // two fractions: from, to
         const double from = dice.between(-0.05, 0.6), to = dice.between(0.4, 1.05);
         return "[" + core::number_text(from) + ", " + core::number_text(to) + "]";
     }
@@ -43,7 +43,7 @@ std::string drawn(const design::Key& key, Dice& dice) {
     }
 }
 
-/// A closed outline about a point, its edges lines, arcs and splines; the first two points may lie on the axis.
+/// A closed outline around a point with lines, arcs and splines; the first two points may lie on the axis.
 std::string drawn_table(Dice& dice, bool turned) {
     std::string text =
         std::string{"x_mm,"} + (turned ? "r" : "y") + "_mm,tag,curve,via_x_mm,via_" + (turned ? "r" : "y") + "_mm\n";
@@ -75,7 +75,7 @@ std::string drawn_table(Dice& dice, bool turned) {
     return text;
 }
 
-/// The family's template with other numbers.
+/// The template of the family with other values.
 struct Drawn {
     std::string text;
     std::vector<design::Override> overrides;
@@ -101,17 +101,17 @@ Drawn drawn_design(const design::FamilyKeys& keys, Dice& dice) {
 }
 
 int count() {
-    const char* wished = std::getenv("SOFT_RANDOM_DESIGNS");
-    return wished == nullptr ? 20 : std::atoi(wished);
+    const char* requested = std::getenv("SOFT_RANDOM_DESIGNS");
+    return requested == nullptr ? 20 : std::atoi(requested);
 }
 
 class RandomDesigns : public testing::TestWithParam<std::string> {};
 
-TEST_P(RandomDesigns, BecomeSoundMeshesOrAreRefusedWithTheReason) {
+TEST_P(RandomDesigns, AreMeshedOrRejectedWithAReason) {
     const design::FamilyKeys& keys = sample::family(GetParam()).keys;
     Dice dice{20261122};
     int meshed = 0, refused = 0;
-    double least = 1;
+    double min_jacobian = 1;
     std::map<std::string, int> reasons;
     for (int k = 0; k < count(); ++k) {
         Drawn drawn = drawn_design(keys, dice);
@@ -127,7 +127,7 @@ TEST_P(RandomDesigns, BecomeSoundMeshesOrAreRefusedWithTheReason) {
             const model::Case built =
                 build_case(design::read_design(drawn.text, "random.yaml", catalogue_keys(), drawn.overrides));
             try {
-                least = std::min(least, mesh::quality(built.mesh).min_scaled_jacobian);
+                min_jacobian = std::min(min_jacobian, mesh::quality(built.mesh).min_scaled_jacobian);
             } catch (const Error& error) {
                 ADD_FAILURE() << GetParam() << " " << k << ":" << what << "\n"
                               << error.what() << "\n"
@@ -143,8 +143,8 @@ TEST_P(RandomDesigns, BecomeSoundMeshesOrAreRefusedWithTheReason) {
     }
     EXPECT_GT(meshed, count() / 10);
     std::cout << GetParam() << ": " << meshed << " meshed, " << refused << " refused, smallest scaled Jacobian "
-              << least << "\n";
-    RecordProperty("min_scaled_jacobian", core::number_text(least));
+              << min_jacobian << "\n";
+    RecordProperty("min_scaled_jacobian", core::number_text(min_jacobian));
 }
 
 std::vector<std::string> drawing_families() {

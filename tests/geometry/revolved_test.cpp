@@ -1,4 +1,4 @@
-/// The families revolved and extruded: shapes that people draw.
+/// The families revolved and extruded: shapes from tables.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,17 +39,17 @@ std::string drawn_refusal(const std::string& text, std::vector<design::Override>
     }
 }
 
-const std::string held = "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\noutputs: {}\n";
+const std::string usual = "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\noutputs: {}\n";
 
 /// designs/tube.yaml: 100 mm long, radii 7 and 10 mm, caps of 5 mm.
 const std::string tube =
     "x_mm,r_mm,tag\n0,0,axis\n5,0,cavity\n5,7,cavity\n95,7,cavity\n95,0,axis\n100,0,inlet\n100,10,outer\n0,10,fixed\n";
 
-TEST(Revolved, ATubeHasTheVolumesOfTheTube) {
+TEST(Revolved, TubeHasTheVolumesOfTheFamilyTube) {
     const TemporaryFile file{"tube.csv", tube};
     for (const char* model : {"axisymmetric", "half", "quarter", "solid"}) {
         const Solid body =
-            solid(drawn_text("revolved", file.path, held),
+            solid(drawn_text("revolved", file.path, usual),
                   {{"model", model}, {"mesh.size", "3 mm"}, {"mesh.sectors", "4"}, {"mesh.through_wall", "1"}});
         EXPECT_GT(mesh::quality(body.mesh).min_scaled_jacobian, 0.1) << model;
         EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (pi * (100 * 100 - 49 * 90)), 1, curved) << model;
@@ -63,22 +63,22 @@ TEST(Revolved, ATubeHasTheVolumesOfTheTube) {
 }
 
 /// Pappus: a circle of radius 2 about r = 9 mm; its cavity is the hole of radius 1.
-TEST(Revolved, ATorusFollowsPappus) {
+TEST(Revolved, TorusHasTheVolumeOfPappus) {
     const TemporaryFile file{
         "torus.csv",
         "x_mm,r_mm,tag,loop,curve,via_x_mm,via_r_mm\n2,9,fixed,out,arc,0,11\n-2,9,outer,out,arc,0,7\n"
         "1,9,cavity,in,arc,0,8\n-1,9,cavity,in,arc,0,10\n"};
     for (const char* model : {"axisymmetric", "half"}) {
-        const Solid body = solid(drawn_text("revolved", file.path, held),
+        const Solid body = solid(drawn_text("revolved", file.path, usual),
                                  {{"model", model}, {"mesh.size", "1 mm"}, {"mesh.sectors", "8"}});
         EXPECT_NEAR(1e9 * sample::rubber_m3(body) / (2 * pi * 9 * pi * 3), 1, curved) << model;
         EXPECT_NEAR(1e9 * sample::cavity_m3(body) / (2 * pi * 9 * pi), 1, curved) << model;
-        for (const mesh::CellType type : body.mesh.cell_types)  // it does not reach the axis: no simplices are needed
+        for (const mesh::CellType type : body.mesh.cell_types)  // no contact with the axis, so no simplices
             EXPECT_EQ(type, std::string{model} == "half" ? mesh::CellType::hex27 : mesh::CellType::quad9);
     }
 }
 
-TEST(Revolved, AnOpeningCarriesAPlugOnTheFaceAroundIt) {
+TEST(Revolved, OpeningHasAPlugOnTheAdjacentFace) {
     const TemporaryFile file{"cup.csv",
                              "x_mm,r_mm,tag\n0,6,cavity\n20,6,cavity\n20,0,axis\n22,0,tip\n22,8,outer\n0,8,rim\n"};
     const model::Case c = build_case(
@@ -90,7 +90,7 @@ TEST(Revolved, AnOpeningCarriesAPlugOnTheFaceAroundIt) {
     EXPECT_EQ(c.cavities[0].openings[0].direction, (std::array<double, 3>{-1, 0, 0}));
 }
 
-TEST(Revolved, SeveralTagsMakeACavityOfTheirOwn) {
+TEST(Revolved, SeveralTagsFormACavity) {
     const TemporaryFile file{
         "two.csv",
         "x_mm,r_mm,tag\n0,0,axis\n2,0,a_low\n2,6,a_side\n8,6,a_high\n8,0,axis\n10,0,b_low\n10,6,b_side\n16,6,b_high\n16,0,axis\n"
@@ -107,10 +107,10 @@ TEST(Revolved, SeveralTagsMakeACavityOfTheirOwn) {
     EXPECT_EQ(
         drawn_refusal(drawn_text("revolved", other.path, loaded),
                       {{"geometry.cavities.left", "[outer]"}, {"geometry.cavities.right", "[outer, inlet]"}}),
-        "--set geometry.cavities.right: its wall and that of 'left' have edges in common; each edge belongs to one cavity");
+        "--set geometry.cavities.right: its wall shares edges with that of 'left'; assign each edge to one cavity");
 }
 
-TEST(Revolved, APlaneOfSymmetryLeavesHalfOfTheBody) {
+TEST(Revolved, SymmetryPlaneHalvesTheBody) {
     const TemporaryFile file{
         "half-sphere.csv",
         "x_mm,r_mm,tag,curve,via_x_mm,via_r_mm\n10,0,axis,,,\n20,0,outer,arc,14.142135623730951,14.142135623730951\n"
@@ -124,14 +124,14 @@ TEST(Revolved, APlaneOfSymmetryLeavesHalfOfTheBody) {
     EXPECT_TRUE(build_case(read_drawn(text)).cavities[0].openings.empty());
 }
 
-TEST(Revolved, AFaultOfTheFileIsToldWithThePlaceInTheDesign) {
+TEST(Revolved, FileErrorsNameTheLocationInTheDesign) {
     const TemporaryFile file{"bad.csv", "x_mm,r_mm,tag\n0,0,axis\n5,0,end\n5,-10,outer\n"};
-    const std::string text = drawn_text("revolved", file.path, held);
+    const std::string text = drawn_text("revolved", file.path, usual);
     EXPECT_EQ(drawn_refusal(text).find("part.yaml:2:21: geometry.profile: " + file.path.string() +
-                                       ":2: the outline runs clockwise"),
+                                       ":2: the outline is clockwise"),
               0u)
         << drawn_refusal(text);
-    EXPECT_NE(drawn_refusal(drawn_text("revolved", "missing.csv", held))
+    EXPECT_NE(drawn_refusal(drawn_text("revolved", "missing.csv", usual))
                   .find("part.yaml:2:21: geometry.profile: missing.csv: "),
               std::string::npos);
     EXPECT_EQ(drawn_refusal("family: revolved\nmaterial: {law: neo-hookean, mu: 1 MPa}\n")
@@ -139,7 +139,7 @@ TEST(Revolved, AFaultOfTheFileIsToldWithThePlaceInTheDesign) {
               0u);
 }
 
-TEST(Revolved, FacesThatTheTableDoesNotHaveAreRefusedWithTheNearest) {
+TEST(Revolved, UnknownFacesAreRejectedWithASuggestion) {
     const TemporaryFile file{"tube.csv", tube};
     EXPECT_EQ(drawn_refusal(
                   drawn_text("revolved", file.path, "supports: {fixed: fixd}\nloads: {cavity: {pressure: 5 kPa}}\n")),
@@ -148,13 +148,13 @@ TEST(Revolved, FacesThatTheTableDoesNotHaveAreRefusedWithTheNearest) {
     EXPECT_EQ(drawn_refusal(
                   drawn_text("revolved", full.path, "supports: {fixed: fixed}\nloads: {cavity: {pressure: 5 kPa}}\n")),
               "part.yaml:5:9: loads.cavity: there is no cavity to load; faces: axis, end, outer, fixed");
-    EXPECT_EQ(drawn_refusal(drawn_text("revolved", file.path, held), {{"mesh.size", "0.001 mm"}})
-                  .find("--set mesh.size: it would take"),
+    EXPECT_EQ(drawn_refusal(drawn_text("revolved", file.path, usual), {{"mesh.size", "0.001 mm"}})
+                  .find("--set mesh.size: the mesh would have"),
               0u);
 }
 
-/// A stadium's hole in a block, and a slice of it.
-TEST(Extruded, ABlockWithAHoleHasItsVolumes) {
+/// A block with a stadium-shaped hole, and a slice of it.
+TEST(Extruded, BlockWithAHoleHasTheExpectedVolumes) {
     const std::string text = drawn_text("extruded", std::string{SOFT_SOURCE_DIR} + "/designs/profiles/pad.csv",
                                         "supports: {fixed: base}\nloads: {cavity: {pressure: 5 kPa}}\n");
     const double hole_mm2 = 12 * 4 + pi * 4;
@@ -172,7 +172,7 @@ TEST(Extruded, ABlockWithAHoleHasItsVolumes) {
     for (const model::Opening& opening : openings) EXPECT_NEAR(1e6 * opening.area_m2 / hole_mm2, 1, 1e-9);
 }
 
-TEST(Extruded, AQuarterRingIsAQuarterOfTheRing) {
+TEST(Extruded, QuarterRingHasAQuarterOfTheVolume) {
     const TemporaryFile file{
         "quarter.csv",
         "x_mm,y_mm,tag,curve,via_x_mm,via_y_mm\n10,0,symmetry_y,,,\n20,0,outer,arc,14.142135623730951,14.142135623730951\n"
@@ -188,8 +188,8 @@ TEST(Extruded, AQuarterRingIsAQuarterOfTheRing) {
     EXPECT_EQ(openings[0].face, "end_z0");
 }
 
-/// The designs and templates that come along, in every model.
-TEST(Drawn, DesignsAndTemplatesBecomeCases) {
+/// Example designs and templates, in every model.
+TEST(Drawn, DesignsAndTemplatesBuild) {
     for (const char* name : {"revolved", "extruded"}) {
         const std::string path = std::string{SOFT_SOURCE_DIR} + "/designs/" + name + ".yaml";
         std::ifstream stream{path};

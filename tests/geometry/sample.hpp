@@ -1,5 +1,5 @@
 #pragma once
-/// A family's default values, as the parser would give them, with some replaced; and what the tests measure on a mesh.
+/// Default values of a family as the parser returns them, with changes; and measurements on a mesh.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace soft::geometry {
 
 using std::numbers::pi;
-/// What quadratic edges over at most 45 degrees miss a circle by: the fourth power of their angle.
+/// Relative area error of quadratic edges over at most 45 degrees of a circle: fourth power of their angle.
 inline constexpr double curved = 1.5e-4;
 
 inline std::string test_name(std::string words) {
@@ -38,7 +38,8 @@ inline const Family& family(const std::string& name) {
 }
 
 inline double number_of(const design::Key& key, const std::string& text) {
-    if (std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end()) return 0;  // a word in its place
+    if (std::find(key.choices.begin(), key.choices.end(), text) != key.choices.end())
+        return 0;  // a word instead of a number
     switch (key.kind) {
         case design::Kind::length:
             return core::quantity_or_throw(text, core::Dimension::length, ExitCode::bad_input, key.path);
@@ -50,11 +51,11 @@ inline double number_of(const design::Key& key, const std::string& text) {
         case design::Kind::ratio: return std::stod(text);
         case design::Kind::flag:
         case design::Kind::text: return 0;
-        default: throw std::logic_error("a kind no family uses");
+        default: throw std::logic_error("no family uses this kind of key");
     }
 }
 
-/// The values of "[0, 1]"; of a single value that one.
+/// The values of a list such as "[0, 1]", or a single value.
 inline std::vector<double> numbers_of(const design::Key& key, std::string text) {
     if (!text.starts_with('[')) return {number_of(key, text)};
     std::replace_if(
@@ -100,13 +101,13 @@ inline Solid solid(const std::string& name, const std::string& model, const Chan
 
 inline bool is_turned(const Solid& s) { return s.kinematics == model::Kinematics::axisymmetric; }
 
-/// Of the whole actuator; in plane strain of 1 m of depth.
+/// Volume of the whole actuator; in plane strain for 1 m of depth.
 inline double rubber_m3(const Solid& s) {
     return mesh::measure(s.mesh, is_turned(s) ? mesh::Measure::revolved : mesh::Measure::plain) / s.fraction;
 }
 
-/// Flux out of the cavity of half the position across the axis (0 x, 2 z), whose divergence is 1: planes across the axis,
-/// plugs among them, add nothing.
+/// Volume of the cavity by the divergence theorem: flux of half the position vector normal to the axis (0 x, 2 z), which has
+/// divergence 1. Planes across the axis, including plugs, contribute nothing.
 inline double cavity_m3(const Solid& s, std::size_t axis = 0, const std::string& wall = "cavity") {
     double sum = 0;
     for (const mesh::Facet& facet : s.mesh.facet_sets.at(wall)) {
@@ -144,7 +145,7 @@ inline double area_m2(const Solid& s, const std::string& face) {
     return sum / s.fraction;
 }
 
-/// What is wrong with a design, or "accepted".
+/// The error message for a design, or "accepted".
 inline std::string refusal(const design::Design& design) {
     try {
         (void)build_case(design);

@@ -1,5 +1,4 @@
-/// Meshes follow from the shape alone: the same part in another scale has the same cells, and dimensions that follow from others fit
-/// whatever these are.
+/// Meshes depend only on the shape: the same part at another scale has the same cells, and derived dimensions fit the stated ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +16,7 @@ using Overrides = std::vector<design::Override>;
 
 std::string metres(double m) { return core::number_text(m) + " m"; }
 
-/// The tables of the templates' shapes (designs/profiles), in another scale.
+/// The tables of the template shapes (designs/profiles) at another scale.
 std::string scaled_table(const std::string& family, double scale) {
     const auto n = [scale](double mm) { return core::number_text(scale * mm); };
     const auto row = [&](double x, double y, const std::string& rest) { return n(x) + "," + n(y) + "," + rest + "\n"; };
@@ -37,7 +36,7 @@ mesh::Mesh scaled_mesh(const design::FamilyKeys& keys, double scale, Overrides o
             if (const double usual = sample::number_of(key, key.fallback); usual != 0)
                 overrides.push_back({key.path, metres(scale * usual)});
     for (const design::Key& key : keys.geometry)
-        if (key.path == "geometry.outer_radius" && key.fallback == "auto")  // where the other radius is auto too
+        if (key.path == "geometry.outer_radius" && key.fallback == "auto")  // if the other radius is also auto
             overrides.push_back({key.path, metres(scale * 10e-3)});
     const meshing::sample::TemporaryFile table{"scaled-" + keys.name + ".csv", scaled_table(keys.name, scale)};
     std::string text = design::template_yaml(keys);
@@ -50,14 +49,14 @@ mesh::Mesh scaled_mesh(const design::FamilyKeys& keys, double scale, Overrides o
 void expect_scaled(const mesh::Mesh& usual, const mesh::Mesh& other, double scale) {
     ASSERT_EQ(other.cell_count(), usual.cell_count());
     ASSERT_EQ(other.connectivity, usual.connectivity);
-    double extent_m = 0, apart_m = 0;
+    double extent_m = 0, difference_m = 0;
     for (std::size_t p = 0; p < usual.points.size(); ++p)
         for (std::size_t d = 0; d < 3; ++d) {
             extent_m = std::max(extent_m, std::abs(usual.points[p][d]));
-            apart_m = std::max(apart_m, std::abs(other.points[p][d] / scale - usual.points[p][d]));
+            difference_m = std::max(difference_m, std::abs(other.points[p][d] / scale - usual.points[p][d]));
         }
-    constexpr double rounding = 1e-8;  // gmsh finds places along arcs by iteration
-    EXPECT_LT(apart_m, rounding * extent_m);
+    constexpr double rounding = 1e-8;  // gmsh computes positions along arcs iteratively
+    EXPECT_LT(difference_m, rounding * extent_m);
 }
 
 class Scaled : public testing::TestWithParam<std::string> {};
@@ -75,8 +74,8 @@ TEST_P(Scaled, HasTheSameCells) {
     }
 }
 
-/// Other proportions than the templates', among them the largest ratios of radii and walls.
-TEST(ScaledShapes, HaveTheSameCellsWhateverTheirProportions) {
+/// Other proportions than the templates, including the largest ratios of radii and walls.
+TEST(ScaledShapes, HaveTheSameCellsForOtherProportions) {
     const auto cells = [](const std::string& name, const std::string& model, sample::Changes changes, double scale) {
         for (auto& [key, value] : changes)
             if (value.ends_with(" mm")) value = metres(1e-3 * scale * std::stod(value));
@@ -99,7 +98,7 @@ TEST(ScaledShapes, HaveTheSameCellsWhateverTheirProportions) {
               {{"geometry.length", "30 mm"}, {"geometry.width", "20 mm"}, {"geometry.height", "3 mm"}}}}) {
         const mesh::Mesh usual = cells(shape.family, shape.model, shape.changes, 1);
         for (const double scale : {0.01, 0.2, 10.0})
-            if (shape.family != "plate" && shape.family != "rod")  // their other lengths keep their defaults
+            if (shape.family != "plate" && shape.family != "rod")  // their other lengths stay at the defaults
                 expect_scaled(usual, cells(shape.family, shape.model, shape.changes, scale), scale);
     }
 }
@@ -114,18 +113,18 @@ std::vector<std::string> names() {
 INSTANTIATE_TEST_SUITE_P(Family, Scaled, testing::ValuesIn(names()),
                          [](const auto& test) { return test_name(test.param); });
 
-TEST(CellSize, QualityAndSizeExcludeEachOther) {
+TEST(CellSize, QualityAndSizeAreMutuallyExclusive) {
     try {
         (void)sample::solid("tube", "axisymmetric", {{"mesh.size", "1 mm"}, {"mesh.quality", "draft"}});
         FAIL() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(std::string{error.what()},
-                  "test: mesh.quality: 'draft' has no effect, as mesh.size is stated; mesh.size: auto");
+                  "test: mesh.quality: 'draft' has no effect because mesh.size is stated; use mesh.size: auto");
     }
 }
 
-/// Errors measured against meshes of half the cells, and for spheres and rings against the mesh without mesh.size: see each row.
-TEST(CellSize, WarnsWhereTheCurveMissesMoreThanAPerCentAndNowhereElse) {
+/// The error of each row was measured against a mesh with cells of half the size; for spheres and rings against the default mesh.
+TEST(CellSize, WarnsIfTheErrorOfTheCurveExceedsOnePerCent) {
     struct Row {
         std::string family, model;
         sample::Changes changes;
@@ -160,7 +159,7 @@ TEST(CellSize, WarnsWhereTheCurveMissesMoreThanAPerCentAndNowhereElse) {
     }
 }
 
-TEST(CellSize, DraftHasFewerAndFineMoreCellsInEveryFamily) {
+TEST(CellSize, DraftHasFewerAndFineHasMoreCells) {
     for (const std::string& name : names()) {
         const design::FamilyKeys& keys = sample::family(name).keys;
         const auto cells = [&](const char* quality) {
@@ -174,7 +173,7 @@ TEST(CellSize, DraftHasFewerAndFineMoreCellsInEveryFamily) {
     }
 }
 
-/// Main dimensions in ranges that users try, about those of published actuators; all others are left at their defaults.
+/// Ranges of the main dimensions, about those of published actuators; all others stay at their defaults.
 struct Range {
     std::string key;
     double from, to;  ///< mm, deg or a number

@@ -1,4 +1,4 @@
-// The body of several chambers: volumes by closed form, where the chambers lie, its jacket, what is refused; rooms in a block.
+// The body with several chambers: volumes in closed form, positions of the chambers, jacket, rejected values; hollowed blocks.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,8 +73,8 @@ TEST(Segment, VolumesAndAreasMatch) {
     }
 }
 
-/// The first about z, the next ones a turn of 360 degrees over their number from y toward z on.
-TEST(Segment, ChambersLieWhereTheyAreSaidTo) {
+/// The first is centred on z; the others follow at equal angles, in the direction from y toward z.
+TEST(Segment, ChambersLieAtTheirAngles) {
     for (const int chambers : {2, 3, 4}) {
         Module module;
         module.chambers = chambers;
@@ -95,7 +95,7 @@ TEST(Segment, ChambersLieWhereTheyAreSaidTo) {
     }
 }
 
-TEST(Segment, TheJacketMayBeOfAnotherMaterial) {
+TEST(Segment, JacketMayHaveAnotherMaterial) {
     const auto built = [](const std::string& jacket) {
         return build_case(
             design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
@@ -117,10 +117,10 @@ TEST(Segment, TheJacketMayBeOfAnotherMaterial) {
                 volume_m3 +=
                     point.weight * mesh::map_cell(mesh, c, mesh::shape_values(mesh.cell_type(c), point.xi)).determinant;
     EXPECT_NEAR(volume_m3 / (pi * (outer_m * outer_m - inner_m * inner_m) * 40e-3), 1, curved);
-    EXPECT_THROW((void)built("{thickness: 0 mm, material: rubber}"), Error);  // cloth is used nowhere
+    EXPECT_THROW((void)built("{thickness: 0 mm, material: rubber}"), Error);  // cloth is unused
 }
 
-TEST(Segment, FibresLieInTheJacketAlone) {
+TEST(Segment, FibresLieOnlyInTheJacket) {
     const auto design = [](const std::string& jacket) {
         return design::read_design(
             "family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
@@ -137,12 +137,11 @@ TEST(Segment, FibresLieInTheJacketAlone) {
     }
     for (const model::Material& material : build_case(design("{thickness: 0.5 mm}")).materials)
         EXPECT_FALSE(material.fibers);
-    EXPECT_EQ(
-        sample::refusal(design("{fibers: {k1: 2 MPa}}")),
-        "s.yaml:4:34: geometry.jacket.fibers.k1: there is no jacket in which the fibres could lie; jacket.thickness larger than 0");
+    EXPECT_EQ(sample::refusal(design("{fibers: {k1: 2 MPa}}")),
+              "s.yaml:4:34: geometry.jacket.fibers.k1: the fibres need a jacket; use jacket.thickness above 0");
 }
 
-TEST(Segment, AChamberThatIsNotThereIsRefused) {
+TEST(Segment, UnknownChamberIsRejected) {
     const auto refused = [](const std::string& chambers, const std::string& load) {
         return sample::refusal(
             design::read_design("family: segment\nmaterial: {law: neo-hookean, mu: 0.1 MPa}\n"
@@ -154,10 +153,10 @@ TEST(Segment, AChamberThatIsNotThereIsRefused) {
                                 "s.yaml", catalogue_keys(), {}));
     };
     EXPECT_EQ(refused("4", "chamber_4"), "accepted");
-    EXPECT_NE(refused("3", "chamber_4").find("face 'chamber_4' is not part of this model"), std::string::npos);
+    EXPECT_NE(refused("3", "chamber_4").find("this model has no face 'chamber_4'"), std::string::npos);
 }
 
-TEST(Segment, TwentyRandomOnesInRangeAreSound) {
+TEST(Segment, RandomSegmentsHaveValidCells) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         std::mt19937 engine{seed};
         const auto draw = [&](double low, double high) {
@@ -176,22 +175,23 @@ TEST(Segment, TwentyRandomOnesInRangeAreSound) {
         m.length = 2 * m.cap + draw(2, 60);
         m.jacket = seed % 2 == 0 ? 0 : draw(0.1, 0.9) * m.wall;
         const Solid solid = sample::solid("segment", "solid", changes_of(m));
-        expect_closed_forms(m, solid, 1e-3);  // arcs of up to 60 degrees a cell
+        expect_closed_forms(m, solid, 1e-3);  // arcs of up to 60 degrees per cell
         EXPECT_GT(mesh::quality(solid.mesh).min_scaled_jacobian, 0.1) << seed;
     }
 }
 
-TEST(Segment, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
+TEST(Segment, InconsistentValuesAreRejectedWithTheirBound) {
     struct Refusal {
         const char *key, *value, *words;
     };
-    for (const Refusal& r :
-         {Refusal{
-              "wall", "7 mm",
-              "7 mm leaves no chamber between core and wall; smaller than 7 mm = outer_radius - bore_radius - core"},
-          Refusal{"cap", "20 mm", "20 mm is not smaller than half the length 20 mm; smaller than 20 mm"},
-          Refusal{"jacket.thickness", "2 mm", "2 mm is not smaller than wall 2 mm; smaller than 2 mm"},
-          Refusal{"web", "120 deg", "it leaves no angle for the chambers; smaller than 120 deg"}}) {
+    for (
+        const Refusal& r :
+        {Refusal{
+             "wall", "7 mm",
+             "7 mm leaves no chamber between core and wall; use a value below 7 mm = outer_radius - bore_radius - core"},
+         Refusal{"cap", "20 mm", "20 mm is not smaller than half the length (20 mm); use a value below 20 mm"},
+         Refusal{"jacket.thickness", "2 mm", "2 mm is not smaller than wall (2 mm); use a value below 2 mm"},
+         Refusal{"web", "120 deg", "it leaves no angle for the chambers; use a value below 120 deg"}}) {
         const std::string key = std::string{"geometry."} + r.key;
         try {
             (void)sample::solid("segment", "solid", {{key, r.value}});
@@ -203,25 +203,25 @@ TEST(Segment, ValuesThatDoNotFitTogetherAreRefusedWithTheirBound) {
     }
 }
 
-TEST(Hollowed, TakesCellsAwayAndNamesWhatIsLaidBare) {
+TEST(Hollowed, RemovesCellsAndNamesTheExposedFacets) {
     const Solid bar =
         sample::solid("rod", "solid", {{"mesh.size", "10 mm"}, {"geometry.length", "30 mm"}});  // three cells in a row
     ASSERT_EQ(bar.mesh.cell_count(), 3);
     const auto middle = [&](mesh::Index cell) {
         double x = 0;
         for (const mesh::Index n : bar.mesh.cell_nodes(cell)) x += bar.mesh.point(n)[0] / 27;
-        return std::abs(x - 15e-3) < 1e-9 ? std::string{"room"} : std::string{};
+        return std::abs(x - 15e-3) < 1e-9 ? std::string{"hole"} : std::string{};
     };
     const mesh::Mesh rest = meshing::hollowed(bar.mesh, middle);
     EXPECT_EQ(rest.cell_count(), 2);
     EXPECT_EQ(rest.points.size(), std::size_t{2 * 27});
     EXPECT_NEAR(mesh::measure(rest, mesh::Measure::plain), 2e-6, 1e-18);
-    EXPECT_EQ(rest.facet_sets.at("room").size(), 2u);
+    EXPECT_EQ(rest.facet_sets.at("hole").size(), 2u);
     EXPECT_EQ(rest.facet_sets.at("top").size(), 2u);
     EXPECT_EQ(rest.facet_sets.at("fixed").size(), 1u);
     const auto boundary = mesh::boundary_facets(rest);
     EXPECT_EQ(boundary.size(), 12u);
-    for (const mesh::Facet& facet : rest.facet_sets.at("room"))
+    for (const mesh::Facet& facet : rest.facet_sets.at("hole"))
         for (const mesh::Index n : facet_nodes(rest, facet))
             EXPECT_NEAR(std::abs(rest.point(n)[0] - 15e-3), 5e-3, 1e-12);
 }

@@ -16,7 +16,7 @@ namespace {
 constexpr Spacing even{1, {1, 1, 1}, 1};
 constexpr double sums = 1e-11;  // rounding, of volumes and areas up to 50
 
-/// Coordinates along an axis, each once, of corners (with mid nodes: every second).
+/// Distinct coordinates of the corner nodes along an axis.
 std::vector<double> coordinates(const mesh::Mesh& mesh, std::size_t axis) {
     std::set<double> all;
     for (mesh::Index c = 0; c < mesh.cell_count(); ++c)
@@ -55,7 +55,7 @@ TEST(GradedShares, GrowGeometricallyFromTheSharpEnd) {
     EXPECT_EQ(graded_shares(2, 9, {true, true}), (std::vector<double>{0.5, 0.5}));
 }
 
-TEST(BoxGrid, CellsGetShorterTowardReentrantEdgesAlone) {
+TEST(BoxGrid, CellsGetShorterOnlyTowardReentrantEdges) {
     const mesh::Mesh mesh = mesh_of_boxes(step(), {1, {2, 2, 2}, 3});
     EXPECT_EQ(coordinates(mesh, 0), (std::vector<double>{0, 1, 2, 3, 4}));  // the edge runs along x: no grading
     const std::vector<double> y = coordinates(mesh, 1), z = coordinates(mesh, 2);
@@ -67,7 +67,7 @@ TEST(BoxGrid, CellsGetShorterTowardReentrantEdgesAlone) {
     }
 }
 
-TEST(BoxGrid, CellsGetShorterTowardAHeldFace) {
+TEST(BoxGrid, CellsGetShorterTowardAFixedFace) {
     BoxBody body{.boxes = {{{0, 0, 0}, {3, 1, 1}, Fill::solid, "bar"}}};
     body.borders[0][0] = {"fixed", true};
     const std::vector<double> x = coordinates(mesh_of_boxes(body, {1.5, {1, 1, 1}, 2}), 0);
@@ -75,14 +75,14 @@ TEST(BoxGrid, CellsGetShorterTowardAHeldFace) {
     EXPECT_NEAR(x[1], 1, 1e-15);
 }
 
-TEST(BoxGrid, RegionsAndFacesAreThoseOfTheBoxes) {
+TEST(BoxGrid, RegionsAndFacesHaveTheNamesOfTheBoxes) {
     BoxBody body = step();
-    body.boxes.push_back({{1, 0.5, 0.5}, {3, 1, 1.5}, Fill::hollow, "room"});
+    body.boxes.push_back({{1, 0.5, 0.5}, {3, 1, 1.5}, Fill::hollow, "hole"});
     body.borders[2][0] = {"bottom"};
     const mesh::Mesh mesh = mesh_of_boxes(body, even);
     EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"foot", "step"}));
     EXPECT_NEAR(mesh::measure(mesh, mesh::Measure::plain), 16 + 8 - 1, sums);
-    EXPECT_NEAR(area(mesh, "room"), 2 * (2 * 0.5 + 2 * 1 + 0.5 * 1), sums);
+    EXPECT_NEAR(area(mesh, "hole"), 2 * (2 * 0.5 + 2 * 1 + 0.5 * 1), sums);
     EXPECT_NEAR(area(mesh, "bottom"), 8, sums);
     EXPECT_NEAR(area(mesh, "outer"), 4 * 4 /* z */ - 8 + 4 * 4 * 2 /* y */ + 2 * (2 * 2 + 1 * 2) /* x */, sums);
     std::set<mesh::Facet> named;
@@ -93,18 +93,18 @@ TEST(BoxGrid, RegionsAndFacesAreThoseOfTheBoxes) {
     }
     const auto boundary = mesh::boundary_facets(mesh);
     EXPECT_EQ(named, std::set<mesh::Facet>(boundary.begin(), boundary.end()));
-    EXPECT_EQ(sides, boundary.size());  // each has one name
+    EXPECT_EQ(sides, boundary.size());  // each facet has one name
 }
 
-/// Mid nodes are means, whose sums run in another order on the other side.
+/// Positions rounded to 1e-9: mid nodes are means, and the order of summation differs between the two halves.
 using Cell = std::array<long, 3>;
 Cell rounded(const mesh::Point& p) {
     return {std::lround(1e9 * p[0]), std::lround(1e9 * p[1]), std::lround(1e9 * p[2])};
 }
 
-TEST(BoxGrid, TheMirroredBodyIsTheDrawnOneAndItsImage) {
+TEST(BoxGrid, MirroredBodyIsTheOriginalAndItsMirrorImage) {
     BoxBody body = step();
-    body.boxes.push_back({{1, 0, 0.5}, {3, 0.5, 1.5}, Fill::hollow, "room"});  // reaches the plane of symmetry
+    body.boxes.push_back({{1, 0, 0.5}, {3, 0.5, 1.5}, Fill::hollow, "hole"});  // reaches the symmetry plane
     body.borders[1][1] = {"far"};
     const mesh::Mesh half = mesh_of_boxes(body, {1, {2, 2, 2}, 3});
     body.extent = Extent::mirrored_in_y;
@@ -113,25 +113,25 @@ TEST(BoxGrid, TheMirroredBodyIsTheDrawnOneAndItsImage) {
     EXPECT_EQ(cells_of_boxes(body, {1, {2, 2, 2}, 3}), static_cast<double>(whole.cell_count()));
     EXPECT_NEAR(mesh::measure(whole, mesh::Measure::plain), 2 * mesh::measure(half, mesh::Measure::plain), sums);
     EXPECT_NEAR(area(whole, "far"), 2 * area(half, "far"), sums);
-    EXPECT_NEAR(area(whole, "room"), 2 * area(half, "room"), sums);
-    std::set<Cell> places;
-    for (const mesh::Point& p : whole.points) places.insert(rounded(p));
-    EXPECT_EQ(places.size(), whole.points.size());
+    EXPECT_NEAR(area(whole, "hole"), 2 * area(half, "hole"), sums);
+    std::set<Cell> positions;
+    for (const mesh::Point& p : whole.points) positions.insert(rounded(p));
+    EXPECT_EQ(positions.size(), whole.points.size());
     for (const mesh::Point& p : half.points) {
-        EXPECT_TRUE(places.contains(rounded(p)));
-        EXPECT_TRUE(places.contains(rounded({p[0], -p[1], p[2]})));
+        EXPECT_TRUE(positions.contains(rounded(p)));
+        EXPECT_TRUE(positions.contains(rounded({p[0], -p[1], p[2]})));
     }
     EXPECT_GT(mesh::quality(whole).min_scaled_jacobian, 0.999);
 }
 
-TEST(BoxGrid, PlanesThatDifferByRoundingAreOne) {
+TEST(BoxGrid, PlanesWithinRoundingAreMerged) {
     BoxBody body = step();
     body.boxes[1].high[1] += 1e-15;
     body.boxes.push_back({{0, 0, 4}, {4, 1, 5}, Fill::solid, "step"});
     EXPECT_EQ(mesh_of_boxes(body, even).cell_count(), mesh_of_boxes(step(), even).cell_count() + 4);
 }
 
-TEST(BoxGrid, NoBoxesAndAPlaneOfSymmetryOutsideAreSlips) {
+TEST(BoxGrid, EmptyBodiesAndInvalidSymmetryPlanesThrow) {
     EXPECT_THROW((void)mesh_of_boxes({}, even), std::logic_error);
     BoxBody body = step();
     for (Box& box : body.boxes) box.low[1] += 0.5;

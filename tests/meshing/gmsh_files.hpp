@@ -1,5 +1,5 @@
 #pragma once
-/// Mesh files for the import's tests, written by gmsh itself: parts with known volumes, in every version, encoding,
+/// Mesh files for the tests of the import, written by gmsh: parts with known volumes, in every version, encoding,
 /// order and cell type.
 #include <gmsh.h>
 #include <unistd.h>
@@ -29,7 +29,7 @@ inline std::filesystem::path temporary(const std::string& name) {
     return std::filesystem::temp_directory_path() / ("soft-import-" + std::to_string(getpid()) + "-" + name);
 }
 
-/// A file that goes away with the test.
+/// A file that is removed at the end of the test.
 struct TemporaryFile {
     std::filesystem::path path;
     explicit TemporaryFile(const std::string& name, const std::string& text = {}) : path(temporary(name)) {
@@ -106,7 +106,7 @@ inline void draw_part(Cells cells, Sides sides, int divisions) {
     name_group(3, {made[1].second}, "part");
 }
 
-/// Every node of the mesh by x -> factor x, y -> y + shift.
+/// Maps every node of the mesh: x -> factor x, y -> y + shift.
 inline void move_nodes(double factor, double shift) {
     std::vector<std::size_t> tags;
     std::vector<double> xyz, parameters;

@@ -1,4 +1,4 @@
-/// Files that are no sound mesh: what is said, and that nothing else happens.
+/// Invalid mesh files: they are rejected with the expected message and have no other effect.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -27,9 +27,9 @@ struct Fault {
 
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
-class Faulty : public testing::TestWithParam<Fault> {};
+class InvalidFile : public testing::TestWithParam<Fault> {};
 
-TEST_P(Faulty, IsRefusedWithTheReason) {
+TEST_P(InvalidFile, IsRejectedWithTheReason) {
     const TemporaryFile file{GetParam().name + ".msh", GetParam().text};
     try {
         static_cast<void>(import_mesh(file.path, 1));
@@ -44,47 +44,47 @@ const std::string again = "; repair the mesh and export it again",
                   format = "; export the mesh as Gmsh .msh, version 4.1 or 2.2";
 
 INSTANTIATE_TEST_SUITE_P(
-    Import, Faulty,
+    Import, InvalidFile,
     testing::Values(
         Fault{"blank", "\n", ":2: the file is empty" + format},
-        Fault{"garbage", "solid cube\n", ":1: this is no Gmsh mesh: it does not begin with $MeshFormat" + format},
+        Fault{"garbage", "solid cube\n", ":1: not a Gmsh mesh: the file does not begin with $MeshFormat" + format},
         Fault{"old", "$MeshFormat\n4 0 8\n$EndMeshFormat\n",
-              ":2: version 4 of the format is not read; export version 4.1 or 2.2 (Gmsh: Mesh.MshFileVersion)"},
+              ":2: format version 4 is not supported; export version 4.1 or 2.2 (Gmsh: Mesh.MshFileVersion)"},
         Fault{"headonly", head, ":8: there is no $Nodes or no $Elements section; export the mesh again"},
         Fault{"word", std::string{head} + "$Nodes\n1\n1 0 zero 0\n$EndNodes\n",
-              ":10: 'zero' stands where a number is needed; export the mesh again"},
+              ":10: expected a number, found 'zero'; export the mesh again"},
         Fault{"infinite", std::string{head} + "$Nodes\n1\n1 0 inf 0\n$EndNodes\n",
               ":10: a coordinate is not a finite number; export the mesh again"},
         Fault{"manynodes", std::string{head} + "$Nodes\n99999999999\n1 0 0 0\n$EndNodes\n",
-              ":9: the file ends too early; export the mesh again"},
+              ":9: the file is truncated; export the mesh again"},
         Fault{"nocells", std::string{head} + nodes + "$Elements\n1\n1 1 2 1 1 1 2\n$EndElements\n",
-              ": there are no cells; mesh the surface (2D) or the volume (3D) and save all elements of it"},
+              ": there are no cells; mesh the surface (2D) or the volume (3D) and save all its elements"},
         Fault{
             "pyramid", two_squares("13 7 2 0 1 1 2 3 4 5\n", 1),
-            ":21: pyramids are not read; mesh with triangles, quadrilaterals, tetrahedra, hexahedra or prisms of first or second order"},
+            ":21: pyramids are not supported; mesh with triangles, quadrilaterals, tetrahedra, hexahedra or prisms of first or "
+            "second order"},
         Fault{
             "third", two_squares("13 21 2 0 1 1 2 3 4 5 6 1 2 3 4\n", 1),
-            ":21: elements of Gmsh's type 21 are not read; mesh with triangles, quadrilaterals, tetrahedra, hexahedra or "
+            ":21: elements of Gmsh's type 21 are not supported; mesh with triangles, quadrilaterals, tetrahedra, hexahedra or "
             "prisms of first or second order"},
         Fault{"unknownnode", two_squares("13 3 2 0 1 1 2 77 4\n", 1),
-              ": element 13 has a node 77 that the file does not hold" + again},
+              ": element 13 uses node 77, which the file does not define" + again},
         Fault{
             "inner", two_squares("13 1 2 1 1 2 5\n", 1),
-            ": element 13 of the face 'wall' lies inside the body, between two cells; take inner surfaces out of the physical groups"},
+            ": element 13 of the face 'wall' lies inside the body, between two cells; remove inner surfaces from the physical groups"},
         Fault{
             "across", two_squares("13 1 2 1 1 1 5\n", 1),
-            ": element 13 of the face 'wall' is no side of a cell; mesh surface and body together, so that they share their nodes"},
+            ": element 13 of the face 'wall' is not a side of a cell; mesh surface and volume together, so that they share nodes"},
         Fault{"twice", two_squares("13 3 2 0 1 4 1 2 5\n", 1),
               ": element 11 and element 13 are the same cell; put each part in one physical group only"},
         Fault{
             "overlap", two_squares("13 2 2 0 1 2 5 4\n", 1),
-            ": element 13 shares a side with element 11 and element 12; the mesh overlaps itself: remove cells that stand there twice"},
-        Fault{
-            "insideout", two_squares("13 3 2 0 1 3 6 2 5\n", 1),
-            ": element 13 is turned inside out or flat; mesh again with other sizes, or optimise the mesh (Gmsh: Tools, or "
-            "Mesh.Optimize, Mesh.HighOrderOptimize)"},
+            ": element 13 shares a side with element 11 and element 12; the mesh overlaps itself: remove duplicate cells"},
+        Fault{"insideout", two_squares("13 3 2 0 1 3 6 2 5\n", 1),
+              ": element 13 is inverted or degenerate; remesh with other sizes, or optimise the mesh (Gmsh: Tools, or "
+              "Mesh.Optimize, Mesh.HighOrderOptimize)"},
         Fault{"order", two_squares("13 9 2 0 1 1 2 3 4 5 6\n", 1),
-              ": element 13 is not of the same order as element 11; mesh all parts with one order"},
+              ": element 13 has another order than element 11; mesh all parts with one order"},
         Fault{
             "bent",
             std::string{head} +
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
               ": two physical groups are both called 'a_b'; rename one of them"}),
     [](const auto& test) { return test.param.name; });
 
-TEST(Import, AFileThatIsNotThereCannotBeOpened) {
+TEST(Import, MissingFileCannotBeOpened) {
     try {
         static_cast<void>(import_mesh("/nowhere/part.msh", 1));
         FAIL() << "opened";
@@ -112,7 +112,7 @@ struct Written {
     bool binary;
 };
 
-class Spoilt : public testing::TestWithParam<Written> {
+class CorruptedFile : public testing::TestWithParam<Written> {
 protected:
     static std::string whole() {
         const TemporaryFile file{"whole.msh"};
@@ -120,9 +120,9 @@ protected:
                            {GetParam().version, GetParam().binary, 2, false}, 1);
         return file.text();
     }
-    /// True if accepted; anything but Error fails the test.
+    /// True if accepted; any other exception than Error fails the test.
     static bool accepted(const std::string& text) {
-        const TemporaryFile file{"spoilt.msh", text};
+        const TemporaryFile file{"corrupted.msh", text};
         try {
             static_cast<void>(import_mesh(file.path, 1));
         } catch (const Error& error) {
@@ -133,7 +133,7 @@ protected:
     }
 };
 
-TEST_P(Spoilt, EveryBeginningOfAFileIsRefused) {
+TEST_P(CorruptedFile, TruncationsAreRejected) {
     const std::string text = whole();
     ASSERT_TRUE(accepted(text));
     const std::size_t needed = text.rfind("$EndElements") + std::string_view{"$EndElements"}.size();
@@ -141,21 +141,23 @@ TEST_P(Spoilt, EveryBeginningOfAFileIsRefused) {
         EXPECT_FALSE(accepted(text.substr(0, size))) << size;
 }
 
-TEST_P(Spoilt, WrongBytesAnywhereDoNoHarm) {
+TEST_P(CorruptedFile, WrongBytesCauseNoCrash) {
     const std::string text = whole();
     std::mt19937 random{7};
     for (int i = 0; i < 500; ++i) {
-        std::string spoilt = text;
-        for (int k = 0; k < 1 + i % 4; ++k) spoilt[random() % spoilt.size()] = static_cast<char>(random() % 256);
-        static_cast<void>(accepted(spoilt));
+        std::string corrupted = text;
+        for (int k = 0; k < 1 + i % 4; ++k) corrupted[random() % corrupted.size()] = static_cast<char>(random() % 256);
+        static_cast<void>(accepted(corrupted));
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Import, Spoilt, testing::Values(Written{2.2, false}, Written{2.2, true}, Written{4.1, false}, Written{4.1, true}),
-    [](const auto& test) {
-        return std::string{test.param.version == 4.1 ? "v41" : "v22"} + (test.param.binary ? "binary" : "ascii");
-    });
+INSTANTIATE_TEST_SUITE_P(Import, CorruptedFile,
+                         testing::Values(Written{2.2, false}, Written{2.2, true}, Written{4.1, false},
+                                         Written{4.1, true}),
+                         [](const auto& test) {
+                             return std::string{test.param.version == 4.1 ? "v41" : "v22"} +
+                                    (test.param.binary ? "binary" : "ascii");
+                         });
 
 }  // namespace
 }  // namespace soft::meshing

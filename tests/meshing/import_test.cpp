@@ -60,7 +60,7 @@ mesh::Mesh part(const Choice& choice, Sides sides, double unit_m = 1.0) {
 
 class Imported : public testing::TestWithParam<Choice> {};
 
-TEST_P(Imported, HasItsVolumeItsGroupsAndItsWholeBoundary) {
+TEST_P(Imported, HasTheExpectedVolumeGroupsAndBoundary) {
     const mesh::Mesh mesh = part(GetParam(), Sides::straight, 0.0254);
     EXPECT_EQ(mesh.dimension, is_plane(GetParam()) ? 2 : 3);
     EXPECT_NEAR(measure(mesh, mesh::Measure::plain) / (1.5 * std::pow(0.0254, mesh.dimension)), 1, 1e-12);
@@ -81,8 +81,8 @@ TEST_P(Imported, HasItsVolumeItsGroupsAndItsWholeBoundary) {
     EXPECT_EQ(used.size(), mesh.points.size());
 }
 
-/// Between straight lines gmsh's mid nodes are the means of their corners: any other order of the nodes misses them.
-TEST_P(Imported, HasItsNodesInOurOrder) {
+/// On straight lines gmsh's mid nodes are the means of their corners; a wrong node order would violate this.
+TEST_P(Imported, HasItsNodesInVtkOrder) {
     const mesh::Mesh mesh = part(GetParam(), Sides::straight);
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         const mesh::CellTopology& cell = mesh::topology(mesh.cell_type(c));
@@ -93,7 +93,7 @@ TEST_P(Imported, HasItsNodesInOurOrder) {
             for (std::size_t d = 0; d < 3; ++d) {
                 double mean = 0;
                 for (std::size_t v = 0; v < weights.size(); ++v) mean += weights[v] * mesh.point(nodes[v])[d];
-                constexpr double gmsh_rounds = 1e-10;  // its points on curves, of unit length
+                constexpr double gmsh_rounds = 1e-10;  // rounding of gmsh's points on curves of unit length
                 ASSERT_NEAR(mesh.point(nodes[n])[d], mean, gmsh_rounds) << "node " << n;
             }
         }
@@ -101,13 +101,13 @@ TEST_P(Imported, HasItsNodesInOurOrder) {
     EXPECT_GT(mesh::quality(mesh).min_scaled_jacobian, 0.2);
 }
 
-TEST_P(Imported, FollowsArcsAsFarAsItsOrderCan) {
+TEST_P(Imported, FollowsArcsWithTheAccuracyOfItsOrder) {
     const mesh::Mesh mesh = part(GetParam(), Sides::round);
     const bool second = GetParam().kind.order == 2;
-    // A chord of 30 degrees leaves out 5 % of the ring; a parabola through its middle a thousandth of that.
+    // The area error of the ring is 5 % with chords of 30 degrees, and a thousandth of that with parabolas.
     const double area = 0.75 * std::numbers::pi, chords = 9 * std::sin(std::numbers::pi / 6) / 2;
     const double found = measure(mesh, mesh::Measure::plain);
-    if (GetParam().cells == Cells::tetrahedra && !second) {  // the upper arcs have chords of their own
+    if (GetParam().cells == Cells::tetrahedra && !second) {  // the upper arcs have other chords
         EXPECT_GT(found, chords - 1e-10);
         EXPECT_LT(found, area);
     } else {
@@ -141,8 +141,8 @@ TEST_P(Imported, IsTheSameFromEveryVersionAndEncoding) {
 INSTANTIATE_TEST_SUITE_P(Import, Imported, testing::ValuesIn(choices()),
                          [](const auto& test) { return name_of(test.param); });
 
-/// Two squares side by side, the right one clockwise; region names with blanks, one face without a name.
-TEST(Import, ReadsRegionsNumbersMirroredPartsAndNamesWhatHasNoName) {
+/// Two adjacent squares, the right one clockwise; region names with blanks, one face without a name.
+TEST(Import, ReadsRegionsReordersMirroredPartsAndNamesUnnamedFaces) {
     const TemporaryFile file{"two.msh", R"($MeshFormat
 2.2 0 8
 $EndMeshFormat
@@ -181,7 +181,7 @@ $EndElements
     EXPECT_EQ(mesh.points[0], (mesh::Point{0, 0, 0}));
 }
 
-TEST(Import, ATurnedCopyOfASolidIsNumberedRightAgain) {
+TEST(Import, MirroredSolidIsRenumbered) {
     for (const Cells cells : {Cells::tetrahedra, Cells::hexahedra, Cells::wedges}) {
         const TemporaryFile file{"mirrored.msh"};
         {

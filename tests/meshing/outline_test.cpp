@@ -21,7 +21,7 @@ Loop polygon(const std::vector<PlanePoint>& points) {
 const std::vector<PlanePoint> square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 const std::vector<PlanePoint> hole{{1, 1}, {1, 3}, {3, 3}, {3, 1}};
 
-TEST(OutlineArcs, ThreePointsGiveCentreRadiusAndSense) {
+TEST(OutlineArcs, ThreePointsGiveCentreRadiusAndOrientation) {
     for (const double turn : {0.3, 2.0, 4.5, -0.3, -2.0, -4.5}) {
         const auto at = [&](double share) {
             return PlanePoint{3 + 2 * std::cos(0.7 + share * turn), -1 + 2 * std::sin(0.7 + share * turn)};
@@ -35,14 +35,14 @@ TEST(OutlineArcs, ThreePointsGiveCentreRadiusAndSense) {
     }
 }
 
-TEST(OutlineArcs, CountInTheArea) {
-    // A half disc of radius 2 and, run the other way round, the half moon it leaves of a square.
+TEST(OutlineArcs, ContributeToTheArea) {
+    // A half disc of radius 2.
     const OutlineEdge arc{Shape::arc, {{2, 0}, {0, 2}, {-2, 0}}, {}, 1}, base{Shape::line, {{-2, 0}, {2, 0}}, {}, 2};
     EXPECT_NEAR(area_m2({arc, base}), 2 * pi, 1e-13);
 }
 
-/// Quadratics are reproduced: the tangent (P2 - P0)/2 is exact for them where the points are evenly spaced.
-TEST(Splines, FollowAParabolaBetweenItsInnerPoints) {
+/// Quadratics are reproduced: the tangent (P2 - P0)/2 is exact for evenly spaced points.
+TEST(Splines, ReproduceAParabolaBetweenInnerPoints) {
     std::vector<PlanePoint> points;
     for (int i = 0; i <= 5; ++i) points.push_back({1.0 * i, 1.0 * i * i});
     for (double t = 1; t <= 4; t += 0.125) {
@@ -51,7 +51,7 @@ TEST(Splines, FollowAParabolaBetweenItsInnerPoints) {
     }
 }
 
-TEST(Splines, RunThroughTheirPointsAndCloseSmoothly) {
+TEST(Splines, InterpolateTheirPointsAndCloseSmoothly) {
     std::vector<PlanePoint> points;
     for (int i = 0; i < 12; ++i) points.push_back({std::cos(2 * pi * i / 12), std::sin(2 * pi * i / 12)});
     points.push_back(points.front());
@@ -59,11 +59,11 @@ TEST(Splines, RunThroughTheirPointsAndCloseSmoothly) {
         EXPECT_NEAR(spline_at(points, static_cast<double>(i))[1], points[i][1], 1e-15);
     const double h = 1e-6;
     const PlanePoint first = spline_at(points, h), last = spline_at(points, 12 - h);
-    EXPECT_NEAR(first[0], last[0], 1e-11);  // the circle's tangent stands upright there
+    EXPECT_NEAR(first[0], last[0], 1e-11);  // the tangent of the circle is vertical there
     EXPECT_NEAR(first[1], -last[1], 1e-11);
 }
 
-TEST(Outlines, ASquareWithAHoleIsSound) {
+TEST(Outlines, SquareWithAHoleIsValid) {
     EXPECT_FALSE(fault_of({{polygon(square)}}));
     EXPECT_FALSE(fault_of({{polygon(square), polygon(hole)}}));
     EXPECT_FALSE(fault_of({{polygon(hole), polygon(square)}}));
@@ -72,36 +72,36 @@ TEST(Outlines, ASquareWithAHoleIsSound) {
 
 std::string fault_text(const Outline& outline) {
     const auto fault = fault_of(outline);
-    return fault ? std::to_string(fault->row) + ": " + fault->problem : "sound";
+    return fault ? std::to_string(fault->row) + ": " + fault->problem : "valid";
 }
 
-TEST(Outlines, WhatIsWrongIsSaidWithItsRow) {
+TEST(Outlines, ErrorsNameTheirRow) {
     EXPECT_EQ(fault_text({{polygon({{0, 0}, {0, 4}, {4, 4}, {4, 0}})}}),
-              "1: the outline runs clockwise: the solid would lie outside it");
+              "1: the outline is clockwise: the solid would lie outside it");
     EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 4}, {4, 0}, {0, 4}})}}),
-              "1: its edge crosses, touches or runs back over the one of line 3 near (4000, 0) mm");
+              "1: the edge crosses, touches or runs back over the edge of line 3 near (4000, 0) mm");
     EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 0}, {4, 0}, {4, 4}})}}),
-              "2: the point (4000, 0) mm stands there twice in a row");
+              "2: the point (4000, 0) mm appears twice in a row");
     EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 0}, {2, 0}, {2, 4}})}}),
-              "1: its edge crosses, touches or runs back over the one of line 2 near (4000, 0) mm");
+              "1: the edge crosses, touches or runs back over the edge of line 2 near (4000, 0) mm");
     EXPECT_EQ(fault_text({{polygon({{0, 0}, {4, 0}})}}),
-              "1: its edge crosses, touches or runs back over the one of line 2 near (4000, 0) mm");
+              "1: the edge crosses, touches or runs back over the edge of line 2 near (4000, 0) mm");
     EXPECT_EQ(fault_text({{polygon(square), polygon({{1, 1}, {3, 1}, {3, 3}, {1, 3}})}}),
-              "1: the hole's loop runs counter-clockwise: the solid would lie inside it");
+              "1: the loop of the hole is counter-clockwise: the solid would lie inside it");
     EXPECT_EQ(fault_text({{polygon(square), polygon({{6, 1}, {6, 3}, {8, 3}, {8, 1}})}}),
               "1: this loop lies outside the largest one");
     EXPECT_EQ(fault_text({{polygon(square), polygon(hole), polygon({{1.5, 1.5}, {1.5, 2}, {2, 2}, {2, 1.5}})}}),
-              "1: this loop lies within another hole");
+              "1: this loop lies inside another hole");
 }
 
-/// A point of one edge that comes to lie on another, and an arc that runs through a line.
-TEST(Outlines, TouchingAndCurvedEdgesAreFoundToo) {
-    EXPECT_NE(fault_text({{polygon({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})}}), "sound");
+/// A point of one edge that lies on another edge, and an arc that crosses a line.
+TEST(Outlines, TouchingAndCurvedEdgesAreDetected) {
+    EXPECT_NE(fault_text({{polygon({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})}}), "valid");
     Loop bulging = polygon(square);
     bulging[2] = {Shape::arc, {{4, 4}, {2, 2.5}, {0, 4}}, {"side"}, 3};
-    EXPECT_EQ(fault_text({{bulging}}), "sound");
+    EXPECT_EQ(fault_text({{bulging}}), "valid");
     bulging[2].points[1] = {2, -1};
-    EXPECT_NE(fault_text({{bulging}}), "sound");
+    EXPECT_NE(fault_text({{bulging}}), "valid");
 }
 
 }  // namespace

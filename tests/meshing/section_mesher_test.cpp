@@ -28,7 +28,7 @@ Section quarter_ring(int through, int around) {
 
 double radius(const mesh::Point& p) { return std::hypot(p[0], p[1]); }
 
-TEST(SectionMesher, NodesOnArcsLieOnTheTrueArc) {
+TEST(SectionMesher, NodesOnArcsLieOnTheExactArc) {
     const mesh::Mesh mesh = mesh_section(quarter_ring(2, 3));
     ASSERT_EQ(mesh.cell_count(), 6);
     ASSERT_EQ(mesh.facet_sets.at("outer").size(), 3u);
@@ -38,9 +38,9 @@ TEST(SectionMesher, NodesOnArcsLieOnTheTrueArc) {
         for (const mesh::Index n : facet_nodes(mesh, facet)) EXPECT_NEAR(radius(mesh.point(n)), 1, 1e-13);
 }
 
-TEST(SectionMesher, RefusesAnEdgeFarShorterThanTheSection) {
+TEST(SectionMesher, RejectsEdgesFarShorterThanTheSection) {
     for (const double edge :
-         {0.0, 1e-300, 1e-12, 5e-7}) {  // of 2: gmsh ends the program where it takes its ends for one
+         {0.0, 1e-300, 1e-12, 5e-7}) {  // relative to 2: gmsh aborts the program if it merges the ends
         Section s;
         const int a = add_point(s, {0, 0}), b = add_point(s, {2, 0}), c = add_point(s, {2, edge}),
                   d = add_point(s, {0, edge});
@@ -68,7 +68,7 @@ TEST(SectionMesher, InnerMidNodesFollowTheCurvedGridLines) {
     }
 }
 
-TEST(SectionMesher, AreaOfARingConvergesWithTheFourthPower) {
+TEST(SectionMesher, AreaOfARingConvergesWithFourthOrder) {
     const double exact = 0.25 * std::numbers::pi * 3;
     const auto error = [&](int around) {
         return std::abs(mesh::measure(mesh_section(quarter_ring(1, around)), mesh::Measure::plain) - exact);
@@ -77,7 +77,7 @@ TEST(SectionMesher, AreaOfARingConvergesWithTheFourthPower) {
     EXPECT_NEAR(std::log2(error(4) / error(8)), 4, 0.1);
 }
 
-TEST(SectionMesher, BlocksOfDifferentRegionsShareTheNodesBetweenThem) {
+TEST(SectionMesher, BlocksOfDifferentRegionsShareNodes) {
     Section s;
     const std::array<int, 6> p{add_point(s, {0, 1}), add_point(s, {1, 1}), add_point(s, {1, 2}),
                                add_point(s, {0, 2}), add_point(s, {1, 3}), add_point(s, {0, 3})};
@@ -113,7 +113,7 @@ TEST(SectionMesher, FacesMayOverlapAndCoverTheOutline) {
     EXPECT_EQ(named, mesh::boundary_facets(mesh));
 }
 
-TEST(SectionMesher, BlocksDrawnClockwiseBecomeSoundCells) {
+TEST(SectionMesher, ClockwiseBlocksGiveValidCells) {
     Section s = quarter_ring(2, 3);
     const auto sides = s.blocks.front().sides;
     s.blocks.clear();
@@ -125,7 +125,7 @@ TEST(SectionMesher, BlocksDrawnClockwiseBecomeSoundCells) {
 }
 
 TEST(SectionMesher, NeighboursShareTheNodesOfTheirCurve) {
-    // Two squares side by side; the upper side of the right one is a chain of two curves.
+    // Two adjacent squares; the upper side of the right one is a chain of two curves.
     Section s;
     const int a = add_point(s, {0, 0}), b = add_point(s, {1, 0}), c = add_point(s, {1, 1}), d = add_point(s, {0, 1});
     const int e = add_point(s, {2, 0}), f = add_point(s, {2, 1}), g = add_point(s, {1.6, 1});
@@ -141,7 +141,7 @@ TEST(SectionMesher, NeighboursShareTheNodesOfTheirCurve) {
     add_block(s, {{{b, e}, {e, f}, {f, g, c}, {c, b}}});
     const mesh::Mesh mesh = mesh_section(s);
     EXPECT_EQ(mesh.cell_count(), 6 + 12);
-    EXPECT_EQ(mesh.points.size(), std::size_t{13 * 7});  // one grid, no node twice
+    EXPECT_EQ(mesh.points.size(), std::size_t{13 * 7});  // one grid without duplicate nodes
     EXPECT_EQ(mesh.facet_sets.at("short").size(), 1u);
     for (const mesh::Facet& facet : mesh.facet_sets.at("long"))
         for (const mesh::Index n : facet_nodes(mesh, facet)) {
@@ -165,7 +165,7 @@ TEST(SectionMesher, SmallSectionsKeepTheirPrecision) {
         for (const mesh::Index n : facet_nodes(mesh, facet)) EXPECT_NEAR(radius(mesh.point(n)) / 2e-6, 1, 1e-13);
 }
 
-TEST(SectionMesher, TheSameSectionGivesTheSameMesh) {
+TEST(SectionMesher, IsReproducible) {
     const mesh::Mesh one = mesh_section(quarter_ring(2, 3)), two = mesh_section(quarter_ring(2, 3));
     EXPECT_EQ(one.points, two.points);
     EXPECT_EQ(one.connectivity, two.connectivity);
@@ -177,12 +177,12 @@ TEST(Section, OppositeSidesMustHaveEqualCells) {
     EXPECT_THROW((void)mesh_section(s), std::logic_error);
 }
 
-TEST(Section, PointsOfASideMustBeJoined) {
+TEST(Section, PointsOfASideMustBeConnected) {
     Section s = quarter_ring(2, 3);
     EXPECT_THROW((void)curve_between(s, {1, 3}), std::logic_error);
 }
 
-TEST(Section, DivisionsTakeTheNearestWholeNumber) {
+TEST(Section, DivisionsAreRoundedToTheNearestInteger) {
     EXPECT_EQ(divisions(3e-3, 1.5e-3), 2);
     EXPECT_EQ(divisions(3e-3, 1.3e-3), 2);
     EXPECT_EQ(divisions(3e-3, 1.1e-3), 3);

@@ -36,22 +36,22 @@ double error_of_ring(int sectors) {
     return std::abs(mesh::measure(revolve(bar(2), Turn::full, sectors), mesh::Measure::plain) / exact - 1);
 }
 
-TEST(Revolve, AFullTurnClosesOnItself) {
+TEST(Revolve, FullTurnIsClosed) {
     const mesh::Mesh ring = revolve(bar(2), Turn::full, 3);
     EXPECT_EQ(ring.cell_count(), 6 * 12);
-    EXPECT_EQ(ring.points.size(), std::size_t{7 * 5 * 24});  // section nodes by half layers, none twice
+    EXPECT_EQ(ring.points.size(), std::size_t{7 * 5 * 24});  // section nodes times half layers, without duplicates
     EXPECT_EQ(boundary_count(ring, {"lower", "right", "upper", "left"}), std::size_t{10 * 12});
     EXPECT_GT(mesh::quality(ring).min_scaled_jacobian, 0.5);
 }
 
-TEST(Revolve, EveryNodeLiesOnItsTrueCircle) {
+TEST(Revolve, EveryNodeLiesOnItsExactCircle) {
     const mesh::Mesh section = bar(2), ring = revolve(section, Turn::half, 2);
     std::set<long> radii;
     for (const mesh::Point& p : section.points) radii.insert(std::lround(p[1] * 1e9));
     for (const mesh::Point& p : ring.points) EXPECT_TRUE(radii.contains(std::lround(std::hypot(p[1], p[2]) * 1e9)));
 }
 
-TEST(Revolve, VolumeConvergesToPappusWithTheFourthPower) {
+TEST(Revolve, VolumeConvergesToPappusWithFourthOrder) {
     EXPECT_LT(error_of_ring(4), 1e-4);
     EXPECT_NEAR(std::log2(error_of_ring(2) / error_of_ring(4)), 4, 0.1);
     EXPECT_NEAR(std::log2(error_of_ring(4) / error_of_ring(8)), 4, 0.1);
@@ -69,12 +69,12 @@ TEST(Revolve, QuadrilateralsOnTheAxisBecomeWedges) {
         for (const mesh::Index n : facet_nodes(disc, facet)) EXPECT_EQ(disc.point(n)[0], 3);
 }
 
-/// The section's cells turned so that another edge lies on the axis give the same body.
+/// Rotating the node order of a section cell, so that another edge lies on the axis, gives the same body.
 TEST(Revolve, AnyEdgeOfAQuadrilateralMayLieOnTheAxis) {
     mesh::Mesh section = bar(0);
     const auto first = static_cast<std::ptrdiff_t>(section.offsets[1]);
     for (int turn = 1; turn < 4; ++turn) {
-        auto& nodes = section.connectivity;  // of cell 0, turned by one corner more each time
+        auto& nodes = section.connectivity;  // of cell 0, rotated by one more corner each time
         std::rotate(nodes.begin(), nodes.begin() + 1, nodes.begin() + 4);
         std::rotate(nodes.begin() + 4, nodes.begin() + 5, nodes.begin() + 8);
         ASSERT_EQ(first, 9);
@@ -122,17 +122,17 @@ TEST(Revolve, TrianglesOffTheAxisBecomeWedgesAndOnTheAxisTetrahedra) {
     EXPECT_EQ(mesh::boundary_facets(split).size(), mesh::boundary_facets(known).size());  // no gap between cells
 }
 
-TEST(Revolve, ACornerOnTheAxisIsRefused) {
+TEST(Revolve, CornerOnTheAxisIsRejected) {
     mesh::Mesh section = bar(2);
     section.points[static_cast<std::size_t>(section.connectivity[0])][1] = 0;
     EXPECT_THROW((void)revolve(section, Turn::quarter, 4), std::logic_error);
 }
 
-TEST(Revolve, TheBodySplitsIntoConformingTetrahedra) {
+TEST(Revolve, BodySplitsIntoConformingTetrahedra) {
     const mesh::Mesh disc = revolve(bar(0), Turn::full, 4), split = mesh::split_into_simplices(disc);
     EXPECT_EQ(split.cell_count(), 48 * 3 + 48 * 6);
     EXPECT_GT(mesh::quality(split).min_scaled_jacobian, 0.3);
-    // Every quadrilateral of the boundary gives two triangles; a mismatch inside would add to them.
+    // Every quadrilateral of the boundary gives two triangles; an inner mismatch would add more.
     EXPECT_EQ(boundary_count(split, {"right", "upper", "left"}), std::size_t{16 * (2 * (1 + 2) + 2 * 3)});
     EXPECT_NEAR(mesh::measure(split, mesh::Measure::plain) / (3 * std::numbers::pi), 1, 1e-4);
 }
@@ -141,7 +141,7 @@ TEST(Extrude, GivesABoxWithBothEndsNamed) {
     const mesh::Mesh box = extrude(bar(0), {4, 5, {"near", "low"}, {"far"}});
     EXPECT_EQ(box.cell_count(), 30);
     EXPECT_EQ(box.points.size(), std::size_t{7 * 5 * 11});
-    // Positive, as x, z and -y are right-handed; gmsh spaces nodes along a line to about 1e-11.
+    // Positive, because x, z and -y are right-handed; gmsh positions nodes along a line to about 1e-11.
     EXPECT_NEAR(mesh::quality(box).min_scaled_jacobian, 1, 1e-9);
     EXPECT_NEAR(mesh::measure(box, mesh::Measure::plain), 12, 1e-12);
     EXPECT_EQ(boundary_count(box, {"lower", "right", "upper", "left", "near", "far"}), std::size_t{10 * 5 + 12});
@@ -165,10 +165,10 @@ TEST(Extrude, AlongZKeepsXAndYAndTheOrientation) {
         for (const mesh::Index n : facet_nodes(box, facet)) EXPECT_EQ(box.point(n)[1], 3);
 }
 
-TEST(FacetsOnPlane, FindsInnerPlanesOfAWholeTurn) {
+TEST(FacetsOnPlane, FindsInnerPlanesOfAFullTurn) {
     const mesh::Mesh disc = revolve(bar(0), Turn::full, 4);
     const auto plane = facets_on_plane(disc, 1);
-    EXPECT_EQ(plane.size(), std::size_t{2 * 2 * 6});  // both halves of the section, seen from both sides
+    EXPECT_EQ(plane.size(), std::size_t{2 * 2 * 6});  // both halves of the section, from both sides
     for (const mesh::Facet& facet : plane)
         for (const mesh::Index n : facet_nodes(disc, facet)) EXPECT_EQ(disc.point(n)[1], 0);
 }
