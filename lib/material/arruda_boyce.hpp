@@ -1,12 +1,12 @@
 #pragma once
 /// Arruda-Boyce rubber (eight chains), five-term series of the inverse Langevin function:
 ///   W = C sum_i a_i lm^(2 - 2i) (I1bar^i - 3^i),   a = 1/2, 1/20, 11/1050, 19/7000, 519/673750.
-/// lm = locking_stretch > 1 is the stretch of a chain sqrt(I1bar/3) at which it would be straight. mu [Pa] IS the initial
+/// lm = locking_stretch > 1 is the chain stretch sqrt(I1bar/3) at which a chain is fully extended. mu [Pa] IS the initial
 /// shear modulus, mu = C (1 + 3/(5 lm^2) + 99/(175 lm^4) + 513/(875 lm^6) + 42039/(67375 lm^8)); the chain modulus
-/// C = n k T of the paper is `chain_modulus_Pa`. The series does not lock: its stress is below that of the exact function
-/// by 0.07 % where the chain is at half its locking stretch, 2.4 % at 0.7, 10 % at 0.8 (computed in the test). Stable
-/// everywhere. Source: Arruda and Boyce, J. Mech. Phys. Solids 41 (1993) 389, the series below eq. 20. Held by
-/// material/law_test.
+/// C = n k T of the paper is `chain_modulus_Pa`. The series has no singularity at the locking stretch: its stress is lower than that
+/// of the exact function by 0.07 % at half the locking stretch, 2.4 % at 0.7 and 10 % at 0.8 times it (computed in the test). Stable
+/// everywhere. Source: Arruda and Boyce, J. Mech. Phys. Solids 41 (1993) 389, the series below eq. 20.
+/// Tested by material/law_test.
 #include <array>
 
 #include "material/invariants.hpp"
@@ -22,7 +22,7 @@ struct ArrudaBoyce {
 
     template <class T>
     T isochoric_energy(const Invariants<T>& bar) const {
-        // I1^i - 3^i = (I1 - 3)(I1^(i-1) + 3 I1^(i-2) + ... + 3^(i-1)); `quotient` is the second factor.
+        // I1^i - 3^i = (I1 - 3)(I1^(i-1) + 3 I1^(i-2) + ... + 3^(i-1)); `quotient` is the factor in the second parentheses.
         const double shrink = 1.0 / (locking_stretch * locking_stretch);
         T sum = 0.0, quotient = 1.0;
         double factor = 1.0, power_of_3 = 1.0;
@@ -35,7 +35,7 @@ struct ArrudaBoyce {
         return chain_modulus_Pa() * (bar.I1 - 3.0) * sum;
     }
     [[nodiscard]] double initial_shear_modulus_Pa() const { return mu_Pa; }
-    /// C: mu over 2 dW/dI1 at I1 = 3 for C = 1.
+    /// C = mu / (2 dW/dI1), with dW/dI1 at I1 = 3 for C = 1.
     [[nodiscard]] double chain_modulus_Pa() const {
         const double q = 3.0 / (locking_stretch * locking_stretch);
         double slope = 0.0, factor = 1.0;
@@ -50,7 +50,7 @@ struct ArrudaBoyce {
             .energy =
                 "C sum a_i/lm^(2i-2) (I1^i - 3^i), i = 1..5, a = 1/2, 1/20, 11/1050, 19/7000, 519/673750; C makes mu "
                 "the initial shear modulus",
-            .validity = "chains that stiffen towards a locking stretch; its series is 2.4 % soft at 0.7 of it",
+            .validity = "rubber with a locking stretch; the series is 2.4 % too soft at 0.7 times the locking stretch",
             .source = "Arruda, Boyce, J. Mech. Phys. Solids 41 (1993) 389",
             .parameters = {{.name = "mu",
                             .meaning = "initial shear modulus (not the chain modulus n k T)",
@@ -59,7 +59,7 @@ struct ArrudaBoyce {
                             .min_open = true},
                            {.name = "locking_stretch",
                             .quantity = Quantity::ratio,
-                            .meaning = "stretch lm of a chain, sqrt(I1/3), at which it is straight",
+                            .meaning = "chain stretch lm, sqrt(I1/3), at which a chain is fully extended",
                             .example = "5",
                             .min = 1,
                             .min_open = true}}};

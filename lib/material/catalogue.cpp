@@ -16,17 +16,17 @@ std::vector<LawInfo> infos_of(std::tuple<L...>*) {
     return {L::info()...};
 }
 
-[[noreturn]] void refuse(std::string_view place, const std::string& problem, const std::string& remedy = {}) {
-    throw Error(ExitCode::bad_input, std::string(place), problem, remedy);
+[[noreturn]] void refuse(std::string_view location, const std::string& problem, const std::string& remedy = {}) {
+    throw Error(ExitCode::bad_input, std::string(location), problem, remedy);
 }
 
 double fallback_value(const Parameter& parameter) {
-    double value = 0;  // a plain number, or one in the SI unit: held by catalogue_test
+    double value = 0;  // a plain number, or one in the SI unit: checked by catalogue_test
     std::from_chars(parameter.fallback.data(), parameter.fallback.data() + parameter.fallback.size(), value);
     return value;
 }
 
-/// Every parameter present, within its range, and nothing else.
+/// The constants with default values added. Throws unless all parameters are present and in range, and nothing else is given.
 Constants checked(const LawInfo& law, const Constants& given) {
     Constants constants;
     for (const Parameter& parameter : law.parameters) {
@@ -38,9 +38,9 @@ Constants checked(const LawInfo& law, const Constants& given) {
             constants[std::string(parameter.name)] = {fallback_value(parameter)};
             continue;
         }
-        if (found->second.size() > static_cast<std::size_t>(parameter.most))
+        if (found->second.size() > static_cast<std::size_t>(parameter.max_count))
             refuse(parameter.name, std::to_string(found->second.size()) + " values are too many",
-                   "at most " + std::to_string(parameter.most));
+                   "at most " + std::to_string(parameter.max_count));
         for (const double value : found->second) {
             const bool low = parameter.min_open ? !(value > parameter.min) : !(value >= parameter.min);
             if (low || !(value <= parameter.max))
@@ -58,11 +58,11 @@ void check(const Fibers& fibers) {
     constexpr double right_angle_rad = 1.5707963267948966;
     if (!(fibers.angle_rad >= 0.0 && fibers.angle_rad <= right_angle_rad))
         refuse("fibers.angle", core::number_text(fibers.angle_rad) + " rad is outside its range",
-               "0 to 90 degrees from the axis");
+               "use 0 to 90 degrees from the axis");
     if (!(fibers.k1_Pa > 0.0)) refuse("fibers.k1", core::number_text(fibers.k1_Pa) + " Pa is not positive");
     if (!(fibers.k2 > 0.0)) refuse("fibers.k2", core::number_text(fibers.k2) + " is not positive");
     if (fibers.families != 1 && fibers.families != 2)
-        refuse("fibers.families", std::to_string(fibers.families) + " families", "1 or 2");
+        refuse("fibers.families", std::to_string(fibers.families) + " is not supported", "use 1 or 2");
 }
 
 template <Law L>
@@ -70,13 +70,13 @@ std::optional<Fibers> fibers_in(const Constants& constants, const Description& d
     const std::string law = "the law " + std::string(L::info().name);
     if constexpr (FiberLaw<L>) {
         if (description.fibers)
-            refuse("fibers", law + " has its own", "a law without fibres for the rubber between them");
+            refuse("fibers", law + " already has fibres", "use a law without fibres");
         return L::fibers_from(constants);
     } else {
         if (!description.fibers) return std::nullopt;
         if (!MayHaveFibers<L>)
-            refuse("fibers", law + " has no finite-strain energy to which theirs could be added",
-                   "neo-hookean, for example");
+            refuse("fibers", law + " has no finite-strain energy to which fibres can be added",
+                   "use neo-hookean, for example");
         check(*description.fibers);
         return description.fibers;
     }
@@ -99,7 +99,7 @@ Rubber<L> rubber_of(const Constants& constants, const Description& description) 
         refuse("kappa",
                core::number_text(*description.bulk_modulus_Pa) + " Pa is too small for the law " +
                    std::string(L::info().name),
-               "the bulk modulus of a rubber is far above its shear modulus");
+               "use a bulk modulus far above the shear modulus");
     if constexpr (requires { rubber.law.kappa_Pa; }) rubber.law.kappa_Pa = modulus_Pa;
     rubber.inverse_bulk_modulus = 1.0 / modulus_Pa;
     return rubber;
@@ -139,7 +139,7 @@ AnyRubber make_rubber(const Description& description) {
     return make(static_cast<LawList*>(nullptr), checked(*law, description.constants), description);
 }
 
-std::string why_not(const AnyRubber& rubber, Form form) {
+std::string explain_incompatibility(const AnyRubber& rubber, Form form) {
     const LawInfo& law = info_of(rubber);
     const std::string name = "the law " + std::string(law.name);
     if (form == Form::mixed)
@@ -166,7 +166,7 @@ double reference_stress_Pa(const AnyRubber& rubber) {
     double largest = 0;
     std::visit(
         [&]<class L>(const Rubber<L>& r) {
-            if constexpr (StressLaw<L>) {  // an energy of strains or isochoric stretches has its minimum at rest
+            if constexpr (StressLaw<L>) {  // laws with an energy are free of stress in the undeformed state
                 PointResponse point;
                 displacement_response(r, {}, identity_tensor, Wanted::stress, point);
                 for (const double P : point.first_piola) largest = std::max(largest, std::abs(P));

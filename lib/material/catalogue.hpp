@@ -1,5 +1,5 @@
 #pragma once
-/// The laws by name: what each takes, and how a design's constants become the law the elements run.
+/// Lookup of laws by name, their parameters, and construction of a law from the constants of a design.
 /// Tested by material/catalogue_test.
 #include <optional>
 #include <span>
@@ -10,45 +10,45 @@
 
 namespace soft::material {
 
-/// One entry a law, in the order of LawList.
+/// One entry per law, in the order of LawList.
 [[nodiscard]] std::span<const LawInfo> laws();
 
-/// nullptr for a name no law has.
+/// nullptr for an unknown name.
 [[nodiscard]] const LawInfo* find_law(std::string_view name);
 
-/// What a design states of a rubber.
+/// Description of a rubber in a design.
 struct Description {
     std::string_view law;
     Constants constants = {};  ///< SI, by the names of LawInfo::parameters; optional ones may be missing
     std::optional<double> bulk_modulus_Pa = {};  ///< kappa; nullopt = incompressible
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     FiberFrame fiber_frame = FiberFrame::cartesian;
-    std::optional<Fibers> fibers = {};  ///< besides the law; not where the law brings its own
+    std::optional<Fibers> fibers = {};  ///< in addition to the law; not allowed if the law has fibres
 };
 
-/// Throws Error (bad_input) whose place is the parameter's name ("mu", "kappa", "law") for an unknown law, a missing or
-/// superfluous constant, one outside its range, and constants that do not fit together; "fibers" or "fibers.k1" for fibres
-/// outside their range or in a law that cannot have them.
+/// Throws Error (bad_input) for an unknown law, a missing or unknown constant, a constant outside its range, and inconsistent
+/// constants; the location is the name of the parameter ("mu", "kappa", "law"). Throws it with the location "fibers" or "fibers.k1" for
+/// fibres that are outside their range or that the law does not support.
 [[nodiscard]] AnyRubber make_rubber(const Description& description);
 
-/// Why a rubber cannot be run in a form, with what would be right ("problem; remedy"); empty where it can.
-[[nodiscard]] std::string why_not(const AnyRubber& rubber, Form form);
+/// Reason why a rubber cannot be used with a formulation ("problem; remedy"); empty if it can.
+[[nodiscard]] std::string explain_incompatibility(const AnyRubber& rubber, Form form);
 
 [[nodiscard]] double initial_shear_modulus_Pa(const AnyRubber& rubber);
 
 /// K of K/2 Theta^2 [Pa]; nullopt for an incompressible rubber.
 [[nodiscard]] std::optional<double> bulk_modulus_Pa(const AnyRubber& rubber);
 
-/// The law's table entry.
+/// The table entry of the law.
 [[nodiscard]] const LawInfo& info_of(const AnyRubber& rubber);
 
-/// Largest stress component of the undeformed rubber [Pa]: 0 but for a law that starts under stress (kraken).
+/// Largest component of the initial stress [Pa]: 0 except for kraken.
 [[nodiscard]] double reference_stress_Pa(const AnyRubber& rubber);
 
-/// Of the law or beside it.
+/// The fibres of the law, or those in addition to it.
 [[nodiscard]] const std::optional<Fibers>& fibers_of(const AnyRubber& rubber);
 
-/// False for a stress without an energy.
+/// False for laws without an energy.
 [[nodiscard]] bool has_symmetric_tangent(const AnyRubber& rubber);
 
 }  // namespace soft::material

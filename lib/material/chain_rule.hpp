@@ -1,5 +1,5 @@
 #pragma once
-/// From derivatives by (I1, I2, J) to derivatives by F, at one point (T = double) or several side by side (T = Lanes):
+/// Chain rule from derivatives by (I1, I2, J) to derivatives by F, at one point (T = double) or at several points (T = Lanes):
 ///   P = W1 dI1/dF + W2 dI2/dF + WJ cof F,   A = sum_ab W_ab dIa (x) dIb + sum_a W_a d2Ia/dF2
 ///   dI1/dF = 2 F, dI2/dF = 2 (I1 F - F C), dJ/dF = cof F; second derivatives in index form in the code.
 /// Reference configuration, Pa. Source: derived here. Tested by material/derivative_test and material/law_test against
@@ -11,7 +11,7 @@
 
 namespace soft::material {
 
-/// W_a and dW_a/dI_b by (I1, I2, J). The second is symmetric where the first are derivatives of an energy.
+/// W_a and dW_a/dI_b, with I = (I1, I2, J). `second` is symmetric if W_a are derivatives of an energy.
 template <class T>
 struct SlopesOf {
     std::array<T, 3> first{};
@@ -21,10 +21,11 @@ using Slopes = SlopesOf<double>;
 
 enum class Wanted { stress, stress_and_tangent };
 
-/// planar: F has no components between the first two directions and the third, as in sections, and the rest of P and A is left out.
+/// planar: F does not couple the first two directions with the third, as in sections; the corresponding components of P and A are
+/// not computed.
 enum class Components { all, planar };
 
-/// energy: A is symmetric, and half of it is computed.
+/// energy: A is symmetric, so only half of it is computed.
 enum class Symmetry { energy, none };
 
 [[nodiscard]] constexpr bool is_component(Components components, int m) {
@@ -45,7 +46,7 @@ void invariant_gradients(const TensorOf<T>& F, const TensorOf<T>& C, std::array<
     gradient[2] = cofactor(F);
 }
 
-/// What the entries of A are made of.
+/// Intermediate values for the entries of A.
 template <class T>
 struct TangentParts {
     std::array<TensorOf<T>, 3> gradient;
@@ -55,8 +56,8 @@ struct TangentParts {
 };
 
 /// A_iJkL = sum_a weight_a,kL dIa/dF_iJ + second derivatives:
-/// d2I1 = 2 d_ik d_JL, d2I2 = 2 (2 F_kL F_iJ + I1 d_ik d_JL - d_ik C_JL - F_iL F_kJ - b_ik d_JL), the first of its terms being
-/// dI1 (x) dI1 in `weight`, d2J = eps_ikm eps_JLM F_mM.
+/// d2I1 = 2 d_ik d_JL, d2I2 = 2 (2 F_kL F_iJ + I1 d_ik d_JL - d_ik C_JL - F_iL F_kJ - b_ik d_JL), d2J = eps_ikm eps_JLM F_mM.
+/// The first term of d2I2 is dI1 (x) dI1, which is contained in `weight`.
 template <int M, int N, class T>
 [[nodiscard]] inline T tangent_entry(const TangentParts<T>& parts) {
     constexpr int i = M / 3, J = M % 3, k = N / 3, L = N % 3;
@@ -76,7 +77,7 @@ template <int M, int N, class T>
     return entry;
 }
 
-/// sink(m, n, A_mn) for the components asked for; entries that are equal are computed once.
+/// Calls sink(m, n, A_mn) for the requested components. Equal entries are computed once.
 template <Components Which, Symmetry Kind, class T, class Sink>
 inline void tangent_entries(const TangentParts<T>& parts, Sink&& sink) {
     [&]<std::size_t... K>(std::index_sequence<K...>) {
@@ -97,7 +98,7 @@ inline void tangent_entries(const TangentParts<T>& parts, Sink&& sink) {
 
 }  // namespace detail
 
-/// P; and where it is wanted A, an entry at a time to sink(m, n, A_mn).
+/// Computes P and, if requested, passes the entries of A to sink(m, n, A_mn).
 template <Components Which, Symmetry Kind, class T, class Sink>
 inline void chain_rule(const TensorOf<T>& F, const SlopesOf<T>& slopes, Wanted wanted, TensorOf<T>& P, Sink&& sink) {
     detail::TangentParts<T> parts;
@@ -121,7 +122,7 @@ inline void chain_rule(const TensorOf<T>& F, const SlopesOf<T>& slopes, Wanted w
     detail::tangent_entries<Which, Kind>(parts, sink);
 }
 
-/// dTheta/dF of a Theta with these derivatives by (I1, I2, J).
+/// dTheta/dF from the derivatives of Theta by (I1, I2, J).
 template <class T>
 void chain_rule(const TensorOf<T>& F, const std::array<T, 3>& theta_slopes, TensorOf<T>& dtheta_dF) {
     std::array<TensorOf<T>, 3> gradient;

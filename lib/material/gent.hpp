@@ -1,9 +1,8 @@
 #pragma once
-/// Gent rubber, whose chains lock: W = -mu jm/2 ln(1 - (I1bar - 3)/jm), neo-Hookean as jm grows.
-/// mu [Pa] is the initial shear modulus, jm > 0 [-] the value of I1bar - 3 at which the stress becomes infinite. At and
-/// beyond it W and all its derivatives are NaN: no state of the rubber, which Newton's line search treats like an
-/// inverted cell and steps back from. Stable up to there. Source: Gent, Rubber Chem. Technol. 69 (1996) 59. Held by
-/// material/law_test.
+/// Gent rubber with limited chain extensibility: W = -mu jm/2 ln(1 - (I1bar - 3)/jm); neo-Hookean for jm -> infinity.
+/// mu [Pa] is the initial shear modulus, jm > 0 [-] the value of I1bar - 3 at which the stress becomes infinite. For I1bar - 3 >= jm,
+/// W and all its derivatives are NaN. Newton's line search treats such a state like an inverted element and shortens the step.
+/// Stable for I1bar - 3 < jm. Source: Gent, Rubber Chem. Technol. 69 (1996) 59. Tested by material/law_test.
 #include <cmath>
 #include <limits>
 
@@ -20,7 +19,7 @@ struct Gent {
     T isochoric_energy(const Invariants<T>& bar) const {
         using std::log1p;
         const T x = bar.I1 - 3.0;
-        // log1p alone would keep finite derivatives beyond the limit.
+        // The derivatives of log1p are finite beyond the limit, so NaN must be returned explicitly.
         if (!(x < jm)) return x * std::numeric_limits<double>::quiet_NaN();
         return -0.5 * mu_Pa * jm * log1p(-x * (1.0 / jm));
     }
@@ -30,7 +29,7 @@ struct Gent {
         return {
             .name = "gent",
             .energy = "-mu jm/2 ln(1 - (I1 - 3)/jm)",
-            .validity = "rubber that stiffens towards a largest stretch; no state beyond I1 - 3 = jm",
+            .validity = "rubber with a locking stretch; undefined for I1 - 3 >= jm",
             .source = "Gent, Rubber Chem. Technol. 69 (1996) 59",
             .parameters = {
                 {.name = "mu", .meaning = "initial shear modulus", .example = "0.1644 MPa", .min = 0, .min_open = true},

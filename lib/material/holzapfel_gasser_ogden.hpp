@@ -1,6 +1,6 @@
 #pragma once
-/// Neo-Hookean rubber with one or two families of fibres as a law of its own: W = mu/2 (I1bar - 3) + the energy of
-/// material/fibers.hpp. mu, k1 [Pa], k2 [-] > 0, angle [rad].
+/// Neo-Hookean rubber with one or two families of fibres: W = mu/2 (I1bar - 3) + the energy of material/fibers.hpp.
+/// mu, k1 [Pa], k2 [-] > 0, angle [rad].
 /// Source: Holzapfel, Gasser, Ogden, J. Elasticity 61 (2000) 1, eqs. 63-65. Tested by material/law_test.
 #include "material/fibers.hpp"
 #include "material/invariants.hpp"
@@ -29,20 +29,20 @@ struct HolzapfelGasserOgden {
                             .min = 0,
                             .min_open = true},
                            {.name = "k1",
-                            .meaning = "stiffness of the fibres at small stretch",
+                            .meaning = "stiffness of the fibres at small strain",
                             .example = "0.5 MPa",
                             .min = 0,
                             .min_open = true},
                            {.name = "k2",
                             .quantity = Quantity::ratio,
-                            .meaning = "how fast the fibres stiffen",
+                            .meaning = "exponential stiffening of the fibres",
                             .example = "1",
                             .min = 0,
                             .min_open = true},
                            {.name = "angle",
                             .quantity = Quantity::angle,
                             .meaning =
-                                "of the fibres from the axis x, towards the hoop direction (bodies of revolution) or y",
+                                "angle of the fibres from the axis x, towards the hoop direction (bodies of revolution) or y",
                             .example = "30 deg",
                             .min = 0,
                             .max = 1.5707963267948966},

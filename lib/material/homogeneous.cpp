@@ -9,10 +9,10 @@
 namespace soft::material {
 namespace {
 
-/// A root is as good as rounding allows after this many halvings of a bracket 2 % wide.
+/// Enough halvings of a bracket with a width of 2 % to reach machine precision.
 constexpr int max_halvings = 200;
-/// The bracket is sought in steps of this factor, up to a factor of about 50 either way: beyond, no rubber is in
-/// equilibrium.
+/// The bracket is searched in steps of this factor, up to a factor of about 50 in both directions. No rubber is in equilibrium
+/// beyond that.
 constexpr double search_factor = 1.02;
 constexpr int max_search_steps = 200;
 
@@ -26,7 +26,7 @@ Tensor gradient_of(Mode mode, double stretch, double lateral) {
     return identity_tensor;
 }
 
-/// t of Theta = 0.
+/// The t for which Theta = 0.
 template <class L>
 double isochoric_lateral(const Rubber<L>&, Mode mode, double stretch) {
     if constexpr (std::same_as<L, LinearElastic>) {  // tr e = 0
@@ -59,7 +59,7 @@ Lateral lateral_stress(const Rubber<L>& rubber, Mode mode, double stretch, doubl
     return {point.first_piola[8], point.tangent[9 * 8 + 8] + along_2};
 }
 
-/// Newton within the bracket, halving where it leaves it.
+/// Newton's method with bisection whenever an iterate leaves the bracket.
 template <class L>
 double root_between(const Rubber<L>& rubber, Mode mode, double stretch, double negative, double positive) {
     double t = 0.5 * (negative + positive);
@@ -79,7 +79,7 @@ double root_between(const Rubber<L>& rubber, Mode mode, double stretch, double n
 template <class L>
 std::optional<double> free_lateral(const Rubber<L>& rubber, Mode mode, double stretch) {
     double start = isochoric_lateral(rubber, mode, stretch);
-    if (!(start > 0.0)) start = 1.0;  // small strain far outside its range
+    if (!(start > 0.0)) start = 1.0;  // linear-elastic far outside its range of validity
     const double here = lateral_stress(rubber, mode, stretch, start).stress_Pa;
     if (here == 0.0) return start;
     for (int side : {here > 0.0 ? -1 : 1, here > 0.0 ? 1 : -1}) {  // tension is relieved by a smaller t
@@ -98,7 +98,7 @@ std::optional<double> free_lateral(const Rubber<L>& rubber, Mode mode, double st
 }
 
 /// Adds p dTheta/dF such that P_33 = 0.
-void free_the_side(PointResponse& point) {
+void remove_lateral_stress(PointResponse& point) {
     const double p = -point.first_piola[8] / point.dtheta_dF[8];
     for (std::size_t m = 0; m < 9; ++m) point.first_piola[m] += p * point.dtheta_dF[m];
     point.first_piola[8] = 0.0;
@@ -125,7 +125,7 @@ std::optional<HomogeneousState> state_of(const Rubber<L>& rubber, Mode mode, dou
     PointResponse point;
     if (incompressible) {
         mixed_response(rubber, {}, state.deformation_gradient, 0.0, Wanted::stress, point);
-        free_the_side(point);
+        remove_lateral_stress(point);
     } else {
         displacement_response(rubber, {}, state.deformation_gradient, Wanted::stress, point);
     }
@@ -140,7 +140,7 @@ std::optional<HomogeneousState> state_of(const Rubber<L>& rubber, Mode mode, dou
 std::optional<HomogeneousState> homogeneous_state(const AnyRubber& rubber, Mode mode, double stretch) {
     if (fibers_of(rubber))
         throw Error(ExitCode::bad_input, "law", std::string(info_of(rubber).name) + " with fibres is not isotropic",
-                    "homogeneous states are those of isotropic rubber");
+                    "use a law without fibres for homogeneous states");
     return std::visit([&](const auto& r) { return state_of(r, mode, stretch); }, rubber);
 }
 
@@ -158,7 +158,7 @@ std::optional<double> stretch_at(const AnyRubber& rubber, Mode mode, double cauc
         if (!state) return std::nullopt;
         return cauchy_stress_Pa(*state, mode) - cauchy_Pa;
     };
-    double low = range.least, high = range.most;
+    double low = range.min, high = range.max;
     const auto first = excess(low), last = excess(high);
     if (!first || !last || *first > 0.0 || *last < 0.0) return std::nullopt;
     for (int i = 0; i < max_halvings; ++i) {

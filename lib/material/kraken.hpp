@@ -1,7 +1,7 @@
 #pragma once
-/// The stress of the reference work, for reproduction only: Cauchy sigma = kappa (J - 1) I + mu B, its Eq. 2 with
-/// mu = 2 C1 and kappa = 2 D1. It derives from no energy (no 1/J on the B term), so its tangent is not symmetric, and the
-/// undeformed body carries the stress mu I: free of load it first shrinks by about mu/(3 kappa) in each direction.
+/// The stress of the reference work, for reproducing its results only: Cauchy sigma = kappa (J - 1) I + mu B (its Eq. 2 with
+/// mu = 2 C1 and kappa = 2 D1). There is no energy for it (the B term lacks the factor 1/J), so its tangent is not symmetric. The
+/// undeformed state has the initial stress mu I; without load the body shrinks by about mu/(3 kappa) in each direction.
 /// In F: P = kappa (J - 1) cof F + mu J F. Source: MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot
 /// Simulations (2022), Eq. 2. Tested by material/law_test.
 #include <array>
@@ -26,7 +26,7 @@ struct Kraken {
         return {.name = "kraken",
                 .energy = "no energy; Cauchy stress kappa (J - 1) I + mu B",
                 .validity =
-                    "the reference work's stress, to reproduce its numbers; the undeformed state carries the stress mu",
+                    "stress of the reference work, to reproduce its results; the undeformed state has the initial stress mu",
                 .source = "MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot Simulations (2022), Eq. 2",
                 .parameters = {{.name = "mu",
                                 .meaning = "twice the paper's C1",
@@ -38,7 +38,7 @@ struct Kraken {
                 .mixed = false,
                 .f_bar = false};
     }
-    /// kappa comes with the bulk modulus of the rubber, see make_rubber.
+    /// make_rubber sets kappa from the bulk modulus of the rubber.
     static Kraken from(const Constants& constants) { return {constants.at("mu").front(), 0.0}; }
 };
 

@@ -1,19 +1,19 @@
 #pragma once
-/// The list of laws, and what the elements ask of them.
+/// The list of laws and their interface to the elements.
 ///
 ///   W(F, p) = W_s(F) + p Theta - p^2 / (2 K)          mixed formulation
 ///   W(F)    = W_s(F) + K/2 Theta^2                    displacement formulation
 ///
 /// per undeformed volume [J/m^3], J = det F. Eliminating p from the first gives the second; 1/K = 0 is full
-/// incompressibility, Theta = 0. p is the derivative of the energy by Theta. A law is a plain struct that gives W_s as one
-/// of
+/// incompressibility, Theta = 0. p is the derivative of the energy by Theta. A law is a plain struct that defines W_s by one
+/// of these functions:
 ///   isochoric_energy(Invariants of J^-2/3 C)            with Theta(J) chosen by the design and K = kappa
 ///   isochoric_energy(IsochoricStretches)                the same in principal stretches
-///   shear_energy(Invariants of C, J)                    with Theta(J), or its own `dilatation`
-/// Fibres (material/fibers.hpp) may lie in a rubber of any of these; a law may also bring its own (`fibers_from`). Two laws
-/// fit no such form, take no fibres and have their own branch in response.hpp: small strain (LinearElastic) and a stress
+///   shear_energy(Invariants of C, J)                    with Theta(J), or with the function `dilatation` of the law
+/// All of them can be combined with fibres (material/fibers.hpp), and a law may define its own fibres (`fibers_from`). Two laws
+/// have another form, do not support fibres, and have their own branch in response.hpp: small strain (LinearElastic) and a stress
 /// without an energy (Kraken).
-/// A new law is a header with such a struct, its LawInfo and `from`, and its name in `LawList` below.
+/// To add a law, write a header with such a struct, its LawInfo and `from`, and add its name to `LawList` below.
 /// Source: two-field form of Sussman and Bathe, Comput. Struct. 26 (1987) 357, with Theta for J - 1 (derived here).
 /// Tested by material/law_test (every law: stress-free reference, frame indifference, P = dW/dF, A = dP/dF).
 #include <concepts>
@@ -39,18 +39,18 @@
 
 namespace soft::material {
 
-/// Every law the elements can run, in the order of --list-materials.
+/// All laws, in the order of --list-materials.
 using LawList = std::tuple<LinearElastic, SaintVenantKirchhoff, NeoHookean, NeoHookeanCompressible, MooneyRivlin, Yeoh,
                            Ogden, Gent, ArrudaBoyce, HolzapfelGasserOgden, Kraken>;
 
-/// A law with what the design adds to it. inverse_bulk_modulus = 1/K [1/Pa]; 0 = incompressible.
+/// A law with the material options of a design. inverse_bulk_modulus = 1/K [1/Pa]; 0 = incompressible.
 template <class L>
 struct Rubber {
     L law;
     VolumetricLaw volumetric = VolumetricLaw::quadratic;
     double inverse_bulk_modulus = 0;
     FiberFrame fiber_frame = FiberFrame::cartesian;
-    std::optional<Fibers> fibers = {};  ///< only of laws with MayHaveFibers
+    std::optional<Fibers> fibers = {};  ///< only for laws that satisfy MayHaveFibers
 };
 
 template <class L>
@@ -65,22 +65,22 @@ template <class L>
 concept CoupledLaw = requires(const L& law, const Invariants<Dual<3>>& I, const Dual<3>& J) {
     { law.shear_energy(I, J) } -> std::same_as<Dual<3>>;
 };
-/// A law that puts something else in the place of Theta(J).
+/// A law that replaces Theta(J) by its own function.
 template <class L>
 concept OwnDilatation = requires(const Invariants<Dual<3>>& I, const Dual<3>& J) {
     { L::dilatation(I, J) } -> std::same_as<Dual<3>>;
 };
-/// A law that brings its own fibres.
+/// A law that defines its own fibres.
 template <class L>
 concept FiberLaw = requires(const Constants& constants) {
     { L::fibers_from(constants) } -> std::same_as<Fibers>;
 };
-/// A stress that derives from no energy: its tangent is not symmetric, and it has no mixed form.
+/// A stress without an energy: its tangent is not symmetric, and it has no mixed form.
 template <class L>
 concept StressLaw = requires(const L& law, const Invariants<Dual<3>>& I, const Dual<3>& J) {
     { law.stress_coefficients(I, J) } -> std::same_as<std::array<Dual<3>, 3>>;
 };
-/// Finite strain and an energy, to which that of fibres can be added.
+/// A law with a finite-strain energy, to which the energy of fibres can be added.
 template <class L>
 concept MayHaveFibers = !StressLaw<L> && !std::same_as<L, LinearElastic>;
 template <class L>
@@ -97,7 +97,7 @@ template <Law... L>
 struct RubberOf<std::tuple<L...>> {
     using type = std::variant<Rubber<L>...>;
 };
-/// A rubber of any law. A law missing from a `std::visit` fails to compile.
+/// A rubber of any law. A `std::visit` that does not handle all laws fails to compile.
 using AnyRubber = RubberOf<LawList>::type;
 
 }  // namespace soft::material

@@ -1,8 +1,8 @@
 #pragma once
-/// Linear elasticity at small strain, the paper's comparison: with e = sym(F - I),
+/// Linear elasticity at small strain, the comparison model of the paper: with e = sym(F - I),
 ///   W = mu dev e : dev e + kappa/2 (tr e)^2,   P = 2 mu dev e + kappa tr e I.
-/// mu, kappa [Pa] are the shear and bulk moduli. Not frame indifferent: a rigid rotation by an angle a gives strains of
-/// order a^2/2, so it is right for small displacements only. Tested by material/law_test.
+/// mu, kappa [Pa] are the shear and bulk moduli. Not frame indifferent: a rigid rotation by an angle a causes strains of
+/// order a^2/2, so the law is valid for small displacements only. Tested by material/law_test.
 #include "material/parameter.hpp"
 
 namespace soft::material {

@@ -1,10 +1,10 @@
 #pragma once
 /// Mooney-Rivlin rubber of two to five terms, with x = I1bar - 3 and y = I2bar - 3:
 ///   W = c10 x + c01 y + c20 x^2 + c11 x y + c02 y^2.
-/// All in Pa; the initial shear modulus is 2 (c10 + c01) > 0. With c20 = c11 = c02 = 0 it is stable everywhere where c10
-/// and c01 are not negative; with c01 < 0 only to a uniaxial stretch of sqrt(-c10/c01). Sources: Mooney, J. Appl. Phys.
-/// 11 (1940) 582; Rivlin, Phil. Trans. R. Soc. A 241 (1948) 379; the limit is derived in material/stability_test. Held
-/// by material/law_test.
+/// Constants in Pa; the initial shear modulus is 2 (c10 + c01) > 0. With c20 = c11 = c02 = 0 it is stable everywhere if c10
+/// and c01 are not negative; if c01 < 0, only up to a uniaxial stretch of sqrt(-c10/c01). Sources: Mooney, J. Appl. Phys.
+/// 11 (1940) 582; Rivlin, Phil. Trans. R. Soc. A 241 (1948) 379; the limit is derived in material/stability_test.
+/// Tested by material/law_test.
 #include "core/error.hpp"
 #include "material/invariants.hpp"
 #include "material/parameter.hpp"
@@ -24,7 +24,7 @@ struct MooneyRivlin {
     static LawInfo info() {
         return {.name = "mooney-rivlin",
                 .energy = "c10 (I1 - 3) + c01 (I2 - 3) + c20 (I1 - 3)^2 + c11 (I1 - 3)(I2 - 3) + c02 (I2 - 3)^2",
-                .validity = "two terms to stretches of about 2, five where tests in more than one mode fix them",
+                .validity = "two terms up to stretches of about 2; five terms need tests in more than one mode",
                 .source = "Rivlin, Phil. Trans. R. Soc. A 241 (1948) 379",
                 .parameters = {
                     {.name = "c10",
@@ -35,7 +35,7 @@ struct MooneyRivlin {
                     {.name = "c11", .meaning = "factor of (I1 - 3)(I2 - 3)", .example = "1 kPa", .fallback = "0 Pa"},
                     {.name = "c02", .meaning = "factor of (I2 - 3)^2", .example = "1 kPa", .fallback = "0 Pa"}}};
     }
-    /// Throws Error (bad_input) for a modulus that is not positive.
+    /// Throws Error (bad_input) if the initial shear modulus is not positive.
     static MooneyRivlin from(const Constants& constants) {
         const auto value = [&](const char* name) { return constants.at(name).front(); };
         const MooneyRivlin law{value("c10"), value("c01"), value("c20"), value("c11"), value("c02")};

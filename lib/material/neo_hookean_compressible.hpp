@@ -2,8 +2,7 @@
 /// Compressible neo-Hookean rubber, not split into isochoric and volumetric parts:
 ///   W = mu/2 (I1 - 3 - 2 ln J) + lambda/2 Theta(J)^2,   lambda = kappa - 2 mu/3.
 /// mu, kappa [Pa] are the initial shear and bulk moduli, kappa > 2 mu/3; with Theta = ln J (volumetric: log) this is the
-/// form of the textbooks. Source: Bonet and Wood, Nonlinear Continuum Mechanics (2008), eq. 6.27. Held by
-/// material/law_test.
+/// textbook form. Source: Bonet and Wood, Nonlinear Continuum Mechanics (2008), eq. 6.27. Tested by material/law_test.
 #include <cmath>
 
 #include "material/invariants.hpp"
@@ -20,7 +19,7 @@ struct NeoHookeanCompressible {
         return 0.5 * mu_Pa * (I.I1 - 3.0 - 2.0 * log(J));
     }
     [[nodiscard]] double initial_shear_modulus_Pa() const { return mu_Pa; }
-    /// Factor of Theta^2/2 where the design states the initial bulk modulus.
+    /// Factor of Theta^2/2 for the initial bulk modulus kappa.
     [[nodiscard]] double dilatation_modulus_Pa(double kappa_Pa) const { return kappa_Pa - 2.0 * mu_Pa / 3.0; }
 
     static LawInfo info() {

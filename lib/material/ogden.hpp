@@ -43,16 +43,16 @@ struct Ogden {
                 .validity = "fits most rubbers over their whole range; stable where every mu_i alpha_i is positive",
                 .source = "Ogden, Proc. R. Soc. A 326 (1972) 565",
                 .parameters = {{.name = "mu",
-                                .meaning = "one a term; the initial shear modulus is half the sum of mu_i alpha_i",
+                                .meaning = "one value per term; the initial shear modulus is half the sum of mu_i alpha_i",
                                 .example = "[0.63 MPa, 0.0012 MPa, -0.01 MPa]",
-                                .most = max_terms},
+                                .max_count = max_terms},
                                {.name = "alpha",
                                 .quantity = Quantity::ratio,
                                 .meaning = "exponent of each term, not 0",
                                 .example = "[1.3, 5, -2]",
-                                .most = max_terms}}};
+                                .max_count = max_terms}}};
     }
-    /// Throws Error (bad_input) for lists of different lengths, an exponent of 0 or a modulus that is not positive.
+    /// Throws Error (bad_input) for lists of different lengths, an exponent of 0, or an initial shear modulus that is not positive.
     static Ogden from(const Constants& constants) {
         const auto& mu = constants.at("mu");
         const auto& alpha = constants.at("alpha");

@@ -73,7 +73,7 @@ void PointBatch::set_response(int q, const PointResponse& value, Wanted wanted) 
 namespace detail {
 
 SOFT_VECTOR_CLONES
-void find_invariants(PointBatch& batch) {
+void compute_invariants(PointBatch& batch) {
     for (int q = 0; q < batch.stride; q += lane_count) {
         TensorOf<Lanes> F;
         load_all(&batch.F[q], batch.stride, F);
@@ -95,7 +95,7 @@ void set_slopes(PointBatch& batch, int q, const LawSlopes& slopes) {
     batch.theta[q] = slopes.theta;
 }
 
-/// All points of one kind.
+/// Applies the chain rules at all points, for fixed components and symmetry.
 template <Components Which, Symmetry Kind>
 inline void apply_to_all(PointBatch& batch, Form form, Wanted wanted) {
     const int stride = batch.stride;

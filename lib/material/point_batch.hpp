@@ -1,6 +1,7 @@
 #pragma once
-/// The law at many points at once: what response.hpp says of one point, with the kinematics and the chain rules on vectors of
-/// points and only the law's own slopes one after the other. Component c of point q lies at [c * stride + q].
+/// Evaluation of a law at many points: the same results as response.hpp for one point. The kinematics and the chain rules are
+/// vectorised over the points; only the derivatives of the energy are computed point by point. Component c of point q is stored at
+/// [c * stride + q].
 /// Tested by material/point_batch_test (every law against response.hpp) and, through the elements, by element/matrix_test.
 #include <span>
 #include <vector>
@@ -10,18 +11,18 @@
 
 namespace soft::material {
 
-/// Points of one law. The lanes beyond the last point hold a copy of it.
+/// Points of one law. The lanes after the last point contain copies of it.
 struct PointBatch {
     explicit PointBatch(int count, Components wanted = Components::all);
 
     int points;
-    Components components;            ///< those of P and A that are wanted; planar F must be
+    Components components;            ///< requested components of P and A; planar requires a planar F
     int stride;                       ///< padded(points)
     std::vector<double> F;            ///< [9]
-    std::vector<double> p;            ///< pressure unknown's value [Pa] (mixed form only)
-    std::vector<FiberAxes> axes;      ///< one a point; only rubbers with fibres look at them
+    std::vector<double> p;            ///< value of the pressure unknown [Pa] (mixed form only)
+    std::vector<FiberAxes> axes;      ///< one per point; used only by rubbers with fibres
     std::vector<double> first_piola;  ///< [9] P = dW/dF [Pa]
-    std::vector<double> tangent;      ///< [81] A = dP/dF [Pa] (only if asked for)
+    std::vector<double> tangent;      ///< [81] A = dP/dF [Pa] (only if requested)
     std::vector<double> theta;        ///< Theta (mixed form only)
     std::vector<double> dtheta_dF;    ///< [9] (mixed form only)
     std::vector<double> invariants;   ///< [3] I1, I2, J
@@ -29,21 +30,21 @@ struct PointBatch {
 
     [[nodiscard]] Tensor gradient(int q) const;
     void set_gradient(int q, const Tensor& value);
-    /// P, A, Theta and dTheta/dF of a point, and the other way.
+    /// Reads and writes P, A, Theta and dTheta/dF of a point.
     [[nodiscard]] PointResponse response(int q) const;
     void set_response(int q, const PointResponse& value, Wanted wanted);
 };
 
 namespace detail {
 
-/// I1, I2, J of all points.
-void find_invariants(PointBatch& batch);
-/// P, A and dTheta/dF of all points from the slopes.
+/// Computes I1, I2, J at all points.
+void compute_invariants(PointBatch& batch);
+/// Computes P, A and dTheta/dF at all points from the slopes.
 void apply_chain_rules(PointBatch& batch, Form form, Symmetry symmetry, Wanted wanted);
 void set_slopes(PointBatch& batch, int q, const LawSlopes& slopes);
 
 template <class L>
-void respond_one_by_one(const Rubber<L>& rubber, Form form, Wanted wanted, PointBatch& batch) {
+void evaluate_one_by_one(const Rubber<L>& rubber, Form form, Wanted wanted, PointBatch& batch) {
     PointResponse point;
     for (int q = 0; q < batch.points; ++q) {
         if (form == Form::mixed)
@@ -56,14 +57,14 @@ void respond_one_by_one(const Rubber<L>& rubber, Form form, Wanted wanted, Point
 
 }  // namespace detail
 
-/// Fills what the law answers at batch.F: mixed_response or displacement_response at every point.
-/// A law without a mixed form in it is a std::logic_error.
+/// Evaluates mixed_response or displacement_response at batch.F at every point.
+/// Throws std::logic_error if the mixed form is requested for a law without it.
 template <Law L>
-void respond(const Rubber<L>& rubber, Form form, Wanted wanted, PointBatch& batch) {
+void evaluate_batch(const Rubber<L>& rubber, Form form, Wanted wanted, PointBatch& batch) {
     if constexpr (std::same_as<L, LinearElastic>) {
-        detail::respond_one_by_one(rubber, form, wanted, batch);
+        detail::evaluate_one_by_one(rubber, form, wanted, batch);
     } else {
-        detail::find_invariants(batch);
+        detail::compute_invariants(batch);
         for (int q = 0; q < batch.points; ++q) {
             const double* at = &batch.invariants[q];
             const Invariants<double> I{at[0], at[batch.stride]};
@@ -71,15 +72,15 @@ void respond(const Rubber<L>& rubber, Form form, Wanted wanted, PointBatch& batc
             if (form != Form::mixed)
                 detail::set_slopes(batch, q, displacement_slopes(rubber, I, J));
             else if constexpr (StressLaw<L>)
-                throw std::logic_error("respond: a stress without an energy has no mixed form");
+                throw std::logic_error("evaluate_batch: a stress without an energy has no mixed form");
             else
                 detail::set_slopes(batch, q, mixed_slopes(rubber, I, J, batch.p[q]));
         }
         detail::apply_chain_rules(batch, form, StressLaw<L> ? Symmetry::none : Symmetry::energy, wanted);
-        if (goes_beyond_invariants(rubber))
+        if (has_terms_beyond_invariants(rubber))
             for (int q = 0; q < batch.points; ++q) {
                 PointResponse point = batch.response(q);
-                add_beyond_invariants(rubber, batch.axes[q], batch.gradient(q), wanted, point);
+                add_terms_beyond_invariants(rubber, batch.axes[q], batch.gradient(q), wanted, point);
                 batch.set_response(q, point, wanted);
             }
     }

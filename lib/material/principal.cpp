@@ -33,7 +33,7 @@ void add_principal_chain_rule(const Tensor& F, const Spectral& C, const Principa
             for (int a = 0; a < 3; ++a) first_piola[3 * i + J] += S[a] * m[3 * i + a] * n[3 * J + a];
     if (tangent == nullptr) return;
 
-    // dS/dE in the eigenbasis: normal entries, and one shear entry a pair.
+    // dS/dE in the eigenbasis: normal entries, and one shear entry per pair.
     std::array<std::array<double, 3>, 3> normal, shear{};
     for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)

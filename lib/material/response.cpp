@@ -4,7 +4,7 @@ namespace soft::material {
 
 namespace {
 
-/// Adds the pull of fibres along the unit vector a0: w1 = dW/dI4, w2 = d2W/dI4^2.
+/// Adds the stress and tangent of fibres along the unit vector a0.
 void add_fiber_response(const Tensor& F, const Vector3& a0, const Dual<1>& energy, Wanted wanted, PointResponse& out) {
     Vector3 a;  // F a0
     for (int i = 0; i < 3; ++i) a[i] = F[3 * i] * a0[0] + F[3 * i + 1] * a0[1] + F[3 * i + 2] * a0[2];

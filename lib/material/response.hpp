@@ -1,8 +1,9 @@
 #pragma once
-/// Stress and tangent at a point: the law's energy is differentiated in its own variables (I1, I2, J; the principal
-/// stretches; I4) by automatic differentiation, and chain rules (material/chain_rule.hpp, principal.hpp) carry the result to F,
-/// once for all laws. Many points at once: material/point_batch.hpp.
-/// Reference configuration throughout, Pa. Held against nine-variable differentiation in F by material/law_test.
+/// Stress and tangent at a point. The energy of the law is differentiated by its own variables (I1, I2, J; the principal
+/// stretches; I4) with automatic differentiation. Chain rules that are common to all laws (material/chain_rule.hpp, principal.hpp)
+/// convert the derivatives to derivatives by F. For many points use material/point_batch.hpp.
+/// Reference configuration throughout, Pa. Tested by material/law_test and material/derivative_test, which differentiate by the nine
+/// components of F.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -26,7 +27,7 @@ template <class T>
         case VolumetricLaw::quadratic: return J - 1.0;
         case VolumetricLaw::log: return log(J);
         case VolumetricLaw::mixed: {
-            // Near J = 1 the square root loses its digits; five terms of its series in e = J - 1 are exact to 1e-16 there.
+            // Near J = 1 the square root loses digits by cancellation; five terms of the series in e = J - 1 are exact to 1e-16.
             const T e = J - 1.0;
             if (e < 2e-3 && e > -2e-3)
                 return e * (1.0 + e * (-1.0 / 6.0 + e * (1.0 / 9.0 + e * (-11.0 / 135.0 + e * (103.0 / 1620.0)))));
@@ -37,31 +38,31 @@ template <class T>
     return J - 1.0;
 }
 
-/// The unit vectors e1, e2 of the fibre frame at a point; rubbers without fibres do not look at them.
+/// The unit vectors e1, e2 of the fibre frame at a point; used only by rubbers with fibres.
 struct FiberAxes {
     Vector3 e1{1, 0, 0}, e2{0, 1, 0};
 };
 
-/// What an integration point gives the element. Reference configuration, Pa.
+/// Stress and tangent at a quadrature point. Reference configuration, Pa.
 struct PointResponse {
     Tensor first_piola;   ///< P = dW/dF
-    Tangent tangent;      ///< A = dP/dF (only if asked for)
+    Tangent tangent;      ///< A = dP/dF (only if requested)
     double jacobian = 1;  ///< J = det F
     double theta = 0;     ///< Theta (mixed form only)
     Tensor dtheta_dF;     ///< dTheta/dF (mixed form only)
 };
 
-/// P, and A where it is wanted, from slopes by (I1, I2, J).
+/// P and, if requested, A from derivatives by (I1, I2, J).
 void apply_chain_rule(const Tensor& F, const Slopes& slopes, Wanted wanted, PointResponse& out);
 
 [[nodiscard]] Slopes slopes_of(const Dual<3>& energy);
 [[nodiscard]] Slopes slopes_of(const std::array<Dual<3>, 3>& coefficients);
 
-/// Adds the pull of all families.
+/// Adds the stress and tangent of all fibre families.
 void add_fibers_response(const Fibers& fibers, const FiberAxes& axes, const Tensor& F, Wanted wanted,
                          PointResponse& out);
 
-/// Small strain: P = 2 mu dev e + p I, with Theta = tr e; its constant tangent without the part of p.
+/// Small strain: P = 2 mu dev e + p I, with Theta = tr e. The tangent is constant and excludes the derivative of p.
 void linear_response(double mu_Pa, const Tensor& F, double p, Wanted wanted, PointResponse& out);
 
 /// I1 = tr C and I2 = (tr^2 C - tr C^2)/2.
@@ -74,7 +75,7 @@ template <class T>
     return {I1, 0.5 * (I1 * I1 - trace_C2)};
 }
 
-/// W_s of the laws in invariants, fibres not included.
+/// W_s of laws in invariants, without fibres.
 template <class L, class T>
 requires InvariantLaw<L> || CoupledLaw<L>
 [[nodiscard]] T shear_energy(const L& law, const Invariants<T>& I, const T& J) {
@@ -114,8 +115,8 @@ template <class L, class T>
     return sum;
 }
 
-/// What a law says of a state in (I1, I2, J): the slopes of its energy, for laws in principal stretches those of the volumetric
-/// part alone, and Theta with its slopes (mixed form only).
+/// Derivatives of the energy by (I1, I2, J) (for laws in principal stretches only of the volumetric part), and Theta with its
+/// derivatives (mixed form only).
 struct LawSlopes {
     Slopes energy;
     double theta = 0;
@@ -124,7 +125,7 @@ struct LawSlopes {
 
 namespace detail {
 
-/// The variables of the chain rule, ready to be differentiated by.
+/// The variables of the chain rule as dual numbers.
 struct Variables {
     Invariants<Dual<3>> I;
     Dual<3> J;
@@ -132,7 +133,7 @@ struct Variables {
         : I{Dual<3>::variable(values.I1, 0), Dual<3>::variable(values.I2, 1)}, J(Dual<3>::variable(jacobian, 2)) {}
 };
 
-/// Everything but the volumetric part, which comes in as `volumetric`, a function of (I1, I2, J).
+/// Derivatives of the shear energy plus `volumetric`, a function of (I1, I2, J).
 template <class L>
 [[nodiscard]] Slopes with_shear(const Rubber<L>& rubber, const Variables& at, const Dual<3>& volumetric) {
     if constexpr (StretchLaw<L>)
@@ -165,15 +166,15 @@ requires(!std::same_as<L, LinearElastic>) [[nodiscard]] LawSlopes
     }
 }
 
-/// A rubber that says more of a state than its slopes by (I1, I2, J).
+/// True if the derivatives by (I1, I2, J) do not determine the response completely: principal stretches or fibres.
 template <class L>
-[[nodiscard]] bool goes_beyond_invariants(const Rubber<L>& rubber) {
+[[nodiscard]] bool has_terms_beyond_invariants(const Rubber<L>& rubber) {
     return StretchLaw<L> || (MayHaveFibers<L> && rubber.fibers);
 }
 
-/// Adds what goes beyond the slopes by (I1, I2, J): principal stretches and fibres.
+/// Adds the contributions that do not depend on (I1, I2, J) only: principal stretches and fibres.
 template <class L>
-void add_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted,
+void add_terms_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted,
                            PointResponse& out) {
     if constexpr (StretchLaw<L>)
         add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr,
@@ -182,7 +183,7 @@ void add_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const
         if (rubber.fibers) add_fibers_response(*rubber.fibers, axes, F, wanted, out);
 }
 
-/// Mixed formulation: energy W(F, p) at fixed p. Not for laws without that form (LawInfo::mixed).
+/// Mixed formulation: energy W(F, p) at fixed p. Throws std::logic_error for laws without that form (LawInfo::mixed).
 template <Law L>
 void mixed_response(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, double p, Wanted wanted,
                     PointResponse& out) {
@@ -196,7 +197,7 @@ void mixed_response(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor
         apply_chain_rule(F, slopes.energy, wanted, out);
         out.theta = slopes.theta;
         chain_rule(F, slopes.theta_slopes, out.dtheta_dF);
-        add_beyond_invariants(rubber, axes, F, wanted, out);
+        add_terms_beyond_invariants(rubber, axes, F, wanted, out);
     }
 }
 
@@ -214,15 +215,16 @@ void displacement_response(const Rubber<L>& rubber, const FiberAxes& axes, const
         out.jacobian = determinant(F);
         const LawSlopes slopes = displacement_slopes(rubber, principal_invariants(F), out.jacobian);
         apply_chain_rule(F, slopes.energy, wanted, out);
-        add_beyond_invariants(rubber, axes, F, wanted, out);
+        add_terms_beyond_invariants(rubber, axes, F, wanted, out);
     }
 }
 
-/// Below this an energy of the order of the strain squared has lost more digits by rounding than its stress, of the order of the strain.
+/// For smaller displacement gradients the energy, which is quadratic in the strain, loses more digits by rounding than the stress, which
+/// is linear in the strain.
 inline constexpr double small_gradient = 1e-4;
 
-/// W_s(F) - W_s(I) as the work of the stress on the straight way from I to F, by Simpson's rule: of displacement gradients H = F - I
-/// below small_gradient to (eps + |H|^4)/|H|, where W_s itself is known to eps/|H|^2.
+/// W_s(F) - W_s(I) as the work of the stress along the straight path from I to F, by Simpson's rule. For displacement gradients
+/// H = F - I below small_gradient its relative error is (eps + |H|^4)/|H|, whereas direct evaluation of W_s has eps/|H|^2.
 template <Law L>
 requires MayHaveFibers<L>
 [[nodiscard]] double small_strain_energy(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F) {
@@ -230,9 +232,9 @@ requires MayHaveFibers<L>
     for (int i = 0; i < 3; ++i) H[4 * i] -= 1.0;
     double sum = 0;
     PointResponse response;
-    for (const auto& [way, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
+    for (const auto& [fraction, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}}) {
         Tensor between = identity_tensor;
-        for (int m = 0; m < 9; ++m) between[m] += way * H[m];
+        for (int m = 0; m < 9; ++m) between[m] += fraction * H[m];
         mixed_response(rubber, axes, between, 0.0, Wanted::stress, response);  // at p = 0: the derivative of W_s
         for (int m = 0; m < 9; ++m) sum += weight / 6.0 * response.first_piola[m] * H[m];
     }
@@ -245,7 +247,7 @@ requires MayHaveFibers<L>
     return largest < small_gradient;
 }
 
-/// W_s(F) per undeformed volume [J/m^3] and Theta: W = W_s + K/2 Theta^2. Empty for a stress without an energy.
+/// W_s(F) per undeformed volume [J/m^3] and Theta: W = W_s + K/2 Theta^2. nullopt for a law without an energy.
 struct EnergyParts {
     double shear = 0, dilatation = 0;
 };

@@ -1,9 +1,9 @@
 #pragma once
 /// Saint Venant-Kirchhoff: linear elasticity in the Green strain E = (C - I)/2,
 ///   W = mu dev E : dev E + kappa/2 (tr E)^2.
-/// mu, kappa [Pa] are the shear and bulk moduli. For small strains under large rotations only: in compression the stress
-/// vanishes again as the stretch goes to 0, its uniaxial maximum is at a stretch of 3^-1/2. The constraint tr E = 0 is
-/// not J = 1, so there is no incompressible form. Source: Bonet and Wood, Nonlinear Continuum Mechanics (2008), 6.3.
+/// mu, kappa [Pa] are the shear and bulk moduli. Valid only for small strains with large rotations: in compression the stress
+/// tends to zero as the stretch tends to 0; its uniaxial maximum is at a stretch of 3^-1/2. The constraint tr E = 0 differs from
+/// J = 1, so there is no incompressible form. Source: Bonet and Wood, Nonlinear Continuum Mechanics (2008), 6.3.
 /// Tested by material/law_test.
 #include "material/invariants.hpp"
 #include "material/parameter.hpp"

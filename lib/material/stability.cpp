@@ -15,7 +15,7 @@ namespace {
 using Stretches = std::array<double, 3>;
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/// Steps of the search over a factor of e in stretch: one finds limits that come and go within half a per cent.
+/// Search steps per unit of ln(stretch). The steps of 0.5 % also find narrow unstable ranges.
 constexpr double steps_per_unit = 200.0;
 constexpr int max_bisections = 60;
 
@@ -56,8 +56,8 @@ Matrix stiffness_at(const Rubber<L>& rubber, const Stretches& stretch) {
     } else {
         Dual<3> W;
         if constexpr (StretchLaw<L>) {
-            // Only isochoric increments are asked for: the stretches need no division by J, which would mix the three
-            // stiffnesses and leave of a small one the rounding of the largest.
+            // Only isochoric increments are needed, so the stretches need not be divided by J. That division would mix the three
+            // stiffnesses, and the rounding error of the largest one would exceed a small one.
             W = rubber.law.isochoric_energy(IsochoricStretches<Dual<3>>{sqrt(l2[0]), sqrt(l2[1]), sqrt(l2[2])});
         } else {
             W = shear_energy(rubber.law, I, J);
@@ -72,10 +72,10 @@ Matrix stiffness_at(const Rubber<L>& rubber, const Stretches& stretch) {
     }
 }
 
-/// Positive as long as the second work of all increments is. Of the isochoric ones (the plane normal to (1, 1, 1)) that is
-/// the trace and the determinant of the form in the plane; the latter is the sum of the cofactors over 3. Written so, the
-/// products of stiffnesses of one sign only add, and none is lost beside one larger by sixteen decades, as powers of long
-/// stretches are.
+/// Positive if and only if the second-order work of all increments is positive. For isochoric increments (the plane normal to
+/// (1, 1, 1)) this is the minimum of the trace and the determinant of the quadratic form in the plane; the determinant is the sum of
+/// the cofactors divided by 3. In this form, products of stiffnesses of the same sign are only added, so small products are not lost
+/// next to products that are larger by sixteen orders of magnitude, as occur with powers of large stretches.
 double min_work(const Matrix& matrix, Increments increments) {
     const auto at = [&](int a, int b) { return 0.5 * (matrix[a][b] + matrix[b][a]); };
     if (increments == Increments::isochoric) {
@@ -96,7 +96,7 @@ double min_work(const Matrix& matrix, Increments increments) {
     return std::min({form.value[0], form.value[1], form.value[2]});
 }
 
-/// Principal stretches of the mode; nullopt where the rubber has no such state.
+/// Principal stretches of the mode; nullopt if the rubber has no such state.
 template <class L>
 std::optional<Stretches> stretches_of(const Rubber<L>& rubber, Mode mode, double l) {
     double t = mode == Mode::uniaxial ? 1.0 / std::sqrt(l) : mode == Mode::planar ? 1.0 / l : 1.0 / (l * l);
@@ -108,15 +108,15 @@ std::optional<Stretches> stretches_of(const Rubber<L>& rubber, Mode mode, double
     return Stretches{l, mode == Mode::uniaxial ? t : mode == Mode::planar ? 1.0 : l, t};
 }
 
-enum class Verdict { stable, unstable, no_state };
+enum class Stability { stable, unstable, undefined };
 
 template <class L>
-Verdict verdict_at(const Rubber<L>& rubber, Mode mode, double stretch) {
+Stability stability_at(const Rubber<L>& rubber, Mode mode, double stretch) {
     const auto stretches = stretches_of(rubber, mode, stretch);
-    if (!stretches) return Verdict::no_state;
+    if (!stretches) return Stability::undefined;
     const double work = min_work(stiffness_at(rubber, *stretches), increments_of(rubber));
-    if (!std::isfinite(work)) return Verdict::no_state;
-    return work > 0.0 ? Verdict::stable : Verdict::unstable;
+    if (!std::isfinite(work)) return Stability::undefined;
+    return work > 0.0 ? Stability::stable : Stability::unstable;
 }
 
 template <class L>
@@ -125,15 +125,15 @@ std::optional<double> first_unstable(const Rubber<L>& rubber, Mode mode, double 
     double stable = 0.0;  // ln l
     for (int i = 0; i <= steps; ++i) {
         double unstable = std::log(end) * i / steps;
-        const Verdict verdict = verdict_at(rubber, mode, std::exp(unstable));
-        if (verdict == Verdict::no_state) return std::nullopt;
-        if (verdict == Verdict::stable) {
+        const Stability stability = stability_at(rubber, mode, std::exp(unstable));
+        if (stability == Stability::undefined) return std::nullopt;
+        if (stability == Stability::stable) {
             stable = unstable;
             continue;
         }
         for (int k = 0; k < max_bisections; ++k) {
             const double middle = 0.5 * (stable + unstable);
-            (verdict_at(rubber, mode, std::exp(middle)) == Verdict::stable ? stable : unstable) = middle;
+            (stability_at(rubber, mode, std::exp(middle)) == Stability::stable ? stable : unstable) = middle;
         }
         return std::exp(unstable);
     }
@@ -146,7 +146,7 @@ std::vector<StabilityLimit> limits_of(const Rubber<L>& rubber, const StretchRang
     if constexpr (!std::same_as<L, LinearElastic>)
         for (const Mode mode : {Mode::uniaxial, Mode::equibiaxial, Mode::planar})
             for (const Sense sense : {Sense::tension, Sense::compression}) {
-                const double end = sense == Sense::tension ? range.most : range.least;
+                const double end = sense == Sense::tension ? range.max : range.min;
                 if (const auto stretch = first_unstable(rubber, mode, end)) limits.push_back({mode, sense, *stretch});
             }
     return limits;

@@ -1,10 +1,9 @@
 #pragma once
 /// Yeoh rubber: W = c1 x + c2 x^2 + c3 x^3 + a (x - (1 - exp(-b x))/b) with x = I1bar - 3; c1, c2, c3, a in Pa, b > 0 a plain
-/// number. The initial shear modulus is 2 c1 > 0. The last term is the exponential one of Yeoh's paper with its factor written
-/// as a share of the linear term, so that dW/dI1 rises by a from c1 as 1 - exp(-b x): rubber whose modulus first rises and
-/// then levels off. It is left out where a = 0. Stable at every stretch where c2, c3 and a are not negative: dW/dI1 is positive
-/// and does not fall. Source: Yeoh, Rubber Chem. Technol. 66 (1993) 754. Tested by material/law_test and
-/// material/homogeneous_test.
+/// number. The initial shear modulus is 2 c1 > 0. The last term is the exponential term of Yeoh's paper, combined with a part of the
+/// linear term so that dW/dI1 increases by a from c1 as 1 - exp(-b x): the modulus first increases and then levels off. The term
+/// is omitted if a = 0. Stable at every stretch if c2, c3 and a are not negative: dW/dI1 is positive and does not decrease.
+/// Source: Yeoh, Rubber Chem. Technol. 66 (1993) 754. Tested by material/law_test and material/homogeneous_test.
 #include <cmath>
 
 #include "material/invariants.hpp"
@@ -29,7 +28,7 @@ struct Yeoh {
         return {
             .name = "yeoh",
             .energy = "c1 x + c2 x^2 + c3 x^3 + a (x - (1 - exp(-b x))/b), x = I1 - 3",
-            .validity = "follows the upturn of filled rubbers from uniaxial tests alone",
+            .validity = "stiffening of filled rubbers at large stretch; needs only uniaxial tests",
             .source = "Yeoh, Rubber Chem. Technol. 66 (1993) 754",
             .parameters = {{.name = "c1",
                             .meaning = "half the initial shear modulus",
@@ -39,12 +38,12 @@ struct Yeoh {
                            {.name = "c2", .meaning = "factor of (I1 - 3)^2", .example = "1 kPa", .fallback = "0 Pa"},
                            {.name = "c3", .meaning = "factor of (I1 - 3)^3", .example = "0.05 kPa", .fallback = "0 Pa"},
                            {.name = "a",
-                            .meaning = "rise of dW/dI1 from c1, as 1 - exp(-b (I1 - 3))",
+                            .meaning = "increase of dW/dI1 from c1, as 1 - exp(-b (I1 - 3))",
                             .example = "50 kPa",
                             .fallback = "0 Pa"},
                            {.name = "b",
                             .quantity = Quantity::ratio,
-                            .meaning = "how fast it rises; unused where a is 0",
+                            .meaning = "rate of this increase; unused if a is 0",
                             .example = "0.1",
                             .min = 0,
                             .min_open = true,

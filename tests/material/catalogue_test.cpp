@@ -13,7 +13,7 @@ namespace {
 
 using namespace sample;
 
-/// "place: problem; remedy" of a refused rubber.
+/// The message "location: problem; remedy" of a rejected rubber.
 std::string refusal(const Description& description) {
     try {
         static_cast<void>(make_rubber(description));
@@ -25,7 +25,7 @@ std::string refusal(const Description& description) {
     return {};
 }
 
-TEST(Catalogue, EveryLawIsFoundByItsNameAndDescribesItself) {
+TEST(Catalogue, EveryLawIsFoundByNameAndHasADescription) {
     std::set<std::string_view> names;
     for (const LawInfo& law : laws()) {
         EXPECT_TRUE(names.insert(law.name).second) << law.name;
@@ -37,7 +37,7 @@ TEST(Catalogue, EveryLawIsFoundByItsNameAndDescribesItself) {
         for (const Parameter& parameter : law.parameters) {
             EXPECT_FALSE(parameter.meaning.empty() || parameter.example.empty()) << law.name << parameter.name;
             EXPECT_FALSE(parameter.meaning.ends_with('.')) << law.name << parameter.name;
-            // An optional constant is read here without its unit, so the unit must be the one of SI.
+            // make_rubber ignores the unit of a default value, so the unit must be the SI unit.
             if (parameter.fallback.empty()) continue;
             double value = -1;
             const auto* end = parameter.fallback.data() + parameter.fallback.size();
@@ -50,7 +50,7 @@ TEST(Catalogue, EveryLawIsFoundByItsNameAndDescribesItself) {
     EXPECT_EQ(find_law("rubber"), nullptr);
 }
 
-TEST(Catalogue, RefusesWhatItCannotMakeWithTheNameOfTheConstant) {
+TEST(Catalogue, RejectsInvalidDescriptionsWithTheNameOfTheConstant) {
     const auto starts = [](const Description& description, std::string_view start) {
         const std::string line = refusal(description);
         EXPECT_TRUE(line.starts_with(start)) << line;
@@ -76,28 +76,28 @@ TEST(Catalogue, RefusesWhatItCannotMakeWithTheNameOfTheConstant) {
            "locking_stretch: 1 (SI)");
 }
 
-TEST(Catalogue, StatesItsBulkModulusAsGiven) {
+TEST(Catalogue, ReturnsTheBulkModulusOfTheEnergy) {
     EXPECT_FALSE(bulk_modulus_Pa(make_rubber({.law = "yeoh", .constants = constants_of("yeoh")})));
     EXPECT_DOUBLE_EQ(*bulk_modulus_Pa(make_rubber(description_of("yeoh"))), kappa_Pa);
-    // The compressible neo-Hookean energy holds kappa - 2 mu/3 in the place of K.
+    // The compressible neo-Hookean energy has K = kappa - 2 mu/3.
     EXPECT_DOUBLE_EQ(*bulk_modulus_Pa(make_rubber(description_of("neo-hookean-compressible"))),
                      kappa_Pa - 2 * mu_Pa / 3);
 }
 
-TEST(Catalogue, KnowsWhichFormsALawHas) {
+TEST(Catalogue, ReportsUnsupportedFormulations) {
     for (const LawInfo& law : laws()) {
         const AnyRubber rubber = make_rubber(description_of(law.name));
-        EXPECT_EQ(why_not(rubber, Form::displacement), "") << law.name;
-        EXPECT_EQ(why_not(rubber, Form::mixed).empty(), law.mixed) << law.name;
-        EXPECT_EQ(why_not(rubber, Form::f_bar).empty(), law.f_bar) << law.name;
+        EXPECT_EQ(explain_incompatibility(rubber, Form::displacement), "") << law.name;
+        EXPECT_EQ(explain_incompatibility(rubber, Form::mixed).empty(), law.mixed) << law.name;
+        EXPECT_EQ(explain_incompatibility(rubber, Form::f_bar).empty(), law.f_bar) << law.name;
         if (law.bulk == Bulk::finite) continue;
         const AnyRubber incompressible = make_rubber(description_of(law.name, std::nullopt));
-        EXPECT_EQ(why_not(incompressible, Form::mixed), "") << law.name;
-        EXPECT_NE(why_not(incompressible, Form::displacement).find("use formulation mixed"), std::string::npos)
+        EXPECT_EQ(explain_incompatibility(incompressible, Form::mixed), "") << law.name;
+        EXPECT_NE(explain_incompatibility(incompressible, Form::displacement).find("use formulation mixed"), std::string::npos)
             << law.name;
-        EXPECT_NE(why_not(incompressible, Form::f_bar), "") << law.name;
+        EXPECT_NE(explain_incompatibility(incompressible, Form::f_bar), "") << law.name;
     }
-    EXPECT_NE(why_not(make_rubber(description_of("kraken")), Form::mixed).find("kraken"), std::string::npos);
+    EXPECT_NE(explain_incompatibility(make_rubber(description_of("kraken")), Form::mixed).find("kraken"), std::string::npos);
 }
 
 }  // namespace

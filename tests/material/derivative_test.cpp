@@ -1,4 +1,4 @@
-// Stress and tangent of every law against differentiation in the nine components of F.
+// Stress and tangent of every law, compared with differentiation by the nine components of F.
 #include <gtest/gtest.h>
 
 #include "law_types.hpp"
@@ -13,7 +13,7 @@ template <class L>
 class Derivatives : public ::testing::Test {};
 TYPED_TEST_SUITE(Derivatives, EveryLawType);
 
-/// Compressed, sheared and turned; F of the samples; a large stretch.
+/// A compressed, sheared and rotated state; F of the samples; a large stretch.
 constexpr std::array<Tensor, 3> states{F, Tensor{0.62, -0.31, 0.05, 0.24, 0.81, -0.12, 0.33, 0.07, 1.44},
                                        Tensor{2.1, 0.4, -0.3, -0.6, 0.7, 0.1, 0.2, 0.15, 0.64}};
 
@@ -22,7 +22,7 @@ void expect_near(const PointResponse& point, const Tensor& P, const Tangent& A) 
     EXPECT_LE(distance(point.tangent, A), 2e-12 * size_of(A));
 }
 
-/// Stress, tangent and energy against differentiation of the energy.
+/// Compares stress and tangent with the derivatives of the energy.
 template <class L>
 void expect_derivatives_of_the_energy(const Rubber<L>& r, const Tensor& at) {
     Tensor P;
@@ -38,7 +38,7 @@ void expect_derivatives_of_the_energy(const Rubber<L>& r, const Tensor& at) {
     expect_near(displacement(r, at), P, A);
 }
 
-TYPED_TEST(Derivatives, StressAndTangentAreThoseOfTheEnergyInF) {
+TYPED_TEST(Derivatives, StressAndTangentAreDerivativesOfTheEnergyByF) {
     for (const auto volumetric : volumetric_laws)
         for (const Tensor& at : states) {
             const auto r = rubber<TypeParam>(volumetric);
@@ -57,13 +57,13 @@ TYPED_TEST(Derivatives, StressAndTangentAreThoseOfTheEnergyInF) {
         }
 }
 
-TYPED_TEST(Derivatives, OfARubberWithFibresToo) {
+TYPED_TEST(Derivatives, StressAndTangentWithFibresAreDerivativesOfTheEnergyByF) {
     if constexpr (MayHaveFibers<TypeParam>)
         for (const Tensor& at : states) expect_derivatives_of_the_energy(fibered<TypeParam>(VolumetricLaw::log), at);
 }
 
 TYPED_TEST(Derivatives, DilatationIsTheDerivativeOfTheEnergyByThePressure) {
-    // W(F, p) is linear in p but for p^2/(2 K): P(p) - P(0) = p dTheta/dF, and dTheta/dF is the derivative of Theta.
+    // W(F, p) is linear in p except for p^2/(2 K): P(p) - P(0) = p dTheta/dF, and dTheta/dF is the derivative of Theta.
     if constexpr (!StressLaw<TypeParam>)
         for (const auto volumetric : volumetric_laws) {
             const auto r = rubber<TypeParam>(volumetric);

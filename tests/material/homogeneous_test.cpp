@@ -1,4 +1,4 @@
-// Homogeneous states against formulas written here from the energies, and the rows of the specification.
+// Homogeneous states compared with formulas that are derived from the energies here, and with values of the specification.
 #include "material/homogeneous.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace sample;
 
-/// dW/dI1 and dW/dI2 of an incompressible rubber, written from its energy.
+/// dW/dI1 and dW/dI2 of an incompressible rubber, derived from its energy.
 struct InvariantSlopes {
     double W1 = 0, W2 = 0;
 };
@@ -74,7 +74,7 @@ void expect_stress(const AnyRubber& rubber, Mode mode, double stretch, double ex
     EXPECT_NEAR(state->cauchy_Pa[8], 0.0, 1e-12 * (mu_Pa + std::abs(sigma)));
 }
 
-TEST(Homogeneous, StressesOfIncompressibleLawsInInvariantsAreTheClosedForms) {
+TEST(Homogeneous, StressesOfIncompressibleLawsInInvariantsMatchTheClosedForms) {
     // Rivlin: uniaxial 2 (l^2 - 1/l)(W1 + W2/l); equibiaxial 2 (l^2 - l^-4)(W1 + l^2 W2); planar 2 (l^2 - l^-2)(W1 + W2);
     // simple shear 2 g (W1 + W2). Treloar (1975), eqs. 5.28 on.
     for (const auto& [name, slopes] : laws_in_invariants()) {
@@ -99,7 +99,7 @@ TEST(Homogeneous, StressesOfIncompressibleLawsInInvariantsAreTheClosedForms) {
     }
 }
 
-TEST(Homogeneous, StressesOfAnIncompressibleOgdenRubberAreTheClosedForms) {
+TEST(Homogeneous, StressesOfAnIncompressibleOgdenRubberMatchTheClosedForms) {
     // sigma_a - sigma_b = sum mu_i (l_a^alpha_i - l_b^alpha_i), Ogden (1972).
     const AnyRubber rubber = incompressible("ogden");
     const auto terms = constants_of("ogden");
@@ -115,13 +115,13 @@ TEST(Homogeneous, StressesOfAnIncompressibleOgdenRubberAreTheClosedForms) {
         expect_stress(rubber, Mode::uniaxial, l, drop(l, 1 / std::sqrt(l)));
         expect_stress(rubber, Mode::equibiaxial, l, drop(l, 1 / (l * l)));
         expect_stress(rubber, Mode::planar, l, drop(l, 1 / l));
-        // Simple shear has the principal stretches L, 1/L, g = L - 1/L, its Cauchy shear is (s1 - s2)/(L + 1/L).
+        // Simple shear has the principal stretches L and 1/L with g = L - 1/L, and the Cauchy shear stress (s1 - s2)/(L + 1/L).
         const double g = l - 1, L = 0.5 * (g + std::sqrt(g * g + 4));
         expect_stress(rubber, Mode::simple_shear, g, drop(L, 1 / L) / (L + 1 / L));
     }
 }
 
-TEST(Homogeneous, SmallStrainIsHookesLaw) {
+TEST(Homogeneous, LinearElasticFollowsHookesLaw) {
     // Incompressible: E = 3 mu uniaxial, 6 mu equibiaxial, 4 mu planar. Finite K: E = 9 K mu/(3 K + mu), nu; equibiaxial
     // E/(1 - nu), planar E/(1 - nu^2).
     for (const double e : {-0.3, 0.02, 0.4}) {
@@ -140,7 +140,7 @@ TEST(Homogeneous, SmallStrainIsHookesLaw) {
     }
 }
 
-TEST(Homogeneous, SaintVenantKirchhoffIsHookesLawInTheGreenStrain) {
+TEST(Homogeneous, SaintVenantKirchhoffFollowsHookesLawInTheGreenStrain) {
     // S_11 = E (l^2 - 1)/2, t^2 = 1 - nu (l^2 - 1), sigma = l S l/(l t^2). No state where t^2 would be negative.
     const AnyRubber rubber = make_rubber(description_of("saint-venant-kirchhoff"));
     const double E = 9 * kappa_Pa * mu_Pa / (3 * kappa_Pa + mu_Pa), nu = E / (2 * mu_Pa) - 1;
@@ -162,7 +162,7 @@ TEST(Homogeneous, SidesAreFreeOfStressForEveryCompressibleLaw) {
             const AnyRubber rubber = make_rubber(description_of(law.name, kappa_Pa, volumetric));
             for (const Mode mode : {Mode::uniaxial, Mode::equibiaxial, Mode::planar})
                 for (const double l : {0.75, 0.95, 1.1, 1.35}) {
-                    // These two know no volume J, and soon have no state.
+                    // These two laws do not depend on J and have no state at large strains.
                     const bool small_strain = law.name == "linear-elastic" || law.name == "saint-venant-kirchhoff";
                     if (small_strain && (l < 0.9 || l > 1.2)) continue;
                     const auto state = homogeneous_state(rubber, mode, l);
@@ -171,7 +171,7 @@ TEST(Homogeneous, SidesAreFreeOfStressForEveryCompressibleLaw) {
                     if (mode == Mode::uniaxial) {
                         EXPECT_NEAR(state->cauchy_Pa[4], 0.0, 1e-12 * kappa_Pa) << law.name;
                     }
-                    // Where the energy splits off the volume, the mean stress is K Theta dTheta/dJ.
+                    // For laws with a separate volumetric energy, the mean stress is K Theta dTheta/dJ.
                     const bool split = !small_strain && law.name != "kraken" && law.name != "neo-hookean-compressible";
                     if (!split) continue;
                     const auto Theta =
@@ -183,7 +183,7 @@ TEST(Homogeneous, SidesAreFreeOfStressForEveryCompressibleLaw) {
     }
 }
 
-// The rows of the specification: Cauchy stress 0.25 t MPa, mu 0.2069 MPa, kappa 20.69 MPa.
+// Values of the specification: Cauchy stress 0.25 t MPa, mu 0.2069 MPa, kappa 20.69 MPa.
 constexpr double paper_mu_Pa = 0.2069e6, paper_kappa_Pa = 20.69e6;
 
 double strain_percent(std::string_view law, std::optional<double> bulk_Pa, double stress_Pa) {
@@ -193,13 +193,13 @@ double strain_percent(std::string_view law, std::optional<double> bulk_Pa, doubl
     return stretch ? 100 * (*stretch - 1) : std::nan("");
 }
 
-TEST(Homogeneous, UniaxialRodAtFiniteBulkModulusIsTheSpecifiedOne) {
+TEST(Homogeneous, UniaxialRodWithFiniteBulkModulusMatchesTheSpecification) {
     const std::array<double, 4> time{5, 10, 20, 30}, strain{157.712, 263.201, 426.331, 563.390};
     for (std::size_t k = 0; k < 4; ++k)
         EXPECT_NEAR(strain_percent("neo-hookean", paper_kappa_Pa, 0.25e6 * time[k]), strain[k], 5.01e-4);
 }
 
-TEST(Homogeneous, UniaxialRodOfIncompressibleRubberIsTheClosedForm) {
+TEST(Homogeneous, UniaxialRodOfIncompressibleRubberMatchesTheClosedForm) {
     const std::array<double, 4> time{5, 10, 20, 30}, strain{153.688, 251.674, 393.648, 503.449};
     for (std::size_t k = 0; k < 4; ++k) {
         const double percent = strain_percent("neo-hookean", std::nullopt, 0.25e6 * time[k]), l = 1 + percent / 100;
@@ -208,8 +208,8 @@ TEST(Homogeneous, UniaxialRodOfIncompressibleRubberIsTheClosedForm) {
     }
 }
 
-TEST(Homogeneous, UniaxialRodOfKrakenRubberIsItsClosedForm) {
-    // t^2 = kappa/(kappa l + mu), sigma = mu (l^2 - 1/(l + mu/kappa)); free of load l = t, -0.3322 %.
+TEST(Homogeneous, UniaxialRodOfKrakenRubberMatchesTheClosedForm) {
+    // t^2 = kappa/(kappa l + mu), sigma = mu (l^2 - 1/(l + mu/kappa)); without load l = t, -0.3322 %.
     const std::array<double, 4> time{5, 10, 20, 30}, strain{153.658, 251.663, 393.644, 503.447};
     for (std::size_t k = 0; k < 4; ++k)
         EXPECT_NEAR(strain_percent("kraken", paper_kappa_Pa, 0.25e6 * time[k]), strain[k], 5.01e-4);
@@ -224,7 +224,7 @@ TEST(Homogeneous, UniaxialRodOfKrakenRubberIsItsClosedForm) {
     }
 }
 
-TEST(ArrudaBoyce, SeriesIsBelowTheInverseLangevinFunctionByWhatItsHeaderSays) {
+TEST(ArrudaBoyce, SeriesErrorMatchesTheHeaderOfTheLaw) {
     // dW/dI1 of the exact law is C lm/(6 s) beta, beta = L^-1(s/lm), L = coth b - 1/b, s = sqrt(I1/3).
     const auto inverse_langevin = [](double y) {
         double low = 1e-9, high = 1e3;
@@ -244,7 +244,7 @@ TEST(ArrudaBoyce, SeriesIsBelowTheInverseLangevinFunctionByWhatItsHeaderSays) {
     }
 }
 
-TEST(Homogeneous, FibresAreRefused) {
+TEST(Homogeneous, RejectsFibres) {
     EXPECT_THROW(static_cast<void>(
                      homogeneous_state(make_rubber(description_of("holzapfel-gasser-ogden")), Mode::uniaxial, 1.1)),
                  Error);

@@ -1,4 +1,4 @@
-// What is true of any law, for every law of the list.
+// Properties that every law must have.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -68,7 +68,7 @@ double remainder(const Rubber<L>& r, const PointResponse& at, const Tensor& H, d
     return std::sqrt(std::inner_product(rest.begin(), rest.end(), rest.begin(), 0.0));
 }
 
-TYPED_TEST(EveryLaw, TangentLeavesARemainderOfSecondOrder) {
+TYPED_TEST(EveryLaw, TangentHasASecondOrderTaylorRemainder) {
     constexpr Tensor H{0.4, -0.7, 0.2, 0.9, 0.3, -0.5, -0.1, 0.6, -0.8};
     for (const auto volumetric : volumetric_laws) {
         const auto r = rubber<TypeParam>(volumetric);
@@ -86,7 +86,7 @@ TYPED_TEST(EveryLaw, TangentLeavesARemainderOfSecondOrder) {
     }
 }
 
-TYPED_TEST(EveryLaw, TangentIsSymmetricWhereThereIsAnEnergy) {
+TYPED_TEST(EveryLaw, TangentIsSymmetricIfThereIsAnEnergy) {
     // kraken: P = kappa (J - 1) cof F + mu J F has the asymmetric part mu (F (x) cof F - cof F (x) F)/2, as d(J F) =
     // F (x) cof F + J d F and the other terms are symmetric.
     const auto r = rubber<TypeParam>();
@@ -100,7 +100,7 @@ TYPED_TEST(EveryLaw, TangentIsSymmetricWhereThereIsAnEnergy) {
         }
 }
 
-TYPED_TEST(EveryLaw, StartsWithItsStatedModuli) {
+TYPED_TEST(EveryLaw, HasTheStatedInitialModuli) {
     for (const auto volumetric : volumetric_laws) {
         const auto r = rubber<TypeParam>(volumetric);
         const auto A = displacement(r, identity_tensor).tangent;
@@ -131,7 +131,7 @@ TYPED_TEST(EveryLaw, DisplacementFormIsTheMixedFormWithThePressureEliminated) { 
         EXPECT_THROW(static_cast<void>(mixed(rubber<TypeParam>(), F, 0.0)), std::logic_error);
 }
 
-TYPED_TEST(EveryLaw, StressAloneIsTheStressWithTheTangent) {
+TYPED_TEST(EveryLaw, StressDoesNotDependOnWhetherTheTangentIsComputed) {
     const auto r = rubber<TypeParam>();
     PointResponse alone;
     displacement_response(r, {}, F, Wanted::stress, alone);
@@ -139,7 +139,7 @@ TYPED_TEST(EveryLaw, StressAloneIsTheStressWithTheTangent) {
     EXPECT_DOUBLE_EQ(alone.jacobian, determinant(F));
 }
 
-TEST(LinearElastic, FailsUnderARotationByTheSquareOfItsAngle) {
+TEST(LinearElastic, HasAnErrorOfSecondOrderInTheRotationAngle) {
     // R = I + sin a W + (1 - cos a) W^2 with W the cross product of the axis n, so e = (cos a - 1)(I - n n): tr e =
     // -2 (1 - cos a), of order a^2. P from the formula in the header.
     const auto r = rubber<LinearElastic>();
@@ -165,7 +165,7 @@ TEST(Theta, MatchesItsDefinitionAndIsSmoothThroughTheReferenceVolume) {
         EXPECT_NEAR(t * t, (J * J - 1 - 2 * std::log(J)) / 2, 1e-15);
         EXPECT_EQ(t > 0, J > 1);
     }
-    // The series near J = 1 joins the closed form, with its derivatives.
+    // The series near J = 1 and its derivatives agree with the closed form.
     for (const double edge : {1.0 - 2e-3, 1.0 + 2e-3}) {
         const auto inside = theta(VolumetricLaw::mixed, Dual<1>::variable(edge + (edge < 1 ? 1e-9 : -1e-9), 0));
         const auto outside = theta(VolumetricLaw::mixed, Dual<1>::variable(edge + (edge < 1 ? -1e-9 : 1e-9), 0));
@@ -175,7 +175,7 @@ TEST(Theta, MatchesItsDefinitionAndIsSmoothThroughTheReferenceVolume) {
     }
 }
 
-TEST(Gent, HasNoStateBeyondItsLockingStretch) {
+TEST(Gent, IsUndefinedBeyondTheLockingStretch) {
     const auto r = rubber<Gent>();  // I1 - 3 = l^2 + 2/l - 3 = 12 at l = 3.797
     for (const double l : {3.7, 3.9, 6.0}) {
         const double t = 1 / std::sqrt(l);

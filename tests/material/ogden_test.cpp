@@ -1,4 +1,4 @@
-// Ogden's law where two or three stretches meet: against the laws in invariants, which know no principal stretches.
+// Ogden's law at equal stretches, compared with laws in invariants, which do not use principal stretches.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -43,7 +43,7 @@ TEST(Ogden, WithAlphaTwoIsNeoHookeanAndWithTwoTermsMooneyRivlin) {
     expect_same({1.3, 1.3, 1.3});
 }
 
-TEST(Ogden, IsExactHoweverNearTwoStretchesAre) {
+TEST(Ogden, IsExactForNearlyEqualStretches) {
     for (const double apart :
          {0.1, 0.021, 0.02, 0.0199, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 0.0}) {
         expect_same({1.4, 1.4 * (1 + apart), 0.6});
@@ -53,8 +53,8 @@ TEST(Ogden, IsExactHoweverNearTwoStretchesAre) {
 }
 
 TEST(Ogden, WithHighExponentsIsContinuousWhereTheQuotientChangesItsForm) {
-    // Beyond a log stretch of 0.02 between two stretches the plain quotient takes over from the mean of W'': both are the
-    // same number, also for the largest exponents in use. A jump would show against the mean of its neighbours.
+    // If two stretches differ by more than 0.02 in log stretch, the plain quotient is used instead of the mean of W''. Both must agree,
+    // also for the largest exponents in use. A jump would be a deviation from the mean of the neighbouring values.
     const auto r = made<Ogden>("ogden", {{"mu", {1e3, -2e3, 1.2e5}}, {"alpha", {25.0, -12.0, 1.3}}});
     const double edge = std::exp(0.02);
     const auto below = displacement(r, with_stretches({1.1, 1.1 * edge * (1 - 1e-9), 0.8}));

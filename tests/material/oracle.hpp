@@ -1,6 +1,6 @@
 #pragma once
-/// W(F), or P(F) where there is no energy, with F as nine independent variables: gradient and Hessian are P and A. Written
-/// on other routes than the kernels: no chain rule, and principal stretches from the characteristic cubic.
+/// W(F), or P(F) if there is no energy, with F as nine independent variables: gradient and Hessian are P and A. Independent of the
+/// kernels: no chain rule, and principal stretches from the characteristic cubic.
 #include <algorithm>
 
 #include "samples.hpp"
@@ -15,8 +15,8 @@ inline TensorOf<Number> variables(const Tensor& at) {
     return V;
 }
 
-/// Squared principal stretches: the roots of x^3 - I1 x^2 + I2 x - I3. The values to start from by bisection between the
-/// stationary points of the cubic, the derivatives by Newton in dual arithmetic. For distinct roots.
+/// Squared principal stretches: the roots of x^3 - I1 x^2 + I2 x - I3, which must be distinct. The values are found by bisection
+/// between the stationary points of the cubic, the derivatives by Newton's method in dual arithmetic.
 inline std::array<Number, 3> squared_stretches(const TensorOf<Number>& V) {
     const auto C = right_cauchy_green(V);
     const auto [I1, I2] = principal_invariants(V);
@@ -40,7 +40,7 @@ inline std::array<Number, 3> squared_stretches(const TensorOf<Number>& V) {
     return roots;
 }
 
-/// Of all families.
+/// Energy of all fibre families.
 template <class L>
 Number fiber_energy_of(const Rubber<L>& rubber, const TensorOf<Number>& V, const FiberAxes& axes) {
     Number W;

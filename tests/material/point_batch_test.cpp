@@ -1,5 +1,5 @@
-// Many points at once answer as one after the other: mixed_response and displacement_response are the oracle, which
-// derivative_test holds to differentiation in F.
+// Batch evaluation compared with point-by-point evaluation by mixed_response and displacement_response, which derivative_test compares
+// with differentiation by F.
 #include <gtest/gtest.h>
 
 #include "law_types.hpp"
@@ -15,7 +15,7 @@ template <class L>
 class Batches : public ::testing::Test {};
 TYPED_TEST_SUITE(Batches, EveryLawType);
 
-/// Five points: one more than a vector, so that some lanes lie beyond the last. The first is undeformed.
+/// Five points: one more than a vector has lanes, so that some lanes are unused. The first point is undeformed.
 Tensor state(int q) {
     Tensor at = identity_tensor;
     for (std::size_t m = 0; m < 9; ++m) at[m] += 0.25 * q * (F[m] - identity_tensor[m]);
@@ -39,20 +39,20 @@ void expect_same(const PointResponse& expected, const PointResponse& found) {
     EXPECT_LE(distance(found.tangent, expected.tangent), 1e-14 * scale);
 }
 
-TYPED_TEST(Batches, AnswerAsTheirPointsInDisplacementForm) {
+TYPED_TEST(Batches, EqualPointwiseEvaluationInDisplacementForm) {
     const auto r = rubber<TypeParam>(VolumetricLaw::mixed);
     auto batch = batch_of_states<TypeParam>();
-    respond(r, Form::displacement, Wanted::stress_and_tangent, batch);
+    evaluate_batch(r, Form::displacement, Wanted::stress_and_tangent, batch);
     for (int q = 0; q < 5; ++q) expect_same(displacement(r, state(q), batch.axes[q]), batch.response(q));
 }
 
-TYPED_TEST(Batches, AnswerAsTheirPointsInMixedForm) {
+TYPED_TEST(Batches, EqualPointwiseEvaluationInMixedForm) {
     const auto r = rubber<TypeParam>(VolumetricLaw::log);
     auto batch = batch_of_states<TypeParam>();
     if constexpr (StressLaw<TypeParam>) {
-        EXPECT_THROW(respond(r, Form::mixed, Wanted::stress, batch), std::logic_error);
+        EXPECT_THROW(evaluate_batch(r, Form::mixed, Wanted::stress, batch), std::logic_error);
     } else {
-        respond(r, Form::mixed, Wanted::stress_and_tangent, batch);
+        evaluate_batch(r, Form::mixed, Wanted::stress_and_tangent, batch);
         for (int q = 0; q < 5; ++q) {
             const PointResponse expected = mixed(r, state(q), batch.p[q], batch.axes[q]);
             expect_same(expected, batch.response(q));
@@ -62,20 +62,20 @@ TYPED_TEST(Batches, AnswerAsTheirPointsInMixedForm) {
     }
 }
 
-TYPED_TEST(Batches, WithFibresAnswerAsTheirPoints) {
+TYPED_TEST(Batches, EqualPointwiseEvaluationWithFibres) {
     if constexpr (MayHaveFibers<TypeParam>) {
         const auto r = fibered<TypeParam>();
         auto batch = batch_of_states<TypeParam>();
-        respond(r, Form::mixed, Wanted::stress_and_tangent, batch);
+        evaluate_batch(r, Form::mixed, Wanted::stress_and_tangent, batch);
         for (int q = 0; q < 5; ++q) expect_same(mixed(r, state(q), batch.p[q], batch.axes[q]), batch.response(q));
     }
 }
 
-TYPED_TEST(Batches, StressAloneIsTheSameStress) {
+TYPED_TEST(Batches, StressDoesNotDependOnWhetherTheTangentIsComputed) {
     const auto r = rubber<TypeParam>(VolumetricLaw::quadratic);
     auto with_tangent = batch_of_states<TypeParam>(), alone = batch_of_states<TypeParam>();
-    respond(r, Form::displacement, Wanted::stress_and_tangent, with_tangent);
-    respond(r, Form::displacement, Wanted::stress, alone);
+    evaluate_batch(r, Form::displacement, Wanted::stress_and_tangent, with_tangent);
+    evaluate_batch(r, Form::displacement, Wanted::stress, alone);
     EXPECT_EQ(with_tangent.first_piola, alone.first_piola);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Rubbers, deformations and a nine-variable oracle for the tests of the room.
+/// Rubbers and deformations for the tests of the module.
 #include <array>
 #include <cmath>
 #include <optional>
@@ -13,7 +13,7 @@ namespace soft::material::sample {
 inline constexpr double mu_Pa = 0.1644e6;
 inline constexpr double kappa_Pa = 3.0e6;
 
-/// Constants with every term of a law at work, near the size of mu_Pa. A law without a row fails the suite.
+/// Constants of the order of mu_Pa with which every term of a law contributes. Laws that need other constants fail without an entry.
 inline Constants constants_of(std::string_view law) {
     if (law == "mooney-rivlin")
         return {{"c10", {6.4e4}}, {"c01", {1.8e4}}, {"c20", {3e3}}, {"c11", {-2e3}}, {"c02", {1e3}}};
@@ -38,7 +38,7 @@ Rubber<L> rubber(VolumetricLaw volumetric = VolumetricLaw::quadratic) {
 
 inline constexpr Fibers two_families{0.5, 2e5, 0.8, 2};
 
-/// With fibres, those of the law or these.
+/// A rubber with fibres: those of the law, or the given ones.
 template <class L>
 requires MayHaveFibers<L> Rubber<L> fibered(VolumetricLaw volumetric = VolumetricLaw::quadratic) {
     const LawInfo law = L::info();
@@ -50,7 +50,7 @@ requires MayHaveFibers<L> Rubber<L> fibered(VolumetricLaw volumetric = Volumetri
 inline constexpr std::array<VolumetricLaw, 3> volumetric_laws{VolumetricLaw::quadratic, VolumetricLaw::log,
                                                               VolumetricLaw::mixed};
 
-/// No symmetry, J = 1.054; stretches a fibre frame in every direction of its surface.
+/// A deformation gradient without symmetry, J = 1.054, that stretches all directions in the plane of the fibres.
 inline constexpr Tensor F{1.31, 0.22, -0.17, 0.11, 1.07, 0.26, -0.09, 0.31, 0.92};
 
 /// Rotation about (1, 2, 2)/3, Rodrigues.
@@ -76,7 +76,7 @@ PointResponse mixed(const Rubber<L>& rubber, const Tensor& at, double p, const F
     return point;
 }
 
-/// The largest entry: what errors are measured by.
+/// The largest entry, used as the scale of errors.
 template <std::size_t N>
 double size_of(const std::array<double, N>& entries) {
     double size = 0;
