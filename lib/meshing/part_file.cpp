@@ -7,9 +7,9 @@
 #include <map>
 #include <span>
 
-#include "core/subprocess.hpp"
 #include "core/error.hpp"
 #include "core/files.hpp"
+#include "core/subprocess.hpp"
 #include "core/text.hpp"
 #include "meshing/gmsh_session.hpp"
 
@@ -58,9 +58,11 @@ surface::FacetSoup joined(std::span<const double> corners) {
 }
 
 surface::FacetSoup triangles_of_cad(const std::filesystem::path& path) {
-    constexpr core::SubprocessLimits limits{.wall = std::chrono::minutes{5}};      // parts take seconds
-    static_cast<void>(core::read_regular_file(path, surface::max_file));  // throws with the reason if it cannot be opened
-    const core::SubprocessOutcome end = core::run_in_subprocess([&] { return bytes_of(cad_numbers(path.string())); }, limits);
+    constexpr core::SubprocessLimits limits{.wall = std::chrono::minutes{5}};  // parts take seconds
+    static_cast<void>(
+        core::read_regular_file(path, surface::max_file));  // throws with the reason if it cannot be opened
+    const core::SubprocessOutcome end =
+        core::run_in_subprocess([&] { return bytes_of(cad_numbers(path.string())); }, limits);
     const auto refuse = [&](const std::string& problem, const std::string& remedy) {
         throw Error(ExitCode::bad_input, path.string(), problem, remedy);
     };
