@@ -156,7 +156,8 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
     namespace fs = std::filesystem;
     const auto is_same = [](const std::string& a, const std::string& b) {
         std::error_code failed;  // set if a file does not exist yet; then the names are compared
-        if (fs::exists(a, failed) && !fs::is_regular_file(a, failed)) return false;  // devices such as /dev/null can be shared
+        if (fs::exists(a, failed) && !fs::is_regular_file(a, failed))
+            return false;  // devices such as /dev/null can be shared
         if (fs::equivalent(a, b, failed) && !failed) return true;
         const auto whole = [](const std::string& name) {  // empty if the working folder was removed
             std::error_code gone;

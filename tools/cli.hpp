@@ -92,7 +92,7 @@ void check_distinct(const std::vector<NamedFile>& inputs, const std::vector<Name
 
 /// The error handling of guarded(), for a tool that runs several jobs. `command_line` appears in the request to report a bug.
 [[nodiscard]] ExitCode report_errors(std::string_view tool, std::string_view command_line,
-                                      const std::function<ExitCode()>& body);
+                                     const std::function<ExitCode()>& body);
 
 /// "mesh-gen 'my tube.yaml' -o t.h5": quoted so that it can be pasted into a shell.
 [[nodiscard]] std::string command_line_of(const std::vector<std::string>& words);
@@ -163,11 +163,11 @@ public:
     Console(const Console&) = delete;
     Console& operator=(const Console&) = delete;
 
-    void say(std::string_view line);     ///< unless --quiet
-    void detail(std::string_view line);  ///< with --verbose
-    void warn(std::string_view line);    ///< "tool: warning: line", unless --quiet
+    void say(std::string_view line);          ///< unless --quiet
+    void detail(std::string_view line);       ///< with --verbose
+    void warn(std::string_view line);         ///< "tool: warning: line", unless --quiet
     void warn_always(std::string_view line);  ///< like warn, also with --quiet: for results that may be wrong
-    void error(std::string_view line);   ///< "tool: line", also with --quiet
+    void error(std::string_view line);        ///< "tool: line", also with --quiet
     /// Redraws a progress bar on a terminal; otherwise prints one line per 10 %. `share` is from 0 to 1.
     void progress(double share, std::string_view text);
 

@@ -15,8 +15,9 @@ struct CodeMeaning {
 };
 constexpr std::array exit_codes = {
     CodeMeaning{ExitCode::ok, "success"},
-    CodeMeaning{ExitCode::check_failed,
-                "a comparison or regression check failed, or the result exceeds its tolerance or violates the energy balance"},
+    CodeMeaning{
+        ExitCode::check_failed,
+        "a comparison or regression check failed, or the result exceeds its tolerance or violates the energy balance"},
     CodeMeaning{ExitCode::stopped_early,
                 "the path ended early for a physical or numerical reason; the converged steps are in the file"},
     CodeMeaning{ExitCode::usage, "usage error: unknown option or invalid combination"},
@@ -139,8 +140,8 @@ std::string bash_completion(const CLI::App& app, const About& about) {
                                        : "-W '" + words + "'") +
                  "; return;;\n";
     }
-    std::string script =
-        "# bash completion of " + std::string{about.tool} + ": source this file, or install it in /etc/bash_completion.d\n";
+    std::string script = "# bash completion of " + std::string{about.tool} +
+                         ": source this file, or install it in /etc/bash_completion.d\n";
     script += function +
               "() {\n    local word=\"${COMP_WORDS[COMP_CWORD]}\"\n    case \"${COMP_WORDS[COMP_CWORD-1]}\" in\n" +
               cases + "    esac\n";

@@ -38,7 +38,7 @@ solver::ContactCheck contact_check(assembly::System& system) {
         if (finder)
             if (auto contact = finder->find(fields.displacement_m))
                 found = {std::move(contact->text), contact->is_inverted ? solution::StopReason::inverted_element
-                                                                       : solution::StopReason::self_contact};
+                                                                        : solution::StopReason::self_contact};
         return from_first_rank(found, system.comm());
     };
 }

@@ -169,7 +169,8 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
         ->check(CLI::IsMember({"engineering", "true", "stretch"}));
     app.add_option("--stress", words.stress, "Stress measure, if the column title does not state it")
         ->check(CLI::IsMember({"engineering", "true"}));
-    app.add_option("--strain-unit", options.reading.strain_unit, "Unit of the strain column: 1 or %; for a displacement mm, in, ...")
+    app.add_option("--strain-unit", options.reading.strain_unit,
+                   "Unit of the strain column: 1 or %; for a displacement mm, in, ...")
         ->type_name("UNIT");
     app.add_option("--stress-unit", options.reading.stress_unit,
                    "Unit of the stress column: Pa, kPa, MPa, N/mm^2, psi, ...; for a force N, lbf, ...")
@@ -181,7 +182,8 @@ void add_data_options(CLI::App& app, Words& words, FitOptions& options) {
         ->type_name("AREA");
     app.add_option("--width", words.width, "With --thickness: replaces --area")->type_name("LENGTH");
     app.add_option("--thickness", words.thickness, "With --width: replaces --area")->type_name("LENGTH");
-    app.add_option("--delimiter", words.delimiter, "Column delimiter: one character, or tab, comma, semicolon, blank, bar")
+    app.add_option("--delimiter", words.delimiter,
+                   "Column delimiter: one character, or tab, comma, semicolon, blank, bar")
         ->type_name("C");
     app.add_option("--decimal", words.decimal, "Decimal sign, if the file is ambiguous (1,234)")
         ->check(CLI::IsMember({"point", "comma"}));
@@ -208,7 +210,8 @@ void add_fit_options(CLI::App& app, Words& words, FitOptions& options) {
         ->type_name("FILE");
     app.add_option("--notice", options.notice, "Source and licence of the data, written as a comment in the material")
         ->type_name("TEXT");
-    app.add_option("--protocol", options.protocol, "How the test was performed, stored in the material")->type_name("TEXT");
+    app.add_option("--protocol", options.protocol, "How the test was performed, stored in the material")
+        ->type_name("TEXT");
 }
 
 }  // namespace

@@ -57,24 +57,24 @@ Json fit_summary(const std::vector<fit::RankedFit>& ranked, const std::vector<fi
         json["data"].push_back({{"source", test.source}, {"mode", fit::name_of(test.mode)}, {"sha256", test.sha256}});
     for (const fit::RankedFit& one : ranked) {
         const fit::Fit& fitted = one.fit;
-        json["fits"].push_back({{"name", fitted.candidate.name},
-                                {"law", fitted.candidate.law},
-                                {"constants", constants_json(fitted)},
-                                {"covariance", fitted.covariance},
-                                {"rows", fitted.rows},
-                                {"rmse_kPa", fitted.rmse_Pa / 1e3},
-                                {"max_kPa", fitted.max_Pa / 1e3},
-                                {"r2", fitted.r2},
-                                {"max_relative_error",
-                                 fitted.max_relative_error ? Json(*fitted.max_relative_error) : Json(nullptr)},
-                                {"aicc", fitted.aicc},
-                                {"max_I1", fitted.max_I1},
-                                {"condition", fitted.condition},
-                                {"stable", fitted.stable},
-                                {"unstable", limits_json(fitted)},
-                                {"flags", fitted.flags},
-                                {"tests", tests_json(fitted)},
-                                {"predictions", predictions_json(one)}});
+        json["fits"].push_back(
+            {{"name", fitted.candidate.name},
+             {"law", fitted.candidate.law},
+             {"constants", constants_json(fitted)},
+             {"covariance", fitted.covariance},
+             {"rows", fitted.rows},
+             {"rmse_kPa", fitted.rmse_Pa / 1e3},
+             {"max_kPa", fitted.max_Pa / 1e3},
+             {"r2", fitted.r2},
+             {"max_relative_error", fitted.max_relative_error ? Json(*fitted.max_relative_error) : Json(nullptr)},
+             {"aicc", fitted.aicc},
+             {"max_I1", fitted.max_I1},
+             {"condition", fitted.condition},
+             {"stable", fitted.stable},
+             {"unstable", limits_json(fitted)},
+             {"flags", fitted.flags},
+             {"tests", tests_json(fitted)},
+             {"predictions", predictions_json(one)}});
     }
     return json;
 }

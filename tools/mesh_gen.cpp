@@ -45,7 +45,8 @@ const design::FamilyKeys& family_named(const std::string& name) {
 /// Writes all boundary facets of the mesh; for a half or quarter model these include the symmetry planes.
 std::string write_surface(const model::Case& model, const std::string& file) {
     if (model.kinematics != model::Kinematics::solid)
-        throw Error(ExitCode::bad_input, file, "an axisymmetric or plane-strain section has no closed surface", "use --set model=solid");
+        throw Error(ExitCode::bad_input, file, "an axisymmetric or plane-strain section has no closed surface",
+                    "use --set model=solid");
     // 0.01 mm for a bellows of 100 mm: relative error of radii and volume below 0.03 %.
     constexpr double share_of_extent = 1e-4;
     const surface::Triangles triangles = surface::fine_triangles(model.mesh, mesh::boundary_facets(model.mesh),
@@ -53,7 +54,8 @@ std::string write_surface(const model::Case& model, const std::string& file) {
     cli::write_output(file, surface::surface_file(triangles, file), cli::Content::binary);
     std::string line = file + ": " + std::to_string(triangles.triangles.size()) + " triangles";
     if (model.model_fraction < 1)
-        line += " around 1/" + core::rounded_text(1 / model.model_fraction, 3) + " of the actuator, closed at the symmetry planes";
+        line += " around 1/" + core::rounded_text(1 / model.model_fraction, 3) +
+                " of the actuator, closed at the symmetry planes";
     return line;
 }
 
@@ -119,10 +121,10 @@ ExitCode describe(const cli::MeshGenOptions& options) {
 void refuse_part(const std::string& file) {
     const bool part = meshing::is_part_file(file);
     if (!part && !file.ends_with(".msh")) return;
-    throw Error(
-        ExitCode::bad_input, file, std::string{part ? "a CAD part" : "a mesh"} + ", not a design (YAML)",
-        part ? "use family: imported with geometry.file; `mesh-gen --describe " + file + "` prints a design to start from"
-             : "use family: imported with geometry.file");
+    throw Error(ExitCode::bad_input, file, std::string{part ? "a CAD part" : "a mesh"} + ", not a design (YAML)",
+                part ? "use family: imported with geometry.file; `mesh-gen --describe " + file +
+                           "` prints a design to start from"
+                     : "use family: imported with geometry.file");
 }
 
 ExitCode run_task(const cli::MeshGenOptions& options) {
@@ -165,8 +167,7 @@ ExitCode mesh_gen(const cli::MeshGenOptions& options) {
     cli::make_folder(options.folder);
     ExitCode first = ExitCode::ok;
     for (const cli::MeshGenOptions& one : all) {
-        const ExitCode code =
-            cli::report_errors(about.tool, one.common.command_line, [&one] { return run_task(one); });
+        const ExitCode code = cli::report_errors(about.tool, one.common.command_line, [&one] { return run_task(one); });
         if (first == ExitCode::ok) first = code;
     }
     return first;

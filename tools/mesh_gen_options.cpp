@@ -17,13 +17,14 @@ std::vector<Library> libraries() {
     return {{"gmsh", gmsh}, {"CGAL", cgal}, {"HDF5", hdf5}, {"yaml-cpp", yaml_cpp}};
 }
 
-const About about{.tool = "mesh-gen",
-                  .summary = "generates a case (HDF5: mesh, materials, supports, loads) from a parametric design (YAML)",
-                  .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
-                                "Complete pipeline from design to curve"},
-                               {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
-                                "Takes a template, changes it and meshes it"}},
-                  .libraries = libraries};
+const About about{
+    .tool = "mesh-gen",
+    .summary = "generates a case (HDF5: mesh, materials, supports, loads) from a parametric design (YAML)",
+    .examples = {{"mesh-gen designs/bellows.yaml | solve | postprocess > curve.csv",
+                  "Complete pipeline from design to curve"},
+                 {"mesh-gen --template tube | mesh-gen - --set geometry.cap=6mm -o tube.h5",
+                  "Takes a template, changes it and meshes it"}},
+    .libraries = libraries};
 
 std::vector<std::string> family_names() {
     std::vector<std::string> names;
@@ -70,8 +71,8 @@ std::optional<MeshGenOptions> parse_mesh_gen_options(int argc, char** argv) {
     add_set_option(app, options.sets);
     add_common_options(app, options.common, about);
     if (!parse(app, about, options.common, argc, argv)) return std::nullopt;
-    require_at_most_one(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials", "--template",
-                                                 "--output-folder", "--surface", "--describe"});
+    require_at_most_one(app, std::vector<std::string>{"--check", "--explain", "--list", "--list-materials",
+                                                      "--template", "--output-folder", "--surface", "--describe"});
     require_at_most_one(app, std::vector<std::string>{"--surface", "--output"});
     require_at_most_one(app, std::vector<std::string>{"--output-folder", "--output"});
     require_at_most_one(app, std::vector<std::string>{"--output-folder", "--json"});

@@ -44,7 +44,8 @@ std::size_t pressures(const model::Case& model) {
     std::set<mesh::Index> corners;
     for (mesh::Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
         const mesh::CellTopology& topology = mesh::topology(model.mesh.cell_type(cell));
-        const bool discontinuous = topology.shape == mesh::Shape::quadrilateral || topology.shape == mesh::Shape::hexahedron;
+        const bool discontinuous =
+            topology.shape == mesh::Shape::quadrilateral || topology.shape == mesh::Shape::hexahedron;
         if (discontinuous) count += static_cast<std::size_t>(topology.dimension) + 1;
         const auto nodes = model.mesh.cell_nodes(cell);
         if (!discontinuous) corners.insert(nodes.begin(), nodes.begin() + topology.vertex_count);
@@ -68,7 +69,8 @@ surface::WallStatistics walls_of(const model::Case& model) {
 }
 
 nlohmann::ordered_json walls_json(const surface::WallStatistics& walls) {
-    return {{"min_m", walls.thinnest.thickness_m}, {"min_place_m", walls.thinnest.location}, {"median_m", walls.median_m}};
+    return {
+        {"min_m", walls.thinnest.thickness_m}, {"min_place_m", walls.thinnest.location}, {"median_m", walls.median_m}};
 }
 
 std::string volume_text(double volume_m3) { return core::quantity_text(volume_m3, core::Dimension::volume); }
@@ -88,8 +90,8 @@ std::string part_line(const MeshSummary::Part& part, double volume_m3) {
     return part.file.file + ": " + std::to_string(part.file.facets) + " facets; volume " +
            volume_text(part.file.volume_m3) + ", of the mesh " + volume_text(volume_m3) + " (" +
            core::rounded_text(100 * (volume_m3 / part.file.volume_m3 - 1), 2) + " %); wall thickness at least " +
-           length_text(before.thinnest.thickness_m) + ", median " + length_text(before.median_m) +
-           ", of the mesh " + length_text(after.thinnest.thickness_m) + " and " + length_text(after.median_m) +
+           length_text(before.thinnest.thickness_m) + ", median " + length_text(before.median_m) + ", of the mesh " +
+           length_text(after.thinnest.thickness_m) + " and " + length_text(after.median_m) +
            "; the mesh follows the facets of the file, not a smooth surface";
 }
 
@@ -153,8 +155,8 @@ std::vector<std::string> summary_lines(const MeshSummary& summary) {
         const surface::CavityReport& cavity = summary.cavities[i];
         shape += ", " + cavity.name + " " + volume_text(cavity.volume_m3);
         if (cavity.min_wall_m)
-            shape += ", min. wall " + core::quantity_text(*cavity.min_wall_m, core::Dimension::length) +
-                     " at " + summary.min_wall_locations[i];
+            shape += ", min. wall " + core::quantity_text(*cavity.min_wall_m, core::Dimension::length) + " at " +
+                     summary.min_wall_locations[i];
     }
     shape += ", min. scaled Jacobian " + core::rounded_text(summary.quality.min_scaled_jacobian, 3);
     std::vector<std::string> lines{core::one_line(summary.name) + ": " + core::counted(summary.cells, "cell") + " (" +

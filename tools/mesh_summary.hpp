@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geometry/build.hpp"
-#include "mesh/reentrant_corners.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/reentrant_corners.hpp"
 #include "model/case.hpp"
 #include "surface/report.hpp"
 
@@ -31,8 +31,9 @@ struct MeshSummary {
         surface::WallStatistics walls;
     };
     std::optional<Part> part;
-    std::vector<std::string> notes;        ///< how a drawn outline was interpreted
-    std::vector<std::string> min_wall_locations;  ///< "x = 12.3 mm, r = 4.5 mm": location of the smallest wall of each cavity
+    std::vector<std::string> notes;  ///< how a drawn outline was interpreted
+    std::vector<std::string>
+        min_wall_locations;  ///< "x = 12.3 mm, r = 4.5 mm": location of the smallest wall of each cavity
 };
 
 /// Throws Error(bad_input) for a case that cannot be solved: inverted cells, or a cavity surface that is open or intersects itself.

@@ -208,8 +208,9 @@ std::string drawn(const PartDescription& part, const View& view, std::array<doub
         shown.push_back({triangle, one.patch->face});
     }
     const auto front_face_at = [&](const std::array<double, 2>& at) {
-        const auto found = std::ranges::find_if(shown.rbegin(), shown.rend(),
-                                                [&](const ProjectedTriangle& one) { return contains_point(one.corners, at); });
+        const auto found = std::ranges::find_if(shown.rbegin(), shown.rend(), [&](const ProjectedTriangle& one) {
+            return contains_point(one.corners, at);
+        });
         return found == shown.rend() ? part.faces.size() : found->face;
     };
     for (std::size_t f = 0; f < seen.size(); ++f)
@@ -247,9 +248,9 @@ std::string description_yaml(const PartDescription& part) {
         const PartFace& face = part.faces[f];
         const std::string name = "face_" + std::to_string(f + 1),
                           what = shape_text(face) + ", " + area_text(face.area_m2);
-        text += face.rule
-                    ? "    " + name + ": " + rule_text(*face.rule) + "   # " + what + "\n"
-                    : "    # " + name + " cannot be selected by a single rule: " + what + ", near " + lengths(face.on_face) + "\n";
+        text += face.rule ? "    " + name + ": " + rule_text(*face.rule) + "   # " + what + "\n"
+                          : "    # " + name + " cannot be selected by a single rule: " + what + ", near " +
+                                lengths(face.on_face) + "\n";
     }
     return text;
 }

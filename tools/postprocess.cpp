@@ -62,10 +62,10 @@ ExitCode postprocess(const PostprocessOptions& options) {
                                                      : post::csv_text(table, lines));
     const std::vector<post::PlotSeries> series = plot_series(options.plot, result, curve);
     draw_plot(options.plot, series, comparison ? &comparison->measured : nullptr, result.model.name);
-    make_pictures(options.pictures,
-                  {result, image, curve, table,
-                   options.at.empty() ? PictureInput::Rows::last : PictureInput::Rows::requested},
-                  console);
+    make_pictures(
+        options.pictures,
+        {result, image, curve, table, options.at.empty() ? PictureInput::Rows::last : PictureInput::Rows::requested},
+        console);
     write_report(options, {.result = result, .curve = curve, .series = series, .material_notes = material_notes(json)},
                  comparison);
     if (!options.common.json.empty()) cli::write_json(options.common.json, json);

@@ -49,7 +49,7 @@ std::string coverage_text(double covered) {
 }
 
 void check_golden_table(const CheckOptions& options, const post::Curve& curve, CheckReport& checks,
-                  nlohmann::ordered_json& summary) {
+                        nlohmann::ordered_json& summary) {
     const double relative = core::quantity_or_throw(options.rtol, core::Dimension::ratio, ExitCode::usage, "--rtol");
     if (relative < 0) throw Error(ExitCode::usage, "--rtol", core::quoted(options.rtol) + " is negative");
     post::Tolerance tolerance{relative, {}};
@@ -65,15 +65,14 @@ void check_golden_table(const CheckOptions& options, const post::Curve& curve, C
         {"differing_rows", verdict.differing_rows},
         {"covered", verdict.covered},
         {"max_share_of_allowed", std::isfinite(verdict.nearest_miss) ? nlohmann::ordered_json(verdict.nearest_miss)
-                                                                         : nlohmann::ordered_json(nullptr)}};
+                                                                     : nlohmann::ordered_json(nullptr)}};
     if (!verdict.agrees())
         checks.failure = post::failure_text(verdict, golden);
     else
         checks.lines.push_back(golden.source + ": " + core::counted(verdict.rows, "row") + " of " +
-                                  core::counted(verdict.columns.size(), "column") +
-                                  " agree; the largest difference is " +
-                                  core::rounded_text(100 * verdict.nearest_miss, 2) + " % of what is allowed" +
-                                  coverage_text(verdict.covered));
+                               core::counted(verdict.columns.size(), "column") + " agree; the largest difference is " +
+                               core::rounded_text(100 * verdict.nearest_miss, 2) + " % of what is allowed" +
+                               coverage_text(verdict.covered));
 }
 
 }  // namespace
@@ -92,7 +91,7 @@ std::optional<Comparison> compare(const CompareOptions& options, const post::Cur
 }
 
 CheckReport run_checks(const PostprocessOptions& options, const post::Curve& curve,
-                const std::optional<Comparison>& comparison, nlohmann::ordered_json& summary) {
+                       const std::optional<Comparison>& comparison, nlohmann::ordered_json& summary) {
     CheckReport checks;
     if (comparison) {
         summary["comparison"] = comparison_json(curve, *comparison);

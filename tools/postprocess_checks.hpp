@@ -30,7 +30,7 @@ struct CheckReport {
 };
 /// Runs the checks and adds "comparison" and "check" to the summary.
 [[nodiscard]] CheckReport run_checks(const PostprocessOptions& options, const post::Curve& curve,
-                              const std::optional<Comparison>& comparison, nlohmann::ordered_json& summary);
+                                     const std::optional<Comparison>& comparison, nlohmann::ordered_json& summary);
 
 /// Writes the --junit file; throws Error(check_failed) with the reason if a check failed.
 void finish_checks(const PostprocessOptions& options, const CheckReport& checks);

@@ -23,11 +23,9 @@ void add_plot_options(CLI::App& app, PlotOptions& plot) {
     app.add_option("--y", plot.y, "Quantity on the y axis")->type_name("QUANTITY");
     app.add_option("--colour", plot.colour, "Quantity shown by the colour of the curve, with a scale")
         ->type_name("QUANTITY");
-    repeatable(
-        app.add_option("--with", plot.with, "Another result in the same plot, also for --report (repeatable)"))
+    repeatable(app.add_option("--with", plot.with, "Another result in the same plot, also for --report (repeatable)"))
         ->type_name("FILE[:LABEL]");
-    app.add_option("--band", plot.band,
-                   "Uncertainty band in the plot: a table written by scripts/uncertainty")
+    app.add_option("--band", plot.band, "Uncertainty band in the plot: a table written by scripts/uncertainty")
         ->type_name("FILE.csv");
 }
 
@@ -39,8 +37,7 @@ void add_compare_options(CLI::App& app, CompareOptions& compare) {
                    "Columns of the measured quantities, by number or name, with the unit if the file "
                    "does not state it: pressure=2:psi,elongation=1:mm")
         ->type_name("QUANTITY=COLUMN[:UNIT],...");
-    app.add_option("--max-error", compare.max_error,
-                   "Exit code 1 if the largest error exceeds VALUE, e.g. 5kPa or 2mm")
+    app.add_option("--max-error", compare.max_error, "Exit code 1 if the largest error exceeds VALUE, e.g. 5kPa or 2mm")
         ->type_name("VALUE");
 }
 
@@ -50,9 +47,11 @@ void add_check_options(CLI::App& app, CheckOptions& check) {
     app.add_option("--rtol", check.rtol, "With --check: allowed difference relative to the golden value")
         ->type_name("RATIO")
         ->capture_default_str();
-    repeatable(app.add_option("--atol", check.atol, "With --check: additional absolute allowance, e.g. pressure=5Pa (repeatable)"))
+    repeatable(app.add_option("--atol", check.atol,
+                              "With --check: additional absolute allowance, e.g. pressure=5Pa (repeatable)"))
         ->type_name("QUANTITY=VALUE");
-    app.add_option("--junit", check.junit, "With --check or --max-error: write the outcome as JUnit XML")->type_name("FILE");
+    app.add_option("--junit", check.junit, "With --check or --max-error: write the outcome as JUnit XML")
+        ->type_name("FILE");
 }
 
 const std::string columns_help =
@@ -97,8 +96,7 @@ void check_combinations(const CLI::App& app) {
     for (const char* option : {"--at", "--comments"})
         if (app.count(option) > 0 && app.count("--compare") > 0)
             throw Error(ExitCode::usage, option,
-                        "has no effect with --compare, which writes errors instead of the table",
-                        "omit one of them");
+                        "has no effect with --compare, which writes errors instead of the table", "omit one of them");
 }
 
 /// Rejects files that are named twice or have the wrong extension.
@@ -139,8 +137,9 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
     CLI::App app;
     const cli::About& about = postprocess_about();
     cli::add_input(app, options.input, "RESULT", "result written by solve");
-    repeatable(app.add_option("--at", options.at,
-                              "Print only the states at these values, by cubic interpolation along the path (repeatable)"))
+    repeatable(
+        app.add_option("--at", options.at,
+                       "Print only the states at these values, by cubic interpolation along the path (repeatable)"))
         ->type_name("QUANTITY=VALUE[,VALUE...]");
     app.add_option("--also", options.also, "Additional columns, by name, or all: --outputs lists them")
         ->delimiter(',')
@@ -149,7 +148,8 @@ std::optional<PostprocessOptions> parse_postprocess_options(int argc, char** arg
         ->type_name("QUANTITY[,QUANTITY...]");
     app.add_flag("--outputs", options.lists_outputs,
                  "List the columns of RESULT (-: stdin), or without RESULT all possible columns: name, unit, meaning");
-    app.add_flag("--comments", options.comments, "Print the provenance of the result in lines '# ...' before the header");
+    app.add_flag("--comments", options.comments,
+                 "Print the provenance of the result in lines '# ...' before the header");
     add_plot_options(app, options.plot);
     add_compare_options(app, options.compare);
     add_check_options(app, options.check);

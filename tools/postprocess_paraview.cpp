@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 class Exporter {
 public:
-    explicit Exporter(const PictureInput& shown) : shown_(shown), places_(fields::make_region_points(shown.result.model.mesh)) {}
+    explicit Exporter(const PictureInput& shown)
+        : shown_(shown), places_(fields::make_region_points(shown.result.model.mesh)) {}
 
     void vtu(std::int64_t row, const fs::path& file) const {
         const Step step(*this, row);
@@ -110,8 +111,7 @@ ParaviewFormat paraview_format(const std::string& file) {
     if (ending == ".pvd") return ParaviewFormat::series;
     if (ending == ".vtu") return ParaviewFormat::step;
     if (ending == ".hdf" || ending == ".vtkhdf" || ending == ".h5") return ParaviewFormat::copy;
-    throw Error(ExitCode::usage, "--paraview " + file,
-                "unknown extension; use .pvd, .vtu, .hdf, .vtkhdf or .h5");
+    throw Error(ExitCode::usage, "--paraview " + file, "unknown extension; use .pvd, .vtu, .hdf, .vtkhdf or .h5");
 }
 
 void write_paraview(const std::string& file, const PictureInput& shown, cli::Console& console) {

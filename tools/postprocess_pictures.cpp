@@ -44,7 +44,8 @@ std::optional<view::Range> range_of(const PictureOptions& options, fields::Quant
     if (options.range.empty()) return std::nullopt;
     const auto comma = options.range.find(',');
     if (comma == std::string::npos)
-        throw Error(ExitCode::usage, "--range", core::quoted(options.range) + " has only one end", "use LOW,HIGH with units");
+        throw Error(ExitCode::usage, "--range", core::quoted(options.range) + " has only one end",
+                    "use LOW,HIGH with units");
     const auto value = [&](std::string_view text) {
         return core::quantity_or_throw(text, dimension_of(quantity), ExitCode::usage, "--range");
     };
@@ -157,8 +158,7 @@ void check_body(const PictureOptions& options, const model::Case& model) {
     if (options.view.empty() || model.kinematics != model::Kinematics::plane_strain) return;
     const view::Camera camera = view::camera_from_text(options.view), front = view::camera_from_text("front");
     if (camera.azimuth_deg != front.azimuth_deg || camera.elevation_deg != front.elevation_deg)
-        throw Error(ExitCode::usage, "--view", "a plane-strain body is drawn only from the front",
-                    "omit --view");
+        throw Error(ExitCode::usage, "--view", "a plane-strain body is drawn only from the front", "omit --view");
 }
 
 /// Draws pictures of one result; computes what all steps share only once.
@@ -255,7 +255,8 @@ std::int64_t nearest_stored(const std::vector<std::int64_t>& stored, double step
                                      [&](std::int64_t row) { return std::abs(static_cast<double>(row) - step); });
 }
 
-void draw_pictures(const std::string& name, const PictureRenderer& studio, const PictureInput& shown, cli::Console& console) {
+void draw_pictures(const std::string& name, const PictureRenderer& studio, const PictureInput& shown,
+                   cli::Console& console) {
     const auto rows = shown_rows(shown);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const fs::path file = numbered(name, k, rows.size());
@@ -299,8 +300,9 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
                    "Draw the deformed body in colour at the last step, or at the stored step nearest "
                    "to each value of --at (FILE-1.png ... if several); needs gnuplot, no display")
         ->type_name("FILE.png");
-    app.add_option("--animate", options.animate,
-                   "Write a film with evenly spaced loads (needs ffmpeg), or a folder with a picture of every stored step")
+    app.add_option(
+           "--animate", options.animate,
+           "Write a film with evenly spaced loads (needs ffmpeg), or a folder with a picture of every stored step")
         ->type_name("FILE.gif|FILE.mp4|FOLDER/");
     app.add_option("--field", options.field, "Field shown by the colours of the body: " + field_names())
         ->type_name("FIELD")
@@ -315,8 +317,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
                    "the picture or film")
         ->type_name("LOW,HIGH");
     app.add_flag("--section", options.section, "Draw the section of an axisymmetric body");
-    app.add_flag("--whole", options.whole,
-                 "Draw the whole actuator: fully revolved, mirrored at its symmetry planes");
+    app.add_flag("--whole", options.whole, "Draw the whole actuator: fully revolved, mirrored at its symmetry planes");
     app.add_option(
            "--paraview", options.paraview,
            "Write files for ParaView: a series with a .vtu for each stored step, or one step as .vtu, or a copy of the "
@@ -343,8 +344,7 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
         if (app.count(option) > 0 && !draws)
             throw Error(ExitCode::usage, option, "has no effect without --picture or --animate");
     if (options.section && options.whole)
-        throw Error(ExitCode::usage, "--section", "and --whole exclude each other",
-                    "use one of them");
+        throw Error(ExitCode::usage, "--section", "and --whole exclude each other", "use one of them");
     if (options.section && app.count("--view") > 0)
         throw Error(ExitCode::usage, "--section", "cannot be combined with --view: a section is drawn flat");
     static_cast<void>(range_of(options, fields::quantity_from_name(options.field)));
@@ -358,7 +358,8 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
 void make_pictures(const PictureOptions& options, const PictureInput& shown, cli::Console& console) {
     if (options.picture.empty() && options.animate.empty() && options.paraview.empty()) return;
     if (shown.result.fields.steps().empty())
-        throw Error(ExitCode::bad_input, "/fields", "the result contains no displacements", "run solve with --fields all");
+        throw Error(ExitCode::bad_input, "/fields", "the result contains no displacements",
+                    "run solve with --fields all");
     check_body(options, shown.result.model);
     if (!options.animate.empty()) view::prepare_animation(options.animate);
     if (!options.paraview.empty()) write_paraview(options.paraview, shown, console);

@@ -79,7 +79,7 @@ io::ResultWriter rows_of(const solver::Accuracy& accuracy, std::size_t points, c
 }  // namespace
 
 void estimate_error(assembly::System& system, std::vector<solver::RowState> rows, double tolerance, double path_s,
-           const CurveOutput& output, Console& console, SolveSummary& summary) {
+                    const CurveOutput& output, Console& console, SolveSummary& summary) {
     using Clock = std::chrono::steady_clock;
     const SignalRecorder note;
     const int dimension = system.input().mesh.dimension;

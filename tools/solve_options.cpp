@@ -39,8 +39,7 @@ void check(const CLI::App& app, const SolveOptions& options) {
         throw Error(ExitCode::usage, "--resume", "the file contains the case, its settings and the last row",
                     "omit CASE, --set, --fields and -o");
     if (!options.resume.empty() && options.tolerance)
-        throw Error(ExitCode::usage, "--tolerance",
-                    "cannot be combined with --resume: error bars need the whole path",
+        throw Error(ExitCode::usage, "--tolerance", "cannot be combined with --resume: error bars need the whole path",
                     "solve the case again with --tolerance");
     for (const std::string& set : options.sets) static_cast<void>(design::parse_override(set));
     if (!options.petsc.empty() && !options.petsc.front().starts_with('-'))
@@ -70,11 +69,8 @@ std::optional<SolveOptions> parse_solve_options(int argc, char** argv) {
            "--tolerance", tolerance,
            "Halve all cells until the relative error bars of the load are below PART (0.1% or 0.001), and write them")
         ->type_name("PART");
-    app.add_option("--resume", options.resume,
-                   "Continue an interrupted `solve -o FILE`; omit CASE")
-        ->type_name("FILE");
-    app.add_flag("--profile", options.profile,
-                 "Print the time of each phase and the peak memory");
+    app.add_option("--resume", options.resume, "Continue an interrupted `solve -o FILE`; omit CASE")->type_name("FILE");
+    app.add_flag("--profile", options.profile, "Print the time of each phase and the peak memory");
     app.add_flag(
         "--batch", options.batch,
         "Read lines from stdin, each with the arguments of one solve (CASE -o FILE ...), and print for each its exit code and "
@@ -111,7 +107,8 @@ std::optional<SolveOptions> parse_batch_line(const std::string& line) {
         throw Error(ExitCode::usage, "--batch", "--batch, --profile and PETSc options are not allowed in its lines",
                     "for example CASE -o FILE --json FILE");
     if (!resumes && (options->input.empty() || options->input == "-" || options->common.output == "-"))
-        throw Error(ExitCode::usage, "--batch", "a line must name the files of its solve, since --batch uses stdin and stdout",
+        throw Error(ExitCode::usage, "--batch",
+                    "a line must name the files of its solve, since --batch uses stdin and stdout",
                     "for example CASE -o FILE");
     return options;
 }

@@ -32,7 +32,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 struct Task {
     Input input;
     std::string output;
-    io::InterruptedSolve from;                   ///< a new path has only the case
+    io::InterruptedSolve from;              ///< a new path has only the case
     std::optional<io::DesignText> changed;  ///< design changed by --set of this run
     bool resumes = false;
 };
@@ -46,8 +46,7 @@ Task read_task(const SolveOptions& options, int rank) {
         task.from = io::read_interrupted(task.input.bytes, task.input.source);
         for (const io::Provenance& stage : task.from.file.provenance)
             if (stage.tool == solve_about().tool && stage.command_line.find(" --tolerance") != std::string::npos)
-                throw Error(ExitCode::bad_input, task.input.source,
-                            "a run with --tolerance cannot be resumed",
+                throw Error(ExitCode::bad_input, task.input.source, "a run with --tolerance cannot be resumed",
                             "solve the case again with --tolerance; postprocess reads the existing rows");
         task.changed = task.from.changed_design;
     } else {
@@ -62,8 +61,9 @@ void check_motion(const SolveOptions& options, const model::Case& model) {
     if (!options.resume.empty())
         throw Error(ExitCode::usage, "--resume", "a motion in time cannot be resumed", "solve the case again");
     if (options.tolerance)
-        throw Error(ExitCode::usage, "--tolerance", "error bars are not available for a motion in time",
-                    "omit --tolerance and compare with a finer mesh (mesh.refine) and shorter steps (dynamics.accuracy)");
+        throw Error(
+            ExitCode::usage, "--tolerance", "error bars are not available for a motion in time",
+            "omit --tolerance and compare with a finer mesh (mesh.refine) and shorter steps (dynamics.accuracy)");
 }
 
 /// `output`: "-" for a writer in memory.
@@ -151,7 +151,7 @@ SolveSummary follow(assembly::System& system, const Task& task, const SolveOptio
     summary.unknowns = system.dofs().total;
     if (options.tolerance)
         estimate_error(system, std::move(rows), *options.tolerance, seconds_since(begin),
-              {writer, [&] { return new_writer(options, task, "-"); }}, console, summary);
+                       {writer, [&] { return new_writer(options, task, "-"); }}, console, summary);
     return summary;
 }
 
@@ -209,11 +209,12 @@ ExitCode run_solve(const SolveOptions& options, const linalg::Session& session) 
         if (const auto advice = design::fit_range_advice(text.effective_yaml, summary.max_stretch_p99))
             console.warn(*advice);
         if (summary.first && summary.last)
-            for (const std::string& line : fields::path_warnings(
-                     model,
-                     {*summary.first, *summary.last, summary.max_stretch_p99, summary.max_stretch_step,
-                      summary.became_unstable, summary.end.limit_points, summary.first_crushed_row, summary.min_jacobian},
-                     summary.end.reason))
+            for (const std::string& line :
+                 fields::path_warnings(model,
+                                       {*summary.first, *summary.last, summary.max_stretch_p99,
+                                        summary.max_stretch_step, summary.became_unstable, summary.end.limit_points,
+                                        summary.first_crushed_row, summary.min_jacobian},
+                                       summary.end.reason))
                 console.warn(line);
         if (const std::string problem = summary.energy.problem(); !problem.empty())
             model.dynamics ? console.warn_always(problem) : console.error(problem);

@@ -252,9 +252,10 @@ std::vector<std::string> limit_lines(const SolveSummary& summary, const model::C
 std::vector<std::string> bifurcation_lines(const solution::PathEnd& end, const model::Case& model) {
     std::vector<std::string> lines;
     for (const auto& bifurcation : end.bifurcations) {
-        const std::string leaving = bifurcation.modes == 1
-                                        ? "another branch intersects the path"
-                                        : std::to_string(bifurcation.modes) + " critical modes, so several branches intersect the path";
+        const std::string leaving =
+            bifurcation.modes == 1
+                ? "another branch intersects the path"
+                : std::to_string(bifurcation.modes) + " critical modes, so several branches intersect the path";
         lines.push_back(
             "bifurcation at " + location_text(bifurcation.at, model) + ": " + leaving +
             (bifurcation.mode.empty() ? "; no mode is stored" : "; the mode is stored in the result (/modes)"));
@@ -279,8 +280,7 @@ std::string stability_line(const SolveSummary& summary) {
         return "the final state is unstable under load control, as are the states from row " +
                std::to_string(*summary.first_unstable_row) + " on; it is stable if the " +
                (summary.controls.empty() ? "controlled quantity" : summary.controls.back().second) + " is controlled";
-    return "the final state is unstable, as are the states from row " +
-           std::to_string(*summary.first_unstable_row) +
+    return "the final state is unstable, as are the states from row " + std::to_string(*summary.first_unstable_row) +
            " on: a perturbed actuator leaves it; use path.branch: follow to compute the branch it moves to";
 }
 

@@ -18,8 +18,8 @@ namespace soft::cli {
 /// Outcome of `--tolerance`.
 struct AccuracySummary {
     double tolerance = 0, reached = 0;  ///< requested and reached: largest error bar of the load, relative
-    int level = 0;                  ///< number of refinements of the mesh of the reported curve
-    long long unknowns = 0;         ///< of the finest mesh
+    int level = 0;                      ///< number of refinements of the mesh of the reported curve
+    long long unknowns = 0;             ///< of the finest mesh
     bool has_bars = false;
     std::string obstacle;             ///< why the refinement ended
     std::vector<std::string> doubts;  ///< reasons why the error bars are less reliable
@@ -31,10 +31,10 @@ struct SolveSummary {
     solution::PathEnd end;
     std::optional<solution::Step> first, last;  ///< rows of the path
     std::optional<int> first_unstable_row;
-    bool became_unstable = false;                              ///< some row is unstable under the active control
+    bool became_unstable = false;                       ///< some row is unstable under the active control
     std::vector<std::pair<int, std::string>> controls;  ///< static path: active controls, each with its first row
-    double max_stretch_p99 = 1;                     ///< maximum over all rows
-    solution::Step max_stretch_step;                      ///< the row with the largest max_stretch
+    double max_stretch_p99 = 1;                         ///< maximum over all rows
+    solution::Step max_stretch_step;                    ///< the row with the largest max_stretch
     std::optional<int> first_crushed_row;
     double min_jacobian = 1;
     std::optional<AccuracySummary> accuracy;

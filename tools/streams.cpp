@@ -51,8 +51,7 @@ bool stdout_is_file() {
 
 void check_output(const std::string& name, Content content) {
     if (name == "-" && content == Content::binary && writes_to_terminal())
-        throw Error(ExitCode::usage, "<stdout>", "binary data is not written to a terminal",
-                    "use -o FILE or a pipe");
+        throw Error(ExitCode::usage, "<stdout>", "binary data is not written to a terminal", "use -o FILE or a pipe");
 }
 
 void write_output(const std::string& name, std::span<const std::byte> bytes, Content content) {

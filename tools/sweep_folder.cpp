@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "cli.hpp"
-#include "core/subprocess.hpp"
 #include "core/files.hpp"
+#include "core/subprocess.hpp"
 #include "core/text.hpp"
 #include "io/result_file.hpp"
 #include "post/csv.hpp"
@@ -164,7 +164,8 @@ std::vector<sweep::Outcome> unpacked(const core::Bytes& bytes) {
 /// Collects the outcomes in a subprocess; no result if it fails.
 core::SubprocessOutcome pack_in_subprocess(const fs::path& folder, const sweep::Sweep& sweep, Designs designs) {
     try {
-        return core::run_in_subprocess([&] { return packed(outcomes_of(folder, sweep, designs)); }, {std::chrono::hours{24}});
+        return core::run_in_subprocess([&] { return packed(outcomes_of(folder, sweep, designs)); },
+                                       {std::chrono::hours{24}});
     } catch (const Error& error) {
         return {std::nullopt, error.what()};
     }

@@ -58,8 +58,7 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
                  "curve of each next to its result; exit code 2: some are not computed, or "
                  "failed for external reasons")
         ->needs(folder);
-    app.add_option("--programs", options.programs,
-                   "File with the versions of the programs, which enter the addresses")
+    app.add_option("--programs", options.programs, "File with the versions of the programs, which enter the addresses")
         ->type_name("FILE");
     cli::add_common_options(app, options.common, about);
     if (!cli::parse(app, about, options.common, argc, argv)) return std::nullopt;
@@ -72,7 +71,7 @@ std::optional<SweepPlanOptions> parse_sweep_plan_options(int argc, char** argv) 
 
 /// Prints "1000 designs: 990 done, 10 refused", and writes the same as JSON.
 void print_summary(const SweepPlanOptions& options, std::size_t designs,
-          const std::vector<std::pair<std::string, std::ptrdiff_t>>& counts) {
+                   const std::vector<std::pair<std::string, std::ptrdiff_t>>& counts) {
     nlohmann::ordered_json json = {
         {"tool", about.tool}, {"version", cli::version()}, {"revision", cli::revision()}, {"designs", designs}};
     std::vector<std::string> words;
@@ -97,8 +96,9 @@ ExitCode write_results(const SweepPlanOptions& options, const sweep::Sweep& swee
     const auto done = std::ranges::count(outcomes, std::optional{0}, &sweep::Outcome::exit_code);
     const auto refused = count("refused"), failed = count("failed"), open = count("not_computed");
     const auto early = static_cast<std::ptrdiff_t>(outcomes.size()) - done - refused - failed - open;
-    print_summary(options, outcomes.size(),
-         {{"done", done}, {"ended_early", early}, {"refused", refused}, {"failed", failed}, {"not_computed", open}});
+    print_summary(
+        options, outcomes.size(),
+        {{"done", done}, {"ended_early", early}, {"refused", refused}, {"failed", failed}, {"not_computed", open}});
     return failed + open > 0 ? ExitCode::stopped_early : ExitCode::ok;
 }
 
@@ -152,9 +152,9 @@ ExitCode write_plan(const SweepPlanOptions& options, const sweep::Sweep& sweep, 
                                                                std::to_string(waiting.size()) + " to compute in " +
                                                                options.folder);
     print_summary(options, states.size(),
-         {{"waiting", count(sweep::State::waiting)},
-          {"done", count(sweep::State::done)},
-          {"refused", count(sweep::State::refused)}});
+                  {{"waiting", count(sweep::State::waiting)},
+                   {"done", count(sweep::State::done)},
+                   {"refused", count(sweep::State::refused)}});
     return ExitCode::ok;
 }
 

@@ -58,10 +58,11 @@ std::optional<UncertaintyOptions> parse_uncertainty_options(int argc, char** arg
     std::string samples = "0";
     CLI::App app;
     cli::add_input(app, options.input, "FIT", "The --json file of fit-material; the first fit is used");
-    app.add_option("--samples", samples, "Also add N materials with constants drawn from the covariance")->type_name("N");
-    app.add_option("--at", options.at, "Values at which the band is computed: quantity=value[,value...]")->type_name("WHERE");
-    app.add_option("--runs", options.runs,
-                   "Folder with run-00000.h5 ..., one per material; missing files are skipped")
+    app.add_option("--samples", samples, "Also add N materials with constants drawn from the covariance")
+        ->type_name("N");
+    app.add_option("--at", options.at, "Values at which the band is computed: quantity=value[,value...]")
+        ->type_name("WHERE");
+    app.add_option("--runs", options.runs, "Folder with run-00000.h5 ..., one per material; missing files are skipped")
         ->type_name("FOLDER");
     app.add_option("--plot", options.plot, "Draw the curve with its band (.svg, .png or .pdf)")->type_name("FILE");
     cli::add_common_options(app, options.common, about);
@@ -122,8 +123,7 @@ void draw(const UncertaintyOptions& options, Run fitted, post::Band band) {
 
 ExitCode write_band(const UncertaintyOptions& options, std::size_t constants) {
     std::optional<Run> fitted = read_run(options.runs, 0);
-    if (!fitted)
-        throw Error(ExitCode::cannot_open, options.runs, "run-00000.h5 (fitted constants) does not exist");
+    if (!fitted) throw Error(ExitCode::cannot_open, options.runs, "run-00000.h5 (fitted constants) does not exist");
     std::vector<post::Request> requests;
     for (const std::string& text : options.at)
         std::ranges::copy(post::parse_requests(text, fitted->curve), std::back_inserter(requests));

@@ -58,9 +58,11 @@ std::optional<GridOptions> parse_grid_options(int argc, char** argv) {
     std::string steps = "2";
     CLI::App app;
     cli::add_input(app, options.input, "DESIGN", "The design (YAML)");
-    app.add_option("--pressures", options.pressures, "Maximum pressure of each chamber: chamber_1=12kPa,chamber_2=12kPa")
+    app.add_option("--pressures", options.pressures,
+                   "Maximum pressure of each chamber: chamber_1=12kPa,chamber_2=12kPa")
         ->type_name("LIST");
-    app.add_option("--steps", steps, "Number of pressure steps per chamber (number of values minus one)")->type_name("N");
+    app.add_option("--steps", steps, "Number of pressure steps per chamber (number of values minus one)")
+        ->type_name("N");
     app.add_option("--face", options.face, "Face whose mean displacement defines the point")->capture_default_str();
     app.add_option("--results", options.results, "Print the points of this result of a grid")->type_name("FILE");
     app.add_option("--plot", options.plot, "Draw the points (.svg, .png or .pdf)")->type_name("FILE");
@@ -136,11 +138,10 @@ ExitCode write_grid(const GridOptions& options) {
     const std::vector<Chamber> chambers = chambers_of(options.pressures);
     const sweep::GrayCode code{static_cast<int>(chambers.size()), options.steps + 1};
     if (code.size() > max_points)
-        throw Error(
-            ExitCode::usage, "--steps " + std::to_string(options.steps),
-            core::counted(chambers.size(), "chamber") + " make " + core::rounded_text(code.size(), 9) +
-                " points, more than " + core::rounded_text(max_points, 6),
-            "use fewer steps");
+        throw Error(ExitCode::usage, "--steps " + std::to_string(options.steps),
+                    core::counted(chambers.size(), "chamber") + " make " + core::rounded_text(code.size(), 9) +
+                        " points, more than " + core::rounded_text(max_points, 6),
+                    "use fewer steps");
     std::string loads, outputs;
     for (const Chamber& chamber : chambers)
         loads.append(loads.empty() ? "" : ", ").append(chamber.name + ": " + pressure_text(chamber, 1));
@@ -156,7 +157,8 @@ ExitCode write_grid(const GridOptions& options) {
         return design::read_design(input.text(), input.source, geometry::catalogue_keys(), settings);
     };
     design::Design grid = read();
-    for (const char* key : {"geometry.file", "geometry.profile"}) {  // absolute, so that the grid design can be stored anywhere
+    for (const char* key :
+         {"geometry.file", "geometry.profile"}) {  // absolute, so that the grid design can be stored anywhere
         if (!grid.values.has(key)) continue;
         const std::filesystem::path file = design::file_from(grid.values.location(key), grid.values.text(key));
         settings.push_back({key, std::filesystem::absolute(file).lexically_normal().string()});

@@ -4,7 +4,7 @@
 campaign=$here/../../scripts/campaign
 
 # True and false stop reasons
-judged() { campaign judge "$1" "$2" >"$seen/verdict" 2>&1; }
+judged() { campaign confirm "$1" "$2" >"$seen/verdict" 2>&1; }
 only() {   # only RESULT REASON...: exactly these reasons are confirmed
     local reason
     for reason in "done" limit_point self_contact inverted_element step_limit diverged; do

@@ -28,7 +28,7 @@ done
 # A solve that fails after reading its case keeps an existing result.
 cp result.h5 kept.h5
 refuses 65 'solve: solver.linear: cholmod needs *' 'solve -q case.h5 --set solver.linear=cholmod -o kept.h5'
-refuses 64 'solve: PETSc: has no solver *' 'solve -q case.h5 --set solver.linear=krylov -o kept.h5 -- -ksp_type no-such-type'
+refuses 64 'solve: PETSc: does not provide the solver *' 'solve -q case.h5 --set solver.linear=krylov -o kept.h5 -- -ksp_type no-such-type'
 claim "the existing result is unchanged" cmp result.h5 kept.h5
 runs 'postprocess -q kept.h5 | cmp - curve.csv && rm kept.h5'
 # An output through a symbolic link is written to the target of the link.

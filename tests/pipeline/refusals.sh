@@ -32,7 +32,7 @@ refuses 64 "postprocess: --at: the curve has no 'pressur'; it has pressure, elon
 refuses 64 "postprocess: --at elongation: '5' has no unit, *; write for example 5 mm" 'postprocess --at elongation=5 result.h5'
 refuses 64 "solve: 'x' after -- is not a PETSc option; *" 'solve case.h5 -- x'
 refuses 66 "solve: -options_file none.txt: cannot be opened" 'solve case.h5 -- -options_file none.txt'
-refuses 64 "solve: PETSc: has no solver *; see *" 'solve -q case.h5 -- -pc_type magic'
+refuses 64 "solve: PETSc: does not provide the solver *; see *" 'solve -q case.h5 -- -pc_type magic'
 # invalid --set: a wrong form is a usage error (64), a wrong value is invalid input (65)
 refuses 64 "mesh-gen: --set wall: no '=' in it; write --set key.path=value, *" 'mesh-gen --set wall designs/tube.yaml'
 refuses 64 "solve: --set wall: no '=' in it; write --set key.path=value, *" 'solve --set wall case.h5'
@@ -63,21 +63,21 @@ refuses 65 'postprocess: x?[[]31m?y?: not an HDF5 file *' "echo text >'$wild'; p
 claim "stderr contains no raw control characters" not grep -q "$(printf '[\033\377]')" "$seen/err"
 rm "$wild"
 
-# 65: a design. edit changes one value, place prints line:column of the change.
+# 65: a design. edit changes one value, location prints line:column of the change.
 edit() { sed "$1" designs/tube.yaml >edited.yaml; claim "the edit $1 changes the design" not cmp -s designs/tube.yaml edited.yaml; }
-place() { awk -v text="$1" '{ at = index($0, text) } at { print NR ":" at; exit }' edited.yaml; }
+location() { awk -v text="$1" '{ at = index($0, text) } at { print NR ":" at; exit }' edited.yaml; }
 edit 's/inner_radius: 7 mm/inner_radius: 12 mm/'
-refuses 65 "mesh-gen: edited.yaml:$(place '12 mm'): geometry.inner_radius: 12 mm is not smaller than outer_radius (10 mm); *" 'mesh-gen edited.yaml'
+refuses 65 "mesh-gen: edited.yaml:$(location '12 mm'): geometry.inner_radius: 12 mm is not smaller than outer_radius (10 mm); *" 'mesh-gen edited.yaml'
 edit 's/cap: 5 mm/cpa: 5 mm/'
-refuses 65 "mesh-gen: edited.yaml:$(place cpa): geometry.cpa: unknown key; did you mean 'cap'[?]" 'mesh-gen edited.yaml'
+refuses 65 "mesh-gen: edited.yaml:$(location cpa): geometry.cpa: unknown key; did you mean 'cap'[?]" 'mesh-gen edited.yaml'
 edit 's/cap: 5 mm/cap: 5/'
-refuses 65 "mesh-gen: edited.yaml:$(place '5   '): geometry.cap: '5' has no unit, a length is needed; write for example 5 mm" 'mesh-gen edited.yaml'
+refuses 65 "mesh-gen: edited.yaml:$(location '5   '): geometry.cap: '5' has no unit, a length is needed; write for example 5 mm" 'mesh-gen edited.yaml'
 edit 's/cap: 5 mm/cap: 5 kPa/'
-refuses 65 "mesh-gen: edited.yaml:$(place '5 kPa'): geometry.cap: '5 kPa' is a pressure where a length is needed; *" 'mesh-gen edited.yaml'
+refuses 65 "mesh-gen: edited.yaml:$(location '5 kPa'): geometry.cap: '5 kPa' is a pressure where a length is needed; *" 'mesh-gen edited.yaml'
 edit 's/cap: 5 mm/cap: 5 ells/'
-refuses 65 "mesh-gen: edited.yaml:$(place '5 ells'): geometry.cap: unknown unit 'ells' in a length; *" 'mesh-gen edited.yaml'
+refuses 65 "mesh-gen: edited.yaml:$(location '5 ells'): geometry.cap: unknown unit 'ells' in a length; *" 'mesh-gen edited.yaml'
 edit 's/^  cap: 5 mm/&\n&/'
-refuses 65 "mesh-gen: edited.yaml:*: key 'cap' is written twice; the first is at edited.yaml:$(place 'cap: 5')" 'mesh-gen edited.yaml'
+refuses 65 "mesh-gen: edited.yaml:*: key 'cap' is written twice; the first is at edited.yaml:$(location 'cap: 5')" 'mesh-gen edited.yaml'
 edit 's/{quality: normal}/{quality: normal/'
 refuses 65 "mesh-gen: edited.yaml:*:*: not YAML: *; see *--template*" 'mesh-gen edited.yaml'
 refuses 65 "mesh-gen: <stdin>:*:*: not YAML: *" 'mesh-gen - < edited.yaml'
