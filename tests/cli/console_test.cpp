@@ -55,7 +55,7 @@ TEST(Console, RemovesControlCharactersFromNamesInErrors) {
         const Outcome outcome = run(folder, name + command);
         EXPECT_NE(outcome.code, 0) << command;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-        EXPECT_FALSE(holds(outcome.err, "\033") || holds(outcome.err, "\377")) << outcome.err;
+        EXPECT_FALSE(contains(outcome.err, "\033") || contains(outcome.err, "\377")) << outcome.err;
     }
 }
 
@@ -65,19 +65,19 @@ TEST(Console, ProgressWithoutATerminalPrintsOneLinePerTenPercent) {
         console.progress(std::nan(""), "odd");
     });
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 12) << text;
-    EXPECT_FALSE(holds(text, "\r"));
-    EXPECT_FALSE(holds(text, "\033"));
+    EXPECT_FALSE(contains(text, "\r"));
+    EXPECT_FALSE(contains(text, "\033"));
 }
 
 TEST(Console, UsesColourOnlyOnTerminalsWithoutNoColor) {
     Folder folder;
     ASSERT_EQ(run(folder, "mesh-gen --template tube > tube.yaml").code, 0);
     const std::string command = "mesh-gen tube.yaml --set mesh.size=9mm -o x.h5";  // coarse: one warning
-    EXPECT_TRUE(holds(run_on_terminal(folder, 2, command).out, "\033[33mwarning"));
-    EXPECT_FALSE(holds(run_on_terminal(folder, 2, "NO_COLOR=1 " + command).out, "\033"));
+    EXPECT_TRUE(contains(run_on_terminal(folder, 2, command).out, "\033[33mwarning"));
+    EXPECT_FALSE(contains(run_on_terminal(folder, 2, "NO_COLOR=1 " + command).out, "\033"));
     const Outcome plain = run(folder, command);
-    EXPECT_TRUE(holds(plain.err, "mesh-gen: warning: mesh.size")) << plain.err;
-    EXPECT_FALSE(holds(plain.err, "\033"));
+    EXPECT_TRUE(contains(plain.err, "mesh-gen: warning: mesh.size")) << plain.err;
+    EXPECT_FALSE(contains(plain.err, "\033"));
 }
 
 }  // namespace

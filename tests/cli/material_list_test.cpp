@@ -29,10 +29,10 @@ TEST(MaterialList, FitsATerminalAndNamesEveryLaw) {
     for (const char* law :
          {"linear-elastic", "saint-venant-kirchhoff", "neo-hookean", "neo-hookean-compressible", "mooney-rivlin",
           "yeoh", "ogden", "gent", "arruda-boyce", "holzapfel-gasser-ogden", "kraken"})
-        EXPECT_TRUE(holds("\n" + outcome.out, "\n" + std::string{law} + "\n")) << law;
-    EXPECT_TRUE(holds(outcome.out, "-mu jm/2 ln(1 - (I1 - 3)/jm)"));
-    EXPECT_TRUE(holds(outcome.out, "ratio more than 0: value of I1 - 3 at which the chains lock"));
-    EXPECT_TRUE(holds(outcome.out, "Yeoh, Rubber Chem. Technol. 66 (1993) 754"));
+        EXPECT_TRUE(contains("\n" + outcome.out, "\n" + std::string{law} + "\n")) << law;
+    EXPECT_TRUE(contains(outcome.out, "-mu jm/2 ln(1 - (I1 - 3)/jm)"));
+    EXPECT_TRUE(contains(outcome.out, "ratio more than 0: value of I1 - 3 at which the chains lock"));
+    EXPECT_TRUE(contains(outcome.out, "Yeoh, Rubber Chem. Technol. 66 (1993) 754"));
 }
 
 TEST(MaterialList, EqualsTheSectionOfTheReadme) {

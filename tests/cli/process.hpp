@@ -84,6 +84,6 @@ inline Outcome run_on_terminal(const Folder& folder, int stream, const std::stri
     return outcome;
 }
 
-inline bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace soft::process

@@ -4,14 +4,14 @@
 campaign=$here/../../scripts/campaign
 
 # True and false stop reasons
-judged() { campaign confirm "$1" "$2" >"$seen/verdict" 2>&1; }
+confirms() { campaign confirm "$1" "$2" >"$seen/verdict" 2>&1; }
 only() {   # only RESULT REASON...: exactly these reasons are confirmed
     local reason
     for reason in "done" limit_point self_contact inverted_element step_limit diverged; do
         if [[ " ${*:2} " == *" $reason "* ]]; then
-            claim "$1: $reason is true" judged "$1" "$reason"
+            claim "$1: $reason is true" confirms "$1" "$reason"
         else
-            claim "$1: $reason is false" not judged "$1" "$reason"
+            claim "$1: $reason is false" not confirms "$1" "$reason"
         fi
     done
 }

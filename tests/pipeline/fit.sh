@@ -36,8 +36,8 @@ claim 'the summaries of solve and postprocess agree' [ "$(json low-post.json mat
 claim 'the constants are in SI units' within "$(json low.json materials 0 constants c1)" 61120.48 61120.49
 claim 'the summary contains the range of the data' has '11.362:897.727 %' low.json materials 0 fit range
 runs 'solve -q named.h5 --set path.until.elongation=10mm -o whole.h5'
-room=$(($(stat -c %s named.h5) / 1024 + 200))
-refuses 74 'solve: part.h5: cannot be written: *' "(ulimit -f $room; exec solve -q named.h5 --set path.until.elongation=10mm -o part.h5)"
+max_KiB=$(($(stat -c %s named.h5) / 1024 + 200))
+refuses 74 'solve: part.h5: cannot be written: *' "(ulimit -f $max_KiB; exec solve -q named.h5 --set path.until.elongation=10mm -o part.h5)"
 runs 'solve -q --resume part.h5; postprocess -q part.h5 | cmp - named.csv'
 claim 'a resumed result has the size of an uninterrupted one' [ "$(stat -c %s part.h5)" -eq "$(stat -c %s whole.h5)" ]
 runs 'solve named.h5 --set path.until.elongation=10mm --set "material={name: dragon-skin-20, range: 300 %}" -q -o wide.h5; postprocess wide.h5 --json wide.json > wide.csv'

@@ -18,19 +18,19 @@ resumes() {   # FILE: can be resumed to the end of the path
 }
 
 # Full disk: a file size limit, and a small disk if one can be mounted.
-room=$(($(stat -c %s case.h5) / 1024 + 600))
+max_KiB=$(($(stat -c %s case.h5) / 1024 + 600))
 refuses 74 'solve: k.h5: cannot be written: *; free disk space and continue with solve --resume k.h5' \
-    "(ulimit -f $room; exec solve -q case.h5 -o k.h5)"
+    "(ulimit -f $max_KiB; exec solve -q case.h5 -o k.h5)"
 holds_the_first_rows k.h5
 cp k.h5 stopped.h5
 resumes k.h5
 # Runs with error bars cannot be resumed. Their rows have no restart records and take less space.
-run "(trap '' XFSZ; ulimit -f $((room - 450)); exec solve -q case.h5 --tolerance 1% -o barred.h5)"
+run "(trap '' XFSZ; ulimit -f $((max_KiB - 450)); exec solve -q case.h5 --tolerance 1% -o barred.h5)"
 claim "a path with --tolerance is interrupted" exits 74
 holds_the_first_rows barred.h5
 refuses 65 'solve: barred.h5: a run with --tolerance cannot be resumed; solve the case again with --tolerance; *' 'solve -q --resume barred.h5'
 mkdir disk
-if mount -t tmpfs -o "size=${room}k" tmpfs disk 2>"$seen/err"; then
+if mount -t tmpfs -o "size=${max_KiB}k" tmpfs disk 2>"$seen/err"; then
     refuses 74 'solve: disk/k.h5: cannot be written: No space left on device; free disk space and continue with solve --resume disk/k.h5' \
         'solve -q case.h5 -o disk/k.h5'
     holds_the_first_rows disk/k.h5
@@ -86,7 +86,7 @@ done
 # The overrides of the interrupted run also apply to the resumed part.
 runs 'mesh-gen -q designs/tube.yaml --set mesh.size=3mm --set solver.step_accuracy=2e-4 -o case.h5'
 runs 'solve -q case.h5 --set path.until.volume_ratio=3 -o set.h5 && postprocess -q set.h5 -o set.csv'
-run "(ulimit -f $room; exec solve -q case.h5 --set path.until.volume_ratio=3 --fields last -o k.h5)"
+run "(ulimit -f $max_KiB; exec solve -q case.h5 --set path.until.volume_ratio=3 --fields last -o k.h5)"
 claim "the run is interrupted" exits 74
 runs 'solve -q --resume k.h5 && postprocess -q k.h5 -o k.csv'
 claim "the resumed run uses --set of the interrupted run" near set.csv k.csv 1e-10
