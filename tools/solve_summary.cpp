@@ -231,7 +231,7 @@ std::vector<std::string> accuracy_lines(const AccuracySummary& accuracy) {
         lines.push_back("the tolerance of " + percent(accuracy.tolerance) + " is not met: " +
                         (accuracy.has_bars ? "the error bars of the load reach " + percent(accuracy.reached)
                                            : "no error bars are available") +
-                        "; " + accuracy.obstacle);
+                        "; " + accuracy.end_reason);
     for (const std::string& doubt : accuracy.doubts) lines.push_back("the error bars are less reliable: " + doubt);
     return lines;
 }
