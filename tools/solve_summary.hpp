@@ -21,7 +21,7 @@ struct AccuracySummary {
     int level = 0;                      ///< number of refinements of the mesh of the reported curve
     long long unknowns = 0;             ///< of the finest mesh
     bool has_bars = false;
-    std::string end_reason;             ///< why the refinement ended
+    std::string end_reason;           ///< why the refinement ended
     std::vector<std::string> doubts;  ///< reasons why the error bars are less reliable
     int caught_signal = 0;            ///< signal that ended the refinement; 0: none
     [[nodiscard]] bool met() const { return has_bars && reached <= tolerance; }
