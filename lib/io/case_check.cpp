@@ -113,8 +113,8 @@ void check_materials(const Checker& check) {
             check.require_finite(material.fibers->angle_rad, location + "/fibers/angle");
             check.require_positive(material.fibers->k1_Pa, location + "/fibers/k1");
             check.require_positive(material.fibers->k2, location + "/fibers/k2");
-            check.require(material.fibers->families == 1 || material.fibers->families == 2, location + "/fibers/families",
-                          "must be 1 or 2");
+            check.require(material.fibers->families == 1 || material.fibers->families == 2,
+                          location + "/fibers/families", "must be 1 or 2");
         }
         const double kappa = material.bulk_modulus_Pa.value_or(1);
         check.require_positive(kappa, location + "/bulk_modulus");
@@ -155,7 +155,8 @@ bool is_name(std::string_view text) noexcept {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
                c == '.';
     };
-    return !text.empty() && text.size() <= max_length && text[0] != '.' && std::all_of(text.begin(), text.end(), allowed);
+    return !text.empty() && text.size() <= max_length && text[0] != '.' &&
+           std::all_of(text.begin(), text.end(), allowed);
 }
 
 }  // namespace soft::io

@@ -23,7 +23,8 @@ void read_vtkhdf(const GroupReader& group, mesh::Mesh& mesh) {
     if (group.text_attribute("Type") != "UnstructuredGrid") throw group.refuse("Type", "is not UnstructuredGrid");
     const auto size = [&](const std::string& name) {
         const std::int64_t value = group.array<std::int64_t>(name, {1})[0];
-        if (value < 1 || value > 64 * max_entities) throw group.refuse(name, std::to_string(value) + " is out of range");
+        if (value < 1 || value > 64 * max_entities)
+            throw group.refuse(name, std::to_string(value) + " is out of range");
         return value;
     };
     const std::int64_t points = size("NumberOfPoints");

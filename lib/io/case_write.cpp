@@ -65,10 +65,12 @@ void write_mesh(hid_t root, const model::Case& model) {
                name_of(kinematics_names, model.kinematics));
     write_text(group.get(), {"formulation", "1", "displacement | mixed (displacement and pressure) | f_bar"},
                name_of(formulation_names, model.formulation));
-    write_text(group.get(), {"element_types", "1", "cell types in the mesh; for information, not read"}, element_types(mesh));
+    write_text(group.get(), {"element_types", "1", "cell types in the mesh; for information, not read"},
+               element_types(mesh));
     write_count(group.get(), {"dimension", "1", "dimension of the cells: 2 (section) or 3"}, mesh.dimension);
     write_number(group.get(), {"model_fraction", "1", "fraction of the actuator in the mesh"}, model.model_fraction);
-    write_list(group.get(), {"symmetry_planes", "1", "1 where the mesh is cut at the symmetry plane x = 0, y = 0, z = 0"},
+    write_list(group.get(),
+               {"symmetry_planes", "1", "1 where the mesh is cut at the symmetry plane x = 0, y = 0, z = 0"},
                std::vector<std::uint8_t>(model.symmetry_planes.begin(), model.symmetry_planes.end()));
     write_texts(group.get(), {"region_names", "1", "names of the cell regions"}, mesh.region_names);
     write_list(group.get(), {"cell_regions", "1", "row of region_names, one per cell"}, mesh.cell_regions);
@@ -114,8 +116,7 @@ void write_outputs(hid_t root, const std::vector<model::Output>& outputs) {
     const GroupHandle group = create_group(root, "outputs", "measured outputs, one row per output");
     write_texts(group.get(), {"name", "1", "name of the output"},
                 column(outputs, [](const auto& o) { return o.name; }));
-    write_texts(group.get(), {"face", "1", "measured face"},
-                column(outputs, [](const auto& o) { return o.face; }));
+    write_texts(group.get(), {"face", "1", "measured face"}, column(outputs, [](const auto& o) { return o.face; }));
     write_list(group.get(),
                {"direction", "1",
                 "unit vector of the measured component, or axis of the angle, distance, curvature or moment"},

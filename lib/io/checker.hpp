@@ -67,7 +67,8 @@ private:
 /// Cavities, pressures, tractions, body forces, prescribed motions and outputs.
 void check_loads(const Checker& check);
 /// The time function of row `load` of the group `loads`.
-void check_time_function(const Checker& check, const model::TimeFunction& time_function, const std::string& loads, std::size_t load);
+void check_time_function(const Checker& check, const model::TimeFunction& time_function, const std::string& loads,
+                         std::size_t load);
 /// Stages and path settings.
 void check_path(const Checker& check);
 /// Settings of the solver and of the time integration; call after check_path.

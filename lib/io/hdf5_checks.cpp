@@ -113,8 +113,7 @@ void check_storage(const DatasetRef& ref, std::uint64_t bytes, std::size_t eleme
             const int rank = H5Pget_chunk(properties.get(), H5S_MAX_RANK, chunk.data());
             chunk.resize(static_cast<std::size_t>(std::max(rank, 0)));
             if (checked_bytes(ref, chunk, element_size) > max_chunk) throw ref.refuse("has chunks that are too large");
-            if (bytes > stored * max_expansion)
-                throw ref.refuse("is declared larger than its stored data can be");
+            if (bytes > stored * max_expansion) throw ref.refuse("is declared larger than its stored data can be");
             return;
         }
         default: throw ref.refuse("uses an unsupported storage layout");

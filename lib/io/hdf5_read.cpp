@@ -113,8 +113,10 @@ void GroupReader::require_hard_link(const std::string& name) const {
     note(name);
     H5L_info_t info{};
     const bool found = H5Lget_info(group_.get(), name.c_str(), &info, H5P_DEFAULT) >= 0;
-    if (!found && !has(name)) throw refuse(name, "is missing");  // checked only after a failure, because each lookup costs time
-    if (!found || info.type != H5L_TYPE_HARD) throw refuse(name, "is a soft or external link; only hard links are allowed");
+    // has() is called only after a failure, because each lookup costs time.
+    if (!found && !has(name)) throw refuse(name, "is missing");
+    if (!found || info.type != H5L_TYPE_HARD)
+        throw refuse(name, "is a soft or external link; only hard links are allowed");
 }
 
 GroupReader GroupReader::group(const std::string& name) const {

@@ -121,7 +121,8 @@ std::optional<Record> record_at(std::span<const std::byte> tail, std::string_vie
 }  // namespace
 
 ImageParts split_image(std::span<const std::byte> image, std::string_view source) {
-    if (image.empty()) throw Error(ExitCode::bad_input, source, "empty input", "check whether the previous program failed");
+    if (image.empty())
+        throw Error(ExitCode::bad_input, source, "empty input", "check whether the previous program failed");
     const std::size_t end = hdf5_size(image, source);
     ImageParts parts{image.first(end), false, {}, std::nullopt};
     std::span<const std::byte> tail = image.subspan(end);

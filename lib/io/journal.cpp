@@ -80,8 +80,7 @@ public:
 
 private:
     [[noreturn]] void refuse() const {
-        throw Error(ExitCode::bad_input, source_, "a record after the HDF5 data is corrupted",
-                    "run solve again");
+        throw Error(ExitCode::bad_input, source_, "a record after the HDF5 data is corrupted", "run solve again");
     }
     void take(void* to, std::size_t size) {
         if (size > bytes_.size()) refuse();

@@ -182,7 +182,8 @@ void check_levels(const Checker& check, const std::vector<double>& levels, std::
 void check_stage(const Checker& check, const model::Stage& stage, const std::string& location) {
     const model::Case& input = check.model();
     check_stop_conditions(check, stage, location);
-    check.require(stage.supplies.size() == input.loads.size(), location + "/prescription", "must have one entry per load");
+    check.require(stage.supplies.size() == input.loads.size(), location + "/prescription",
+                  "must have one entry per load");
     for (std::size_t i = 0; i < stage.supplies.size(); ++i)
         check_supply(check, input.loads[i], stage.supplies[i], Checker::item(location + "/value", i));
     check_levels(check, stage.tractions, input.tractions.size(), location + "/tractions");

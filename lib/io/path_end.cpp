@@ -76,7 +76,8 @@ void write_end(hid_t path, const PathEnd& end, const model::Case& model, std::si
     write_attribute(path, "factorizations", std::int64_t{end.factorizations});
     write_attribute(path, "limit_points", extent(end.limit_points.size()));
     write_attribute(path, "bifurcations", extent(branching.size()));
-    const GroupHandle limits = create_group(path, "limit_points", "extrema of the leading load along the path, one row each");
+    const GroupHandle limits =
+        create_group(path, "limit_points", "extrema of the leading load along the path, one row each");
     write_points(limits.get(), end.limit_points, model);
     const GroupHandle group = create_group(path, "bifurcations", "intersections with other branches, one row each");
     write_points(group.get(), branching, model);
@@ -107,14 +108,16 @@ void write_modes(hid_t root, const PathEnd& end, std::size_t points) {
     for (std::size_t i = 0; i < end.bifurcations.size(); ++i)
         if (!end.bifurcations[i].mode.empty()) owners.push_back(extent(i));
     if (owners.empty()) return;
-    const GroupHandle group = create_group(root, "modes", "bifurcation modes: initial directions of the other branches");
+    const GroupHandle group =
+        create_group(root, "modes", "bifurcation modes: initial directions of the other branches");
     write_list(group.get(), {"bifurcation", "1", "row of /path/bifurcations of each mode"}, owners);
     const DatasetHandle rows = create_rows(
         group.get(), {"displacement", "1", "mode, point, component; the largest displacement is 1"}, {points, 3});
     for (const std::int64_t owner : owners) {
         const auto& mode = end.bifurcations[static_cast<std::size_t>(owner)].mode;
         if (mode.size() != 3 * points || !all_finite(mode))
-            throw Error(ExitCode::internal, "/modes/displacement", "a mode does not have three finite values per point");
+            throw Error(ExitCode::internal, "/modes/displacement",
+                        "a mode does not have three finite values per point");
         append_row(rows.get(), mode);
     }
 }

@@ -29,10 +29,9 @@ constexpr NumberColumn load_tangent{"load_parameter", "1", "derivative along the
 constexpr NumberColumn volume_tangent{"cavity_volume", "m3", "derivative along the path", &Step::tangent_volume};
 
 NumberColumn pressure_column(const model::Case& model) {
-    return {
-        "pressure", load_units(model),
-        "leading load: first pressure, above ambient; else first traction or force; else the load parameter",
-        &Step::pressure_Pa};
+    return {"pressure", load_units(model),
+            "leading load: first pressure, above ambient; else first traction or force; else the load parameter",
+            &Step::pressure_Pa};
 }
 NumberColumn pressure_tangent(const model::Case& model) {
     return {"pressure", load_units(model), "derivative along the path", &Step::tangent_pressure};

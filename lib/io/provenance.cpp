@@ -9,7 +9,8 @@ namespace soft::io {
 
 void write_provenance(hid_t provenance_group, const Provenance& provenance) {
     if (!is_name(provenance.tool))
-        throw Error(ExitCode::internal, "/provenance", core::quoted(provenance.tool) + " is not a valid name of a tool");
+        throw Error(ExitCode::internal, "/provenance",
+                    core::quoted(provenance.tool) + " is not a valid name of a tool");
     const GroupHandle record = create_group(provenance_group, provenance.tool, "how this program was run");
     write_text(record.get(), {"tool", "1", "name of the program"}, provenance.tool);
     write_text(record.get(), {"version", "1", "release of the program"}, provenance.version);

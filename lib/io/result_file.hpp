@@ -135,8 +135,9 @@ struct Result {
 struct InterruptedSolve {
     CaseFile file;  ///< its model as it was solved, with the overrides of solve applied
     std::optional<DesignText> changed_design;
-    std::vector<solution::Step> steps;               ///< up to the checkpoint
-    std::optional<solution::Checkpoint> checkpoint;  ///< empty if killed before the first checkpoint: start from the beginning
+    std::vector<solution::Step> steps;  ///< up to the checkpoint
+    /// Empty if killed before the first checkpoint: start from the beginning.
+    std::optional<solution::Checkpoint> checkpoint;
 };
 
 /// Throws Error (bad_input) for a case, a finished result or a damaged file.

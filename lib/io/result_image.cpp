@@ -71,7 +71,8 @@ FieldsPolicy parse_fields_policy(std::string_view text) {
         const auto [end, error] = std::from_chars(text.data() + every.size(), text.data() + text.size(), interval);
         if (error == std::errc{} && end == text.data() + text.size() && interval >= 1) return {Keep::every, interval};
     }
-    throw Error(ExitCode::usage, "--fields", core::quoted(text) + " is not a valid choice", "use all, last, none or every=N");
+    throw Error(ExitCode::usage, "--fields", core::quoted(text) + " is not a valid choice",
+                "use all, last, none or every=N");
 }
 
 std::string to_text(const FieldsPolicy& policy) {
@@ -129,7 +130,7 @@ ResultImage ResultImage::resume(const SolveInput& given) {
 std::vector<std::byte> ResultImage::bytes() const { return memory_image(file_.get()); }
 
 void ResultImage::require_consistent(const solution::Step& step, std::span<const double> displacement,
-                                  std::span<const double> pressure) const {
+                                     std::span<const double> pressure) const {
     require_valid(step, solved_);
     if (!steps_.empty() && step.volume_m3.has_value() != steps_[0].volume_m3.has_value())
         throw Error(ExitCode::internal, "/path/cavity_volume", "some steps have a volume, some have none");

@@ -33,7 +33,7 @@ private:
     ResultImage() = default;
     static ResultImage open(const SolveInput& given);
     void require_consistent(const solution::Step& step, std::span<const double> displacement,
-                         std::span<const double> pressure) const;
+                            std::span<const double> pressure) const;
     void write_fields(std::int64_t row, std::span<const double> displacement, std::span<const double> pressure);
 
     FileHandle file_;

@@ -53,7 +53,8 @@ bool is_free([[maybe_unused]] int descriptor, [[maybe_unused]] Lock lock) {
 }
 
 Error file_in_use(const std::string& name) {
-    return {ExitCode::cannot_create, name, "another solve is writing to it", "wait until it ends or choose another file"};
+    return {ExitCode::cannot_create, name, "another solve is writing to it",
+            "wait until it ends or choose another file"};
 }
 
 /// Throws if another process writes the file. A file that does not exist has no writer.
@@ -83,9 +84,11 @@ public:
     /// Truncates the file to `size` bytes. Throws if its size is no longer `known`, the number of bytes that were read.
     void truncate(std::size_t size, std::size_t known) const {
         struct stat status {};
-        if (::fstat(descriptor_, &status) != 0 || static_cast<std::size_t>(status.st_size) != known) throw file_in_use(name_);
+        if (::fstat(descriptor_, &status) != 0 || static_cast<std::size_t>(status.st_size) != known)
+            throw file_in_use(name_);
         if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0)
-            throw Error(ExitCode::cannot_create, name_, "cannot be truncated: " + std::generic_category().message(errno));
+            throw Error(ExitCode::cannot_create, name_,
+                        "cannot be truncated: " + std::generic_category().message(errno));
     }
     void append(std::span<const std::byte> bytes) const {
         static_cast<void>(core::write_all(descriptor_, bytes, name_));
@@ -128,7 +131,8 @@ struct ResultWriter::State {
         try {
             journal->append(record);
         } catch (const Error& error) {
-            throw Error(error.code(), "", error.what(), "free disk space and continue with solve --resume " + file.string());
+            throw Error(error.code(), "", error.what(),
+                        "free disk space and continue with solve --resume " + file.string());
         }
     }
 
@@ -148,7 +152,8 @@ ResultWriter::ResultWriter(const SolveInput& given, const Provenance& provenance
     };
     // A file without a seal that can be read may still crash HDF5 when it is written to.
     if (!parts.sealed)
-        read_in_subprocess({std::string{given.source}, parts.hdf5.size()}, [&](const Origin&) { static_cast<void>(begun()); });
+        read_in_subprocess({std::string{given.source}, parts.hdf5.size()},
+                           [&](const Origin&) { static_cast<void>(begun()); });
     state_ = std::make_unique<State>(begun());
 }
 

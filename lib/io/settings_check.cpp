@@ -62,7 +62,8 @@ void check_dynamics(const Checker& check) {
 
 }  // namespace
 
-void check_time_function(const Checker& check, const model::TimeFunction& time_function, const std::string& loads, std::size_t load) {
+void check_time_function(const Checker& check, const model::TimeFunction& time_function, const std::string& loads,
+                         std::size_t load) {
     const std::string location = loads + "/time_function/", table = location + "table/time";
     const auto own = [&](const char* name) { return Checker::item(location + name, load); };
     check_not_negative(check, time_function.time_s, own("rise"));
@@ -74,7 +75,8 @@ void check_time_function(const Checker& check, const model::TimeFunction& time_f
     check.require(times.size() == time_function.shares.size(), table, "must have as many entries as table/share");
     check.require(time_function.kind == model::TimeFunctionKind::table || times.empty(), own("kind"),
                   "has table points but is not a table");
-    check.require(time_function.kind != model::TimeFunctionKind::table || !times.empty(), own("kind"), "is a table without points");
+    check.require(time_function.kind != model::TimeFunctionKind::table || !times.empty(), own("kind"),
+                  "is a table without points");
     for (std::size_t i = 0; i < times.size(); ++i) {
         check_not_negative(check, times[i], table);
         check.require_finite(time_function.shares[i], location + "table/share");

@@ -46,12 +46,14 @@ constexpr std::array linear_numbers{
                                 &LinearSettings::tolerance},
 };
 constexpr std::array linear_counts{
-    CountEntry<LinearSettings>{"linear_limit", "maximum iterations of a Krylov method", &LinearSettings::iteration_limit},
+    CountEntry<LinearSettings>{"linear_limit", "maximum iterations of a Krylov method",
+                               &LinearSettings::iteration_limit},
 };
 constexpr std::array dynamics_numbers{
     NumberEntry<Dynamics>{"duration", "s", "simulated time", &Dynamics::duration_s},
     NumberEntry<Dynamics>{"step", "s", "time step; 0: chosen by the solver", &Dynamics::step_s},
-    NumberEntry<Dynamics>{"accuracy", "1", "target error per step relative to the size of the motion", &Dynamics::accuracy},
+    NumberEntry<Dynamics>{"accuracy", "1", "target error per step relative to the size of the motion",
+                          &Dynamics::accuracy},
     NumberEntry<Dynamics>{"spectral_radius", "1", "at infinite frequency; 1: no damping", &Dynamics::spectral_radius},
     NumberEntry<Dynamics>{"mass_damping", "1/s", "Rayleigh damping proportional to the mass",
                           &Dynamics::mass_damping_1_s},
@@ -143,11 +145,13 @@ void write_time_functions(hid_t loads, const std::vector<model::TimeFunction>& t
     const GroupHandle group =
         create_group(loads, "time_function", "time functions of the loads in a dynamic case, one row per load");
     const hid_t id = group.get();
-    write_texts(id, {"kind", "1", words_of(time_function_names)},
-                column(time_functions, [](const auto& c) { return std::string{name_of(time_function_names, c.kind)}; }));
+    write_texts(id, {"kind", "1", words_of(time_function_names)}, column(time_functions, [](const auto& c) {
+                    return std::string{name_of(time_function_names, c.kind)};
+                }));
     write_list(id, {"rise", "s", "rise time of a ramp; 0: the whole duration"},
                column(time_functions, [](const auto& c) { return c.time_s; }));
-    write_list(id, {"frequency", "1/s", "frequency of a sine"}, column(time_functions, [](const auto& c) { return c.frequency_Hz; }));
+    write_list(id, {"frequency", "1/s", "frequency of a sine"},
+               column(time_functions, [](const auto& c) { return c.frequency_Hz; }));
     std::vector<std::int64_t> owners;
     std::vector<double> times, shares;
     for (std::size_t i = 0; i < time_functions.size(); ++i) {
@@ -155,7 +159,8 @@ void write_time_functions(hid_t loads, const std::vector<model::TimeFunction>& t
         times.insert(times.end(), time_functions[i].times_s.begin(), time_functions[i].times_s.end());
         shares.insert(shares.end(), time_functions[i].shares.begin(), time_functions[i].shares.end());
     }
-    const GroupHandle table = create_group(id, "table", "points of the tables, one row each; the points of a load are consecutive");
+    const GroupHandle table =
+        create_group(id, "table", "points of the tables, one row each; the points of a load are consecutive");
     write_list(table.get(), {"load", "1", "row of kind"}, owners);
     write_list(table.get(), {"time", "s", "ascending within a load"}, times);
     write_list(table.get(), {"share", "1", "fraction of the full load"}, shares);
@@ -167,7 +172,8 @@ std::vector<model::TimeFunction> read_time_functions(const GroupReader& loads, s
     const auto rises = group.array<double>("rise", {count});
     const auto frequencies = group.array<double>("frequency", {count});
     std::vector<model::TimeFunction> time_functions;
-    for (std::size_t i = 0; i < kinds.size(); ++i) time_functions.push_back({kinds[i], rises[i], frequencies[i], {}, {}});
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        time_functions.push_back({kinds[i], rises[i], frequencies[i], {}, {}});
     const GroupReader table = group.group("table");
     const auto owners = table.array<std::int64_t>("load", {any});
     const auto times = table.array<double>("time", {extent(owners.size())});

@@ -84,7 +84,8 @@ std::vector<model::BodyForce> read_body_forces(const GroupReader& group) {
     const auto values = group.array<double>("acceleration", {extent(names.size()), 3});
     const auto time_functions = read_time_functions(group, extent(names.size()));
     std::vector<model::BodyForce> forces;
-    for (std::size_t i = 0; i < names.size(); ++i) forces.push_back({names[i], triple<double>(values, i), time_functions[i]});
+    for (std::size_t i = 0; i < names.size(); ++i)
+        forces.push_back({names[i], triple<double>(values, i), time_functions[i]});
     return forces;
 }
 

@@ -26,8 +26,7 @@ void write_materials(hid_t parent, const std::vector<model::Material>& materials
                          {"density", "kg/m3", "undeformed; may be absent without body forces in a static case"},
                          *material.density_kg_m3);
         if (material.fibers) {
-            const GroupHandle fibers =
-                create_group(one.get(), "fibers", "fibres in addition to the law; absent: none");
+            const GroupHandle fibers = create_group(one.get(), "fibers", "fibres in addition to the law; absent: none");
             write_number(fibers.get(), {"angle", "rad", "angle from the first direction of the frame"},
                          material.fibers->angle_rad);
             write_number(fibers.get(), {"k1", "Pa", "stiffness at small stretch"}, material.fibers->k1_Pa);
@@ -42,7 +41,8 @@ void write_materials(hid_t parent, const std::vector<model::Material>& materials
 }
 
 void write_targets(hid_t loads_group, const std::vector<model::PressureLoad>& loads) {
-    const GroupHandle group = create_group(loads_group, "targets", "cavities and faces on which the pressures act, one row per target");
+    const GroupHandle group =
+        create_group(loads_group, "targets", "cavities and faces on which the pressures act, one row per target");
     std::vector<std::int64_t> owners;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < loads.size(); ++i)
@@ -71,12 +71,16 @@ void write_pressures(hid_t group, const std::vector<model::PressureLoad>& loads)
     };
     gas({"ambient_pressure", "Pa", "absolute pressure outside the actuator"}, &model::Gas::ambient_Pa);
     gas({"ambient_density", "kg/m3", "density of the gas at ambient pressure"}, &model::Gas::ambient_density_kg_m3);
-    gas({"dead_volume", "m3", "volume of the tubing, filled with the same gas; whole actuator"}, &model::Gas::dead_volume_m3);
-    gas({"exponent", "1", "p + ambient is proportional to density to this power; 1: isothermal"}, &model::Gas::exponent);
+    gas({"dead_volume", "m3", "volume of the tubing, filled with the same gas; whole actuator"},
+        &model::Gas::dead_volume_m3);
+    gas({"exponent", "1", "p + ambient is proportional to density to this power; 1: isothermal"},
+        &model::Gas::exponent);
     write_texts(group, {"shape", "1", "deformed | undeformed: configuration in which the pressure acts"},
                 column(loads, [](const auto& l) { return std::string{name_of(load_shape_names, l.shape)}; }));
-    write_list(group, {"line_resistance", "Pa.s/m3", "resistance of the tube that fills the cavities in a dynamic case; 0: no tube"},
-               column(loads, [](const auto& l) { return l.line ? l.line->resistance_Pa_s_m3 : 0.0; }));
+    write_list(
+        group,
+        {"line_resistance", "Pa.s/m3", "resistance of the tube that fills the cavities in a dynamic case; 0: no tube"},
+        column(loads, [](const auto& l) { return l.line ? l.line->resistance_Pa_s_m3 : 0.0; }));
     write_time_functions(group, time_functions_of(loads));
     write_targets(group, loads);
 }
@@ -116,7 +120,8 @@ void write_motions(hid_t loads_group, const std::vector<model::Motion>& motions)
 }
 
 void write_until(hid_t stage_group, const std::vector<model::Until>& until) {
-    const GroupHandle group = create_group(stage_group, "until", "stopping conditions; the stage ends at the first one that is reached");
+    const GroupHandle group =
+        create_group(stage_group, "until", "stopping conditions; the stage ends at the first one that is reached");
     write_texts(group.get(), {"quantity", "1", "pressure | volume_ratio | steps | name of an output"},
                 column(until, [](const auto& u) { return u.quantity; }));
     write_list(group.get(), {"value", "SI", "in the unit of the quantity: Pa, 1, 1, m or rad"},
@@ -145,8 +150,7 @@ void write_stage(hid_t stages_group, const model::Stage& stage, std::size_t numb
 void write_control(hid_t parent, const model::Case& model) {
     const model::PathSettings& path = model.path;
     const GroupHandle group = create_group(parent, "control", "settings of the path following");
-    write_text(group.get(), {"branch", "1", "stay | follow, at a bifurcation"},
-               name_of(branch_names, path.branch));
+    write_text(group.get(), {"branch", "1", "stay | follow, at a bifurcation"}, name_of(branch_names, path.branch));
     write_number(group.get(), {"imperfection", "m", "maximum displacement of the perturbation used to switch branches"},
                  path.imperfection_m);
     write_text(group.get(), {"contact", "1", "stop | ignore, where walls of the actuator touch"},

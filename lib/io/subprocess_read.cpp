@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <new>
 
-#include "core/subprocess.hpp"
 #include "core/memory.hpp"
+#include "core/subprocess.hpp"
 #include "core/text.hpp"
 
 namespace soft::io {
@@ -45,7 +45,8 @@ core::Bytes encode_error(const std::function<void(const Origin&)>& read, const O
         read(origin);
         return {};
     } catch (const Error& error) {
-        if (error.code() == ExitCode::io_error) throw std::bad_alloc{};  // the memory limit of the subprocess was reached
+        if (error.code() == ExitCode::io_error)
+            throw std::bad_alloc{};  // the memory limit of the subprocess was reached
         core::Bytes encoded{static_cast<std::byte>(error.code())};
         const auto message = std::as_bytes(std::span{std::string_view{error.what()}});
         encoded.insert(encoded.end(), message.begin(), message.end());
@@ -65,8 +66,7 @@ void read_in_subprocess(const Origin& origin, const std::function<void(const Ori
         core::require_memory(limits.memory);  // out of memory on this machine is not an error of the file
         const std::string location = note.text();
         throw Error(ExitCode::bad_input, location.empty() ? origin.source : core::one_line(location),
-                    "HDF5 cannot read this damaged file, which has no seal: " + end.reason,
-                    origin.remedy);
+                    "HDF5 cannot read this damaged file, which has no seal: " + end.reason, origin.remedy);
     }
     if (end.result->empty()) return;
     const auto* text = reinterpret_cast<const char*>(end.result->data());

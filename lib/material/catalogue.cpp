@@ -69,8 +69,7 @@ template <Law L>
 std::optional<Fibers> fibers_in(const Constants& constants, const Description& description) {
     const std::string law = "the law " + std::string(L::info().name);
     if constexpr (FiberLaw<L>) {
-        if (description.fibers)
-            refuse("fibers", law + " already has fibres", "use a law without fibres");
+        if (description.fibers) refuse("fibers", law + " already has fibres", "use a law without fibres");
         return L::fibers_from(constants);
     } else {
         if (!description.fibers) return std::nullopt;

@@ -23,20 +23,21 @@ struct Kraken {
     [[nodiscard]] double initial_shear_modulus_Pa() const { return mu_Pa; }
 
     static LawInfo info() {
-        return {.name = "kraken",
-                .energy = "no energy; Cauchy stress kappa (J - 1) I + mu B",
-                .validity =
-                    "stress of the reference work, to reproduce its results; the undeformed state has the initial stress mu",
-                .source = "MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot Simulations (2022), Eq. 2",
-                .parameters = {{.name = "mu",
-                                .meaning = "twice the paper's C1",
-                                .example = "0.1644 MPa",
-                                .min = 0,
-                                .min_open = true}},
-                .bulk = Bulk::finite,
-                .takes_volumetric = false,
-                .mixed = false,
-                .f_bar = false};
+        return {
+            .name = "kraken",
+            .energy = "no energy; Cauchy stress kappa (J - 1) I + mu B",
+            .validity =
+                "stress of the reference work, to reproduce its results; the undeformed state has the initial stress mu",
+            .source = "MOOSE-Based Finite Element Hyperelastic Modeling for Soft Robot Simulations (2022), Eq. 2",
+            .parameters = {{.name = "mu",
+                            .meaning = "twice the paper's C1",
+                            .example = "0.1644 MPa",
+                            .min = 0,
+                            .min_open = true}},
+            .bulk = Bulk::finite,
+            .takes_volumetric = false,
+            .mixed = false,
+            .f_bar = false};
     }
     /// make_rubber sets kappa from the bulk modulus of the rubber.
     static Kraken from(const Constants& constants) { return {constants.at("mu").front(), 0.0}; }

@@ -38,19 +38,20 @@ struct Ogden {
     }
 
     static LawInfo info() {
-        return {.name = "ogden",
-                .energy = "sum mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3), l the isochoric stretches",
-                .validity = "fits most rubbers over their whole range; stable where every mu_i alpha_i is positive",
-                .source = "Ogden, Proc. R. Soc. A 326 (1972) 565",
-                .parameters = {{.name = "mu",
-                                .meaning = "one value per term; the initial shear modulus is half the sum of mu_i alpha_i",
-                                .example = "[0.63 MPa, 0.0012 MPa, -0.01 MPa]",
-                                .max_count = max_terms},
-                               {.name = "alpha",
-                                .quantity = Quantity::ratio,
-                                .meaning = "exponent of each term, not 0",
-                                .example = "[1.3, 5, -2]",
-                                .max_count = max_terms}}};
+        return {
+            .name = "ogden",
+            .energy = "sum mu_i/alpha_i (l1^alpha_i + l2^alpha_i + l3^alpha_i - 3), l the isochoric stretches",
+            .validity = "fits most rubbers over their whole range; stable where every mu_i alpha_i is positive",
+            .source = "Ogden, Proc. R. Soc. A 326 (1972) 565",
+            .parameters = {{.name = "mu",
+                            .meaning = "one value per term; the initial shear modulus is half the sum of mu_i alpha_i",
+                            .example = "[0.63 MPa, 0.0012 MPa, -0.01 MPa]",
+                            .max_count = max_terms},
+                           {.name = "alpha",
+                            .quantity = Quantity::ratio,
+                            .meaning = "exponent of each term, not 0",
+                            .example = "[1.3, 5, -2]",
+                            .max_count = max_terms}}};
     }
     /// Throws Error (bad_input) for lists of different lengths, an exponent of 0, or an initial shear modulus that is not positive.
     static Ogden from(const Constants& constants) {

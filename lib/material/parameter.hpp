@@ -17,8 +17,8 @@ enum class Quantity { pressure, ratio, angle, count };
 struct Parameter {
     std::string_view name;
     Quantity quantity = Quantity::pressure;
-    std::string_view meaning;  ///< one sentence, no full stop
-    std::string_view example;  ///< as in a design, with its unit; also shown in templates
+    std::string_view meaning;                               ///< one sentence, no full stop
+    std::string_view example;                               ///< as in a design, with its unit; also shown in templates
     double min = -std::numeric_limits<double>::infinity();  ///< SI, exclusive where min_open
     double max = std::numeric_limits<double>::infinity();
     bool min_open = false;

@@ -175,7 +175,7 @@ template <class L>
 /// Adds the contributions that do not depend on (I1, I2, J) only: principal stretches and fibres.
 template <class L>
 void add_terms_beyond_invariants(const Rubber<L>& rubber, const FiberAxes& axes, const Tensor& F, Wanted wanted,
-                           PointResponse& out) {
+                                 PointResponse& out) {
     if constexpr (StretchLaw<L>)
         add_principal_response(rubber.law, F, wanted == Wanted::stress_and_tangent ? &out.tangent : nullptr,
                                out.first_piola);

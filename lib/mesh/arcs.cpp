@@ -79,7 +79,8 @@ ArcMap::ArcMap(CellType type) : cell_(&topology(type)) {
             simplex_ = &topology(CellType::triangle6);
             for (const double zeta : {-1.0, 0.0, 1.0}) {
                 level_nodes_.emplace_back();
-                for (const Xi& xi : simplex_->nodes) level_nodes_.back().push_back(node_number(*cell_, {xi[0], xi[1], zeta}));
+                for (const Xi& xi : simplex_->nodes)
+                    level_nodes_.back().push_back(node_number(*cell_, {xi[0], xi[1], zeta}));
             }
             break;
         case Shape::line:

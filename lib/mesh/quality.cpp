@@ -65,10 +65,10 @@ Quality quality(const Mesh& mesh) {
     }
     if (mesh.cell_count() > 0) result.mean_scaled_jacobian = sum / static_cast<double>(mesh.cell_count());
     if (!(result.min_scaled_jacobian > 0))
-        throw Error(ExitCode::bad_input, "mesh",
-                    "cell " + std::to_string(result.worst_cell) + " is inverted at " +
-                        location_text(result.worst_position_m),
-                    "use a smaller mesh.size or a smoother shape");
+        throw Error(
+            ExitCode::bad_input, "mesh",
+            "cell " + std::to_string(result.worst_cell) + " is inverted at " + location_text(result.worst_position_m),
+            "use a smaller mesh.size or a smoother shape");
     return result;
 }
 

@@ -36,7 +36,8 @@ std::vector<ChildCorners> children_of(const CellTopology& cell) {
     }
     switch (cell.shape) {
         case Shape::triangle: children.push_back(between(cell, {{0, 1}, {1, 2}, {2, 0}})); break;
-        case Shape::tetrahedron:  // Bey's order, with corners 0 and 2 of the second and fourth swapped for a positive orientation
+        case Shape::
+            tetrahedron:  // Bey's order, with corners 0 and 2 of the second and fourth swapped for a positive orientation
             children.push_back(between(cell, {{0, 1}, {0, 2}, {0, 3}, {1, 3}}));
             children.push_back(between(cell, {{1, 2}, {0, 2}, {0, 1}, {1, 3}}));
             children.push_back(between(cell, {{0, 2}, {0, 3}, {1, 3}, {2, 3}}));

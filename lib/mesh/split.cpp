@@ -83,7 +83,8 @@ std::vector<Index> simplex_nodes(const CellTopology& cell, std::span<const Index
 }
 
 /// Appends the facets of the cells [first, last) whose corners all belong to `parent`.
-void append_child_facets(const Mesh& split, Index first, Index last, const std::vector<Index>& parent, std::vector<Facet>& out) {
+void append_child_facets(const Mesh& split, Index first, Index last, const std::vector<Index>& parent,
+                         std::vector<Facet>& out) {
     for (Index cell = first; cell < last; ++cell) {
         const auto nodes = split.cell_nodes(cell);
         int local = 0;

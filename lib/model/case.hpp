@@ -46,8 +46,8 @@ struct Support {
 
 /// A hole in the cavity wall, closed by a plug when the load is sealed.
 struct Opening {
-    std::string face;                   ///< named face around the hole; carries the plug's thrust, distributed uniformly
-    double area_m2 = 0;                 ///< undeformed area of the hole, whole actuator
+    std::string face;    ///< named face around the hole; carries the plug's thrust, distributed uniformly
+    double area_m2 = 0;  ///< undeformed area of the hole, whole actuator
     std::array<double, 3> direction{};  ///< unit vector out of the cavity, reference configuration
 };
 
@@ -92,16 +92,18 @@ enum class LoadShape { deformed, undeformed };
 /// cavity. The cavities of one load share one gas: they have the same pressure, and their volumes add up. The magnitude is in
 /// Stage::supplies.
 struct PressureLoad {
-    std::string name;                  ///< its key in the design: "cavity", "left"
-    std::vector<std::string> targets;  ///< names of cavities, or of one face (then `sealed` and `gas` are unused, no volume)
-    bool sealed = true;                ///< openings are plugged; see assembly/cavity.hpp
+    std::string name;  ///< its key in the design: "cavity", "left"
+    /// Names of cavities, or of one face (then `sealed` and `gas` are unused, no volume).
+    std::vector<std::string> targets;
+    bool sealed = true;  ///< openings are plugged; see assembly/cavity.hpp
     Gas gas;
     LoadShape shape = LoadShape::deformed;
     TimeFunction time_function = {};  ///< of the pressure, in a dynamic case
     /// Dynamic case: the time function is the source pressure, which feeds the cavities through this line, and the gas in them
     /// follows the gas law (dead volume included). nullopt: the time function is the pressure in the cavity.
     std::optional<SupplyLine> line = {};
-    bool plug_thrust = true;  ///< false: a fixture carries the plugs of a sealed load, so their thrust does not load the actuator
+    /// False: a fixture carries the plugs of a sealed load, so their thrust does not load the actuator.
+    bool plug_thrust = true;
 };
 
 /// Dead traction: a force per UNDEFORMED area with a fixed direction in space.
@@ -162,9 +164,9 @@ struct SupplyTarget {
 struct Stage {
     std::string name;  ///< "inflate"; empty where a case has one stage
     Control control = Control::automatic;
-    std::string controlled = {};              ///< load (volume control) or output (displacement control); empty: the first
-    std::vector<Until> until = {};            ///< in addition to load factor 1, which always ends the stage
-    std::vector<SupplyTarget> supplies = {};  ///< one per entry of Case::loads
+    std::string controlled = {};    ///< load (volume control) or output (displacement control); empty: the first
+    std::vector<Until> until = {};  ///< in addition to load factor 1, which always ends the stage
+    std::vector<SupplyTarget> supplies = {};                             ///< one per entry of Case::loads
     std::vector<double> tractions = {}, body_forces = {}, motions = {};  ///< levels, one per entry of the lists in Case
 };
 

@@ -13,7 +13,7 @@ FaceSymmetry face_symmetry(const mesh::Mesh& mesh, const ModelSymmetry& cuts, co
         bool meets = false, lies_in = true;
         for (const auto& facet : set->second)
             for (const auto node : mesh::facet_nodes(mesh, facet)) {
-                const bool on_plane = mesh.point(node)[i] == 0.0;  // the coordinate of nodes on a symmetry plane is exactly 0
+                const bool on_plane = mesh.point(node)[i] == 0.0;  // nodes on a symmetry plane are exactly at 0
                 meets = meets || on_plane;
                 lies_in = lies_in && on_plane;
             }
@@ -31,7 +31,8 @@ std::array<double, 3> uncancelled_force(const FaceSymmetry& face, std::array<dou
 
 std::array<double, 3> uncancelled_moment(const FaceSymmetry& face, std::array<double, 3> axis) {
     if (face.of_revolution) return {};
-    for (std::size_t plane = 0; plane < 3; ++plane)  // a moment is an axial vector: reflection keeps its component normal to the plane
+    // A moment is an axial vector: reflection keeps its component normal to the plane.
+    for (std::size_t plane = 0; plane < 3; ++plane)
         for (std::size_t i = 0; i < 3; ++i)
             if (i != plane && face.mirrored[plane]) axis[i] = 0;
     return axis;

@@ -18,7 +18,8 @@ struct ModelSymmetry {
 struct FaceSymmetry {
     bool of_revolution = false;
     std::array<bool, 3> mirrored{};  ///< the face continues across x, y, z = 0
-    double copies = 1;  ///< area of the whole face divided by that in the mesh (axisymmetric integrals already include 2 pi r)
+    /// Area of the whole face divided by that in the mesh (axisymmetric integrals already include 2 pi r).
+    double copies = 1;
 };
 /// Throws Error (bad_input) for a face that is not in the mesh.
 [[nodiscard]] FaceSymmetry face_symmetry(const mesh::Mesh& mesh, const ModelSymmetry& cuts, const std::string& face);

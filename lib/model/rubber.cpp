@@ -45,7 +45,8 @@ material::AnyRubber make_rubber(const Material& material) {
     return material.strain == Strain::small ? small_strain(rubber, material.bulk_modulus_Pa) : rubber;
 }
 
-std::string explain_incompatibility(const Material& material, Kinematics kinematics, const std::array<bool, 3>& symmetry_planes) {
+std::string explain_incompatibility(const Material& material, Kinematics kinematics,
+                                    const std::array<bool, 3>& symmetry_planes) {
     if (!lacks_mirror_symmetry(material)) return {};
     const bool cylindrical = material.fiber_frame == FiberFrame::cylindrical;
     if (cylindrical && kinematics == Kinematics::axisymmetric)

@@ -13,6 +13,6 @@ namespace soft::model {
 /// Reason why a case with these kinematics and symmetry planes cannot represent the material ("problem; remedy"); empty if it can.
 /// A single family of inclined fibres twists a tube: an axisymmetric section has no twist, and the fibres have no mirror symmetry.
 [[nodiscard]] std::string explain_incompatibility(const Material& material, Kinematics kinematics,
-                                  const std::array<bool, 3>& symmetry_planes);
+                                                  const std::array<bool, 3>& symmetry_planes);
 
 }  // namespace soft::model

@@ -52,9 +52,11 @@ struct SolverSettings {
     int threads = 1;      ///< threads per rank in the element loops; the order of summation does not depend on it
     StepRule steps = StepRule::error_adaptive;
     Predictor predictor = Predictor::cubic;
-    double first_step = 0.02;   ///< first step as a fraction of the full load, in the linear response
-    double max_step = 0.0;  ///< 0: chosen by the solver; else an upper bound on the step, as a fraction of the path so far
-    double min_step = 1e-4;  ///< the path ends if a step is cut below this fraction of the first step; arc length: a thousandth
+    double first_step = 0.02;  ///< first step as a fraction of the full load, in the linear response
+    /// 0: chosen by the solver; else an upper bound on the step, as a fraction of the path so far.
+    double max_step = 0.0;
+    /// The path ends if a step is cut below this fraction of the first step; arc length: a thousandth.
+    double min_step = 1e-4;
     int wanted_iterations = 5;    ///< target number of Newton iterations per step, for iteration_adaptive
     int step_limit = 1000;        ///< maximum number of steps; the path then ends with stop_reason step_limit
     double step_accuracy = 2e-3;  ///< target relative error of the predictor; smaller = denser steps

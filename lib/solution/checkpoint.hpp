@@ -20,7 +20,7 @@ struct StatePoint {
     double power = 0;             ///< work of the increasing loads along the tangent
     std::vector<double> outputs;  ///< angles may exceed 2 pi
     double q = 0;                 ///< controlled quantity
-    double load_work_J = 0;       ///< work of the loads since the start of the path, for the modelled part of the actuator
+    double load_work_J = 0;  ///< work of the loads since the start of the path, for the modelled part of the actuator
     std::optional<int> unstable_modes;
 };
 
@@ -41,14 +41,16 @@ struct Checkpoint {
     bool user_control_failed = false;  ///< the user-selected control has failed; the solver continues with another one
     bool on_branch = false;            ///< the path has switched to a secondary branch
     int pending_factorizations = 0;    ///< factorisations since the last row, counted for the next one
-    int confirmed_pivots = 0;          ///< excess negative pivots of the last tangent; the inertia of the next one is compared with it
+    /// Excess negative pivots of the last tangent; the inertia of the next one is compared with it.
+    int confirmed_pivots = 0;
     std::optional<StatePoint> before;
     StatePoint last;
     double step = 0, first_step = 0;  ///< of q
     double work_before_stage_J = 0;   ///< work of the loads before the stage, for the modelled part of the actuator
     double first_slope = 0;           ///< norm of the path tangent per load factor at the start of the stage
-    std::vector<double> visited;      ///< [row of the stage x 32]: sketches of states and tangents (solver/visited_states.hpp)
-    PathEnd so_far;                   ///< limit points and counts so far; `reason` is not yet meaningful
+    /// [row of the stage x 32]: sketches of states and tangents (solver/visited_states.hpp).
+    std::vector<double> visited;
+    PathEnd so_far;  ///< limit points and counts so far; `reason` is not yet meaningful
 };
 
 }  // namespace soft::solution

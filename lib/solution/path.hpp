@@ -26,10 +26,11 @@ enum class StopReason { done, limit_point, diverged, inverted_element, self_cont
 /// One converged state. The tangent_* values are the derivatives by a common path parameter (of arbitrary positive scale, in the
 /// direction of the path), so d(pressure)/d(volume) is a quotient of two of them.
 struct Step {
-    int stage = 0;                     ///< index into model::PathSettings::stages
-    double load_factor = 0;            ///< fraction of the stage's load increment that is applied
-    double pressure_Pa = 0;            ///< the leading load (model::leading_load)
-    std::optional<double> volume_m3;   ///< enclosed by the cavities of the first load, whole actuator; empty without cavities
+    int stage = 0;           ///< index into model::PathSettings::stages
+    double load_factor = 0;  ///< fraction of the stage's load increment that is applied
+    double pressure_Pa = 0;  ///< the leading load (model::leading_load)
+    /// Enclosed by the cavities of the first load, whole actuator; empty without cavities.
+    std::optional<double> volume_m3;
     std::vector<double> pressures_Pa;  ///< of each pressure load if there are several; else empty
     std::vector<double> volumes_m3;    ///< of each of model::measured_cavities if there are several; else empty
     std::vector<double> outputs;       ///< in the order of Case::outputs, SI (model::unit_of)
@@ -39,7 +40,8 @@ struct Step {
     std::vector<double> tangent_pressures, tangent_volumes, tangent_outputs;
     int newton_iterations = 0;
     int factorizations = 0;
-    bool stable = true;  ///< stable under the loads of the case (prescribed pressure, volume or gas mass); see solver/path.hpp
+    /// Stable under the loads of the case (prescribed pressure, volume or gas mass); see solver/path.hpp.
+    bool stable = true;
     /// Stable under the control that found the state (a prescribed pressure may be found under volume control). Absent for dynamic
     /// paths and in older files.
     std::optional<bool> stable_under_control = {};
@@ -63,7 +65,7 @@ struct Step {
     struct Motion {
         double time_s = 0;
         double kinetic_energy_J = 0, stored_energy_J = 0;  ///< of the whole actuator
-        double load_work_J = 0, damping_work_J = 0;        ///< work of the loads and work dissipated by damping since time 0
+        double load_work_J = 0, damping_work_J = 0;  ///< work of the loads and work dissipated by damping since time 0
     };
     std::optional<Motion> motion;
     /// Half widths of the error bars of the discretisation error, if requested (solver/accuracy.hpp): of pressure_Pa at an equal

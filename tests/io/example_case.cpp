@@ -74,15 +74,20 @@ model::Case section_case() {
     model.cavities = {{"main", "cavity", {"end_disc"}, {{"inlet", 1.9634954084936207e-5, {-1, 0, 0}}}},
                       {"annex", "cavity", {}, {}}};
     const model::TimeFunction table{model::TimeFunctionKind::table, 0, 0, {0, 0.05, 0.4}, {0, 1.5, -0.25}};
-    model.loads = {
-        {"supply",
-         {"main", "annex"},
-         true,
-         {0.9e5, 1.1, 5e-6, 1.4},
-         model::LoadShape::deformed,
-         table,
-         model::SupplyLine{2.5e8}},
-        {"outside", {"inlet"}, false, {}, model::LoadShape::undeformed, {model::TimeFunctionKind::ramp, 0.125, 0, {}, {}}, {}}};
+    model.loads = {{"supply",
+                    {"main", "annex"},
+                    true,
+                    {0.9e5, 1.1, 5e-6, 1.4},
+                    model::LoadShape::deformed,
+                    table,
+                    model::SupplyLine{2.5e8}},
+                   {"outside",
+                    {"inlet"},
+                    false,
+                    {},
+                    model::LoadShape::undeformed,
+                    {model::TimeFunctionKind::ramp, 0.125, 0, {}, {}},
+                    {}}};
     model.tractions = {{"inlet", {-1.5e3, 0, 0}, {model::TimeFunctionKind::sine, 0, 12.5, {}, {}}},
                        {"end_disc", {0, 250.0, 0}, table, 4.5e-4}};
     model.body_forces = {{"gravity", {-9.81, 0, 0}, {model::TimeFunctionKind::step, 0, 0, {}, {}}}};

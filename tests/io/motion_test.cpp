@@ -147,10 +147,12 @@ TEST(LoadTimeFunctions, CorruptedValuesAreRejectedWithTheirLocation) {
          {[](hid_t f) { overwrite(f, "/loads/time_function/rise", 1, Numbers{-1}); }, "/loads/time_function/rise[1]"},
          {[](hid_t f) { overwrite(f, "/loads/tractions/time_function/frequency", 0, Numbers{0}); },
           "/loads/tractions/time_function/frequency[0]: must be positive"},
-         {[](hid_t f) { overwrite(f, "/loads/time_function/table/load", 0, Integers{2}); }, "/loads/time_function/table/load[0]"},
+         {[](hid_t f) { overwrite(f, "/loads/time_function/table/load", 0, Integers{2}); },
+          "/loads/time_function/table/load[0]"},
          {[](hid_t f) { overwrite(f, "/loads/tractions/time_function/table/time", 1, Numbers{0.5}); },
           "/loads/tractions/time_function/table/time: must ascend"},
-         {[](hid_t f) { overwrite(f, "/loads/time_function/table/share", 1, Numbers{nan}); }, "/loads/time_function/table/share[1]"},
+         {[](hid_t f) { overwrite(f, "/loads/time_function/table/share", 1, Numbers{nan}); },
+          "/loads/time_function/table/share[1]"},
          {[](hid_t f) {
               replace_texts(f, "/loads", "shape", Words{"deformed", "bent"});
           },

@@ -93,11 +93,13 @@ TEST(Catalogue, ReportsUnsupportedFormulations) {
         if (law.bulk == Bulk::finite) continue;
         const AnyRubber incompressible = make_rubber(description_of(law.name, std::nullopt));
         EXPECT_EQ(explain_incompatibility(incompressible, Form::mixed), "") << law.name;
-        EXPECT_NE(explain_incompatibility(incompressible, Form::displacement).find("use formulation mixed"), std::string::npos)
+        EXPECT_NE(explain_incompatibility(incompressible, Form::displacement).find("use formulation mixed"),
+                  std::string::npos)
             << law.name;
         EXPECT_NE(explain_incompatibility(incompressible, Form::f_bar), "") << law.name;
     }
-    EXPECT_NE(explain_incompatibility(make_rubber(description_of("kraken")), Form::mixed).find("kraken"), std::string::npos);
+    EXPECT_NE(explain_incompatibility(make_rubber(description_of("kraken")), Form::mixed).find("kraken"),
+              std::string::npos);
 }
 
 }  // namespace

@@ -104,7 +104,8 @@ TEST(Fibres, RejectsInvalidParametersAndUnsupportedLaws) {
     EXPECT_EQ(refusal({0.5, 0, 0.8, 2}), "fibers.k1: 0 Pa is not positive");
     EXPECT_EQ(refusal({0.5, 2e5, -1, 2}), "fibers.k2: -1 is not positive");
     EXPECT_EQ(refusal({0.5, 2e5, 0.8, 3}), "fibers.families: 3 is not supported; use 1 or 2");
-    EXPECT_EQ(refusal({1.6, 2e5, 0.8, 2}), "fibers.angle: 1.6 rad is outside its range; use 0 to 90 degrees from the axis");
+    EXPECT_EQ(refusal({1.6, 2e5, 0.8, 2}),
+              "fibers.angle: 1.6 rad is outside its range; use 0 to 90 degrees from the axis");
     for (const char* law : {"kraken", "linear-elastic"})
         EXPECT_EQ(refusal(two_families, law),
                   std::string{"fibers: the law "} + law +

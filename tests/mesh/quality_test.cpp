@@ -42,8 +42,7 @@ TEST(Quality, RejectsAnInvertedCellAndReportsItsPosition) {
         FAIL() << "accepted";
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), ExitCode::bad_input);
-        EXPECT_NE(std::string{error.what()}.find("cell 1 is inverted at ("), std::string::npos)
-            << error.what();
+        EXPECT_NE(std::string{error.what()}.find("cell 1 is inverted at ("), std::string::npos) << error.what();
     }
 }
 

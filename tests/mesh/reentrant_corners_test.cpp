@@ -63,17 +63,20 @@ TEST(ReentrantCorners, FindsTheCornerOfAnLShapedSection) {
 }
 
 TEST(ReentrantCorners, FindsTheCavityEdgesOfAHollowBlock) {
-    const ReentrantCorners found = find_reentrant_corners(grid(3, [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; }));
+    const ReentrantCorners found =
+        find_reentrant_corners(grid(3, [](int i, int j, int k) { return i != 1 || j != 1 || k != 1; }));
     EXPECT_EQ(found.count, 12U);
     EXPECT_DOUBLE_EQ(found.length_m, 4 * (1 + 2 + 1));
     EXPECT_EQ(find_reentrant_corners(grid(3, [](int, int, int) { return true; })).count, 0U);
     // A slot has two edges along it.
-    EXPECT_DOUBLE_EQ(find_reentrant_corners(grid(3, [](int i, int j, int) { return i != 1 || j == 0; })).length_m, 2 * 3);
+    EXPECT_DOUBLE_EQ(find_reentrant_corners(grid(3, [](int i, int j, int) { return i != 1 || j == 0; })).length_m,
+                     2 * 3);
 }
 
 TEST(ReentrantCorners, IgnoresABendOfCurvedCells) {
     EXPECT_EQ(find_reentrant_corners(half_ring(CellType::quad9)).count, 0U);
-    EXPECT_EQ(find_reentrant_corners(half_ring(CellType::quad4)).count, 1U);  // the two straight inner edges meet at 90 degrees
+    EXPECT_EQ(find_reentrant_corners(half_ring(CellType::quad4)).count,
+              1U);  // the two straight inner edges meet at 90 degrees
 }
 
 }  // namespace
