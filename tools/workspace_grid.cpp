@@ -115,6 +115,9 @@ std::vector<Chamber> chambers_of(std::string_view list) {
     return chambers;
 }
 
+/// Every point is an equilibrium to the residual tolerance, and no value is interpolated between two rows, so the steps may be long.
+constexpr const char* step_accuracy = "0.02";
+
 std::string pressure_text(const Chamber& chamber, double share) {
     return "{pressure: " + core::rounded_text(share * chamber.number, 12) + " " + chamber.unit + "}";
 }
@@ -150,7 +153,8 @@ ExitCode write_grid(const GridOptions& options) {
             .append(axis + ": {face: " + options.face + ", along: " + axis + "}");
     std::vector<design::Override> settings{{"loads", "{cavities: {" + loads + "}}", "--pressures"},
                                            {"path", stages_text(chambers, code, options.steps), "--pressures"},
-                                           {"outputs", "{" + outputs + "}", "--face"}};
+                                           {"outputs", "{" + outputs + "}", "--face"},
+                                           {"solver.step_accuracy", step_accuracy, "--steps"}};
     for (const std::string& set : options.sets) settings.push_back(design::parse_override(set));
     const cli::Input input = cli::read_input(options.input, cli::max_design_bytes);
     const auto read = [&] {

@@ -25,6 +25,9 @@ constexpr double error_at_a_kink = 0.8;
 constexpr double load_share = 0.45;
 /// Near a limit point the load's error is relative to this fraction of the load, not to its change.
 constexpr double flat_load = 0.1;
+/// With fibres the error of the state is relative to at least this fraction of the state: each point whose fibres go taut or slack
+/// puts a kink into the path, beside which the error relative to a shorter step does not decrease.
+constexpr double min_kinked_step = 0.1;
 /// Times the tolerance of equilibrium, relative to the state or load: a predictor error below the accuracy of the state itself
 /// gives no information about the step.
 constexpr double equilibrium_margin = 10.0;
@@ -133,9 +136,10 @@ PathFollower::PredictorError PathFollower::error_of(const Aim& aim, const PathPo
     const double unknown = equilibrium_margin * settings_.residual_tolerance;
     linalg::copy(point.state.x, change);
     linalg::add(change, -1.0, last_->state.x);
-    const double step = linalg::norm(change), load_error = std::abs(leading_of(aim.forecast) - point.leading);
-    const double load_step = std::max(std::abs(point.leading - last_->leading), flat_load * std::abs(point.leading));
     const double size = linalg::norm(point.state.x), negligible = negligible_error * settings_.step_accuracy;
+    const double step = std::max(linalg::norm(change), system_.has_fibers() ? min_kinked_step * size : 0.0);
+    const double load_error = std::abs(leading_of(aim.forecast) - point.leading);
+    const double load_step = std::max(std::abs(point.leading - last_->leading), flat_load * std::abs(point.leading));
     return {error > unknown * size ? error / step : 0.0,
             load_error > unknown * std::abs(point.leading) ? load_error / load_step : 0.0,
             error <= negligible * size && load_error <= negligible * std::abs(point.leading)};

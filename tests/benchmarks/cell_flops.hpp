@@ -1,11 +1,11 @@
 #pragma once
-/// The flops that the algorithm of element/cell_kinematics.cpp, material/chain_rule.hpp and element/cell_sums.cpp needs for a
-/// cell; a multiply and an add count two, a division one. Not counted, though computed: lanes beyond the last point, entries that are equal to
-/// others by symmetry (BLAS computes whole diagonal blocks), the hoop's and the third direction's zeros in sections, and
-/// all of a law's own derivatives by its invariants, which differ from law to law. So the rates err to the low side.
+/// Flops per cell of the algorithm in element/cell_kinematics.cpp, material/chain_rule.hpp and element/cell_sums.cpp. A multiply-add counts
+/// as two flops, a division as one. Not counted, although computed: padding lanes beyond the last point, entries that are equal to others
+/// by symmetry (BLAS computes whole diagonal blocks), zeros of the hoop and the third direction in sections, and the derivatives of the law
+/// by its invariants, which differ between laws. The reported rates are therefore lower bounds.
 ///
-/// n nodes, Q points, d directions, s pressure functions; g_i directions in which component i has a gradient (d; 3 for u_r).
-///   map        dX/dxi, du/dxi, and X (u_r) at the points: 2 n Q each number; inverse and F
+/// n nodes, Q points, d directions, s pressure functions; g_i: number of directions in which component i has a gradient (d; 3 for u_r).
+///   map        dX/dxi, du/dxi, and X (u_r) at the points: 2 n Q per component; inverse and F
 ///   gradients  dN/dX: d Q n (2 d - 1); N/R: Q n
 ///   law        chain rules of one point, by components as in chain_rule.hpp
 ///   residual   volume P, then grad N of it: sum g_i Q (1 + 2 n); pressures Q (2 + 3 s)
@@ -17,19 +17,19 @@
 namespace soft::benchmarks {
 
 struct CellFlops {
-    double residual = 0;   ///< with the map and the stress
-    double stiffness = 0;  ///< beyond it
+    double residual = 0;   ///< including the map and the stress
+    double stiffness = 0;  ///< in addition to the residual
     [[nodiscard]] double total() const { return residual + stiffness; }
 };
 
-/// Of one point: map (inverse, F, determinants) and chain rules.
+/// Flops per point: map (inverse, F, determinants) and chain rules.
 struct PointFlops {
     double map, stress, tangent;
 };
 
 // all: det X 14, cofactor 27, quotients 9, F 54, det F 14, volume 1; C 30, F C 45, dI 9 + 27, cof F 27, I1 and I2 8, P 45;
-// b 30, weights 135, 45 entries of 8 and 117 of the terms that only some have; dTheta/dF (45) belongs to the tangent.
-// planar: the same for the 5 components and 15 entries that are not zero.
+// b 30, weights 135, 45 entries of 8, and 117 for terms that only some entries have; dTheta/dF (45) belongs to the tangent.
+// planar: the same for the 5 components and 15 entries that are non-zero.
 inline constexpr PointFlops solid_point{119, 191, 687}, planar_point{32, 83, 275};
 
 [[nodiscard]] inline CellFlops cell_flops(const element::ReferenceCell& cell, model::Kinematics kinematics) {
@@ -37,12 +37,12 @@ inline constexpr PointFlops solid_point{119, 191, 687}, planar_point{32, 83, 275
     const double n = cell.nodes, Q = cell.points, d = cell.dimension, s = cell.pressure_dofs;
     const auto directions = [&](int i) { return axisymmetric && i == 1 ? 3.0 : d; };
     const PointFlops point = cell.dimension == 3 ? solid_point : planar_point;
-    const bool needs_places = axisymmetric || cell.pressure == element::PressureSpace::discontinuous_linear;
+    const bool needs_positions = axisymmetric || cell.pressure == element::PressureSpace::discontinuous_linear;
     double all = 0;
     for (int i = 0; i < cell.dimension; ++i) all += directions(i);
 
     CellFlops flops;
-    const double numbers = 2 * d * d + (needs_places ? d : 0) + (axisymmetric ? 1 : 0);
+    const double numbers = 2 * d * d + (needs_positions ? d : 0) + (axisymmetric ? 1 : 0);
     flops.residual += 2 * numbers * n * Q + Q * point.map;
     flops.residual += d * Q * n * (2 * d - 1) + (axisymmetric ? Q * n : 0);
     flops.residual += 2 * Q * s + Q * point.stress;

@@ -1,5 +1,5 @@
-/// Times the kernels of the assembly against the measured peak of a core: cells by type, form and law, the scatter into the
-/// matrix, a whole evaluation. Rates and seconds are of CPU time.   kernels [--benchmark_format=csv] [--benchmark_filter=hex27]
+/// Measures the assembly kernels relative to the measured peak of a core: cells by type, formulation and law, the scatter into the matrix, a
+/// whole evaluation. Rates and times use CPU time.   kernels [--benchmark_format=csv] [--benchmark_filter=hex27]
 #include <benchmark/benchmark.h>
 
 #include <iostream>
@@ -40,7 +40,7 @@ void set_rates(benchmark::State& state, double flops, const Peak& peak) {
     state.counters["% of peak"] = Counter(100 * flops / peak.flops_per_s, Counter::kIsIterationInvariantRate);
 }
 
-/// Residual, and stiffness where it is wanted, of one distorted cell again and again.
+/// Integrates the residual, and the stiffness if requested, of one distorted cell repeatedly.
 void time_cell(benchmark::State& state, const CellCase& which, Wanted wanted, const Peak& peak) {
     const element::Sample sample(which.combination, element::rubber_of(*material::find_law(which.law)));
     const auto input = sample.input(sample.unknowns);
@@ -54,7 +54,7 @@ void time_cell(benchmark::State& state, const CellCase& which, Wanted wanted, co
             }
         },
         sample.rubber);
-    if (!(out.min_jacobian > 0.0)) state.SkipWithError("the sample is inverted: nothing was computed");
+    if (!(out.min_jacobian > 0.0)) state.SkipWithError("the sample cell is inverted: nothing was computed");
     const CellFlops flops = cell_flops(sample.cell, which.combination.kinematics);
     set_rates(state, wanted == Wanted::stress ? flops.residual : flops.total(), peak);
 }
@@ -67,7 +67,7 @@ model::Case box() {
     return input;
 }
 
-/// One cell's block into the matrix of a mesh, by linalg::BlockAdder, cell after cell.
+/// Adds the block of one cell after another to the matrix of a mesh with linalg::BlockAdder.
 void time_scatter(benchmark::State& state) {
     const model::Case input = box();
     assembly::System system(input, PETSC_COMM_SELF);
@@ -76,30 +76,30 @@ void time_scatter(benchmark::State& state) {
     std::vector<std::vector<PetscInt>> dofs(static_cast<std::size_t>(input.mesh.cell_count()));
     for (std::size_t c = 0; c < dofs.size(); ++c)
         system.dofs().cell_dofs(input.mesh, static_cast<mesh::Index>(c), cell, dofs[c]);
-    const linalg::BlockPlaces places(K, std::vector<std::span<const PetscInt>>(dofs.begin(), dofs.end()));
+    const linalg::BlockIndices indices(K, std::vector<std::span<const PetscInt>>(dofs.begin(), dofs.end()));
     const std::vector<double> values(static_cast<std::size_t>(cell.dofs()) * cell.dofs(), 1.0);
     linalg::BlockAdder adder(K);
     std::size_t next = 0;
     for (auto _ : state) {
-        adder.add(places, next, values);
+        adder.add(indices, next, values);
         next = next + 1 == dofs.size() ? 0 : next + 1;
     }
 }
 
-/// System::evaluate of a mesh. No counters that only some benchmarks have: the CSV writer stops there.
+/// System::evaluate of a mesh. All benchmarks have the same counters, because the CSV writer fails otherwise.
 void time_evaluation(benchmark::State& state, Wanted wanted, const Peak& peak) {
     const model::Case input = box();
     assembly::System system(input, PETSC_COMM_SELF);
     const linalg::Vector x = system.make_vector(), R = system.make_vector();
     SOFT_PETSC(VecSetRandom(x, nullptr));
-    SOFT_PETSC(VecScale(x, 1e-6));  // of 10 mm: cells that are not all alike, and none inverted
+    SOFT_PETSC(VecScale(x, 1e-6));  // small compared with 10 mm: distorted cells, none inverted
     const linalg::Matrix K = system.make_matrix();
     const auto levels = assembly::no_loads(input);
     const auto cells = static_cast<double>(input.mesh.cell_count());
-    static_cast<void>(system.evaluate(x, levels, R, K));  // the first looks up the places of the matrix's entries
+    static_cast<void>(system.evaluate(x, levels, R, K));  // the first evaluation looks up the indices of the matrix entries
     for (auto _ : state)
         if (!system.evaluate(x, levels, R, wanted == Wanted::stress ? nullptr : K.get()).admissible())
-            state.SkipWithError("the sample is inverted");
+            state.SkipWithError("the sample mesh is inverted");
     const auto cell = element::make_reference_cell(CellType::hex27, Form::mixed);
     const CellFlops flops = cell_flops(cell, Kinematics::solid);
     set_rates(state, cells * (wanted == Wanted::stress ? flops.residual : flops.total()), peak);

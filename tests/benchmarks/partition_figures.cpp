@@ -1,5 +1,5 @@
-// partition_figures CASE PARTS...: what a case would give each of so many ranks to own, to read and to send, by the partition that
-// solve makes, found on the ranks there are. One row of CSV a number of parts.
+// partition_figures CASE PARTS...: statistics of the partition that solve would use on PARTS ranks: unknowns that each rank owns and reads
+// from others, and its neighbours. Prints one CSV row per number of parts.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -15,14 +15,14 @@ namespace {
 
 using namespace soft;
 
-constexpr int displacements_a_node = 3, pressures_a_hexahedron = 4;
+constexpr int displacements_per_node = 3, pressures_per_hexahedron = 4;
 
 struct Figures {
-    std::vector<long> cells, own, ghosts, neighbours;  // of each part; own and ghosts in unknowns
+    std::vector<long> cells, own, ghosts, neighbours;  // [part]; own and ghosts in unknowns
 };
 
-/// A node belongs to the lowest part that uses it, as in assembly/dof_map.hpp; ghosts are the nodes of a part's cells that do not.
-/// Pressures of hexahedra stay with their cell; those of wedges (few, at the axis) are left out.
+/// A node belongs to the lowest part that uses it, as in assembly/dof_map.hpp. Ghosts are the nodes of a part's cells that belong to other
+/// parts. Pressures of hexahedra belong to the part of their cell; those of wedges (few, at the axis) are ignored.
 Figures figures_of(const mesh::Mesh& mesh, const std::vector<int>& part_of_cell, int parts) {
     const auto count = static_cast<std::size_t>(parts);
     Figures figures{std::vector<long>(count), std::vector<long>(count), std::vector<long>(count), {}};
@@ -31,7 +31,7 @@ Figures figures_of(const mesh::Mesh& mesh, const std::vector<int>& part_of_cell,
         const int part = part_of_cell[static_cast<std::size_t>(cell)];
         ++figures.cells[static_cast<std::size_t>(part)];
         if (mesh.cell_type(cell) == mesh::CellType::hex27)
-            figures.own[static_cast<std::size_t>(part)] += pressures_a_hexahedron;
+            figures.own[static_cast<std::size_t>(part)] += pressures_per_hexahedron;
         for (const auto node : mesh.cell_nodes(cell)) {
             auto& list = users[static_cast<std::size_t>(node)];
             if (std::ranges::find(list, part) == list.end()) list.push_back(part);
@@ -41,10 +41,10 @@ Figures figures_of(const mesh::Mesh& mesh, const std::vector<int>& part_of_cell,
     for (const auto& list : users) {
         if (list.empty()) continue;
         const int owner = *std::ranges::min_element(list);
-        figures.own[static_cast<std::size_t>(owner)] += displacements_a_node;
+        figures.own[static_cast<std::size_t>(owner)] += displacements_per_node;
         for (const int part : list) {
             if (part == owner) continue;
-            figures.ghosts[static_cast<std::size_t>(part)] += displacements_a_node;
+            figures.ghosts[static_cast<std::size_t>(part)] += displacements_per_node;
             neighbours[static_cast<std::size_t>(part)].insert(owner);
             neighbours[static_cast<std::size_t>(owner)].insert(part);
         }
@@ -59,7 +59,7 @@ double mean(const std::vector<long>& values) {
     return sum / static_cast<double>(values.size());
 }
 
-void tell(const mesh::Mesh& mesh, int parts) {
+void print_row(const mesh::Mesh& mesh, int parts) {
     const auto figures = figures_of(mesh, assembly::partition_cells(mesh, MPI_COMM_WORLD, parts), parts);
     const auto largest = [](const std::vector<long>& values) { return *std::ranges::max_element(values); };
     std::printf("%d,%.0f,%ld,%.0f,%ld,%.0f,%ld,%.3f,%.1f,%ld\n", parts, mean(figures.cells), largest(figures.cells),
@@ -70,12 +70,12 @@ void tell(const mesh::Mesh& mesh, int parts) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    if (argc < 3) throw Error(ExitCode::usage, "partition_figures", "wants CASE PARTS...");
+    if (argc < 3) throw Error(ExitCode::usage, "partition_figures", "arguments are missing", "give CASE PARTS...");
     const linalg::Session session({});
     const auto input = io::read_case(core::read_file(argv[1]), argv[1]);
     std::printf(
         "parts,cells,cells_max,own_unknowns,own_max,ghost_unknowns,ghost_max,ghosts_per_own,neighbours,neighbours_max\n");
-    for (int i = 2; i < argc; ++i) tell(input.mesh, std::atoi(argv[i]));
+    for (int i = 2; i < argc; ++i) print_row(input.mesh, std::atoi(argv[i]));
     return 0;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

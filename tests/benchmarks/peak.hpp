@@ -1,25 +1,25 @@
 #pragma once
-/// The rate [Flop/s] at which one core does double-precision multiply-adds, measured: independent chains on the widest vectors
-/// the processor has, nothing loaded or stored. A multiply and an add count two.
+/// Measures the peak rate [Flop/s] of double-precision multiply-adds on one core: independent chains on the widest vectors of the
+/// processor, without loads or stores. A multiply-add counts as two flops.
 #include <ctime>
 
 namespace soft::benchmarks {
 
 namespace detail {
 
-/// Enough chains to cover the latency of two units (4 cycles each), few enough for 16 registers.
+/// Enough chains to hide the latency of two units (4 cycles each), few enough for 16 registers.
 inline constexpr int chain_count = 10;
 
 template <int Width>
 struct VectorOf {
     typedef double Type
-        __attribute__((vector_size(Width * sizeof(double))));  // `using` loses the attribute of a dependent size
+        __attribute__((vector_size(Width * sizeof(double))));  // with `using` GCC drops the attribute of a dependent size
 };
 
 template <int Width>
 [[nodiscard]] inline double multiply_adds(long rounds) {
     using Vector = typename VectorOf<Width>::Type;
-    const Vector factor = Vector{} + 0.999999, term = Vector{} + 1e-6;  // tends to 1: neither overflow nor denormals
+    const Vector factor = Vector{} + 0.999999, term = Vector{} + 1e-6;  // converges to 1: neither overflow nor denormals
     Vector chain[chain_count];
     for (int c = 0; c < chain_count; ++c) chain[c] = Vector{} + 1.0 + 0.01 * c;
     for (long round = 0; round < rounds; ++round)
@@ -68,7 +68,7 @@ struct Peak {
     int vector_width = 0;  ///< doubles
 };
 
-/// The best of several short tries: a peak is what nothing disturbed.
+/// The best of several short runs, as the least disturbed one.
 [[nodiscard]] inline Peak measure_peak() {
     constexpr int tries = 20;
     constexpr long rounds = 1'000'000;

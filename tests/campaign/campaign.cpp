@@ -1,8 +1,8 @@
-/// campaign: random designs, and what became of them. scripts/campaign runs what it draws.
+/// campaign: draws random designs and collects their outcomes. scripts/campaign runs the designs.
 ///     campaign draw SEED FIRST LAST FOLDER PROGRAMS    writes FOLDER/designs/ID.yaml; prints index,id,family,law,load,refused
 ///     campaign outcomes FOLDER PLAN                    writes FOLDER/outcomes.csv, prints the tables
-///     campaign judge RESULT [REASON]                   whether the reason for which the path ended, or this one, is true
-/// Exit code 1 of `judge`: it is not; of `outcomes`: a design is not computed, or the reason for which its path ended is not confirmed.
+///     campaign confirm RESULT [REASON]                 checks the stop reason of the result, or REASON instead
+/// Exit code 1 of `confirm`: the reason is not confirmed; of `outcomes`: a design is not computed or its stop reason is not confirmed.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -25,7 +25,7 @@ std::string text_of(const fs::path& file) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// The address is made of content as that of a sweep's design: the same again is not computed again.
+/// The id is a hash of the content, as for the designs of a sweep: existing results are not computed again.
 void draw(std::uint32_t seed, int first, int last, const fs::path& folder, const std::string& programs) {
     const fs::path designs = folder / "designs";
     fs::create_directories(designs);
@@ -40,25 +40,25 @@ void draw(std::uint32_t seed, int first, int last, const fs::path& folder, const
 
 int outcomes(const fs::path& folder, const fs::path& plan) {
     std::vector<campaign::Outcome> all;
-    for (const campaign::Planned& design : campaign::read_plan(plan))
+    for (const campaign::PlannedDesign& design : campaign::read_plan(plan))
         all.push_back(campaign::outcome_of(folder, design));
     std::ofstream{folder / "outcomes.csv"} << campaign::outcomes_csv(all);
     std::cout << campaign::outcomes_markdown(all);
     return !all.empty() && std::ranges::all_of(all, &campaign::Outcome::confirmed) ? 0 : 1;
 }
 
-int judge(const fs::path& file, const std::string& planted) {
+int confirm(const fs::path& file, const std::string& claimed) {
     io::Result result = io::read_result(core::read_file(file), file.string());
-    if (!planted.empty()) {
+    if (!claimed.empty()) {
         using enum solution::StopReason;
         const auto reasons = {done, limit_point, diverged, inverted_element, self_contact, step_limit};
         const auto named =
-            std::ranges::find(reasons, planted, [](solution::StopReason r) { return solution::name(r); });
-        if (named == reasons.end() || !result.end) throw std::runtime_error("no reason is called " + planted);
+            std::ranges::find(reasons, claimed, [](solution::StopReason r) { return solution::name(r); });
+        if (named == reasons.end() || !result.end) throw std::runtime_error("unknown stop reason " + claimed);
         result.end->reason = *named;
     }
     const campaign::Verdict verdict = campaign::confirm(result);
-    std::cout << (verdict.confirmed ? "confirmed: " : "not confirmed: ") << verdict.why << "\n";
+    std::cout << (verdict.confirmed ? "confirmed: " : "not confirmed: ") << verdict.reason << "\n";
     return verdict.confirmed ? 0 : 1;
 }
 
@@ -72,13 +72,13 @@ int main(int argc, char** argv) {
                  text_of(words[5]));
             return 0;
         }
-        if (words.size() >= 2 && words.size() <= 3 && words[0] == "judge")
-            return judge(words[1], words.size() > 2 ? words[2] : "");
+        if (words.size() >= 2 && words.size() <= 3 && words[0] == "confirm")
+            return confirm(words[1], words.size() > 2 ? words[2] : "");
         if (words.size() == 3 && words[0] == "outcomes") return outcomes(words[1], words[2]);
     } catch (const std::exception& error) {
         std::cerr << "campaign: " << error.what() << "\n";
         return 70;
     }
-    std::cerr << "campaign: draw SEED FIRST LAST FOLDER PROGRAMS | judge RESULT [REASON] | outcomes FOLDER PLAN\n";
+    std::cerr << "campaign: draw SEED FIRST LAST FOLDER PROGRAMS | confirm RESULT [REASON] | outcomes FOLDER PLAN\n";
     return 64;
 }

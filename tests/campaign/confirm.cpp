@@ -14,31 +14,33 @@ namespace {
 using solution::Step;
 using solution::StopReason;
 
-/// Loads and goals are met to this part.
-constexpr double met = 1e-6;
-/// At a limit point the slope is at most this part of that before; of a path that goes on it is about 1.
-constexpr double flat = 0.35;
-/// Growth of the load for a growth of the displacements by themselves, of what is left of it: less never gets there.
-constexpr double asymptotic = 1e-3;
-/// Far beyond the stretch limit: of what is left, what a load may still rise by whose rise falls with this power or a higher one.
+/// Relative tolerance within which loads and goals are reached.
+constexpr double goal_tolerance = 1e-6;
+/// Largest ratio of successive slopes at a limit point; it is about 1 on a path that continues.
+constexpr double max_slope_ratio = 0.35;
+/// Relative growth of the load, over the remaining load, for a doubling of the displacements: with less growth the load is never reached.
+constexpr double max_asymptotic_growth = 1e-3;
+/// Far beyond the stretch limit: if the growth of the load decays with at least this power, the extrapolated growth must stay below this
+/// fraction of the remaining load.
 constexpr double far_beyond = 10, min_power = 0.4, reachable = 0.6;
-/// det F of a cell that is about to turn inside out.
-constexpr double flattened = 0.2;
-/// How far, in parts of the body, the last step may be drawn out until walls touch.
-constexpr double soon = 0.03;
-/// Parts of the last step: the first is that to which contact is located, each further one so many times longer.
-constexpr double first_part = 1.0 / 256, longer = 1.5;
+/// Largest det F of a cell that is about to invert.
+constexpr double max_inverted_det_F = 0.2;
+/// Largest extrapolation of the last step until self-contact, relative to the extent of the model.
+constexpr double max_extrapolation = 0.03;
+/// Extrapolation in fractions of the last step: the first equals the accuracy of the contact location, each further one is larger by the
+/// given factor.
+constexpr double first_extrapolation = 1.0 / 256, extrapolation_growth = 1.5;
 
-/// A state lies between two rows where the way to both together is longer than that between them by less than this part.
-constexpr double detour = 0.05;
-/// So many steps that are together less than this part of the path's length lead nowhere.
-constexpr std::size_t many_steps = 150;
-constexpr double short_way = 0.011;
+/// A state lies between two rows if the sum of its distances to both exceeds their distance by less than this fraction.
+constexpr double max_detour = 0.05;
+/// The path stalls if this many steps cover less than this fraction of its length.
+constexpr std::size_t stall_steps = 150;
+constexpr double max_stall_length = 0.011;
 
 std::string text(double value) { return core::rounded_text(value, 4); }
 
-/// How far the nodes move from one row to the next [m]: what the load is seen against.
-std::optional<double> way(const io::Result& result, std::int64_t from, std::int64_t to) {
+/// Norm of the change of the nodal displacements between two rows [m], the abscissa of all slopes.
+std::optional<double> distance(const io::Result& result, std::int64_t from, std::int64_t to) {
     const auto a = result.fields.read(from), b = result.fields.read(to);
     if (!a || !b) return std::nullopt;
     double sum = 0;
@@ -47,7 +49,7 @@ std::optional<double> way(const io::Result& result, std::int64_t from, std::int6
     return std::sqrt(sum);
 }
 
-/// Of the last row, SI; but for numbers of rows and ratios the column of the curve. nullopt for what no row has.
+/// Value of a quantity in the last row, SI: the number of steps, a volume ratio or a column of the curve; nullopt if it is not recorded.
 std::optional<double> value_of(const io::Result& result, const std::string& quantity) {
     const Step &first = result.steps.front(), &last = result.steps.back();
     if (quantity == "steps") return static_cast<double>(result.steps.size() - 1);
@@ -60,54 +62,54 @@ std::optional<double> value_of(const io::Result& result, const std::string& quan
 
 Verdict confirm_done(const io::Result& result) {
     const Step& last = result.steps.back();
-    if (last.stage + 1 != static_cast<int>(result.model.path.stages.size())) return {false, "stages are left"};
+    if (last.stage + 1 != static_cast<int>(result.model.path.stages.size())) return {false, "not all stages are complete"};
     for (const model::Until& until : result.model.path.stages.back().until)
         if (const auto value = value_of(result, until.quantity);
-            value && std::abs(*value - until.value) <= met * std::abs(until.value))
-            return {true, until.quantity + " is what it was to be"};
-    return {std::abs(last.load_factor - 1) <= met, "load factor " + text(last.load_factor)};
+            value && std::abs(*value - until.value) <= goal_tolerance * std::abs(until.value))
+            return {true, until.quantity + " has reached its goal"};
+    return {std::abs(last.load_factor - 1) <= goal_tolerance, "load factor " + text(last.load_factor)};
 }
 
-/// The maximum of a value by rows: in one that has a fall behind it which is more than equilibrium leaves open; else the last.
+/// Row of the maximum if the values decrease after it by more than the equilibrium tolerance; else the last row.
 std::size_t maximum(const std::vector<double>& values, double tolerance) {
     const auto top = std::ranges::max_element(values);
     const bool falls = *top - values.back() > tolerance * std::abs(*top);
     return falls ? static_cast<std::size_t>(top - values.begin()) : values.size() - 1;
 }
 
-/// Slope of a value over the way at the last row, as part of the secant's before the last step. The slope where the last step
-/// begins is drawn out from the steps before it: just before a maximum the last step is much shorter than they are. Last first.
-double slope_at_the_end(std::span<const double> values, std::span<const double> ways) {
-    const auto secant = [&](std::size_t i) { return (values[i] - values[i + 1]) / ways[i]; };
-    double start = secant(1);  // of the last step
-    if (ways.size() > 2) start += (secant(1) - secant(2)) / (ways[1] + ways[2]) * ways[1];
+/// Slope of a value at the last row, relative to the secant before the last step. The slope at the start of the last step is extrapolated
+/// from the previous steps, because just before a maximum the last step is much shorter than they are. `values`, `distances`: last first.
+double slope_at_the_end(std::span<const double> values, std::span<const double> distances) {
+    const auto secant = [&](std::size_t i) { return (values[i] - values[i + 1]) / distances[i]; };
+    double start = secant(1);  // at the start of the last step
+    if (distances.size() > 2) start += (secant(1) - secant(2)) / (distances[1] + distances[2]) * distances[1];
     return (2 * secant(0) - start) / secant(1);
 }
 
-/// A path that has come back to a state between two earlier rows of its last stage, or whose last steps lead nowhere.
+/// Checks for a path that returns to a state between two earlier rows of its last stage, or whose last steps stall.
 std::optional<Verdict> confirm_return_or_stall(const io::Result& result) {
     const auto last = static_cast<std::int64_t>(result.steps.size()) - 1;
-    std::vector<double> ways;
+    std::vector<double> distances;
     double all = 0;
     for (std::int64_t row = 0; row < last; ++row) {
         if (result.steps[static_cast<std::size_t>(row)].stage != result.steps.back().stage) continue;
-        const auto length = way(result, row, row + 1), before = way(result, row, last),
-                   behind = way(result, row + 1, last);
+        const auto length = distance(result, row, row + 1), before = distance(result, row, last),
+                   behind = distance(result, row + 1, last);
         if (!length || !before || !behind) return std::nullopt;
-        if (row + 2 < last && *before + *behind < (1 + detour) * *length)
+        if (row + 2 < last && *before + *behind < (1 + max_detour) * *length)
             return Verdict{
                 true, "the last state lies between rows " + std::to_string(row) + " and " + std::to_string(row + 1)};
-        ways.push_back(*length);
+        distances.push_back(*length);
         all += *length;
     }
-    if (ways.size() < many_steps) return std::nullopt;
+    if (distances.size() < stall_steps) return std::nullopt;
     double end = 0;
-    for (std::size_t i = ways.size() - many_steps; i < ways.size(); ++i) end += ways[i];
-    if (end > short_way * all) return std::nullopt;
-    return Verdict{true, "the last " + std::to_string(many_steps) + " steps are " + text(end / all) + " of the path"};
+    for (std::size_t i = distances.size() - stall_steps; i < distances.size(); ++i) end += distances[i];
+    if (end > max_stall_length * all) return std::nullopt;
+    return Verdict{true, "the last " + std::to_string(stall_steps) + " steps are " + text(end / all) + " of the path"};
 }
 
-/// By the rows of the last stage: the load has an extremum before the last row, or what the control lets grow has one at it.
+/// From the rows of the last stage: the load has a maximum before the last row, or the controlled quantity has one at the last row.
 Verdict confirm_limit_point(const io::Result& result) {
     std::vector<double> factors, controlled;
     const model::Control control =
@@ -127,35 +129,35 @@ Verdict confirm_limit_point(const io::Result& result) {
     const std::size_t top = maximum(factors, tolerance);
     if (top + 1 < n && result.steps.back().stretch_p99 > result.model.path.stretch_limit)
         return {top > 0 && factors[top] < 1, "the load has its maximum, " + text(factors[top]) +
-                                                 " of the full one, in row " + std::to_string(top) + " of " +
+                                                 " of the full load, in row " + std::to_string(top) + " of " +
                                                  std::to_string(n - 1)};
-    if (factors.back() >= 1 - met) return {false, "the load asked for is reached"};
+    if (factors.back() >= 1 - goal_tolerance) return {false, "the requested load is reached"};
     if (auto verdict = confirm_return_or_stall(result)) return *verdict;
-    if (maximum(controlled, tolerance) + 1 < n) return {false, "the path has gone on behind a maximum"};
+    if (maximum(controlled, tolerance) + 1 < n) return {false, "the path continues after a maximum"};
     const auto rows = static_cast<std::int64_t>(result.steps.size());
-    const auto all = way(result, 0, rows - 1);
-    std::vector<double> values{controlled.back()}, ways;  // backwards
-    for (std::size_t i = n - 1; i > 0 && ways.size() < 3; --i) {
+    const auto all = distance(result, 0, rows - 1);
+    std::vector<double> values{controlled.back()}, distances;  // backwards
+    for (std::size_t i = n - 1; i > 0 && distances.size() < 3; --i) {
         const std::int64_t row = rows - static_cast<std::int64_t>(n - i);
-        const auto length = way(result, row - 1, row);
+        const auto length = distance(result, row - 1, row);
         if (!length || !all) return {false, "no fields are stored"};
         if (*length <= tolerance * *all) continue;  // the same state twice
         values.push_back(controlled[i - 1]);
-        ways.push_back(*length);
+        distances.push_back(*length);
     }
-    if (ways.size() < 2) return {false, "too few rows"};
+    if (distances.size() < 2) return {false, "too few rows"};
     const double gain = values[0] - values[1], left = 1 - factors.back();
-    if (controlled == factors && left > 0 && std::abs(gain) < asymptotic * ways[0] / *all * left)
-        return {true, "the load has an asymptote: " + text(factors[n - 1]) + " of the full one at the end"};
-    // Or its rise falls with a power of the displacements: what is still to come is the integral of that.
-    const double before = (values[1] - values[2]) / ways[1], last = gain / ways[0];
-    const double power = std::log(before / last) / std::log((*all - ways[0] / 2) / (*all - ways[0] - ways[1] / 2)) - 1,
+    if (controlled == factors && left > 0 && std::abs(gain) < max_asymptotic_growth * distances[0] / *all * left)
+        return {true, "the load has an asymptote: " + text(factors[n - 1]) + " of the full load at the end"};
+    // Or its growth decays with a power of the displacements: the integral of this power law is the remaining growth.
+    const double before = (values[1] - values[2]) / distances[1], last = gain / distances[0];
+    const double power = std::log(before / last) / std::log((*all - distances[0] / 2) / (*all - distances[0] - distances[1] / 2)) - 1,
                  to_come = last * *all / power;
     const bool far = result.steps.back().stretch_p99 > far_beyond * result.model.path.stretch_limit;
     if (controlled == factors && far && left > 0 && last > 0 && power > min_power && to_come < reachable * left)
-        return {true, "the load tends to " + text(factors[n - 1] + to_come) + " of the full one"};
-    const double slope = slope_at_the_end(values, ways);
-    return {slope <= flat, "slope at the last row " + text(slope) + " of that two rows before"};
+        return {true, "the load tends to " + text(factors[n - 1] + to_come) + " of the full load"};
+    const double slope = slope_at_the_end(values, distances);
+    return {slope <= max_slope_ratio, "slope at the last row " + text(slope) + " of that two rows before"};
 }
 
 Verdict confirm_self_contact(const io::Result& result) {
@@ -169,22 +171,22 @@ Verdict confirm_self_contact(const io::Result& result) {
         step[i] -= before->displacement_m[i];
         largest = std::max(largest, std::abs(step[i]));
     }
-    const double farthest = soon * checks.extent_m();
-    for (double t = 0; t == 0 || t * largest <= farthest; t = t == 0 ? first_part : longer * t) {
+    const double farthest = max_extrapolation * checks.extent_m();
+    for (double t = 0; t == 0 || t * largest <= farthest; t = t == 0 ? first_extrapolation : extrapolation_growth * t) {
         std::vector<double> u = last->displacement_m;
         for (std::size_t i = 0; i < u.size(); ++i) u[i] += t * step[i];
         if (const std::string what = checks.contact(u, before->displacement_m); !what.empty())
             return {true, what + ", " + text(t * largest * 1e3) + " mm beyond the last row"};
         if (largest == 0) break;
     }
-    return {false, "no walls meet within " + text(farthest * 1e3) + " mm of the last row"};
+    return {false, "no contact within " + text(farthest * 1e3) + " mm of the last row"};
 }
 
 Verdict confirm_inversion(const io::Result& result) {
     const auto last = result.fields.read(static_cast<std::int64_t>(result.steps.size()) - 1);
     if (!last) return {false, "no fields are stored"};
-    const double least = ShapeChecks{result.model}.min_det_F(last->displacement_m);
-    return {least <= flattened, "least det F " + text(least)};
+    const double minimum = ShapeChecks{result.model}.min_det_F(last->displacement_m);
+    return {minimum <= max_inverted_det_F, "smallest det F " + text(minimum)};
 }
 
 }  // namespace

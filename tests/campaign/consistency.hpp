@@ -1,8 +1,8 @@
 #pragma once
-/// What the rows of any result must not do, whatever ends its path: judged by the rows and the displacements alone.
-///   energies    work of the loads and stored energy of a static path differ by no more than 1 % of the largest of them
-///   motions     a face that is moved lies between where it was and where it is to be, at the end of a path that is done there
-///   tiny loads  a body that nowhere stretches by 1e-6 behaves linearly: its path is done, and within a few rows
+/// Checks that every result must satisfy for any stop reason, from the rows and the displacements only:
+///   energies    work of the loads and stored energy of a static path differ by at most 1 % of the largest of them
+///   motions     a face with a prescribed displacement has moved by a fraction between 0 and 1 of it, and by all of it if the path is done
+///   tiny loads  with strains below 1e-6 everywhere the response is linear: the path is done within a few rows
 /// Tested by campaign/consistency_test.
 #include <span>
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace soft::campaign {
 
-/// What is wrong with the result, in a few words with the numbers; empty where nothing is.
+/// The first inconsistency of the result, as a short text with the values; empty if there is none.
 [[nodiscard]] std::string inconsistency(const io::Result& result);
 
-/// Of its rows alone: energies and tiny loads.
+/// Checks the rows only: energies and tiny loads.
 [[nodiscard]] std::string inconsistency(const model::Case& model, std::span<const solution::Step> rows,
                                         solution::StopReason end);
 

@@ -5,7 +5,7 @@
 namespace soft::campaign {
 namespace {
 
-/// What is wrong with rows whose loads have done `work_J` where the rubber stores 1 J, `more` of them than three.
+/// Inconsistency of three rows, plus `more` copies of the last, in which the loads do the work `work_J` and the rubber stores 1 J.
 std::string wrong_with(double stretch, double work_J, int more = 0,
                        solution::StopReason end = solution::StopReason::done) {
     model::Case model;
@@ -22,15 +22,15 @@ std::string wrong_with(double stretch, double work_J, int more = 0,
     return inconsistency(model, rows, end);
 }
 
-TEST(Consistency, FindsEnergiesThatDiffer) {
+TEST(Consistency, DetectsAnEnergyImbalance) {
     EXPECT_EQ(wrong_with(2, 1.009), "");
     EXPECT_EQ(wrong_with(2, 1.02), "the energies differ by 1.961 %");
     EXPECT_EQ(wrong_with(2, -1), "the energies differ by 200 %");
 }
 
-TEST(Consistency, FindsLinearResponsesThatTakeManyRows) {
+TEST(Consistency, DetectsLinearResponsesWithTooManyRows) {
     EXPECT_EQ(wrong_with(1 + 1e-9, 1), "");
-    EXPECT_EQ(wrong_with(1 + 1e-9, 1, 20), "a linear response takes 23 rows");
+    EXPECT_EQ(wrong_with(1 + 1e-9, 1, 20), "a linear response needs 23 rows");
     EXPECT_EQ(wrong_with(1 + 1e-9, 1, 0, solution::StopReason::step_limit), "a linear response ends as step_limit");
 }
 

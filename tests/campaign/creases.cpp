@@ -16,14 +16,14 @@ using mesh::Point;
 using surface::FacetPoint;
 using surface::Vector;
 
-/// [rad] A crease has closed where rubber fills a full turn and up to this more, and was open where it filled less than that.
-constexpr double sharp = 0.5;
-/// [rad] Nearer to a full turn it is a slit of the undeformed body.
-constexpr double slit = 1e-3;
-/// Where on an edge; its ends belong to other edges as well.
-constexpr std::array places{0.01, 0.25, 0.5, 0.75, 0.99};
+/// [rad] A crease is closed if the rubber fills more than a full turn by up to this angle. It was open if the rubber filled less than that.
+constexpr double max_closed_angle = 0.5;
+/// [rad] Creases closer to a full turn in the undeformed model are slits and are ignored.
+constexpr double min_open_angle = 1e-3;
+/// Sample points on an edge; its ends also belong to other edges and are avoided.
+constexpr std::array edge_samples{0.01, 0.25, 0.5, 0.75, 0.99};
 
-/// Of a facet at a point of its border: out of the rubber, and into the facet across the border.
+/// Directions at a point of a facet's edge: the outward normal, and the direction into the facet perpendicular to the edge.
 struct Side {
     Vector out, inward;
 };
@@ -41,8 +41,8 @@ Side side_of(const surface::FacetMap& map, const FacetPoint& from, const FacetPo
             surface::along(inward, -surface::dot(inward, edge) / surface::dot(edge, edge), edge)};
 }
 
-/// From a facet through the rubber to the direction of another one, in (-pi, pi]: past half a turn it is negative, as the air
-/// that is left, and past a full one positive again.
+/// Angle from a facet through the rubber to the direction of another facet, in (-pi, pi]: negative beyond half a turn (minus the angle of
+/// the remaining air) and positive again beyond a full turn.
 double angle(const Side& side, const Vector& other) {
     return std::atan2(-surface::dot(side.out, other) / surface::norm(side.out),
                       surface::dot(side.inward, other) / surface::norm(side.inward));
@@ -53,7 +53,7 @@ double angle(const Side& side, const Vector& other) {
 Creases::Creases(const model::Case& model, const std::vector<mesh::Facet>& skin) : model_(model), skin_(skin) {
     const auto mirrors = surface::mirrors(model);
     const double near_m = model::plane_tolerance * model::extent_m(model.mesh);
-    std::map<std::array<Index, 2>, std::vector<Border>> meeting;
+    std::map<std::array<Index, 2>, std::vector<EdgeSide>> meeting;
     for (std::size_t f = 0; f < skin.size(); ++f) {
         const mesh::CellTopology& type = mesh::topology(mesh::facet_type(model.mesh, skin[f]));
         const auto nodes = mesh::facet_nodes(model.mesh, skin[f]);
@@ -64,8 +64,8 @@ Creases::Creases(const model::Case& model, const std::vector<mesh::Facet>& skin)
             for (std::size_t d = 0; d < 2; ++d) middle[d] += type.nodes[i][d] / static_cast<double>(count);
         for (std::size_t i = 0; i < count; ++i) {
             std::size_t a = i, b = line ? i : (i + 1) % count;
-            if (nodes[b] < nodes[a]) std::swap(a, b);  // the same way along the edge in both facets
-            Border border{f, {type.nodes[a][0], type.nodes[a][1]}, {type.nodes[b][0], type.nodes[b][1]}, {}};
+            if (nodes[b] < nodes[a]) std::swap(a, b);  // same direction along the edge in both facets
+            EdgeSide border{f, {type.nodes[a][0], type.nodes[a][1]}, {type.nodes[b][0], type.nodes[b][1]}, {}};
             for (std::size_t d = 0; d < 2; ++d) border.inward[d] = middle[d] - (border.from[d] + border.to[d]) / 2;
             meeting[{nodes[a], nodes[b]}].push_back(border);
         }
@@ -80,8 +80,8 @@ Creases::Creases(const model::Case& model, const std::vector<mesh::Facet>& skin)
     }
 }
 
-double Creases::rubber(const Crease& crease, double along, std::span<const Point> positions) const {
-    const auto side = [&](const Border& b) {
+double Creases::rubber_angle(const Crease& crease, double along, std::span<const Point> positions) const {
+    const auto side = [&](const EdgeSide& b) {
         return side_of(surface::facet_map(model_.mesh, skin_[b.facet], positions), b.from, b.to, b.inward, along);
     };
     const Side one = side(crease.one);
@@ -92,13 +92,13 @@ double Creases::rubber(const Crease& crease, double along, std::span<const Point
     return angle(one, other);
 }
 
-bool Creases::close(std::span<const Point> before, std::span<const Point> now) const {
+bool Creases::has_closed(std::span<const Point> before, std::span<const Point> now) const {
     return std::ranges::any_of(creases_, [&](const Crease& crease) {
-        return std::ranges::any_of(places, [&](double along) {
-            const double is = rubber(crease, along, now);
-            if (!(is > 0 && is < sharp)) return false;
-            const double was = rubber(crease, along, before), first = rubber(crease, along, model_.mesh.points);
-            return (was < 0 || was > std::numbers::pi - sharp) && (first < -slit || first > sharp);
+        return std::ranges::any_of(edge_samples, [&](double along) {
+            const double is = rubber_angle(crease, along, now);
+            if (!(is > 0 && is < max_closed_angle)) return false;
+            const double was = rubber_angle(crease, along, before), first = rubber_angle(crease, along, model_.mesh.points);
+            return (was < 0 || was > std::numbers::pi - max_closed_angle) && (first < -min_open_angle || first > max_closed_angle);
         });
     });
 }

@@ -1,5 +1,4 @@
-/// Materials with constants in the ranges that silicones and their fits have, and loads that go far beyond what most
-/// bodies bear.
+/// Materials with constants in the ranges of silicones and their fits, and loads that exceed the limit load of most designs.
 #include <algorithm>
 #include <array>
 
@@ -9,8 +8,8 @@
 namespace soft::campaign {
 namespace {
 
-constexpr double softest_kPa = 10, hardest_kPa = 1000;  // initial shear modulus: gels to filled grades
-/// Full pressure over modulus / slenderness, about the largest that a thin neo-Hookean shell bears; it mostly is less.
+constexpr double min_modulus_kPa = 10, max_modulus_kPa = 1000;  // initial shear modulus: gels to filled grades
+/// Full pressure in units of modulus / slenderness, which is about the limit pressure of a thin neo-Hookean shell.
 constexpr double min_load = 0.1, max_load = 30;
 
 std::string list(const std::vector<double>& values) {
@@ -97,7 +96,7 @@ Law draw_law(Dice& dice) {
 const std::vector<std::string> silicones{"dragon-skin-20",    "ecoflex-00-30",  "ecoflex-00-50",
                                          "mold-star-16-fast", "platsil-gel-10", "rtv615"};
 
-/// Follower loads of all kinds that a cavity takes. `p`: full pressure.
+/// All kinds of cavity loads. `p`: full pressure.
 Load cavity_load(Dice& dice, const Shape& shape, double p) {
     const std::string cavity = shape.cavities.front();
     const bool one = shape.cavities.size() == 1;
@@ -124,16 +123,16 @@ Load cavity_load(Dice& dice, const Shape& shape, double p) {
                                               pressed(0) + "}, vacuum: {loads: " + pressed(-0.3 * p) + "}}"}};
         return {"stages", std::move(settings)};
     }
-    if (shape.pulled.empty()) return {"cavity pressure", {{"loads", pressed(p)}}};
+    if (shape.load_faces.empty()) return {"cavity pressure", {{"loads", pressed(p)}}};
     std::string both = pressed(p);
-    both.insert(both.size() - 1, ", " + shape.pulled.front() + ": {force: " + number(p * 1e-3 * dice.between(-20, 20)) +
+    both.insert(both.size() - 1, ", " + shape.load_faces.front() + ": {force: " + number(p * 1e-3 * dice.between(-20, 20)) +
                                      " N, along: axis}");
     return {"pressure and force", {{"loads", both}}};
 }
 
 Load face_load(Dice& dice, const Shape& shape, double p) {
-    if (!shape.pulled.empty() && (shape.pressed.empty() || dice.chance(0.6))) {
-        const std::string face = shape.pulled.front(), along = dice.one_of(std::vector<std::string>{"x", "y", "axis"});
+    if (!shape.load_faces.empty() && (shape.pressure_faces.empty() || dice.chance(0.6))) {
+        const std::string face = shape.load_faces.front(), along = dice.one_of(std::vector<std::string>{"x", "y", "axis"});
         const std::string direction = shape.model == "axisymmetric" ? "axis" : shape.model == "quarter" ? "x" : along;
         if (dice.chance(0.4))
             return {"motion",
@@ -143,7 +142,7 @@ Load face_load(Dice& dice, const Shape& shape, double p) {
                 {{"loads", "{" + face + ": {traction: " + kPa(dice.between(-p, p)) + ", along: " + direction + "}}"}}};
     }
     const double sign = dice.chance(0.5) ? 1 : -1;
-    return {"face pressure", {{"loads", "{" + dice.one_of(shape.pressed) + ": {pressure: " + kPa(sign * p) + "}}"}}};
+    return {"face pressure", {{"loads", "{" + dice.one_of(shape.pressure_faces) + ": {pressure: " + kPa(sign * p) + "}}"}}};
 }
 
 }  // namespace
@@ -152,39 +151,39 @@ std::string number(double value) { return core::rounded_text(value, 5); }
 std::string mm(double value) { return number(value) + " mm"; }
 std::string kPa(double value) { return number(value) + " kPa"; }
 
-Stuff draw_material(Dice& dice, const Shape& shape) {
-    Stuff stuff;
+DrawnMaterial draw_material(Dice& dice, const Shape& shape) {
+    DrawnMaterial material;
     if (dice.chance(0.06)) {
         const std::string name = dice.one_of(silicones);
         return {name, 100, {{"material", name}}};
     }
     const Law law = draw_law(dice);
-    stuff.law = law.name;
-    stuff.mu_kPa = dice.between_logs(softest_kPa, hardest_kPa);
-    stuff.settings.emplace_back("material.law", law.name);
-    for (const auto& [key, value] : law.constants(dice, stuff.mu_kPa))
-        stuff.settings.emplace_back("material." + key, value);
+    material.law = law.name;
+    material.mu_kPa = dice.between_logs(min_modulus_kPa, max_modulus_kPa);
+    material.settings.emplace_back("material.law", law.name);
+    for (const auto& [key, value] : law.constants(dice, material.mu_kPa))
+        material.settings.emplace_back("material." + key, value);
     const double kind = dice.between(0, 1);
     const double ratio = kind < 0.65 ? dice.between_logs(20, 5000) : dice.between(1, 20);
     const bool bounded = law.needs_kappa || kind > 0.35;
-    const bool is_kraken = stuff.law == "kraken", is_linear = stuff.law == "linear-elastic";
-    if (bounded) stuff.settings.emplace_back("material.kappa", kPa(stuff.mu_kPa * ratio));
+    const bool is_kraken = material.law == "kraken", is_linear = material.law == "linear-elastic";
+    if (bounded) material.settings.emplace_back("material.kappa", kPa(material.mu_kPa * ratio));
     if (bounded && !is_linear && !is_kraken && dice.chance(0.4))
-        stuff.settings.emplace_back("material.volumetric",
+        material.settings.emplace_back("material.volumetric",
                                     dice.one_of(std::vector<std::string>{"quadratic", "log", "mixed"}));
     if (is_kraken || (bounded && ratio < 20 && dice.chance(0.3)))
-        stuff.settings.emplace_back("mesh.formulation", "displacement");
+        material.settings.emplace_back("mesh.formulation", "displacement");
     else if (bounded && !is_linear && shape.table_text.empty() && shape.model != "solid" && shape.family != "pneunet" &&
              dice.chance(0.05))
-        stuff.settings.insert(stuff.settings.end(), {{"mesh.formulation", "f-bar"}, {"mesh.order", "1"}});
-    if (dice.chance(0.04)) stuff.settings.emplace_back("mesh.cells", "simplices");
-    return stuff;
+        material.settings.insert(material.settings.end(), {{"mesh.formulation", "f-bar"}, {"mesh.order", "1"}});
+    if (dice.chance(0.04)) material.settings.emplace_back("mesh.cells", "simplices");
+    return material;
 }
 
-Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const Stuff& stuff) {
-    if (!shape.pulled.empty() && dice.chance(0.65)) {
+Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const DrawnMaterial& material) {
+    if (!shape.load_faces.empty() && dice.chance(0.65)) {
         double max_mm = 2;
-        if (shape.family == "rod") {  // from pads to rods
+        if (shape.family == "rod") {  // from flat pads to slender rods
             const double length = dice.between_logs(2, 60);
             max_mm = 0.1 * length;
             shape.settings.emplace_back("geometry.length", mm(length));
@@ -193,24 +192,24 @@ Load draw_motion_or_tiny_load(Dice& dice, Shape& shape, const Stuff& stuff) {
         const double way = (dice.chance(0.5) ? 1 : -1) * max_mm * dice.between_logs(1e-4, 1);
         const std::string along = shape.model == "axisymmetric" || dice.chance(0.7) ? "axis" : "x";
         return {"small motion",
-                {{"loads", "{" + shape.pulled.front() + ": {displacement: " + mm(way) + ", along: " + along + "}}"}}};
+                {{"loads", "{" + shape.load_faces.front() + ": {displacement: " + mm(way) + ", along: " + along + "}}"}}};
     }
-    const double p = (dice.chance(0.5) ? 1 : -1) * stuff.mu_kPa / shape.slenderness * dice.between_logs(1e-12, 1e-8);
+    const double p = (dice.chance(0.5) ? 1 : -1) * material.mu_kPa / shape.slenderness * dice.between_logs(1e-12, 1e-8);
     const std::string pressure = "{pressure: " + kPa(p) + "}";
     if (!shape.cavities.empty() && shape.family != "two-spheres")
         return {
             "tiny load",
             {{"loads", shape.cavities.size() == 1 ? "{cavity: " + pressure + "}"
                                                   : "{cavities: {" + shape.cavities.front() + ": " + pressure + "}}"}}};
-    if (!shape.pressed.empty())
-        return {"tiny load", {{"loads", "{" + dice.one_of(shape.pressed) + ": " + pressure + "}"}}};
-    return draw_load(dice, shape, stuff);
+    if (!shape.pressure_faces.empty())
+        return {"tiny load", {{"loads", "{" + dice.one_of(shape.pressure_faces) + ": " + pressure + "}"}}};
+    return draw_load(dice, shape, material);
 }
 
-Load draw_load(Dice& dice, const Shape& shape, const Stuff& stuff) {
-    const double p = stuff.mu_kPa / shape.slenderness * dice.between_logs(min_load, max_load);
+Load draw_load(Dice& dice, const Shape& shape, const DrawnMaterial& material) {
+    const double p = material.mu_kPa / shape.slenderness * dice.between_logs(min_load, max_load);
     const bool on_cavity = !shape.cavities.empty() && !dice.chance(0.12);
-    Load load = on_cavity || (shape.pressed.empty() && shape.pulled.empty()) ? cavity_load(dice, shape, p)
+    Load load = on_cavity || (shape.pressure_faces.empty() && shape.load_faces.empty()) ? cavity_load(dice, shape, p)
                                                                              : face_load(dice, shape, p);
     if (load.kind == "traction" && dice.chance(0.2)) {
         load.kind = "gravity";

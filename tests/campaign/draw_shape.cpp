@@ -1,4 +1,4 @@
-/// Shapes: dimensions as soft-robotics engineers choose them, thin and thick, on meshes of one or two cells through the wall.
+/// Shapes: dimensions typical of soft robots, thin and thick, on meshes with one or two cells through the wall.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -10,9 +10,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Cells as long as the wall is thick or half of that, longer where the body would take more than `most` along it.
-std::string cell_size(Dice& dice, double wall_mm, double length_mm, double most) {
-    return mm(std::max(wall_mm * dice.between(0.5, 1.1), length_mm / most));
+/// Cell size between half and the full wall thickness, larger if the length would need more than `max_cells`.
+std::string cell_size(Dice& dice, double wall_mm, double length_mm, double max_cells) {
+    return mm(std::max(wall_mm * dice.between(0.5, 1.1), length_mm / max_cells));
 }
 
 void through_wall(Dice& dice, Shape& shape) {
@@ -112,8 +112,8 @@ Shape ring(Dice& dice) {
 Shape rod(Dice& dice) {
     const double length = dice.between(10, 100), width = dice.between(4, 20), height = dice.between(4, 20);
     Shape shape{"rod", dice.one_of(std::vector<std::string>{"solid", "half", "quarter"}), {}, {}, {}, {"end"}};
-    shape.pressed = {"end"};
-    if (shape.model == "solid") shape.pressed.emplace_back("top");
+    shape.pressure_faces = {"end"};
+    if (shape.model == "solid") shape.pressure_faces.emplace_back("top");
     shape.settings = {{"geometry.length", mm(length)},
                       {"geometry.width", mm(width)},
                       {"geometry.height", mm(height)},
@@ -132,7 +132,7 @@ Shape panel(Dice& dice) {
                       {"geometry.end_height", mm(height * dice.between(0.4, 1))},
                       {"geometry.rise", dice.chance(0.5) ? "0 mm" : mm(height * dice.between(-0.5, 1))},
                       {"mesh.size", mm(std::max(height / 4, length / 40))}};
-    if (dice.chance(0.3)) shape.settings.emplace_back("supports", "{fixed: [fixed, end]}"), shape.pulled.clear();
+    if (dice.chance(0.3)) shape.settings.emplace_back("supports", "{fixed: [fixed, end]}"), shape.load_faces.clear();
     shape.slenderness = length * length / (height * height);
     return shape;
 }
@@ -205,7 +205,7 @@ std::string row(double x, double y, const std::string& tag, const std::string& c
     return number(x) + "," + number(y) + "," + tag + "," + curve + (loop.empty() ? "" : "," + loop) + "\n";
 }
 
-/// A closed body of revolution whose radius and wall vary along it; the solid lies on the left of its outline.
+/// A closed body of revolution with varying radius and wall; the solid lies to the left of its outline.
 Shape revolved(Dice& dice) {
     Shape shape{"revolved", "axisymmetric", {}, {"cavity"}, {"outer"}, {}};
     const int stations = dice.whole(3, 7);
@@ -225,7 +225,7 @@ Shape revolved(Dice& dice) {
     for (int k = stations - 2; k > 0; --k) text += row(station[k][0], station[k][2], "outer", "line");
     text += row(0, station.front()[2], "fixed", "line");
     shape.table_text = text;
-    shape.pulled = {"tip"};
+    shape.load_faces = {"tip"};
     shape.settings = {{"supports", "{fixed: fixed}"}, {"mesh.size", mm(std::max(wall, length / 25))}};
     through_wall(dice, shape);
     shape.gas_mL = pi * bore * bore * length * 1e-3;
@@ -233,7 +233,7 @@ Shape revolved(Dice& dice) {
     return shape;
 }
 
-/// A long pad with a slot of any number of corners below its top.
+/// A long pad with a polygonal slot below its top.
 Shape extruded(Dice& dice) {
     Shape shape{"extruded", "plane-strain", {}, {"cavity"}, {"side"}, {"top"}};
     const double width = dice.between(15, 40), height = dice.between(8, 20), roof = height * dice.between(0.08, 0.3);
@@ -257,7 +257,7 @@ Shape extruded(Dice& dice) {
 
 struct Family {
     Shape (*draw)(Dice&);
-    double weight;  ///< solids cost more: there are fewer of them
+    double weight;  ///< solids are more expensive, so fewer are drawn
 };
 constexpr std::array families{Family{tube, 13},       Family{fiber_tube, 11}, Family{bellows, 13}, Family{sphere, 9},
                               Family{two_spheres, 7}, Family{ring, 8},        Family{rod, 6},      Family{panel, 8},

@@ -13,16 +13,16 @@
 namespace soft::campaign {
 namespace {
 
-constexpr int killed_for_its_time = 128 + 24;  // SIGXCPU
-constexpr int stopped_by_the_clock = 124;      // of timeout
-constexpr int shown_of_the_hardest = 10;
+constexpr int exit_cpu_limit = 128 + 24;  // SIGXCPU
+constexpr int exit_timeout = 124;      // exit code of timeout
+constexpr int max_slowest = 10;
 
 std::string text_of(const std::filesystem::path& file) {
     const core::Bytes bytes = core::read_file(file);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// "mesh_gen_s user system wall", "solve_s ...".
+/// Sum of user and system time in lines such as "mesh_gen_s user system wall".
 double cpu_of(const std::string& status) {
     std::istringstream lines(status);
     double sum = 0, user = 0, system = 0;
@@ -37,7 +37,7 @@ std::string percent(std::ptrdiff_t part, std::size_t whole) {
     return core::rounded_text(100.0 * static_cast<double>(part) / static_cast<double>(whole), 3) + " %";
 }
 
-/// Counts by a word of each row and by reason, as a table.
+/// Table of counts by a property of each row and by stop reason.
 template <class Word>
 std::string table_by(const std::vector<Outcome>& outcomes, const std::string& title, Word word_of) {
     std::map<std::string, std::map<std::string, int>> counts;
@@ -50,7 +50,7 @@ std::string table_by(const std::vector<Outcome>& outcomes, const std::string& ti
     }
     std::string text = "| " + title + " | designs |", rule = "|---|---|";
     for (const auto& [reason, count] : all) text += " " + reason + " |", rule += "---|";
-    text += " CPU s a design |\n" + rule + "---|\n";
+    text += " CPU s per design |\n" + rule + "---|\n";
     const auto row = [&](const std::string& word, const std::map<std::string, int>& of, double cpu_s) {
         int sum = 0;
         for (const auto& [reason, count] : of) sum += count;
@@ -67,13 +67,13 @@ std::string table_by(const std::vector<Outcome>& outcomes, const std::string& ti
 
 }  // namespace
 
-std::vector<Planned> read_plan(const std::filesystem::path& file) {
+std::vector<PlannedDesign> read_plan(const std::filesystem::path& file) {
     std::ifstream lines(file);
-    std::vector<Planned> plan;
+    std::vector<PlannedDesign> plan;
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
         std::string index;
-        Planned row;
+        PlannedDesign row;
         std::getline(words, index, ',');
         std::getline(words, row.id, ',');
         std::getline(words, row.family, ',');
@@ -85,7 +85,7 @@ std::vector<Planned> read_plan(const std::filesystem::path& file) {
     return plan;
 }
 
-Outcome outcome_of(const std::filesystem::path& folder, const Planned& design) {
+Outcome outcome_of(const std::filesystem::path& folder, const PlannedDesign& design) {
     Outcome outcome;
     outcome.design = design;
     const std::filesystem::path own = folder / design.id;
@@ -95,9 +95,9 @@ Outcome outcome_of(const std::filesystem::path& folder, const Planned& design) {
     if (!status) return outcome;
     outcome.exit_code = status->exit_code;
     outcome.cpu_s = cpu_of(text);
-    outcome.said = status->error;
+    outcome.detail = status->error;
     if (outcome.exit_code != 0 && outcome.exit_code != 2) {
-        outcome.reason = outcome.exit_code == killed_for_its_time || outcome.exit_code == stopped_by_the_clock ? "hangs"
+        outcome.reason = outcome.exit_code == exit_cpu_limit || outcome.exit_code == exit_timeout ? "hangs"
                          : outcome.exit_code == 65 ? "refused"
                          : outcome.exit_code > 128 ? "killed"
                                                    : "failed";
@@ -108,21 +108,21 @@ Outcome outcome_of(const std::filesystem::path& folder, const Planned& design) {
     if (!result.steps.empty()) outcome.stretch = result.steps.back().stretch_p99;
     if (result.end) outcome.reason = solution::name(result.end->reason);
     const Verdict verdict = confirm(result);
-    // The exit code is part of what is claimed.
+    // The exit code must agree with the stop reason.
     outcome.confirmed = verdict.confirmed && (outcome.exit_code == 0) == (outcome.reason == "done");
-    outcome.said = verdict.why;
+    outcome.detail = verdict.reason;
     return outcome;
 }
 
 std::string outcomes_csv(const std::vector<Outcome>& outcomes) {
     std::string text = "index,id,family,law,load,exit_code,stop_reason,confirmed,rows,stretch_p99,cpu_s,said\n";
     for (const Outcome& o : outcomes) {
-        std::string said = o.said;
-        std::ranges::replace(said, '"', '\'');
+        std::string detail = o.detail;
+        std::ranges::replace(detail, '"', '\'');
         text += std::to_string(o.design.index) + "," + o.design.id + "," + o.design.family + "," + o.design.law + "," +
                 o.design.load + "," + std::to_string(o.exit_code) + "," + o.reason + "," + (o.confirmed ? "1" : "0") +
                 "," + std::to_string(o.rows) + "," + core::rounded_text(o.stretch, 4) + "," +
-                core::rounded_text(o.cpu_s, 3) + ",\"" + said + "\"\n";
+                core::rounded_text(o.cpu_s, 3) + ",\"" + detail + "\"\n";
     }
     return text;
 }
@@ -141,16 +141,16 @@ std::string outcomes_markdown(const std::vector<Outcome>& outcomes) {
     text += table_by(outcomes, "law", [](const Outcome& o) { return o.design.law; });
     text += table_by(outcomes, "load", [](const Outcome& o) { return o.design.load; });
     text +=
-        "| not confirmed | family | law | load | stop_reason | rows | what the check says |\n|---|---|---|---|---|---|---|\n";
+        "| not confirmed | family | law | load | stop_reason | rows | reason given by the check |\n|---|---|---|---|---|---|---|\n";
     for (const Outcome& o : outcomes)
         if (!o.confirmed)
             text += "| " + std::to_string(o.design.index) + " | " + o.design.family + " | " + o.design.law + " | " +
-                    o.design.load + " | " + o.reason + " | " + std::to_string(o.rows) + " | " + o.said + " |\n";
-    std::vector<Outcome> hardest = outcomes;
-    std::ranges::stable_sort(hardest, std::greater{}, &Outcome::cpu_s);
-    hardest.resize(std::min<std::size_t>(hardest.size(), shown_of_the_hardest));
-    text += "\n| hardest | family | law | load | stop_reason | rows | CPU s |\n|---|---|---|---|---|---|---|\n";
-    for (const Outcome& o : hardest)
+                    o.design.load + " | " + o.reason + " | " + std::to_string(o.rows) + " | " + o.detail + " |\n";
+    std::vector<Outcome> slowest = outcomes;
+    std::ranges::stable_sort(slowest, std::greater{}, &Outcome::cpu_s);
+    slowest.resize(std::min<std::size_t>(slowest.size(), max_slowest));
+    text += "\n| slowest | family | law | load | stop_reason | rows | CPU s |\n|---|---|---|---|---|---|---|\n";
+    for (const Outcome& o : slowest)
         text += "| " + std::to_string(o.design.index) + " | " + o.design.family + " | " + o.design.law + " | " +
                 o.design.load + " | " + o.reason + " | " + std::to_string(o.rows) + " | " +
                 core::rounded_text(o.cpu_s, 3) + " |\n";

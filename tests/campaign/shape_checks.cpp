@@ -18,23 +18,23 @@ namespace {
 using mesh::Facet;
 using mesh::Point;
 
-/// Straight pieces of a curved facet along each of its edges.
-constexpr int parts_of_an_edge = 6;
-/// Beyond the mirror by this part of the body.
-constexpr double passed = 1e-6;
+/// Number of straight pieces along each edge of a curved facet.
+constexpr int pieces_per_edge = 6;
+/// Distance from the symmetry plane beyond which a point counts as off the plane, relative to the extent of the model.
+constexpr double crossing_tolerance = 1e-6;
 
 struct Pieces {
     std::vector<std::vector<Point>> corners;
-    std::vector<std::array<long, 3>> ends;  ///< names of the corners, the same where pieces hang together
+    std::vector<std::array<long, 3>> ends;  ///< ids of the corners, equal for connected pieces
     std::vector<mesh::Index> cells;
 };
 
-/// A point of a facet's grid, at (i, j) of so many parts.
+/// A point (i, j) of a facet's grid.
 struct GridPoint {
     int i, j;
 };
 
-/// Names of grid points, the same in two facets for those of their common edge.
+/// Ids of grid points, equal in two facets for the points of their common edge.
 class Names {
 public:
     Names(std::size_t facet, std::span<const mesh::Index> nodes, int parts, mesh::Shape shape)
@@ -80,7 +80,7 @@ std::vector<std::vector<GridPoint>> grid(mesh::Shape shape, int parts) {
     return pieces;
 }
 
-/// Curved facets are cut as finely as a crease is to be seen that closes between their nodes.
+/// Curved facets are subdivided finely enough to detect a crease that closes between nodes.
 Pieces pieces_of(const mesh::Mesh& mesh, const std::vector<Facet>& skin) {
     Pieces pieces;
     std::map<std::array<long, 3>, long> numbers;
@@ -88,7 +88,7 @@ Pieces pieces_of(const mesh::Mesh& mesh, const std::vector<Facet>& skin) {
         const surface::FacetMap map = surface::facet_map(mesh, skin[f], mesh.points);
         const mesh::CellTopology& type = mesh::topology(map.type);
         const bool plane = type.order == 1 && type.shape != mesh::Shape::quadrilateral;
-        const int parts = plane ? 1 : parts_of_an_edge;
+        const int parts = plane ? 1 : pieces_per_edge;
         const auto nodes = mesh::facet_nodes(mesh, skin[f]);
         const Names name{f, nodes, parts, type.shape};
         const bool simplex = type.shape == mesh::Shape::triangle;
@@ -107,7 +107,7 @@ Pieces pieces_of(const mesh::Mesh& mesh, const std::vector<Facet>& skin) {
     return pieces;
 }
 
-bool hang_together(const std::array<long, 3>& a, const std::array<long, 3>& b) {
+bool share_vertex(const std::array<long, 3>& a, const std::array<long, 3>& b) {
     return std::ranges::any_of(a, [&](long name) { return name >= 0 && std::ranges::find(b, name) != b.end(); });
 }
 
@@ -124,7 +124,7 @@ ShapeChecks::ShapeChecks(const model::Case& model)
       skin_(surface::free_facets(model)),
       creases_(model, skin_),
       extent_m_(model::extent_m(model.mesh)) {
-    from_the_start_ = meeting(model.mesh);
+    initial_pairs_ = intersecting_pairs(model.mesh);
 }
 
 mesh::Mesh ShapeChecks::moved(std::span<const double> u) const {
@@ -134,8 +134,8 @@ mesh::Mesh ShapeChecks::moved(std::span<const double> u) const {
     return mesh;
 }
 
-/// Between the sides of one cell is rubber, not air: where they meet it is inside out.
-ShapeChecks::Pairs ShapeChecks::meeting(const mesh::Mesh& mesh) const {
+/// Pairs of intersecting pieces. Sides of the same cell are excluded: rubber lies between them, and if they intersect the cell is inverted.
+ShapeChecks::Pairs ShapeChecks::intersecting_pairs(const mesh::Mesh& mesh) const {
     const Pieces pieces = pieces_of(mesh, skin_);
     std::vector<surface::Box> boxes;
     for (const auto& corners : pieces.corners) {
@@ -147,16 +147,17 @@ ShapeChecks::Pairs ShapeChecks::meeting(const mesh::Mesh& mesh) const {
             }
     }
     Pairs pairs;
-    for (const auto& pair : surface::overlapping(boxes)) {
+    for (const auto& pair : surface::overlapping_pairs(boxes)) {
         const auto i = static_cast<std::size_t>(pair[0]), j = static_cast<std::size_t>(pair[1]);
-        if (pieces.cells[i] == pieces.cells[j] || hang_together(pieces.ends[i], pieces.ends[j])) continue;
-        if (surface::meet(pieces.corners[i], pieces.corners[j])) pairs.insert(pair);
+        if (pieces.cells[i] == pieces.cells[j] || share_vertex(pieces.ends[i], pieces.ends[j])) continue;
+        if (surface::intersect(pieces.corners[i], pieces.corners[j])) pairs.insert(pair);
     }
     return pairs;
 }
 
-/// At nodes and between them: facets bulge. Where rubber lies between facet and mirror, a cell is inside out.
-bool ShapeChecks::passes_a_mirror(const mesh::Mesh& mesh) const {
+/// Checks nodes and points between them, because facets bulge. Facets with rubber between them and the plane are excluded: there a cell is
+/// inverted.
+bool ShapeChecks::crosses_symmetry_plane(const mesh::Mesh& mesh) const {
     constexpr int samples = 8;
     const auto mirrors = surface::mirrors(model_);
     for (const Facet& facet : skin_) {
@@ -173,7 +174,7 @@ bool ShapeChecks::passes_a_mirror(const mesh::Mesh& mesh) const {
                 const auto is = now(xi);
                 const surface::Vector out = surface::cross(is.t1, is.t2);
                 for (std::size_t d = 0; d < 3; ++d)
-                    if (mirrors[d] && std::abs(was[d]) > passed * extent_m_ && is.x[d] * was[d] < 0 &&
+                    if (mirrors[d] && std::abs(was[d]) > crossing_tolerance * extent_m_ && is.x[d] * was[d] < 0 &&
                         out[d] * was[d] < 0)
                         return true;
             }
@@ -183,22 +184,22 @@ bool ShapeChecks::passes_a_mirror(const mesh::Mesh& mesh) const {
 
 std::string ShapeChecks::contact(std::span<const double> u, std::span<const double> before) const {
     const mesh::Mesh now = moved(u);
-    Pairs pairs = meeting(now);
-    for (const auto& pair : from_the_start_) pairs.erase(pair);
-    if (!pairs.empty()) return "walls meet";
-    if (passes_a_mirror(now)) return "a wall passes a mirror";
-    return creases_.close(moved(before).points, now.points) ? "a crease closes" : "";
+    Pairs pairs = intersecting_pairs(now);
+    for (const auto& pair : initial_pairs_) pairs.erase(pair);
+    if (!pairs.empty()) return "walls intersect";
+    if (crosses_symmetry_plane(now)) return "a wall crosses a symmetry plane";
+    return creases_.has_closed(moved(before).points, now.points) ? "a crease closes" : "";
 }
 
 double ShapeChecks::min_det_F(std::span<const double> u) const {
     const mesh::Mesh now = moved(u);
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (mesh::Index c = 0; c < now.cell_count(); ++c) {
         const mesh::CellType type = now.cell_type(c);
         const auto nodes = now.cell_nodes(c);
-        std::vector<Point> places(mesh::topology(type).nodes.begin(), mesh::topology(type).nodes.end());
-        for (const auto& point : mesh::volume_rule(type)) places.push_back(point.xi);
-        for (const Point& xi : places) {
+        std::vector<Point> samples(mesh::topology(type).nodes.begin(), mesh::topology(type).nodes.end());
+        for (const auto& point : mesh::volume_rule(type)) samples.push_back(point.xi);
+        for (const Point& xi : samples) {
             std::array<Point, 3> was{}, is{};
             const auto shapes = mesh::shape_values(type, xi);
             for (std::size_t a = 0; a < nodes.size(); ++a)
@@ -207,10 +208,10 @@ double ShapeChecks::min_det_F(std::span<const double> u) const {
                         was[i][k] += shapes[a].gradient[i] * model_.mesh.point(nodes[a])[k];
                         is[i][k] += shapes[a].gradient[i] * now.point(nodes[a])[k];
                     }
-            least = std::min(least, determinant(is, now.dimension) / determinant(was, now.dimension));
+            minimum = std::min(minimum, determinant(is, now.dimension) / determinant(was, now.dimension));
         }
     }
-    return least;
+    return minimum;
 }
 
 }  // namespace soft::campaign

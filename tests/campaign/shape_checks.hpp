@@ -1,7 +1,6 @@
 #pragma once
-/// What the deformed mesh of a case shows by itself: walls that meet, cells that are flattened. Plain and slow; made for
-/// tests, of other parts than the solver's own search. Tested by campaign/shape_checks_test,
-/// Pipeline.ACampaignConfirmsWhyPathsEnd.
+/// Checks of the deformed mesh: self-contact and nearly inverted cells. Simple and slow, for tests; independent of the solver's contact
+/// search. Tested by campaign/shape_checks_test, Pipeline.CampaignConfirmsTheStopReasons.
 #include <array>
 #include <set>
 #include <span>
@@ -17,24 +16,24 @@ class ShapeChecks {
 public:
     explicit ShapeChecks(const model::Case& model);
 
-    /// "walls meet", "a crease closes", "a wall passes a mirror"; empty where nothing does. `u`: [point x 3]; `before`: of the
-    /// row before.
+    /// "walls intersect", "a crease closes", "a wall crosses a symmetry plane"; empty without contact.
+    /// `u`: displacements [point x 3]; `before`: those of the previous row.
     [[nodiscard]] std::string contact(std::span<const double> u, std::span<const double> before) const;
-    /// At corners, mid nodes and centres of the cells.
+    /// Smallest det F at corners, mid nodes and centres of the cells.
     [[nodiscard]] double min_det_F(std::span<const double> u) const;
-    /// Longest side of the undeformed body's box.
+    /// Longest side of the bounding box of the undeformed model.
     [[nodiscard]] double extent_m() const { return extent_m_; }
 
 private:
     using Pairs = std::set<std::array<int, 2>>;
     [[nodiscard]] mesh::Mesh moved(std::span<const double> u) const;
-    [[nodiscard]] Pairs meeting(const mesh::Mesh& mesh) const;
-    [[nodiscard]] bool passes_a_mirror(const mesh::Mesh& mesh) const;
+    [[nodiscard]] Pairs intersecting_pairs(const mesh::Mesh& mesh) const;
+    [[nodiscard]] bool crosses_symmetry_plane(const mesh::Mesh& mesh) const;
 
     const model::Case& model_;
     std::vector<mesh::Facet> skin_;
     Creases creases_;
-    Pairs from_the_start_;  ///< that meet in the undeformed body
+    Pairs initial_pairs_;  ///< pairs that intersect in the undeformed model
     double extent_m_ = 0;
 };
 

@@ -17,8 +17,8 @@ std::string contact(const model::Case& model, const Motion& now, const Motion& b
     return ShapeChecks{model}.contact(displacement(model, now), displacement(model, before));
 }
 
-/// Three squares or cubes around an inner corner: its walls meet where every angle about it is stretched by 4/3.
-TEST(ShapeChecks, ACreaseIsClosedWhenItsWallsMeet) {
+/// Three squares or cubes around an inner corner: its walls meet when every angle about it is scaled by 4/3.
+TEST(ShapeChecks, CreaseClosesWhenItsWallsMeet) {
     const auto stretched = [](double factor) {
         return [factor](const Point& X) {
             const double middle = 0.75 * std::numbers::pi,
@@ -41,8 +41,8 @@ TEST(ShapeChecks, ACreaseIsClosedWhenItsWallsMeet) {
         }
 }
 
-/// The top of two cells, x = 0, 1 and 2, where the walls of a crease are parabolas: from (0, 0) by (a, -0.1) down to (1, -1) and
-/// up again. At its bottom they stand upright, and meet, where a = 3/4; a straight line from there is far from the other wall.
+/// The top of two cells, x = 0, 1 and 2. The walls of the crease are parabolas from (0, 0) through (a, -0.1) down to (1, -1) and up again.
+/// For a = 3/4 they are vertical at the bottom and touch there, although the chords are far apart.
 Motion pinched(double a) {
     return [a](const Point& X) {
         if (X[1] < 1) return X;
@@ -53,7 +53,7 @@ Motion pinched(double a) {
     };
 }
 
-TEST(ShapeChecks, ACreaseOfCurvedWallsClosesBetweenTheirNodes) {
+TEST(ShapeChecks, CreaseOfCurvedWallsClosesBetweenNodes) {
     for (const int dimension : {2, 3}) {
         const model::Case model =
             bodies::make_case(bodies::block(dimension, bodies::box({0, 2}, {-2, 1}, {0, 1}), {2, 1, 1}, "all"),
@@ -63,9 +63,9 @@ TEST(ShapeChecks, ACreaseOfCurvedWallsClosesBetweenTheirNodes) {
     }
 }
 
-/// A cell at the axis (x, r), whose upper side has the parabola r(s) through 0, `middle` and 1: it passes the axis where middle
-/// < 1/4. Its x is `tip` at the axis and 1 beyond it.
-Motion drawn(double middle, double tip) {
+/// A cell at the axis (x, r) whose upper side is the parabola r(s) through 0, `middle` and 1: it crosses the axis if middle < 1/4. Its x is
+/// `tip` at the axis and 1 at the outer end.
+Motion curved_side(double middle, double tip) {
     return [=](const Point& X) {
         if (X[0] < 1) return X;
         const double s = X[1];
@@ -74,17 +74,17 @@ Motion drawn(double middle, double tip) {
     };
 }
 
-TEST(ShapeChecks, ACraterThatClosesAtTheAxisTouchesItAndASpikeOfRubberDoesNot) {
+TEST(ShapeChecks, CraterAtTheAxisClosesButASpikeDoesNot) {
     const model::Case model = bodies::make_case(bodies::block(2, bodies::box({0, 1}, {0, 1}), {1, 1, 1}, "all"),
                                                 model::Kinematics::axisymmetric);
-    EXPECT_EQ(contact(model, drawn(0.2501, 0.5), drawn(0.3, 0.6)), "");
-    EXPECT_EQ(contact(model, drawn(0.2499, 0.5), drawn(0.3, 0.6)), "a crease closes");
-    EXPECT_EQ(contact(model, drawn(0.2, 0.5), drawn(0.3, 0.6)), "a wall passes a mirror");
-    EXPECT_EQ(contact(model, drawn(0.2499, 2), drawn(0.3, 1.9)), "");
-    EXPECT_EQ(contact(model, drawn(0.2, 2), drawn(0.3, 1.9)), "");
+    EXPECT_EQ(contact(model, curved_side(0.2501, 0.5), curved_side(0.3, 0.6)), "");
+    EXPECT_EQ(contact(model, curved_side(0.2499, 0.5), curved_side(0.3, 0.6)), "a crease closes");
+    EXPECT_EQ(contact(model, curved_side(0.2, 0.5), curved_side(0.3, 0.6)), "a wall crosses a symmetry plane");
+    EXPECT_EQ(contact(model, curved_side(0.2499, 2), curved_side(0.3, 1.9)), "");
+    EXPECT_EQ(contact(model, curved_side(0.2, 2), curved_side(0.3, 1.9)), "");
 }
 
-TEST(ShapeChecks, TheSidesOfACellThatIsInsideOutAreNoWallsThatMeet) {
+TEST(ShapeChecks, IgnoresIntersectingSidesOfAnInvertedCell) {
     const model::Case model = bodies::make_case(bodies::block(2, bodies::box({0, 1}, {0, 1}), {1, 1, 1}, "all"),
                                                 model::Kinematics::plane_strain);
     const auto sheared = [](double by) {
