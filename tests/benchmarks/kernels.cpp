@@ -1,5 +1,5 @@
-/// Measures the assembly kernels relative to the measured peak of a core: cells by type, formulation and law, the scatter into the matrix, a
-/// whole evaluation. Rates and times use CPU time.   kernels [--benchmark_format=csv] [--benchmark_filter=hex27]
+/// Measures the assembly kernels relative to the measured peak of a core: cells by type, formulation and law, the scatter into the matrix,
+/// and a whole evaluation. Rates and times use CPU time.   kernels [--benchmark_format=csv] [--benchmark_filter=hex27]
 #include <benchmark/benchmark.h>
 
 #include <iostream>

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# scripts/benchmark as its reader calls it; no figure is judged.   script_test.sh TREE BIN
-# shellcheck disable=SC2317  # claim calls the little checks
-# The script runs in a copy, so that the tree's own results stay.
+# Tests the command line and the output of scripts/benchmark, not the measured values.   script_test.sh TREE BIN
+# shellcheck disable=SC2317  # claim calls the check functions
+# The script runs in a copy, so that existing results in the tree are kept.
 set -uo pipefail
 tree=$(realpath "$1")
 bin=$(realpath "$2")
@@ -22,28 +22,28 @@ claim() {   # claim TEXT COMMAND...: the command must succeed
     fi
 }
 exits() { [[ $status -eq $1 ]]; }
-says() { [[ $output == *"$1"* ]]; }
-tells() { grep -qF -- "$1" "$work/err"; }
+prints() { [[ $output == *"$1"* ]]; }
+reports() { grep -qF -- "$1" "$work/err"; }
 table() { cat "$work"/tree/results/benchmarks/*.csv; }
 figure() { table | awk -F, -v what="$1" '$1 == "start" && $2 == what && $3 > 0 && $4 == "CPU s" && $5 == 2 && $6 <= $3 && $3 <= $7 { found = 1 } END { exit !found }'; }
 
 run --help
-claim "--help ends well" exits 0
-for group in start bellows kernels ranks rod solid size sweep; do claim "and names the group $group" says "$group  "; done
+claim "--help succeeds" exits 0
+for group in start bellows kernels ranks rod solid size sweep; do claim "and lists the group $group" prints "$group  "; done
 run speed
 claim "an unknown group is a usage error" exits 64
-claim "that names the groups" tells 'start bellows kernels ranks rod solid size sweep'
+claim "that lists the groups" reports 'start bellows kernels ranks rod solid size sweep'
 
 RUNS=2 run start
-claim "the group start ends well" exits 0
-for tool in mesh-gen solve postprocess; do claim "$tool has its row" figure "$tool starts"; done
-claim "the BLAS is named" says 'BLAS: '
+claim "the group start succeeds" exits 0
+for tool in mesh-gen solve postprocess; do claim "$tool has a row" figure "$tool starts"; done
+claim "the BLAS is printed" prints 'BLAS: '
 claim "the file has a header" grep -q '^group,what,value,unit,runs,least,most,peer,peer_value,ratio,command,revision,machine,time$' <(table)
 RUNS=2 run rod solid
-claim "without the paper's meshes it ends well too" exits 0
-claim "and says what is left out" tells 'rod: left out without KRAKEN_MESHES'
+claim "it succeeds without the paper's meshes" exits 0
+claim "and reports skipped groups" reports 'rod: skipped because KRAKEN_MESHES is not set'
 BUILD_DIR=$work/absent run start
-claim "without the tools it says so" tells 'run make build'
+claim "it reports missing tools" reports 'run make build'
 claim "and fails" exits 1
-((failures == 0)) && echo "every claim holds"
+((failures == 0)) && echo "all checks passed"
 exit $((failures > 0))
